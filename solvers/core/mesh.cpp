@@ -1,0 +1,166 @@
+#include "solvers/core/mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "solvers/core/tolerance.h"
+
+namespace geodesic {
+namespace {
+
+Vec3 operator-(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+double norm(const Vec3& a) { return std::sqrt(dot(a, a)); }
+
+Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+void check_input(std::span<const Vec3> positions, std::span<const Triangle> triangles) {
+  if (positions.size() >= kNone || triangles.size() >= kNone / 3) {
+    throw std::invalid_argument("mesh too large: indices have 32 bits");
+  }
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    for (const double c : positions[v]) {
+      if (!std::isfinite(c)) {
+        throw std::invalid_argument("vertex " + std::to_string(v) + " has a non-finite coordinate");
+      }
+    }
+  }
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    const auto& [a, b, c] = triangles[f];
+    if (std::max({a, b, c}) >= positions.size()) {
+      throw std::invalid_argument("face " + std::to_string(f) +
+                                  " names a vertex that is not there");
+    }
+    if (a == b || b == c || c == a) {
+      throw std::invalid_argument("face " + std::to_string(f) + " names a vertex twice");
+    }
+  }
+}
+
+}  // namespace
+
+Mesh::Mesh(std::span<const Vec3> positions, std::span<const Triangle> triangles)
+    : positions_(positions.begin(), positions.end()) {
+  check_input(positions, triangles);
+  half_edges_.resize(3 * triangles.size());
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) half_edges_[3 * f + k].origin = triangles[f][k];
+  }
+  index_outgoing();
+  link_twins();
+  lay_out_faces();
+  classify_vertices();
+}
+
+void Mesh::index_outgoing() {
+  first_outgoing_.assign(positions_.size() + 1, 0);
+  for (const HalfEdge& e : half_edges_) ++first_outgoing_[e.origin + 1];
+  for (std::size_t v = 0; v < positions_.size(); ++v) first_outgoing_[v + 1] += first_outgoing_[v];
+  outgoing_.resize(half_edges_.size());
+  std::vector<Index> fill(first_outgoing_.begin(), first_outgoing_.end() - 1);
+  for (Index h = 0; h < half_edge_count(); ++h) outgoing_[fill[origin(h)]++] = h;
+}
+
+void Mesh::link_twins() {
+  for (HalfEdge& e : half_edges_) e.twin = kNone;
+  // Per vertex a, the half-edges a -> b and b -> a of each neighbour b > a. Sorting them by b keeps
+  // a vertex of very high valence from costing its square.
+  struct Side {
+    Index neighbour;
+    bool leaves;  // a -> b rather than b -> a
+    Index half_edge;
+  };
+  std::vector<Side> sides;
+  edge_count_ = 0;
+  for (Index a = 0; a < vertex_count(); ++a) {
+    sides.clear();
+    for (const Index h : outgoing(a)) {
+      if (head(h) > a) sides.push_back({head(h), true, h});
+      const Index into = previous(h);
+      if (origin(into) > a) sides.push_back({origin(into), false, into});
+    }
+    std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
+      return s.neighbour != t.neighbour ? s.neighbour < t.neighbour : s.half_edge < t.half_edge;
+    });
+    for (std::size_t i = 0; i < sides.size();) {
+      std::size_t end = i;
+      while (end < sides.size() && sides[end].neighbour == sides[i].neighbour) ++end;
+      if (end - i == 2 && sides[i].leaves != sides[i + 1].leaves) {
+        half_edges_[sides[i].half_edge].twin = sides[i + 1].half_edge;
+        half_edges_[sides[i + 1].half_edge].twin = sides[i].half_edge;
+        ++edge_count_;
+      } else {
+        edge_count_ += static_cast<Index>(end - i);  // a boundary edge for each face
+      }
+      i = end;
+    }
+  }
+}
+
+void Mesh::lay_out_faces() {
+  double sum = 0;
+  for (Index h = 0; h < half_edge_count(); ++h) {
+    HalfEdge& e = half_edges_[h];
+    const Vec3& a = positions_[e.origin];
+    // The difference is taken from the smaller index: both sides of an edge get the same bits.
+    const Vec3 ab = e.origin < head(h) ? positions_[head(h)] - a : a - positions_[head(h)];
+    const double sign = e.origin < head(h) ? 1.0 : -1.0;
+    const Vec3 ac = positions_[apex(h)] - a;
+    e.length = norm(ab);
+    if (e.length > 0) {
+      e.apex_x = sign * dot(ac, ab) / e.length;
+      e.apex_y = norm(cross(ab, ac)) / e.length;
+    } else {  // the direction of a zero-length edge is free: upright keeps the other two lengths
+      e.apex_x = 0;
+      e.apex_y = norm(ac);
+    }
+    if (e.twin == kNone || e.twin > h) sum += e.length;
+  }
+  mean_edge_length_ = edge_count_ > 0 ? sum / edge_count_ : 0;
+}
+
+double Mesh::total_angle(Index v) const {
+  double sum = 0;
+  for (const Index h : outgoing(v)) sum += std::atan2(half_edge(h).apex_y, half_edge(h).apex_x);
+  return sum;
+}
+
+bool Mesh::is_boundary(Index v) const {
+  for (const Index h : outgoing(v)) {
+    if (twin(h) == kNone || twin(previous(h)) == kNone) return true;
+  }
+  return false;
+}
+
+void Mesh::classify_vertices() {
+  pseudo_source_.assign(positions_.size(), 0);
+  for (Index v = 0; v < vertex_count(); ++v) {
+    const std::span<const Index> around = outgoing(v);
+    if (around.empty()) continue;
+    bool bends = is_boundary(v) || total_angle(v) > 2 * std::numbers::pi + kSaddleAngleExcess;
+    // A walk around v that closes before it has met every face: several closed fans meet here.
+    if (!bends) {
+      std::size_t steps = 0;
+      Index h = around.front();
+      do {
+        h = twin(previous(h));
+        ++steps;
+      } while (h != around.front());
+      bends = steps < around.size();
+    }
+    if (bends) pseudo_source_[v] = 1;
+  }
+  for (Index h = 0; h < half_edge_count(); ++h) {
+    if (half_edge(h).apex_y > 0 && half_edge(h).length > 0) continue;
+    pseudo_source_[origin(h)] = pseudo_source_[head(h)] = pseudo_source_[apex(h)] = 1;
+  }
+}
+
+}  // namespace geodesic

@@ -1,0 +1,90 @@
+// The solvers' mesh: flat, immutable, without any solver's state.
+//
+// Half-edge h = 3 f + k is the k-th side of face f, directed counter-clockwise, so that `next` and
+// `previous` are arithmetic. Every half-edge carries the planar frame that unfolding needs: its
+// origin lies at (0, 0), its head at (length, 0), and the third vertex of its face, the apex, at
+// (apex_x, apex_y) with apex_y >= 0. Windows are kept in the frame of the half-edge whose face they
+// are about to enter; their source therefore has y <= 0.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "solvers/core/geometry.h"
+
+namespace geodesic {
+
+struct HalfEdge {
+  double length;  ///< distance from origin to head, in the mesh's unit of length
+  double apex_x;  ///< planar position of the face's third vertex in this half-edge's frame
+  double apex_y;  ///< never negative; 0 in a zero-area face
+  Index twin;     ///< the same edge seen from the other face; kNone on a boundary
+  Index origin;   ///< vertex the half-edge starts from
+};
+static_assert(sizeof(HalfEdge) == 32, "two half-edges share a cache line");
+
+class Mesh {
+ public:
+  /// Builds the structure in time linear in its input (expected), apart from one pass of angles.
+  ///
+  /// Two half-edges become twins when exactly one face has the edge in each direction. Every other
+  /// edge (boundary, more than two faces, inconsistent orientation) is a boundary of each of its
+  /// faces; paths cross it only at its end vertices. Vertices may be isolated, and several fans of
+  /// faces may share one vertex.
+  /// @throws std::invalid_argument for an index out of range, a triangle that names a vertex twice,
+  ///         a coordinate that is not finite, or more elements than an Index can number.
+  Mesh(std::span<const Vec3> positions, std::span<const Triangle> triangles);
+  explicit Mesh(const TriangleSoup& soup) : Mesh(soup.positions, soup.triangles) {}
+
+  Index vertex_count() const { return static_cast<Index>(positions_.size()); }
+  Index half_edge_count() const { return static_cast<Index>(half_edges_.size()); }
+  Index face_count() const { return half_edge_count() / 3; }
+  Index edge_count() const { return edge_count_; }
+
+  const HalfEdge& half_edge(Index h) const { return half_edges_[h]; }
+  static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  Index twin(Index h) const { return half_edges_[h].twin; }
+  Index origin(Index h) const { return half_edges_[h].origin; }
+  Index head(Index h) const { return half_edges_[next(h)].origin; }
+  /// The vertex of the half-edge's face that lies opposite to it.
+  Index apex(Index h) const { return half_edges_[previous(h)].origin; }
+
+  /// Half-edges that start at vertex v, one a face corner, in no particular order; empty when v is
+  /// isolated.
+  std::span<const Index> outgoing(Index v) const {
+    return {outgoing_.data() + first_outgoing_[v], outgoing_.data() + first_outgoing_[v + 1]};
+  }
+
+  /// True where a shortest path may bend: total angle above 2 pi, a boundary vertex, a vertex that
+  /// several fans share, and a corner of a degenerate face (its angles are undefined).
+  bool is_pseudo_source(Index v) const { return pseudo_source_[v] != 0; }
+
+  /// Sum of the face angles at v in radians; 0 for an isolated vertex. Computed at each call.
+  double total_angle(Index v) const;
+  /// True when an edge at v has a face on one side only. Computed at each call.
+  bool is_boundary(Index v) const;
+
+  const Vec3& position(Index v) const { return positions_[v]; }
+  std::span<const Vec3> positions() const { return positions_; }
+  Triangle triangle(Index f) const { return {origin(3 * f), origin(3 * f + 1), origin(3 * f + 2)}; }
+
+  /// Mean length over edges (not half-edges); 0 for a mesh without faces.
+  double mean_edge_length() const { return mean_edge_length_; }
+
+ private:
+  void link_twins();
+  void index_outgoing();
+  void lay_out_faces();
+  void classify_vertices();
+
+  std::vector<Vec3> positions_;
+  std::vector<HalfEdge> half_edges_;
+  std::vector<Index> first_outgoing_;  // vertex_count + 1 offsets into outgoing_
+  std::vector<Index> outgoing_;
+  std::vector<std::uint8_t> pseudo_source_;
+  Index edge_count_ = 0;
+  double mean_edge_length_ = 0;
+};
+
+}  // namespace geodesic

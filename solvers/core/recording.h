@@ -1,0 +1,81 @@
+// What a recorded solve counts, and the recorders a solver's inner loop is compiled against.
+//
+// A solver is written as a template over its recorder. `NoRecorder` is empty: timed solves contain
+// no trace of it. `CountingRecorder` fills a Recording. Definitions: docs/metrics.md.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+namespace geodesic {
+
+/// Integer results are the same on every run and every x86-64 machine.
+struct Recording {
+  std::optional<std::uint64_t> window_propagations;  ///< windows propagated across a face
+  std::optional<std::uint64_t> valid_windows;        ///< windows that survive redundancy reduction
+  std::optional<std::uint64_t> window_limit;         ///< MMP only: windows on all edges at the end
+  std::optional<std::uint64_t> peak_wavefront;  ///< most windows on the wavefront at any moment
+  std::optional<std::uint64_t> strip_depth;     ///< longest chain of faces a window crossed
+  std::optional<std::uint64_t> window_bytes;    ///< size of one stored window
+  std::optional<double> wavefront_sd;           ///< mean over samples, in units of length
+};
+
+/// The length of a window's strip of faces; an empty type when nothing is recorded.
+struct NoDepth {
+  NoDepth next() const { return {}; }
+};
+struct StripDepth {
+  std::uint32_t faces = 0;
+  StripDepth next() const { return {faces + 1}; }
+};
+
+struct NoRecorder {
+  static constexpr bool records = false;
+  using Depth = NoDepth;
+
+  void propagated(std::uint64_t /*windows*/, Depth /*deepest*/) {}
+  void valid(std::uint64_t /*windows*/) {}
+  void wavefront_size(std::uint64_t /*windows*/) {}
+};
+
+struct CountingRecorder {
+  static constexpr bool records = true;
+  using Depth = StripDepth;
+
+  explicit CountingRecorder(Recording& into) : recording(into) {
+    recording.window_propagations = recording.valid_windows = recording.peak_wavefront =
+        recording.strip_depth = 0;
+  }
+
+  /// `windows` windows were propagated across one face; the longest strip among them is `deepest`,
+  /// this face included.
+  void propagated(std::uint64_t windows, Depth deepest) {
+    *recording.window_propagations += windows;
+    *recording.strip_depth = std::max<std::uint64_t>(*recording.strip_depth, deepest.faces);
+  }
+  /// `windows` windows survived redundancy reduction.
+  void valid(std::uint64_t windows) { *recording.valid_windows += windows; }
+  /// The wavefront now holds this many windows.
+  void wavefront_size(std::uint64_t windows) {
+    *recording.peak_wavefront = std::max(*recording.peak_wavefront, windows);
+  }
+
+  /// Adds one sample of the wavefront: the standard deviation of its windows' distances.
+  void wavefront_sample(double sum, double sum_of_squares, std::uint64_t windows) {
+    if (windows == 0) return;
+    const double n = static_cast<double>(windows);
+    const double mean = sum / n;
+    sd_sum_ += std::sqrt(std::max(0.0, sum_of_squares / n - mean * mean));
+    recording.wavefront_sd = sd_sum_ / ++samples_;
+  }
+
+  Recording& recording;
+
+ private:
+  double sd_sum_ = 0;
+  int samples_ = 0;
+};
+
+}  // namespace geodesic

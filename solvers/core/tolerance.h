@@ -1,0 +1,23 @@
+// Every tolerance of the solvers, with what it is relative to. None depends on the unit of length.
+#pragma once
+
+namespace geodesic {
+
+/// A total vertex angle counts as above 2 pi from this excess on, in radians. Rounding in the sum
+/// of the angles of a flat vertex stays near 1e-15; a saddle of a smaller excess bends a path by
+/// less than this angle, which changes a length by its square.
+inline constexpr double kSaddleAngleExcess = 1e-12;
+
+/// A ray that misses the apex of a face by less than this, relative to the lengths at hand, passes
+/// through it. Bending a path by an angle t changes its length by about t^2 / 2, so the error stays
+/// below 1e-20 relative; what it buys is that a window ending exactly on a vertex reaches it.
+inline constexpr double kApexTolerance = 1e-10;
+
+/// A window narrower than this times the length of its edge is dropped.
+inline constexpr double kWindowWidth = 1e-14;
+
+/// A path must be shorter than its rival by this, relative to its length, before the rival's window
+/// is discarded: equal paths (symmetric meshes, a window's own generating vertex) keep both.
+inline constexpr double kPathMargin = 1e-14;
+
+}  // namespace geodesic

@@ -1,0 +1,111 @@
+// Windows and their unfolding across a face: the kernel that all window solvers share.
+//
+// A window (Mitchell, Mount, Papadimitriou 1987; thesis section 3.2.2) is an interval of an edge
+// whose points are reached by straight lines, in the unfolded plane, from one (pseudo-)source. It
+// is kept in the frame of the half-edge whose face the lines are about to enter (core/mesh.h):
+// the edge is the x axis from 0 to its length, the face lies at y > 0, the source at y <= 0.
+// Storing the source's position instead of the two end distances spares square roots and digits.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "solvers/core/mesh.h"
+
+namespace geodesic {
+
+struct Point2 {
+  double x, y;
+};
+
+/// The geometry of a window; solvers derive from it what else they keep.
+struct Window {
+  double begin, end;  ///< 0 <= begin < end <= length of the half-edge, from its origin
+  double x, y;        ///< unfolded position of the (pseudo-)source, y <= 0
+  double sigma;       ///< distance from the nearest source to that pseudo-source
+};
+
+/// Distance through the window's source to the point (px, py) of the half-edge's frame; the line is
+/// not checked to pass through the window.
+inline double distance_through(const Window& w, double px, double py) {
+  const double dx = px - w.x, dy = py - w.y;
+  return w.sigma + std::sqrt(dx * dx + dy * dy);
+}
+
+/// Distance to the point at position t of the edge.
+inline double distance_at(const Window& w, double t) { return distance_through(w, t, 0.0); }
+
+/// Position on the edge where the window's distance is least.
+inline double nearest_position(const Window& w) { return std::clamp(w.x, w.begin, w.end); }
+
+/// Least distance over the window, the key by which windows are queued.
+inline double least_distance(const Window& w) { return distance_at(w, nearest_position(w)); }
+
+/// Least distance to (px, py), py >= 0, over paths through the window: straight when the line from
+/// the source passes the interval, otherwise bent at its nearer end (thesis Figure 5.3).
+inline double least_distance_to(const Window& w, double px, double py) {
+  // The line from the source meets the edge at t = x + (px - x) (-y) / (py - y).
+  const double height = py - w.y;
+  if (height > 0) {
+    const double t = w.x + (px - w.x) * (-w.y / height);
+    const double bend = std::clamp(t, w.begin, w.end);
+    if (bend == t) return distance_through(w, px, py);
+    return distance_at(w, bend) + std::hypot(px - bend, py);
+  }
+  // Source and target both lie on the edge's line.
+  const double bend = std::clamp(px, w.begin, w.end);
+  return distance_at(w, bend) + std::abs(px - bend);
+}
+
+/// The face beyond a half-edge, ready for unfolding windows onto its other two edges.
+///
+/// Children are expressed in the frames of the twins of `previous(h)` (left: from the origin of h
+/// to the apex) and `next(h)` (right: from the apex to the head of h): windows in order along h
+/// stay in order along left then right.
+struct FaceFrame {
+  double length;            ///< of the entered half-edge
+  double apex_x, apex_y;    ///< the apex in its frame
+  double left, right;       ///< lengths of the two other edges
+  double left_x, left_y;    ///< unit vector from the origin to the apex
+  double right_x, right_y;  ///< unit vector from the apex to the head
+
+  /// Position along the left edge, from the origin of h, of the ray from the source of `w` through
+  /// the point t of h, clamped to the edge.
+  double on_left(const Window& w, double t) const {
+    const double denominator = -w.y * left_x - (t - w.x) * left_y;
+    if (!(denominator > 0)) return left;
+    return std::clamp(-w.y * t / denominator, 0.0, left);
+  }
+
+  /// Position along the right edge, from the apex, of the same ray, clamped to the edge.
+  double on_right(const Window& w, double t) const {
+    // As on_left, mirrored: u is the distance from the head of h.
+    const double denominator = -w.y * right_x - (t - w.x) * right_y;
+    if (!(denominator > 0)) return 0.0;
+    const double u = -w.y * (length - t) / denominator;
+    return std::clamp(right - u, 0.0, right);
+  }
+
+  /// The point (px, py) in the frame of the left edge's twin.
+  Point2 to_left(double px, double py) const {
+    return {px * left_x + py * left_y, py * left_x - px * left_y};
+  }
+
+  /// The point (px, py) in the frame of the right edge's twin.
+  Point2 to_right(double px, double py) const {
+    const double dx = px - apex_x, dy = py - apex_y;
+    return {dx * right_x + dy * right_y, dy * right_x - dx * right_y};
+  }
+};
+
+/// @param h the half-edge whose face is entered
+FaceFrame face_frame(const Mesh& mesh, Index h);
+
+/// Signed side of the apex as seen by the ray from the source through point t of the edge:
+/// positive when the apex lies to the right of the ray (towards the head of h), zero on it.
+/// Unit: length squared.
+inline double apex_side(const Window& w, double t, const FaceFrame& f) {
+  return (f.apex_x - w.x) * -w.y - (t - w.x) * (f.apex_y - w.y);
+}
+
+}  // namespace geodesic

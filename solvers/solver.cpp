@@ -1,0 +1,51 @@
+#include "solvers/solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace geodesic {
+namespace {
+
+[[noreturn]] void refuse(const Description& solver, const std::string& why) {
+  throw std::invalid_argument(solver.name + ": " + why);
+}
+
+void check_query(const Query& query, const Mesh& mesh, const Description& solver) {
+  if (query.sources.empty()) refuse(solver, "a query needs at least one source");
+  if (query.sources.size() > 1 && !solver.abilities.multiple_sources) {
+    refuse(solver, "supports a single source only");
+  }
+  if (!(query.limit >= 0)) refuse(solver, "the distance limit must not be negative");
+  if (query.limit < kInfinity && !solver.abilities.distance_limit) {
+    refuse(solver, "supports no distance limit");
+  }
+  for (const Source& source : query.sources) {
+    if (source.vertex >= mesh.vertex_count()) {
+      refuse(solver, "source vertex " + std::to_string(source.vertex) + " is not in the mesh of " +
+                         std::to_string(mesh.vertex_count()) + " vertices");
+    }
+    if (!(source.distance >= 0) || !std::isfinite(source.distance)) {
+      refuse(solver, "an initial distance must be finite and not negative");
+    }
+    if (source.distance > 0 && !solver.abilities.initial_distances) {
+      refuse(solver, "supports no initial distances");
+    }
+  }
+}
+
+}  // namespace
+
+void Solver::solve(const Query& query, std::span<double> distances, Recording* recording) {
+  check_query(query, mesh_, description_);
+  if (distances.size() != mesh_.vertex_count()) {
+    refuse(description_, "needs room for one distance a vertex");
+  }
+  std::fill(distances.begin(), distances.end(), kInfinity);
+  run(query, distances, recording);
+  for (double& d : distances) {
+    if (d > query.limit) d = kInfinity;
+  }
+}
+
+}  // namespace geodesic

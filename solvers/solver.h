@@ -1,0 +1,91 @@
+// The contract between solvers and whoever uses them. One page; docs/contract.md says it at length.
+//
+// A solver is constructed for one mesh (that is its preparation, timed apart) and then asked any
+// number of queries. It owns all its state; the mesh is shared and never written. Two solver
+// objects may run in two threads, one object may not.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "solvers/core/mesh.h"
+#include "solvers/core/recording.h"
+
+namespace geodesic {
+
+/// A point that distances are measured from. Points on edges and faces will be other members of
+/// this struct; today a source is a vertex.
+struct Source {
+  Index vertex = kNone;
+  double distance = 0;  ///< initial distance at the source, >= 0, finite
+};
+
+struct Query {
+  std::vector<Source> sources;  ///< at least one; the result is the least over them
+  double limit = kInfinity;     ///< vertices farther than this are reported as unreachable
+};
+
+enum class Exactness {
+  exact,        ///< the geodesic distance up to rounding (1e-12 relative on clean meshes)
+  upper_bound,  ///< never less than the geodesic distance
+};
+
+/// What a solver can do; asking for more is an error that names the missing ability.
+struct Abilities {
+  bool multiple_sources = true;
+  bool initial_distances = true;
+  bool distance_limit = true;
+  bool non_manifold_vertices = true;  ///< several fans of faces at one vertex
+  bool degenerate_faces = true;       ///< zero-length edges, zero-area faces
+  Index max_vertices = kNone;         ///< larger meshes take unreasonably long
+};
+
+/// A solver as data: the rows of the thesis's Table 5.3, and what `geodesic-bench list` prints.
+struct Description {
+  std::string name;             ///< lower case with hyphens, unique: "fwp-mmp"
+  std::string family;           ///< "MMP", "CH", "edge-based", ...
+  std::string paper;            ///< author-year, title
+  std::string data_structure;   ///< what orders the propagation: "priority queue"
+  std::string time_complexity;  ///< as in Table 5.3: "O(n^2 log n)"
+  std::string space_complexity;
+  std::string propagation;     ///< unit of propagation: "window", "edge", "vertex"
+  bool spatial_order = false;  ///< windows of an edge are available in spatial order
+  Exactness exactness = Exactness::exact;
+  Abilities abilities = {};
+  std::string remarks = {};  ///< licence of what it links, limits, anything a user must know
+};
+
+class Solver {
+ public:
+  virtual ~Solver() = default;
+  Solver(const Solver&) = delete;
+  Solver& operator=(const Solver&) = delete;
+
+  /// Writes the distance of every vertex, in the mesh's order and unit of length, +infinity where
+  /// no path leads or the limit is exceeded. The same query gives the same bits every time.
+  /// @param distances one entry a vertex
+  /// @param recording null for a timed solve, which then carries no instrumentation; otherwise
+  ///        filled with what the solver can count, without changing any distance
+  /// @throws std::invalid_argument when the query is empty, names a vertex that is not there, has
+  ///         a negative or non-finite initial distance or a negative limit, or asks for an ability
+  ///         the solver lacks; or when `distances` has the wrong size
+  void solve(const Query& query, std::span<double> distances, Recording* recording = nullptr);
+
+ protected:
+  /// @param description must outlive the solver (registered descriptions do)
+  Solver(const Mesh& mesh, const Description& description)
+      : mesh_(mesh), description_(description) {}
+  const Mesh& mesh() const { return mesh_; }
+
+ private:
+  /// As `solve`, with the query already checked and `distances` filled with +infinity. May leave
+  /// distances above the limit; they are cleared afterwards.
+  virtual void run(const Query& query, std::span<double> distances, Recording* recording) = 0;
+
+  const Mesh& mesh_;
+  const Description& description_;
+};
+
+}  // namespace geodesic
