@@ -36,6 +36,16 @@ void check_query(const Query& query, const Mesh& mesh, const Description& solver
 
 }  // namespace
 
+Solver::Solver(const Mesh& mesh, const Description& description)
+    : mesh_(mesh), description_(description) {
+  if (mesh.has_non_manifold_vertices() && !description.abilities.non_manifold_vertices) {
+    refuse(description, "supports no vertices that several fans of faces share");
+  }
+  if (mesh.has_degenerate_faces() && !description.abilities.degenerate_faces) {
+    refuse(description, "supports no faces with a zero-length edge or without area");
+  }
+}
+
 void Solver::solve(const Query& query, std::span<double> distances, Recording* recording) {
   check_query(query, mesh_, description_);
   if (distances.size() != mesh_.vertex_count()) {

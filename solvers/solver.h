@@ -1,4 +1,4 @@
-// The contract between solvers and whoever uses them. One page; docs/contract.md says it at length.
+// The contract between solvers and whoever uses them, on one page.
 //
 // A solver is constructed for one mesh (that is its preparation, timed apart) and then asked any
 // number of queries. It owns all its state; the mesh is shared and never written. Two solver
@@ -53,6 +53,7 @@ struct Description {
   std::string propagation;     ///< unit of propagation: "window", "edge", "vertex"
   bool spatial_order = false;  ///< windows of an edge are available in spatial order
   Exactness exactness = Exactness::exact;
+  bool independent_oracle = false;  ///< shares no kernel with the others: first choice to verify by
   Abilities abilities = {};
   std::string remarks = {};  ///< licence of what it links, limits, anything a user must know
 };
@@ -75,8 +76,8 @@ class Solver {
 
  protected:
   /// @param description must outlive the solver (registered descriptions do)
-  Solver(const Mesh& mesh, const Description& description)
-      : mesh_(mesh), description_(description) {}
+  /// @throws std::invalid_argument when the mesh needs an ability that the solver lacks
+  Solver(const Mesh& mesh, const Description& description);
   const Mesh& mesh() const { return mesh_; }
 
  private:

@@ -139,27 +139,33 @@ bool Mesh::is_boundary(Index v) const {
   return false;
 }
 
+// Faces in the fan around v that a walk over twins meets.
+Index Mesh::fan_size(Index v) const {
+  const Index start = outgoing(v).front();
+  Index faces = 1;
+  Index h = twin(previous(start));
+  for (; h != start && h != kNone; h = twin(previous(h))) ++faces;
+  if (h == start) return faces;
+  for (h = start; twin(h) != kNone; h = next(twin(h))) ++faces;  // an open fan: the other way
+  return faces;
+}
+
 void Mesh::classify_vertices() {
   pseudo_source_.assign(positions_.size(), 0);
   for (Index v = 0; v < vertex_count(); ++v) {
     const std::span<const Index> around = outgoing(v);
     if (around.empty()) continue;
-    bool bends = is_boundary(v) || total_angle(v) > 2 * std::numbers::pi + kSaddleAngleExcess;
-    // A walk around v that closes before it has met every face: several closed fans meet here.
-    if (!bends) {
-      std::size_t steps = 0;
-      Index h = around.front();
-      do {
-        h = twin(previous(h));
-        ++steps;
-      } while (h != around.front());
-      bends = steps < around.size();
+    const bool several_fans = fan_size(v) < around.size();
+    has_non_manifold_vertices_ |= several_fans;
+    if (several_fans || is_boundary(v) ||
+        total_angle(v) > 2 * std::numbers::pi + kSaddleAngleExcess) {
+      pseudo_source_[v] = 1;
     }
-    if (bends) pseudo_source_[v] = 1;
   }
   for (Index h = 0; h < half_edge_count(); ++h) {
     if (half_edge(h).apex_y > 0 && half_edge(h).length > 0) continue;
     pseudo_source_[origin(h)] = pseudo_source_[head(h)] = pseudo_source_[apex(h)] = 1;
+    has_degenerate_faces_ = true;
   }
 }
 

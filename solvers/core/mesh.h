@@ -65,6 +65,12 @@ class Mesh {
   /// True when an edge at v has a face on one side only. Computed at each call.
   bool is_boundary(Index v) const;
 
+  /// True when some vertex is shared by several fans of faces, which happens at the ends of every
+  /// edge of more than two faces too.
+  bool has_non_manifold_vertices() const { return has_non_manifold_vertices_; }
+  /// True when some face has an edge of length zero or no area.
+  bool has_degenerate_faces() const { return has_degenerate_faces_; }
+
   const Vec3& position(Index v) const { return positions_[v]; }
   std::span<const Vec3> positions() const { return positions_; }
   Triangle triangle(Index f) const { return {origin(3 * f), origin(3 * f + 1), origin(3 * f + 2)}; }
@@ -77,12 +83,15 @@ class Mesh {
   void index_outgoing();
   void lay_out_faces();
   void classify_vertices();
+  Index fan_size(Index v) const;
 
   std::vector<Vec3> positions_;
   std::vector<HalfEdge> half_edges_;
   std::vector<Index> first_outgoing_;  // vertex_count + 1 offsets into outgoing_
   std::vector<Index> outgoing_;
   std::vector<std::uint8_t> pseudo_source_;
+  bool has_non_manifold_vertices_ = false;
+  bool has_degenerate_faces_ = false;
   Index edge_count_ = 0;
   double mean_edge_length_ = 0;
 };

@@ -14,7 +14,9 @@ namespace geodesic {
 /// Integer results are the same on every run and every x86-64 machine.
 struct Recording {
   std::optional<std::uint64_t> window_propagations;  ///< windows propagated across a face
+  std::optional<std::uint64_t> windows_created;      ///< Chen-Han only: before they are filtered
   std::optional<std::uint64_t> valid_windows;        ///< windows that survive redundancy reduction
+  std::optional<std::uint64_t> reinsertions;         ///< MMP only: contained in the two above
   std::optional<std::uint64_t> window_limit;         ///< MMP only: windows on all edges at the end
   std::optional<std::uint64_t> peak_wavefront;  ///< most windows on the wavefront at any moment
   std::optional<std::uint64_t> strip_depth;     ///< longest chain of faces a window crossed
@@ -36,7 +38,9 @@ struct NoRecorder {
   using Depth = NoDepth;
 
   void propagated(std::uint64_t /*windows*/, Depth /*deepest*/) {}
+  void created(std::uint64_t /*windows*/) {}
   void valid(std::uint64_t /*windows*/) {}
+  void reinserted(std::uint64_t /*windows*/) {}
   void wavefront_size(std::uint64_t /*windows*/) {}
 };
 
@@ -55,8 +59,19 @@ struct CountingRecorder {
     *recording.window_propagations += windows;
     *recording.strip_depth = std::max<std::uint64_t>(*recording.strip_depth, deepest.faces);
   }
+  /// `windows` windows were made, and go through the filter next.
+  void created(std::uint64_t windows) {
+    recording.windows_created = recording.windows_created.value_or(0) + windows;
+  }
   /// `windows` windows survived redundancy reduction.
   void valid(std::uint64_t windows) { *recording.valid_windows += windows; }
+  /// `windows` windows that waited in the queue were trimmed and queued anew, which counts as
+  /// windows of their own (thesis 5.5.1, item 1).
+  void reinserted(std::uint64_t windows) {
+    recording.reinsertions = recording.reinsertions.value_or(0) + windows;
+    *recording.window_propagations += windows;
+    *recording.valid_windows += windows;
+  }
   /// The wavefront now holds this many windows.
   void wavefront_size(std::uint64_t windows) {
     *recording.peak_wavefront = std::max(*recording.peak_wavefront, windows);

@@ -13,6 +13,21 @@ inline constexpr double kSaddleAngleExcess = 1e-12;
 /// below 1e-20 relative; what it buys is that a window ending exactly on a vertex reaches it.
 inline constexpr double kApexTolerance = 1e-10;
 
+/// Chen-Han: a window whose nearest line misses the apex of a face by less than this angle, in
+/// radians, gives the apex the length of the path that bends at the window's end. That is a real
+/// path, so no value makes a distance too short. It must cover the gaps between windows that
+/// rounding opens: paths whose directions differ by an angle t differ in length by about t^2 / 2,
+/// so below t = 1e-8 it is chance which of two windows is dropped.
+inline constexpr double kApexReach = 1e-6;
+
+/// MMP: a pseudo-source in the interior of an edge, the apex of a zero-area face, is taken to lie
+/// off the edge by this times the edge's length, on its own side, so that unfolding across the next
+/// face has a direction. No distance notices: its square is far below any rounding.
+inline constexpr double kTouchingHeight = 1e-100;
+
+/// Chen-Han: a face lower than this times its base has no angles to argue with.
+inline constexpr double kFlatFace = 1e-9;
+
 /// A window narrower than this times the length of its edge is dropped.
 inline constexpr double kWindowWidth = 1e-14;
 

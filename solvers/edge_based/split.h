@@ -19,10 +19,8 @@ struct Separator {
   std::size_t window = SIZE_MAX;  ///< the one that gives it; SIZE_MAX when none sees the apex
   double distance = kInfinity;    ///< to the apex
   double crossing = 0;            ///< its position on the edge
+  std::size_t rivals = 0;         ///< other windows of the list that see the apex
 };
-
-/// Which sides of the apex the lines of the window pass, before anything is separated.
-Side sides_seen(const Window& w, const FaceFrame& face);
 
 /// Length of the shortest path to the apex over one end of a window whose lines all pass on `side`.
 double bent_distance(const Window& w, Side side, const FaceFrame& face);

@@ -5,10 +5,6 @@
 namespace geodesic::edge_based {
 namespace {
 
-/// Pseudo-sources often lie exactly on the line that bounds a neighbour's pencil: the vertex that
-/// split the pencil became a source itself. Relative to the two lengths whose product is the sign.
-constexpr double kOnLine = 1e-11;
-
 /// Positive when (px, py) lies to the right of the line from the source of w through t.
 double right_of(const Window& w, double t, double px, double py) {
   return (px - w.x) * -w.y - (t - w.x) * (py - w.y);
@@ -18,12 +14,8 @@ double right_of_scale(const Window& w, double t, double px, double py) {
   return kOnLine * (std::abs(px - w.x) * -w.y + std::abs(t - w.x) * std::abs(py - w.y));
 }
 
-bool is_shorter(double a, double b) { return a < b * (1 - kPathMargin); }
-
 /// Where the line from the source of w through (px, py) meets the edge; w.y < py.
-double hit(const Window& w, double px, double py) {
-  return w.x + (px - w.x) * (-w.y / (py - w.y));
-}
+double hit(const Window& w, double px, double py) { return w.x + (px - w.x) * (-w.y / (py - w.y)); }
 
 /// `winner` is the shorter one at a point that the loser's line through position `p` passes.
 /// Removes the lines of the loser between p and the direction of the winner's source.
@@ -60,8 +52,7 @@ void decide(Window& a, double pa, Window& b, double pb, double px, double py) {
 void trim_apart(Window& left, Window& right, const Crossed& face) {
   const double depth_left = -left.y, depth_right = -right.y;
   // The lines drift by drift_left / depth_left per unit of depth.
-  const double closing =
-      (left.x - left.end) * depth_right - (right.x - right.begin) * depth_left;
+  const double closing = (left.x - left.end) * depth_right - (right.x - right.begin) * depth_left;
   if (!(closing > 0)) return;
   const double depth = (right.begin - left.end) * depth_left * depth_right / closing;
   if (!(depth < depth_left) || !(depth < depth_right) || !(depth <= -face.below_y)) return;
@@ -72,7 +63,36 @@ void trim_apart(Window& left, Window& right, const Crossed& face) {
   decide(left, left.end, right, right.begin, x, -depth);
 }
 
+/// Where the winner is nowhere longer on the overlap, the loser keeps only what reaches beyond it.
+/// A tie at one end is the usual case: the loser's source is a vertex on the line that bounds the
+/// winner's pencil, and the winner's shadow begins there.
+///
+/// Along the edge the difference of the two distances changes by the difference of the cosines of
+/// their lines' angles, which keeps its sign while the loser's source stays on one side of the
+/// winner's lines: then its two ends decide for the whole overlap.
+/// @return true when the winner won
+bool settle_overlap(const Window& winner, Window& loser) {
+  const double begin = std::max(winner.begin, loser.begin);
+  const double end = std::min(winner.end, loser.end);
+  if (!(begin < end)) return true;
+  if (is_shorter(distance_at(loser, begin), distance_at(winner, begin))) return false;
+  if (is_shorter(distance_at(loser, end), distance_at(winner, end))) return false;
+  const bool always_right = is_right_of_line(winner, begin, loser.x, loser.y) &&
+                            is_right_of_line(winner, end, loser.x, loser.y);
+  const bool always_left = is_left_of_line(winner, begin, loser.x, loser.y) &&
+                           is_left_of_line(winner, end, loser.x, loser.y);
+  if (!always_left && !always_right) return false;
+  if (begin == loser.begin) {
+    loser.begin = end;
+  } else if (end == loser.end) {
+    loser.end = begin;
+  }
+  return true;
+}
+
 }  // namespace
+
+bool is_shorter(double a, double b) { return a < b * (1 - kPathMargin); }
 
 Crossed crossed_face(const Mesh& mesh, Index h) {
   const HalfEdge& below = mesh.half_edge(mesh.twin(h));
@@ -87,14 +107,16 @@ bool is_left_of_line(const Window& w, double t, double px, double py) {
   return right_of(w, t, px, py) < right_of_scale(w, t, px, py);
 }
 
-bool beaten_by_ends(const Window& w, double length, double at_origin, double at_head) {
-  return is_shorter(at_origin + w.end, distance_at(w, w.end)) ||
-         is_shorter(at_head + (length - w.begin), distance_at(w, w.begin));
+bool in_order(const Window& first, const Window& second) {
+  return first.begin <= second.begin && first.end <= second.end &&
+         is_left_of_line(second, second.begin, first.x, first.y) &&
+         is_right_of_line(first, first.end, second.x, second.y);
 }
 
 bool is_void(const Window& w, double length) { return !(w.end - w.begin > kWindowWidth * length); }
 
 void trim_pair(Window& first, Window& second, const Crossed& face) {
+  if (in_order(first, second)) return;
   if (first.end <= second.begin) return trim_apart(first, second, face);
   if (second.end <= first.begin) return trim_apart(second, first, face);
   const double begin = std::max(first.begin, second.begin);
@@ -102,6 +124,7 @@ void trim_pair(Window& first, Window& second, const Crossed& face) {
   const double end = std::min(first.end, second.end);
   if (end <= std::max(first.begin, second.begin)) return;
   decide(first, end, second, end, end, 0);
+  if (!settle_overlap(first, second)) settle_overlap(second, first);
 }
 
 }  // namespace geodesic::edge_based

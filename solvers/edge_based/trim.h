@@ -10,6 +10,10 @@
 
 namespace geodesic::edge_based {
 
+/// Pseudo-sources often lie exactly on the line that bounds a neighbour's pencil: the vertex that
+/// split the pencil became a source itself. Relative to the lengths whose products are compared.
+inline constexpr double kOnLine = 1e-11;
+
 /// The edge that carries the windows, and the face below it through which they all came.
 struct Crossed {
   double length;            ///< of the edge
@@ -19,9 +23,13 @@ struct Crossed {
 /// @param h the half-edge that carries the windows; it must have a twin
 Crossed crossed_face(const Mesh& mesh, Index h);
 
-/// True when every point of the window is reached at least as well along the edge from one of its
-/// ends (the filter of Xin and Wang 2009, section 4).
-bool beaten_by_ends(const Window& w, double length, double at_origin, double at_head);
+/// True when a path of length a beats one of length b by more than rounding.
+bool is_shorter(double a, double b);
+
+/// True when the windows follow one another so that neither can beat more of the other than the
+/// part of their overlap behind the bisector, which is not worth trimming: their ends are in order,
+/// and each source lies on its own side of the line that bounds the other window's pencil.
+bool in_order(const Window& first, const Window& second);
 
 /// True when too narrow to matter, or emptied by trimming.
 bool is_void(const Window& w, double length);

@@ -1,15 +1,16 @@
 // The windows that wait on the half-edges of the wavefront, in spatial order, in pooled segments.
 //
 // A list is filled in batches (the windows that one face sends to one of its edges) and consumed
-// whole. A batch is one contiguous segment; a list is a short chain of segments. Batches that
-// arrive through the edge next to the list's origin are prepended, those that arrive through the
-// other one appended: windows stay in the order in which their lines meet the edge, without any
-// search (thesis section 5.2).
+// whole. A batch is one segment, a structure of arrays; a list is a short chain of segments, kept
+// as a ring so that one link a half-edge reaches both ends. Batches that arrive through the edge
+// next to the list's origin are prepended, those that arrive through the other one appended:
+// windows stay in the order in which their lines meet the edge, without any search (thesis 5.2).
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstdint>
-#include <span>
+#include <memory>
 #include <vector>
 
 #include "solvers/core/geometry.h"
@@ -18,96 +19,150 @@ namespace geodesic::edge_based {
 
 enum class Place { front, back };
 
-template <class W>
+/// Where a window's numbers lie in a segment or a batch: one array each.
+enum Field : unsigned { kBegin, kEnd, kX, kY, kSigma, kDepth };
+
+/// Vectors read whole: room and arrays are multiples of this many doubles.
+inline constexpr std::size_t kLaneRoom = 4;
+
+/// @tparam fields number of arrays: 5, or 6 when the depth of a window's strip is recorded
+template <unsigned fields>
 class WindowLists {
  public:
-  explicit WindowLists(Index half_edges) : lists_(half_edges) {}
+  /// Header and arrays of `room` doubles each follow one another in a block.
+  struct alignas(32) Segment {
+    std::uint32_t count;
+    std::uint32_t room;
+    Index next;  // handle of the segment behind this one; of the first one in the last
+    Index self;
+    double padding[2];
 
-  bool empty(Index h) const { return lists_[h].first == kNone; }
+    double* array(unsigned field) { return reinterpret_cast<double*>(this + 1) + field * room; }
+  };
+
+  explicit WindowLists(Index half_edges) : last_(half_edges, kNone) {}
+
+  bool empty(Index h) const { return last_[h] == kNone; }
+  const Index* link(Index h) const { return &last_[h]; }
   std::uint64_t size() const { return size_; }
 
-  /// Copies a batch to one end of the list of h; an empty batch does nothing.
-  void add(Index h, std::span<const W> batch, Place place) {
-    if (batch.empty()) return;
-    const Index s = allocate(batch.size());
-    std::copy(batch.begin(), batch.end(), windows_.begin() + segments_[s].start);
-    segments_[s].count = static_cast<Index>(batch.size());
-    segments_[s].next = kNone;
-    List& list = lists_[h];
-    if (list.first == kNone) {
-      list = {s, s};
-    } else if (place == Place::front) {
-      segments_[s].next = list.first;
-      list.first = s;
-    } else {
-      segments_[list.last].next = s;
-      list.last = s;
-    }
-    size_ += batch.size();
+  /// A segment with room for at least `windows`, in no list yet; its count is 0.
+  Segment* allocate(std::size_t windows) {
+    const unsigned bin =
+        windows <= kLaneRoom ? 0 : static_cast<unsigned>(std::bit_width((windows - 1) / kLaneRoom));
+    Index& head = free_[bin];
+    if (head == kNone) return carve(bin);
+    Segment* segment = at(head);
+    head = segment->next;
+    segment->count = 0;
+    return segment;
   }
 
-  /// Moves the whole list of h, in order, to the end of `into`; the list is empty afterwards.
-  void take(Index h, std::vector<W>& into) {
-    for_each_segment(h, [&](std::span<const W> part) {
-      into.insert(into.end(), part.begin(), part.end());
-      size_ -= part.size();
-    });
-    clear(h);
+  void release(Segment* segment) {
+    const unsigned bin = static_cast<unsigned>(std::bit_width(segment->room / kLaneRoom)) - 1;
+    segment->next = free_[bin];
+    free_[bin] = segment->self;
+  }
+
+  /// Puts a filled segment at one end of the list of h.
+  void add(Index h, Segment* segment, Place place) {
+    size_ += segment->count;
+    Index& last = last_[h];
+    if (last == kNone) {
+      segment->next = segment->self;
+      last = segment->self;
+      return;
+    }
+    Segment* end = at(last);
+    segment->next = end->next;
+    end->next = segment->self;
+    if (place == Place::back) last = segment->self;
+  }
+
+  /// Hands the segments of h to `visit` in order and releases them; the list is empty afterwards.
+  template <class Visit>
+  void consume(Index h, Visit&& visit) {
+    const Index last = last_[h];
+    if (last == kNone) return;
+    last_[h] = kNone;
+    Index s = at(last)->next;
+    for (;;) {
+      Segment* segment = at(s);
+      const Index next = segment->next;
+      size_ -= segment->count;
+      visit(*segment);
+      release(segment);
+      if (s == last) break;
+      s = next;
+    }
   }
 
   template <class Visit>
-  void for_each_segment(Index h, Visit&& visit) const {
-    for (Index s = lists_[h].first; s != kNone; s = segments_[s].next) {
-      visit(std::span<const W>(windows_.data() + segments_[s].start, segments_[s].count));
-    }
+  void for_each_segment(Index h, Visit&& visit) {
+    if (last_[h] == kNone) return;
+    Index s = last_[h];
+    do {
+      s = at(s)->next;
+      visit(*at(s));
+    } while (s != last_[h]);
   }
 
   /// Empties every list; the pool keeps its memory.
   void clear() {
-    for (List& list : lists_) list = {};
-    windows_.clear();
-    segments_.clear();
-    for (std::vector<Index>& bin : free_) bin.clear();
+    std::fill(last_.begin(), last_.end(), kNone);
+    free_.fill(kNone);
+    used_blocks_ = 0;
+    used_ = kBlockUnits;
     size_ = 0;
   }
 
  private:
-  struct List {
-    Index first = kNone;
-    Index last = kNone;
+  // Handles count units of 32 bytes; a block holds 2^15 of them, 1 MiB. A longer segment gets
+  // blocks of its own.
+  static constexpr std::size_t kUnit = 32;
+  static constexpr unsigned kBlockBits = 15;
+  static constexpr std::size_t kBlockUnits = std::size_t{1} << kBlockBits;
+  static constexpr unsigned kBins = 30;
+  struct alignas(kUnit) Unit {
+    double values[4];
   };
-  struct Segment {
-    std::uint32_t start;  // into windows_
-    Index count;
-    Index next;
-    std::uint32_t bin;  // room for 2^bin windows
-  };
-  static constexpr std::size_t kBins = 32;
 
-  Index allocate(std::size_t count) {
-    const auto bin = static_cast<std::uint32_t>(std::bit_width(count - 1));
-    if (!free_[bin].empty()) {
-      const Index s = free_[bin].back();
-      free_[bin].pop_back();
-      return s;
-    }
-    const auto start = static_cast<std::uint32_t>(windows_.size());
-    windows_.resize(windows_.size() + (std::size_t{1} << bin));
-    segments_.push_back({start, 0, kNone, bin});
-    return static_cast<Index>(segments_.size() - 1);
+  Segment* at(Index handle) {
+    return reinterpret_cast<Segment*>(&blocks_[handle >> kBlockBits][handle & (kBlockUnits - 1)]);
   }
 
-  void clear(Index h) {
-    for (Index s = lists_[h].first; s != kNone; s = segments_[s].next) {
-      free_[segments_[s].bin].push_back(s);
-    }
-    lists_[h] = {};
+  Segment* carve(unsigned bin) {
+    const std::size_t room = kLaneRoom << bin;
+    const std::size_t units = (sizeof(Segment) + fields * room * sizeof(double)) / kUnit;
+    if (used_ + units > kBlockUnits) open_block(units);
+    const Index handle = static_cast<Index>((used_blocks_ - 1) << kBlockBits | used_);
+    used_ += units;
+    Segment* segment = at(handle);
+    segment->count = 0;
+    segment->room = static_cast<std::uint32_t>(room);
+    segment->self = handle;
+    return segment;
   }
 
-  std::vector<List> lists_;
-  std::vector<W> windows_;
-  std::vector<Segment> segments_;
-  std::vector<Index> free_[kBins];  // segments of room 2^bin that are not in use
+  void open_block(std::size_t units) {
+    if (used_blocks_ == blocks_.size() || units > kBlockUnits) {
+      // Zeroed: vectors read the unused tail of an array.
+      blocks_.insert(blocks_.begin() + static_cast<std::ptrdiff_t>(used_blocks_),
+                     std::make_unique<Unit[]>(std::max(units, kBlockUnits)));
+    }
+    ++used_blocks_;
+    used_ = 0;
+  }
+
+  std::vector<Index> last_;  // per half-edge, handle of the last segment; kNone when empty
+  std::vector<std::unique_ptr<Unit[]>> blocks_;
+  std::array<Index, kBins> free_ = [] {
+    std::array<Index, kBins> none{};
+    none.fill(kNone);
+    return none;
+  }();
+  std::size_t used_blocks_ = 0;
+  std::size_t used_ = kBlockUnits;  // units of the last used block
   std::uint64_t size_ = 0;
 };
 

@@ -3,81 +3,159 @@
 // Xu, Wang, Liu, Liu, He 2015, "Fast wavefront propagation (FWP) for computing exact geodesic
 // distances on meshes". Any order of propagation is correct, so windows are only sorted into
 // buckets by floor(key / width). A phase takes the first buckets that together hold at least K
-// windows; windows born during a phase wait for the next one. K adapts: a phase whose children
-// mostly lie above its upper bound was narrow enough to be widened, and the reverse.
+// windows, first in first out inside a bucket; windows born during a phase wait for the next one.
+// K adapts: a phase whose children mostly lie above its upper bound was narrow enough to be
+// widened, and the reverse.
+//
+// The buckets are a ring that starts at the running phase. Keys beyond its far end (another
+// source's initial distance, a very long edge) wait in a heap until the ring gets there, so memory
+// and time depend on the number of items, not on the range of their keys.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <deque>
+#include <cstdint>
+#include <limits>
 #include <vector>
+
+#include "solvers/core/queues/priority_queue.h"
 
 namespace geodesic {
 
-/// Queue policy of FWP-MMP and FWP-CH.
+/// Queue policy of FWP-MMP and FWP-CH. Items are small and trivially copyable.
 template <class Item>
 class BucketQueue {
  public:
   /// @param width keys covered by one bucket, in the keys' unit; mean edge length / sqrt(vertices)
-  ///        is the published choice
-  explicit BucketQueue(double width) : per_width_(width > 0 ? 1 / width : 0) {}
+  ///        is the published choice. Not positive: one bucket takes everything.
+  explicit BucketQueue(double width)
+      : per_width_(width > 0 ? std::min(1 / width, kLargestNumber) : 0), ring_(kRing) {}
 
   bool empty() const { return size_ == 0; }
   std::size_t size() const { return size_; }
 
   void clear() {
-    buckets_.clear();
-    phase_.clear();
-    taken_ = size_ = 0;
-    first_ = 0;
+    std::fill(ring_.begin(), ring_.end(), Bucket{});
+    far_.clear();
+    nodes_.clear();
+    free_ = kEnd;
+    phase_ = {};
+    size_ = in_ring_ = head_ = phase_span_ = 0;
+    base_ = kNoPhase;
     target_ = kMinimum;
     balance_ = 0;
   }
 
+  /// @param key not negative; less than the key of the item popped last only by rounding
   void push(double key, Item item) {
-    const std::ptrdiff_t number = static_cast<std::ptrdiff_t>(std::floor(key * per_width_));
-    if (size_ == 0) first_ = number;
-    balance_ += number >= phase_end_ ? 1 : -1;
-    while (number < first_) {  // a window born behind the wavefront's first bucket
-      buckets_.emplace_front();
-      --first_;
+    const double offset = number(key) - base_;
+    balance_ += offset >= static_cast<double>(phase_span_) ? 1 : -1;
+    if (offset < kRing) {
+      put(offset, item);
+    } else {
+      far_.push(key, item);
     }
-    const std::size_t at = static_cast<std::size_t>(number - first_);
-    if (at >= buckets_.size()) buckets_.resize(at + 1);
-    buckets_[at].push_back(item);
     ++size_;
   }
 
   /// Removes and returns the next item of the phase. The queue must not be empty.
   Item pop() {
-    if (taken_ == phase_.size()) start_phase();
+    if (phase_.count == 0) start_phase();
+    const std::uint32_t at = phase_.first;
+    phase_.first = nodes_[at].next;
+    --phase_.count;
     --size_;
-    return phase_[taken_++];
+    nodes_[at].next = free_;
+    free_ = at;
+    return nodes_[at].item;
   }
 
  private:
-  static constexpr std::ptrdiff_t kMinimum = 6;
+  static constexpr std::ptrdiff_t kMinimum = 6;    // K never falls below
+  static constexpr std::size_t kRing = 1u << 14;   // buckets; a power of two
+  static constexpr std::uint32_t kEnd = ~0u;       // no node
+  static constexpr double kLargestNumber = 1e300;  // keeps bucket numbers finite
+  static constexpr double kNoPhase = -std::numeric_limits<double>::infinity();
+
+  struct Node {
+    Item item;
+    std::uint32_t next;
+  };
+  struct Bucket {  // a list of nodes in order of arrival
+    std::uint32_t first = kEnd, last = kEnd;
+    std::uint32_t count = 0;
+  };
+
+  double number(double key) const { return std::min(std::floor(key * per_width_), kLargestNumber); }
+
+  Bucket& bucket(std::size_t offset) { return ring_[(head_ + offset) & (kRing - 1)]; }
+
+  void put(double offset, Item item) {
+    Bucket& into = bucket(static_cast<std::size_t>(std::max(offset, 0.0)));
+    const std::uint32_t at = new_node(item);
+    (into.count == 0 ? into.first : nodes_[into.last].next) = at;
+    into.last = at;
+    ++into.count;
+    ++in_ring_;
+  }
+
+  std::uint32_t new_node(Item item) {
+    if (free_ == kEnd) {
+      nodes_.push_back({item, kEnd});
+      return static_cast<std::uint32_t>(nodes_.size() - 1);
+    }
+    const std::uint32_t at = free_;
+    free_ = nodes_[at].next;
+    nodes_[at] = {item, kEnd};
+    return at;
+  }
+
+  // Moves the ring's start to the first bucket that holds anything.
+  void advance() {
+    if (in_ring_ == 0) {
+      base_ = number(far_.least_key());
+    } else {
+      std::size_t empty = 0;
+      while (bucket(empty).count == 0) ++empty;
+      head_ += empty;
+      base_ += static_cast<double>(empty);
+    }
+    while (!far_.empty() && number(far_.least_key()) - base_ < kRing) {
+      const double offset = number(far_.least_key()) - base_;
+      put(offset, far_.pop());
+    }
+  }
 
   void start_phase() {
     target_ = std::max(kMinimum, target_ + balance_);
     balance_ = 0;
-    phase_.clear();
-    taken_ = 0;
-    while (!buckets_.empty() && static_cast<std::ptrdiff_t>(phase_.size()) < target_) {
-      phase_.insert(phase_.end(), buckets_.front().begin(), buckets_.front().end());
-      buckets_.pop_front();
-      ++first_;
+    advance();
+    phase_span_ = 0;
+    while (in_ring_ > 0 && phase_.count < target_ && phase_span_ < kRing) {
+      take(bucket(phase_span_++));
     }
-    phase_end_ = first_;
+  }
+
+  void take(Bucket& from) {
+    if (from.count == 0) return;
+    (phase_.count == 0 ? phase_.first : nodes_[phase_.last].next) = from.first;
+    phase_.last = from.last;
+    phase_.count += from.count;
+    in_ring_ -= from.count;
+    from = {};
   }
 
   double per_width_;
-  std::deque<std::vector<Item>> buckets_;
-  std::ptrdiff_t first_ = 0;      // number of the first bucket
-  std::ptrdiff_t phase_end_ = 0;  // number of the first bucket behind the running phase
-  std::vector<Item> phase_;
-  std::size_t taken_ = 0;
+  std::vector<Bucket> ring_;    // buckets base_ to base_ + kRing - 1
+  std::size_t head_ = 0;        // position of bucket base_ in the ring, modulo its size
+  double base_ = kNoPhase;      // number of the running phase's first bucket: an integer
+  std::size_t phase_span_ = 0;  // buckets that the running phase took
+  PriorityQueue<Item> far_;     // what lies beyond the ring
+  std::vector<Node> nodes_;
+  std::uint32_t free_ = kEnd;  // first of the unused nodes
+  Bucket phase_;               // what is left of the running phase
+  std::size_t in_ring_ = 0;
   std::size_t size_ = 0;
   std::ptrdiff_t target_ = kMinimum;  // K: windows a phase should cover
   std::ptrdiff_t balance_ = 0;        // pushed above minus pushed below the phase's upper bound

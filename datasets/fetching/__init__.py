@@ -1,0 +1,1 @@
+"""What datasets/fetch.py is made of: the manifest, the cache, and where meshes come from."""

@@ -1,0 +1,37 @@
+// Meshes made from a name and parameters: what `geodesic-bench generate` and the manifest use.
+//
+// The same name and parameters give the same bits on every run and every x86-64 machine: generators
+// use only the operations that IEEE 754 rounds correctly (+ - * / sqrt), their own sine and cosine
+// (circle.h) and their own random numbers (random.h), compiled without contraction.
+//
+// Adding a generator: one source file, one line in families.h, one in generators.cpp.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "datasets/generators/parameters.h"
+#include "solvers/core/geometry.h"
+
+namespace geodesic::generators {
+
+/// A generator as data: what `geodesic-bench generate --list` prints.
+struct GeneratorDescription {
+  std::string name;                              ///< lower case with hyphens: "torus-knot"
+  std::string description;                       ///< shape, counts and unit of length
+  std::string closed_form;                       ///< geodesic distances in closed form, or empty
+  std::vector<ParameterDescription> parameters;  ///< all have a default
+};
+
+/// All generators, by name.
+const std::vector<GeneratorDescription>& generator_descriptions();
+
+/// Makes a mesh; faces are counter-clockwise seen from outside (closed surfaces) or from above.
+/// @param parameters those not named take their defaults
+/// @throws std::invalid_argument with one line, listing what exists, for an unknown generator, an
+///         unknown parameter, a value out of range, or a mesh with more elements than an Index
+///         can number
+TriangleSoup generate(std::string_view name, const Parameters& parameters = {});
+
+}  // namespace geodesic::generators

@@ -1,0 +1,76 @@
+// Parameters of generators: as text from outside, as checked numbers and words inside.
+#pragma once
+
+#include <concepts>
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "solvers/core/geometry.h"
+
+namespace geodesic::generators {
+
+/// A parameter's value as it is written on a command line; numbers convert without loss.
+class Value {
+ public:
+  Value(const char* text) : text_(text) {}
+  Value(std::string text) : text_(std::move(text)) {}
+  template <typename Number>
+  requires(std::integral<Number> || std::floating_point<Number>) Value(Number number)
+      : text_(shortest_text(static_cast<double>(number))) {}
+
+  const std::string& text() const { return text_; }
+
+ private:
+  static std::string shortest_text(double number);
+  std::string text_;
+};
+
+using Parameters = std::map<std::string, Value, std::less<>>;
+
+enum class ParameterKind { integer, real, choice };
+
+struct ParameterDescription {
+  std::string name;  ///< lower case with hyphens: "tube-radius"
+  std::string description;
+  ParameterKind kind = ParameterKind::integer;
+  Value default_value = 0;
+  double least = 0;  ///< closed range of a number
+  double greatest = 0;
+  std::vector<std::string> choices = {};  ///< the words that a choice may be
+
+  /// "an integer from 1 to 9", "a number from 0.1 to 2", "one of forward, backward"
+  std::string range() const;
+};
+
+ParameterDescription integer_parameter(std::string name, Index default_value, Index least,
+                                       Index greatest, std::string description);
+ParameterDescription real_parameter(std::string name, double default_value, double least,
+                                    double greatest, std::string description);
+ParameterDescription choice_parameter(std::string name, std::vector<std::string> choices,
+                                      std::string description);  ///< the first is the default
+
+/// "a, b, c": how error messages list what exists.
+std::string listed(const std::vector<std::string>& names);
+
+/// A generator's parameters, complete and in range.
+class CheckedParameters {
+ public:
+  /// @param owner the generator's name, for messages
+  /// @throws std::invalid_argument for an unknown parameter or a value out of range
+  CheckedParameters(std::string_view owner, const std::vector<ParameterDescription>& descriptions,
+                    const Parameters& given);
+
+  /// Values by name; asking for a name or kind that was not described is a programming error
+  /// (std::logic_error).
+  Index integer(std::string_view name) const { return static_cast<Index>(real(name)); }
+  double real(std::string_view name) const;
+  const std::string& choice(std::string_view name) const;
+
+ private:
+  std::map<std::string, std::variant<double, std::string>, std::less<>> values_;
+};
+
+}  // namespace geodesic::generators

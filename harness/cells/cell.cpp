@@ -1,0 +1,113 @@
+#include "harness/cells/cell.h"
+
+#include <memory>
+
+#include "harness/cells/row.h"
+#include "harness/measure/benchmark.h"
+#include "harness/measure/process.h"
+#include "harness/measure/recorded_solve.h"
+#include "harness/meshes/load.h"
+#include "harness/verify/choose.h"
+#include "harness/verify/distance_file.h"
+#include "harness/verify/verify.h"
+#include "solvers/registry.h"
+
+namespace geodesic::harness {
+namespace {
+
+class Cell {
+ public:
+  Cell(const CellSpec& spec, const Mesh& mesh)
+      : spec_(spec),
+        mesh_(mesh),
+        query_{.sources = {{.vertex = spec.source}}},
+        verified_(mesh.vertex_count()),
+        solved_(mesh.vertex_count()) {}
+
+  Timing measure();
+
+ private:
+  std::string verify_warm_up(Solver& solver);
+
+  const CellSpec& spec_;
+  const Mesh& mesh_;
+  const Query query_;
+  std::vector<double> verified_;  // distances of the warm-up solve
+  std::vector<double> solved_;    // of the solve that came last
+  double max_relative_error_ = 0;
+};
+
+std::vector<double> solve_once(const std::string& solver, const Mesh& mesh, const Query& query) {
+  std::vector<double> distances(mesh.vertex_count());
+  make_solver(solver, mesh)->solve(query, distances);
+  return distances;
+}
+
+// Empty when the distances are right. Leaves them in verified_.
+std::string Cell::verify_warm_up(Solver& solver) {
+  solver.solve(query_, verified_);
+  const std::vector<double> reference = read_distances(spec_.reference_file, mesh_.vertex_count());
+  std::vector<double> bound;
+  std::optional<Distances> edge_graph;
+  if (const Description* chosen = choose_upper_bound(registered_solvers())) {
+    bound = solve_once(chosen->name, mesh_, query_);
+    edge_graph = {chosen->name, bound};
+  }
+  const Verdict verdict =
+      verify(mesh_, std::vector{spec_.source}, find_solver(spec_.solver)->exactness, verified_,
+             {spec_.reference, reference}, edge_graph);
+  max_relative_error_ = verdict.max_relative_error;
+  return verdict.error;
+}
+
+Timing Cell::measure() {
+  const auto wrong = [&](const std::string& why) -> Timing {
+    return {benchmark_context(),
+            {error_row(spec_.solver, spec_.mesh, spec_.source, outcome::kWrongAnswer, why)}};
+  };
+  const Stopwatch preparation;
+  std::unique_ptr<Solver> solver = make_solver(spec_.solver, mesh_);
+  const double prepare_ms = 1e3 * preparation.cpu_seconds();
+
+  const std::string error = verify_warm_up(*solver);
+  if (!error.empty()) return wrong(error);
+  Timing timing = time_repetitions(row_name(spec_.solver, spec_.mesh, spec_.source),
+                                   spec_.benchmark_flags, [&] { solver->solve(query_, solved_); });
+  if (!identical(solved_, verified_))
+    return wrong("a timed solve gave other distances than the first one");
+  const auto resident = peak_resident_bytes();
+  solver.reset();
+
+  const Json recorded = record_solve(spec_.solver, mesh_, query_, solved_);
+  if (!identical(solved_, verified_))
+    return wrong("the recorded solve gave other distances than timed ones");
+  for (Json& row : timing.rows) {
+    row.update({{"solver", spec_.solver},
+                {"mesh", spec_.mesh},
+                {"source", spec_.source},
+                {"outcome", outcome::kOk},
+                {"prepare_time", prepare_ms}});
+    row.update(recorded);
+    if (resident) row["process_peak_bytes"] = *resident;
+    row["max_relative_error"] = max_relative_error_;
+    row["reference"] = spec_.reference;
+  }
+  return timing;
+}
+
+}  // namespace
+
+void run_cell(const CellSpec& spec) {
+  const Mesh mesh(load_mesh(spec.mesh_file).soup);
+  restart_peak_resident_bytes();
+  const Timing timing = Cell(spec, mesh).measure();
+  write_result_file(spec.output, timing.context, spec.context, timing.rows);
+}
+
+void run_reference(const ReferenceSpec& spec) {
+  const Mesh mesh(load_mesh(spec.mesh_file).soup);
+  write_distances(spec.output,
+                  solve_once(spec.solver, mesh, {.sources = {{.vertex = spec.source}}}));
+}
+
+}  // namespace geodesic::harness

@@ -1,0 +1,87 @@
+#include "harness/cells/plan.h"
+
+#include <set>
+
+#include "harness/corpus/solvers.h"
+#include "harness/corpus/sources.h"
+#include "harness/error.h"
+#include "harness/meshes/load.h"
+#include "harness/results/context.h"
+#include "solvers/registry.h"
+
+namespace geodesic::harness {
+namespace {
+
+std::vector<const Description*> chosen_solvers(const Suite& suite) {
+  if (suite.reference && solver_named(*suite.reference).exactness != Exactness::exact) {
+    throw HarnessError("'" + *suite.reference + "' is not exact: others cannot be verified by it");
+  }
+  if (suite.solvers.empty()) return registered_solvers();
+  std::vector<const Description*> solvers;
+  for (const std::string& name : suite.solvers) solvers.push_back(&solver_named(name));
+  return solvers;
+}
+
+std::vector<MeshEntry> chosen_meshes(const Suite& suite, const std::filesystem::path& manifest) {
+  if (suite.meshes.empty()) return Manifest(manifest, dataset_cache()).corpus(suite.corpus);
+  std::vector<MeshEntry> meshes;
+  for (const std::string& name : suite.meshes) meshes.push_back(find_mesh(name, manifest));
+  return meshes;
+}
+
+template <class Items, class Name>
+void check_no_repetition(const std::string& kind, const Items& items, Name name) {
+  std::set<std::string> seen;
+  for (const auto& item : items) {
+    if (!seen.insert(name(item)).second) {
+      throw HarnessError("the suite has two " + kind + " named '" + name(item) + "'");
+    }
+  }
+}
+
+PlannedMesh plan_mesh(const MeshEntry& entry, const Suite& suite) {
+  const TriangleSoup soup = load_mesh(entry.file).soup;
+  const Mesh mesh(soup);
+  PlannedMesh planned{.entry = entry,
+                      .vertices = mesh.vertex_count(),
+                      .facts = describe(entry, soup, mesh),
+                      .sources = choose_sources(soup, entry.name, suite.sources, suite.seed)};
+  for (const Description* solver : registered_solvers()) {
+    const std::string why = unsupported(*solver, mesh);
+    if (!why.empty()) planned.unsupported[solver->name] = why;
+  }
+  return planned;
+}
+
+}  // namespace
+
+Plan make_plan(const Suite& suite, const std::filesystem::path& manifest) {
+  Plan plan{.solvers = chosen_solvers(suite), .meshes = {}, .skipped = {}};
+  const std::vector<MeshEntry> entries = chosen_meshes(suite, manifest);
+  check_no_repetition("solvers", plan.solvers, [](const auto* solver) { return solver->name; });
+  check_no_repetition("meshes", entries, [](const auto& entry) { return entry.name; });
+  for (const MeshEntry& entry : entries) {
+    if (!entry.available()) {
+      plan.skipped.push_back({entry.name, how_to_get(entry)});
+      continue;
+    }
+    try {
+      plan.meshes.push_back(plan_mesh(entry, suite));
+    } catch (const std::exception& error) {
+      plan.skipped.push_back({entry.name, error.what(), true});
+    }
+  }
+  return plan;
+}
+
+std::vector<Cell> Plan::cells() const {
+  std::vector<Cell> all;
+  for (const PlannedMesh& mesh : meshes) {
+    for (const Index source : mesh.sources) {
+      for (const Description* solver : solvers) all.push_back({&mesh, source, solver});
+    }
+  }
+  return all;
+}
+
+}  // namespace geodesic::harness

@@ -1,0 +1,24 @@
+// This program, started again as another process.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace geodesic::harness {
+
+struct Ended {
+  bool crashed = false;    ///< by a signal
+  int code = 0;            ///< exit code, or the signal's number
+  std::string last_words;  ///< the last lines of its standard error, joined by " | "
+
+  bool succeeded() const { return !crashed && code == 0; }
+  /// "killed by signal 11 (Segmentation fault): ...", "exit code 1: ..."
+  std::string describe() const;
+};
+
+/// Runs this very program with other arguments and waits for it. Standard input and output are
+/// closed to it.
+/// @throws HarnessError when no process can be started
+Ended run_this_program(const std::vector<std::string>& arguments);
+
+}  // namespace geodesic::harness

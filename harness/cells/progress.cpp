@@ -1,0 +1,56 @@
+#include "harness/cells/progress.h"
+
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+#include "harness/cells/row.h"
+
+namespace geodesic::harness {
+namespace {
+
+// Windows grow about as n^1.5; the constant is the start of a process. A guess serves: it only
+// weighs large meshes against small ones.
+double estimated_work(const Cell& cell) {
+  if (cell.mesh->unsupported.contains(cell.solver->name)) return 0;
+  return 5e4 + std::pow(cell.mesh->vertices, 1.5);
+}
+
+std::string duration(double seconds) {
+  char text[40];
+  if (seconds < 90) {
+    std::snprintf(text, sizeof text, "%.0f s", seconds);
+  } else {
+    std::snprintf(text, sizeof text, "%.0f min", seconds / 60);
+  }
+  return text;
+}
+
+}  // namespace
+
+double Progress::seconds_left() const {
+  double seconds = 0;
+  for (std::size_t i = done_; i < cells_.size(); ++i) {
+    const auto known = paces_.find(cells_[i].solver->name);
+    const Pace& pace = known == paces_.end() ? paces_.at("") : known->second;
+    if (pace.work > 0) seconds += estimated_work(cells_[i]) * pace.seconds / pace.work;
+  }
+  return seconds;
+}
+
+void Progress::ended(const std::string& result) {
+  const Cell& cell = cells_[done_++];
+  const double now = watch_.real_seconds();
+  for (const std::string& solver : {cell.solver->name, std::string()}) {
+    Pace& pace = paces_[solver];
+    pace.seconds += now - last_seconds_;
+    pace.work += estimated_work(cell);
+  }
+  last_seconds_ = now;
+  std::cerr << '[' << done_ << '/' << cells_.size() << "] "
+            << row_name(cell.solver->name, cell.mesh->entry.name, cell.source) << "  " << result;
+  if (done_ < cells_.size()) std::cerr << "  (about " << duration(seconds_left()) << " left)";
+  std::cerr << std::endl;
+}
+
+}  // namespace geodesic::harness

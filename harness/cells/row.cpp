@@ -1,0 +1,47 @@
+#include "harness/cells/row.h"
+
+#include <algorithm>
+
+#include "harness/results/atomic_file.h"
+#include "harness/results/context.h"
+
+namespace geodesic::harness {
+
+std::string row_name(const std::string& solver, const std::string& mesh, Index source) {
+  return solver + "/" + mesh + "/src:" + std::to_string(source);
+}
+
+Json error_row(const std::string& solver, const std::string& mesh, Index source,
+               const char* outcome, std::string why) {
+  std::replace(why.begin(), why.end(), '\n', ' ');
+  const std::string name = row_name(solver, mesh, source);
+  return {
+      {"name", name},
+      {"family_index", 0},
+      {"per_family_instance_index", 0},
+      {"run_name", name},
+      {"run_type", "iteration"},
+      {"repetitions", 1},
+      {"repetition_index", 0},
+      {"threads", 1},
+      {"error_occurred", true},
+      {"error_message", why},
+      {"iterations", 0},
+      {"real_time", 0.0},
+      {"cpu_time", 0.0},
+      {"time_unit", "ms"},
+      {"solver", solver},
+      {"mesh", mesh},
+      {"source", source},
+      {"outcome", outcome},
+  };
+}
+
+void write_result_file(const std::filesystem::path& file, Json benchmark_context, Json context,
+                       const std::vector<Json>& rows) {
+  context["finished"] = utc_now();
+  benchmark_context["geodesic_bench"] = std::move(context);
+  write_json(file, {{"context", std::move(benchmark_context)}, {"benchmarks", rows}});
+}
+
+}  // namespace geodesic::harness

@@ -1,0 +1,37 @@
+// What a cell's process is told, as JSON in its argument. A cell is one solver on one mesh from one
+// source.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "harness/json.h"
+#include "solvers/core/geometry.h"
+
+namespace geodesic::harness {
+
+struct CellSpec {
+  std::string solver;
+  std::string mesh;       ///< name
+  std::string mesh_file;  ///< path
+  Index source = 0;
+  std::string reference;       ///< the solver that the distances are compared with
+  std::string reference_file;  ///< its distances (verify/distance_file.h)
+  std::string output;          ///< the result file to write
+  std::vector<std::string> benchmark_flags;
+  Json context;  ///< context.geodesic_bench of the result file
+};
+void to_json(Json& json, const CellSpec& spec);
+void from_json(const Json& json, CellSpec& spec);
+
+/// Distances to verify others by, computed in a process of their own.
+struct ReferenceSpec {
+  std::string solver;
+  std::string mesh_file;
+  Index source = 0;
+  std::string output;  ///< distance file to write
+};
+void to_json(Json& json, const ReferenceSpec& spec);
+void from_json(const Json& json, ReferenceSpec& spec);
+
+}  // namespace geodesic::harness

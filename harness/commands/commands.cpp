@@ -1,0 +1,20 @@
+#include "harness/commands/commands.h"
+
+#include "harness/commands/generate.h"
+#include "harness/commands/list.h"
+#include "harness/commands/mesh.h"
+#include "harness/commands/run.h"
+#include "harness/commands/solve.h"
+
+namespace geodesic::harness {
+
+void add_commands(CLI::App& app, const std::string& command_line) {
+  add_list_command(app);
+  add_mesh_command(app);
+  add_generate_command(app);
+  add_solve_command(app);
+  add_run_command(app, command_line);
+  add_cell_commands(app);
+}
+
+}  // namespace geodesic::harness

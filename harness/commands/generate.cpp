@@ -1,0 +1,90 @@
+#include "harness/commands/generate.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "datasets/generators/generators.h"
+#include "harness/error.h"
+#include "harness/meshes/write.h"
+
+namespace geodesic::harness {
+namespace {
+
+struct GenerateArguments {
+  std::string name;
+  std::string output;
+  bool list = false;
+};
+
+std::string describe(const generators::GeneratorDescription& generator) {
+  std::ostringstream text;
+  text << generator.name << "\n  " << generator.description << '\n';
+  if (!generator.closed_form.empty()) text << "  distances: " << generator.closed_form << '\n';
+  for (const generators::ParameterDescription& parameter : generator.parameters) {
+    text << "    --" << std::left << std::setw(14) << parameter.name << ' ' << parameter.description
+         << "; " << parameter.range() << ", by default " << parameter.default_value.text() << '\n';
+  }
+  return text.str();
+}
+
+std::string list_of_generators() {
+  std::string text;
+  for (const auto& generator : generators::generator_descriptions()) {
+    text += (text.empty() ? "" : "\n") + describe(generator);
+  }
+  return text;
+}
+
+/// Arguments that CLI11 left over, as `--name value` or `--name=value`.
+generators::Parameters parse_parameters(const std::vector<std::string>& words) {
+  generators::Parameters parameters;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i].rfind("--", 0) != 0) {
+      throw HarnessError("generate: unexpected '" + words[i] +
+                         "'; parameters are given as --name value");
+    }
+    std::string name = words[i].substr(2);
+    const std::size_t equals = name.find('=');
+    if (equals == std::string::npos && i + 1 == words.size()) {
+      throw HarnessError("generate: parameter --" + name + " has no value");
+    }
+    std::string value = equals == std::string::npos ? words[++i] : name.substr(equals + 1);
+    name.resize(std::min(equals, name.size()));
+    if (!parameters.emplace(name, std::move(value)).second) {
+      throw HarnessError("generate: parameter --" + name + " is given twice");
+    }
+  }
+  return parameters;
+}
+
+void generate_file(const GenerateArguments& arguments, const std::vector<std::string>& words) {
+  if (arguments.list) {
+    std::cout << list_of_generators();
+    return;
+  }
+  if (arguments.name.empty() || arguments.output.empty()) {
+    throw HarnessError("generate: needs the NAME of a generator and -o FILE, or --list");
+  }
+  const TriangleSoup soup = generators::generate(arguments.name, parse_parameters(words));
+  write_mesh(arguments.output, soup);
+}
+
+}  // namespace
+
+void add_generate_command(CLI::App& app) {
+  auto arguments = std::make_shared<GenerateArguments>();
+  CLI::App* const command =
+      app.add_subcommand("generate", "make a mesh: generate NAME [--parameter value ...] -o FILE");
+  command->add_option("name", arguments->name, "the generator");
+  command->add_option("-o,--output", arguments->output, "mesh file to write: .ply, .obj or .off");
+  command->add_flag("--list", arguments->list, "generators and their parameters");
+  command->allow_extras();
+  command->callback([arguments, command] { generate_file(*arguments, command->remaining()); });
+}
+
+}  // namespace geodesic::harness

@@ -1,0 +1,108 @@
+#include "harness/commands/list.h"
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "harness/corpus/manifest.h"
+#include "harness/error.h"
+#include "harness/results/context.h"
+#include "solvers/registry.h"
+
+namespace geodesic::harness {
+namespace {
+
+struct ListFlags {
+  std::string corpus;
+  bool json = false;
+  std::string manifest = default_manifest().string();
+};
+
+using Table = std::vector<std::vector<std::string>>;
+
+void print(const Table& table) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : table) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
+  }
+  for (const auto& row : table) {
+    std::string line = " ";
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      line += ' ' + row[c] + std::string(widths[c] - row[c].size() + 1, ' ');
+    }
+    std::cout << line.substr(0, line.find_last_not_of(' ') + 1) << '\n';
+  }
+}
+
+Table solver_table() {
+  Table table{{"solver", "family", "ordered by", "time", "space", "distances", "paper"}};
+  for (const Description* solver : registered_solvers()) {
+    table.push_back({solver->name, solver->family, solver->data_structure, solver->time_complexity,
+                     solver->space_complexity,
+                     solver->exactness == Exactness::exact ? "exact" : "upper bound",
+                     solver->paper});
+  }
+  return table;
+}
+
+std::vector<std::string> corpora_with(const Manifest& manifest, const std::string& mesh) {
+  std::vector<std::string> names;
+  for (const auto& [name, members] : manifest.corpora()) {
+    if (std::count(members.begin(), members.end(), mesh) > 0) names.push_back(name);
+  }
+  return names;
+}
+
+Table mesh_table(const Manifest& manifest, const std::vector<MeshEntry>& meshes) {
+  Table table{{"mesh", "kind", "corpora", "in the cache"}};
+  for (const MeshEntry& mesh : meshes) {
+    table.push_back({mesh.name, mesh.kind, join(corpora_with(manifest, mesh.name)),
+                     mesh.available() ? "yes" : "no"});
+  }
+  return table;
+}
+
+Json to_json(const Manifest& manifest, const std::vector<MeshEntry>& meshes) {
+  Json json{{"solvers", Json::array()}, {"corpora", manifest.corpora()}, {"meshes", Json::array()}};
+  for (const Description* solver : registered_solvers()) {
+    json["solvers"].push_back(describe(*solver));
+  }
+  for (const MeshEntry& mesh : meshes) {
+    json["meshes"].push_back(
+        {{"name", mesh.name},
+         {"kind", mesh.kind},
+         {"file", mesh.file.filename().string()},
+         {"corpora", corpora_with(manifest, mesh.name)},
+         {"thesis_model", mesh.thesis_model ? Json(*mesh.thesis_model) : Json(nullptr)},
+         {"stand_in", mesh.stand_in},
+         {"cached", mesh.available()}});
+  }
+  return json;
+}
+
+void run_list(const ListFlags& flags) {
+  const Manifest manifest(flags.manifest, dataset_cache());
+  const std::vector<MeshEntry> meshes =
+      flags.corpus.empty() ? manifest.meshes() : manifest.corpus(flags.corpus);
+  if (flags.json) {
+    std::cout << to_json(manifest, meshes).dump(2) << '\n';
+    return;
+  }
+  print(solver_table());
+  std::cout << '\n';
+  print(mesh_table(manifest, meshes));
+}
+
+}  // namespace
+
+void add_list_command(CLI::App& app) {
+  const auto flags = std::make_shared<ListFlags>();
+  CLI::App* command = app.add_subcommand("list", "What there is: solvers and meshes");
+  command->add_option("--corpus", flags->corpus, "only the meshes of this corpus");
+  command->add_flag("--json", flags->json, "everything known about them, as JSON");
+  command->add_option("--manifest", flags->manifest, "list of meshes and corpora");
+  command->callback([flags] { run_list(*flags); });
+}
+
+}  // namespace geodesic::harness

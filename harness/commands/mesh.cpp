@@ -1,0 +1,172 @@
+#include "harness/commands/mesh.h"
+
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include "harness/json.h"
+#include "harness/meshes/load.h"
+#include "harness/meshes/summary.h"
+#include "harness/meshes/write.h"
+
+namespace geodesic::harness {
+namespace {
+
+struct Flags {
+  std::string file;
+  std::string output;
+  bool json = false;
+  bool repair = false;
+};
+
+// What the command found out: about the repaired mesh where a repair was asked for.
+struct Findings {
+  std::string format;
+  MeshSummary summary;
+  DefectReport defects;  // of the file
+  std::vector<RepairAction> repairs;
+  std::vector<std::string> warnings;  // of reading
+};
+
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json edge_lengths_json(const std::optional<EdgeLengths>& lengths) {
+  if (!lengths) return nullptr;
+  return {{"min", lengths->least}, {"mean", lengths->mean}, {"max", lengths->greatest}};
+}
+
+Json defects_json(const DefectReport& report) {
+  Json list = Json::array();
+  for (const Defect& defect : report.defects) {
+    const DefectType& type = type_of(defect.kind);
+    list.push_back({{"kind", type.key},
+                    {"severity", type.severity == Severity::error ? "error" : "warning"},
+                    {"count", defect.count},
+                    {"first", defect.example}});
+  }
+  return list;
+}
+
+Json repairs_json(const std::vector<RepairAction>& repairs) {
+  Json list = Json::array();
+  for (const RepairAction& action : repairs) {
+    list.push_back({{"kind", action.key},
+                    {"count", action.count},
+                    {"changed", action.changed},
+                    {"what", action.text}});
+  }
+  return list;
+}
+
+void print_json(const Flags& flags, const Findings& findings) {
+  const MeshSummary& s = findings.summary;
+  Json json = {{"file", flags.file},
+               {"format", findings.format},
+               {"vertices", s.vertices},
+               {"faces", s.faces},
+               {"edges", s.edges},
+               {"components", s.components},
+               {"boundary_loops", s.boundary_loops},
+               {"boundary_edges", s.boundary_edges},
+               {"genus", or_null(s.genus)},
+               {"orientable", s.orientable},
+               {"edge_length", edge_lengths_json(s.edge_lengths)},
+               {"smallest_angle_degrees", or_null(s.smallest_angle)},
+               {"saddle_vertices", s.saddle_vertices},
+               {"isolated_vertices", s.isolated_vertices},
+               {"left_out_faces", s.left_out_faces},
+               {"defects", defects_json(findings.defects)},
+               {"repaired", flags.repair},
+               {"repairs", repairs_json(findings.repairs)},
+               {"warnings", findings.warnings}};
+  // A file name need not be UTF-8.
+  std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+std::string shown(double value) {
+  std::ostringstream text;
+  text << std::setprecision(6) << value;
+  return text.str();
+}
+
+template <class Value>
+void print_row(std::string_view name, const Value& value) {
+  std::cout << "  " << std::left << std::setw(20) << name << value << '\n';
+}
+
+void print_summary(const MeshSummary& s) {
+  print_row("vertices", s.vertices);
+  print_row("faces", s.faces);
+  if (s.left_out_faces > 0) print_row("faces left out", s.left_out_faces);
+  print_row("edges", s.edges);
+  print_row("components", s.components);
+  print_row("boundary loops", s.boundary_loops);
+  print_row("boundary edges", s.boundary_edges);
+  print_row("genus", s.genus ? std::to_string(*s.genus) : "none: the surface has one side only");
+  if (s.edge_lengths) {
+    print_row("edge length", shown(s.edge_lengths->least) + " to " +
+                                 shown(s.edge_lengths->greatest) + ", mean " +
+                                 shown(s.edge_lengths->mean));
+  }
+  if (s.smallest_angle) print_row("smallest angle", shown(*s.smallest_angle) + " degrees");
+  print_row("saddle vertices", s.saddle_vertices);
+  print_row("isolated vertices", s.isolated_vertices);
+}
+
+void print_text(const Flags& flags, const Findings& findings) {
+  std::cout << flags.file << ": " << findings.format << '\n';
+  print_summary(findings.summary);
+  for (const std::string& warning : findings.warnings) print_row("warning", warning);
+  for (const Defect& defect : findings.defects.defects) {
+    const bool is_error = type_of(defect.kind).severity == Severity::error;
+    print_row(is_error ? "defect, error" : "defect, warning", defect.text());
+  }
+  if (findings.defects.defects.empty()) print_row("defects", "none");
+  for (const RepairAction& action : findings.repairs) {
+    print_row(action.changed ? "repaired" : "settled",
+              std::to_string(action.count) + " " + action.text);
+  }
+  if (flags.repair && findings.repairs.empty()) print_row("repaired", "nothing needed it");
+}
+
+// Prints what there is to say about a mesh, also of one that is then refused.
+void inspect(const Flags& flags) {
+  MeshFile file = read_mesh(flags.file);
+  Findings findings;
+  findings.format = std::move(file.format);
+  findings.warnings = std::move(file.warnings);
+  findings.defects = find_defects(file.soup, file.lines);
+  if (flags.repair) findings.repairs = repair(file.soup);
+  findings.summary = summarize(file.soup);
+  if (flags.json) {
+    print_json(flags, findings);
+  } else {
+    print_text(flags, findings);
+  }
+  require_measurable(file.soup, findings.defects, flags.file, flags.repair);
+  if (!flags.output.empty()) write_mesh(flags.output, file.soup);
+}
+
+}  // namespace
+
+void add_mesh_command(CLI::App& app) {
+  const auto flags = std::make_shared<Flags>();
+  CLI::App* const command = app.add_subcommand(
+      "mesh",
+      "Describe a mesh file: counts, topology, lengths, angles and defects; fails when the "
+      "mesh has defects that make distances meaningless");
+  command->add_option("FILE", flags->file, "OBJ, OFF, PLY or STL")->required();
+  command->add_flag("--json", flags->json, "print a JSON object");
+  command->add_flag("--repair", flags->repair, "repair the mesh first and say what was done");
+  command->add_option("--output", flags->output,
+                      "write the mesh (after the repair, if any) as .obj, .off or .ply");
+  command->callback([flags] { inspect(*flags); });
+}
+
+}  // namespace geodesic::harness

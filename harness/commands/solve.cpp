@@ -1,0 +1,128 @@
+#include "harness/commands/solve.h"
+
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+#include "harness/corpus/manifest.h"
+#include "harness/corpus/solvers.h"
+#include "harness/error.h"
+#include "harness/measure/process.h"
+#include "harness/measure/recorded_solve.h"
+#include "harness/meshes/load.h"
+#include "harness/results/atomic_file.h"
+#include "harness/results/counters.h"
+#include "solvers/registry.h"
+
+namespace geodesic::harness {
+namespace {
+
+struct SolveFlags {
+  std::string mesh, solver;
+  std::vector<Index> sources;
+  std::string output;
+  bool repair = false;
+  double limit = kInfinity;
+  std::string manifest = default_manifest().string();
+};
+
+// One distance a line in file order, 17 significant digits: every double survives.
+void write_text(std::ostream& out, std::span<const double> distances) {
+  char line[40];
+  for (const double d : distances) {
+    std::snprintf(line, sizeof line, "%.17g\n", d);
+    out << (std::isinf(d) ? "inf\n" : line);
+  }
+}
+
+Mesh load(const SolveFlags& flags, const MeshEntry& entry) {
+  const LoadedMesh loaded = load_mesh(entry.file, {.repair = flags.repair});
+  for (const std::string& warning : loaded.warnings) {
+    std::cerr << "geodesic-bench: " << entry.file.string() << ": " << warning << '\n';
+  }
+  return Mesh(loaded.soup);
+}
+
+Query query_of(const SolveFlags& flags) {
+  Query query{.sources = {}, .limit = flags.limit};
+  for (const Index v : flags.sources) query.sources.push_back({.vertex = v});
+  return query;
+}
+
+struct Solved {
+  std::vector<double> distances;
+  Json json;
+};
+
+Solved solve(const SolveFlags& flags, const Description& solver, const Mesh& mesh) {
+  const Query query = query_of(flags);
+  Solved solved{.distances = std::vector<double>(mesh.vertex_count()), .json = Json::object()};
+  restart_peak_resident_bytes();
+  const Stopwatch preparation;
+  std::unique_ptr<Solver> prepared = make_solver(solver.name, mesh);
+  const double prepare_time = preparation.cpu_seconds();
+
+  const Stopwatch watch;
+  prepared->solve(query, solved.distances);
+  solved.json["cpu_time_s"] = watch.cpu_seconds();
+  solved.json["real_time_s"] = watch.real_seconds();
+  solved.json["prepare_time_s"] = prepare_time;
+  for (const std::string& name : counter_names()) solved.json[name] = nullptr;
+  const auto resident = peak_resident_bytes();
+  prepared.reset();
+
+  std::vector<double> recorded(mesh.vertex_count());
+  solved.json.update(record_solve(solver.name, mesh, query, recorded));
+  solved.json["process_peak_bytes"] = resident ? Json(*resident) : Json(nullptr);
+  if (!identical(recorded, solved.distances)) {
+    throw WrongAnswer(solver.name + ": a recorded solve gave other distances than the timed one");
+  }
+  return solved;
+}
+
+void run_solve(const SolveFlags& flags) {
+  const Description& solver = solver_named(flags.solver);
+  const MeshEntry entry = find_mesh(flags.mesh, flags.manifest);
+  std::optional<AtomicFile> output;  // opened before the work: a bad path costs no solve
+  if (!flags.output.empty()) output.emplace(flags.output);
+  const Mesh mesh = load(flags, entry);
+  const std::string unable = unsupported(solver, mesh);
+  if (!unable.empty()) throw HarnessError(unable);
+
+  Solved solved = solve(flags, solver, mesh);
+  if (output) {
+    write_text(output->stream(), solved.distances);
+    output->commit();
+  }
+  Json json{{"solver", solver.name},
+            {"mesh", entry.name},
+            {"vertices", mesh.vertex_count()},
+            {"faces", mesh.face_count()},
+            {"sources", flags.sources},
+            {"limit", std::isinf(flags.limit) ? Json(nullptr) : Json(flags.limit)}};
+  json.update(solved.json);
+  std::cout << json.dump(2) << std::endl;
+}
+
+}  // namespace
+
+void add_solve_command(CLI::App& app) {
+  const auto flags = std::make_shared<SolveFlags>();
+  CLI::App* command =
+      app.add_subcommand("solve", "Solve once: numbers as JSON, distances in a file");
+  command->add_option("mesh", flags->mesh, "a file, or a mesh of the manifest")
+      ->required()
+      ->type_name("MESH");
+  command->add_option("--solver", flags->solver, "its name (geodesic-bench list)")->required();
+  command->add_option("--source", flags->sources, "a vertex, counted from 0; may be repeated")
+      ->required()
+      ->allow_extra_args(false);
+  command->add_option("--output", flags->output, "file for the distances, one a line");
+  command->add_flag("--repair", flags->repair, "mend defects of the mesh, and say which");
+  command->add_option("--limit", flags->limit, "vertices farther than this are unreachable");
+  command->add_option("--manifest", flags->manifest, "list of meshes and corpora");
+  command->callback([flags] { run_solve(*flags); });
+}
+
+}  // namespace geodesic::harness

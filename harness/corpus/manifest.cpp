@@ -1,0 +1,94 @@
+#include "harness/corpus/manifest.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "harness/build_info.h"
+#include "harness/error.h"
+#include "harness/results/atomic_file.h"
+
+namespace geodesic::harness {
+namespace fs = std::filesystem;
+namespace {
+
+MeshEntry parse_mesh(const Json& mesh, const fs::path& cache) {
+  MeshEntry entry{.name = mesh.at("name").get<std::string>(),
+                  .file = cache / mesh.at("file").get<std::string>(),
+                  .kind = mesh.at("kind").get<std::string>()};
+  if (mesh.contains("thesis_model") && !mesh["thesis_model"].is_null()) {
+    entry.thesis_model = mesh["thesis_model"].get<std::string>();
+  }
+  entry.stand_in = mesh.value("stand_in", false);
+  return entry;
+}
+
+}  // namespace
+
+Manifest::Manifest(const fs::path& file, const fs::path& cache) {
+  const Json json = read_json(file);
+  try {
+    for (const Json& mesh : json.at("meshes")) meshes_.push_back(parse_mesh(mesh, cache));
+    json.at("corpora").get_to(corpora_);
+    for (const auto& [name, members] : corpora_) {
+      for (const std::string& member : members) mesh(member);
+    }
+  } catch (const Json::exception& error) {
+    throw HarnessError(file.string() + ": not a manifest of meshes: " + error.what());
+  } catch (const HarnessError& error) {
+    throw HarnessError(file.string() + ": in a corpus: " + error.what());
+  }
+}
+
+const MeshEntry& Manifest::mesh(std::string_view name) const {
+  const auto at = std::find_if(meshes_.begin(), meshes_.end(),
+                               [&](const MeshEntry& entry) { return entry.name == name; });
+  if (at != meshes_.end()) return *at;
+  std::vector<std::string> known;
+  for (const MeshEntry& entry : meshes_) known.push_back(entry.name);
+  throw HarnessError(unknown_name("mesh", name, known));
+}
+
+std::vector<MeshEntry> Manifest::corpus(const std::string& name) const {
+  const auto at = corpora_.find(name);
+  if (at == corpora_.end()) {
+    std::vector<std::string> known;
+    for (const auto& [other, members] : corpora_) known.push_back(other);
+    throw HarnessError(unknown_name("corpus", name, known));
+  }
+  std::vector<MeshEntry> members;
+  for (const std::string& member : at->second) members.push_back(mesh(member));
+  return members;
+}
+
+fs::path default_manifest() {
+  return fs::path(build_info().source_folder) / "datasets" / "manifest.json";
+}
+
+fs::path dataset_cache() {
+  const char* folder = std::getenv("GEODESIC_DATASETS");
+  if (folder != nullptr && *folder != '\0') return folder;
+  return fs::path(build_info().source_folder) / "datasets" / "cache";
+}
+
+MeshEntry find_mesh(const std::string& file_or_name, const fs::path& manifest) {
+  if (fs::is_regular_file(file_or_name)) {
+    const fs::path file = file_or_name;
+    return {.name = file.stem().string(), .file = file, .kind = "file"};
+  }
+  if (file_or_name.find('/') != std::string::npos) {
+    throw HarnessError("there is no file '" + file_or_name + "'");
+  }
+  const MeshEntry entry = Manifest(manifest, dataset_cache()).mesh(file_or_name);
+  if (!entry.available()) throw HarnessError(how_to_get(entry));
+  return entry;
+}
+
+std::string how_to_get(const MeshEntry& mesh) {
+  return "mesh '" + mesh.name + "' is not in the dataset cache (" +
+         mesh.file.parent_path().string() + "): run ./run_all.sh fetch" +
+         (mesh.kind == "downloaded" ? ", with GEODESIC_DATASETS_MIRROR set to a folder that "
+                                      "mirrors the upstream sites"
+                                    : "");
+}
+
+}  // namespace geodesic::harness

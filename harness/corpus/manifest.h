@@ -1,0 +1,54 @@
+// The corpus as data: datasets/manifest.json (datasets/README.md describes it) and the cache that
+// its meshes lie in.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace geodesic::harness {
+
+struct MeshEntry {
+  std::string name;
+  std::filesystem::path file;  ///< where it is, or would be, in the cache
+  std::string kind;            ///< "generated", "downloaded", or "file" when given by its path
+  std::optional<std::string> thesis_model = {};  ///< its row in the thesis's tables
+  bool stand_in = false;                         ///< stands for that model without being it
+
+  bool available() const { return std::filesystem::is_regular_file(file); }
+};
+
+class Manifest {
+ public:
+  /// @throws HarnessError when the file cannot be read or says something it must not
+  Manifest(const std::filesystem::path& file, const std::filesystem::path& cache);
+
+  const std::vector<MeshEntry>& meshes() const { return meshes_; }
+  const std::map<std::string, std::vector<std::string>>& corpora() const { return corpora_; }
+
+  /// @throws HarnessError for an unknown name, listing the known ones
+  const MeshEntry& mesh(std::string_view name) const;
+  std::vector<MeshEntry> corpus(const std::string& name) const;
+
+ private:
+  std::vector<MeshEntry> meshes_;
+  std::map<std::string, std::vector<std::string>> corpora_;  // names of meshes
+};
+
+/// The manifest of the checkout that this program was built from.
+std::filesystem::path default_manifest();
+
+/// $GEODESIC_DATASETS, by default datasets/cache in the checkout.
+std::filesystem::path dataset_cache();
+
+/// A mesh that a user names: the path of a file, or a name of the manifest, which is read only in
+/// the second case. @throws HarnessError when it is neither, or not in the cache
+MeshEntry find_mesh(const std::string& file_or_name, const std::filesystem::path& manifest);
+
+/// One line: that the mesh is not in the cache, and how to get it there.
+std::string how_to_get(const MeshEntry& mesh);
+
+}  // namespace geodesic::harness

@@ -1,0 +1,34 @@
+// What a run does: solvers x meshes x sources x repetitions, as a file and as flags.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace geodesic::harness {
+
+struct Suite {
+  std::vector<std::string> solvers = {};  ///< names; empty: every registered one
+  std::string corpus = "quick";           ///< a corpus of the manifest
+  std::vector<std::string> meshes = {};   ///< names or files, in place of the whole corpus
+  int sources = 3;                        ///< a mesh
+  int repetitions = 3;                    ///< timed, a cell
+  std::uint64_t seed = 1;                 ///< of the choice of sources
+  double min_time = 0.05;                 ///< seconds that a repetition lasts at least
+  std::optional<std::string> reference =
+      {};  ///< solver to verify by; by default one of another kind
+};
+
+/// Reads a suite; keys that the file leaves out keep the values above.
+/// @throws HarnessError for an unknown key (listing the known ones) or a value out of range
+Suite read_suite(const std::filesystem::path& file);
+
+/// @throws HarnessError naming the first value out of range
+void check_suite(const Suite& suite);
+
+/// harness/suites/default.json of the checkout.
+std::filesystem::path default_suite();
+
+}  // namespace geodesic::harness

@@ -1,0 +1,30 @@
+// What a user did wrong or must do, in one line; main prints it and exits with 1.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace geodesic::harness {
+
+class HarnessError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Distances that cannot be right; main exits with 2.
+class WrongAnswer : public HarnessError {
+ public:
+  using HarnessError::HarnessError;
+};
+
+/// "no solver named 'mpm' (did you mean 'mmp'?); there are: ch, ich, mmp"
+/// @param kind what the name should have been: "solver", "mesh", "key of a suite"
+std::string unknown_name(std::string_view kind, std::string_view name,
+                         const std::vector<std::string>& known);
+
+/// "a, b, c"
+std::string join(const std::vector<std::string>& words, std::string_view separator = ", ");
+
+}  // namespace geodesic::harness

@@ -1,0 +1,75 @@
+#include "harness/measure/allocation_meter.h"
+
+#include <malloc.h>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+// Read by operator new before any constructor has run: constant-initialised.
+constinit bool metering = false;
+constinit std::atomic<std::int64_t> live{0};
+constinit std::atomic<std::int64_t> peak{0};
+
+void count_allocation(void* block) {
+  const auto bytes = static_cast<std::int64_t>(malloc_usable_size(block));
+  const std::int64_t now = live.fetch_add(bytes, std::memory_order_relaxed) + bytes;
+  std::int64_t highest = peak.load(std::memory_order_relaxed);
+  while (now > highest && !peak.compare_exchange_weak(highest, now, std::memory_order_relaxed)) {
+  }
+}
+
+void* allocate(std::size_t bytes, std::size_t alignment) {
+  if (bytes == 0) bytes = 1;
+  for (;;) {
+    // aligned_alloc wants a whole number of alignments.
+    void* block = alignment <= alignof(std::max_align_t)
+                      ? std::malloc(bytes)
+                      : std::aligned_alloc(alignment, (bytes + alignment - 1) & ~(alignment - 1));
+    if (block != nullptr) {
+      if (metering) [[unlikely]]
+        count_allocation(block);
+      return block;
+    }
+    const std::new_handler handler = std::get_new_handler();
+    if (handler == nullptr) throw std::bad_alloc();
+    handler();
+  }
+}
+
+void release(void* block) noexcept {
+  if (metering) [[unlikely]] {
+    live.fetch_sub(static_cast<std::int64_t>(malloc_usable_size(block)), std::memory_order_relaxed);
+  }
+  std::free(block);
+}
+
+}  // namespace
+
+// The array, nothrow and sized forms of the standard library all end in these four.
+void* operator new(std::size_t bytes) { return allocate(bytes, 1); }
+void* operator new(std::size_t bytes, std::align_val_t alignment) {
+  return allocate(bytes, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* block) noexcept { release(block); }
+void operator delete(void* block, std::align_val_t /*alignment*/) noexcept { release(block); }
+void operator delete(void* block, std::size_t /*bytes*/) noexcept { release(block); }
+void operator delete(void* block, std::size_t /*bytes*/, std::align_val_t /*alignment*/) noexcept {
+  release(block);
+}
+
+namespace geodesic::harness {
+
+AllocationMeter::AllocationMeter() {
+  live = peak = 0;
+  metering = true;
+}
+AllocationMeter::~AllocationMeter() { metering = false; }
+
+std::int64_t AllocationMeter::live_bytes() const { return live; }
+std::int64_t AllocationMeter::peak_bytes() const { return peak; }
+
+}  // namespace geodesic::harness

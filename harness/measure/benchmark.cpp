@@ -1,0 +1,106 @@
+#include "harness/measure/benchmark.h"
+
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <sstream>
+#include <string_view>
+
+#include "harness/error.h"
+
+namespace geodesic::harness {
+namespace {
+
+struct RefusedFlag {
+  std::string_view name;
+  std::string_view why;
+};
+
+constexpr std::array<RefusedFlag, 8> kRefused{{
+    {"--benchmark_out", "the run writes its own files"},
+    {"--benchmark_out_format", "the run writes its own files"},
+    {"--benchmark_format", "the run writes its own files"},
+    {"--benchmark_filter", "choose with --solvers and --meshes"},
+    {"--benchmark_list_tests", "choose with --solvers and --meshes"},
+    {"--benchmark_repetitions", "use --repetitions"},
+    {"--benchmark_report_aggregates_only", "every repetition is kept"},
+    {"--benchmark_display_aggregates_only", "every repetition is kept"},
+}};
+
+// Hands the flags to Google Benchmark and returns those it does not know.
+std::vector<std::string> initialize(std::vector<std::string> flags) {
+  static std::string program = "geodesic-bench";  // the library keeps the pointer
+  std::vector<char*> argv{program.data()};
+  for (std::string& flag : flags) argv.push_back(flag.data());
+  int argc = static_cast<int>(argv.size());
+  argv.push_back(nullptr);
+  benchmark::Initialize(&argc, argv.data());
+  std::vector<std::string> left;
+  for (int i = 1; i < argc; ++i) left.emplace_back(argv[static_cast<std::size_t>(i)]);
+  return left;
+}
+
+// Reporter, and the text that it writes.
+class JsonText {
+ public:
+  JsonText() {
+    reporter_.SetOutputStream(&text_);
+    reporter_.SetErrorStream(&errors_);
+  }
+  benchmark::JSONReporter& reporter() { return reporter_; }
+  Json parse() const { return Json::parse(text_.str()); }
+
+ private:
+  std::ostringstream text_, errors_;
+  benchmark::JSONReporter reporter_;
+};
+
+}  // namespace
+
+void check_benchmark_flags(const std::vector<std::string>& flags) {
+  for (const std::string& flag : flags) {
+    for (const RefusedFlag& refused : kRefused) {
+      if (flag.substr(0, flag.find('=')) == refused.name) {
+        throw HarnessError(std::string(refused.name) +
+                           " is not for a run: " + std::string(refused.why));
+      }
+    }
+    if (!flag.starts_with("--benchmark_")) {
+      throw HarnessError("'" + flag + "' after -- is no flag of Google Benchmark");
+    }
+  }
+  const std::vector<std::string> left = initialize(flags);
+  if (!left.empty()) {
+    throw HarnessError("Google Benchmark does not take '" + left.front() +
+                       "'; flags that make sense here: --benchmark_min_time=SECONDS, "
+                       "--benchmark_min_warmup_time=SECONDS, --benchmark_perf_counters=NAMES");
+  }
+}
+
+Timing time_repetitions(const std::string& name, const std::vector<std::string>& flags,
+                        const std::function<void()>& solve) {
+  initialize(flags);
+  benchmark::ClearRegisteredBenchmarks();
+  benchmark::RegisterBenchmark(name.c_str(), [&](benchmark::State& state) {
+    for (auto _ : state) solve();
+  })->Unit(benchmark::kMillisecond);
+  JsonText out;
+  benchmark::RunSpecifiedBenchmarks(&out.reporter());
+  const Json json = out.parse();
+  Timing timing{.context = json.at("context"), .rows = {}};
+  for (const Json& row : json.at("benchmarks")) {
+    if (row.at("run_type") == "iteration") timing.rows.push_back(row);
+  }
+  if (timing.rows.empty()) throw HarnessError("Google Benchmark timed nothing");
+  return timing;
+}
+
+Json benchmark_context() {
+  initialize({});
+  JsonText out;
+  out.reporter().ReportContext(benchmark::BenchmarkReporter::Context());
+  out.reporter().Finalize();
+  return out.parse().at("context");
+}
+
+}  // namespace geodesic::harness

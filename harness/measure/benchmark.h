@@ -1,0 +1,29 @@
+// Google Benchmark as a function: what to time goes in, its own JSON comes out.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "harness/json.h"
+
+namespace geodesic::harness {
+
+/// @param flags Google Benchmark's, such as "--benchmark_min_time=0.1"
+/// @throws HarnessError for a flag it does not know, or one that would take results away from the
+///         run's own files
+void check_benchmark_flags(const std::vector<std::string>& flags);
+
+struct Timing {
+  Json context;            ///< Google Benchmark's own keys
+  std::vector<Json> rows;  ///< one a repetition, times in milliseconds; no aggregates
+};
+
+/// Times calls of `solve`, all repetitions that the flags ask for. What it throws passes through.
+Timing time_repetitions(const std::string& name, const std::vector<std::string>& flags,
+                        const std::function<void()>& solve);
+
+/// Google Benchmark's own context keys, without timing anything.
+Json benchmark_context();
+
+}  // namespace geodesic::harness

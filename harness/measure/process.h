@@ -1,0 +1,29 @@
+// Time and memory of this process, from the operating system.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace geodesic::harness {
+
+/// Wall time and the CPU time of all threads of this process, in seconds since it was made.
+class Stopwatch {
+ public:
+  Stopwatch();
+  double real_seconds() const;
+  double cpu_seconds() const;
+
+ private:
+  double real_start_;
+  double cpu_start_;
+};
+
+/// Makes `peak_resident_bytes` count from now on; what reading a mesh took is no solver's memory.
+/// Without effect where the kernel does not offer it (Linux does).
+void restart_peak_resident_bytes();
+
+/// Largest resident set of this process, VmHWM of /proc/self/status. Not getrusage's ru_maxrss:
+/// that starts from the peak of the process that spawned this one.
+std::optional<std::int64_t> peak_resident_bytes();
+
+}  // namespace geodesic::harness

@@ -1,0 +1,28 @@
+// Numbers in binary files.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+
+namespace geodesic::harness {
+
+/// The number of type T stored at `bytes` in the given byte order.
+template <class T>
+T load_number(const char* bytes, std::endian order) {
+  std::array<char, sizeof(T)> raw;
+  std::memcpy(raw.data(), bytes, sizeof(T));
+  if (order != std::endian::native) std::reverse(raw.begin(), raw.end());
+  return std::bit_cast<T>(raw);
+}
+
+/// Stores a number at `bytes` in little-endian order.
+template <class T>
+void store_little_endian(T number, char* bytes) {
+  auto raw = std::bit_cast<std::array<char, sizeof(T)>>(number);
+  if (std::endian::native != std::endian::little) std::reverse(raw.begin(), raw.end());
+  std::memcpy(bytes, raw.data(), sizeof(T));
+}
+
+}  // namespace geodesic::harness

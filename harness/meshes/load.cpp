@@ -1,0 +1,46 @@
+#include "harness/meshes/load.h"
+
+#include <utility>
+
+namespace geodesic::harness {
+namespace {
+
+std::string list_errors(const DefectReport& report) {
+  std::string text;
+  for (const Defect& defect : report.defects) {
+    if (type_of(defect.kind).severity != Severity::error) continue;
+    text += (text.empty() ? "" : "; ") + defect.text();
+  }
+  return text;
+}
+
+}  // namespace
+
+void require_measurable(const TriangleSoup& soup, const DefectReport& defects,
+                        const std::string& name, bool repaired) {
+  if (defects.has_errors() && !repaired) {
+    throw MeshError(name + ": distances would be meaningless: " + list_errors(defects) +
+                    "; correct the file or use --repair");
+  }
+  if (soup.triangles.empty()) {
+    throw MeshError(name + ": no usable face is left: " + list_errors(defects));
+  }
+}
+
+LoadedMesh load_mesh(const std::filesystem::path& path, const LoadOptions& options) {
+  MeshFile file = read_mesh(path);
+  LoadedMesh mesh;
+  mesh.soup = std::move(file.soup);
+  mesh.format = std::move(file.format);
+  mesh.defects = find_defects(mesh.soup, file.lines);
+  if (options.repair) mesh.repairs = repair(mesh.soup);
+  require_measurable(mesh.soup, mesh.defects, path.string(), options.repair);
+  mesh.warnings = std::move(file.warnings);
+  for (const Defect& defect : mesh.defects.defects) mesh.warnings.push_back(defect.text());
+  for (const RepairAction& action : mesh.repairs) {
+    mesh.warnings.push_back("repair: " + std::to_string(action.count) + " " + action.text);
+  }
+  return mesh;
+}
+
+}  // namespace geodesic::harness

@@ -1,0 +1,45 @@
+// What a mesh is, in numbers.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "solvers/core/geometry.h"
+
+namespace geodesic::harness {
+
+/// Lengths in the mesh's unit.
+struct EdgeLengths {
+  double least = 0;
+  double mean = 0;
+  double greatest = 0;
+};
+
+/// Numbers of the surface that the usable faces form (see FaceCensus), each counted as in
+/// solvers/core/mesh.h: an edge of more than two faces is a boundary edge of each of them.
+/// Neighbouring faces count as oriented alike even when the file orients them otherwise.
+struct MeshSummary {
+  std::size_t vertices = 0;        ///< of the file, isolated ones included
+  std::size_t faces = 0;           ///< triangles of the file
+  std::size_t left_out_faces = 0;  ///< of those, unusable
+  std::size_t edges = 0;
+  std::size_t boundary_edges = 0;
+  std::size_t components = 0;  ///< groups of faces that paths connect, also through vertices
+  std::size_t boundary_loops = 0;
+  std::size_t isolated_vertices = 0;
+  bool orientable = true;
+  /// Sum of the genus of all parts, where a part is what edges connect and boundary loops count as
+  /// closed by discs: (2 parts - loops - Euler characteristic) / 2. None when not orientable.
+  std::optional<std::size_t> genus;
+  std::optional<EdgeLengths> edge_lengths;  ///< none without usable faces
+  /// In degrees, over faces that have an area; none without such faces.
+  std::optional<double> smallest_angle;
+  /// Interior vertices of total angle above 2 pi (by kSaddleAngleExcess at least), where shortest
+  /// paths may bend. Boundary vertices are not counted; paths may bend at all of them.
+  std::size_t saddle_vertices = 0;
+};
+
+/// @throws MeshError for more half-edges than OpenMesh can number (2^31)
+MeshSummary summarize(const TriangleSoup& soup);
+
+}  // namespace geodesic::harness

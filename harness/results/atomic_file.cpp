@@ -1,0 +1,62 @@
+#include "harness/results/atomic_file.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "harness/error.h"
+
+namespace geodesic::harness {
+namespace fs = std::filesystem;
+namespace {
+
+[[noreturn]] void cannot_write(const fs::path& path) {
+  throw HarnessError("cannot write '" + path.string() + "': " + std::strerror(errno));
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), written_(path_) {
+  std::error_code ignored;
+  if (fs::is_directory(path_, ignored)) {
+    throw HarnessError("cannot write '" + path_.string() + "': it is a folder");
+  }
+  if (!fs::exists(path_, ignored) || fs::is_regular_file(path_, ignored)) {
+    written_ += std::to_string(getpid()).insert(0, 1, '.') + ".part";
+  }
+  stream_.open(written_, std::ios::binary);
+  if (!stream_) cannot_write(path_);
+}
+
+AtomicFile::~AtomicFile() {
+  if (!stream_.is_open() || written_ == path_) return;
+  stream_.close();
+  std::error_code ignored;
+  fs::remove(written_, ignored);
+}
+
+void AtomicFile::commit() {
+  stream_.flush();
+  if (!stream_) cannot_write(path_);
+  if (written_ != path_) fs::rename(written_, path_);
+  stream_.close();
+}
+
+void write_json(const fs::path& path, const Json& json) {
+  AtomicFile file(path);
+  file.stream() << json.dump(2) << '\n';
+  file.commit();
+}
+
+Json read_json(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw HarnessError("cannot read '" + path.string() + "': " + std::strerror(errno));
+  try {
+    return Json::parse(file);
+  } catch (const Json::parse_error& error) {
+    throw HarnessError(path.string() + ": not valid JSON: " + error.what());
+  }
+}
+
+}  // namespace geodesic::harness

@@ -1,0 +1,40 @@
+// A file that appears whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+
+#include "harness/json.h"
+
+namespace geodesic::harness {
+
+/// Writes to a temporary name in the same folder; `commit` gives the file its name. Destroyed
+/// without a commit it leaves nothing behind. A path that is no regular file (a pipe, /dev/stderr)
+/// is written to directly.
+class AtomicFile {
+ public:
+  /// @throws HarnessError when the file cannot be written, before anything is computed
+  explicit AtomicFile(std::filesystem::path path);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  std::ostream& stream() { return stream_; }
+
+  /// @throws HarnessError when not everything could be written (a full disk)
+  void commit();
+
+ private:
+  std::filesystem::path path_;
+  std::filesystem::path written_;  // the temporary name, or path_ itself
+  std::ofstream stream_;
+};
+
+/// Writes indented JSON, whole or not at all. @throws HarnessError
+void write_json(const std::filesystem::path& path, const Json& json);
+
+/// @throws HarnessError when the file cannot be read or is not JSON; the message says where
+Json read_json(const std::filesystem::path& path);
+
+}  // namespace geodesic::harness

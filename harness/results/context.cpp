@@ -1,0 +1,87 @@
+#include "harness/results/context.h"
+
+#include <ctime>
+#include <fstream>
+
+#include "harness/build_info.h"
+#include "harness/meshes/summary.h"
+#include "harness/sha256.h"
+
+namespace geodesic::harness {
+
+Json describe(const Description& solver) {
+  const Abilities& can = solver.abilities;
+  return {
+      {"name", solver.name},
+      {"family", solver.family},
+      {"paper", solver.paper},
+      {"data_structure", solver.data_structure},
+      {"time_complexity", solver.time_complexity},
+      {"space_complexity", solver.space_complexity},
+      {"propagation", solver.propagation},
+      {"spatial_order", solver.spatial_order},
+      {"exactness", solver.exactness == Exactness::exact ? "exact" : "upper_bound"},
+      {"independent_oracle", solver.independent_oracle},
+      {"abilities",
+       {{"multiple_sources", can.multiple_sources},
+        {"initial_distances", can.initial_distances},
+        {"distance_limit", can.distance_limit},
+        {"non_manifold_vertices", can.non_manifold_vertices},
+        {"degenerate_faces", can.degenerate_faces},
+        {"max_vertices", can.max_vertices == kNone ? Json(nullptr) : Json(can.max_vertices)}}},
+      {"remarks", solver.remarks},
+  };
+}
+
+Json describe(const MeshEntry& entry, const TriangleSoup& soup, const Mesh& mesh) {
+  const MeshSummary summary = summarize(soup);
+  return {
+      {"name", entry.name},
+      {"file", entry.file.filename().string()},
+      {"sha256", sha256_of_file(entry.file)},
+      {"vertices", mesh.vertex_count()},
+      {"faces", mesh.face_count()},
+      {"edges", summary.edges},
+      {"components", summary.components},
+      {"boundary_loops", summary.boundary_loops},
+      {"genus", summary.genus ? Json(*summary.genus) : Json(nullptr)},
+      {"mean_edge_length", mesh.mean_edge_length()},
+      {"thesis_model", entry.thesis_model ? Json(*entry.thesis_model) : Json(nullptr)},
+      {"stand_in", entry.stand_in},
+  };
+}
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc;
+  gmtime_r(&now, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+std::string processor() {
+  std::ifstream cpuinfo("/proc/cpuinfo");
+  for (std::string line; std::getline(cpuinfo, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) {
+      return line.substr(colon + 2);
+    }
+  }
+  return "unknown";
+}
+
+Json program_context() {
+  const BuildInfo& build = build_info();
+  return {
+      {"schema_version", kSchemaVersion},
+      {"revision", build.revision},
+      {"modified", build.modified ? Json(*build.modified) : Json(nullptr)},
+      {"compiler", build.compiler},
+      {"compiler_flags", build.compiler_flags},
+      {"build_type", build.build_type},
+      {"processor", processor()},
+  };
+}
+
+}  // namespace geodesic::harness

@@ -1,0 +1,23 @@
+// What a recorded solve counted, under the names that result files use (results/README.md).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "harness/json.h"
+#include "solvers/solver.h"
+
+namespace geodesic::harness {
+
+/// Bytes of a window in the thesis's figures of space (section 5.5.4).
+inline constexpr double kThesisWindowBytes = 80;
+
+/// @return the counters that the solver has and those derived from them; absent where it has none
+Json counters(const Recording& recording, const Mesh& mesh);
+
+/// Every key that `counters` can have.
+const std::vector<std::string>& counter_names();
+
+std::size_t unreachable_vertices(std::span<const double> distances);
+
+}  // namespace geodesic::harness

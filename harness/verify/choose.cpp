@@ -1,0 +1,34 @@
+#include "harness/verify/choose.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace geodesic::harness {
+
+std::vector<const Description*> rank_references(const Description& verified,
+                                                const std::vector<const Description*>& solvers,
+                                                const std::optional<std::string>& named) {
+  std::vector<const Description*> candidates;
+  for (const Description* solver : solvers) {
+    if (solver->exactness == Exactness::exact && solver->name != verified.name) {
+      candidates.push_back(solver);
+    }
+  }
+  const auto demerits = [&](const Description* solver) {
+    return std::tuple(solver->name != named, !solver->independent_oracle,
+                      solver->family == verified.family, solver->abilities.max_vertices != kNone,
+                      solver->name);
+  };
+  std::sort(candidates.begin(), candidates.end(),
+            [&](const auto* a, const auto* b) { return demerits(a) < demerits(b); });
+  return candidates;
+}
+
+const Description* choose_upper_bound(const std::vector<const Description*>& solvers) {
+  const auto at = std::find_if(solvers.begin(), solvers.end(), [](const Description* solver) {
+    return solver->exactness == Exactness::upper_bound;
+  });
+  return at == solvers.end() ? nullptr : *at;
+}
+
+}  // namespace geodesic::harness

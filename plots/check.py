@@ -1,0 +1,76 @@
+#!/usr/bin/python3
+"""Whether every cell of a run is there and verified; exit code 1 and a list of what is not.
+
+A solver that declares that it does not support a mesh, and a cell that was skipped for a stated
+reason, are listed but are no failures.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+
+from command_line import run_folder_parser
+from results import ResultError, Run, newest_run, read_run
+
+ALLOWED = "unsupported"
+
+
+def failures(run: Run) -> list[str]:
+    """One line a failed row or missing cell."""
+    failed = [
+        f"{row.solver}/{row.mesh}/src:{row.source}: {row.outcome}: {row.message}"
+        for row in run.rows
+        if not row.ok and row.outcome != ALLOWED
+    ]
+    there = {(row.solver, row.mesh, row.source) for row in run.rows}
+    missing = [
+        f"{solver}/{mesh}/src:{source}: missing: the run has no row for this cell"
+        for mesh in run.meshes
+        for solver in run.solvers
+        for source in run.sources.get(mesh, [])
+        if (solver, mesh, source) not in there and run.skip(mesh, solver) is None
+    ]
+    return failed + missing
+
+
+def largest_errors(run: Run) -> list[str]:
+    """One line an exact solver: its largest relative error, against whom and where."""
+    lines = []
+    for solver in run.solvers.values():
+        errors = [
+            (row.numbers["max_relative_error"], row)
+            for row in run.rows
+            if row.solver == solver.name and "max_relative_error" in row.numbers
+        ]
+        if errors and solver.exact:
+            error, row = max(errors, key=lambda pair: pair[0])
+            where = f"{row.mesh}, source {row.source}"
+            lines.append(f"{solver.name}: {error:.1e} against {row.reference} ({where})")
+    return lines
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    options = run_folder_parser(__doc__).parse_args(arguments)
+    try:
+        run = read_run(options.run or newest_run())
+    except ResultError as error:
+        print(f"check: {error}", file=sys.stderr)
+        return 1
+    for skip in run.skipped:
+        print(f"skipped: {skip.mesh}, {skip.solver or 'all solvers'}: {skip.why}")
+    for row in run.rows:
+        if row.outcome == ALLOWED:
+            print(f"unsupported: {row.solver}/{row.mesh}/src:{row.source}: {row.message}")
+    for line in largest_errors(run):
+        print(f"largest relative error: {line}")
+    failed = failures(run)
+    for line in failed:
+        print(f"FAILED: {line}")
+    passed = len({(row.solver, row.mesh, row.source) for row in run.rows if row.ok})
+    print(f"cells: {passed} verified, {len(failed)} failed")
+    return 1 if failed or not passed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,82 @@
+"""The thesis's published tables as data: results/published/thesis.json, which cites its source."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from results import ROOT, ResultError
+
+FILE = ROOT / "results" / "published" / "thesis.json"
+
+THESIS_SOLVERS = ["mmp", "fwp-mmp", "ich", "fwp-ch", "edge-based"]
+"""The columns of Table 5.2, in its order."""
+
+Published = float | str | None
+"""A number; words such as "out of memory" in its place; None where the thesis has nothing."""
+
+
+@cache
+def _tables() -> Any:
+    return json.loads(FILE.read_text(encoding="utf-8"))
+
+
+def citation() -> str:
+    return str(_tables()["source"])
+
+
+def machine() -> str:
+    return str(_tables()["machine"])
+
+
+def models() -> list[str]:
+    """The thesis's models in the order of its tables."""
+    return [row["model"] for row in _tables()["table_5_2"]]
+
+
+def table_5_1(model: str) -> dict[str, Any]:
+    """`vertices`, `log_b_n` and `b` of a model."""
+    return _of_model("table_5_1", model)
+
+
+def table_5_2(model: str) -> dict[str, Any]:
+    """`vertices`, `faces`, and a mapping of solver to value for each measure of Table 5.2."""
+    return _of_model("table_5_2", model)
+
+
+def measure(model: str | None, name: str, solver: str) -> Published:
+    """One cell of Table 5.2: `name` is time_s, space_mb, window_propagations, valid_windows,
+    peak_wavefront, or window_limit (which is the same for every solver)."""
+    if model is None:
+        return None
+    value = table_5_2(model).get(name)
+    return value.get(solver) if isinstance(value, dict) else value
+
+
+def table_5_3() -> dict[str, dict[str, Any]]:
+    """The rows of Table 5.3 by the name of the solver."""
+    return {row["method"]: row for row in _tables()["table_5_3"]}
+
+
+@dataclass(frozen=True)
+class Claim:
+    """What the thesis's text says of a ratio (see ratios.py)."""
+
+    claim: str
+    where: str
+    ratio: str
+    solvers: list[str]
+    value: str
+
+
+def claims() -> list[Claim]:
+    return [Claim(**claim) for claim in _tables()["claims"]]
+
+
+def _of_model(table: str, model: str) -> dict[str, Any]:
+    for row in _tables()[table]:
+        if row["model"] == model:
+            return dict(row)
+    raise ResultError(f"{model!r} is no model of the thesis; its models: {', '.join(models())}")

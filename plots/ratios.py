@@ -1,0 +1,128 @@
+"""The ratios that the thesis's text speaks of, from our rows and from its Table 5.2.
+
+Ours are paired: both numbers of a ratio come from the same source and the same repetition.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import published
+from estimates import Estimate, Sample, geometric_mean
+from measures import (
+    CREATED, EDGE_BASED, LIMIT, LIMIT_SOLVER, PEAK, PEAK_BYTES, PROPAGATIONS, REINSERTIONS, SPACE,
+    TIME, VALID, Measure, by_source, values,
+)  # fmt: skip
+from results import Run
+
+RIVAL = "the solver in the column"
+
+
+def _plain(value: float) -> str:
+    return f"{value:.3f}" if value < 10 else f"{value:,.1f}"
+
+
+def _fewer(value: float) -> str:
+    return f"{100 * (1 - value):.1f}%"
+
+
+@dataclass(frozen=True)
+class Ratio:
+    """above.measure / below.measure; a solver of RIVAL is the one in question."""
+
+    key: str
+    label: str
+    above: tuple[str, Measure]
+    below: tuple[str, Measure]
+    show: Callable[[float], str] = _plain
+    note: str = ""
+    falling: bool = False
+    """Whether what is shown falls as the ratio rises."""
+
+    def measured(self, run: Run, mesh: str, solver: str) -> Sample:
+        """Paired ratios by source; empty when one of the two is not there or 0."""
+        above, below = (
+            values(run, mesh, solver if of == RIVAL else of, measure)
+            for of, measure in (self.above, self.below)
+        )
+        return by_source(
+            {
+                pair: above[pair] / below[pair]
+                for pair in above.keys() & below.keys()
+                if above[pair] > 0 and below[pair] > 0
+            }
+        )
+
+    def published(self, model: str, solver: str) -> float | None:
+        above, below = (
+            published.measure(model, str(measure.published), solver if of == RIVAL else of)
+            for of, measure in (self.above, self.below)
+        )
+        if isinstance(above, int | float) and isinstance(below, int | float):
+            return above / below
+        return None
+
+    def interval(self, estimate: Estimate) -> str:
+        ends = sorted([estimate.low, estimate.high], reverse=self.falling)
+        return f"{self.show(estimate.value)} [{', '.join(map(self.show, ends))}]"
+
+    def range(self, least: float, most: float) -> str:
+        ends = sorted([least, most], reverse=self.falling)
+        return " to ".join(map(self.show, ends))
+
+
+COUNTING = PROPAGATIONS.note
+
+RATIOS = [
+    Ratio("speed-up", "Time / edge-based", (RIVAL, TIME), (EDGE_BASED, TIME)),
+    Ratio(
+        "propagations over the limit", "Window propagations / window limit",
+        (RIVAL, PROPAGATIONS), (LIMIT_SOLVER, LIMIT), note=COUNTING,
+    ),
+    Ratio(
+        "re-insertions over the limit", "Re-insertions among them / window limit",
+        (RIVAL, REINSERTIONS), (LIMIT_SOLVER, LIMIT),
+    ),
+    Ratio(
+        "created over the limit", "Windows created, before filtering / window limit",
+        (RIVAL, CREATED), (LIMIT_SOLVER, LIMIT),
+    ),
+    Ratio(
+        "fewer windows", "Windows that edge-based saves",
+        (EDGE_BASED, PROPAGATIONS), (RIVAL, PROPAGATIONS), _fewer, COUNTING, True,
+    ),
+    Ratio(
+        "valid over propagations", "Valid windows / window propagations",
+        (RIVAL, VALID), (RIVAL, PROPAGATIONS), note=COUNTING,
+    ),
+    Ratio("peak wavefront", "Peak wavefront / edge-based", (RIVAL, PEAK), (EDGE_BASED, PEAK)),
+    Ratio(
+        "space", "Space by the thesis's rule / edge-based", (RIVAL, SPACE), (EDGE_BASED, SPACE)
+    ),
+    Ratio(
+        "measured space", "Solver's peak bytes, measured / edge-based",
+        (RIVAL, PEAK_BYTES), (EDGE_BASED, PEAK_BYTES),
+    ),
+]  # fmt: skip
+
+BY_KEY = {ratio.key: ratio for ratio in RATIOS}
+
+
+@dataclass(frozen=True)
+class Mean:
+    """A geometric mean over those meshes of several that have the ratio."""
+
+    estimate: Estimate
+    meshes: int
+    of: int
+
+    @property
+    def coverage(self) -> str:
+        return f"{self.meshes} of {self.of} meshes"
+
+
+def over_meshes(ratio: Ratio, run: Run, meshes: list[str], solver: str) -> Mean | None:
+    """None when no mesh has the ratio."""
+    samples = [sample for mesh in meshes if (sample := ratio.measured(run, mesh, solver))]
+    return Mean(geometric_mean(samples), len(samples), len(meshes)) if samples else None

@@ -1,0 +1,232 @@
+"""The one reader of result files: validates them and gives typed rows.
+
+Draws nothing; reads run.json (or one file of cells/) as described by results/README.md.
+Whatever is wrong with a file ends in a ResultError of one line that names the file and the key.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+
+ROOT = Path(__file__).resolve().parent.parent
+SCHEMA = ROOT / "results" / "run.schema.json"
+RUNS = ROOT / "results" / "runs"
+
+OK = "ok"
+
+
+class ResultError(Exception):
+    """A result file that cannot be used; its message is one line."""
+
+
+@dataclass(frozen=True)
+class Mesh:
+    name: str
+    vertices: int
+    faces: int
+    mean_edge_length: float
+    thesis_model: str | None
+    stand_in: bool
+
+
+@dataclass(frozen=True)
+class Solver:
+    name: str
+    family: str
+    paper: str
+    data_structure: str
+    time_complexity: str
+    space_complexity: str
+    propagation: str
+    spatial_order: bool
+    exact: bool
+    independent_oracle: bool
+    remarks: str
+
+
+@dataclass(frozen=True)
+class Row:
+    """One repetition of one cell, or the one row of a cell that failed."""
+
+    solver: str
+    mesh: str
+    source: int
+    repetition: int
+    outcome: str
+    message: str
+    reference: str | None
+    numbers: dict[str, float]
+    """Every number the row has under its name in the file; empty unless the outcome is ok."""
+
+    @property
+    def ok(self) -> bool:
+        return self.outcome == OK
+
+
+@dataclass(frozen=True)
+class Skip:
+    mesh: str
+    solver: str | None
+    why: str
+
+
+@dataclass(frozen=True)
+class Run:
+    file: Path
+    context: dict[str, Any]
+    meshes: dict[str, Mesh]
+    solvers: dict[str, Solver]
+    sources: dict[str, list[int]]
+    skipped: list[Skip]
+    rows: list[Row]
+
+    def cell(self, mesh: str, solver: str) -> list[Row]:
+        """The rows of one solver on one mesh, over all sources, in the file's order."""
+        return [row for row in self.rows if row.mesh == mesh and row.solver == solver]
+
+    def skip(self, mesh: str, solver: str) -> Skip | None:
+        """Why the run left this solver out on this mesh, if it did."""
+        return next(
+            (s for s in self.skipped if s.mesh == mesh and s.solver in (None, solver)), None
+        )
+
+
+def read_run(folder: Path) -> Run:
+    """The assembled file of a run folder."""
+    if not folder.is_dir():
+        raise ResultError(f"{folder}: no such folder; ./run_all.sh run makes one")
+    return read_file(folder / "run.json")
+
+
+def read_file(file: Path) -> Run:
+    """A result file. @raises ResultError when it is missing, broken or not to the schema."""
+    data = _load(file)
+    _refuse_non_finite(file, data)
+    _validate(file, data)
+    run = _typed(file, data)
+    _check_names(run)
+    return run
+
+
+def newest_run() -> Path:
+    """The last run folder of results/runs; their names begin with the time they were started."""
+    folders = sorted(file.parent for file in RUNS.glob("*/run.json"))
+    if not folders:
+        raise ResultError(f"{RUNS}: no run there yet; ./run_all.sh run makes one")
+    return folders[-1]
+
+
+def _load(file: Path) -> Any:
+    try:
+        return json.loads(file.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise ResultError(f"{file}: no such file; was the run interrupted?") from None
+    except OSError as error:
+        raise ResultError(f"{file}: cannot be read: {error.strerror}") from None
+    except ValueError as error:  # of JSON or of UTF-8
+        raise ResultError(f"{file}: not JSON, perhaps cut off: {error}") from None
+
+
+def _refuse_non_finite(file: Path, data: Any) -> None:
+    for path, value in _leaves(data, []):
+        if isinstance(value, float) and not math.isfinite(value):
+            raise ResultError(f"{file}: {_key(path)}: {value} is not a finite number")
+
+
+def _leaves(value: Any, path: list[str | int]) -> Iterator[tuple[list[str | int], Any]]:
+    if isinstance(value, dict):
+        for key, item in value.items():
+            yield from _leaves(item, [*path, key])
+    elif isinstance(value, list):
+        for index, item in enumerate(value):
+            yield from _leaves(item, [*path, index])
+    else:
+        yield path, value
+
+
+def _key(path: list[str | int]) -> str:
+    """["benchmarks", 3, "source"] as benchmarks[3].source"""
+    steps = (f"[{step}]" if isinstance(step, int) else f".{step}" for step in path)
+    return "".join(steps).lstrip(".") or "the file"
+
+
+@cache
+def _validator() -> Any:
+    schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
+    return jsonschema.Draft202012Validator(schema)
+
+
+def _validate(file: Path, data: Any) -> None:
+    error = next(_validator().iter_errors(data), None)
+    if error is not None:
+        line = " ".join(error.message.split())
+        if len(line) > 200:
+            line = f"{line[:120]} ... {line[-70:]}"
+        raise ResultError(f"{file}: {_key(list(error.absolute_path))}: {line}")
+
+
+def _typed(file: Path, data: Any) -> Run:
+    ours = data["context"]["geodesic_bench"]
+    meshes = [
+        Mesh(
+            name=mesh["name"],
+            vertices=int(mesh["vertices"]),
+            faces=int(mesh["faces"]),
+            mean_edge_length=mesh["mean_edge_length"],
+            thesis_model=mesh["thesis_model"],
+            stand_in=mesh["stand_in"],
+        )
+        for mesh in ours["meshes"]
+    ]
+    return Run(
+        file=file,
+        context=data["context"],
+        meshes={mesh.name: mesh for mesh in meshes},
+        solvers={solver["name"]: _solver(solver) for solver in ours["solvers"]},
+        sources={mesh: [int(v) for v in sources] for mesh, sources in ours["sources"].items()},
+        skipped=[Skip(s["mesh"], s["solver"], s["why"]) for s in ours["skipped"]],
+        rows=[_row(row) for row in data["benchmarks"]],
+    )
+
+
+def _solver(solver: dict[str, Any]) -> Solver:
+    copied = {
+        key: value for key, value in solver.items() if key not in ("exactness", "abilities")
+    }
+    return Solver(**copied, exact=solver["exactness"] == "exact")
+
+
+def _row(row: dict[str, Any]) -> Row:
+    ok = row["outcome"] == OK
+    return Row(
+        solver=row["solver"],
+        mesh=row["mesh"],
+        source=int(row["source"]),
+        repetition=int(row.get("repetition_index", 0)),
+        outcome=row["outcome"],
+        message=row.get("error_message", ""),
+        reference=row.get("reference"),
+        numbers={k: v for k, v in row.items() if ok and type(v) in (int, float)},
+    )
+
+
+def _check_names(run: Run) -> None:
+    """Rows and context must speak of the same meshes, solvers and sources."""
+    for index, row in enumerate(run.rows):
+        where = f"{run.file}: benchmarks[{index}]"
+        if row.mesh not in run.meshes:
+            raise ResultError(f"{where}.mesh: {row.mesh!r} is not among the context's meshes")
+        if row.solver not in run.solvers:
+            raise ResultError(f"{where}.solver: {row.solver!r} is not among the context's solvers")
+        if row.source not in run.sources.get(row.mesh, []):
+            raise ResultError(
+                f"{where}.source: {row.source} is not among the context's sources of {row.mesh}"
+            )

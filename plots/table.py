@@ -1,0 +1,183 @@
+"""One table, three formats: Markdown to read, LaTeX to print, CSV (unrounded) to reuse."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from estimates import Estimate
+
+
+@dataclass(frozen=True)
+class Cell:
+    text: str
+    """As printed in Markdown and, escaped, in LaTeX."""
+    value: float | int | str | None = None
+    """As written to CSV; None: the text."""
+    low: float | None = None
+    high: float | None = None
+    note: str = ""
+    """A footnote; equal notes of a table share one mark."""
+    latex: str | None = None
+    """Instead of the escaped text."""
+
+
+BLANK = Cell("")
+
+
+def estimate_cell(estimate: Estimate, text: str, note: str = "") -> Cell:
+    return Cell(text, estimate.value, estimate.low, estimate.high, note)
+
+
+@dataclass(frozen=True)
+class Table:
+    name: str
+    """Of its files."""
+    title: str
+    header: list[str]
+    text_columns: int
+    """So many columns from the left are words, the rest numbers, set to the right."""
+    rows: list[list[Cell]]
+    remarks: list[str] = field(default_factory=list)
+    """Sentences under the table."""
+
+    def notes(self) -> list[str]:
+        """The footnotes in the order in which their cells come."""
+        return list(dict.fromkeys(cell.note for row in self.rows for cell in row if cell.note))
+
+
+def mark(index: int) -> str:
+    """a, b, ... z, aa, ab, ..."""
+    letter = chr(ord("a") + index % 26)
+    return letter if index < 26 else mark(index // 26 - 1) + letter
+
+
+def to_markdown(table: Table) -> str:
+    notes = table.notes()
+
+    def shown(cell: Cell) -> str:
+        text = cell.text.replace("|", "\\|")
+        return f"{text} <sup>{mark(notes.index(cell.note))}</sup>" if cell.note else text
+
+    lines = [f"## {table.title}", ""]
+    lines.append(_markdown_row(table.header))
+    lines.append(
+        _markdown_row(
+            [":--" if i < table.text_columns else "--:" for i in range(len(table.header))]
+        )
+    )
+    lines += [_markdown_row([shown(cell) for cell in row]) for row in table.rows]
+    lines += ["", *(f"{remark}\n" for remark in table.remarks)]
+    lines += [f"<sup>{mark(index)}</sup> {note}\n" for index, note in enumerate(notes)]
+    return "\n".join(lines).rstrip("\n") + "\n"
+
+
+def to_csv(table: Table) -> str:
+    """One line a row; a column with intervals is followed by its low and high ends, and
+    footnotes stand in full in the last column."""
+    with_interval = [any(row[i].low is not None for row in table.rows) for i in _columns(table)]
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    header: list[str] = []
+    for name, interval in zip(table.header, with_interval, strict=True):
+        header += [name, f"{name}, low", f"{name}, high"] if interval else [name]
+    writer.writerow([*header, "notes"])
+    for row in table.rows:
+        line: list[object] = []
+        for cell, interval in zip(row, with_interval, strict=True):
+            line.append(cell.text if cell.value is None else _number(cell.value))
+            line += [_number(cell.low), _number(cell.high)] if interval else []
+        writer.writerow([*line, " ".join(dict.fromkeys(c.note for c in row if c.note))])
+    return text.getvalue()
+
+
+def to_latex(table: Table) -> str:
+    """A longtable to be \\input; a rule separates rows whose first columns' values differ."""
+    notes = table.notes()
+
+    def shown(cell: Cell) -> str:
+        text = escape(cell.text) if cell.latex is None else cell.latex
+        return f"{text}\\textsuperscript{{{mark(notes.index(cell.note))}}}" if cell.note else text
+
+    columns = "".join("l" if i < table.text_columns else "r" for i in _columns(table))
+    head = " & ".join(escape(name) for name in table.header) + r" \\"
+    lines = [
+        r"% needs \usepackage{booktabs,longtable}",
+        r"\begingroup\footnotesize",
+        rf"\begin{{longtable}}{{{columns}}}",
+        rf"\caption{{{escape(table.title)}}}\label{{tab:{table.name.replace('_', '-')}}}\\",
+        rf"\toprule {head} \midrule \endfirsthead",
+        rf"\toprule {head} \midrule \endhead",
+        r"\bottomrule \endfoot",
+    ]
+    group: object = None
+    for index, row in enumerate(table.rows):
+        if index and row[0].value != group:
+            lines.append(r"\midrule")
+        group = row[0].value
+        lines.append(" & ".join(shown(cell) for cell in row) + r" \\")
+    lines.append(r"\end{longtable}")
+    lines += [rf"\noindent {escape(remark)}\par" for remark in table.remarks]
+    lines += [
+        rf"\noindent \textsuperscript{{{mark(index)}}} {escape(note)}\par"
+        for index, note in enumerate(notes)
+    ]
+    return "\n".join([*lines, r"\endgroup"]) + "\n"
+
+
+FORMATS: dict[str, Callable[[Table], str]] = {
+    ".md": to_markdown,
+    ".csv": to_csv,
+    ".tex": to_latex,
+}
+
+
+def write(table: Table, folder: Path) -> list[Path]:
+    """Writes the table in every format and returns the files, Markdown first."""
+    folder.mkdir(parents=True, exist_ok=True)
+    files = []
+    for extension, render in FORMATS.items():
+        file = folder / f"{table.name}{extension}"
+        file.write_text(render(table), encoding="utf-8")
+        files.append(file)
+    return files
+
+
+_LATEX = {
+    "\\": r"\textbackslash{}",
+    "&": r"\&",
+    "%": r"\%",
+    "$": r"\$",
+    "#": r"\#",
+    "_": r"\_",
+    "{": r"\{",
+    "}": r"\}",
+    "~": r"\textasciitilde{}",
+    "^": r"\textasciicircum{}",
+    "<": r"$<$",
+    ">": r"$>$",
+    "\N{MULTIPLICATION SIGN}": r"$\times$",
+    "\N{EN DASH}": "--",
+    "\N{EM DASH}": "---",
+}
+
+
+def escape(text: str) -> str:
+    return re.sub(r".", lambda match: _LATEX.get(match[0], match[0]), text)
+
+
+def _markdown_row(cells: list[str]) -> str:
+    return f"| {' | '.join(cells)} |"
+
+
+def _number(value: float | int | str | None) -> object:
+    """Twelve digits: more would be rounding, which differs between processors."""
+    return f"{value:.12g}" if isinstance(value, float) else value
+
+
+def _columns(table: Table) -> range:
+    return range(len(table.header))

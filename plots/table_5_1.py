@@ -1,0 +1,63 @@
+#!/usr/bin/python3
+"""Table 5.1: strip depth log_b n of the edge-based solver, and b; ours and published."""
+
+from __future__ import annotations
+
+import sys
+
+import published
+from command_line import draw
+from measures import EDGE_BASED, Measure, count, our_cell
+from models import Model, left_out, models
+from results import Run
+from table import BLANK, Cell, Table
+
+DEPTH = Measure("strip_depth", "log_b n", count, spread=True)
+BASE = Measure("strip_b", "b", lambda value: f"{value:.4f}", spread=True)
+REMARKS = [
+    "log_b n is the strip depth: the longest chain of faces that a window is propagated across, "
+    "from its source or pseudo-source. n is the number of vertices and b = n^(1 / log_b n). "
+    "Medians over sources with 95% bootstrap intervals.",
+    f"Published: {published.citation()}, Table 5.1; its source vertices are not known. A stand-in "
+    "is another mesh of the same shape or size: compare b, not the depth.",
+]
+
+
+def tables(run: Run) -> list[Table]:
+    return [
+        Table(
+            name="table_5_1",
+            title="Table 5.1: depth of the window tree of the edge-based solver",
+            header=[
+                "Model", "Relation", "n", "log_b n", "b",
+                "n, published", "log_b n, published", "b, published",
+            ],
+            text_columns=2,
+            rows=[_row(run, model) for model in models(run)],
+            remarks=REMARKS + left_out(run),
+        )
+    ]  # fmt: skip
+
+
+def _row(run: Run, model: Model) -> list[Cell]:
+    return [Cell(model.name), Cell(model.relation), *_ours(run, model), *_published(model)]
+
+
+def _ours(run: Run, model: Model) -> list[Cell]:
+    if model.mesh is None:
+        return [Cell("not in this run"), BLANK, BLANK]
+    mesh = model.mesh
+    cells = [our_cell(run, mesh.name, EDGE_BASED, measure) for measure in (DEPTH, BASE)]
+    return [Cell(count(mesh.vertices), mesh.vertices), *cells]
+
+
+def _published(model: Model) -> list[Cell]:
+    if model.thesis is None:
+        return [BLANK, BLANK, BLANK]
+    row = published.table_5_1(model.thesis)
+    n, depth, b = row["vertices"], row["log_b_n"], row["b"]
+    return [Cell(count(n), n), Cell(count(depth), depth), Cell(BASE.show(b), b)]
+
+
+if __name__ == "__main__":
+    sys.exit(draw(__doc__, tables))

@@ -1,0 +1,165 @@
+#!/usr/bin/python3
+"""What the thesis's text claims from Table 5.2: its ratios mesh by mesh, and claim by claim."""
+
+from __future__ import annotations
+
+import math
+import sys
+
+import published
+from command_line import draw
+from estimates import geometric_mean
+from measures import ABSENT, columns, failure, partial_failure
+from models import Model, left_out, models
+from published import Claim
+from ratios import BY_KEY, RATIOS, Mean, Ratio, over_meshes
+from results import Run
+from table import BLANK, Cell, Table, estimate_cell
+
+REMARKS = [
+    "Ours: geometric means of ratios paired by source and repetition, with 95% bootstrap intervals "
+    "over sources and repetitions. Definitions: docs/metrics.md.",
+    f"Published: computed from the values of {published.citation()}, Table 5.2.",
+]
+
+
+def tables(run: Run) -> list[Table]:
+    return [_ratios(run), _claims(run)]
+
+
+def _ratios(run: Run) -> Table:
+    rows = []
+    for ratio in RATIOS:
+        for model in models(run):
+            rows += _rows(run, model, ratio)
+        rows.append(_mean_row(run, ratio))
+    return Table(
+        name="table_5_2_ratios",
+        title="Ratios of Table 5.2",
+        header=["Ratio", "Model", "From", *columns(run)],
+        text_columns=3,
+        rows=rows,
+        remarks=REMARKS + left_out(run),
+    )
+
+
+def _rows(run: Run, model: Model, ratio: Ratio) -> list[list[Cell]]:
+    rows = []
+    label = Cell(ratio.label, note=ratio.note)
+    relation = f" ({model.relation})" if model.relation.startswith("stand-in") else ""
+    if model.mesh is not None:
+        cells = [_ours(run, model.mesh.name, solver, ratio) for solver in columns(run)]
+        rows.append([label, Cell(model.name), Cell(f"ours{relation}"), *cells])
+    if model.thesis is not None:
+        values = [ratio.published(model.thesis, solver) for solver in columns(run)]
+        if any(value is not None for value in values):
+            cells = [Cell(ABSENT) if v is None else Cell(ratio.show(v), v) for v in values]
+            rows.append([label, Cell(model.thesis), Cell("published"), *cells])
+    return rows
+
+
+def _ours(run: Run, mesh: str, solver: str, ratio: Ratio) -> Cell:
+    failed = failure(run, mesh, solver)
+    if failed is not None:
+        return failed
+    sample = ratio.measured(run, mesh, solver)
+    if not sample:
+        return Cell(ABSENT)
+    estimate = geometric_mean([sample])
+    return estimate_cell(estimate, ratio.interval(estimate), partial_failure(run, mesh, solver))
+
+
+def _mean_row(run: Run, ratio: Ratio) -> list[Cell]:
+    cells = []
+    for solver in columns(run):
+        mean = over_meshes(ratio, run, list(run.meshes), solver)
+        cells.append(_mean_cell(ratio, mean) if mean else Cell(ABSENT))
+    label = Cell(ratio.label, note=ratio.note)
+    return [label, Cell("all meshes"), Cell("ours, geometric mean"), *cells]
+
+
+def _claims(run: Run) -> Table:
+    thesis_meshes = [mesh.name for mesh in run.meshes.values() if mesh.thesis_model is not None]
+    return Table(
+        name="table_5_2_claims",
+        title="The thesis's claims about Table 5.2",
+        header=[
+            "Edge-based ...", "Ratio", "Solver", "Claimed", "In the thesis's table",
+            "Ours, the thesis's models", "Range", "Ours, all meshes", "Range, all meshes",
+        ],
+        text_columns=4,
+        rows=[
+            row for claim in published.claims() for row in _claim_rows(run, claim, thesis_meshes)
+        ],
+        remarks=[
+            *REMARKS,
+            "Ranges are over meshes (over sources and repetitions when there is one mesh). All "
+            "meshes include those too small for their times to say much. "
+            f"The thesis's models in this run: {_listed(run, thesis_meshes)}.",
+        ],
+    )  # fmt: skip
+
+
+def _claim_rows(run: Run, claim: Claim, thesis_meshes: list[str]) -> list[list[Cell]]:
+    ratio = BY_KEY[claim.ratio]
+    rows = []
+    for solver in claim.solvers:
+        words = f"{claim.claim} ({claim.where})"
+        rows.append(
+            [
+                Cell(words if solver == claim.solvers[0] else "", words),
+                Cell(ratio.label, note=ratio.note),
+                Cell(solver),
+                Cell(claim.value),
+                _published_mean(ratio, solver),
+                *_our_mean(run, ratio, solver, thesis_meshes),
+                *_our_mean(run, ratio, solver, list(run.meshes)),
+            ]
+        )
+    return rows
+
+
+def _published_mean(ratio: Ratio, solver: str) -> Cell:
+    values = [ratio.published(model, solver) for model in published.models()]
+    known = [value for value in values if value is not None]
+    if not known:
+        return Cell(ABSENT)
+    mean = math.exp(sum(map(math.log, known)) / len(known))
+    return Cell(f"{ratio.show(mean)} ({ratio.range(min(known), max(known))})", mean)
+
+
+def _our_mean(run: Run, ratio: Ratio, solver: str, meshes: list[str]) -> list[Cell]:
+    mean = over_meshes(ratio, run, meshes, solver)
+    if mean is None:
+        return [_no_ratio(run, solver, meshes), BLANK]
+    return [
+        _mean_cell(ratio, mean),
+        Cell(ratio.range(mean.estimate.least, mean.estimate.most)),
+    ]
+
+
+def _mean_cell(ratio: Ratio, mean: Mean) -> Cell:
+    """A mean that some meshes are missing from says so."""
+    text = ratio.interval(mean.estimate)
+    if mean.meshes < mean.of:
+        text += f", {mean.coverage}"
+    return estimate_cell(mean.estimate, text)
+
+
+def _no_ratio(run: Run, solver: str, meshes: list[str]) -> Cell:
+    """Why no mesh has the ratio: the solver's failure on the first, or no such mesh or number."""
+    failed = failure(run, meshes[0], solver) if meshes else Cell("no such mesh")
+    return failed or Cell(ABSENT)
+
+
+def _listed(run: Run, meshes: list[str]) -> str:
+    names = [
+        f"{name} (stand-in for {mesh.thesis_model})" if mesh.stand_in else name
+        for name, mesh in run.meshes.items()
+        if name in meshes
+    ]
+    return ", ".join(names) or "none"
+
+
+if __name__ == "__main__":
+    sys.exit(draw(__doc__, tables))

@@ -1,0 +1,89 @@
+#!/usr/bin/python3
+"""Table 5.3: the solvers by their own descriptions in the run file; published beside them."""
+
+from __future__ import annotations
+
+import re
+import sys
+from typing import Any
+
+import published
+from command_line import draw
+from measures import ABSENT, columns
+from results import Run, Solver
+from table import BLANK, Cell, Table
+
+HEADER = [
+    "Solver", "From", "Family", "Data structure", "Time", "Space", "Propagation",
+    "Spatial order", "Distances", "Paper", "Remarks",
+]  # fmt: skip
+REMARKS = [
+    "Ours: what each solver says of itself in the run file. "
+    f"Published: {published.citation()}, Table 5.3."
+]
+
+
+def tables(run: Run) -> list[Table]:
+    named = published.table_5_3()
+    names = [*named, *(name for name in columns(run) if name not in named)]
+    return [
+        Table(
+            name="table_5_3",
+            title="Table 5.3: exact geodesic solvers compared",
+            header=HEADER,
+            text_columns=len(HEADER),
+            rows=[row for name in names for row in _rows(name, run.solvers.get(name), named)],
+            remarks=REMARKS,
+        )
+    ]
+
+
+def _rows(name: str, solver: Solver | None, named: dict[str, Any]) -> list[list[Cell]]:
+    ours = _ours(solver) if solver else [Cell("not in this run")] + [BLANK] * (len(HEADER) - 3)
+    rows = [[Cell(name, name), Cell("ours"), *ours]]
+    if name in named:
+        rows.append([Cell("", name), Cell("published"), *_published(named[name])])
+    return rows
+
+
+def _ours(solver: Solver) -> list[Cell]:
+    return [
+        Cell(solver.family),
+        Cell(solver.data_structure),
+        _complexity(solver.time_complexity),
+        _complexity(solver.space_complexity),
+        Cell(solver.propagation),
+        _yes_or_no(solver.spatial_order),
+        Cell("exact" if solver.exact else "upper bound"),
+        Cell(solver.paper),
+        Cell(solver.remarks),
+    ]
+
+
+def _published(row: dict[str, Any]) -> list[Cell]:
+    return [
+        Cell(row["class"]),
+        Cell(row["data_structure"]),
+        _complexity(row["time_complexity"]),
+        _complexity(row["space_complexity"]),
+        Cell(row["propagation"]),
+        _yes_or_no(row["spatial_order"]),
+        Cell(ABSENT),
+        Cell(ABSENT),
+        BLANK,
+    ]
+
+
+def _yes_or_no(value: bool) -> Cell:
+    return Cell("yes" if value else "no")
+
+
+def _complexity(text: str) -> Cell:
+    """O(n^2 log n) is mathematics in LaTeX; anything else stays words."""
+    if not re.fullmatch(r"O\([\w^+ ]+\)", text):
+        return Cell(text)
+    return Cell(text, latex=f"${text.replace('log', chr(92) + 'log')}$")
+
+
+if __name__ == "__main__":
+    sys.exit(draw(__doc__, tables))

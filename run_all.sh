@@ -1,0 +1,208 @@
+#!/usr/bin/env bash
+# The main job: set up, build, fetch, run, check, plot. See --help.
+set -euo pipefail
+
+program=run_all.sh
+root=$(unset CDPATH; cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
+# shellcheck source=tools/common.sh
+source "$root/tools/common.sh"
+
+all_steps=(build fetch run check plot)
+corpus=quick
+out=
+install=yes
+run_options=()
+steps=()
+current=
+check_failed=
+
+usage() {
+  cat <<EOF
+Usage: ./run_all.sh [STEP...] [OPTION...]
+
+Runs the exact geodesic solvers on a corpus of meshes and writes the thesis's tables.
+Without a step, all of them, in this order:
+  build   compile the optimised solvers and the harness (build/release)
+  fetch   generate or copy the corpus's meshes into the dataset cache
+  run     solve, verify and time every solver on every mesh
+  check   fail unless every cell of the run is there and verified
+  plot    write the tables of the run
+check and plot alone work on the newest run, or on the one that --out names.
+
+Options:
+  --corpus NAME        meshes to run on (default: quick; see geodesic-bench list)
+  --solvers A,B        only these solvers
+  --meshes A,B         only these meshes of the corpus
+  --repetitions N      timed solves of each solver, mesh and source
+  --out DIR            run folder (default: results/runs/<UTC time>-<corpus>)
+  --no-install         never install a package: print the line that would, and stop
+  --help               this text
+
+Environment:
+  GEODESIC_DATASETS          dataset cache (default: datasets/cache)
+  GEODESIC_DATASETS_MIRROR   folder with a copy of the upstream meshes, read by fetch
+
+What is missing is installed with apt, given root or sudo. Log: build/logs/run_all.log
+EOF
+}
+
+parse_options() {
+  local value
+  while [[ $# -gt 0 ]]; do
+    case $1 in
+      --*=*) set -- "${1%%=*}" "${1#*=}" "${@:2}" ;;
+    esac
+    case $1 in
+      --help | -h) usage; exit 0 ;;
+      --no-install) install=no; shift ;;
+      --corpus | --out | --solvers | --meshes | --repetitions)
+        value=$(value_of "$@")
+        take_option "$1" "$value"
+        shift 2
+        ;;
+      -*)
+        die "unknown option $1; there are --corpus, --solvers, --meshes, --repetitions, --out," \
+          "--no-install, --help"
+        ;;
+      *)
+        [[ " ${all_steps[*]} " == *" $1 "* ]] ||
+          die "unknown step $1; there are ${all_steps[*]}"
+        steps+=("$1")
+        shift
+        ;;
+    esac
+  done
+  [[ ${#steps[@]} -gt 0 ]] || steps=("${all_steps[@]}")
+}
+
+take_option() {
+  case $1 in
+    --corpus) corpus=$2 ;;
+    --out) out=$(absolute "$2") ;;
+    --repetitions)
+      [[ $2 =~ ^[1-9][0-9]*$ ]] || die "--repetitions: $2 is no positive number"
+      run_options+=("$1" "$2")
+      ;;
+    *) run_options+=("$1" "$2") ;;
+  esac
+}
+
+wants() {
+  [[ " ${steps[*]} " == *" $1 "* ]]
+}
+
+bench="$root/build/release/geodesic-bench"
+
+need_bench() {
+  [[ -x $bench ]] || die "$bench is not there yet; ./run_all.sh build makes it"
+}
+
+step_build() {
+  build_preset release --target geodesic-bench
+}
+
+step_fetch() {
+  need_bench
+  local status=0
+  logged "$python" "$root/datasets/fetch.py" --corpus "$corpus" --bench "$bench" || status=$?
+  # 3: some meshes cannot be had here; the run goes without them and says so.
+  [[ $status -eq 0 || $status -eq 3 ]]
+}
+
+step_run() {
+  need_bench
+  [[ ! -e $out/run.json ]] || die "$out holds a run already: remove it, or give another --out"
+  # Failed cells are results, and for check to report; only a run without results ends here.
+  (cd "$root" && logged "$bench" run --corpus "$corpus" "${run_options[@]}" --out "$out") ||
+    [[ -f $out/run.json ]] || return 1
+}
+
+# A failure is remembered for the end: the tables show failed cells, so they are drawn anyway.
+step_check() {
+  logged "$python" "$root/plots/check.py" --run "$out" || check_failed=yes
+}
+
+step_plot() {
+  logged "$python" "$root/plots/all.py" --run "$out"
+}
+
+# choose_out: the folder that `run` writes and that check and plot read.
+choose_out() {
+  [[ -z $out ]] || return 0
+  local runs="$root/results/runs" file
+  if wants run; then
+    out="$runs/$(date -u +%Y%m%dT%H%M%SZ)-$corpus"
+  elif wants check || wants plot; then
+    for file in "$runs"/*/run.json; do # their names begin with the time, so the last is the newest
+      [[ -f $file ]] && out=${file%/*}
+    done
+    [[ -n $out ]] || die "there is no run in $runs yet; ./run_all.sh run makes one"
+  fi
+}
+
+# Seconds that a step took last time on this corpus, or at first a guess for the quick corpus.
+expected_seconds() {
+  local step=$1 seconds=
+  if [[ -f $logs/durations ]]; then
+    seconds=$(sed -n "s|^$step $corpus ||p" "$logs/durations" | tail -n 1)
+  fi
+  case ${seconds:-$step} in
+    build) echo 150 ;;
+    fetch) echo 10 ;;
+    run) echo 180 ;;
+    check | plot) echo 5 ;;
+    *) echo "$seconds" ;;
+  esac
+}
+
+expected_left() {
+  local step sum=0
+  for step in "$@"; do
+    sum=$((sum + $(expected_seconds "$step")))
+  done
+  if [[ $sum -lt 90 ]]; then echo "$sum s"; else echo "$(((sum + 30) / 60)) min"; fi
+}
+
+run_steps() {
+  local ordered=() step number=0 began took
+  for step in "${all_steps[@]}"; do
+    if wants "$step"; then ordered+=("$step"); fi
+  done
+  for step in "${ordered[@]}"; do
+    say "[$((number + 1))/${#ordered[@]}] $step (about $(expected_left "${ordered[@]:number}") left)"
+    number=$((number + 1))
+    current=$step
+    began=$SECONDS
+    "step_$step"
+    took=$((SECONDS - began))
+    say "[$number/${#ordered[@]}] $step: done in $took s"
+    printf '%s %s %s\n' "$step" "$corpus" "$took" >>"$logs/durations"
+  done
+  current=
+}
+
+report_failure() {
+  local status=$?
+  if [[ $status -ne 0 && -n $current ]]; then
+    printf '%s: step %s failed; its output is above and in %s\n' "$program" "$current" "$log" >&2
+  fi
+}
+
+finish() {
+  if wants plot; then
+    say "Tables: $out/tables (5.1, 5.2 with its ratios and claims, 5.3; as .md, .csv and .tex)"
+  elif wants run; then
+    say "Results: $out/run.json"
+  fi
+  [[ -z $check_failed ]] || die "check failed: what is wrong is listed above and in $log"
+}
+
+parse_options "$@"
+choose_out
+start_log run_all
+trap report_failure EXIT
+groups=(python)
+if wants build; then groups+=(build); fi
+set_up "$install" "${groups[@]}"
+run_steps
+finish

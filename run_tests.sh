@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# Every test: C++ with CTest, Python with pytest. See --help.
+set -euo pipefail
+
+program=run_tests.sh
+root=$(unset CDPATH; cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
+# shellcheck source=tools/common.sh
+source "$root/tools/common.sh"
+
+presets=(ci debug release)
+preset=ci
+install=yes
+
+usage() {
+  cat <<EOF
+Usage: ./run_tests.sh [OPTION...]
+
+Builds everything and runs every test: C++ with CTest, Python with pytest.
+
+Options:
+  --preset NAME   ci (default: optimised, warnings are errors), debug (address and
+                  undefined-behaviour sanitizers; slow) or release
+  --no-install    never install a package: print the line that would, and stop
+  --help          this text
+
+What is missing is installed with apt, given root or sudo. Log: build/logs/run_tests.log;
+results in JUnit's format: build/logs/ctest.xml and build/logs/pytest.xml
+EOF
+}
+
+parse_options() {
+  while [[ $# -gt 0 ]]; do
+    case $1 in
+      --*=*) set -- "${1%%=*}" "${1#*=}" "${@:2}" ;;
+    esac
+    case $1 in
+      --help | -h) usage; exit 0 ;;
+      --no-install) install=no; shift ;;
+      --preset)
+        preset=$(value_of "$@")
+        [[ " ${presets[*]} " == *" $preset "* ]] ||
+          die "unknown preset $preset; there are ${presets[*]}"
+        shift 2
+        ;;
+      *) die "unknown option $1; there are --preset, --no-install, --help" ;;
+    esac
+  done
+}
+
+# Both runners run, whatever the first one finds.
+run_tests() {
+  local failed=0
+  rm -f "$logs/ctest.xml" "$logs/pytest.xml"
+  (cd "$root" && logged ctest --preset "$preset" --parallel "$(processors)" \
+    --output-junit "$logs/ctest.xml") || failed=1
+  (cd "$root" && GEODESIC_BENCH="$root/build/$preset/geodesic-bench" \
+    logged "$python" -m pytest -q tests --junitxml "$logs/pytest.xml") || failed=1
+  return $failed
+}
+
+parse_options "$@"
+start_log run_tests
+set_up "$install" python build test
+build_preset "$preset"
+run_tests

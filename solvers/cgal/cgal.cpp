@@ -1,0 +1,102 @@
+// CGAL's exact geodesic distances: an oracle that shares no code with the other solvers.
+//
+// Chen, Han 1990 with the filters of Xin, Wang 2009, as in CGAL's package Triangulated Surface Mesh
+// Shortest Paths. That package is GPL (README.md).
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_shortest_path.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "solvers/registry.h"
+
+namespace geodesic {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
+using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Surface>;
+using ShortestPaths = CGAL::Surface_mesh_shortest_path<Traits>;
+
+// CGAL's tolerances are absolute. This power of two brings the mean edge length into [1, 2), which
+// changes no bit of a mantissa and makes the tolerances relative to the mesh.
+double unit_scale(const Mesh& mesh) {
+  const double edge = mesh.mean_edge_length();
+  return edge > 0 ? std::ldexp(1.0, -std::ilogb(edge)) : 1.0;
+}
+
+class Cgal final : public Solver {
+ public:
+  Cgal(const Mesh& mesh, const Description& description)
+      : Solver(mesh, description), scale_(unit_scale(mesh)), paths_(build_surface()) {}
+
+ private:
+  using Vertex = Surface::Vertex_index;
+
+  // CGAL knows no isolated vertices: they stay out of its surface, and `vertex_` maps to its ids.
+  const Surface& build_surface() {
+    vertex_.assign(mesh().vertex_count(), Surface::null_vertex());
+    for (Index v = 0; v < mesh().vertex_count(); ++v) {
+      if (mesh().outgoing(v).empty()) continue;
+      const Vec3& p = mesh().position(v);
+      vertex_[v] = surface_.add_vertex({p[0] * scale_, p[1] * scale_, p[2] * scale_});
+    }
+    for (Index f = 0; f < mesh().face_count(); ++f) {
+      const auto [a, b, c] = mesh().triangle(f);
+      if (surface_.add_face(vertex_[a], vertex_[b], vertex_[c]) == Surface::null_face()) {
+        throw std::invalid_argument("cgal: CGAL's surface mesh refuses face " + std::to_string(f));
+      }
+    }
+    return surface_;
+  }
+
+  // One source after the other: asked for several at once, CGAL 5.5 can follow a path beyond a
+  // boundary edge, which its own assertions forbid.
+  void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
+    for (const Source& source : query.sources) {
+      distances[source.vertex] = std::min(distances[source.vertex], source.distance);
+      if (vertex_[source.vertex] != Surface::null_vertex()) run_from(source, distances);
+    }
+  }
+
+  void run_from(const Source& source, std::span<double> distances) {
+    paths_.remove_all_source_points();
+    paths_.add_source_point(vertex_[source.vertex]);
+    paths_.build_sequence_tree();
+    for (Index v = 0; v < mesh().vertex_count(); ++v) {
+      if (vertex_[v] == Surface::null_vertex()) continue;
+      const double d = paths_.shortest_distance_to_source_points(vertex_[v]).first;
+      if (d < 0) continue;  // CGAL's "unreachable" is -1
+      distances[v] = std::min(distances[v], source.distance + d / scale_);
+    }
+  }
+
+  double scale_;
+  Surface surface_;
+  std::vector<Vertex> vertex_;
+  ShortestPaths paths_;  // last: refers to surface_
+};
+
+const RegisterSolver<Cgal> registered{{
+    .name = "cgal",
+    .family = "CH",
+    .paper = "Xin, Wang 2009, Improving Chen and Han's algorithm on the discrete geodesic problem",
+    .data_structure = "priority queue",
+    .time_complexity = "O(n^2 log n)",
+    .space_complexity = "O(n^2)",
+    .propagation = "window",
+    .spatial_order = false,
+    .independent_oracle = true,
+    .abilities = {.non_manifold_vertices = false, .degenerate_faces = false},
+    .remarks =
+        "wraps CGAL's Surface_mesh_shortest_path, which is GPL: a program that contains it "
+        "is too; independent oracle, counts nothing; solves several sources one after the other, "
+        "and a distance limit saves no work",
+}};
+
+}  // namespace
+}  // namespace geodesic

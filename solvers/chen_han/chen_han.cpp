@@ -1,0 +1,91 @@
+// `ch`, `ich` and `fwp-ch`: one propagation of windows in three orders, filtered but for `ch`.
+#include <cmath>
+#include <stdexcept>
+
+#include "solvers/chen_han/propagation.h"
+#include "solvers/core/queues/bucket_queue.h"
+#include "solvers/core/queues/fifo_queue.h"
+#include "solvers/core/queues/priority_queue.h"
+#include "solvers/registry.h"
+
+namespace geodesic::chen_han {
+namespace {
+
+struct Ch {
+  using Filter = NoFilter;
+  using Queue = FifoQueue<Index>;
+  static Queue make_queue(const Mesh&) { return {}; }
+};
+
+struct Ich {
+  using Filter = XinWangFilter;
+  using Queue = PriorityQueue<Index>;
+  static Queue make_queue(const Mesh&) { return {}; }
+};
+
+struct FwpCh {
+  using Filter = XinWangFilter;
+  using Queue = BucketQueue<Index>;
+  /// Buckets of the published width.
+  static Queue make_queue(const Mesh& mesh) {
+    return Queue(mesh.mean_edge_length() / std::sqrt(static_cast<double>(mesh.vertex_count())));
+  }
+};
+
+template <class Policy>
+class ChenHan final : public Solver {
+ public:
+  ChenHan(const Mesh& mesh, const Description& description)
+      : Solver(mesh, description), propagation_(checked(mesh, description)) {}
+
+ private:
+  static const Mesh& checked(const Mesh& mesh, const Description& description) {
+    if (mesh.vertex_count() <= kMaxVertices) return mesh;
+    throw std::invalid_argument(description.name + ": supports at most " +
+                                std::to_string(kMaxVertices) + " vertices");
+  }
+
+  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+    if (recording == nullptr) return propagation_.run(query, distances);
+    recording->window_bytes = sizeof(StoredWindow<NoDepth>);
+    Propagation<Policy, CountingRecorder>(mesh(), CountingRecorder(*recording))
+        .run(query, distances);
+  }
+
+  Propagation<Policy, NoRecorder> propagation_;
+};
+
+const RegisterSolver<ChenHan<Ch>> ch{{
+    .name = "ch",
+    .family = "CH",
+    .paper = "Chen, Han 1990, Shortest paths on a polyhedron",
+    .data_structure = "FIFO queue",
+    .time_complexity = "O(n^2)",
+    .space_complexity = "O(n)",
+    .propagation = "window",
+    .abilities = {.max_vertices = 2000},
+    .remarks = "small meshes only: nearly all of its windows are useless",
+}};
+
+const RegisterSolver<ChenHan<Ich>> ich{{
+    .name = "ich",
+    .family = "CH",
+    .paper = "Xin, Wang 2009, Improving Chen and Han's algorithm",
+    .data_structure = "priority queue",
+    .time_complexity = "O(n^2 log n)",
+    .space_complexity = "O(n^2)",
+    .propagation = "window",
+}};
+
+const RegisterSolver<ChenHan<FwpCh>> fwp_ch{{
+    .name = "fwp-ch",
+    .family = "CH",
+    .paper = "Xu, Wang, Liu, Liu, He 2015, Fast wavefront propagation",
+    .data_structure = "bucket and FIFO queue",
+    .time_complexity = "O(n^2)",
+    .space_complexity = "O(n^2)",
+    .propagation = "window",
+}};
+
+}  // namespace
+}  // namespace geodesic::chen_han

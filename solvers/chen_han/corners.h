@@ -1,0 +1,46 @@
+// One angle, one split (Chen and Han 1990, section 3).
+//
+// Of the windows of an edge whose lines reach the apex of the face beyond, only the one that gives
+// the apex its least distance so far, the owner of the corner, has children on both other edges.
+// Any other has its child on the side from which its line to the apex comes: on the far side its
+// lines have crossed the owner's line to the apex, where the owner is at least as near.
+#pragma once
+
+#include <vector>
+
+#include "solvers/core/geometry.h"
+
+namespace geodesic::chen_han {
+
+enum class Children { left, right, both };
+
+class Corners {
+ public:
+  /// @param corners one a half-edge: the corner opposite to it in its face
+  explicit Corners(Index corners) : owners_(corners) {}
+
+  void clear() { owners_.assign(owners_.size(), {}); }
+
+  /// The children of a window of half-edge h whose line to the apex is `distance` long and crosses
+  /// the edge at `crossing`; makes the window owner of the corner when it is the nearest so far.
+  /// Lines that cross the edge less than `resolution` apart have no side: coincident vertices
+  /// send out windows from one point that see different parts of the edge.
+  Children claim(Index h, double distance, double crossing, double resolution) {
+    Owner& owner = owners_[h];
+    if (distance < owner.distance) {
+      owner = {distance, crossing};
+      return Children::both;
+    }
+    if (crossing < owner.crossing - resolution) return Children::left;
+    return crossing > owner.crossing + resolution ? Children::right : Children::both;
+  }
+
+ private:
+  struct Owner {
+    double distance = kInfinity;
+    double crossing = 0;
+  };
+  std::vector<Owner> owners_;
+};
+
+}  // namespace geodesic::chen_han

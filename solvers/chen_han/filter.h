@@ -1,0 +1,56 @@
+// The filter of Xin and Wang 2009, "Improving Chen and Han's algorithm on the discrete geodesic
+// problem" (ACM TOG 28(4), Theorem 3.2): windows that a path through a vertex beats everywhere.
+//
+// A window on the edge (v1, v2) came through the face (v1, v2, v3). Its points from A to B, A
+// nearer to v1, are seen from the source image I. It is useless when the known distance d of a
+// vertex gives
+//
+//   d(v1) + |v1 B| < sigma + |I B|,
+//   d(v2) + |v2 A| < sigma + |I A|, or
+//   d(v3) + |v3 P| < sigma + |I P|, P the end of the window farther round the face from v3: A when
+//                                   it came through (v1, v3), B when it came through (v3, v2),
+//
+// because by the triangle inequality the vertex then beats every line of the window before the line
+// has left the face. Strictly, by a margin above rounding: d may come from the same (pseudo-)source
+// or from lines of this very window, and what ties must not drop what it depends on.
+#pragma once
+
+#include "solvers/chen_han/stored_window.h"
+#include "solvers/core/tolerance.h"
+
+namespace geodesic::chen_han {
+
+/// The face that a window's lines are leaving, in the frame of the window's half-edge.
+struct PassedFace {
+  double length;                        ///< of the window's edge
+  double third_x, third_y;              ///< position of the vertex opposite to it, y <= 0
+  double at_origin, at_head, at_third;  ///< distances known of the vertices
+};
+
+/// True when a path of length `rival` to position t of the window's edge beats the window there.
+inline bool is_beaten_at(const Window& w, double t, double rival) {
+  // rival < sigma + |I t|, squared to spare the root.
+  const double straight = rival * (1 + kPathMargin) - w.sigma;
+  const double dx = t - w.x;
+  return straight < 0 || straight * straight < dx * dx + w.y * w.y;
+}
+
+struct XinWangFilter {
+  static constexpr bool filters = true;
+
+  static bool is_useless(const Window& w, Entry entry, const PassedFace& face) {
+    if (is_beaten_at(w, w.end, face.at_origin + w.end)) return true;
+    if (is_beaten_at(w, w.begin, face.at_head + (face.length - w.begin))) return true;
+    const double far = entry == Entry::at_origin ? w.begin : w.end;
+    const double dx = far - face.third_x, dy = face.third_y;
+    return is_beaten_at(w, far, face.at_third + std::sqrt(dx * dx + dy * dy));
+  }
+};
+
+/// Chen-Han as published in 1990. Nothing ends a window but the length of its strip: a shortest
+/// path crosses no face twice.
+struct NoFilter {
+  static constexpr bool filters = false;
+};
+
+}  // namespace geodesic::chen_han

@@ -1,0 +1,257 @@
+// Chen and Han's propagation of single windows; the order and the filter are policies.
+//
+// Chen and Han 1990, "Shortest paths on a polyhedron" (CH); Xin and Wang 2009, "Improving Chen and
+// Han's algorithm on the discrete geodesic problem" (ICH); Xu, Wang, Liu, Liu, He 2015, "Fast
+// wavefront propagation" (FWP-CH).
+//
+// Only windows that wait in the queue are stored. One taken from it gives the apex of the face
+// beyond its edge a distance, if its lines reach it, and has one child or two (corners.h); useless
+// children are dropped before they are queued (filter.h). A pseudo-source waits in the same queue,
+// so that a distance that improves meanwhile sends out windows only once. When the distance of a
+// pseudo-source improves later, it sends out windows anew and the former ones are dropped: they
+// are known by their sigma.
+#pragma once
+
+#include <cmath>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "solvers/chen_han/corners.h"
+#include "solvers/chen_han/filter.h"
+#include "solvers/chen_han/shadow.h"
+#include "solvers/chen_han/stored_window.h"
+#include "solvers/chen_han/unreliable.h"
+#include "solvers/core/tolerance.h"
+#include "solvers/solver.h"
+
+namespace geodesic::chen_han {
+
+/// The state of the solves of one solver, one after the other.
+/// @tparam Policy has a Filter, a Queue of Index, and make_queue(mesh)
+template <class Policy, class Recorder>
+class Propagation {
+ public:
+  explicit Propagation(const Mesh& mesh, Recorder recorder = {})
+      : mesh_(mesh),
+        recorder_(recorder),
+        queue_(Policy::make_queue(mesh)),
+        corners_(mesh.half_edge_count()),
+        unreliable_(find_unreliable_vertices(mesh)) {}
+
+  void run(const Query& query, std::span<double> distances) {
+    start(query, distances);
+    while (!queue_.empty()) {
+      const Stored w = pool_.take(queue_.pop());
+      if (w.is_pseudo_source()) {
+        if (!is_outdated(w)) emit(w.root, {w.half_edge, w.x, w.y});
+      } else {
+        if constexpr (Recorder::records) --waiting_;
+        if (!is_outdated(w) && !is_useless(w)) propagate(w);
+      }
+      if constexpr (Recorder::records) sample();
+    }
+  }
+
+ private:
+  using Filter = typename Policy::Filter;
+  using Depth = std::conditional_t<Filter::filters, typename Recorder::Depth, StripDepth>;
+  using Stored = StoredWindow<Depth>;
+  static constexpr Index kSamples = 64;  // of the wavefront, at equal steps of vertices reached
+
+  void start(const Query& query, std::span<double> distances) {
+    distances_ = distances;
+    limit_ = query.limit;
+    pool_.clear();
+    queue_.clear();
+    corners_.clear();
+    for (const Source& source : query.sources) {
+      if (!(source.distance < distances_[source.vertex])) continue;
+      distances_[source.vertex] = source.distance;
+      wait_to_emit(source.vertex, {});
+    }
+  }
+
+  void reach(Index v, double distance, const Arrival& arrival) {
+    if (!(distance < distances_[v])) return;
+    if constexpr (Recorder::records) reached_ += distances_[v] == kInfinity ? 1u : 0u;
+    distances_[v] = distance;
+    if (mesh_.is_pseudo_source(v)) wait_to_emit(v, arrival);
+  }
+
+  void wait_to_emit(Index v, const Arrival& arrival) {
+    const double distance = distances_[v];
+    if (distance > limit_) return;
+    Stored w{};
+    w.x = arrival.x;
+    w.y = arrival.y;
+    w.sigma = distance;
+    w.half_edge = arrival.corner;
+    w.root = v & kMaxVertices;
+    queue_.push(distance, pool_.add(w));
+  }
+
+  /// The pseudo-source has come nearer since the window was made.
+  bool is_outdated(const Stored& w) const { return w.sigma > distances_[w.root]; }
+
+  /// Reaches the neighbours of v along the edges and sends windows into its shadow.
+  void emit(Index v, const Arrival& arrival) {
+    const double distance = distances_[v];
+    for (const Index h : mesh_.outgoing(v)) {
+      const Index opposite = Mesh::next(h), into = Mesh::previous(h);
+      const HalfEdge& at_head = mesh_.half_edge(opposite);
+      reach(mesh_.head(h), distance + mesh_.half_edge(h).length,
+            {opposite, at_head.apex_x, at_head.apex_y});
+      const double length = mesh_.half_edge(into).length;
+      reach(mesh_.origin(into), distance + length, {into, length, 0});
+    }
+    find_shadow(mesh_, v, unreliable_[v] ? Arrival{} : arrival, shadow_);
+    for (const ShadowedEdge& edge : shadow_) {
+      const HalfEdge& e = mesh_.half_edge(edge.across);
+      const Stored parent{{0, 0, 0, 0, distance}, kNone, v & kMaxVertices, 0, {}};
+      const Point2 source{e.length - e.apex_x, -e.apex_y};
+      offer(parent, edge.across, edge.begin, edge.end, source, Entry::at_origin, source, v);
+    }
+  }
+
+  void propagate(const Stored& w) {
+    if constexpr (Recorder::records) recorder_.propagated(1, w.depth.next());
+    const Index h = w.half_edge;
+    const Index to_left = Mesh::previous(h), to_right = Mesh::next(h);
+    const FaceFrame face = face_frame(mesh_, h);
+    const double begin_side = apex_side(w, w.begin, face);
+    const double end_side = apex_side(w, w.end, face);
+    bool left = begin_side > 0, right = end_side < 0;
+
+    const double dx = face.apex_x - w.x, dy = face.apex_y - w.y;
+    const double square = dx * dx + dy * dy;
+    const bool touches_begin = touches(w, w.begin, begin_side, square);
+    const bool touches_end = touches(w, w.end, end_side, square);
+    if (left && right) {
+      const double distance = w.sigma + std::sqrt(square);
+      reach_apex(h, face, distance, {w.x, w.y});
+      // A window that ends at the apex keeps its child: the owner may be its neighbour.
+      if (!touches_begin && !touches_end && has_owner(h)) {
+        const Children children =
+            corners_.claim(h, distance, w.x - dx * w.y / dy, kApexReach * face.length);
+        left = children != Children::right;
+        right = children != Children::left;
+      }
+    } else if (touches_begin || touches_end) {
+      const double bend = touches_begin ? w.begin : w.end;
+      const double rest = face.apex_x - bend;
+      reach_apex(h, face, distance_at(w, bend) + std::sqrt(rest * rest + face.apex_y * face.apex_y),
+                 {bend, 0});
+    }
+    if (left) {
+      const double end = end_side > 0 ? face.on_left(w, w.end) : face.left;
+      offer(w, to_left, face.on_left(w, w.begin), end, face.to_left(w.x, w.y), Entry::at_origin,
+            face.to_left(face.length, 0), mesh_.origin(to_right));
+    }
+    if (right) {
+      const double begin = begin_side < 0 ? face.on_right(w, w.begin) : 0.0;
+      offer(w, to_right, begin, face.on_right(w, w.end), face.to_right(w.x, w.y), Entry::at_head,
+            face.to_right(0, 0), mesh_.origin(h));
+    }
+  }
+
+  /// False for a corner whose claims cannot be trusted.
+  bool has_owner(Index h) const {
+    return !(unreliable_[mesh_.origin(h)] | unreliable_[mesh_.head(h)] |
+             unreliable_[mesh_.apex(h)]);
+  }
+
+  /// @param from a point of the path's last piece, in the frame of h
+  void reach_apex(Index h, const FaceFrame& face, double distance, const Point2& from) {
+    const double dx = from.x - face.apex_x, dy = from.y - face.apex_y;
+    // The half-edge that leaves the apex points against (left_x, left_y).
+    reach(mesh_.apex(h), distance,
+          {Mesh::previous(h), -dx * face.left_x - dy * face.left_y,
+           dx * face.left_y - dy * face.left_x});
+  }
+
+  /// True when the line through position t passes the apex, up to the tolerance.
+  /// @param side apex_side(w, t); @param square squared distance from the source to the apex
+  static bool touches(const Window& w, double t, double side, double square) {
+    const double dx = t - w.x;
+    return side * side <= kApexReach * kApexReach * square * (dx * dx + w.y * w.y);
+  }
+
+  /// Queues a child of `parent` that leaves a face through the half-edge `across`, unless it is
+  /// useless. Positions and points are in the frame of the twin of `across`.
+  /// @param third, third_vertex the vertex of the face opposite to `across`
+  void offer(const Stored& parent, Index across, double begin, double end, const Point2& source,
+             Entry entry, const Point2& third, Index third_vertex) {
+    const HalfEdge& e = mesh_.half_edge(across);
+    if (e.twin == kNone || !(end - begin > kWindowWidth * e.length)) return;
+    if constexpr (Recorder::records) recorder_.created(1);
+    // Rounding must not move the source across the edge.
+    const Stored w{{begin, end, source.x, std::min(source.y, 0.0), parent.sigma},
+                   e.twin,
+                   parent.root,
+                   static_cast<Index>(entry) & 1,
+                   parent.depth.next()};
+    if constexpr (Filter::filters) {
+      if (Filter::is_useless(w, entry, passed_face(across, third, third_vertex))) return;
+    }
+    const double key = least_distance(w);
+    if (key > limit_) return;
+    queue_.push(key, pool_.add(w));
+    if constexpr (Recorder::records) {
+      recorder_.valid(1);
+      recorder_.wavefront_size(++waiting_);
+    }
+  }
+
+  PassedFace passed_face(Index across, const Point2& third, Index third_vertex) const {
+    const HalfEdge& e = mesh_.half_edge(across);
+    return {.length = e.length,
+            .third_x = third.x,
+            .third_y = third.y,
+            .at_origin = distances_[mesh_.head(across)],
+            .at_head = distances_[e.origin],
+            .at_third = distances_[third_vertex]};
+  }
+
+  /// The filter again, with the distances known by now.
+  bool is_useless(const Stored& w) const {
+    if constexpr (Filter::filters) {
+      const Index across = mesh_.twin(w.half_edge);
+      const HalfEdge& e = mesh_.half_edge(across);
+      const Point2 third{e.length - e.apex_x, -e.apex_y};
+      return Filter::is_useless(w, static_cast<Entry>(w.entry),
+                                passed_face(across, third, mesh_.apex(across)));
+    } else {
+      return w.depth.faces >= mesh_.face_count();
+    }
+  }
+
+  void sample() {
+    if (reached_ < next_sample_) return;
+    next_sample_ = reached_ + std::max<Index>(1, mesh_.vertex_count() / kSamples);
+    double sum = 0, squares = 0;
+    pool_.for_each([&](const Stored& w) {
+      if (w.is_pseudo_source()) return;
+      const double d = least_distance(w);
+      sum += d;
+      squares += d * d;
+    });
+    recorder_.wavefront_sample(sum, squares, waiting_);
+  }
+
+  const Mesh& mesh_;
+  Recorder recorder_;
+  typename Policy::Queue queue_;  // of slots in pool_
+  Pool<Stored> pool_;
+  Corners corners_;
+  std::vector<std::uint8_t> unreliable_;  // unreliable.h
+  std::vector<ShadowedEdge> shadow_;      // scratch, kept for its memory
+  std::span<double> distances_;
+  double limit_ = kInfinity;
+  // Recorded solves only.
+  std::uint64_t waiting_ = 0;  // windows in the queue
+  Index reached_ = 0;          // vertices with a distance
+  Index next_sample_ = 0;      // as soon as that many are reached
+};
+
+}  // namespace geodesic::chen_han

@@ -1,0 +1,313 @@
+// The steps of propagation over whole batches, four (AVX2), two (SSE) or one window at a time.
+//
+// Included once per instruction set. Every operation is one correctly rounded IEEE operation in a
+// fixed order, no contraction, and minima are exact: all instruction sets give the same bits.
+#if defined(GEODESIC_EDGE_BASED_KERNELS) == defined(HWY_TARGET_TOGGLE)
+#ifdef GEODESIC_EDGE_BASED_KERNELS
+#undef GEODESIC_EDGE_BASED_KERNELS
+#else
+#define GEODESIC_EDGE_BASED_KERNELS
+#endif
+
+#include <hwy/highway.h>
+
+#include "solvers/core/tolerance.h"
+#include "solvers/edge_based/batch.h"
+#include "solvers/edge_based/split.h"
+#include "solvers/edge_based/trim.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace geodesic::edge_based::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Tag = hn::CappedTag<double, kLaneRoom>;
+using Vec = hn::Vec<Tag>;
+using Mask = hn::Mask<Tag>;
+
+inline constexpr Tag kTag;
+inline constexpr std::size_t kLanes = hn::MaxLanes(Tag());
+
+inline Vec all(double value) { return hn::Set(kTag, value); }
+
+/// Windows of a segment or batch, a vector's worth.
+struct Windows {
+  Vec begin, end, x, y, sigma;
+};
+
+inline unsigned bits(Mask mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(kTag, mask, bytes);
+  return bytes[0];
+}
+
+/// Lanes in the order that moves those of a mask's bits to the front.
+struct PackingOrder {
+  alignas(32) std::int64_t lanes[std::size_t{1} << kLanes][kLanes];
+
+  constexpr PackingOrder() : lanes() {
+    for (unsigned mask = 0; mask < (1u << kLanes); ++mask) {
+      unsigned to = 0;
+      for (unsigned lane = 0; lane < kLanes; ++lane) {
+        if ((mask >> lane & 1) != 0) lanes[mask][to++] = lane;
+      }
+    }
+  }
+};
+inline constexpr PackingOrder kPackingOrder;
+
+/// Stores the lanes of a mask side by side. One look-up serves all fields of a window.
+class Packer {
+ public:
+  explicit Packer(unsigned mask)
+      : count_(hwy::PopCount(mask)),
+        order_(hn::IndicesFromVec(
+            kTag, hn::Load(hn::RebindToSigned<Tag>(), kPackingOrder.lanes[mask]))) {}
+  std::size_t count() const { return count_; }
+  /// Writes a whole vector; only its first count() lanes mean anything.
+  void store(Vec v, double* to) const { hn::StoreU(hn::TableLookupLanes(v, order_), kTag, to); }
+
+ private:
+  std::size_t count_;
+  decltype(hn::IndicesFromVec(kTag, hn::Vec<hn::RebindToSigned<Tag>>())) order_;
+};
+
+/// Distances to the two ends of the edge, prepared for comparing without square roots.
+struct EndPaths {
+  double length;
+  double at_origin, at_head;  ///< with kPathMargin added
+
+  EndPaths(double edge, double origin, double head)
+      : length(edge), at_origin(origin * (1 + kPathMargin)), at_head(head * (1 + kPathMargin)) {}
+
+  /// Windows all of whose points are reached at least as well along the edge from one of its ends
+  /// (the filter of Xin and Wang 2009): d(origin) + end < sigma + |source - end|, or the mirror.
+  Mask beat(const Windows& w) const {
+    const Vec zero = hn::Zero(kTag);
+    const Vec y2 = hn::Mul(w.y, w.y);
+    const Vec over_origin = hn::Sub(hn::Add(all(at_origin), w.end), w.sigma);
+    const Vec over_head = hn::Sub(hn::Add(all(at_head), hn::Sub(all(length), w.begin)), w.sigma);
+    const Vec to_end = hn::Sub(w.end, w.x), to_begin = hn::Sub(w.begin, w.x);
+    const Vec end2 = hn::Add(hn::Mul(to_end, to_end), y2);
+    const Vec begin2 = hn::Add(hn::Mul(to_begin, to_begin), y2);
+    const Mask by_origin =
+        hn::Or(hn::Lt(over_origin, zero), hn::Lt(hn::Mul(over_origin, over_origin), end2));
+    const Mask by_head =
+        hn::Or(hn::Lt(over_head, zero), hn::Lt(hn::Mul(over_head, over_head), begin2));
+    return hn::Or(by_origin, by_head);
+  }
+};
+
+/// Appends to `batch` the windows of a segment that no path over an end of the edge beats.
+template <unsigned fields, class Segment>
+void gather(Segment& segment, const EndPaths& ends, Batch& batch) {
+  batch.reserve(batch.count + segment.count);
+  double* from[fields];
+  double* to[fields];
+  for (unsigned f = 0; f < fields; ++f) {
+    from[f] = segment.array(f);
+    to[f] = batch.array(f);
+  }
+  std::size_t out = batch.count;
+  for (std::size_t i = 0; i < segment.count; i += kLanes) {
+    const Windows w{hn::Load(kTag, from[kBegin] + i), hn::Load(kTag, from[kEnd] + i),
+                    hn::Load(kTag, from[kX] + i), hn::Load(kTag, from[kY] + i),
+                    hn::Load(kTag, from[kSigma] + i)};
+    const Mask keep = hn::AndNot(ends.beat(w), hn::FirstN(kTag, segment.count - i));
+    const Packer pack(bits(keep));
+    pack.store(w.begin, to[kBegin] + out);
+    pack.store(w.end, to[kEnd] + out);
+    pack.store(w.x, to[kX] + out);
+    pack.store(w.y, to[kY] + out);
+    pack.store(w.sigma, to[kSigma] + out);
+    if constexpr (fields > kDepth) pack.store(hn::Load(kTag, from[kDepth] + i), to[kDepth] + out);
+    out += pack.count();
+  }
+  batch.count = out;
+}
+
+/// Vector form of right_of_line's sign: positive when (px, py) lies right of the line through t.
+struct Side2 {
+  Vec value, noise;
+};
+inline Side2 right_of(Vec x, Vec y, Vec t, Vec px, Vec py) {
+  const Vec a = hn::Mul(hn::Sub(px, x), hn::Neg(y));
+  const Vec b = hn::Mul(hn::Sub(t, x), hn::Sub(py, y));
+  return {hn::Sub(a, b), hn::Mul(all(kOnLine), hn::Add(hn::Abs(a), hn::Abs(b)))};
+}
+
+/// For each window but the first, in groups of kLanes bits: whether it and the one before it are
+/// not `in_order`, so that `trim_pair` has to look at them.
+/// @return true when any is
+inline bool find_suspects(const Batch& batch, std::uint8_t* suspects) {
+  const double* begin = batch.array(kBegin);
+  const double* end = batch.array(kEnd);
+  const double* xs = batch.array(kX);
+  const double* ys = batch.array(kY);
+  unsigned any = 0;
+  for (std::size_t i = 0; i + 1 < batch.count; i += kLanes) {
+    const Vec x1 = hn::LoadU(kTag, xs + i), x2 = hn::LoadU(kTag, xs + i + 1);
+    const Vec y1 = hn::LoadU(kTag, ys + i), y2 = hn::LoadU(kTag, ys + i + 1);
+    const Vec end1 = hn::LoadU(kTag, end + i), begin2 = hn::LoadU(kTag, begin + i + 1);
+    const Side2 first = right_of(x2, y2, begin2, x1, y1);
+    const Side2 second = right_of(x1, y1, end1, x2, y2);
+    const Mask sources =
+        hn::And(hn::Lt(first.value, first.noise), hn::Gt(second.value, hn::Neg(second.noise)));
+    const Mask ends = hn::And(hn::Le(hn::LoadU(kTag, begin + i), begin2),
+                              hn::Le(end1, hn::LoadU(kTag, end + i + 1)));
+    const unsigned group =
+        bits(hn::AndNot(hn::And(sources, ends), hn::FirstN(kTag, batch.count - 1 - i)));
+    suspects[i / kLanes] = static_cast<std::uint8_t>(group);
+    any |= group;
+  }
+  return any != 0;
+}
+
+/// Which sides of the apex the windows' lines pass, in groups of kLanes bits; both bits are set for
+/// a window that sees the apex. Also fills the batch's crossings.
+/// @return the window that gives the least distance to the apex
+inline Separator classify(Batch& batch, const FaceFrame& face, std::uint8_t* left,
+                          std::uint8_t* right) {
+  const Vec apex_x = all(face.apex_x), apex_y = all(face.apex_y);
+  const Vec slack = all(kApexTolerance * face.length);
+  Separator best;
+  std::size_t seeing = 0;
+  HWY_ALIGN double distance[kLaneRoom];
+  for (std::size_t i = 0; i < batch.count; i += kLanes) {
+    const Vec x = hn::LoadU(kTag, batch.array(kX) + i), y = hn::LoadU(kTag, batch.array(kY) + i);
+    const Vec across = hn::Sub(apex_x, x), up = hn::Sub(apex_y, y);
+    const Vec crossing = hn::Add(x, hn::Mul(across, hn::Div(hn::Neg(y), up)));
+    hn::StoreU(crossing, kTag, batch.array(Batch::kCrossing) + i);
+    const Vec begin = hn::LoadU(kTag, batch.array(kBegin) + i);
+    const Vec end = hn::LoadU(kTag, batch.array(kEnd) + i);
+    const Mask inside = hn::FirstN(kTag, batch.count - i);
+    const Mask only_left = hn::Gt(crossing, hn::Add(end, slack));
+    const Mask only_right = hn::Lt(crossing, hn::Sub(begin, slack));
+    const Mask both = hn::AndNot(hn::Or(only_left, only_right), inside);
+    left[i / kLanes] = static_cast<std::uint8_t>(bits(hn::AndNot(only_right, inside)));
+    right[i / kLanes] = static_cast<std::uint8_t>(bits(hn::AndNot(only_left, inside)));
+    unsigned straddling = bits(both);
+    if (straddling == 0) continue;
+    const Vec squared = hn::Add(hn::Mul(across, across), hn::Mul(up, up));
+    const Vec sigma = hn::LoadU(kTag, batch.array(kSigma) + i);
+    hn::Store(hn::Add(sigma, hn::Sqrt(squared)), kTag, distance);
+    for (std::size_t lane = 0; straddling != 0; ++lane, straddling >>= 1) {
+      if ((straddling & 1) == 0) continue;
+      ++seeing;
+      if (distance[lane] < best.distance) {
+        best = {i + lane, distance[lane], batch.array(Batch::kCrossing)[i + lane], 0};
+      }
+    }
+  }
+  if (seeing > 0) {
+    best.rivals = seeing - 1;
+    best.crossing = crossing(batch.window(best.window), face);
+  }
+  return best;
+}
+
+/// True when a window that passes the apex on one side starts from the other side of the
+/// separating path.
+inline bool any_crosses(const Batch& batch, const Separator& separator, const std::uint8_t* left,
+                        const std::uint8_t* right) {
+  const Vec position = all(separator.crossing);
+  for (std::size_t i = 0; i < batch.count; i += kLanes) {
+    const unsigned l = left[i / kLanes], r = right[i / kLanes];
+    const unsigned beyond = bits(hn::Ge(hn::LoadU(kTag, batch.array(kBegin) + i), position));
+    const unsigned before = bits(hn::Le(hn::LoadU(kTag, batch.array(kEnd) + i), position));
+    if (((l & ~r & beyond) | (r & ~l & before)) != 0) return true;
+  }
+  return false;
+}
+
+/// One of the two edges that a face hands windows on to.
+struct LeftEdge {
+  static Vec along(const FaceFrame& f, Vec x, Vec y, Vec t) {
+    // FaceFrame::on_left
+    const Vec depth = hn::Neg(y);
+    const Vec denominator =
+        hn::Sub(hn::Mul(depth, all(f.left_x)), hn::Mul(hn::Sub(t, x), all(f.left_y)));
+    const Vec u = hn::Div(hn::Mul(depth, t), denominator);
+    const Vec within = hn::Min(hn::Max(u, hn::Zero(kTag)), all(f.left));
+    return hn::IfThenElse(hn::Gt(denominator, hn::Zero(kTag)), within, all(f.left));
+  }
+  static double length(const FaceFrame& f) { return f.left; }
+  static Vec begin(const FaceFrame& f, const Windows& w, Mask /*other*/) {
+    return along(f, w.x, w.y, w.begin);
+  }
+  static Vec end(const FaceFrame& f, const Windows& w, Mask other) {
+    return hn::IfThenElse(other, all(f.left), along(f, w.x, w.y, w.end));
+  }
+  static Vec source_x(const FaceFrame& f, const Windows& w) {
+    return hn::Add(hn::Mul(w.x, all(f.left_x)), hn::Mul(w.y, all(f.left_y)));
+  }
+  static Vec source_y(const FaceFrame& f, const Windows& w) {
+    return hn::Sub(hn::Mul(w.y, all(f.left_x)), hn::Mul(w.x, all(f.left_y)));
+  }
+};
+
+struct RightEdge {
+  static Vec along(const FaceFrame& f, Vec x, Vec y, Vec t) {
+    // FaceFrame::on_right
+    const Vec depth = hn::Neg(y);
+    const Vec denominator =
+        hn::Sub(hn::Mul(depth, all(f.right_x)), hn::Mul(hn::Sub(t, x), all(f.right_y)));
+    const Vec u = hn::Div(hn::Mul(depth, hn::Sub(all(f.length), t)), denominator);
+    const Vec within = hn::Min(hn::Max(hn::Sub(all(f.right), u), hn::Zero(kTag)), all(f.right));
+    return hn::IfThenElse(hn::Gt(denominator, hn::Zero(kTag)), within, hn::Zero(kTag));
+  }
+  static double length(const FaceFrame& f) { return f.right; }
+  static Vec begin(const FaceFrame& f, const Windows& w, Mask other) {
+    return hn::IfThenElse(other, hn::Zero(kTag), along(f, w.x, w.y, w.begin));
+  }
+  static Vec end(const FaceFrame& f, const Windows& w, Mask /*other*/) {
+    return along(f, w.x, w.y, w.end);
+  }
+  static Vec source_x(const FaceFrame& f, const Windows& w) {
+    return hn::Add(hn::Mul(hn::Sub(w.x, all(f.apex_x)), all(f.right_x)),
+                   hn::Mul(hn::Sub(w.y, all(f.apex_y)), all(f.right_y)));
+  }
+  static Vec source_y(const FaceFrame& f, const Windows& w) {
+    return hn::Sub(hn::Mul(hn::Sub(w.y, all(f.apex_y)), all(f.right_x)),
+                   hn::Mul(hn::Sub(w.x, all(f.apex_x)), all(f.right_y)));
+  }
+};
+
+/// Unfolds onto one edge the windows of the batch whose bit is set in `to_edge`. A window whose bit
+/// in `seen_other` is set too sees the apex and reaches up to it.
+/// @param out room for the chosen windows and kLaneRoom - 1 more
+template <class Edge, unsigned fields, class Segment>
+void unfold(const Batch& batch, const FaceFrame& face, const std::uint8_t* to_edge,
+            const std::uint8_t* seen_other, Segment& out) {
+  double* to[fields];
+  for (unsigned f = 0; f < fields; ++f) to[f] = out.array(f);
+  const Vec width = all(kWindowWidth * Edge::length(face));
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < batch.count; i += kLanes) {
+    if (to_edge[i / kLanes] == 0) continue;
+    const std::uint8_t wanted[8] = {to_edge[i / kLanes]}, other[8] = {seen_other[i / kLanes]};
+    const Windows w{hn::LoadU(kTag, batch.array(kBegin) + i),
+                    hn::LoadU(kTag, batch.array(kEnd) + i), hn::LoadU(kTag, batch.array(kX) + i),
+                    hn::LoadU(kTag, batch.array(kY) + i), hn::LoadU(kTag, batch.array(kSigma) + i)};
+    const Mask sees_apex = hn::LoadMaskBits(kTag, other);
+    const Vec begin = Edge::begin(face, w, sees_apex), end = Edge::end(face, w, sees_apex);
+    const Mask wide = hn::Gt(hn::Sub(end, begin), width);
+    const Mask keep = hn::And(hn::LoadMaskBits(kTag, wanted), wide);
+    const Vec x = Edge::source_x(face, w), y = hn::Min(Edge::source_y(face, w), hn::Zero(kTag));
+    const Packer pack(bits(keep));
+    pack.store(begin, to[kBegin] + count);
+    pack.store(end, to[kEnd] + count);
+    pack.store(x, to[kX] + count);
+    pack.store(y, to[kY] + count);
+    pack.store(w.sigma, to[kSigma] + count);
+    if constexpr (fields > kDepth) {
+      pack.store(hn::Add(hn::LoadU(kTag, batch.array(kDepth) + i), all(1)), to[kDepth] + count);
+    }
+    count += pack.count();
+  }
+  out.count = static_cast<std::uint32_t>(count);
+}
+
+}  // namespace geodesic::edge_based::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,288 @@
+// The wavefront loop. Included once per instruction set; see edge_based.cpp for the algorithm.
+#if defined(GEODESIC_EDGE_BASED_PROPAGATION) == defined(HWY_TARGET_TOGGLE)
+#ifdef GEODESIC_EDGE_BASED_PROPAGATION
+#undef GEODESIC_EDGE_BASED_PROPAGATION
+#else
+#define GEODESIC_EDGE_BASED_PROPAGATION
+#endif
+
+#include <vector>
+
+#include "solvers/core/queues/vertex_heap.h"
+#include "solvers/edge_based/kernels-inl.h"
+#include "solvers/edge_based/propagation.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace geodesic::edge_based::HWY_NAMESPACE {
+
+template <class Recorder>
+class Propagation final : public Propagator {
+ public:
+  explicit Propagation(const Mesh& mesh)
+      : mesh_(mesh),
+        lists_(mesh.half_edge_count()),
+        front_(mesh.vertex_count()),
+        vertex_state_(mesh.vertex_count()),
+        queued_(mesh.half_edge_count()) {
+    for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+      longest_edge_ = std::max(longest_edge_, mesh.half_edge(h).length);
+    }
+  }
+
+  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+    if constexpr (Recorder::records) {
+      recording->window_bytes = sizeof(Window);
+      run(query, distances, Recorder(*recording));
+    } else {
+      run(query, distances, Recorder());
+    }
+  }
+
+ private:
+  static constexpr unsigned kFields = Recorder::records ? kDepth + 1 : kSigma + 1;
+  static constexpr std::uint64_t kSamples =
+      64;                                     // of the wavefront, at equal steps of passed vertices
+  static constexpr std::uint8_t kPassed = 1;  // popped at least once
+  static constexpr std::uint8_t kSource = 2;
+  using Lists = WindowLists<kFields>;
+
+  void run(const Query& query, std::span<double> distances, Recorder recorder) {
+    distances_ = distances;
+    std::fill(vertex_state_.begin(), vertex_state_.end(), std::uint8_t{0});
+    for (const Source& source : query.sources) {
+      if (source.distance < distances_[source.vertex]) reach(source.vertex, source.distance);
+      vertex_state_[source.vertex] |= kSource;
+    }
+    // The shortest path to a vertex within the limit crosses only edges that have an end nearer
+    // than the limit plus half their length.
+    const double stop = query.limit + longest_edge_ / 2;
+    std::uint64_t passed = 0;
+    const std::uint64_t step = std::max<std::uint64_t>(1, mesh_.vertex_count() / kSamples);
+    while (!front_.empty() && front_.least_key() <= stop) {
+      enter_faces_around(front_.pop());
+      for (std::size_t i = 0; i < fifo_.size(); ++i) {
+        const Index h = fifo_[i];
+        queued_[h] = 0;
+        cross_face(h, recorder);
+        recorder.wavefront_size(lists_.size());
+      }
+      fifo_.clear();
+      if constexpr (Recorder::records) {
+        if (++passed % step == 0) sample(recorder);
+      }
+    }
+    front_.clear();
+    lists_.clear();
+  }
+
+  void reach(Index v, double distance) {
+    distances_[v] = distance;
+    front_.push_or_decrease(v, distance);
+  }
+
+  bool is_entered(Index h) const {
+    return ((vertex_state_[mesh_.origin(h)] | vertex_state_[mesh_.head(h)] |
+             vertex_state_[mesh_.apex(h)]) &
+            kPassed) != 0;
+  }
+
+  void enqueue(Index h) {
+    if (lists_.empty(h) || queued_[h]) return;
+    queued_[h] = 1;
+    fifo_.push_back(h);
+  }
+
+  void enter_faces_around(Index v) {
+    const bool emits = (vertex_state_[v] & kSource) != 0 || mesh_.is_pseudo_source(v);
+    vertex_state_[v] |= kPassed;
+    for (const Index h : mesh_.outgoing(v)) {
+      const Index into = Mesh::previous(h);
+      const double at_head = distances_[v] + mesh_.half_edge(h).length;
+      if (at_head < distances_[mesh_.head(h)]) reach(mesh_.head(h), at_head);
+      const double at_origin = distances_[v] + mesh_.half_edge(into).length;
+      if (at_origin < distances_[mesh_.origin(into)]) reach(mesh_.origin(into), at_origin);
+      if (emits) emit(v, Mesh::next(h));
+    }
+    for (const Index h : mesh_.outgoing(v)) {
+      enqueue(h);
+      enqueue(Mesh::next(h));
+      enqueue(Mesh::previous(h));
+    }
+  }
+
+  /// Sends a window from the (pseudo-)source v over the whole of the opposite edge.
+  void emit(Index v, Index opposite) {
+    const HalfEdge& e = mesh_.half_edge(opposite);
+    if (e.twin == kNone || !(e.length > 0)) return;
+    auto* segment = lists_.allocate(1);
+    segment->count = 1;
+    segment->array(kBegin)[0] = 0;
+    segment->array(kEnd)[0] = e.length;
+    segment->array(kX)[0] = e.length - e.apex_x;
+    segment->array(kY)[0] = -e.apex_y;
+    segment->array(kSigma)[0] = distances_[v];
+    if constexpr (Recorder::records) segment->array(kDepth)[0] = 1;
+    land(e.twin, segment, Place::back);
+  }
+
+  void land(Index h, typename Lists::Segment* segment, Place place) {
+    if (segment->count == 0) {
+      lists_.release(segment);
+      return;
+    }
+    lists_.add(h, segment, place);
+    if (is_entered(h)) enqueue(h);
+  }
+
+  void cross_face(Index h, Recorder& recorder) {
+    const HalfEdge& edge = mesh_.half_edge(h);
+    const EndPaths ends(edge.length, distances_[edge.origin], distances_[mesh_.head(h)]);
+    batch_.count = 0;
+    lists_.consume(h, [&](auto& segment) { gather<kFields>(segment, ends, batch_); });
+    if (batch_.count == 0) return;
+    reserve_masks();
+    if (batch_.count > 1) trim(crossed_face(mesh_, h));
+
+    const FaceFrame face = face_frame(mesh_, h);
+    const Separator separator = classify(batch_, face, seen_left_.data(), seen_right_.data());
+    const Index apex = mesh_.apex(h);
+    if (separator.distance < distances_[apex]) reach(apex, separator.distance);
+    choose_sides(separator, face);
+    if constexpr (Recorder::records) count(recorder);
+
+    const Index left = mesh_.twin(Mesh::previous(h)), right = mesh_.twin(Mesh::next(h));
+    if (left != kNone) {
+      auto* out = lists_.allocate(batch_.count + kLaneRoom - 1);
+      unfold<LeftEdge, kFields>(batch_, face, to_left_, seen_right_.data(), *out);
+      land(left, out, Place::front);
+    }
+    if (right != kNone) {
+      auto* out = lists_.allocate(batch_.count + kLaneRoom - 1);
+      unfold<RightEdge, kFields>(batch_, face, to_right_, seen_left_.data(), *out);
+      land(right, out, Place::back);
+    }
+  }
+
+  void reserve_masks() {
+    const std::size_t groups = batch_.count / kLanes + 1;
+    if (seen_left_.size() >= groups) return;
+    for (auto* masks : {&seen_left_, &seen_right_, &kept_left_, &kept_right_, &suspects_}) {
+      masks->resize(2 * groups);
+    }
+  }
+
+  static bool bit(const std::uint8_t* masks, std::size_t i) {
+    return ((masks[i / kLanes] >> (i % kLanes)) & 1) != 0;
+  }
+  static void clear_bit(std::uint8_t* masks, std::size_t i) {
+    masks[i / kLanes] = static_cast<std::uint8_t>(masks[i / kLanes] & ~(1u << (i % kLanes)));
+  }
+
+  /// Strategy I over the batch: suspicious pairs go through trim_pair, in order.
+  void trim(const Crossed& face) {
+    if (!find_suspects(batch_, suspects_.data())) return;
+    std::size_t kept = 1;
+    std::size_t last = 0;  // where the window at kept - 1 stood before anything moved
+    bool changed = false;
+    for (std::size_t i = 1; i < batch_.count; ++i) {
+      bool keep = true;
+      if (changed || last + 1 != i || bit(suspects_.data(), i - 1)) {
+        Window second = batch_.window(i);
+        changed = false;
+        while (keep && kept > 0) {
+          Window first = batch_.window(kept - 1);
+          const Window before = first, original = second;
+          trim_pair(first, second, face);
+          keep = !is_void(second, face.length);
+          changed = changed || second.begin != original.begin || second.end != original.end;
+          if (!is_void(first, face.length)) {
+            if (first.begin != before.begin || first.end != before.end) {
+              batch_.set_interval(kept - 1, first);
+            }
+            break;
+          }
+          --kept;
+        }
+        batch_.set_interval(i, second);
+      }
+      if (!keep) continue;
+      if (kept != i) batch_.move(i, kept);
+      last = i;
+      ++kept;
+    }
+    batch_.count = kept;
+  }
+
+  /// Strategy II: decides for each window to which edges it goes.
+  void choose_sides(const Separator& separator, const FaceFrame& face) {
+    to_left_ = seen_left_.data();
+    to_right_ = seen_right_.data();
+    if (separator.window == SIZE_MAX) return;
+    if (separator.rivals == 0 && !any_crosses(batch_, separator, to_left_, to_right_)) return;
+    const std::size_t groups = batch_.count / kLanes + 1;
+    std::copy_n(seen_left_.begin(), groups, kept_left_.begin());
+    std::copy_n(seen_right_.begin(), groups, kept_right_.begin());
+    const Window best = batch_.window(separator.window);
+    for (std::size_t i = 0; i < batch_.count; ++i) {
+      if (i == separator.window) continue;
+      const bool left = bit(to_left_, i), right = bit(to_right_, i);
+      const Side seen = left && right ? Side::both : left ? Side::left : Side::right;
+      const Side side = sides_kept(batch_.window(i), seen, separator, best, face);
+      if (side == Side::none || side == Side::right) clear_bit(kept_left_.data(), i);
+      if (side == Side::none || side == Side::left) clear_bit(kept_right_.data(), i);
+    }
+    to_left_ = kept_left_.data();
+    to_right_ = kept_right_.data();
+  }
+
+  void count(Recorder& recorder) const {
+    for (std::size_t i = 0; i < batch_.count; ++i) {
+      const auto depth = static_cast<std::uint32_t>(batch_.array(kDepth)[i]) + 1;
+      recorder.propagated(1, {depth});
+      if (bit(to_left_, i) || bit(to_right_, i)) recorder.valid(1);
+    }
+  }
+
+  void sample(Recorder& recorder) {
+    double sum = 0, squares = 0;
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
+      lists_.for_each_segment(h, [&](auto& segment) {
+        for (std::size_t i = 0; i < segment.count; ++i) {
+          const double d = least_distance({segment.array(kBegin)[i], segment.array(kEnd)[i],
+                                           segment.array(kX)[i], segment.array(kY)[i],
+                                           segment.array(kSigma)[i]});
+          sum += d;
+          squares += d * d;
+        }
+      });
+    }
+    recorder.wavefront_sample(sum, squares, lists_.size());
+  }
+
+  const Mesh& mesh_;
+  std::span<double> distances_;
+  Lists lists_;
+  VertexHeap front_;
+  std::vector<std::uint8_t> vertex_state_;
+  std::vector<std::uint8_t> queued_;  // half-edges in fifo_
+  std::vector<Index> fifo_;
+  double longest_edge_ = 0;
+  // Scratch of one list. Masks hold the bits of kLanes windows a byte.
+  Batch batch_;
+  std::vector<std::uint8_t> seen_left_, seen_right_, kept_left_, kept_right_, suspects_;
+  const std::uint8_t* to_left_ = nullptr;
+  const std::uint8_t* to_right_ = nullptr;
+};
+
+std::unique_ptr<Propagator> make_timed(const Mesh& mesh) {
+  return std::make_unique<Propagation<NoRecorder>>(mesh);
+}
+
+std::unique_ptr<Propagator> make_recorded(const Mesh& mesh) {
+  return std::make_unique<Propagation<CountingRecorder>>(mesh);
+}
+
+}  // namespace geodesic::edge_based::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

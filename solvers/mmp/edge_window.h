@@ -1,0 +1,37 @@
+// A window as MMP stores it: 32 bytes in the list of its edge.
+//
+// The windows of an edge partition it, so that a window ends where the next one begins (the last
+// one at the edge's length): a boundary is one number, shared, and no rounding can open or overlap
+// it. Parts that nothing has reached yet are windows too, gaps, at infinite distance. Positions are
+// in the frame of the edge's own half-edge, the smaller of the twins, for windows of both sides
+// (Liu 2013): a source at y < 0 sends its lines into that half-edge's face, at y > 0 into the
+// twin's, and at y = 0 along the edge.
+#pragma once
+
+#include <cmath>
+
+#include "solvers/core/window.h"
+
+namespace geodesic::mmp {
+
+/// @tparam Depth strip depth, an empty type in timed solves (core/recording.h)
+template <class Depth>
+struct EdgeWindow {
+  double begin;         ///< position on the edge, from the origin of its half-edge
+  double x, y;          ///< unfolded position of the (pseudo-)source
+  double marked_sigma;  ///< distance to that source; its sign bit marks a window in the queue
+  [[no_unique_address]] Depth depth;
+
+  static EdgeWindow gap(double begin) { return {begin, 0, 0, kInfinity, {}}; }
+
+  double sigma() const { return std::abs(marked_sigma); }
+  bool is_gap() const { return marked_sigma == kInfinity; }
+  /// Waits in the queue, not propagated yet.
+  bool waits() const { return std::signbit(marked_sigma); }
+  void set_waits(bool waits) { marked_sigma = std::copysign(marked_sigma, waits ? -1.0 : 1.0); }
+
+  /// In the kernel's form; y keeps its sign, whichever face the window enters.
+  Window geometry(double end) const { return {begin, end, x, y, sigma()}; }
+};
+
+}  // namespace geodesic::mmp

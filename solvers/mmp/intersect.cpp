@@ -1,0 +1,105 @@
+#include "solvers/mmp/intersect.h"
+
+#include <algorithm>
+
+namespace geodesic::mmp {
+namespace {
+
+double square(double x) { return x * x; }
+
+/// -1 where the challenger is shorter, 1 where the incumbent is, 0 where they tie.
+int nearer(const Window& challenger, const Window& incumbent, double t) {
+  const double rival = distance_at(incumbent, t);
+  const double lead = distance_at(challenger, t) - rival;
+  const double margin = kPathMargin * rival;
+  return lead < -margin ? -1 : lead > margin ? 1 : 0;
+}
+
+/// False when `winner`, which is shorter at both ends of an interval, is so between them too: it
+/// can lose there only to a source nearer to the edge that is so far behind in sigma that it loses
+/// at both ends of the whole line.
+bool may_lose_between(const Window& winner, const Window& other) {
+  const double lead = other.sigma - winner.sigma;
+  const double along = std::abs(winner.x - other.x);
+  const double across = std::abs(winner.y) - std::abs(other.y);
+  return lead >= along && square(lead) < square(along) + square(across);
+}
+
+Division whole(bool challenger) { return {.challenger_first = challenger}; }
+
+/// Keeps the crossings strictly inside the interval and apart from each other.
+void restrict_to(double from, double to, double narrowest, Crossings& found) {
+  int kept = 0;
+  double previous = from;
+  for (int k = 0; k < found.count; ++k) {
+    const double t = found.at[k];
+    if (t - previous > narrowest && to - t > narrowest) found.at[kept++] = previous = t;
+  }
+  found.count = kept;
+}
+
+/// Asks for the owner in the middle of each part, for when the ends tie or contradict the cuts.
+Division divide_by_midpoints(const Window& challenger, const Window& incumbent, double from,
+                             double to, const Crossings& cuts) {
+  Division division;
+  bool last = false;
+  for (int k = 0; k <= cuts.count; ++k) {
+    const double begin = k == 0 ? from : cuts.at[k - 1];
+    const double end = k == cuts.count ? to : cuts.at[k];
+    const bool wins = nearer(challenger, incumbent, 0.5 * (begin + end)) < 0;
+    if (k == 0) division.challenger_first = wins;
+    if (k > 0 && wins != last) division.at[division.cuts++] = begin;
+    last = wins;
+  }
+  return division;
+}
+
+}  // namespace
+
+Crossings crossings(const Window& a, const Window& b) {
+  // With t counted from a's source: r_a = r_b + s, where r_a^2 = t^2 + y_a^2 and
+  // r_b^2 = (t - d)^2 + y_b^2. Squaring twice gives (s^2 - d^2) t^2 - k d t + s^2 y_a^2 - k^2 / 4 =
+  // 0 with k as below, of whose solutions those count where k + 2 d t has the sign of s.
+  const double d = b.x - a.x;
+  const double s = b.sigma - a.sigma;
+  const double k =
+      (s - d) * (s + d) + (std::abs(a.y) - std::abs(b.y)) * (std::abs(a.y) + std::abs(b.y));
+  const double leading = (s - d) * (s + d);
+  const double constant = (s * a.y - 0.5 * k) * (s * a.y + 0.5 * k);
+  const double discriminant = square(0.5 * k) - square(a.y) * leading;
+  if (!(discriminant > 0)) return {};  // apart or touching; coinciding sources
+  const double half = 0.5 * k * d;
+  const double root = std::abs(s) * std::sqrt(discriminant);
+  // Each solution by the formula whose sum does not cancel.
+  if (leading <= 0) {
+    const double signed_root = (s < 0) == (d < 0) ? root : -root;
+    const bool same_sign = (half < 0) == (signed_root < 0) && signed_root != 0 && half != 0;
+    const double t = same_sign ? constant / (half + signed_root) : (half - signed_root) / leading;
+    return {.count = 1, .at = {a.x + t}};
+  }
+  // Beyond the distance of the sources one of them always wins: the solutions belong to an ellipse.
+  if (!(k * s > 0) || leading >= square(std::abs(a.y) - std::abs(b.y))) return {};
+  const double larger = half < 0 ? half - root : half + root;
+  const double t = larger / leading, u = constant / larger;
+  return {.count = 2, .at = {a.x + std::min(t, u), a.x + std::max(t, u)}};
+}
+
+Division divide(const Window& challenger, const Window& incumbent, double from, double to,
+                double narrowest) {
+  const int at_from = nearer(challenger, incumbent, from);
+  const int at_to = nearer(challenger, incumbent, to);
+  if (at_from * at_to > 0) {
+    const Window& winner = at_from < 0 ? challenger : incumbent;
+    const Window& other = at_from < 0 ? incumbent : challenger;
+    if (!may_lose_between(winner, other)) return whole(at_from < 0);
+  }
+  Crossings cuts = crossings(challenger, incumbent);
+  restrict_to(from, to, narrowest, cuts);
+  if (at_from * at_to > 0 && cuts.count == 0) return whole(at_from < 0);
+  if (at_from * at_to < 0 && cuts.count == 1) {
+    return {.challenger_first = at_from < 0, .cuts = 1, .at = {cuts.at[0]}};
+  }
+  return divide_by_midpoints(challenger, incumbent, from, to, cuts);
+}
+
+}  // namespace geodesic::mmp

@@ -1,0 +1,68 @@
+// `mmp` and `fwp-mmp`: the same propagation of windows in two orders.
+#include <cmath>
+
+#include "solvers/core/queues/bucket_queue.h"
+#include "solvers/core/queues/priority_queue.h"
+#include "solvers/mmp/propagation.h"
+#include "solvers/registry.h"
+
+namespace geodesic::mmp {
+namespace {
+
+/// Least distance first.
+struct ByDistance {
+  using Queue = PriorityQueue<QueueItem>;
+  static Queue make(const Mesh&) { return {}; }
+};
+
+/// Buckets of the published width, in phases.
+struct ByBucket {
+  using Queue = BucketQueue<QueueItem>;
+  static Queue make(const Mesh& mesh) {
+    return Queue(mesh.mean_edge_length() / std::sqrt(static_cast<double>(mesh.vertex_count())));
+  }
+};
+
+template <class Order>
+class Mmp final : public Solver {
+ public:
+  Mmp(const Mesh& mesh, const Description& description)
+      : Solver(mesh, description), propagation_(mesh, Order::make(mesh)) {}
+
+ private:
+  template <class Recorder>
+  using PropagationWith = Propagation<typename Order::Queue, Recorder>;
+
+  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+    if (recording == nullptr) return propagation_.run(query, distances, NoRecorder{});
+    recording->reinsertions = 0;
+    recording->window_bytes = sizeof(EdgeWindow<NoDepth>);
+    PropagationWith<CountingRecorder>(mesh(), Order::make(mesh()))
+        .run(query, distances, CountingRecorder(*recording));
+  }
+
+  PropagationWith<NoRecorder> propagation_;
+};
+
+const RegisterSolver<Mmp<ByDistance>> mmp{{
+    .name = "mmp",
+    .family = "MMP",
+    .paper = "Mitchell, Mount, Papadimitriou 1987; Surazhsky et al. 2005; Liu 2013",
+    .data_structure = "priority queue",
+    .time_complexity = "O(n^2 log n)",
+    .space_complexity = "O(n^2)",
+    .propagation = "window",
+}};
+
+const RegisterSolver<Mmp<ByBucket>> fwp_mmp{{
+    .name = "fwp-mmp",
+    .family = "MMP",
+    .paper = "Xu, Wang, Liu, Liu, He 2015, Fast wavefront propagation; Liu 2013",
+    .data_structure = "bucket",
+    .time_complexity = "O(n^2)",
+    .space_complexity = "O(n^2)",
+    .propagation = "window",
+}};
+
+}  // namespace
+}  // namespace geodesic::mmp

@@ -1,0 +1,181 @@
+// MMP: continuous Dijkstra over windows, whatever the order in which they are propagated.
+//
+// Mitchell, Mount, Papadimitriou 1987, "The discrete geodesic problem"; Surazhsky et al. 2005,
+// "Fast exact and approximate geodesics on meshes"; Liu 2013, "Exact geodesic metric in 2-manifold
+// triangle meshes using edge-based data structures" (one list an edge, for both sides).
+//
+// The queue holds windows and pseudo-sources. A window taken from it is unfolded across the face it
+// enters; its children are laid over the windows of the two edges they land on (overlay.h) and what
+// they win is queued. A pseudo-source sends windows into all its faces. A window that waits and
+// loses the point where it is nearest is queued again with its new key: it is re-inserted.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "solvers/mmp/wavefront.h"
+#include "solvers/solver.h"
+
+namespace geodesic::mmp {
+
+/// The state of one solve, reusable. @tparam Queue of QueueItem (core/queues)
+template <class Queue, class Recorder>
+class Propagation {
+ public:
+  Propagation(const Mesh& mesh, Queue queue)
+      : mesh_(mesh), wavefront_(mesh.half_edge_count(), std::move(queue)) {}
+
+  void run(const Query& query, std::span<double> distances, Recorder recorder) {
+    start(query, distances, recorder);
+    while (!wavefront_.empty()) {
+      const QueueItem item = wavefront_.pop();
+      if (item.at < 0) {
+        emit(item.id);
+      } else {
+        propagate(item, recorder);
+      }
+      if constexpr (Recorder::records) sample();
+    }
+    if constexpr (Recorder::records) recorder.recording.window_limit = wavefront_.windows_left();
+  }
+
+ private:
+  using Depth = typename Recorder::Depth;
+  static constexpr Index kSamples = 64;  // of the wavefront, at equal steps of vertices reached
+
+  void start(const Query& query, std::span<double> distances, Recorder& recorder) {
+    distances_ = distances;
+    emitted_.assign(distances.size(), kInfinity);
+    wavefront_.start(query.limit, recorder);
+    reached_ = next_sample_ = 0;
+    for (const Source& source : query.sources) {
+      if (!(source.distance < distances_[source.vertex])) continue;
+      distances_[source.vertex] = source.distance;
+      wavefront_.push_vertex(source.vertex, source.distance);
+    }
+  }
+
+  void reach(Index v, double distance) {
+    if (!(distance < distances_[v])) return;
+    if constexpr (Recorder::records) reached_ += distances_[v] == kInfinity ? 1u : 0u;
+    distances_[v] = distance;
+    if (mesh_.is_pseudo_source(v) && has_news(v)) wavefront_.push_vertex(v, distance);
+  }
+
+  /// False when v has sent out windows of its distance, up to rounding, already.
+  bool has_news(Index v) const { return distances_[v] < emitted_[v] * (1 - kPathMargin); }
+
+  /// Sends windows from v to the opposite edges of its faces and along its own edges.
+  void emit(Index v) {
+    if (!has_news(v)) return;
+    const double d = distances_[v];
+    emitted_[v] = d;
+    for (const Index h : mesh_.outgoing(v)) {
+      const Index opposite = Mesh::next(h), into = Mesh::previous(h);
+      const double out = mesh_.half_edge(h).length, in = mesh_.half_edge(into).length;
+      reach(mesh_.head(h), d + out);
+      reach(mesh_.origin(into), d + in);
+      land(h, {0, out, 0, 0, d}, {});
+      if (mesh_.twin(into) == kNone) land(into, {0, in, in, 0, d}, {});
+      const HalfEdge& e = mesh_.half_edge(opposite);
+      const double height = std::max(e.apex_y, kTouchingHeight * e.length);
+      const Window across{0, e.length, e.apex_x, height, d};
+      if (!beaten_by_ends(opposite, across)) land(opposite, across, Depth{}.next());
+    }
+  }
+
+  /// True when the paths along the edge from its ends beat a pseudo-source's window everywhere, as
+  /// they do behind it. Away from an end, the way t along the edge grows faster than |t - I|, so
+  /// the last point that the end is responsible for, where the two paths meet, decides.
+  bool beaten_by_ends(Index h, const Window& w) const {
+    const double length = w.end;
+    const double at_origin = distances_[mesh_.origin(h)], at_head = distances_[mesh_.head(h)];
+    const double meeting = std::clamp(0.5 * (length + at_head - at_origin), 0.0, length);
+    const double along = std::min(at_origin + meeting, at_head + length - meeting);
+    return along < distance_at(w, meeting) * (1 - kPathMargin);
+  }
+
+  void propagate(QueueItem item, Recorder& recorder) {
+    const double length = mesh_.half_edge(item.id).length;
+    const auto taken = wavefront_.take(item, length);
+    if (!taken) return;
+    const Depth depth = taken->depth.next();
+    recorder.propagated(1, depth);
+    if (taken->window.y < 0) {
+      cross_face(item.id, taken->window, depth);
+    } else {
+      cross_face(mesh_.twin(item.id), turned(taken->window, length), depth);
+    }
+  }
+
+  /// @param w in the frame of h, whose face it enters; y < 0
+  void cross_face(Index h, const Window& w, Depth depth) {
+    const FaceFrame face = face_frame(mesh_, h);
+    // Where the line from the source to the apex crosses h.
+    const double split = w.x + (face.apex_x - w.x) * (-w.y / (face.apex_y - w.y));
+    // A ray that misses the apex by rounding only passes through it; the path is bent accordingly.
+    const double slack = kApexTolerance * (face.length + std::abs(w.x) - w.y);
+    if (w.begin - slack <= split && split <= w.end + slack) {
+      reach(mesh_.apex(h), least_distance_to(w, face.apex_x, face.apex_y));
+    }
+    if (w.begin < split) {
+      const double end = w.end < split ? face.on_left(w, w.end) : face.left;
+      land_child(Mesh::previous(h), {face.on_left(w, w.begin), end}, face.to_left(w.x, w.y),
+                 face.left, w.sigma, depth);
+    }
+    if (split < w.end) {
+      const double begin = split < w.begin ? face.on_right(w, w.begin) : 0.0;
+      land_child(Mesh::next(h), {begin, face.on_right(w, w.end)}, face.to_right(w.x, w.y),
+                 face.right, w.sigma, depth);
+    }
+  }
+
+  struct Interval {
+    double begin, end;
+  };
+
+  /// A child that leaves its face through h, given in the frame of h's twin.
+  void land_child(Index h, Interval on, const Point2& source, double length, double sigma,
+                  Depth depth) {
+    // Rounding must not move the source across the edge.
+    const Window child{on.begin, on.end, source.x, std::min(source.y, 0.0), sigma};
+    land(h, turned(child, length), depth);
+  }
+
+  /// @param w in the frame of h, whose face it leaves; y >= 0
+  void land(Index h, const Window& w, Depth depth) {
+    const double length = mesh_.half_edge(h).length;
+    if (!(w.end - w.begin > kWindowWidth * length)) return;
+    const Index twin = mesh_.twin(h);
+    const bool goes_on = twin != kNone && w.y > 0;
+    // An edge goes by the smaller of its half-edges; kNone is larger than any.
+    if (twin < h) {
+      wavefront_.lay(twin, length, turned(w, length), depth, goes_on);
+    } else {
+      wavefront_.lay(h, length, w, depth, goes_on);
+    }
+  }
+
+  /// A window in the frame of one half-edge, in the frame of its twin.
+  static Window turned(const Window& w, double length) {
+    return {length - w.end, length - w.begin, length - w.x, -w.y, w.sigma};
+  }
+
+  void sample() {
+    if (reached_ < next_sample_) return;
+    wavefront_.sample();
+    next_sample_ = reached_ + std::max<Index>(1, mesh_.vertex_count() / kSamples);
+  }
+
+  const Mesh& mesh_;
+  Wavefront<Queue, Recorder> wavefront_;
+  std::span<double> distances_;
+  std::vector<double> emitted_;  // distance of the windows that each vertex sent out last
+  Index reached_ = 0;            // vertices with a distance; recorded solves only
+  Index next_sample_ = 0;        // as soon as that many are reached
+};
+
+}  // namespace geodesic::mmp

@@ -1,0 +1,80 @@
+// Memory for lists that grow: arrays of a few fixed capacities, cut from large chunks.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace geodesic::mmp {
+
+/// Hands out uninitialised arrays and takes them back for reuse; nothing is returned to the system
+/// before the pool is destroyed. T is trivially copyable.
+template <class T>
+class SegmentPool {
+ public:
+  /// Capacities are 4, 6, 8, 12, 16, 24, ...: two to a doubling, so that an array that only grows
+  /// wastes a sixth of its room on average.
+  static std::uint32_t capacity_for(std::uint32_t items) { return capacity(size_class(items)); }
+
+  T* take(std::uint32_t capacity_wanted) {
+    std::vector<T*>& free = free_[size_class(capacity_wanted)];
+    if (free.empty()) return cut(capacity_wanted);
+    T* segment = free.back();
+    free.pop_back();
+    return segment;
+  }
+
+  void give_back(T* segment, std::uint32_t its_capacity) {
+    free_[size_class(its_capacity)].push_back(segment);
+  }
+
+  /// Takes everything back at once; the chunks stay for the next solve.
+  void clear() {
+    for (std::vector<T*>& free : free_) free.clear();
+    oversized_.clear();
+    chunk_ = 0;
+    used_ = 0;
+  }
+
+ private:
+  static constexpr std::uint32_t kChunk = 1u << 15;  // items a chunk
+  static constexpr std::uint32_t kSmallest = 4;
+
+  // Class 2 k holds 4 * 2^k items, class 2 k + 1 half as many again.
+  static std::uint32_t capacity(std::size_t number) {
+    return (number % 2 == 0 ? kSmallest : kSmallest + kSmallest / 2) << (number / 2);
+  }
+  static std::size_t size_class(std::uint32_t items) {
+    if (items <= kSmallest) return 0;
+    // items in (2^(k + 1), 2^(k + 2)], split in the middle.
+    const std::size_t k = static_cast<std::size_t>(std::bit_width(items - 1)) - 2;
+    const std::size_t below = 2 * k - 1;  // class of 3 * 2^k items
+    return items <= capacity(below) ? below : below + 1;
+  }
+
+  T* cut(std::uint32_t items) {
+    if (items > kChunk / 4) {
+      oversized_.push_back(std::make_unique_for_overwrite<T[]>(items));
+      return oversized_.back().get();
+    }
+    if (chunk_ < chunks_.size() && used_ + items > kChunk) {
+      ++chunk_;
+      used_ = 0;
+    }
+    if (chunk_ == chunks_.size()) chunks_.push_back(std::make_unique_for_overwrite<T[]>(kChunk));
+    T* segment = chunks_[chunk_].get() + used_;
+    used_ += items;
+    return segment;
+  }
+
+  std::array<std::vector<T*>, 64> free_;  // by size class
+  std::vector<std::unique_ptr<T[]>> chunks_;
+  std::vector<std::unique_ptr<T[]>> oversized_;
+  std::size_t chunk_ = 0;  // the chunk being cut
+  std::size_t used_ = 0;   // items cut from it
+};
+
+}  // namespace geodesic::mmp

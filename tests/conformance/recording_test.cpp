@@ -1,0 +1,68 @@
+// Counters: recording changes no distance, and what is counted makes sense.
+#include "tests/conformance/solver_test.h"
+#include "tests/oracles/closed_forms.h"
+#include "tests/oracles/random_meshes.h"
+
+namespace geodesic::conformance {
+namespace {
+
+class Recordings : public SolverTest {};
+
+TEST_P(Recordings, change_no_distance) {
+  for (const auto& [name, soup] : oracles::random_meshes()) {
+    const Mesh mesh(soup);
+    const auto solver = prepare(mesh);
+    Recording recording;
+    const auto recorded = ask(*solver, mesh, from(4), &recording);
+    EXPECT_TRUE(identical(recorded, ask(*solver, mesh, from(4)))) << name;
+  }
+}
+
+TEST_P(Recordings, are_the_same_on_every_run) {
+  const Mesh mesh(oracles::rough_sphere(51, 2, 0.3));
+  const auto solver = prepare(mesh);
+  Recording first, second;
+  ask(*solver, mesh, from(4), &first);
+  ask(*solver, mesh, from(4), &second);
+  EXPECT_EQ(first.window_propagations, second.window_propagations);
+  EXPECT_EQ(first.valid_windows, second.valid_windows);
+  EXPECT_EQ(first.window_limit, second.window_limit);
+  EXPECT_EQ(first.peak_wavefront, second.peak_wavefront);
+  EXPECT_EQ(first.strip_depth, second.strip_depth);
+  EXPECT_EQ(first.wavefront_sd, second.wavefront_sd);
+}
+
+TEST_P(Recordings, of_what_is_counted_are_positive_and_bounded) {
+  const Mesh mesh(oracles::rough_sphere(52, 2, 0.3));
+  Recording r;
+  ask(*prepare(mesh), mesh, from(4), &r);
+  const auto between = [](const auto& counter, std::uint64_t least, std::uint64_t most) {
+    return !counter || (*counter >= least && *counter <= most);
+  };
+  const std::uint64_t propagations = r.window_propagations.value_or(~std::uint64_t{0});
+  EXPECT_PRED3(between, r.window_propagations, mesh.vertex_count(), ~std::uint64_t{0});
+  EXPECT_PRED3(between, r.valid_windows, 1, 3 * propagations);
+  EXPECT_PRED3(between, r.window_limit, mesh.edge_count() / 2, ~std::uint64_t{0});
+  EXPECT_PRED3(between, r.peak_wavefront, 3, 3 * propagations);
+  // A geodesic on a rough sphere of 320 faces crosses several and never the same one twice.
+  EXPECT_PRED3(between, r.strip_depth, 4, mesh.face_count());
+  EXPECT_PRED3(between, r.window_bytes, 4 * sizeof(double), 512);
+  if (r.wavefront_sd) {
+    EXPECT_GT(*r.wavefront_sd, 0);
+    EXPECT_LT(*r.wavefront_sd, 4);
+  }
+}
+
+// On one triangle a window starts opposite to the source and is propagated across no face.
+TEST_P(Recordings, of_a_single_triangle_count_no_propagation_beyond_it) {
+  const Mesh mesh(TriangleSoup{{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}, {{0, 1, 2}}});
+  Recording r;
+  ask(*prepare(mesh), mesh, from(0), &r);
+  EXPECT_LE(r.window_propagations.value_or(0), 1);
+  EXPECT_LE(r.strip_depth.value_or(0), 1);
+}
+
+FOR_EVERY_SOLVER(Recordings);
+
+}  // namespace
+}  // namespace geodesic::conformance

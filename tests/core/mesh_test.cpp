@@ -1,0 +1,217 @@
+#include "solvers/core/mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+namespace geodesic {
+namespace {
+
+constexpr double kRounding = 1e-15;
+
+double distance(const Vec3& a, const Vec3& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/// A unit square of two triangles; its second diagonal is missing.
+TriangleSoup square() {
+  return {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+}
+
+/// The corner of a cube at vertex 0: three right angles.
+TriangleSoup cube_corner() {
+  return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}}};
+}
+
+/// A closed fan of `count` faces around vertex 0; its rim alternates between heights +z and -z.
+TriangleSoup fan(Index count, double z) {
+  TriangleSoup soup{{{0, 0, 0}}, {}};
+  for (Index i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count;
+    soup.positions.push_back({std::cos(angle), std::sin(angle), i % 2 == 0 ? z : -z});
+    soup.triangles.push_back({0, 1 + i, 1 + (i + 1) % count});
+  }
+  return soup;
+}
+
+TEST(Mesh, counts_its_elements) {
+  const Mesh mesh(square());
+  EXPECT_EQ(mesh.vertex_count(), 4u);
+  EXPECT_EQ(mesh.face_count(), 2u);
+  EXPECT_EQ(mesh.half_edge_count(), 6u);
+  EXPECT_EQ(mesh.edge_count(), 5u);
+}
+
+TEST(Mesh, keeps_positions_and_triangles) {
+  const TriangleSoup soup = cube_corner();
+  const Mesh mesh(soup);
+  EXPECT_TRUE(std::ranges::equal(mesh.positions(), soup.positions));
+  for (Index f = 0; f < mesh.face_count(); ++f) EXPECT_EQ(mesh.triangle(f), soup.triangles[f]);
+}
+
+TEST(Mesh, walks_around_a_face) {
+  const Mesh mesh(square());
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    EXPECT_EQ(Mesh::previous(Mesh::next(h)), h);
+    EXPECT_EQ(Mesh::next(Mesh::next(Mesh::next(h))), h);
+    EXPECT_EQ(mesh.head(h), mesh.origin(Mesh::next(h)));
+    EXPECT_EQ(mesh.apex(h), mesh.head(Mesh::next(h)));
+  }
+}
+
+TEST(Mesh, twins_run_opposite_and_have_the_same_length_bits) {
+  const Mesh mesh(fan(7, 0.37));
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    const Index twin = mesh.twin(h);
+    if (twin == kNone) continue;
+    EXPECT_EQ(mesh.twin(twin), h);
+    EXPECT_EQ(mesh.origin(twin), mesh.head(h));
+    EXPECT_EQ(mesh.head(twin), mesh.origin(h));
+    EXPECT_EQ(mesh.half_edge(twin).length, mesh.half_edge(h).length);
+  }
+}
+
+TEST(Mesh, boundary_edges_have_no_twin) {
+  const Mesh mesh(square());
+  Index without = 0;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) without += mesh.twin(h) == kNone;
+  EXPECT_EQ(without, 4u);
+  for (Index v = 0; v < 4; ++v) EXPECT_TRUE(mesh.is_boundary(v)) << v;
+  EXPECT_FALSE(Mesh(fan(6, 0)).is_boundary(0));
+}
+
+TEST(Mesh, lists_the_half_edges_that_leave_a_vertex) {
+  const Mesh mesh(fan(5, 0));
+  EXPECT_EQ(mesh.outgoing(0).size(), 5u);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    for (const Index h : mesh.outgoing(v)) EXPECT_EQ(mesh.origin(h), v);
+  }
+}
+
+TEST(Mesh, frames_keep_the_distances_of_the_face) {
+  const Mesh mesh(cube_corner());
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    const HalfEdge& e = mesh.half_edge(h);
+    const Vec3 &a = mesh.position(mesh.origin(h)), &b = mesh.position(mesh.head(h)),
+               &c = mesh.position(mesh.apex(h));
+    EXPECT_NEAR(e.length, distance(a, b), kRounding);
+    EXPECT_NEAR(std::hypot(e.apex_x, e.apex_y), distance(a, c), kRounding);
+    EXPECT_NEAR(std::hypot(e.apex_x - e.length, e.apex_y), distance(b, c), kRounding);
+    EXPECT_GE(e.apex_y, 0);
+  }
+}
+
+TEST(Mesh, mean_edge_length_counts_every_edge_once) {
+  EXPECT_NEAR(Mesh(square()).mean_edge_length(), (4 + std::numbers::sqrt2) / 5, kRounding);
+  EXPECT_EQ(Mesh(TriangleSoup{}).mean_edge_length(), 0);
+}
+
+TEST(Mesh, total_angle_is_the_sum_of_the_corners) {
+  EXPECT_NEAR(Mesh(cube_corner()).total_angle(0), 1.5 * std::numbers::pi, 4 * kRounding);
+  EXPECT_NEAR(Mesh(fan(6, 0)).total_angle(0), 2 * std::numbers::pi, 4 * kRounding);
+}
+
+TEST(Mesh, pseudo_sources_are_saddles_and_boundaries) {
+  EXPECT_FALSE(Mesh(cube_corner()).is_pseudo_source(0)) << "a convex vertex";
+  EXPECT_FALSE(Mesh(fan(6, 0)).is_pseudo_source(0)) << "a flat vertex";
+  EXPECT_TRUE(Mesh(fan(6, 0.3)).is_pseudo_source(0)) << "a saddle";
+  EXPECT_TRUE(Mesh(fan(6, 0)).is_pseudo_source(1)) << "a boundary vertex";
+}
+
+TEST(Mesh, a_slight_saddle_is_a_pseudo_source) {
+  EXPECT_TRUE(Mesh(fan(6, 1e-5)).is_pseudo_source(0));
+}
+
+TEST(Mesh, an_isolated_vertex_has_nothing_around_it) {
+  TriangleSoup soup = square();
+  soup.positions.push_back({9, 9, 9});
+  const Mesh mesh(soup);
+  EXPECT_TRUE(mesh.outgoing(4).empty());
+  EXPECT_FALSE(mesh.is_pseudo_source(4));
+  EXPECT_FALSE(mesh.is_boundary(4));
+  EXPECT_EQ(mesh.total_angle(4), 0);
+}
+
+TEST(Mesh, an_edge_of_three_faces_is_a_boundary_of_each) {
+  TriangleSoup soup = square();
+  soup.positions.push_back({0, 0, 1});
+  soup.triangles.push_back({2, 0, 4});
+  const Mesh mesh(soup);
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) EXPECT_EQ(mesh.twin(h), kNone) << h;
+  EXPECT_EQ(mesh.edge_count(), 9u);
+  EXPECT_TRUE(mesh.has_non_manifold_vertices());
+}
+
+TEST(Mesh, an_edge_that_two_faces_have_in_one_direction_is_a_boundary_of_both) {
+  TriangleSoup soup = square();
+  std::swap(soup.triangles[1][0], soup.triangles[1][1]);
+  const Mesh mesh(soup);
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) EXPECT_EQ(mesh.twin(h), kNone) << h;
+  EXPECT_EQ(mesh.edge_count(), 6u);
+}
+
+TEST(Mesh, closed_fans_that_share_a_vertex_make_it_a_pseudo_source) {
+  TriangleSoup soup = fan(6, 0);
+  for (Index i = 0; i < 5; ++i) {  // a second fan, above, around the same vertex
+    const double angle = 2 * std::numbers::pi * i / 5;
+    soup.positions.push_back({std::cos(angle), std::sin(angle), 4});
+    soup.triangles.push_back({0, 7 + i, 7 + (i + 1) % 5});
+  }
+  const Mesh mesh(soup);
+  EXPECT_FALSE(mesh.is_boundary(0));
+  EXPECT_TRUE(mesh.is_pseudo_source(0));
+  EXPECT_TRUE(mesh.has_non_manifold_vertices());
+}
+
+TEST(Mesh, open_fans_that_share_a_vertex_are_found) {
+  const Mesh mesh(TriangleSoup{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}},
+                               {{0, 1, 2}, {0, 3, 4}}});
+  EXPECT_TRUE(mesh.has_non_manifold_vertices());
+}
+
+TEST(Mesh, one_fan_at_every_vertex_is_manifold) {
+  for (const TriangleSoup& soup : {square(), cube_corner(), fan(6, 0.3), fan(3, 0)}) {
+    EXPECT_FALSE(Mesh(soup).has_non_manifold_vertices());
+    EXPECT_FALSE(Mesh(soup).has_degenerate_faces());
+  }
+}
+
+TEST(Mesh, corners_of_a_zero_area_face_are_pseudo_sources) {
+  // A flat fan; one of its faces is squeezed onto the leg from 0 to 1.
+  TriangleSoup soup = fan(6, 0);
+  soup.positions[2] = {0.5, 0, 0};
+  const Mesh mesh(soup);
+  EXPECT_TRUE(mesh.has_degenerate_faces());
+  EXPECT_TRUE(mesh.is_pseudo_source(0));
+}
+
+TEST(Mesh, a_zero_length_edge_keeps_the_lengths_beside_it) {
+  const Mesh mesh(TriangleSoup{{{1, 2, 3}, {1, 2, 3}, {4, 6, 3}}, {{0, 1, 2}}});
+  const HalfEdge& e = mesh.half_edge(0);
+  EXPECT_EQ(e.length, 0);
+  EXPECT_EQ(std::hypot(e.apex_x, e.apex_y), 5);
+  EXPECT_TRUE(mesh.has_degenerate_faces());
+  for (Index h = 0; h < 3; ++h) EXPECT_TRUE(std::isfinite(mesh.half_edge(h).apex_x)) << h;
+}
+
+TEST(Mesh, refuses_what_has_no_distances) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  TriangleSoup soup = square();
+  soup.triangles[1][2] = 4;
+  EXPECT_THROW(Mesh{soup}, std::invalid_argument) << "an index out of range";
+  soup = square();
+  soup.triangles[1][2] = 0;
+  EXPECT_THROW(Mesh{soup}, std::invalid_argument) << "a vertex named twice";
+  for (const double c : {nan, kInfinity, -kInfinity}) {
+    soup = square();
+    soup.positions[3][1] = c;
+    EXPECT_THROW(Mesh{soup}, std::invalid_argument) << c;
+  }
+}
+
+}  // namespace
+}  // namespace geodesic

@@ -1,0 +1,72 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "solvers/core/queues/fifo_queue.h"
+#include "solvers/core/queues/priority_queue.h"
+
+#include "tests/oracles/random.h"
+
+namespace geodesic {
+namespace {
+
+template <class Queue>
+std::vector<int> drain(Queue& queue) {
+  std::vector<int> items;
+  while (!queue.empty()) items.push_back(queue.pop());
+  return items;
+}
+
+TEST(PriorityQueue, pops_in_order_of_keys) {
+  PriorityQueue<int> queue;
+  for (const int i : {5, 1, 4, 2, 3}) queue.push(i, i);
+  EXPECT_EQ(drain(queue), (std::vector{1, 2, 3, 4, 5}));
+}
+
+TEST(PriorityQueue, pops_equal_keys_in_order_of_insertion) {
+  PriorityQueue<int> queue;
+  for (int i = 0; i < 100; ++i) queue.push(i % 3, i);
+  const std::vector<int> items = drain(queue);
+  for (std::size_t i = 1; i < items.size(); ++i) {
+    EXPECT_LT(std::pair(items[i - 1] % 3, items[i - 1]), std::pair(items[i] % 3, items[i]));
+  }
+}
+
+TEST(PriorityQueue, equals_a_stable_sort_while_items_come_and_go) {
+  oracles::Random random(1);
+  PriorityQueue<int> queue;
+  std::vector<std::pair<double, int>> model;  // key, item: kept in order
+  for (int i = 0; i < 5000; ++i) {
+    if (random.below(3) != 0 || model.empty()) {
+      const double key = random.below(50);
+      queue.push(key, i);
+      model.insert(std::upper_bound(model.begin(), model.end(), std::pair(key, i)), {key, i});
+    } else {
+      ASSERT_EQ(queue.least_key(), model.front().first);
+      ASSERT_EQ(queue.pop(), model.front().second);
+      model.erase(model.begin());
+    }
+    ASSERT_EQ(queue.size(), model.size());
+  }
+}
+
+TEST(PriorityQueue, is_as_new_when_cleared) {
+  PriorityQueue<int> queue;
+  queue.push(1, 1);
+  queue.clear();
+  EXPECT_TRUE(queue.empty());
+  for (int i = 0; i < 3; ++i) queue.push(7, i);
+  EXPECT_EQ(drain(queue), (std::vector{0, 1, 2}));
+}
+
+TEST(FifoQueue, pops_in_order_of_insertion_whatever_the_keys) {
+  FifoQueue<int> queue;
+  for (const int i : {5, 1, 4, 2, 3}) queue.push(i, i);
+  EXPECT_EQ(queue.size(), 5u);
+  EXPECT_EQ(drain(queue), (std::vector{5, 1, 4, 2, 3}));
+}
+
+}  // namespace
+}  // namespace geodesic

@@ -1,0 +1,53 @@
+#include "harness/measure/allocation_meter.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "harness/measure/process.h"
+
+namespace geodesic::harness {
+namespace {
+
+TEST(AllocationMeter, SeesThePeakAndWhatIsLeft) {
+  const AllocationMeter meter;
+  { const std::vector<double> large(100000); }
+  const std::vector<double> small(1000);
+  EXPECT_GE(meter.peak_bytes(), 800000);
+  EXPECT_LT(meter.peak_bytes(), 810000);
+  EXPECT_GE(meter.live_bytes(), 8000);
+  EXPECT_LT(meter.live_bytes(), 9000);
+}
+
+TEST(AllocationMeter, SeesOveralignedBlocks) {
+  struct alignas(64) Line {
+    double values[8];
+  };
+  const AllocationMeter meter;
+  { const std::vector<Line> lines(1000); }
+  EXPECT_GE(meter.peak_bytes(), 64000);
+  EXPECT_EQ(meter.live_bytes(), 0);
+}
+
+TEST(AllocationMeter, StartsFromZero) {
+  {
+    const AllocationMeter meter;
+    const std::vector<double> any(1000);
+  }
+  const AllocationMeter meter;
+  EXPECT_EQ(meter.live_bytes(), 0);
+  EXPECT_EQ(meter.peak_bytes(), 0);
+}
+
+TEST(PeakResidentBytes, ForgetsWhatWasBeforeTheRestart) {
+  { const std::vector<char> touched(200 << 20, 1); }
+  const auto before = peak_resident_bytes();
+  ASSERT_TRUE(before);
+  EXPECT_GE(*before, 200 << 20);
+  restart_peak_resident_bytes();
+  EXPECT_LT(*peak_resident_bytes(), *before);
+}
+
+}  // namespace
+}  // namespace geodesic::harness

@@ -1,0 +1,231 @@
+// Whole runs, with sound solvers and with faulty ones.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "tests/harness/program.h"
+
+namespace geodesic::harness {
+namespace {
+
+using nlohmann::json;
+
+class RunTest : public ProgramTest {
+ protected:
+  Output run_suite(const std::string& program, std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "run");
+    arguments.insert(arguments.end(),
+                     {"--out", out_.string(), "--min-time", "0.0001", "--repetitions", "2"});
+    return run(program, arguments);
+  }
+  json rows() const { return read_json(out_ / "run.json").at("benchmarks"); }
+  // The first row of a cell.
+  json row(const std::string& name) const {
+    for (const json& each : rows()) {
+      if (each.at("name") == name) return each;
+    }
+    ADD_FAILURE() << "no row is named " << name;
+    return json::object();
+  }
+  static std::string message(const json& row) { return row.value("error_message", ""); }
+
+  const std::filesystem::path out_ = folder_ / "out";
+};
+
+void expect_no_time(const json& row) {
+  EXPECT_EQ(row.at("error_occurred"), true) << row;
+  EXPECT_EQ(row.value("real_time", 0.0), 0.0) << row;
+  EXPECT_EQ(row.value("cpu_time", 0.0), 0.0) << row;
+  EXPECT_FALSE(row.contains("prepare_time")) << row;
+}
+
+TEST_F(RunTest, EveryRepetitionIsARowAndSolversAlternate) {
+  const Output run =
+      run_suite(PROGRAM, {"--solvers", exact_solver() + ",dijkstra", "--sources", "2"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out, (out_ / "run.json").string() + "\n");
+  std::vector<std::string> order;
+  for (const json& each : rows()) {
+    EXPECT_EQ(each.at("outcome"), "ok");
+    EXPECT_EQ(each.at("time_unit"), "ms");
+    EXPECT_EQ(each.at("run_type"), "iteration");
+    EXPECT_GT(each.at("cpu_time").get<double>(), 0);
+    EXPECT_TRUE(each.contains("reference"));
+    if (each.at("repetition_index") == 0) order.push_back(each.at("solver"));
+  }
+  EXPECT_EQ(rows().size(), 2u * 2 * 2 * 2) << "meshes x sources x solvers x repetitions";
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    EXPECT_EQ(order[i], i % 2 == 0 ? exact_solver() : "dijkstra");
+  }
+}
+
+TEST_F(RunTest, ContextSaysHowToTrustAndRepeatIt) {
+  const Output run = run_suite(PROGRAM, {"--solvers", "dijkstra", "--sources", "2", "--seed", "9"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json context = read_json(out_ / "run.json").at("context").at("geodesic_bench");
+  EXPECT_EQ(context.at("schema_version"), 1);
+  EXPECT_EQ(context.at("seed"), 9);
+  EXPECT_EQ(context.at("repetitions"), 2);
+  EXPECT_EQ(context.at("corpus"), "quick");
+  EXPECT_EQ(context.at("sources").at("tetrahedron").size(), 2u);
+  EXPECT_EQ(context.at("sources").at("tetrahedron")[0], 0);
+  for (const json& source : context.at("sources").at("hill")) EXPECT_NE(source, 0) << "isolated";
+  const json hill = context.at("meshes")[0];
+  EXPECT_EQ(hill.at("name"), "hill");
+  EXPECT_EQ(hill.at("file"), "hill.off");
+  EXPECT_EQ(hill.at("vertices"), 37);
+  EXPECT_EQ(hill.at("faces"), 50);
+  EXPECT_EQ(hill.at("edges"), 85);
+  EXPECT_EQ(hill.at("boundary_loops"), 1);
+  EXPECT_EQ(hill.at("sha256").get<std::string>().size(), 64u);
+  EXPECT_EQ(context.at("solvers")[0].at("name"), "dijkstra");
+  ASSERT_EQ(context.at("skipped").size(), 1u);
+  EXPECT_EQ(context.at("skipped")[0].at("mesh"), "absent");
+}
+
+TEST_F(RunTest, EveryCellHasAFileOfTheSameShape) {
+  const Output run = run_suite(PROGRAM, {"--solvers", "dijkstra", "--sources", "2"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  std::size_t cells = 0;
+  for (const auto& file : std::filesystem::directory_iterator(out_ / "cells")) {
+    const json cell = read_json(file.path());
+    EXPECT_EQ(cell.at("context").at("geodesic_bench").at("meshes").size(), 1u);
+    EXPECT_EQ(cell.at("benchmarks").size(), 2u);
+    ++cells;
+  }
+  EXPECT_EQ(cells, 4u);
+  EXPECT_TRUE(std::filesystem::exists(out_ / "cells" / "dijkstra__tetrahedron__src0.json"));
+}
+
+TEST_F(RunTest, SourcesAndCountersAreTheSameAgain) {
+  const auto counters = [&] {
+    std::filesystem::remove_all(out_);
+    const Output run = run_suite(PROGRAM, {"--solvers", exact_solver(), "--sources", "3"});
+    EXPECT_EQ(run.code, 0) << run.err;
+    json all = json::array();
+    for (json row : rows()) {
+      for (const char* key :
+           {"real_time", "cpu_time", "iterations", "prepare_time", "process_peak_bytes"}) {
+        row.erase(key);
+      }
+      all.push_back(row);
+    }
+    return all;
+  };
+  EXPECT_EQ(counters(), counters());
+}
+
+TEST_F(RunTest, FlagsOverrideTheSuite) {
+  const auto suite = write("suite.json", R"({"corpus": "missing", "sources": 3, "seed": 5})");
+  const Output run = run_suite(PROGRAM, {suite.string(), "--corpus", "quick", "--meshes",
+                                         "tetrahedron", "--sources", "1", "--solvers", "dijkstra"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json context = read_json(out_ / "run.json").at("context").at("geodesic_bench");
+  EXPECT_EQ(context.at("sources"), json({{"tetrahedron", {0}}}));
+  EXPECT_EQ(context.at("seed"), 5);
+}
+
+TEST_F(RunTest, PassesFlagsOnToGoogleBenchmark) {
+  std::vector<std::string> arguments{"run",
+                                     "--solvers",
+                                     "dijkstra",
+                                     "--meshes",
+                                     "hill",
+                                     "--sources",
+                                     "1",
+                                     "--out",
+                                     out_.string(),
+                                     "--",
+                                     "--benchmark_min_time=0.0001"};
+  EXPECT_EQ(run(PROGRAM, arguments).code, 0);
+  const auto few = rows()[0].at("iterations").get<int>();
+  std::filesystem::remove_all(out_);
+  arguments.back() = "--benchmark_min_time=0.1";
+  EXPECT_EQ(run(PROGRAM, arguments).code, 0);
+  EXPECT_GT(rows()[0].at("iterations").get<int>(), few);
+  std::filesystem::remove_all(out_);
+  for (const char* refused :
+       {"--benchmark_out=x", "--benchmark_nonsense", "--benchmark_filter=x"}) {
+    arguments.back() = refused;
+    EXPECT_EQ(run(PROGRAM, arguments).code, 1) << refused;
+  }
+}
+
+TEST_F(RunTest, ARunIsNeverOverwritten) {
+  std::filesystem::create_directories(out_ / "cells");
+  const Output run = run_suite(PROGRAM, {"--solvers", "dijkstra"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_NE(run.err.find("holds a run already"), std::string::npos) << run.err;
+}
+
+TEST_F(RunTest, WrongAnswersGetNoTimeAndNameTheVertex) {
+  const Output run = run_suite(FAULTY_PROGRAM, {"--solvers", "wrong," + exact_solver(), "--meshes",
+                                                "hill", "--sources", "1"});
+  EXPECT_EQ(run.code, 2) << run.err;
+  const std::string source = rows()[0].at("source").dump();
+  const json wrong = row("wrong/hill/src:" + source);
+  EXPECT_EQ(wrong.at("outcome"), "wrong answer");
+  expect_no_time(wrong);
+  EXPECT_NE(message(wrong).find("vertex 36 has distance"), std::string::npos) << wrong;
+  EXPECT_NE(message(wrong).find("relative error 1e-09"), std::string::npos) << wrong;
+  EXPECT_EQ(row(exact_solver() + "/hill/src:" + source).at("outcome"), "ok");
+  EXPECT_NE(run.err.find("wrong/hill/src:" + source + ": wrong answer"), std::string::npos);
+}
+
+TEST_F(RunTest, ASolveThatDiffersFromTheVerifiedOneIsWrong) {
+  const Output run = run_suite(FAULTY_PROGRAM, {"--solvers", "forgetful,disturbed", "--meshes",
+                                                "tetrahedron", "--sources", "1"});
+  EXPECT_EQ(run.code, 2) << run.err;
+  for (const char* solver : {"forgetful", "disturbed"}) {
+    const json spoiled = row(std::string(solver) + "/tetrahedron/src:0");
+    EXPECT_EQ(spoiled.at("outcome"), "wrong answer");
+    EXPECT_NE(message(spoiled).find("other distances"), std::string::npos) << spoiled;
+    expect_no_time(spoiled);
+  }
+}
+
+TEST_F(RunTest, FailingCellsLeaveRowsAndHarmNoOther) {
+  const Output run =
+      run_suite(FAULTY_PROGRAM, {"--solvers", "crashing,throwing,leaving,tiny,dijkstra", "--meshes",
+                                 "tetrahedron", "--sources", "1"});
+  EXPECT_EQ(run.code, 1) << run.err;
+  const std::map<std::string, std::pair<std::string, std::string>> expected{
+      {"crashing", {"crashed", "killed by signal 6"}},
+      {"throwing", {"error", "ran out of luck"}},
+      {"leaving", {"error", "without writing a result"}},
+      {"tiny", {"unsupported", "limited to 3 vertices"}}};
+  for (const auto& [solver, what] : expected) {
+    const json failed = row(solver + "/tetrahedron/src:0");
+    EXPECT_EQ(failed.at("outcome"), what.first);
+    EXPECT_NE(message(failed).find(what.second), std::string::npos) << failed;
+    expect_no_time(failed);
+  }
+  EXPECT_EQ(row("dijkstra/tetrahedron/src:0").at("outcome"), "ok");
+}
+
+TEST_F(RunTest, UnsupportedMeshesAreExpected) {
+  const Output run = run_suite(
+      FAULTY_PROGRAM, {"--solvers", "tiny,dijkstra", "--meshes", "tetrahedron", "--sources", "1"});
+  EXPECT_EQ(run.code, 0) << run.err;
+}
+
+TEST_F(RunTest, AReferenceThatFailsIsReplacedByTheNext) {
+  const Output run = run_suite(FAULTY_PROGRAM, {"--solvers", "dijkstra", "--meshes", "tetrahedron",
+                                                "--sources", "1", "--reference", "crashing"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(row("dijkstra/tetrahedron/src:0").at("reference"), "crashing");
+}
+
+TEST_F(RunTest, UnreadableMeshesAreSkippedAndAnError) {
+  write("absent.ply", "not a mesh");
+  const Output run = run_suite(PROGRAM, {"--solvers", "dijkstra", "--sources", "1"});
+  EXPECT_EQ(run.code, 1) << run.err;
+  const json skipped =
+      read_json(out_ / "run.json").at("context").at("geodesic_bench").at("skipped");
+  ASSERT_EQ(skipped.size(), 1u);
+  EXPECT_EQ(skipped[0].at("mesh"), "absent");
+  EXPECT_EQ(rows().size(), 4u) << "the other meshes are measured";
+}
+
+}  // namespace
+}  // namespace geodesic::harness

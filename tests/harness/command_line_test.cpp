@@ -1,0 +1,143 @@
+// list, solve and the errors of the command line, from outside.
+#include <cmath>
+
+#include "tests/harness/program.h"
+
+namespace geodesic::harness {
+namespace {
+
+using CommandLine = ProgramTest;
+
+void expect_words(const std::string& text, const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    EXPECT_NE(text.find(word), std::string::npos) << "'" << word << "' is missing in: " << text;
+  }
+}
+
+// A linker must not drop a solver that registers itself.
+TEST_F(CommandLine, ListHasTheSolversOfEveryFolder) {
+  const Output list = run(PROGRAM, {"list", "--json"});
+  ASSERT_EQ(list.code, 0) << list.err;
+  std::vector<std::string> listed;
+  const nlohmann::json json = nlohmann::json::parse(list.out);
+  for (const nlohmann::json& solver : json.at("solvers")) {
+    listed.push_back(solver.at("name"));
+  }
+  std::istringstream expected(SOLVER_NAMES);
+  for (std::string pair; std::getline(expected, pair, ',');) {
+    const std::string name = pair.substr(pair.find(':') + 1);
+    EXPECT_EQ(std::count(listed.begin(), listed.end(), name), 1) << pair;
+  }
+  EXPECT_FALSE(listed.empty());
+}
+
+TEST_F(CommandLine, ListTellsWhichMeshesAreThere) {
+  const Output list = run(PROGRAM, {"list", "--json"});
+  const nlohmann::json meshes = nlohmann::json::parse(list.out).at("meshes");
+  ASSERT_EQ(meshes.size(), 3u);
+  EXPECT_EQ(meshes[0].at("cached"), true);
+  EXPECT_EQ(meshes[2].at("cached"), false);
+  EXPECT_EQ(run(PROGRAM, {"list", "--corpus", "missing"}).out.find("hill"), std::string::npos);
+}
+
+TEST_F(CommandLine, UnknownNamesAreErrorsThatListWhatExists) {
+  const Output solver = run(PROGRAM, {"solve", "hill", "--solver", "none", "--source", "1"});
+  EXPECT_EQ(solver.code, 1);
+  expect_words(solver.err, {"no solver named 'none'", exact_solver()});
+  EXPECT_EQ(solver.out, "");
+
+  const Output mesh = run(PROGRAM, {"solve", "hil", "--solver", exact_solver(), "--source", "1"});
+  EXPECT_EQ(mesh.code, 1);
+  expect_words(mesh.err, {"did you mean 'hill'", "absent"});
+
+  const Output option = run(PROGRAM, {"solve", "hill", "--sorce", "1"});
+  EXPECT_EQ(option.code, 1);
+  expect_words(option.err, {"did you mean '--source'", "--output"});
+
+  const Output command = run_plainly(PROGRAM, {"sovle"});
+  EXPECT_EQ(command.code, 1);
+  expect_words(command.err, {"did you mean 'solve'", "list", "run"});
+
+  const Output corpus = run(PROGRAM, {"list", "--corpus", "quik"});
+  EXPECT_EQ(corpus.code, 1);
+  expect_words(corpus.err, {"did you mean 'quick'", "missing"});
+}
+
+TEST_F(CommandLine, AMeshThatIsNotInTheCacheSaysHowToGetIt) {
+  const Output solve =
+      run(PROGRAM, {"solve", "absent", "--solver", exact_solver(), "--source", "0"});
+  EXPECT_EQ(solve.code, 1);
+  expect_words(solve.err, {"'absent' is not in the dataset cache", "./run_all.sh fetch"});
+}
+
+TEST_F(CommandLine, SolveWritesAJsonObjectAndDistancesInFileOrder) {
+  const auto file = folder_ / "distances.txt";
+  const Output solve = run(PROGRAM, {"solve", (folder_ / "tetrahedron.obj").string(), "--solver",
+                                     exact_solver(), "--source", "0", "--output", file.string()});
+  ASSERT_EQ(solve.code, 0) << solve.err;
+  const nlohmann::json json = nlohmann::json::parse(solve.out);
+  EXPECT_EQ(json.at("solver"), exact_solver());
+  EXPECT_EQ(json.at("mesh"), "tetrahedron");
+  EXPECT_EQ(json.at("vertices"), 4);
+  EXPECT_EQ(json.at("faces"), 4);
+  EXPECT_EQ(json.at("sources"), nlohmann::json::array({0}));
+  EXPECT_EQ(json.at("unreachable_vertices"), 0);
+  for (const char* key : {"cpu_time_s", "real_time_s", "prepare_time_s", "space_thesis_mb",
+                          "solver_peak_bytes", "process_peak_bytes", "window_propagations"}) {
+    ASSERT_TRUE(json.contains(key)) << key;
+    EXPECT_TRUE(json.at(key).is_number()) << key;
+  }
+  for (const char* key : {"valid_windows", "window_limit", "peak_wavefront", "strip_depth",
+                          "strip_b", "wavefront_sd"}) {
+    EXPECT_TRUE(json.contains(key)) << key << " is null where the solver has none, not absent";
+  }
+  EXPECT_EQ(read(file), "0\n1\n1\n1\n");
+}
+
+TEST_F(CommandLine, SolveKeepsIsolatedVerticesAndEveryDigit) {
+  const auto file = folder_ / "distances.txt";
+  const Output solve = run(PROGRAM, {"solve", "hill", "--solver", exact_solver(), "--source", "1",
+                                     "--source", "36", "--output", file.string()});
+  ASSERT_EQ(solve.code, 0) << solve.err;
+  EXPECT_EQ(nlohmann::json::parse(solve.out).at("unreachable_vertices"), 1);
+  std::istringstream lines(read(file));
+  std::string line;
+  ASSERT_TRUE(std::getline(lines, line));
+  EXPECT_EQ(line, "inf");
+  std::size_t count = 1;
+  for (double distance = 0; std::getline(lines, line); ++count) {
+    distance = std::stod(line);
+    char again[40];
+    std::snprintf(again, sizeof again, "%.17g", distance);
+    EXPECT_EQ(line, again);
+  }
+  EXPECT_EQ(count, 37u);
+}
+
+TEST_F(CommandLine, SolveLeavesFartherVerticesUnreachable) {
+  const auto file = folder_ / "distances.txt";
+  const Output solve = run(PROGRAM, {"solve", "tetrahedron", "--solver", exact_solver(), "--source",
+                                     "1", "--limit", "1.2", "--output", file.string()});
+  ASSERT_EQ(solve.code, 0) << solve.err;
+  EXPECT_EQ(read(file), "1\n0\ninf\ninf\n");
+}
+
+TEST_F(CommandLine, AnUnwritableOutputFailsBeforeAnythingIsRead) {
+  const Output solve = run(PROGRAM, {"solve", "hill", "--solver", exact_solver(), "--source", "1",
+                                     "--output", (folder_ / "none" / "distances.txt").string()});
+  EXPECT_EQ(solve.code, 1);
+  EXPECT_EQ(solve.out, "");
+  expect_words(solve.err, {"cannot write", "distances.txt"});
+}
+
+TEST_F(CommandLine, ASourceThatIsNotThereIsAnErrorWithoutOutput) {
+  const auto file = folder_ / "distances.txt";
+  const Output solve = run(PROGRAM, {"solve", "hill", "--solver", exact_solver(), "--source", "37",
+                                     "--output", file.string()});
+  EXPECT_EQ(solve.code, 1);
+  expect_words(solve.err, {"source vertex 37 is not in the mesh of 37 vertices"});
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+}  // namespace
+}  // namespace geodesic::harness

@@ -1,0 +1,98 @@
+// Solvers that fail in every way that a run must catch and survive. They solve by another solver
+// first, so that only what is wrong on purpose is wrong.
+#include <cstdlib>
+#include <stdexcept>
+
+#include "solvers/registry.h"
+
+namespace geodesic {
+namespace {
+
+constexpr const char* kFamily = "test-only";
+
+const Description& sound_solver() {
+  for (const Description* solver : registered_solvers()) {
+    if (solver->exactness == Exactness::exact && solver->family != kFamily &&
+        solver->abilities.max_vertices == kNone) {
+      return *solver;
+    }
+  }
+  throw std::logic_error("no exact solver is registered");
+}
+
+class Faulty : public Solver {
+ public:
+  Faulty(const Mesh& mesh, const Description& description) : Solver(mesh, description) {}
+
+ protected:
+  void solve_soundly(const Query& query, std::span<double> distances) {
+    make_solver(sound_solver().name, mesh())->solve(query, distances);
+  }
+  // The relative error is far above rounding and far below what a plot shows.
+  static void spoil(std::span<double> distances) { distances.back() *= 1 + 1e-9; }
+};
+
+class Wrong final : public Faulty {
+  using Faulty::Faulty;
+  void run(const Query& query, std::span<double> distances, Recording*) override {
+    solve_soundly(query, distances);
+    spoil(distances);
+  }
+};
+
+// Keeps state that a second solve trips over.
+class Forgetful final : public Faulty {
+  using Faulty::Faulty;
+  void run(const Query& query, std::span<double> distances, Recording*) override {
+    solve_soundly(query, distances);
+    if (solves_++ > 0) spoil(distances);
+  }
+  int solves_ = 0;
+};
+
+class Disturbed final : public Faulty {
+  using Faulty::Faulty;
+  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+    solve_soundly(query, distances);
+    if (recording != nullptr) spoil(distances);
+  }
+};
+
+class Crashing final : public Faulty {
+  using Faulty::Faulty;
+  void run(const Query&, std::span<double>, Recording*) override { std::abort(); }
+};
+
+class Throwing final : public Faulty {
+  using Faulty::Faulty;
+  void run(const Query&, std::span<double>, Recording*) override {
+    throw std::runtime_error("ran out of luck");
+  }
+};
+
+class Leaving final : public Faulty {
+  using Faulty::Faulty;
+  void run(const Query&, std::span<double>, Recording*) override { std::_Exit(0); }
+};
+
+Description faulty(const char* name, Index max_vertices = 1000) {
+  return {.name = name,
+          .family = kFamily,
+          .paper = "none",
+          .data_structure = "none",
+          .time_complexity = "O(1)",
+          .space_complexity = "O(1)",
+          .propagation = "none",
+          .abilities = {.max_vertices = max_vertices}};
+}
+
+const RegisterSolver<Wrong> wrong{faulty("wrong")};
+const RegisterSolver<Forgetful> forgetful{faulty("forgetful")};
+const RegisterSolver<Disturbed> disturbed{faulty("disturbed")};
+const RegisterSolver<Crashing> crashing{faulty("crashing")};
+const RegisterSolver<Throwing> throwing{faulty("throwing")};
+const RegisterSolver<Leaving> leaving{faulty("leaving")};
+const RegisterSolver<Wrong> tiny{faulty("tiny", 3)};
+
+}  // namespace
+}  // namespace geodesic

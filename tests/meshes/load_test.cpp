@@ -1,0 +1,83 @@
+// From file to file: loading refuses, warns or repairs, and writing loses nothing.
+#include "harness/meshes/load.h"
+
+#include <gtest/gtest.h>
+
+#include "harness/meshes/write.h"
+#include "solvers/core/mesh.h"
+#include "tests/meshes/mesh_samples.h"
+
+namespace geodesic::harness {
+namespace {
+
+const std::string kMisoriented = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 4 3\n";
+
+TEST(Load, RefusesErrorsWithTheFileTheFirstExampleAndTheWayOut) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("a.obj", kMisoriented);
+  try {
+    load_mesh(path);
+    FAIL() << "accepted";
+  } catch (const MeshError& error) {
+    const std::string message = error.what();
+    EXPECT_TRUE(message.starts_with(path.string() + ": ")) << message;
+    EXPECT_TRUE(contains(message, "edge 0-2 of face 0 (line 5), face 1 (line 6)")) << message;
+    EXPECT_TRUE(contains(message, "use --repair")) << message;
+    EXPECT_FALSE(contains(message, "\n")) << message;
+  }
+}
+
+TEST(Load, RepairsWhenAskedAndReportsIt) {
+  const TemporaryFolder folder;
+  const LoadedMesh mesh = load_mesh(folder.write("a.obj", kMisoriented), {.repair = true});
+  EXPECT_EQ(mesh.defects.count(DefectKind::inconsistent_orientation), 1u);
+  ASSERT_EQ(mesh.repairs.size(), 1u);
+  EXPECT_EQ(mesh.repairs[0].key, "flipped_faces");
+  ASSERT_EQ(mesh.warnings.size(), 2u);
+  EXPECT_TRUE(contains(mesh.warnings[1], "repair: 1 faces flipped")) << mesh.warnings[1];
+  EXPECT_EQ(Mesh(mesh.soup).edge_count(), 5u);
+}
+
+TEST(Load, WarnsOfTheRestAndKeepsVertexIds) {
+  const TemporaryFolder folder;
+  const LoadedMesh mesh =
+      load_mesh(folder.write("a.obj", "v 7 7 7\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 4\n"));
+  EXPECT_EQ(mesh.warnings,
+            (std::vector<std::string>{"1 isolated vertex (first: vertex 0 (line 1))"}));
+  EXPECT_EQ(mesh.soup.positions.size(), 4u);
+  EXPECT_EQ(mesh.soup.positions[0], (Vec3{7, 7, 7}));
+}
+
+TEST(Load, RefusesAMeshOfWhichARepairLeavesNothing) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 2\n");
+  EXPECT_THROW(load_mesh(path, {.repair = true}), MeshError);
+}
+
+TEST(Write, BringsBackTheSameDoublesAndFacesInEveryFormat) {
+  const TemporaryFolder folder;
+  TriangleSoup soup = tetrahedron();
+  soup.positions[1] = {1.0 / 3, -4.9406564584124654e-324, 1.7976931348623157e308};
+  soup.positions[2] = {0.1234567890123456, 1e-7, -0.0};
+  soup.positions.push_back({5, 5, 5});  // isolated
+  for (const char* name : {"a.obj", "a.off", "a.ply", "B.PLY"}) {
+    write_mesh(folder.file(name), soup);
+    const MeshFile file = read_mesh(folder.file(name));
+    EXPECT_EQ(file.soup.positions, soup.positions) << name;
+    EXPECT_EQ(file.soup.triangles, soup.triangles) << name;
+    EXPECT_TRUE(file.warnings.empty()) << name << ": " << file.warnings[0];
+  }
+}
+
+TEST(Write, RefusesWhatItCannotWriteAndLeavesNoFile) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(write_mesh(folder.file("a.stl"), tetrahedron()), HarnessError);
+  EXPECT_THROW(write_mesh(folder.file("none/a.obj"), tetrahedron()), HarnessError);
+  TriangleSoup soup = tetrahedron();
+  soup.triangles.push_back({0, 1, 9});
+  EXPECT_THROW(write_mesh(folder.file("a.obj"), soup), HarnessError);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.file("")));
+}
+
+}  // namespace
+}  // namespace geodesic::harness

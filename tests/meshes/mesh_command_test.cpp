@@ -1,0 +1,86 @@
+#include "harness/commands/mesh.h"
+
+#include <gtest/gtest.h>
+
+#include "harness/json.h"
+#include "tests/meshes/mesh_samples.h"
+
+namespace geodesic::harness {
+namespace {
+
+struct Outcome {
+  std::string output, error;
+};
+
+Outcome run(std::vector<std::string> arguments) {
+  CLI::App app;
+  add_mesh_command(app);
+  arguments.insert(arguments.begin(), "mesh");
+  std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
+  testing::internal::CaptureStdout();
+  std::string error;
+  try {
+    app.parse(arguments);
+  } catch (const std::exception& e) {
+    error = e.what();
+  }
+  return {testing::internal::GetCapturedStdout(), error};
+}
+
+const std::string kMisoriented = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 4 3\n";
+
+TEST(MeshCommand, PrintsCountsTopologyLengthsAndAngles) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run({folder.write("a.off", kOff)});
+  EXPECT_EQ(outcome.error, "");
+  for (const char* part :
+       {"OFF", "vertices            4", "faces               4", "edges               6",
+        "components          1", "boundary loops      0", "genus               0",
+        "edge length         1 to 1.41421", "smallest angle      45 degrees",
+        "saddle vertices     0", "defects             none"}) {
+    EXPECT_TRUE(contains(outcome.output, part)) << part << " in\n" << outcome.output;
+  }
+}
+
+TEST(MeshCommand, PrintsJson) {
+  const TemporaryFolder folder;
+  const Json json = Json::parse(run({folder.write("a.obj", kObj), "--json"}).output);
+  EXPECT_EQ(json["vertices"], 4);
+  EXPECT_EQ(json["genus"], 0);
+  EXPECT_EQ(json["edge_length"]["min"], 1);
+  EXPECT_EQ(json["defects"], Json::array());
+}
+
+TEST(MeshCommand, DescribesABadMeshAndThenFails) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run({folder.write("a.obj", kMisoriented), "--json"});
+  EXPECT_TRUE(contains(outcome.error, "distances would be meaningless")) << outcome.error;
+  const Json json = Json::parse(outcome.output);
+  EXPECT_EQ(json["defects"][0]["kind"], "inconsistent_orientation");
+  EXPECT_EQ(json["defects"][0]["severity"], "error");
+  EXPECT_EQ(json["defects"][0]["count"], 1);
+}
+
+TEST(MeshCommand, RepairsReportsAndWrites) {
+  const TemporaryFolder folder;
+  const auto bad = folder.write("a.obj", kMisoriented);
+  const auto good = folder.file("b.ply");
+  EXPECT_NE(run({bad, "--output", good}).error, "");
+  EXPECT_FALSE(std::filesystem::exists(good));
+  const Outcome outcome = run({bad, "--repair", "--output", good});
+  EXPECT_EQ(outcome.error, "");
+  EXPECT_TRUE(contains(outcome.output, "1 faces flipped")) << outcome.output;
+  EXPECT_TRUE(contains(run({good}).output, "defects             none"));
+  EXPECT_TRUE(contains(run({good, "--repair"}).output, "nothing needed it"));
+}
+
+TEST(MeshCommand, AMeshWithoutUsableFacesStillGivesJson) {
+  const TemporaryFolder folder;
+  const auto bad = folder.write("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 2\n");
+  const Outcome outcome = run({bad, "--json", "--repair"});
+  EXPECT_TRUE(contains(outcome.error, "no usable face is left")) << outcome.error;
+  EXPECT_TRUE(Json::parse(outcome.output)["edge_length"].is_null());
+}
+
+}  // namespace
+}  // namespace geodesic::harness

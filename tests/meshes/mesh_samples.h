@@ -1,0 +1,128 @@
+// Small meshes in every format, and what the tests of this folder share.
+#pragma once
+
+#include <unistd.h>
+
+#include <bit>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include "harness/meshes/bytes.h"
+#include "harness/meshes/read.h"
+
+namespace geodesic::harness {
+
+/// A tetrahedron with outward faces.
+inline TriangleSoup tetrahedron() {
+  return {.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+          .triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+}
+
+inline const std::string kObj =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+
+inline const std::string kOff =
+    "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+
+inline std::string ply_header(const std::string& format, const std::string& coordinate_type) {
+  const std::string type = "property " + coordinate_type + " ";
+  return "ply\nformat " + format + " 1.0\nelement vertex 4\n" + type + "x\n" + type + "y\n" + type +
+         "z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+inline const std::string kPly = ply_header("ascii", "float") +
+                                "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+
+/// The number's bytes in the given order.
+template <class T>
+std::string bytes_of(T number, std::endian order = std::endian::little) {
+  std::string bytes(sizeof(T), '\0');
+  store_little_endian(number, bytes.data());
+  return order == std::endian::little ? bytes : std::string(bytes.rbegin(), bytes.rend());
+}
+
+/// @tparam T type of the coordinates, float or double
+template <class T>
+std::string binary_ply(std::endian order) {
+  const TriangleSoup soup = tetrahedron();
+  std::string bytes =
+      ply_header(order == std::endian::little ? "binary_little_endian" : "binary_big_endian",
+                 sizeof(T) == 4 ? "float" : "double");
+  for (const Vec3& p : soup.positions) {
+    for (const double c : p) bytes += bytes_of(static_cast<T>(c), order);
+  }
+  for (const Triangle& t : soup.triangles) {
+    bytes += '\3';
+    for (const Index v : t) bytes += bytes_of(v, order);
+  }
+  return bytes;
+}
+
+inline std::string ascii_stl() {
+  const TriangleSoup soup = tetrahedron();
+  std::string text = "solid tetrahedron\n";
+  for (const Triangle& t : soup.triangles) {
+    text += "facet normal 0 0 0\n outer loop\n";
+    for (const Index v : t) {
+      text += "  vertex";
+      for (const double c : soup.positions[v]) text.append(" ").append(std::to_string(c));
+      text += "\n";
+    }
+    text += " endloop\nendfacet\n";
+  }
+  return text + "endsolid tetrahedron\n";
+}
+
+inline std::string binary_stl(const std::string& title) {
+  const TriangleSoup soup = tetrahedron();
+  std::string bytes = title + std::string(80 - title.size(), ' ');
+  bytes += bytes_of(static_cast<std::uint32_t>(soup.triangles.size()));
+  for (const Triangle& t : soup.triangles) {
+    bytes += std::string(12, '\0');
+    for (const Index v : t) {
+      for (const double c : soup.positions[v]) bytes += bytes_of(static_cast<float>(c));
+    }
+    bytes += std::string(2, '\0');
+  }
+  return bytes;
+}
+
+/// What reading these bytes throws; "accepted" when it does not.
+inline std::string refusal(const std::string& bytes, const std::string& name) {
+  try {
+    parse_mesh(bytes, name);
+  } catch (const MeshError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+inline bool contains(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+/// A folder that lives as long as the object.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "meshes-test-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    path_ = name;
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::filesystem::path file(const std::string& name) const { return path_ / name; }
+  std::filesystem::path write(const std::string& name, const std::string& bytes) const {
+    std::ofstream(file(name), std::ios::binary) << bytes;
+    return file(name);
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace geodesic::harness

@@ -1,0 +1,141 @@
+#include <gtest/gtest.h>
+
+#include "harness/meshes/read.h"
+#include "tests/meshes/mesh_samples.h"
+
+namespace geodesic::harness {
+namespace {
+
+void expect_tetrahedron(const std::string& bytes, const std::string& format) {
+  const MeshFile file = parse_mesh(bytes, "test.ply");
+  EXPECT_EQ(file.soup.positions, tetrahedron().positions) << format;
+  EXPECT_EQ(file.soup.triangles, tetrahedron().triangles) << format;
+  EXPECT_EQ(file.format, format);
+  EXPECT_TRUE(file.warnings.empty()) << file.warnings[0];
+}
+
+TEST(Ply, ReadsEveryEncodingAndCoordinateType) {
+  expect_tetrahedron(kPly, "PLY ASCII");
+  expect_tetrahedron(binary_ply<float>(std::endian::little), "PLY binary little-endian");
+  expect_tetrahedron(binary_ply<double>(std::endian::little), "PLY binary little-endian");
+  expect_tetrahedron(binary_ply<float>(std::endian::big), "PLY binary big-endian");
+  expect_tetrahedron(binary_ply<double>(std::endian::big), "PLY binary big-endian");
+}
+
+TEST(Ply, KeepsFullDoublePrecision) {
+  const double fine = 0.1234567890123456;
+  const std::string body = "0.1234567890123456 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n";
+  const std::string faces = "3 1 2 3\n3 2 0 3\n";
+  for (const char* type : {"float", "double"}) {  // an ASCII file's digits count, not its type
+    const MeshFile file = parse_mesh(ply_header("ascii", type) + body + faces, "test.ply");
+    EXPECT_EQ(file.soup.positions[0][0], fine) << type;
+  }
+  std::string binary = binary_ply<double>(std::endian::big);
+  const std::size_t first = ply_header("binary_big_endian", "double").size();
+  binary.replace(first, 8, bytes_of(fine, std::endian::big));
+  EXPECT_EQ(parse_mesh(binary, "test.ply").soup.positions[0][0], fine);
+}
+
+// Coordinates among other properties, other elements before and behind, lists of other things.
+std::string rich_header(const std::string& format) {
+  return "ply\r\nformat " + format +
+         " 1.0\r\ncomment made by hand\r\nobj_info nothing\r\n"
+         "element camera 1\r\nproperty list uchar short views\r\nproperty float fov\r\n"
+         "element vertex 3\r\nproperty uchar red\r\nproperty double z\r\nproperty float y\r\n"
+         "property list int ushort tags\r\nproperty int16 x\r\n"
+         "element face 2\r\nproperty uchar flags\r\n"
+         "property list uint8 uint32 vertex_index\r\nproperty list uchar float texcoord\r\n"
+         "element edge 1\r\nproperty int vertex1\r\nproperty int vertex2\r\nend_header\r\n";
+}
+
+void expect_rich_mesh(const std::string& bytes) {
+  const MeshFile file = parse_mesh(bytes, "test.ply");
+  EXPECT_EQ(file.soup.positions, (std::vector<Vec3>{{0, 0, 0.5}, {7, 0, 0.5}, {0, -2, 0.5}}));
+  EXPECT_EQ(file.soup.triangles, (std::vector<Triangle>{{0, 1, 2}, {2, 1, 0}}));
+}
+
+TEST(Ply, WalksOverOtherPropertiesAndElements) {
+  expect_rich_mesh(rich_header("ascii") +
+                   "2 4 5 0.9\n9 0.5 0 0 0\n9 0.5 0 2 1 2 7\n9 0.5 -2 1 5 0\n"
+                   "0 3 0 1 2 0\n1 3 2 1 0 2 0.5 0.5\n0 1\n");
+  for (const std::endian order : {std::endian::little, std::endian::big}) {
+    const bool little = order == std::endian::little;
+    const auto put = [&](auto number) { return bytes_of(number, order); };
+    const auto vertex = [&](std::int16_t x, float y, const std::string& tags) {
+      return std::string(1, '\t') + put(0.5) + put(y) + tags + put(x);
+    };
+    const std::uint16_t tag = 1;
+    const auto corners = [&](Index a, Index b, Index c) {
+      return std::string(1, '\3') + put(a) + put(b) + put(c);
+    };
+    expect_rich_mesh(rich_header(little ? "binary_little_endian" : "binary_big_endian") +
+                     std::string(1, '\1') + put(std::int16_t{4}) + put(0.9f) +
+                     vertex(0, 0, put(std::int32_t{0})) +
+                     vertex(7, 0, put(std::int32_t{2}) + put(tag) + put(tag)) +
+                     vertex(0, -2, put(std::int32_t{0})) + std::string(1, '\0') + corners(0, 1, 2) +
+                     std::string(2, '\0') + corners(2, 1, 0) + std::string(1, '\1') + put(0.5f) +
+                     put(std::int32_t{0}) + put(std::int32_t{1}));
+  }
+}
+
+TEST(Ply, TakesNegativeIndicesAsOutOfRange) {
+  const std::string text = ply_header("ascii", "float") +
+                           "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 -1\n3 1 2 3\n3 2 0 3\n";
+  EXPECT_EQ(parse_mesh(text, "test.ply").soup.triangles[1][2], kNone);
+}
+
+TEST(Ply, RefusesHeadersThatHoldNoSurface) {
+  const auto header = [](const std::string& elements) {
+    return "ply\nformat ascii 1.0\n" + elements + "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  };
+  const std::string vertex =
+      "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+  const std::string face = "element face 1\nproperty list uchar int vertex_indices\n";
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {header(vertex), "no element 'face'"},
+      {header(face), "no element 'vertex'"},
+      {header("element vertex 3\nproperty float x\nproperty float y\n" + face),
+       "the property 'z' of 'vertex' is missing"},
+      {header(vertex + "element face 1\nproperty int vertex_indices\n"), "is no list"},
+      {header(vertex + "element face 1\nproperty list uchar float vertex_indices\n"),
+       "has real numbers"},
+      {header(vertex + "element face 1\nproperty list float int vertex_indices\n"),
+       "counted with whole numbers"},
+      {header("property float x\n" + vertex + face), "line 3: a property before the first element"},
+      {header(vertex + vertex + face), "two elements 'vertex'"},
+      {header(vertex + "element face 4294967296\nproperty list uchar int vertex_indices\n"),
+       "more than can be numbered"},
+      {header(vertex + face + "element spare 7\n"), "'spare' has no properties"},
+      {header("element vertex 3\nproperty colour x\n" + face), "unknown type 'colour'"},
+      {header("elements vertex 3\n"), "unknown statement 'elements'"},
+      {"ply\nformat ascii 2.0\n", "version '2.0'"},
+      {"ply\nformat binary 1.0\n", "unknown encoding 'binary'"},
+      {"ply\nformat ascii 1.0\n" + vertex, "the file ends before 'end_header'"},
+  };
+  for (const auto& [text, expected] : cases) {
+    EXPECT_TRUE(contains(refusal(text, "test.ply"), expected))
+        << refusal(text, "test.ply") << "\nexpected: " << expected;
+  }
+}
+
+TEST(Ply, RefusesMoreDataThanTheHeaderCounts) {
+  EXPECT_TRUE(contains(refusal(kPly + "3 0 1 2\n", "a.ply"), "more lines than the header"));
+  const std::string binary = binary_ply<float>(std::endian::little);
+  EXPECT_TRUE(contains(refusal(binary + "123", "a.ply"), "3 bytes behind the last element"));
+  EXPECT_EQ(refusal(binary + "\r\n", "a.ply"), "accepted");
+}
+
+TEST(Ply, NamesTheLineOrByteOfAFaceWithoutThreeCorners) {
+  std::string ascii = kPly;
+  ascii[ascii.rfind("3 2 0 3")] = '2';
+  EXPECT_TRUE(contains(refusal(ascii, "a.ply"), "line 17: face 3 has 2 corners"))
+      << refusal(ascii, "a.ply");
+  std::string binary = binary_ply<float>(std::endian::little);
+  binary[binary.size() - 13] = '\0';
+  const std::string where = "byte " + std::to_string(binary.size() - 12);
+  EXPECT_TRUE(contains(refusal(binary, "a.ply"), where + ": face 3 has 0 corners"))
+      << refusal(binary, "a.ply");
+}
+
+}  // namespace
+}  // namespace geodesic::harness

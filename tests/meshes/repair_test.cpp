@@ -1,0 +1,138 @@
+#include "harness/meshes/repair.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+
+#include "harness/meshes/defects.h"
+#include "solvers/core/mesh.h"
+#include "tests/meshes/mesh_samples.h"
+
+namespace geodesic::harness {
+namespace {
+
+std::map<std::string, std::size_t> counts(const std::vector<RepairAction>& actions) {
+  std::map<std::string, std::size_t> counts;
+  for (const RepairAction& action : actions) counts[action.key] = action.count;
+  return counts;
+}
+
+using Counts = std::map<std::string, std::size_t>;
+
+// A band of n quadrilaterals (two triangles each) that is closed with or without half a turn.
+TriangleSoup band(Index n, bool half_turn) {
+  TriangleSoup soup;
+  for (Index i = 0; i < n; ++i) {
+    for (const double z : {0.0, 1.0}) {
+      const double angle = 6.283185307179586 * i / n;
+      soup.positions.push_back({std::cos(angle), std::sin(angle), z});
+    }
+  }
+  for (Index i = 0; i < n; ++i) {
+    const bool turn = half_turn && i + 1 == n;
+    const Index next = 2 * ((i + 1) % n);
+    const Index low = next + (turn ? 1 : 0);
+    const Index high = next + (turn ? 0 : 1);
+    soup.triangles.push_back({2 * i, low, high});
+    soup.triangles.push_back({2 * i, high, 2 * i + 1});
+  }
+  return soup;
+}
+
+TEST(Repair, LeavesACleanMeshAlone) {
+  TriangleSoup soup = tetrahedron();
+  EXPECT_TRUE(repair(soup).empty());
+  EXPECT_EQ(soup.triangles, tetrahedron().triangles);
+}
+
+TEST(Repair, DropsUnusableFacesAndKeepsEveryVertexId) {
+  TriangleSoup soup = tetrahedron();
+  soup.positions.push_back({std::nan(""), 0, 0});
+  soup.triangles.insert(soup.triangles.begin(), {{0, 1, 99}, {1, 1, 2}, {0, 1, 4}});
+  soup.triangles.push_back({2, 1, 0});
+  EXPECT_EQ(counts(repair(soup)), (Counts{{"dropped_index_out_of_range", 1},
+                                          {"dropped_repeated_vertex", 1},
+                                          {"dropped_at_non_finite_vertex", 1},
+                                          {"moved_non_finite_vertex", 1},
+                                          {"dropped_repeated_face", 1}}));
+  EXPECT_EQ(soup.triangles, tetrahedron().triangles);
+  EXPECT_EQ(soup.positions.size(), 5u);
+  EXPECT_EQ(soup.positions[4], (Vec3{0, 0, 0}));
+  EXPECT_EQ(soup.positions[1], tetrahedron().positions[1]);
+}
+
+TEST(Repair, FlipsFacesToRunAsTheFirstOfTheirPart) {
+  TriangleSoup soup = tetrahedron();
+  for (const std::size_t f : {1u, 3u}) std::swap(soup.triangles[f][1], soup.triangles[f][2]);
+  EXPECT_EQ(counts(repair(soup)), (Counts{{"flipped_faces", 2}}));
+  EXPECT_EQ(soup.triangles, tetrahedron().triangles);
+
+  std::swap(soup.triangles[0][1], soup.triangles[0][2]);  // now the first decides otherwise
+  EXPECT_EQ(counts(repair(soup)), (Counts{{"flipped_faces", 3}}));
+  EXPECT_FALSE(find_defects(soup).has_errors());
+}
+
+TEST(Repair, CutsNonManifoldEdgesWithoutTouchingTheFile) {
+  TriangleSoup soup{.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}},
+                    .triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}};
+  const auto triangles = soup.triangles;
+  const std::vector<RepairAction> actions = repair(soup);
+  EXPECT_EQ(counts(actions), (Counts{{"cut_non_manifold_edges", 1}}));
+  EXPECT_FALSE(actions[0].changed);
+  EXPECT_EQ(soup.triangles, triangles);
+  const Mesh mesh(soup);
+  for (const Index h : {0u, 3u, 6u}) EXPECT_EQ(mesh.twin(h), kNone) << "half-edge " << h;
+}
+
+TEST(Repair, SaysWhenASurfaceHasOneSideOnly) {
+  TriangleSoup cylinder = band(8, false);
+  EXPECT_TRUE(repair(cylinder).empty());
+  TriangleSoup moebius = band(8, true);
+  EXPECT_EQ(counts(repair(moebius)).at("cut_one_sided_edges"), 1u);
+  EXPECT_EQ(find_defects(moebius).count(DefectKind::inconsistent_orientation), 1u);
+}
+
+TEST(Repair, KeepsDegenerateFacesAndIsolatedVertices) {
+  TriangleSoup soup{.positions = {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {9, 9, 9}},
+                    .triangles = {{0, 1, 2}, {0, 2, 3}}};
+  EXPECT_TRUE(repair(soup).empty());
+  EXPECT_EQ(soup.triangles.size(), 2u);
+  EXPECT_EQ(soup.positions.size(), 5u);
+}
+
+// Random faces on few vertices have every defect at once.
+TEST(Repair, OfAnyTrianglesFitsTheSolversIsDeterministicAndIdempotent) {
+  std::mt19937 random(7);
+  for (int round = 0; round < 200; ++round) {
+    TriangleSoup soup;
+    const std::size_t vertices = 4 + random() % 12;
+    for (std::size_t v = 0; v < vertices; ++v) {
+      soup.positions.push_back({1.0 * static_cast<double>(random() % 4),
+                                1.0 * static_cast<double>(random() % 4),
+                                random() % 20 == 0 ? kInfinity : 1.0});
+    }
+    for (std::size_t f = 0; f < 4 + random() % 30; ++f) {
+      const auto vertex = [&] { return static_cast<Index>(random() % (vertices + 1)); };
+      soup.triangles.push_back({vertex(), vertex(), vertex()});
+    }
+    TriangleSoup once = soup;
+    TriangleSoup again = soup;
+    const auto actions = counts(repair(once));
+    EXPECT_EQ(actions, counts(repair(again))) << "round " << round;
+    EXPECT_EQ(once.triangles, again.triangles) << "round " << round;
+    EXPECT_EQ(once.positions.size(), vertices);
+    EXPECT_NO_THROW(Mesh{once}) << "round " << round;
+
+    TriangleSoup twice = once;
+    for (const RepairAction& action : repair(twice)) {
+      EXPECT_FALSE(action.changed) << "round " << round << ": " << action.text;
+      EXPECT_EQ(actions.at(action.key), action.count) << "round " << round;
+    }
+    EXPECT_EQ(twice.triangles, once.triangles) << "round " << round;
+    EXPECT_EQ(twice.positions, once.positions) << "round " << round;
+  }
+}
+
+}  // namespace
+}  // namespace geodesic::harness

@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "harness/meshes/read.h"
+#include "tests/meshes/mesh_samples.h"
+
+namespace geodesic::harness {
+namespace {
+
+// By first appearance the tetrahedron's corners come as 0, 2, 1, 3.
+void expect_tetrahedron(const std::string& bytes, const std::string& format) {
+  const MeshFile file = parse_mesh(bytes, "test.stl");
+  EXPECT_EQ(file.soup.positions, (std::vector<Vec3>{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}}));
+  EXPECT_EQ(file.soup.triangles,
+            (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {2, 1, 3}, {1, 0, 3}}));
+  EXPECT_EQ(file.format, format);
+}
+
+TEST(Stl, JoinsEqualCornersByFirstAppearance) {
+  expect_tetrahedron(ascii_stl(), "STL ASCII");
+  expect_tetrahedron(binary_stl("made by hand"), "STL binary");
+}
+
+TEST(Stl, RecognisesBinaryFilesThatBeginWithSolid) {
+  expect_tetrahedron(binary_stl("solid tetrahedron"), "STL binary");
+}
+
+TEST(Stl, ReadsSeveralSolidsAndCapitals) {
+  const MeshFile twice = parse_mesh(ascii_stl() + "\n" + ascii_stl(), "test.stl");
+  EXPECT_EQ(twice.soup.positions.size(), 4u);
+  EXPECT_EQ(twice.soup.triangles.size(), 8u);
+  std::string capitals = ascii_stl();
+  for (char& c : capitals) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  expect_tetrahedron(capitals, "STL ASCII");
+}
+
+TEST(Stl, KeepsFullDoublePrecisionOfAsciiFiles) {
+  std::string text = ascii_stl();
+  text.replace(text.find("0.000000 1.000000"), 17, "0.1234567890123456 1");
+  EXPECT_EQ(parse_mesh(text, "test.stl").soup.positions[1], (Vec3{0.1234567890123456, 1, 0}));
+}
+
+TEST(Stl, JoinsZeroWithMinusZeroAndNotANumberWithItself) {
+  const auto facet = [](const std::string& a, const std::string& b, const std::string& c) {
+    return "facet normal 0 0 0 outer loop vertex " + a + " vertex " + b + " vertex " + c +
+           " endloop endfacet\n";
+  };
+  const MeshFile file = parse_mesh("solid\n" + facet("0 0 0", "nan 0 0", "0 1 0") +
+                                       facet("-0 0 -0", "nan 0 0", "0 0 1") + "endsolid\n",
+                                   "test.stl");
+  EXPECT_EQ(file.soup.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 1, 3}}));
+}
+
+TEST(Stl, JoinsManyCornersAsOneByOneComparisonWould) {
+  // A strip of triangles: one new corner a triangle, enough of them for the table to grow often.
+  constexpr Index kTriangles = 5000;
+  std::string text = "solid\n";
+  const auto vertex = [](Index i) {
+    return " vertex " + std::to_string(i / 2) + " " + std::to_string(i % 2) + " 0";
+  };
+  for (Index i = 0; i < kTriangles; ++i) {
+    text += "facet normal 0 0 1 outer loop" + vertex(i) + vertex(i + 1) + vertex(i + 2) +
+            " endloop endfacet\n";
+  }
+  const MeshFile file = parse_mesh(text + "endsolid\n", "test.stl");
+  ASSERT_EQ(file.soup.positions.size(), kTriangles + 2);
+  for (Index i = 0; i < kTriangles; ++i) {
+    ASSERT_EQ(file.soup.triangles[i], (Triangle{i, i + 1, i + 2}));
+  }
+}
+
+TEST(Stl, RefusesSizesThatDoNotFitTheCount) {
+  const std::string bytes = binary_stl("binary");
+  EXPECT_TRUE(contains(refusal(bytes + "1", "a.stl"), "promises 4 triangles, but the file has 285"))
+      << refusal(bytes + "1", "a.stl");
+  EXPECT_TRUE(contains(refusal(bytes.substr(0, 200), "a.stl"), "which is 2 triangles"))
+      << refusal(bytes.substr(0, 200), "a.stl");
+  EXPECT_TRUE(contains(refusal(binary_stl("solid").substr(0, 200), "a.stl"), "truncated"));
+}
+
+TEST(Stl, NamesTheLineOfWhatIsMalformed) {
+  std::string four_corners = ascii_stl();
+  four_corners.insert(four_corners.find(" endloop"), "  vertex 5 5 5\n");
+  EXPECT_EQ(refusal(four_corners, "a.stl"), "a.stl, line 7: expected 'endloop', found 'vertex'");
+  EXPECT_TRUE(contains(refusal("solid\nfacet normal 0 0 x\n", "a.stl"),
+                       "line 2: the normal 'x' is no number"));
+  EXPECT_TRUE(contains(refusal("solid a\nendsolid\n", "a.stl"), "empty mesh"));
+}
+
+}  // namespace
+}  // namespace geodesic::harness

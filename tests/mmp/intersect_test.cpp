@@ -1,0 +1,119 @@
+// Dividing an interval between two windows: against sampling, and the degenerate cases by name.
+#include "solvers/mmp/intersect.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace geodesic::mmp {
+namespace {
+
+constexpr double kNarrowest = 1e-14;
+
+Window from_source(double x, double y, double sigma) { return {0, 1, x, y, sigma}; }
+
+bool challenger_owns(const Division& division, double t) {
+  bool owns = division.challenger_first;
+  for (int k = 0; k < division.cuts && division.at[k] <= t; ++k) owns = !owns;
+  return owns;
+}
+
+/// The largest excess, over sampled positions, of the owner's distance over the lesser one.
+double worst_choice(const Window& challenger, const Window& incumbent, double from, double to) {
+  const Division division = divide(challenger, incumbent, from, to, kNarrowest);
+  double worst = 0;
+  for (int i = 0; i <= 1000; ++i) {
+    const double t = from + (to - from) * i / 1000;
+    const double c = distance_at(challenger, t), d = distance_at(incumbent, t);
+    worst = std::max(worst, (challenger_owns(division, t) ? c : d) - std::min(c, d));
+  }
+  return worst;
+}
+
+TEST(Divide, GivesEveryPointToTheNearerOfTwoRandomWindows) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int i = 0; i < 3000; ++i) {
+    // Sources from 1e-3 to 10 away; sigmas that compete with that.
+    const double reach = std::pow(10.0, 2 * uniform(random) - 1);
+    const Window a =
+        from_source(reach * uniform(random), reach * uniform(random), 2 + uniform(random));
+    const Window b =
+        from_source(reach * uniform(random), reach * uniform(random), 2 + reach * uniform(random));
+    EXPECT_LE(worst_choice(a, b, 0, 1), 1e-13) << "case " << i;
+  }
+}
+
+TEST(Divide, CutsTwiceAroundANearSourceThatIsBehind) {
+  const Window far = from_source(0.5, -3, 0), near = from_source(0.5, -0.1, 2.85);
+  const Division division = divide(near, far, 0, 1, kNarrowest);
+  EXPECT_FALSE(division.challenger_first);
+  ASSERT_EQ(division.cuts, 2);
+  EXPECT_NEAR(division.at[0] + division.at[1], 1, 1e-14) << "symmetric about x = 0.5";
+  EXPECT_LE(worst_choice(near, far, 0, 1), 1e-15);
+  EXPECT_LE(worst_choice(far, near, 0, 1), 1e-15);
+}
+
+TEST(Divide, LeavesTiesToTheIncumbent) {
+  const Window w = from_source(0.3, -0.7, 1);
+  const Window mirrored = from_source(0.3, 0.7, 1);  // the same distances from the other face
+  for (const Window& challenger : {w, mirrored}) {
+    const Division division = divide(challenger, w, 0, 1, kNarrowest);
+    EXPECT_FALSE(division.challenger_first);
+    EXPECT_EQ(division.cuts, 0);
+  }
+}
+
+TEST(Divide, PrefersTheSmallerSigmaOfCoincidingSources) {
+  const Window early = from_source(0.3, -0.7, 1), late = from_source(0.3, -0.7, 1.25);
+  EXPECT_TRUE(divide(early, late, 0, 1, kNarrowest).challenger_first);
+  EXPECT_FALSE(divide(late, early, 0, 1, kNarrowest).challenger_first);
+}
+
+TEST(Divide, NeverGivesAPartToAPseudoSourceInTheShadeOfItsParent) {
+  // The ray from the parent through the pseudo-source meets the edge at 0.5, where both tie.
+  const Window parent = from_source(0, -2, 0);
+  const Window child = from_source(0.25, -1, std::hypot(0.25, 1.0));
+  const Division division = divide(child, parent, 0, 1, kNarrowest);
+  EXPECT_FALSE(division.challenger_first);
+  EXPECT_EQ(division.cuts, 0);
+}
+
+TEST(Divide, FindsTheBisectorOfEqualSigmas) {
+  const Window left = from_source(0, -1, 0), right = from_source(1, -1, 0);
+  const Division division = divide(left, right, 0, 1, kNarrowest);
+  EXPECT_TRUE(division.challenger_first);
+  ASSERT_EQ(division.cuts, 1);
+  EXPECT_DOUBLE_EQ(division.at[0], 0.5);
+}
+
+TEST(Divide, ScalesExactlyWithPowersOfTwo) {
+  const Window a = from_source(0.1, -0.9, 1.2), b = from_source(0.7, -0.4, 1.5);
+  const auto scaled = [](const Window& w) {
+    return Window{1024 * w.begin, 1024 * w.end, 1024 * w.x, 1024 * w.y, 1024 * w.sigma};
+  };
+  const Division small = divide(a, b, 0, 1, kNarrowest);
+  const Division large = divide(scaled(a), scaled(b), 0, 1024, 1024 * kNarrowest);
+  ASSERT_EQ(small.cuts, 1);
+  ASSERT_EQ(large.cuts, 1);
+  EXPECT_EQ(large.at[0], 1024 * small.at[0]);
+}
+
+TEST(Crossings, AreEquallyFarFromBothSources) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  int found = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Window a = from_source(uniform(random), uniform(random), 1 + 0.3 * uniform(random));
+    const Window b = from_source(uniform(random), uniform(random), 1 + 0.3 * uniform(random));
+    const Crossings both = crossings(a, b);
+    for (int k = 0; k < both.count; ++k, ++found) {
+      if (std::abs(both.at[k]) > 10) continue;  // nearly parallel to an asymptote
+      EXPECT_NEAR(distance_at(a, both.at[k]), distance_at(b, both.at[k]), 1e-12) << "case " << i;
+    }
+  }
+  EXPECT_GT(found, 500);
+}
+
+}  // namespace
+}  // namespace geodesic::mmp

@@ -1,0 +1,96 @@
+// Laying windows over an edge: the list stays a partition and becomes the lower envelope.
+#include "solvers/mmp/overlay.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "solvers/core/recording.h"
+
+namespace geodesic::mmp {
+namespace {
+
+using W = EdgeWindow<NoDepth>;
+static_assert(sizeof(W) == 32, "a stored window is two to a cache line");
+
+/// A list of its own, for overlays without a solver around them.
+class EdgeList {
+ public:
+  explicit EdgeList(double length) : length_(length), windows_{W::gap(0)} {}
+
+  bool lay(const Window& w) {
+    Overlay<W> result;
+    if (!overlay(std::span<const W>(windows_), length_, w, result)) return false;
+    std::vector<W> next(windows_.begin(), windows_.begin() + std::ptrdiff_t(result.first));
+    for (const Piece<W>& piece : result.pieces) {
+      next.push_back(piece.owner ? *piece.owner : W{0, w.x, w.y, w.sigma, {}});
+      next.back().begin = piece.begin;
+    }
+    next.insert(next.end(), windows_.begin() + std::ptrdiff_t(result.last), windows_.end());
+    windows_ = std::move(next);
+    return true;
+  }
+
+  double distance(double t) const {
+    const std::span<const W> list(windows_);
+    const std::size_t i = window_at(list, [&](const W& w) { return w.begin <= t; });
+    return distance_at(list[i].geometry(end_of(list, i, length_)), t);
+  }
+
+  const std::vector<W>& windows() const { return windows_; }
+
+ private:
+  double length_;
+  std::vector<W> windows_;
+};
+
+TEST(Overlay, BecomesTheLowerEnvelopeWhateverTheOrder) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<Window> all;
+    EdgeList list(1);
+    for (int k = 0; k < 12; ++k) {
+      const double a = uniform(random), b = uniform(random);
+      all.push_back({std::min(a, b), std::max(a, b), 2 * uniform(random) - 0.5,
+                     2 * uniform(random) - 1, 0.5 * uniform(random)});
+      list.lay(all.back());
+    }
+    for (int i = 0; i < 500; ++i) {
+      const double t = uniform(random);
+      double least = kInfinity;
+      for (const Window& w : all) {
+        if (w.begin <= t && t <= w.end) least = std::min(least, distance_at(w, t));
+      }
+      if (least == kInfinity) {
+        EXPECT_EQ(list.distance(t), kInfinity) << "nothing reaches " << t;
+      } else {
+        EXPECT_NEAR(list.distance(t), least, 1e-12) << "round " << round << ", position " << t;
+      }
+    }
+    for (std::size_t i = 1; i < list.windows().size(); ++i) {
+      EXPECT_LT(list.windows()[i - 1].begin, list.windows()[i].begin);
+    }
+  }
+}
+
+TEST(Overlay, RefusesAWindowThatIsThereAlready) {
+  EdgeList list(1);
+  const Window w{0.25, 0.75, 0.4, -1, 2};
+  EXPECT_TRUE(list.lay(w));
+  EXPECT_FALSE(list.lay(w));
+  EXPECT_EQ(list.windows().size(), 3u) << "gap, window, gap";
+}
+
+TEST(Overlay, MakesNoPieceNarrowerThanTheTolerance) {
+  EdgeList list(1);
+  list.lay({0, 0.5, 0.2, -1, 0});
+  list.lay({0.5 - 1e-16, 1, 0.2, -1, 0.5});   // overlaps by rounding
+  list.lay({0.5 + 1e-16, 1, 0.2, -1, 0.25});  // and misses by it
+  ASSERT_EQ(list.windows().size(), 2u);
+  EXPECT_EQ(list.windows()[1].begin, 0.5);
+  EXPECT_EQ(list.windows()[1].sigma(), 0.25);
+}
+
+}  // namespace
+}  // namespace geodesic::mmp

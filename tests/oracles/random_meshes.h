@@ -1,0 +1,40 @@
+// Small meshes without a closed form: rough enough to have many saddles, narrow faces, near ties.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "solvers/core/geometry.h"
+
+namespace geodesic::oracles {
+
+struct NamedMesh {
+  std::string name;
+  TriangleSoup soup;
+};
+
+/// A grid of unit cells with vertices shaken in the plane and random heights up to `relief`.
+TriangleSoup rough_terrain(std::uint64_t seed, Index columns, Index rows, double relief);
+
+/// A closed surface of genus 0: an icosahedron subdivided `levels` times, its radii spread over
+/// [1 - noise, 1 + noise].
+TriangleSoup rough_sphere(std::uint64_t seed, int levels, double noise);
+
+/// A closed surface of genus 1 with its vertices moved by up to `noise` of the tube's radius.
+TriangleSoup rough_torus(std::uint64_t seed, Index around, Index across, double noise);
+
+/// Takes out all faces at `holes` vertices that share no neighbour with one another or the border;
+/// those vertices stay, isolated.
+TriangleSoup with_holes(TriangleSoup soup, std::uint64_t seed, Index holes);
+
+/// Takes out one face in `one_in`, at random: ragged borders and vertices with several fans.
+TriangleSoup with_missing_faces(TriangleSoup soup, std::uint64_t seed, std::uint32_t one_in);
+
+/// Two meshes side by side as two components, the second after the first.
+TriangleSoup side_by_side(TriangleSoup first, const TriangleSoup& second);
+
+/// Clean manifold meshes of up to 200 faces, with and without boundary, for every solver.
+std::vector<NamedMesh> random_meshes();
+
+}  // namespace geodesic::oracles

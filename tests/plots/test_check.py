@@ -1,0 +1,68 @@
+"""The check step: every cell verified, or a list of what is not."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import check
+import pytest
+
+Changed = Callable[[Callable[[dict[str, Any]], object]], Path]
+
+
+def keep_only_good(data: dict[str, Any]) -> None:
+    """Leaves the cells of the horse, all of which are ok or skipped."""
+    ours = data["context"]["geodesic_bench"]
+    ours["meshes"] = ours["meshes"][:1]
+    data["benchmarks"] = [row for row in data["benchmarks"] if row["mesh"] == "horse"]
+
+
+def test_failed_and_missing_cells_fail_and_are_listed(
+    golden_folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert check.main(["--run", str(golden_folder)]) == 1
+    printed = capsys.readouterr().out
+    assert "FAILED: ich/rocker-arm/src:4711: crashed" in printed
+    assert "FAILED: fwp-ch/flat-grid/src:0: wrong answer" in printed
+    assert "FAILED: fwp-mmp/rocker-arm/src:7: missing" in printed
+    assert "FAILED: ch/" not in printed
+    assert "unsupported: ch/rocker-arm/src:7" in printed
+    assert printed.splitlines()[-1] == "cells: 28 verified, 3 failed"
+
+
+def test_verified_run_passes(changed: Changed, capsys: pytest.CaptureFixture[str]) -> None:
+    assert check.main(["--run", str(changed(keep_only_good))]) == 0
+    assert capsys.readouterr().out.splitlines()[-1] == "cells: 12 verified, 0 failed"
+
+
+def test_nothing_verified_is_a_failure(changed: Changed) -> None:
+    def change(data: dict[str, Any]) -> None:
+        rows = [row for row in data["benchmarks"] if row["outcome"] == "unsupported"]
+        data["benchmarks"] = rows[:1]
+        ours = data["context"]["geodesic_bench"]
+        ours["solvers"] = [s for s in ours["solvers"] if s["name"] == "ch"]
+        ours["meshes"] = [m for m in ours["meshes"] if m["name"] == "rocker-arm"]
+        ours["sources"] = {"rocker-arm": [rows[0]["source"]]}
+
+    assert check.main(["--run", str(changed(change))]) == 1
+
+
+def test_largest_error_of_exact_solvers_is_told(
+    changed: Changed, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def change(data: dict[str, Any]) -> None:
+        keep_only_good(data)
+        for row in data["benchmarks"]:
+            if row["solver"] == "ich" and row["source"] == 31415:
+                row["max_relative_error"] = 4e-13
+
+    check.main(["--run", str(changed(change))])
+    line = "largest relative error: ich: 4.0e-13 against mmp (horse, source 31415)"
+    assert line in capsys.readouterr().out
+
+
+def test_broken_run_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert check.main(["--run", str(tmp_path / "none")]) == 1
+    assert len(capsys.readouterr().err.splitlines()) == 1

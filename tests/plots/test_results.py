@@ -1,0 +1,170 @@
+"""The reader takes what the schema describes, and says in one line what is wrong with the rest."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+from results import SCHEMA, ResultError, Run, newest_run, read_file, read_run
+
+Changed = Callable[[Callable[[dict[str, Any]], object]], Path]
+
+
+def error_of(folder: Path) -> str:
+    with pytest.raises(ResultError) as raised:
+        read_run(folder)
+    message = str(raised.value)
+    assert "\n" not in message
+    return message
+
+
+def test_schema_is_a_schema() -> None:
+    jsonschema.Draft202012Validator.check_schema(json.loads(SCHEMA.read_text()))
+
+
+def test_golden_run_has_typed_rows(golden_run: Run) -> None:
+    row = golden_run.cell("horse", "edge-based")[0]
+    assert (row.source, row.repetition, row.ok, row.reference) == (0, 0, True, "mmp")
+    assert row.numbers["window_propagations"] == 3191999
+    assert golden_run.meshes["rocker-arm"].stand_in
+    assert not golden_run.solvers["dijkstra"].exact
+    assert golden_run.sources["horse"] == [0, 31415]
+
+
+def test_failed_row_has_its_message_and_no_numbers(golden_run: Run) -> None:
+    (row,) = golden_run.cell("flat-grid", "fwp-ch")
+    assert not row.ok and row.outcome == "wrong answer" and row.message and row.numbers == {}
+
+
+def test_skipped_mesh_and_skipped_solver_are_told(golden_run: Run) -> None:
+    skipped_mesh = golden_run.skip("stanford-bunny", "mmp")
+    assert skipped_mesh is not None and "cache" in skipped_mesh.why
+    assert golden_run.skip("horse", "ch") is not None
+    assert golden_run.skip("horse", "mmp") is None
+
+
+def test_missing_folder_names_it(tmp_path: Path) -> None:
+    assert str(tmp_path / "nowhere") in error_of(tmp_path / "nowhere")
+
+
+def test_missing_file_names_it(tmp_path: Path) -> None:
+    assert "run.json: no such file" in error_of(tmp_path)
+
+
+@pytest.mark.parametrize("length", [0, 1, 100, 20000])
+def test_truncated_file_is_no_json(golden_folder: Path, tmp_path: Path, length: int) -> None:
+    (tmp_path / "run.json").write_text((golden_folder / "run.json").read_text()[:length])
+    assert "run.json: not JSON" in error_of(tmp_path)
+
+
+def test_bytes_that_are_no_text_are_no_json(tmp_path: Path) -> None:
+    (tmp_path / "run.json").write_bytes(b"\xff\xfe{}")
+    assert "run.json: not JSON" in error_of(tmp_path)
+
+
+def test_run_without_rows_is_refused(changed: Changed) -> None:
+    assert "benchmarks" in error_of(changed(lambda data: data["benchmarks"].clear()))
+
+
+@pytest.mark.parametrize("number", [float("nan"), float("inf"), float("-inf")])
+def test_non_finite_number_is_named(changed: Changed, number: float) -> None:
+    folder = changed(lambda data: data["benchmarks"][3].update(wavefront_sd=number))
+    assert "benchmarks[3].wavefront_sd" in error_of(folder)
+
+
+def test_null_instead_of_an_absent_number_is_refused(changed: Changed) -> None:
+    folder = changed(lambda data: data["benchmarks"][3].update(window_limit=None))
+    assert "benchmarks[3].window_limit" in error_of(folder)
+
+
+def test_unknown_key_of_a_row_is_named(changed: Changed) -> None:
+    message = error_of(changed(lambda data: data["benchmarks"][3].update(windows=7)))
+    assert "benchmarks[3]" in message and "'windows'" in message
+
+
+def test_unknown_key_of_our_context_is_named(changed: Changed) -> None:
+    message = error_of(changed(lambda data: data["context"]["geodesic_bench"].update(extra=1)))
+    assert "context.geodesic_bench" in message and "'extra'" in message
+
+
+def test_unknown_key_of_google_benchmark_is_allowed(changed: Changed) -> None:
+    read_run(changed(lambda data: data["context"].update(json_schema_version=1)))
+
+
+@pytest.mark.parametrize("key", ["outcome", "cpu_time", "solver", "source"])
+def test_missing_key_is_named(changed: Changed, key: str) -> None:
+    message = error_of(changed(lambda data: data["benchmarks"][0].pop(key)))
+    assert "benchmarks[0]" in message and f"'{key}'" in message
+
+
+def test_failed_row_without_message_is_refused(changed: Changed) -> None:
+    def change(data: dict[str, Any]) -> None:
+        data["benchmarks"][0]["outcome"] = "error"
+
+    assert "benchmarks[0]" in error_of(changed(change))
+
+
+def test_aggregates_are_refused(changed: Changed) -> None:
+    folder = changed(lambda data: data["benchmarks"][0].update(run_type="aggregate"))
+    assert "benchmarks[0].run_type" in error_of(folder)
+
+
+def test_other_schema_version_is_refused(changed: Changed) -> None:
+    folder = changed(lambda data: data["context"]["geodesic_bench"].update(schema_version=2))
+    assert "schema_version" in error_of(folder)
+
+
+@pytest.mark.parametrize(("key", "value"), [("mesh", "teapot"), ("solver", "x"), ("source", 5)])
+def test_row_about_something_unknown_is_named(changed: Changed, key: str, value: object) -> None:
+    message = error_of(changed(lambda data: data["benchmarks"][2].update({key: value})))
+    assert f"benchmarks[2].{key}" in message and str(value) in message
+
+
+def test_newest_run_is_the_last_by_time(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("results.RUNS", tmp_path)
+    with pytest.raises(ResultError, match="no run there yet"):
+        newest_run()
+    for name in ["20260102T000000Z-b", "20260101T000000Z-z"]:
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "run.json").touch()
+    (tmp_path / "20260103T000000Z-unfinished").mkdir()
+    assert newest_run().name == "20260102T000000Z-b"
+
+
+@pytest.fixture(scope="session")
+def real_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A run of the built program on one small generated mesh."""
+    bench = os.environ.get("GEODESIC_BENCH")
+    if not bench:
+        pytest.skip("GEODESIC_BENCH names no program; ./run_tests.sh sets it")
+    folder = tmp_path_factory.mktemp("real run")
+    mesh = folder / "square.off"
+    mesh.write_text("OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n")
+    subprocess.run(
+        [bench, "run", "--meshes", mesh, "--repetitions", "2", "--sources", "1",
+         "--min-time", "0.001", "--out", folder / "run"],
+        check=True, capture_output=True, timeout=300,
+    )  # fmt: skip
+    return folder / "run"
+
+
+def test_real_run_is_to_the_schema(real_run: Path) -> None:
+    run = read_run(real_run)
+    assert {row.mesh for row in run.rows} == set(run.meshes)
+    assert {row.solver for row in run.rows} == set(run.solvers)
+    assert [row.message for row in run.rows if row.outcome not in ("ok", "unsupported")] == []
+
+
+def test_every_cell_of_a_real_run_has_a_file_to_the_schema(real_run: Path) -> None:
+    cells = [row for file in (real_run / "cells").iterdir() for row in read_file(file).rows]
+
+    def key(row: Any) -> Any:
+        return row.mesh, row.solver, row.source, row.repetition
+
+    assert sorted(map(key, cells)) == sorted(map(key, read_run(real_run).rows))

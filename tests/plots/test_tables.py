@@ -1,0 +1,272 @@
+"""The tables of the golden run, in every format, and that nothing which failed is left out.
+
+After a wanted change: plots/all.py --run tests/plots/golden/run --out tests/plots/golden/tables
+"""
+
+from __future__ import annotations
+
+import csv
+import re
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import all as everything
+import published
+import pytest
+import table_5_1
+import table_5_2
+import table_5_2_ratios
+import table_5_3
+from results import ROOT, ResultError, Run, read_run
+from table import FORMATS, BLANK, Cell, Table, mark, to_csv, to_latex, to_markdown, write
+
+Changed = Callable[[Callable[[dict[str, Any]], object]], Path]
+
+NAMES = ["table_5_1", "table_5_2", "table_5_2_ratios", "table_5_2_claims", "table_5_3"]
+
+
+def rows_of(table: Table, name: str) -> list[list[str]]:
+    """The texts of the rows whose first column belongs to `name`."""
+    return [[c.text for c in row] for row in table.rows if name in (row[0].value, row[0].text)]
+
+
+def cell_of(table: Table, name: str, measure: str, column: str) -> Cell:
+    for row in table.rows:
+        if row[0].value == name and row[1].text == measure:
+            return row[table.header.index(column)]
+    raise AssertionError(f"no row {measure} of {name}")
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("extension", FORMATS)
+def test_tables_are_the_golden_ones(
+    golden_run: Run, golden_tables: Path, name: str, extension: str
+) -> None:
+    table = next(table for table in everything.tables(golden_run) if table.name == name)
+    assert FORMATS[extension](table) == (golden_tables / f"{name}{extension}").read_text()
+
+
+@pytest.mark.parametrize("script", ["table_5_1", "table_5_2", "table_5_2_ratios", "table_5_3"])
+def test_every_table_is_a_command_of_its_own(
+    golden_folder: Path, tmp_path: Path, script: str
+) -> None:
+    out = tmp_path / "a b"
+    script_file = str(ROOT / "plots" / f"{script}.py")
+    command = [script_file, "--run", str(golden_folder), "--out", str(out)]
+    subprocess.run(command, check=True, cwd="/", capture_output=True)
+    assert {file.suffix for file in out.glob(f"{script}.*")} == set(FORMATS)
+
+
+def test_command_ends_with_one_line_for_a_broken_run(tmp_path: Path) -> None:
+    (tmp_path / "run.json").write_text("{")
+    command = [str(ROOT / "plots" / "all.py"), "--run", str(tmp_path)]
+    ended = subprocess.run(command, capture_output=True, text=True)
+    assert ended.returncode == 1
+    assert len(ended.stderr.splitlines()) == 1 and str(tmp_path / "run.json") in ended.stderr
+
+
+def test_every_model_of_the_thesis_and_every_mesh_has_a_block(golden_run: Run) -> None:
+    (table,) = table_5_2.tables(golden_run)
+    names = {row[0].value for row in table.rows}
+    assert names == {
+        "knot", "horse", "bunny", "hand", "rocker-arm", "lucy", "asian dragon",
+        "cervino terrain", "flat-grid",
+    }  # fmt: skip
+
+
+def test_published_values_stand_under_ours(golden_run: Run) -> None:
+    (table,) = table_5_2.tables(golden_run)
+    assert cell_of(table, "horse", "Time (s), published", "mmp").text == "3.696"
+    propagations = "Window propagations, published"
+    assert cell_of(table, "horse", propagations, "Window limit").text == "2,893,843"
+    assert cell_of(table, "lucy", "Peak wavefront, published", "fwp-ch").value == 25800
+
+
+def test_out_of_memory_of_the_thesis_is_shown(golden_run: Run) -> None:
+    (table,) = table_5_2.tables(golden_run)
+    cell = cell_of(table, "asian dragon", "Time (s), published", "mmp")
+    assert cell.text == "out of memory"
+
+
+def test_stand_in_is_labelled(golden_run: Run) -> None:
+    (table,) = table_5_2.tables(golden_run)
+    labels = [row[0] for row in rows_of(table, "rocker-arm")]
+    assert labels[:2] == ["rocker-arm", "stand-in for rocker arm"]
+    assert "V: 10,044" in labels
+
+
+def test_failed_cell_shows_its_outcome_and_message(golden_run: Run) -> None:
+    (table,) = table_5_2.tables(golden_run)
+    cell = cell_of(table, "flat-grid", "Time (s)", "fwp-ch")
+    assert cell.text == "wrong answer" and "vertex 17" in cell.note
+
+
+def test_cell_with_a_failed_source_says_so_beside_its_number(golden_run: Run) -> None:
+    (table,) = table_5_2.tables(golden_run)
+    cell = cell_of(table, "rocker-arm", "Time (s)", "ich")
+    assert isinstance(cell.value, float)
+    assert "source 4711" in cell.note and "signal 11" in cell.note
+
+
+def test_missing_source_is_told(golden_run: Run) -> None:
+    (table,) = table_5_2.tables(golden_run)
+    assert "no rows for source 7" in cell_of(table, "rocker-arm", "Time (s)", "fwp-mmp").note
+
+
+def test_skipped_and_unsupported_cells_say_why(golden_run: Run) -> None:
+    (table,) = table_5_2.tables(golden_run)
+    skipped = cell_of(table, "horse", "Time (s)", "ch")
+    assert skipped.text == "skipped" and "at most 20000 vertices" in skipped.note
+    assert cell_of(table, "rocker-arm", "Time (s)", "ch").text == "unsupported"
+    assert any("stanford-bunny was skipped" in remark for remark in table.remarks)
+
+
+def test_solver_that_was_not_run_keeps_its_column(changed: Changed) -> None:
+    def change(data: dict[str, Any]) -> None:
+        ours = data["context"]["geodesic_bench"]
+        ours["solvers"] = [s for s in ours["solvers"] if s["name"] != "mmp"]
+        data["benchmarks"] = [row for row in data["benchmarks"] if row["solver"] != "mmp"]
+
+    (table,) = table_5_2.tables(read_run(changed(change)))
+    assert cell_of(table, "horse", "Time (s)", "mmp").text == "not run"
+    assert cell_of(table, "horse", "Window propagations", "Window limit").text == "not run"
+
+
+def test_cell_without_any_row_is_missing(changed: Changed) -> None:
+    def change(data: dict[str, Any]) -> None:
+        data["benchmarks"] = [
+            row
+            for row in data["benchmarks"]
+            if (row["solver"], row["mesh"]) != ("edge-based", "horse")
+        ]
+
+    run = read_run(changed(change))
+    (table,) = table_5_2.tables(run)
+    assert cell_of(table, "horse", "Time (s)", "edge-based").text == "missing"
+    assert ["horse", "the thesis's horse", "48,485", "missing", "missing"] in [
+        [cell.text for cell in row[:5]] for row in table_5_1.tables(run)[0].rows
+    ]
+
+
+def test_run_in_which_everything_failed_still_has_its_tables(changed: Changed) -> None:
+    def change(data: dict[str, Any]) -> None:
+        kept = ["name", "run_name", "run_type", "repetitions", "threads", "solver", "mesh"]
+        data["benchmarks"] = [
+            {key: row[key] for key in [*kept, "source"]}
+            | {"outcome": "crashed", "error_occurred": True, "error_message": "signal 9"}
+            for row in data["benchmarks"]
+        ]
+
+    run = read_run(changed(change))
+    assert [table.name for table in everything.tables(run)] == NAMES
+    (table,) = table_5_2.tables(run)
+    assert cell_of(table, "horse", "Time (s)", "mmp").text == "crashed"
+    claims = table_5_2_ratios.tables(run)[1]
+    assert {row[5].text for row in claims.rows} == {"crashed"}
+
+
+def test_ratios_are_paired_by_source_and_repetition(changed: Changed) -> None:
+    def change(data: dict[str, Any]) -> None:
+        rows = [row for row in data["benchmarks"] if row["mesh"] == "horse"]
+        for row in rows:
+            drift = (1 + row["source"]) * (1 + row["repetition_index"])
+            row["cpu_time"] = drift * (5 if row["solver"] == "mmp" else 1)
+
+    table = table_5_2_ratios.tables(read_run(changed(change)))[0]
+    row = next(r for r in table.rows if r[1].text == "horse" and r[2].text == "ours")
+    assert row[table.header.index("mmp")].text == "5.000 [5.000, 5.000]"
+
+
+def test_ratios_of_the_thesis_are_those_of_its_table(golden_run: Run) -> None:
+    table = table_5_2_ratios.tables(golden_run)[0]
+    limit = [r for r in table.rows if r[0].text.startswith("Window propagations")]
+    row = next(r for r in limit if r[1].text == "horse" and r[2].text == "published")
+    assert [cell.text for cell in row[3:8]] == ["1.522", "1.515", "2.745", "2.752", "1.142"]
+
+
+def test_every_claim_has_the_thesis_and_ours_beside_it(golden_run: Run) -> None:
+    claims = table_5_2_ratios.tables(golden_run)[1]
+    assert len(claims.rows) == sum(len(claim.solvers) for claim in published.claims())
+    for row in claims.rows:
+        assert re.search(r"\d", row[4].text) and re.search(r"\[.*\]", row[5].text), row
+
+
+def test_mean_tells_how_many_meshes_it_lacks(golden_run: Run) -> None:
+    claims = table_5_2_ratios.tables(golden_run)[1]
+    row = next(r for r in claims.rows if r[2].text == "fwp-ch")
+    assert "meshes" not in row[5].text and row[7].text.endswith(", 2 of 3 meshes")
+
+
+def test_unknown_model_of_the_thesis_is_an_error(changed: Changed) -> None:
+    def change(data: dict[str, Any]) -> None:
+        data["context"]["geodesic_bench"]["meshes"][0]["thesis_model"] = "cow"
+
+    run = read_run(changed(change))
+    with pytest.raises(ResultError, match="'cow' is no model.*rocker arm"):
+        table_5_1.tables(run)
+
+
+def test_solvers_describe_themselves_in_table_5_3(changed: Changed) -> None:
+    def change(data: dict[str, Any]) -> None:
+        data["context"]["geodesic_bench"]["solvers"][2]["data_structure"] = "a | heap"
+
+    (table,) = table_5_3.tables(read_run(changed(change)))
+    assert rows_of(table, "edge-based")[0][3] == "a | heap"
+    assert rows_of(table, "edge-based")[1][1:4] == [
+        "published", "edge-based", "list and priority queue",
+    ]  # fmt: skip
+    assert r"a \| heap" in to_markdown(table)
+    assert r"$O(n \log_b n + n \log n)$" in to_latex(table)
+
+
+def test_published_space_follows_the_rule_that_ours_follows() -> None:
+    for model in published.models():
+        for solver in published.THESIS_SOLVERS:
+            space = published.measure(model, "space_mb", solver)
+            count = "window_limit" if "mmp" in solver else "peak_wavefront"
+            windows = published.measure(model, count, solver)
+            if solver != "fwp-mmp" and isinstance(space, float) and windows is not None:
+                where = f"{solver} on {model}"
+                assert float(windows) * 80e-6 == pytest.approx(space, abs=0.025), where
+
+
+def small_table() -> Table:
+    rows = [
+        [Cell("a_b & 50%", "a"), Cell("1.5 [1, 2]", 1.5, 1.0, 2.0, note="first")],
+        [Cell("", "a"), Cell("lost", note="second")],
+        [Cell("c", "c"), Cell("2", 2.0, note="first")],
+        [Cell("d", "d"), BLANK],
+    ]
+    return Table("small", "A small table", ["Name", "Value"], 1, rows, ["A remark."])
+
+
+def test_notes_share_a_mark_when_equal() -> None:
+    text = to_markdown(small_table())
+    assert "lost <sup>b</sup>" in text and "| 2 <sup>a</sup> |" in text
+    assert text.count("first") == 1
+
+
+def test_csv_has_intervals_and_whole_notes() -> None:
+    parsed = list(csv.DictReader(to_csv(small_table()).splitlines()))
+    assert parsed[0] == {
+        "Name": "a", "Value": "1.5", "Value, low": "1", "Value, high": "2", "notes": "first",
+    }  # fmt: skip
+    assert parsed[1]["Value"] == "lost" and parsed[1]["Value, low"] == ""
+
+
+def test_latex_is_escaped_and_ruled_between_groups() -> None:
+    text = to_latex(small_table())
+    assert r"a\_b \& 50\%" in text
+    assert text.count(r"\midrule") == 2 + 2  # two heads, two changes of the first column
+
+
+def test_marks_go_on_after_z() -> None:
+    assert [mark(i) for i in (0, 25, 26, 51, 52)] == ["a", "z", "aa", "az", "ba"]
+
+
+def test_write_makes_the_folder_and_every_format(tmp_path: Path) -> None:
+    files = write(small_table(), tmp_path / "new" / "folder")
+    assert [file.suffix for file in files] == list(FORMATS)
+    assert all(file.stat().st_size for file in files)

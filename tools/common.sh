@@ -1,0 +1,61 @@
+# shellcheck shell=bash
+# Sourced by run_all.sh and run_tests.sh: messages, logging, options, and building.
+# The caller has set -euo pipefail, `program` (its name, for messages) and `root` (the checkout).
+: "${program:?}" "${root:?}"
+
+logs="$root/build/logs"
+# shellcheck source=tools/setup.sh
+source "$root/tools/setup.sh"
+
+die() {
+  printf '%s: %s\n' "$program" "$*" >&2
+  exit 1
+}
+
+# start_log NAME: from now on `say` and `logged` write to the terminal and to build/logs/NAME.log.
+start_log() {
+  mkdir -p "$logs"
+  log="$logs/$1.log"
+  : >"$log"
+}
+
+say() {
+  printf '%s\n' "$*" | tee -a "$log"
+}
+
+logged() {
+  "$@" 2>&1 | tee -a "$log"
+}
+
+# value_of OPTION [VALUE...]: prints the value that must follow an option.
+value_of() {
+  [[ $# -ge 2 && $2 != --* ]] || die "$1 needs a value; see $program --help"
+  printf '%s\n' "$2"
+}
+
+# absolute PATH: as seen from the folder the user was in.
+absolute() {
+  case $1 in
+    /*) printf '%s\n' "$1" ;;
+    *) printf '%s\n' "$PWD/$1" ;;
+  esac
+}
+
+processors() {
+  nproc 2>/dev/null || echo 2
+}
+
+# build_preset PRESET [cmake --build options...]
+# A build folder that was made somewhere else, or copied, is configured afresh.
+build_preset() {
+  local preset=$1 cache="$root/build/$1/CMakeCache.txt" fresh=()
+  shift
+  if [[ -f $cache ]] && ! grep -qxF "CMAKE_CACHEFILE_DIR:INTERNAL=${cache%/*}" "$cache"; then
+    fresh=(--fresh)
+  fi
+  (
+    cd "$root" || exit
+    logged cmake "${fresh[@]}" --preset "$preset"
+    logged cmake --build --preset "$preset" --parallel "$(processors)" "$@"
+  )
+}

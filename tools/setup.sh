@@ -1,0 +1,118 @@
+# shellcheck shell=bash disable=SC2034,SC2154
+# Sourced by tools/common.sh: finds what tools/packages.txt lists and installs what is missing.
+
+# find_python MODULE...: sets `python` to an interpreter that imports them all. Debian's own comes
+# first: another python3 on the PATH cannot import Debian's packages.
+find_python() {
+  local candidate imports
+  imports=$(IFS=,; echo "import sys, $*")
+  while read -r candidate; do
+    if [[ -x $candidate ]] && "$candidate" -c "$imports" >/dev/null 2>&1; then
+      python=$candidate
+      return 0
+    fi
+  done < <(echo /usr/bin/python3; type -ap python3 || true)
+  return 1
+}
+
+# listed GROUP...: the lines of packages.txt that a group needs.
+listed() {
+  local package found_by group wanted
+  while read -r package found_by group; do
+    for wanted in "$@"; do
+      [[ $group == "$wanted" ]] && printf '%s %s\n' "$package" "$found_by"
+    done
+  done < <(grep -v '^#' "$root/tools/packages.txt")
+  return 0
+}
+
+is_installed() {
+  command -v dpkg-query >/dev/null || return 0  # not Debian: CMake will say what it lacks
+  [[ $(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null) == installed ]]
+}
+
+# missing GROUP...: the packages to install, one a line.
+missing() {
+  local package found_by modules=()
+  while read -r package found_by; do
+    [[ $found_by == python:* ]] && modules+=("${found_by#python:}")
+  done < <(listed "$@")
+  local have_modules=true
+  find_python "${modules[@]}" || have_modules=false
+  while read -r package found_by; do
+    case $found_by in
+      command:*) command -v "${found_by#command:}" >/dev/null || echo "$package" ;;
+      python:*) $have_modules || is_installed "$package" || echo "$package" ;;
+      package) is_installed "$package" || echo "$package" ;;
+    esac
+  done < <(listed "$@")
+}
+
+# set_up INSTALL GROUP...: everything the groups need is there afterwards, and `python` is set.
+# INSTALL is "yes", or "no" to stop with the line that would install what is missing.
+set_up() {
+  local install=$1 packages optional modules=()
+  shift
+  mapfile -t packages < <(missing "$@")
+  [[ ${#packages[@]} -eq 0 ]] || install_packages "$install" "${packages[@]}"
+  if [[ " $* " == *" build "* ]]; then
+    mapfile -t optional < <(missing optional)
+    [[ ${#optional[@]} -eq 0 ]] || offer_optional "$install" "${optional[@]}"
+    check_cmake
+  fi
+  mapfile -t modules < <(listed "$@" | sed -n 's/.* python://p')
+  find_python "${modules[@]}" || die "no python3 can import ${modules[*]}; Debian's packages of" \
+    "them belong to /usr/bin/python3, which is tried first"
+}
+
+check_cmake() {
+  local version
+  version=$(cmake --version | sed -n '1s/.* //p')
+  [[ $(printf '%s\n' 3.25 "$version" | sort -V | head -n 1) == 3.25 ]] ||
+    die "cmake $version is too old for the presets: 3.25 or later is needed"
+}
+
+# may_install: sets `as_root` to what an installing command is to be prefixed with.
+may_install() {
+  as_root=()
+  command -v apt-get >/dev/null || return 1
+  [[ $(id -u) == 0 ]] && return 0
+  command -v sudo >/dev/null || return 1
+  as_root=(sudo)
+  sudo -n true 2>/dev/null || [[ -t 0 ]]  # a person at the terminal can give a password
+}
+
+install_packages() {
+  local install=$1
+  shift
+  if [[ $install != yes ]] || ! may_install; then
+    printf '%s: missing: %s\nInstall with:\n  sudo apt-get install --no-install-recommends %s\n' \
+      "$program" "$*" "$*" >&2
+    exit 1
+  fi
+  say "installing: $*"
+  apt_install "$@" || {
+    cat "$logs/apt.log" >&2
+    die "apt-get could not install: $*"
+  }
+}
+
+offer_optional() {
+  local install=$1
+  shift
+  if [[ $install == yes ]] && may_install; then
+    say "installing (optional): $*"
+    apt_install "$@" && return 0
+  fi
+  say "without the optional $*: the solvers and tests that use it are left out"
+}
+
+# apt_install PACKAGE...: apt's own words go to build/logs/apt.log. The lists are fetched when
+# there are none, and again when they turn out to be stale.
+apt_install() {
+  local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -y
+    -o DPkg::Lock::Timeout=120 -o Acquire::Retries=2)
+  local get=("${apt[@]}" install --no-install-recommends "$@")
+  compgen -G '/var/lib/apt/lists/*_Packages*' >/dev/null || "${apt[@]}" update
+  "${get[@]}" || { "${apt[@]}" update && "${get[@]}"; }
+} >"$logs/apt.log" 2>&1
