@@ -8,7 +8,7 @@ root=$(unset CDPATH; cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
 source "$root/tools/common.sh"
 
 all_steps=(build fetch run check plot)
-corpus=quick
+corpus=standard
 out=
 install=yes
 run_options=()
@@ -30,7 +30,8 @@ Without a step, all of them, in this order:
 check and plot alone work on the newest run, or on the one that --out names.
 
 Options:
-  --corpus NAME        meshes to run on (default: quick; see geodesic-bench list)
+  --corpus NAME        meshes to run on (default: standard: the quick ones, and horse, bunny
+                       and rocker arm where they are to be had; see geodesic-bench list)
   --solvers A,B        only these solvers
   --meshes A,B         only these meshes of the corpus
   --repetitions N      timed solves of each solver, mesh and source
@@ -140,7 +141,7 @@ choose_out() {
   fi
 }
 
-# Seconds that a step took last time on this corpus, or at first a guess for the quick corpus.
+# Seconds that a step took last time on this corpus, or at first a guess for the standard corpus.
 expected_seconds() {
   local step=$1 seconds=
   if [[ -f $logs/durations ]]; then
@@ -164,13 +165,14 @@ expected_left() {
 }
 
 run_steps() {
-  local ordered=() step number=0 began took
+  local ordered=() step number=0 left began took
   for step in "${all_steps[@]}"; do
     if wants "$step"; then ordered+=("$step"); fi
   done
   for step in "${ordered[@]}"; do
-    say "[$((number + 1))/${#ordered[@]}] $step (about $(expected_left "${ordered[@]:number}") left)"
+    left=$(expected_left "${ordered[@]:number}")
     number=$((number + 1))
+    say "[$number/${#ordered[@]}] $step (about $left left)"
     current=$step
     began=$SECONDS
     "step_$step"

@@ -16,6 +16,7 @@ const std::string& References::compute(const Cell& cell, const std::string& solv
   if (unable != cell.mesh->unsupported.end()) return at->second = unable->second;
   const ReferenceSpec spec{.solver = solver,
                            .mesh_file = cell.mesh->entry.file.string(),
+                           .repair = cell.mesh->entry.repair,
                            .source = cell.source,
                            .output = file.string()};
   const Ended ended = run_this_program({"reference", Json(spec).dump()});

@@ -137,6 +137,7 @@ void Run::start_cell(const Cell& cell, const fs::path& file) {
     CellSpec spec{.solver = cell.solver->name,
                   .mesh = cell.mesh->entry.name,
                   .mesh_file = cell.mesh->entry.file.string(),
+                  .repair = cell.mesh->entry.repair,
                   .source = cell.source,
                   .reference = reference.solver,
                   .reference_file = reference.file.string(),

@@ -129,8 +129,7 @@ void print_text(const Flags& flags, const Findings& findings) {
   }
   if (findings.defects.defects.empty()) print_row("defects", "none");
   for (const RepairAction& action : findings.repairs) {
-    print_row(action.changed ? "repaired" : "settled",
-              std::to_string(action.count) + " " + action.text);
+    print_row(action.changed ? "repaired" : "settled", action.summary());
   }
   if (flags.repair && findings.repairs.empty()) print_row("repaired", "nothing needed it");
 }

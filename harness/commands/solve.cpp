@@ -37,7 +37,7 @@ void write_text(std::ostream& out, std::span<const double> distances) {
 }
 
 Mesh load(const SolveFlags& flags, const MeshEntry& entry) {
-  const LoadedMesh loaded = load_mesh(entry.file, {.repair = flags.repair});
+  const LoadedMesh loaded = load_mesh(entry.file, {.repair = flags.repair || entry.repair});
   for (const std::string& warning : loaded.warnings) {
     std::cerr << "geodesic-bench: " << entry.file.string() << ": " << warning << '\n';
   }

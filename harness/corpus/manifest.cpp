@@ -19,6 +19,7 @@ MeshEntry parse_mesh(const Json& mesh, const fs::path& cache) {
     entry.thesis_model = mesh["thesis_model"].get<std::string>();
   }
   entry.stand_in = mesh.value("stand_in", false);
+  entry.repair = mesh.value("repair", false);
   return entry;
 }
 

@@ -17,6 +17,7 @@ struct MeshEntry {
   std::string kind;            ///< "generated", "downloaded", or "file" when given by its path
   std::optional<std::string> thesis_model = {};  ///< its row in the thesis's tables
   bool stand_in = false;                         ///< stands for that model without being it
+  bool repair = false;  ///< as stored it cannot be measured: to be loaded with repair
 
   bool available() const { return std::filesystem::is_regular_file(file); }
 };

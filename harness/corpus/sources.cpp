@@ -24,6 +24,21 @@ std::vector<Index> vertices_of_faces(const TriangleSoup& soup) {
   return vertices;
 }
 
+/// Whether each vertex lies on an edge that has no opposite half-edge.
+std::vector<bool> on_boundary(const TriangleSoup& soup) {
+  std::vector<std::pair<Index, Index>> half_edges;
+  half_edges.reserve(3 * soup.triangles.size());
+  for (const auto& [a, b, c] : soup.triangles)
+    half_edges.insert(half_edges.end(), {{a, b}, {b, c}, {c, a}});
+  std::sort(half_edges.begin(), half_edges.end());
+  std::vector<bool> boundary(soup.positions.size(), false);
+  for (const auto& [from, to] : half_edges) {
+    if (std::binary_search(half_edges.begin(), half_edges.end(), std::pair(to, from))) continue;
+    boundary[from] = boundary[to] = true;
+  }
+  return boundary;
+}
+
 }  // namespace
 
 std::uint64_t SplitMix64::next() {
@@ -38,12 +53,21 @@ std::vector<Index> choose_sources(const TriangleSoup& soup, std::string_view mes
   std::vector<Index> candidates = vertices_of_faces(soup);
   const std::size_t wanted = std::min(static_cast<std::size_t>(count), candidates.size());
   SplitMix64 random(seed ^ hash(mesh));
-  // Fisher-Yates, as far as it is needed; vertex 0 keeps its place at the front.
   std::size_t chosen = !candidates.empty() && candidates.front() == 0 ? 1 : 0;
-  for (; chosen < wanted; ++chosen) {
-    std::swap(candidates[chosen],
-              candidates[chosen + random.next() % (candidates.size() - chosen)]);
+  // Fisher-Yates, as far as it is needed, of what `chosen` leaves: first of the boundary vertices,
+  // so that one of them is the next source, then of all.
+  const auto take_one_of_first = [&](std::size_t many) {
+    std::swap(candidates[chosen], candidates[chosen + random.next() % many]);
+    ++chosen;
+  };
+  if (chosen < wanted) {
+    const std::vector<bool> boundary = on_boundary(soup);
+    const auto rest = candidates.begin() + static_cast<std::ptrdiff_t>(chosen);
+    const auto inner =
+        std::stable_partition(rest, candidates.end(), [&](Index v) { return boundary[v]; });
+    if (inner != rest) take_one_of_first(static_cast<std::size_t>(inner - rest));
   }
+  while (chosen < wanted) take_one_of_first(candidates.size() - chosen);
   candidates.resize(wanted);
   return candidates;
 }

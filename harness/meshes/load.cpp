@@ -38,7 +38,7 @@ LoadedMesh load_mesh(const std::filesystem::path& path, const LoadOptions& optio
   mesh.warnings = std::move(file.warnings);
   for (const Defect& defect : mesh.defects.defects) mesh.warnings.push_back(defect.text());
   for (const RepairAction& action : mesh.repairs) {
-    mesh.warnings.push_back("repair: " + std::to_string(action.count) + " " + action.text);
+    mesh.warnings.push_back("repair: " + action.summary());
   }
   return mesh;
 }

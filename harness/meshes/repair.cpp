@@ -69,10 +69,11 @@ class Repairer {
       if (sides.size() > 2) ++non_manifold;
     });
     did("cut_non_manifold_edges",
-        "non-manifold edges cut: paths cross them at their end vertices only", non_manifold, false);
+        "non-manifold edges cut, so that paths cross them at their end vertices only", non_manifold,
+        false);
     did("cut_one_sided_edges",
-        "edges cut because the surface has one side only: paths cross them at their end vertices "
-        "only",
+        "edges cut because the surface has one side only, so that paths cross them at their end "
+        "vertices only",
         orientation.one_sided_edges, false);
   }
 

@@ -15,6 +15,8 @@ struct RepairAction {
   std::string text;     ///< "faces flipped to run the same way round as their neighbours"
   std::size_t count;    ///< never 0
   bool changed = true;  ///< false where the mesh stays as it is and only its meaning is settled
+  /// "faces flipped to run the same way round as their neighbours: 2"
+  std::string summary() const { return text + ": " + std::to_string(count); }
 };
 
 /// Repairs in place, in this order:

@@ -48,6 +48,7 @@ Json describe(const MeshEntry& entry, const TriangleSoup& soup, const Mesh& mesh
       {"mean_edge_length", mesh.mean_edge_length()},
       {"thesis_model", entry.thesis_model ? Json(*entry.thesis_model) : Json(nullptr)},
       {"stand_in", entry.stand_in},
+      {"repaired", entry.repair},
   };
 }
 

@@ -155,8 +155,9 @@ class Propagation {
     }
   }
 
-  /// False for a corner whose claims cannot be trusted.
+  /// False for a corner whose claims cannot be trusted. Without a filter only they bound the work.
   bool has_owner(Index h) const {
+    if constexpr (!Filter::filters) return true;
     return !(unreliable_[mesh_.origin(h)] | unreliable_[mesh_.head(h)] |
              unreliable_[mesh_.apex(h)]);
   }

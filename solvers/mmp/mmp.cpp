@@ -58,8 +58,8 @@ const RegisterSolver<Mmp<ByBucket>> fwp_mmp{{
     .name = "fwp-mmp",
     .family = "MMP",
     .paper = "Xu, Wang, Liu, Liu, He 2015, Fast wavefront propagation; Liu 2013",
-    .data_structure = "bucket",
-    .time_complexity = "O(n^2)",
+    .data_structure = "bucket and FIFO queue",
+    .time_complexity = "O(n^2 log n)",
     .space_complexity = "O(n^2)",
     .propagation = "window",
 }};

@@ -216,6 +216,23 @@ TEST_F(RunTest, AReferenceThatFailsIsReplacedByTheNext) {
   EXPECT_NE(row("dijkstra/tetrahedron/src:0").at("reference"), "crashing");
 }
 
+// Two faces that run opposite ways round along their edge.
+TEST_F(RunTest, MeshesThatTheManifestRepairsAreMeasured) {
+  write("twisted.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 4 3\n");
+  const auto measured = [&](const char* repair) {
+    write("manifest.json", std::string(R"({"corpora": {"quick": ["twisted"]}, "meshes": [
+      {"name": "twisted", "kind": "downloaded", "file": "twisted.obj", "repair": )") +
+                               repair + "}]}");
+    return run_suite(PROGRAM, {"--solvers", exact_solver(), "--sources", "1"});
+  };
+  EXPECT_EQ(measured("false").code, 1);
+  const Output run = measured("true");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json context = read_json(out_ / "run.json").at("context").at("geodesic_bench");
+  EXPECT_EQ(context.at("meshes")[0].at("repaired"), true);
+  EXPECT_EQ(rows()[0].at("outcome"), "ok");
+}
+
 TEST_F(RunTest, UnreadableMeshesAreSkippedAndAnError) {
   write("absent.ply", "not a mesh");
   const Output run = run_suite(PROGRAM, {"--solvers", "dijkstra", "--sources", "1"});

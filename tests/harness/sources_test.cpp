@@ -34,6 +34,21 @@ TEST(Sources, StartWithVertexZero) {
   EXPECT_EQ(choose_sources(fan(0, 100), "m", 1, 1), std::vector<Index>{0});
 }
 
+TEST(Sources, HaveABoundaryVertexSecond) {
+  // A disc: vertex 0 and vertex 1 inside, a ring of 60 around them.
+  TriangleSoup soup;
+  soup.positions.resize(62);
+  for (Index v = 2; v < 62; ++v)
+    soup.triangles.push_back({v < 32 ? 0u : 1u, v, v == 61 ? 2 : v + 1});
+  soup.triangles.push_back({0, 32, 1});
+  soup.triangles.push_back({0, 1, 2});
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const std::vector<Index> sources = choose_sources(soup, "m", 3, seed);
+    EXPECT_EQ(sources[0], 0u);
+    EXPECT_GE(sources[1], 2u) << "with seed " << seed;
+  }
+}
+
 TEST(Sources, AreNeverIsolated) {
   const std::vector<Index> sources = choose_sources(fan(50, 10), "m", 10, 1);
   EXPECT_EQ(sources.size(), 10u);

@@ -199,7 +199,10 @@ def test_options_reach_the_program(checkout: Path) -> None:
     assert ended.stdout.splitlines()[-1] == f"Results: {out}/run.json"
 
 
-CTEST = '<testsuite name="x"\n\ttests="4"\n\tfailures="{failures}"\n\tdisabled="0"\n\tskipped="1"\n\t>'
+CTEST = (
+    '<testsuite name="x"\n\ttests="4"\n\tfailures="{failures}"\n'
+    '\tdisabled="0"\n\tskipped="1"\n\t>'
+)
 PYTEST = '<testsuites><testsuite name="pytest" errors="0" failures="0" skipped="2" tests="9">'
 
 
