@@ -9,3 +9,7 @@ target_compile_options(
 if(GEODESIC_WERROR)
   target_compile_options(geodesic_options INTERFACE -Werror)
 endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  # GCC bug 105651: a false warning for `literal + std::string`, which GCC 13 no longer gives.
+  target_compile_options(geodesic_options INTERFACE -Wno-restrict)
+endif()

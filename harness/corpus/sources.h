@@ -21,7 +21,8 @@ class SplitMix64 {
 };
 
 /// Chooses distinct source vertices, never one that no face has: vertex 0 first where it can be,
-/// then a random boundary vertex where there is one, then random ones. Fewer sources are a prefix of more.
+/// then a random boundary vertex where there is one, then random ones. Fewer sources are a prefix
+/// of more.
 /// @param mesh the mesh's name, so that meshes of one size get different vertices
 /// @param count at least 1
 /// @return count vertices, or all that there are

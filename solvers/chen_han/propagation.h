@@ -46,10 +46,10 @@ class Propagation {
       if (w.is_pseudo_source()) {
         if (!is_outdated(w)) emit(w.root, {w.half_edge, w.x, w.y});
       } else {
-        if constexpr (Recorder::records) --waiting_;
+        if constexpr (Recorder::kRecords) --waiting_;
         if (!is_outdated(w) && !is_useless(w)) propagate(w);
       }
-      if constexpr (Recorder::records) sample();
+      if constexpr (Recorder::kRecords) sample();
     }
   }
 
@@ -74,7 +74,7 @@ class Propagation {
 
   void reach(Index v, double distance, const Arrival& arrival) {
     if (!(distance < distances_[v])) return;
-    if constexpr (Recorder::records) reached_ += distances_[v] == kInfinity ? 1u : 0u;
+    if constexpr (Recorder::kRecords) reached_ += distances_[v] == kInfinity ? 1u : 0u;
     distances_[v] = distance;
     if (mesh_.is_pseudo_source(v)) wait_to_emit(v, arrival);
   }
@@ -115,7 +115,7 @@ class Propagation {
   }
 
   void propagate(const Stored& w) {
-    if constexpr (Recorder::records) recorder_.propagated(1, w.depth.next());
+    if constexpr (Recorder::kRecords) recorder_.propagated(1, w.depth.next());
     const Index h = w.half_edge;
     const Index to_left = Mesh::previous(h), to_right = Mesh::next(h);
     const FaceFrame face = face_frame(mesh_, h);
@@ -185,7 +185,7 @@ class Propagation {
              Entry entry, const Point2& third, Index third_vertex) {
     const HalfEdge& e = mesh_.half_edge(across);
     if (e.twin == kNone || !(end - begin > kWindowWidth * e.length)) return;
-    if constexpr (Recorder::records) recorder_.created(1);
+    if constexpr (Recorder::kRecords) recorder_.created(1);
     // Rounding must not move the source across the edge.
     const Stored w{{begin, end, source.x, std::min(source.y, 0.0), parent.sigma},
                    e.twin,
@@ -198,7 +198,7 @@ class Propagation {
     const double key = least_distance(w);
     if (key > limit_) return;
     queue_.push(key, pool_.add(w));
-    if constexpr (Recorder::records) {
+    if constexpr (Recorder::kRecords) {
       recorder_.valid(1);
       recorder_.wavefront_size(++waiting_);
     }

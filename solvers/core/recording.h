@@ -14,7 +14,7 @@ namespace geodesic {
 /// Integer results are the same on every run and every x86-64 machine.
 struct Recording {
   std::optional<std::uint64_t> window_propagations;  ///< windows propagated across a face
-  std::optional<std::uint64_t> windows_created;      ///< Chen-Han only: before they are filtered
+  std::optional<std::uint64_t> windows_created;      ///< before reduction drops any; not in MMP
   std::optional<std::uint64_t> valid_windows;        ///< windows that survive redundancy reduction
   std::optional<std::uint64_t> reinsertions;         ///< MMP only: contained in the two above
   std::optional<std::uint64_t> window_limit;         ///< MMP only: windows on all edges at the end
@@ -34,7 +34,7 @@ struct StripDepth {
 };
 
 struct NoRecorder {
-  static constexpr bool records = false;
+  static constexpr bool kRecords = false;
   using Depth = NoDepth;
 
   void propagated(std::uint64_t /*windows*/, Depth /*deepest*/) {}
@@ -45,7 +45,7 @@ struct NoRecorder {
 };
 
 struct CountingRecorder {
-  static constexpr bool records = true;
+  static constexpr bool kRecords = true;
   using Depth = StripDepth;
 
   explicit CountingRecorder(Recording& into) : recording(into) {

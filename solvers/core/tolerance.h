@@ -13,7 +13,7 @@ inline constexpr double kSaddleAngleExcess = 1e-12;
 /// below 1e-20 relative; what it buys is that a window ending exactly on a vertex reaches it.
 inline constexpr double kApexTolerance = 1e-10;
 
-/// Chen-Han: a window whose nearest line misses the apex of a face by less than this angle, in
+/// A window whose nearest line misses the apex of a face by less than this angle, in
 /// radians, gives the apex the length of the path that bends at the window's end. That is a real
 /// path, so no value makes a distance too short. It must cover the gaps between windows that
 /// rounding opens: paths whose directions differ by an angle t differ in length by about t^2 / 2,

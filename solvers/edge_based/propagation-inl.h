@@ -30,7 +30,7 @@ class Propagation final : public Propagator {
   }
 
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
-    if constexpr (Recorder::records) {
+    if constexpr (Recorder::kRecords) {
       recording->window_bytes = sizeof(Window);
       run(query, distances, Recorder(*recording));
     } else {
@@ -39,7 +39,7 @@ class Propagation final : public Propagator {
   }
 
  private:
-  static constexpr unsigned kFields = Recorder::records ? kDepth + 1 : kSigma + 1;
+  static constexpr unsigned kFields = Recorder::kRecords ? kDepth + 1 : kSigma + 1;
   static constexpr std::uint64_t kSamples =
       64;                                     // of the wavefront, at equal steps of passed vertices
   static constexpr std::uint8_t kPassed = 1;  // popped at least once
@@ -67,7 +67,7 @@ class Propagation final : public Propagator {
         recorder.wavefront_size(lists_.size());
       }
       fifo_.clear();
-      if constexpr (Recorder::records) {
+      if constexpr (Recorder::kRecords) {
         if (++passed % step == 0) sample(recorder);
       }
     }
@@ -121,7 +121,7 @@ class Propagation final : public Propagator {
     segment->array(kX)[0] = e.length - e.apex_x;
     segment->array(kY)[0] = -e.apex_y;
     segment->array(kSigma)[0] = distances_[v];
-    if constexpr (Recorder::records) segment->array(kDepth)[0] = 1;
+    if constexpr (Recorder::kRecords) segment->array(kDepth)[0] = 1;
     land(e.twin, segment, Place::back);
   }
 
@@ -138,7 +138,10 @@ class Propagation final : public Propagator {
     const HalfEdge& edge = mesh_.half_edge(h);
     const EndPaths ends(edge.length, distances_[edge.origin], distances_[mesh_.head(h)]);
     batch_.count = 0;
-    lists_.consume(h, [&](auto& segment) { gather<kFields>(segment, ends, batch_); });
+    lists_.consume(h, [&](auto& segment) {
+      recorder.created(segment.count);
+      gather<kFields>(segment, ends, batch_);
+    });
     if (batch_.count == 0) return;
     reserve_masks();
     if (batch_.count > 1) trim(crossed_face(mesh_, h));
@@ -148,7 +151,7 @@ class Propagation final : public Propagator {
     const Index apex = mesh_.apex(h);
     if (separator.distance < distances_[apex]) reach(apex, separator.distance);
     choose_sides(separator, face);
-    if constexpr (Recorder::records) count(recorder);
+    if constexpr (Recorder::kRecords) count(recorder);
 
     const Index left = mesh_.twin(Mesh::previous(h)), right = mesh_.twin(Mesh::next(h));
     if (left != kNone) {

@@ -37,9 +37,9 @@ class Propagation {
       } else {
         propagate(item, recorder);
       }
-      if constexpr (Recorder::records) sample();
+      if constexpr (Recorder::kRecords) sample();
     }
-    if constexpr (Recorder::records) recorder.recording.window_limit = wavefront_.windows_left();
+    if constexpr (Recorder::kRecords) recorder.recording.window_limit = wavefront_.windows_left();
   }
 
  private:
@@ -60,7 +60,7 @@ class Propagation {
 
   void reach(Index v, double distance) {
     if (!(distance < distances_[v])) return;
-    if constexpr (Recorder::records) reached_ += distances_[v] == kInfinity ? 1u : 0u;
+    if constexpr (Recorder::kRecords) reached_ += distances_[v] == kInfinity ? 1u : 0u;
     distances_[v] = distance;
     if (mesh_.is_pseudo_source(v) && has_news(v)) wavefront_.push_vertex(v, distance);
   }
@@ -116,8 +116,8 @@ class Propagation {
     const FaceFrame face = face_frame(mesh_, h);
     // Where the line from the source to the apex crosses h.
     const double split = w.x + (face.apex_x - w.x) * (-w.y / (face.apex_y - w.y));
-    // A ray that misses the apex by rounding only passes through it; the path is bent accordingly.
-    const double slack = kApexTolerance * (face.length + std::abs(w.x) - w.y);
+    // A window that narrowly misses the apex offers it the path that bends at the window's end.
+    const double slack = kApexReach * (face.length + std::abs(w.x) - w.y);
     if (w.begin - slack <= split && split <= w.end + slack) {
       reach(mesh_.apex(h), least_distance_to(w, face.apex_x, face.apex_y));
     }

@@ -155,7 +155,7 @@ class Wavefront {
   }
 
   void tally(const Window& w, Change change) {
-    if constexpr (Recorder::records) {
+    if constexpr (Recorder::kRecords) {
       const double distance = least_distance(w);
       const double sign = change == Change::joins ? 1 : -1;
       tally_.windows += change == Change::joins ? 1 : std::uint64_t(-1);
@@ -166,7 +166,7 @@ class Wavefront {
 
   /// As above for the waiting ones of consecutive windows that end where the overlay does.
   void tally(std::span<const W> windows, Change change) {
-    if constexpr (Recorder::records) {
+    if constexpr (Recorder::kRecords) {
       for (std::size_t i = 0; i < windows.size(); ++i) {
         if (!windows[i].waits()) continue;
         tally(windows[i].geometry(end_of(windows, i, overlay_.end)), change);
