@@ -63,7 +63,7 @@ const RegisterSolver<ChenHan<Ch>> ch{{
     .time_complexity = "O(n^2)",
     .space_complexity = "O(n)",
     .propagation = "window",
-    .abilities = {.degenerate_faces = false, .max_vertices = 2000},
+    .abilities = {.degenerate_faces = false, .max_vertices = 1200},
     .remarks = "small meshes only: nearly all of its windows are useless",
 }};
 

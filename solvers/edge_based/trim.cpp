@@ -5,6 +5,10 @@
 namespace geodesic::edge_based {
 namespace {
 
+/// Two lines cross in the third vertex of the face below when they do within this share of its
+/// height.
+constexpr double kNearVertex = 1e-9;
+
 /// Positive when (px, py) lies to the right of the line from the source of w through t.
 double right_of(const Window& w, double t, double px, double py) {
   return (px - w.x) * -w.y - (t - w.x) * (py - w.y);
@@ -18,16 +22,16 @@ double right_of_scale(const Window& w, double t, double px, double py) {
 double hit(const Window& w, double px, double py) { return w.x + (px - w.x) * (-w.y / (py - w.y)); }
 
 /// `winner` is the shorter one at a point that the loser's line through position `p` passes.
-/// Removes the lines of the loser between p and the direction of the winner's source.
+/// Removes the lines of the loser between p and the direction of the winner's source. Nothing is
+/// removed when that source lies on the line itself: it has no side then.
 void beat(const Window& winner, Window& loser, double p) {
-  const double side = right_of(loser, p, winner.x, winner.y);
-  if (side > 0) {
+  if (!is_left_of_line(loser, p, winner.x, winner.y)) {
     if (is_right_of_line(loser, loser.end, winner.x, winner.y)) {
       loser.end = std::max(loser.begin, std::min(loser.end, p));
     } else if (p <= loser.begin) {
       loser.begin = std::clamp(hit(loser, winner.x, winner.y), loser.begin, loser.end);
     }
-  } else if (side < 0) {
+  } else if (!is_right_of_line(loser, p, winner.x, winner.y)) {
     if (is_left_of_line(loser, loser.begin, winner.x, winner.y)) {
       loser.begin = std::min(loser.end, std::max(loser.begin, p));
     } else if (p >= loser.end) {
@@ -55,7 +59,10 @@ void trim_apart(Window& left, Window& right, const Crossed& face) {
   const double closing = (left.x - left.end) * depth_right - (right.x - right.begin) * depth_left;
   if (!(closing > 0)) return;
   const double depth = (right.begin - left.end) * depth_left * depth_right / closing;
-  if (!(depth < depth_left) || !(depth < depth_right) || !(depth <= -face.below_y)) return;
+  if (!(depth < depth_left) || !(depth < depth_right)) return;
+  // Lines that meet in the third vertex of the face pass it on different sides: they come through
+  // different strips, and neither can be said to cross the other.
+  if (!(depth < -face.below_y * (1 - kNearVertex))) return;
   const double x = left.end + (left.x - left.end) * (depth / depth_left);
   // Inside the face below: between its two other edges at this depth.
   const double share = face.below_y < 0 ? depth / -face.below_y : 0;
