@@ -125,6 +125,7 @@ step_check() {
 
 step_plot() {
   logged "$python" "$root/plots/all.py" --run "$out"
+  logged "$python" "$root/plots/overview.py" --run "$out"
 }
 
 # choose_out: the folder that `run` writes and that check and plot read.

@@ -40,6 +40,7 @@ def paired(run: Run, mesh: str, solver: str, key: str, base: str, base_key: str)
 
 
 def draw_ratios(axes: Axes, run: Run, key: str, base: str, base_key: str, label: str) -> None:
+    """@raises ResultError when no solver can be compared with the base."""
     solvers = [s for s in THESIS_SOLVERS if s in run.solvers]
     for place, solver in enumerate(solvers):
         means = [
@@ -47,16 +48,19 @@ def draw_ratios(axes: Axes, run: Run, key: str, base: str, base_key: str, label:
             for mesh in run.meshes
             if (ratios := paired(run, mesh, solver, key, base, base_key))
         ]
+        if not means:
+            continue
         axes.plot(
             means, [place] * len(means), MARKERS[solver], color="0.45", alpha=0.7, markersize=5
         )
-        if means:
-            mean = geometric_mean(means)
-            axes.plot([mean], [place], "|", color="tab:red", markersize=20, markeredgewidth=2.5)
-            axes.annotate(
-                f"{mean:.2f}", (mean, place), xytext=(0, 12), textcoords="offset points",
-                ha="center", color="tab:red",
-            )  # fmt: skip
+        mean = geometric_mean(means)
+        axes.plot([mean], [place], "|", color="tab:red", markersize=20, markeredgewidth=2.5)
+        axes.annotate(
+            f"{mean:.2f}", (mean, place), xytext=(0, 12), textcoords="offset points",
+            ha="center", color="tab:red",
+        )  # fmt: skip
+    if not axes.lines:
+        raise ResultError(f"{run.file}: no verified cell of {base} to compare with; nothing to draw")
     axes.set_yticks(range(len(solvers)), solvers)
     axes.set_ylim(-0.6, len(solvers) - 0.3)
     axes.axvline(1, color="0.8", zorder=0)
