@@ -49,12 +49,21 @@ void release(void* block) noexcept {
 
 }  // namespace
 
-// The array, nothrow and sized forms of the standard library all end in these four.
+// The array forms of the standard library end in these. Its nothrow forms do too, but a sanitizer
+// brings its own, whose blocks these deletes would not recognise: they are replaced as well.
 void* operator new(std::size_t bytes) { return allocate(bytes, 1); }
 void* operator new(std::size_t bytes, std::align_val_t alignment) {
   return allocate(bytes, static_cast<std::size_t>(alignment));
 }
+void* operator new(std::size_t bytes, const std::nothrow_t& /*tag*/) noexcept {
+  try {
+    return allocate(bytes, 1);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
 void operator delete(void* block) noexcept { release(block); }
+void operator delete(void* block, const std::nothrow_t& /*tag*/) noexcept { release(block); }
 void operator delete(void* block, std::align_val_t /*alignment*/) noexcept { release(block); }
 void operator delete(void* block, std::size_t /*bytes*/) noexcept { release(block); }
 void operator delete(void* block, std::size_t /*bytes*/, std::align_val_t /*alignment*/) noexcept {
