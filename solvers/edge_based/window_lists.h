@@ -43,7 +43,6 @@ class WindowLists {
   explicit WindowLists(Index half_edges) : last_(half_edges, kNone) {}
 
   bool empty(Index h) const { return last_[h] == kNone; }
-  const Index* link(Index h) const { return &last_[h]; }
   std::uint64_t size() const { return size_; }
 
   /// A segment with room for at least `windows`, in no list yet; its count is 0.
