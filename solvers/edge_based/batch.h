@@ -31,10 +31,13 @@ class Batch {
     array(kBegin)[i] = w.begin;
     array(kEnd)[i] = w.end;
   }
-  /// Copies window `from` over window `to`.
-  void move(std::size_t from, std::size_t to) {
-    for (unsigned f = kBegin; f <= kDepth; ++f) array(f)[to] = array(f)[from];
+  /// Takes a window out without moving the others: no line leads through its empty interval, so
+  /// that it lies on neither side of any apex.
+  void strike_out(std::size_t i) {
+    array(kBegin)[i] = kInfinity;
+    array(kEnd)[i] = -kInfinity;
   }
+  bool is_struck_out(std::size_t i) const { return array(kBegin)[i] == kInfinity; }
 
  private:
   static constexpr unsigned kArrays = kCrossing + 1;

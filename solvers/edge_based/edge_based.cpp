@@ -56,6 +56,7 @@ const RegisterSolver<EdgeBased> registered{{
     .space_complexity = "O(n)",
     .propagation = "edge",
     .spatial_order = true,
+    .relative_time = 1,
 }};
 
 }  // namespace

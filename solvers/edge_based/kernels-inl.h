@@ -13,30 +13,42 @@
 
 #include "solvers/core/tolerance.h"
 #include "solvers/edge_based/batch.h"
+#include "solvers/edge_based/plain_lanes.h"
 #include "solvers/edge_based/split.h"
 #include "solvers/edge_based/trim.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace geodesic::edge_based::HWY_NAMESPACE {
+#if HWY_TARGET == HWY_SCALAR
+namespace hn = plain;
+using hn::bits, hn::kLanes, hn::Mask, hn::Tag, hn::Vec;
+
+/// Stores the lanes of a mask side by side.
+class Packer {
+ public:
+  explicit Packer(unsigned mask) : mask_(mask) {}
+  std::size_t count() const { return (mask_ & 1) + (mask_ >> 1); }
+  /// Writes a whole vector; only its first count() lanes mean anything.
+  void store(Vec v, double* to) const {
+    to[0] = mask_ == 2 ? v[1] : v[0];
+    to[1] = v[1];
+  }
+
+ private:
+  unsigned mask_;
+};
+#else
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Tag = hn::CappedTag<double, kLaneRoom>;
 using Vec = hn::Vec<Tag>;
 using Mask = hn::Mask<Tag>;
 
-inline constexpr Tag kTag;
 inline constexpr std::size_t kLanes = hn::MaxLanes(Tag());
-
-inline Vec all(double value) { return hn::Set(kTag, value); }
-
-/// Windows of a segment or batch, a vector's worth.
-struct Windows {
-  Vec begin, end, x, y, sigma;
-};
 
 inline unsigned bits(Mask mask) {
   std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(kTag, mask, bytes);
+  hn::StoreMaskBits(Tag(), mask, bytes);
   return bytes[0];
 }
 
@@ -61,14 +73,25 @@ class Packer {
   explicit Packer(unsigned mask)
       : count_(hwy::PopCount(mask)),
         order_(hn::IndicesFromVec(
-            kTag, hn::Load(hn::RebindToSigned<Tag>(), kPackingOrder.lanes[mask]))) {}
+            Tag(), hn::Load(hn::RebindToSigned<Tag>(), kPackingOrder.lanes[mask]))) {}
   std::size_t count() const { return count_; }
   /// Writes a whole vector; only its first count() lanes mean anything.
-  void store(Vec v, double* to) const { hn::StoreU(hn::TableLookupLanes(v, order_), kTag, to); }
+  void store(Vec v, double* to) const { hn::StoreU(hn::TableLookupLanes(v, order_), Tag(), to); }
 
  private:
   std::size_t count_;
-  decltype(hn::IndicesFromVec(kTag, hn::Vec<hn::RebindToSigned<Tag>>())) order_;
+  decltype(hn::IndicesFromVec(Tag(), hn::Vec<hn::RebindToSigned<Tag> >())) order_;
+};
+
+#endif
+
+inline constexpr Tag kTag{};
+
+inline Vec all(double value) { return hn::Set(kTag, value); }
+
+/// Windows of a segment or batch, a vector's worth.
+struct Windows {
+  Vec begin, end, x, y, sigma;
 };
 
 /// Distances to the two ends of the edge, prepared for comparing without square roots.
@@ -171,6 +194,7 @@ inline Separator classify(Batch& batch, const FaceFrame& face, std::uint8_t* lef
   const Vec slack = all(kApexTolerance * face.length);
   Separator best;
   std::size_t seeing = 0;
+  unsigned any_left = 0, any_right = 0;
   HWY_ALIGN double distance[kLaneRoom];
   for (std::size_t i = 0; i < batch.count; i += kLanes) {
     const Vec x = hn::LoadU(kTag, batch.array(kX) + i), y = hn::LoadU(kTag, batch.array(kY) + i);
@@ -182,10 +206,13 @@ inline Separator classify(Batch& batch, const FaceFrame& face, std::uint8_t* lef
     const Mask inside = hn::FirstN(kTag, batch.count - i);
     const Mask only_left = hn::Gt(crossing, hn::Add(end, slack));
     const Mask only_right = hn::Lt(crossing, hn::Sub(begin, slack));
-    const Mask both = hn::AndNot(hn::Or(only_left, only_right), inside);
-    left[i / kLanes] = static_cast<std::uint8_t>(bits(hn::AndNot(only_right, inside)));
-    right[i / kLanes] = static_cast<std::uint8_t>(bits(hn::AndNot(only_left, inside)));
-    unsigned straddling = bits(both);
+    const unsigned passes_left = bits(hn::AndNot(only_right, inside));
+    const unsigned passes_right = bits(hn::AndNot(only_left, inside));
+    left[i / kLanes] = static_cast<std::uint8_t>(passes_left);
+    right[i / kLanes] = static_cast<std::uint8_t>(passes_right);
+    any_left |= passes_left;
+    any_right |= passes_right;
+    unsigned straddling = passes_left & passes_right;
     if (straddling == 0) continue;
     const Vec squared = hn::Add(hn::Mul(across, across), hn::Mul(up, up));
     const Vec sigma = hn::LoadU(kTag, batch.array(kSigma) + i);
@@ -202,6 +229,8 @@ inline Separator classify(Batch& batch, const FaceFrame& face, std::uint8_t* lef
     best.rivals = seeing - 1;
     best.crossing = crossing(batch.window(best.window), face);
   }
+  best.any_left = any_left != 0;
+  best.any_right = any_right != 0;
   return best;
 }
 

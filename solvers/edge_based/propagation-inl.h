@@ -6,6 +6,7 @@
 #define GEODESIC_EDGE_BASED_PROPAGATION
 #endif
 
+#include <bit>
 #include <vector>
 
 #include "solvers/core/queues/vertex_heap.h"
@@ -96,6 +97,11 @@ class Propagation final : public Propagator {
     const bool emits = (vertex_state_[v] & kSource) != 0 || mesh_.is_pseudo_source(v);
     vertex_state_[v] |= kPassed;
     for (const Index h : mesh_.outgoing(v)) {
+      const Index t = mesh_.twin(Mesh::next(h));
+      if (t != kNone) __builtin_prefetch(&mesh_.half_edge(t));
+      lists_.prefetch(h - h % 3);
+    }
+    for (const Index h : mesh_.outgoing(v)) {
       const Index into = Mesh::previous(h);
       const double at_head = distances_[v] + mesh_.half_edge(h).length;
       if (at_head < distances_[mesh_.head(h)]) reach(mesh_.head(h), at_head);
@@ -154,12 +160,12 @@ class Propagation final : public Propagator {
     if constexpr (Recorder::kRecords) count(recorder);
 
     const Index left = mesh_.twin(Mesh::previous(h)), right = mesh_.twin(Mesh::next(h));
-    if (left != kNone) {
+    if (left != kNone && separator.any_left) {
       auto* out = lists_.allocate(batch_.count + kLaneRoom - 1);
       unfold<LeftEdge, kFields>(batch_, face, to_left_, seen_right_.data(), *out);
       land(left, out, Place::front);
     }
-    if (right != kNone) {
+    if (right != kNone && separator.any_right) {
       auto* out = lists_.allocate(batch_.count + kLaneRoom - 1);
       unfold<RightEdge, kFields>(batch_, face, to_right_, seen_left_.data(), *out);
       land(right, out, Place::back);
@@ -181,39 +187,47 @@ class Propagation final : public Propagator {
     masks[i / kLanes] = static_cast<std::uint8_t>(masks[i / kLanes] & ~(1u << (i % kLanes)));
   }
 
-  /// Strategy I over the batch: suspicious pairs go through trim_pair, in order.
+  /// The first window from `i` on that `suspects_` marks, or the batch's count.
+  std::size_t next_suspect(std::size_t i) const {
+    if (i >= batch_.count) return batch_.count;
+    std::size_t group = (i - 1) / kLanes;
+    unsigned marks = suspects_[group] & (~0u << ((i - 1) % kLanes));
+    const std::size_t groups = (batch_.count - 1 + kLanes - 1) / kLanes;
+    while (marks == 0) {
+      if (++group == groups) return batch_.count;
+      marks = suspects_[group];
+    }
+    return group * kLanes + static_cast<std::size_t>(std::countr_zero(marks)) + 1;
+  }
+
+  /// Strategy I over the batch: suspicious pairs go through trim_pair, in order, and so does what
+  /// follows a window that changed. What is beaten wholly is struck out (Batch::strike_out).
   void trim(const Crossed& face) {
     if (!find_suspects(batch_, suspects_.data())) return;
-    std::size_t kept = 1;
-    std::size_t last = 0;  // where the window at kept - 1 stood before anything moved
-    bool changed = false;
-    for (std::size_t i = 1; i < batch_.count; ++i) {
+    std::size_t i = next_suspect(1);
+    while (i < batch_.count) {
+      const Window original = batch_.window(i);
+      Window second = original;
       bool keep = true;
-      if (changed || last + 1 != i || bit(suspects_.data(), i - 1)) {
-        Window second = batch_.window(i);
-        changed = false;
-        while (keep && kept > 0) {
-          Window first = batch_.window(kept - 1);
-          const Window before = first, original = second;
-          trim_pair(first, second, face);
-          keep = !is_void(second, face.length);
-          changed = changed || second.begin != original.begin || second.end != original.end;
-          if (!is_void(first, face.length)) {
-            if (first.begin != before.begin || first.end != before.end) {
-              batch_.set_interval(kept - 1, first);
-            }
-            break;
-          }
-          --kept;
+      for (std::size_t before = i; keep && before-- > 0;) {
+        if (batch_.is_struck_out(before)) continue;
+        Window first = batch_.window(before);
+        trim_pair(first, second, face);
+        keep = !is_void(second, face.length);
+        if (!is_void(first, face.length)) {
+          batch_.set_interval(before, first);
+          break;
         }
-        batch_.set_interval(i, second);
+        batch_.strike_out(before);
       }
-      if (!keep) continue;
-      if (kept != i) batch_.move(i, kept);
-      last = i;
-      ++kept;
+      if (keep) {
+        batch_.set_interval(i, second);
+      } else {
+        batch_.strike_out(i);
+      }
+      const bool changed = !keep || second.begin != original.begin || second.end != original.end;
+      i = changed ? i + 1 : next_suspect(i + 1);
     }
-    batch_.count = kept;
   }
 
   /// Strategy II: decides for each window to which edges it goes.
@@ -229,6 +243,7 @@ class Propagation final : public Propagator {
     for (std::size_t i = 0; i < batch_.count; ++i) {
       if (i == separator.window) continue;
       const bool left = bit(to_left_, i), right = bit(to_right_, i);
+      if (!left && !right) continue;  // struck out
       const Side seen = left && right ? Side::both : left ? Side::left : Side::right;
       const Side side = sides_kept(batch_.window(i), seen, separator, best, face);
       if (side == Side::none || side == Side::right) clear_bit(kept_left_.data(), i);
@@ -240,6 +255,7 @@ class Propagation final : public Propagator {
 
   void count(Recorder& recorder) const {
     for (std::size_t i = 0; i < batch_.count; ++i) {
+      if (batch_.is_struck_out(i)) continue;
       const auto depth = static_cast<std::uint32_t>(batch_.array(kDepth)[i]) + 1;
       recorder.propagated(1, {depth});
       if (bit(to_left_, i) || bit(to_right_, i)) recorder.valid(1);

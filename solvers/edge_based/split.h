@@ -20,6 +20,8 @@ struct Separator {
   double distance = kInfinity;    ///< to the apex
   double crossing = 0;            ///< its position on the edge
   std::size_t rivals = 0;         ///< other windows of the list that see the apex
+  bool any_left = false;          ///< some line of the list leads to the left edge
+  bool any_right = false;
 };
 
 /// Length of the shortest path to the apex over one end of a window whose lines all pass on `side`.

@@ -70,31 +70,51 @@ void trim_apart(Window& left, Window& right, const Crossed& face) {
   decide(left, left.end, right, right.begin, x, -depth);
 }
 
-/// Where the winner is nowhere longer on the overlap, the loser keeps only what reaches beyond it.
-/// A tie at one end is the usual case: the loser's source is a vertex on the line that bounds the
-/// winner's pencil, and the winner's shadow begins there.
+/// The distances that two windows give to a point of the edge.
+struct Pair {
+  double t = 0, first = 0, second = 0;
+};
+Pair pair_at(const Window& first, const Window& second, double t) {
+  return {t, distance_at(first, t), distance_at(second, t)};
+}
+
+/// As `decide` for a point of the edge, both windows' lines through it passing at the point itself.
+void decide_at(const Pair& at, Window& first, Window& second) {
+  if (is_shorter(at.first, at.second)) {
+    beat(first, second, at.t);
+  } else if (is_shorter(at.second, at.first)) {
+    beat(second, first, at.t);
+  }
+}
+
+/// Whether the source of `of` lies on one side of all lines of `lines` through [begin, end].
+bool is_to_one_side(const Window& lines, const Window& of, double begin, double end) {
+  return (is_right_of_line(lines, begin, of.x, of.y) && is_right_of_line(lines, end, of.x, of.y)) ||
+         (is_left_of_line(lines, begin, of.x, of.y) && is_left_of_line(lines, end, of.x, of.y));
+}
+
+/// The overlap of the windows where neither end of it was decided. Where the winner is nowhere
+/// longer on it, the loser keeps only what reaches beyond it. A tie at one end is the usual case:
+/// the loser's source is a vertex on the line that bounds the winner's pencil, and the winner's
+/// shadow begins there.
 ///
 /// Along the edge the difference of the two distances changes by the difference of the cosines of
 /// their lines' angles, which keeps its sign while the loser's source stays on one side of the
 /// winner's lines: then its two ends decide for the whole overlap.
-/// @return true when the winner won
-bool settle_overlap(const Window& winner, Window& loser) {
-  const double begin = std::max(winner.begin, loser.begin);
-  const double end = std::min(winner.end, loser.end);
-  if (!(begin < end)) return true;
-  if (is_shorter(distance_at(loser, begin), distance_at(winner, begin))) return false;
-  if (is_shorter(distance_at(loser, end), distance_at(winner, end))) return false;
-  const bool always_right = is_right_of_line(winner, begin, loser.x, loser.y) &&
-                            is_right_of_line(winner, end, loser.x, loser.y);
-  const bool always_left = is_left_of_line(winner, begin, loser.x, loser.y) &&
-                           is_left_of_line(winner, end, loser.x, loser.y);
-  if (!always_left && !always_right) return false;
-  if (begin == loser.begin) {
-    loser.begin = end;
-  } else if (end == loser.end) {
-    loser.end = begin;
-  }
-  return true;
+void settle_overlap(Window& first, Window& second, const Pair& begin, const Pair& end) {
+  const bool first_wins =
+      !is_shorter(begin.second, begin.first) && !is_shorter(end.second, end.first);
+  const auto shorten = [&](Window& loser) {
+    if (begin.t == loser.begin) {
+      loser.begin = end.t;
+    } else if (end.t == loser.end) {
+      loser.end = begin.t;
+    }
+  };
+  if (first_wins && is_to_one_side(first, second, begin.t, end.t)) return shorten(second);
+  const bool second_wins =
+      !is_shorter(begin.first, begin.second) && !is_shorter(end.first, end.second);
+  if (second_wins && is_to_one_side(second, first, begin.t, end.t)) shorten(first);
 }
 
 }  // namespace
@@ -127,11 +147,19 @@ void trim_pair(Window& first, Window& second, const Crossed& face) {
   if (first.end <= second.begin) return trim_apart(first, second, face);
   if (second.end <= first.begin) return trim_apart(second, first, face);
   const double begin = std::max(first.begin, second.begin);
-  decide(first, begin, second, begin, begin, 0);
+  Pair at_begin = pair_at(first, second, begin);
+  decide_at(at_begin, first, second);
   const double end = std::min(first.end, second.end);
-  if (end <= std::max(first.begin, second.begin)) return;
-  decide(first, end, second, end, end, 0);
-  if (!settle_overlap(first, second)) settle_overlap(second, first);
+  const double still = std::max(first.begin, second.begin);
+  if (end <= still) return;
+  Pair at_end = pair_at(first, second, end);
+  decide_at(at_end, first, second);
+  const double left_begin = std::max(first.begin, second.begin);
+  const double left_end = std::min(first.end, second.end);
+  if (!(left_begin < left_end)) return;
+  if (left_begin != begin) at_begin = pair_at(first, second, left_begin);
+  if (left_end != end) at_end = pair_at(first, second, left_end);
+  settle_overlap(first, second, at_begin, at_end);
 }
 
 }  // namespace geodesic::edge_based
