@@ -1,9 +1,9 @@
 // `ch`, `ich` and `fwp-ch`: one propagation of windows in three orders, filtered but for `ch`.
-#include <cmath>
 #include <stdexcept>
 
 #include "solvers/chen_han/propagation.h"
 #include "solvers/core/queues/bucket_queue.h"
+#include "solvers/core/queues/bucket_width.h"
 #include "solvers/core/queues/fifo_queue.h"
 #include "solvers/core/queues/priority_queue.h"
 #include "solvers/registry.h"
@@ -20,16 +20,14 @@ struct Ch {
 struct Ich {
   using Filter = XinWangFilter;
   using Queue = PriorityQueue<Index>;
-  static Queue make_queue(const Mesh&) { return {}; }
+  static Queue make_queue(const Mesh& mesh) { return Queue(priority_bucket_width(mesh)); }
 };
 
 struct FwpCh {
   using Filter = XinWangFilter;
   using Queue = BucketQueue<Index>;
   /// Buckets of the published width.
-  static Queue make_queue(const Mesh& mesh) {
-    return Queue(mesh.mean_edge_length() / std::sqrt(static_cast<double>(mesh.vertex_count())));
-  }
+  static Queue make_queue(const Mesh& mesh) { return Queue(published_bucket_width(mesh)); }
 };
 
 template <class Policy>
@@ -75,6 +73,7 @@ const RegisterSolver<ChenHan<Ich>> ich{{
     .time_complexity = "O(n^2 log n)",
     .space_complexity = "O(n^2)",
     .propagation = "window",
+    .relative_time = 6,
 }};
 
 const RegisterSolver<ChenHan<FwpCh>> fwp_ch{{
@@ -85,6 +84,7 @@ const RegisterSolver<ChenHan<FwpCh>> fwp_ch{{
     .time_complexity = "O(n^2)",
     .space_complexity = "O(n^2)",
     .propagation = "window",
+    .relative_time = 5,
 }};
 
 }  // namespace

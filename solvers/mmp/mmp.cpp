@@ -1,7 +1,6 @@
 // `mmp` and `fwp-mmp`: the same propagation of windows in two orders.
-#include <cmath>
-
 #include "solvers/core/queues/bucket_queue.h"
+#include "solvers/core/queues/bucket_width.h"
 #include "solvers/core/queues/priority_queue.h"
 #include "solvers/mmp/propagation.h"
 #include "solvers/registry.h"
@@ -12,15 +11,13 @@ namespace {
 /// Least distance first.
 struct ByDistance {
   using Queue = PriorityQueue<QueueItem>;
-  static Queue make(const Mesh&) { return {}; }
+  static Queue make(const Mesh& mesh) { return Queue(priority_bucket_width(mesh)); }
 };
 
 /// Buckets of the published width, in phases.
 struct ByBucket {
   using Queue = BucketQueue<QueueItem>;
-  static Queue make(const Mesh& mesh) {
-    return Queue(mesh.mean_edge_length() / std::sqrt(static_cast<double>(mesh.vertex_count())));
-  }
+  static Queue make(const Mesh& mesh) { return Queue(published_bucket_width(mesh)); }
 };
 
 template <class Order>
@@ -52,6 +49,7 @@ const RegisterSolver<Mmp<ByDistance>> mmp{{
     .time_complexity = "O(n^2 log n)",
     .space_complexity = "O(n^2)",
     .propagation = "window",
+    .relative_time = 12,
 }};
 
 const RegisterSolver<Mmp<ByBucket>> fwp_mmp{{
@@ -62,6 +60,7 @@ const RegisterSolver<Mmp<ByBucket>> fwp_mmp{{
     .time_complexity = "O(n^2 log n)",
     .space_complexity = "O(n^2)",
     .propagation = "window",
+    .relative_time = 10,
 }};
 
 }  // namespace

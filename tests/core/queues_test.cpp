@@ -20,13 +20,13 @@ std::vector<int> drain(Queue& queue) {
 }
 
 TEST(PriorityQueue, pops_in_order_of_keys) {
-  PriorityQueue<int> queue;
+  PriorityQueue<int> queue(1);
   for (const int i : {5, 1, 4, 2, 3}) queue.push(i, i);
   EXPECT_EQ(drain(queue), (std::vector{1, 2, 3, 4, 5}));
 }
 
 TEST(PriorityQueue, pops_equal_keys_in_order_of_insertion) {
-  PriorityQueue<int> queue;
+  PriorityQueue<int> queue(2);
   for (int i = 0; i < 100; ++i) queue.push(i % 3, i);
   const std::vector<int> items = drain(queue);
   for (std::size_t i = 1; i < items.size(); ++i) {
@@ -34,27 +34,30 @@ TEST(PriorityQueue, pops_equal_keys_in_order_of_insertion) {
   }
 }
 
-TEST(PriorityQueue, equals_a_stable_sort_while_items_come_and_go) {
-  oracles::Random random(1);
-  PriorityQueue<int> queue;
-  std::vector<std::pair<double, int>> model;  // key, item: kept in order
-  for (int i = 0; i < 5000; ++i) {
-    if (random.below(3) != 0 || model.empty()) {
-      const double key = random.below(50);
-      queue.push(key, i);
-      model.insert(std::upper_bound(model.begin(), model.end(), std::pair(key, i)), {key, i});
-    } else {
-      ASSERT_EQ(queue.least_key(), model.front().first);
-      ASSERT_EQ(queue.pop(), model.front().second);
-      model.erase(model.begin());
+// Widths from "all in one bucket" to "most beyond the ring".
+TEST(PriorityQueue, equals_a_stable_sort_whatever_the_width_while_items_come_and_go) {
+  for (const double width : {0.0, 1e9, 3.0, 0.1, 1e-3, 1e-300}) {
+    oracles::Random random(1);
+    PriorityQueue<int> queue(width);
+    std::vector<std::pair<double, int>> model;  // key, item: kept in order
+    for (int i = 0; i < 5000; ++i) {
+      if (random.below(3) != 0 || model.empty()) {
+        const double key = random.below(50) * (random.below(10) == 0 ? 1000.0 : 1.0);
+        queue.push(key, i);
+        model.insert(std::upper_bound(model.begin(), model.end(), std::pair(key, i)), {key, i});
+      } else {
+        ASSERT_EQ(queue.pop(), model.front().second) << "width " << width;
+        model.erase(model.begin());
+      }
+      ASSERT_EQ(queue.size(), model.size());
     }
-    ASSERT_EQ(queue.size(), model.size());
   }
 }
 
 TEST(PriorityQueue, is_as_new_when_cleared) {
-  PriorityQueue<int> queue;
+  PriorityQueue<int> queue(1e-3);
   queue.push(1, 1);
+  queue.push(1e6, 2);
   queue.clear();
   EXPECT_TRUE(queue.empty());
   for (int i = 0; i < 3; ++i) queue.push(7, i);

@@ -13,13 +13,14 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
-#include "solvers/core/queues/priority_queue.h"
+#include "solvers/core/queues/key_heap.h"
 
 namespace geodesic {
 
@@ -38,6 +39,7 @@ class BucketQueue {
   void clear() {
     std::fill(ring_.begin(), ring_.end(), Bucket{});
     far_.clear();
+    far_serial_ = 0;
     nodes_.clear();
     free_ = kEnd;
     phase_ = {};
@@ -54,7 +56,7 @@ class BucketQueue {
     if (offset < kRing) {
       put(offset, item);
     } else {
-      far_.push(key, item);
+      far_.push({std::bit_cast<std::uint64_t>(key), far_serial_++, item});
     }
     ++size_;
   }
@@ -114,16 +116,16 @@ class BucketQueue {
   // Moves the ring's start to the first bucket that holds anything.
   void advance() {
     if (in_ring_ == 0) {
-      base_ = number(far_.least_key());
+      base_ = number(far_.least().key_value());
     } else {
       std::size_t empty = 0;
       while (bucket(empty).count == 0) ++empty;
       head_ += empty;
       base_ += static_cast<double>(empty);
     }
-    while (!far_.empty() && number(far_.least_key()) - base_ < kRing) {
-      const double offset = number(far_.least_key()) - base_;
-      put(offset, far_.pop());
+    while (!far_.empty() && number(far_.least().key_value()) - base_ < kRing) {
+      const auto entry = far_.pop();
+      put(number(entry.key_value()) - base_, entry.item);
     }
   }
 
@@ -151,7 +153,8 @@ class BucketQueue {
   std::size_t head_ = 0;        // position of bucket base_ in the ring, modulo its size
   double base_ = kNoPhase;      // number of the running phase's first bucket: an integer
   std::size_t phase_span_ = 0;  // buckets that the running phase took
-  PriorityQueue<Item> far_;     // what lies beyond the ring
+  KeyHeap<Item> far_;           // what lies beyond the ring
+  std::uint32_t far_serial_ = 0;
   std::vector<Node> nodes_;
   std::uint32_t free_ = kEnd;  // first of the unused nodes
   Bucket phase_;               // what is left of the running phase

@@ -1,10 +1,19 @@
-// Items in order of their key, equal keys in order of insertion: a 4-ary heap.
+// Items in order of their key, equal keys in order of insertion.
+//
+// A wavefront's keys lie close together and new ones lie mostly ahead. Items are therefore only
+// sorted into narrow buckets by floor(key / width), a ring that starts behind the bucket that is
+// being emptied; that one is a heap, of a few items. What lies beyond the ring (another source's
+// initial distance, a very long edge) waits in a heap of its own. The order is that of one heap of
+// everything.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#include "solvers/core/queues/key_heap.h"
 
 namespace geodesic {
 
@@ -12,77 +21,110 @@ namespace geodesic {
 template <class Item>
 class PriorityQueue {
  public:
-  bool empty() const { return heap_.empty(); }
-  std::size_t size() const { return heap_.size(); }
-  /// Key of the item that `pop` would return. The queue must not be empty.
-  double least_key() const { return std::bit_cast<double>(heap_.front().key); }
+  /// @param width keys covered by one bucket, in the keys' unit; best when a bucket holds but a
+  ///        few items. Not positive: one heap takes everything.
+  explicit PriorityQueue(double width)
+      : per_width_(width > 0 ? std::min(1 / width, kGreatestFactor) : 0), ring_(kRing, kEnd) {}
+
+  bool empty() const { return size_ == 0; }
+  std::size_t size() const { return size_; }
+
   void clear() {
-    heap_.clear();
+    near_.clear();
+    far_.clear();
+    std::fill(ring_.begin(), ring_.end(), kEnd);
+    nodes_.clear();
+    free_ = kEnd;
+    in_ring_ = size_ = 0;
+    current_ = 0;
     serial_ = 0;
   }
 
   /// @param key not negative
   void push(double key, Item item) {
     const Entry entry{std::bit_cast<std::uint64_t>(key), serial_++, item};
-    heap_.push_back(entry);
-    sift_up(heap_.size() - 1, entry);
+    const std::uint64_t bucket = number(entry);
+    ++size_;
+    if (bucket <= current_) {
+      near_.push(entry);
+    } else if (bucket - current_ < kRing) {
+      put(ring_[bucket % kRing], entry);
+    } else {
+      far_.push(entry);
+    }
   }
 
   /// Removes and returns the item of least key. The queue must not be empty.
   Item pop() {
-    const Item least = heap_.front().item;
-    const Entry last = heap_.back();
-    heap_.pop_back();
-    // The last entry belongs near the leaves: let the hole sink all the way, then look upwards.
-    if (!heap_.empty()) sift_up(sink_hole(), last);
-    return least;
+    if (near_.empty()) advance();
+    --size_;
+    return near_.pop().item;
   }
 
  private:
-  struct Entry {
-    std::uint64_t key;     // bits of the key: doubles that are not negative compare like integers
-    std::uint32_t serial;  // breaks ties, so that counters do not depend on the heap's shape
-    Item item;
-    // Without branches, since the outcome is unpredictable.
-    bool operator<(const Entry& other) const {
-      return static_cast<bool>((key < other.key) | ((key == other.key) & (serial < other.serial)));
-    }
+  using Entry = KeyedItem<Item>;
+  static constexpr std::size_t kRing = 1u << 14;  // buckets
+  static constexpr std::uint32_t kEnd = ~0u;      // no node
+  static constexpr double kGreatestFactor = 1e300;
+  static constexpr double kGreatestNumber = 9e18;  // fits std::uint64_t
+
+  struct Node {
+    Entry entry;
+    std::uint32_t next;
   };
 
-  void sift_up(std::size_t at, const Entry& entry) {
-    while (at > 0) {
-      const std::size_t parent = (at - 1) / 4;
-      if (!(entry < heap_[parent])) break;
-      heap_[at] = heap_[parent];
-      at = parent;
-    }
-    heap_[at] = entry;
+  std::uint64_t number(const Entry& entry) const {
+    return static_cast<std::uint64_t>(std::min(entry.key_value() * per_width_, kGreatestNumber));
   }
 
-  // Moves the root's place down to a leaf along the least children.
-  std::size_t sink_hole() {
-    Entry* const heap = heap_.data();
-    const std::size_t size = heap_.size();
-    std::size_t at = 0, first = 1;
-    for (; first + 4 <= size; first = 4 * at + 1) {
-      const std::size_t a = first + (heap[first + 1] < heap[first] ? 1 : 0);
-      const std::size_t b = first + 2 + (heap[first + 3] < heap[first + 2] ? 1 : 0);
-      const std::size_t least = heap[b] < heap[a] ? b : a;
-      heap[at] = heap[least];
-      at = least;
+  void put(std::uint32_t& bucket, const Entry& entry) {
+    std::uint32_t at = free_;
+    if (at == kEnd) {
+      at = static_cast<std::uint32_t>(nodes_.size());
+      nodes_.emplace_back();
+    } else {
+      free_ = nodes_[at].next;
     }
-    if (first < size) {
-      std::size_t least = first;
-      for (std::size_t child = first + 1; child < size; ++child) {
-        if (heap[child] < heap[least]) least = child;
-      }
-      heap[at] = heap[least];
-      at = least;
-    }
-    return at;
+    nodes_[at] = {entry, bucket};
+    bucket = at;
+    ++in_ring_;
   }
 
-  std::vector<Entry> heap_;
+  // Moves a bucket's items, in whatever order they lie there, into near_.
+  void take(std::uint32_t& bucket) {
+    while (bucket != kEnd) {
+      const std::uint32_t at = bucket;
+      near_.push(nodes_[at].entry);
+      bucket = nodes_[at].next;
+      nodes_[at].next = free_;
+      free_ = at;
+      --in_ring_;
+    }
+  }
+
+  // Makes the first bucket that holds anything the current one. As long as the ring holds an item,
+  // that is nearer than the ring's end: a place in the ring never stands for two buckets.
+  void advance() {
+    std::uint64_t next = far_.empty() ? UINT64_MAX : number(far_.least());
+    if (in_ring_ > 0) {
+      std::uint64_t nearest = current_ + 1;
+      while (ring_[nearest % kRing] == kEnd) ++nearest;
+      next = std::min(next, nearest);
+    }
+    current_ = next;
+    take(ring_[current_ % kRing]);
+    while (!far_.empty() && number(far_.least()) == current_) near_.push(far_.pop());
+  }
+
+  double per_width_;
+  KeyHeap<Item> near_;               // buckets up to current_
+  std::vector<std::uint32_t> ring_;  // first node of buckets current_ + 1 ... current_ + kRing - 1
+  KeyHeap<Item> far_;                // what lay beyond the ring when it was pushed
+  std::vector<Node> nodes_;
+  std::uint32_t free_ = kEnd;  // first of the unused nodes
+  std::uint64_t current_ = 0;
+  std::size_t in_ring_ = 0;
+  std::size_t size_ = 0;
   std::uint32_t serial_ = 0;
 };
 
