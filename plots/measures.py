@@ -20,7 +20,7 @@ ABSENT = "\N{EM DASH}"
 
 def seconds(value: float) -> str:
     """At least three significant digits, and no more than a clock can mean."""
-    return f"{value:.3f}" if value >= 0.1 else f"{value:#.3g}"
+    return f"{value:,.3f}" if value >= 0.1 else f"{value:#.3g}"
 
 
 def interval(estimate: Estimate, show: Callable[[float], str]) -> str:

@@ -20,13 +20,22 @@ class Model:
         return self.mesh.name if self.mesh else str(self.thesis)
 
     @property
+    def label(self) -> str:
+        """The name, and of a stand-in what it stands for."""
+        return self.mesh.label if self.mesh else str(self.thesis)
+
+    @property
+    def is_stand_in(self) -> bool:
+        return self.mesh is not None and self.mesh.stand_in
+
+    @property
     def relation(self) -> str:
         """How the mesh and the thesis's model relate, in words; empty when there is no model."""
         if self.thesis is None:
             return ""
         if self.mesh is None:
             return "published only"
-        if self.mesh.stand_in:
+        if self.is_stand_in:
             return f"stand-in for {self.thesis}"
         return f"the thesis's {self.thesis}"
 
@@ -39,6 +48,7 @@ def models(run: Run) -> list[Model]:
     listed = []
     for thesis in published.models():
         meshes = [mesh for mesh in run.meshes.values() if mesh.thesis_model == thesis]
+        meshes.sort(key=lambda mesh: mesh.stand_in)
         listed += [Model(mesh, thesis) for mesh in meshes] or [Model(None, thesis)]
     listed += [Model(mesh, None) for mesh in run.meshes.values() if mesh.thesis_model is None]
     return listed

@@ -1,29 +1,42 @@
 #!/usr/bin/python3
 """One picture of a run: each solver's time over that of the edge-based one, and its windows.
 
-Left, geometric mean of the paired time ratios on each mesh, a dot a mesh; right, window
-propagations over the window limit (docs/metrics.md). Numbers: run.json.
+Left, geometric mean of the paired time ratios on each mesh, a mark a mesh; right, window
+propagations over the window limit (docs/metrics.md). A hollow mark is a stand-in for a model of the
+thesis. Numbers: run.json.
 """
 
 from __future__ import annotations
 
 import argparse
 import sys
+from collections import Counter
 from pathlib import Path
 from statistics import geometric_mean
+from typing import Any
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
 
 from measures import EDGE_BASED, LIMIT_SOLVER
 from published import THESIS_SOLVERS
-from results import ResultError, Row, Run, newest_run, read_run
+from results import Mesh, ResultError, Row, Run, newest_run, read_run
 
-MARKERS = dict(zip(THESIS_SOLVERS, "osD^v", strict=False))
-"""Shapes differ as well as colours: readable in grey."""
+KINDS: dict[str, dict[str, Any]] = {
+    "the thesis's model": {"marker": "o", "color": "0.2"},
+    "stand-in for one": {"marker": "o", "color": "0.2", "markerfacecolor": "none"},
+    "other mesh": {"marker": ".", "color": "0.6"},
+}
+"""How the mark of a mesh is drawn, by what the mesh is to the thesis: readable in grey."""
+
+
+def kind(mesh: Mesh) -> str:
+    model, stand_in, other = KINDS
+    return other if mesh.thesis_model is None else stand_in if mesh.stand_in else model
 
 
 def paired(run: Run, mesh: str, solver: str, key: str, base: str, base_key: str) -> list[float]:
@@ -43,17 +56,16 @@ def draw_ratios(axes: Axes, run: Run, key: str, base: str, base_key: str, label:
     """@raises ResultError when no solver can be compared with the base."""
     solvers = [s for s in THESIS_SOLVERS if s in run.solvers]
     for place, solver in enumerate(solvers):
-        means = [
-            geometric_mean(ratios)
-            for mesh in run.meshes
-            if (ratios := paired(run, mesh, solver, key, base, base_key))
-        ]
+        means = {
+            name: geometric_mean(ratios)
+            for name in run.meshes
+            if (ratios := paired(run, name, solver, key, base, base_key))
+        }
         if not means:
             continue
-        axes.plot(
-            means, [place] * len(means), MARKERS[solver], color="0.45", alpha=0.7, markersize=5
-        )
-        mean = geometric_mean(means)
+        for name, mean in means.items():
+            axes.plot([mean], [place], linestyle="", **KINDS[kind(run.meshes[name])])
+        mean = geometric_mean(means.values())
         axes.plot([mean], [place], "|", color="tab:red", markersize=20, markeredgewidth=2.5)
         axes.annotate(
             f"{mean:.2f}", (mean, place), xytext=(0, 12), textcoords="offset points",
@@ -77,7 +89,15 @@ def draw(run: Run, file: Path) -> None:
     )  # fmt: skip
     windows.set_yticklabels([])
     times.set_xlim(left=0)
-    figure.suptitle(f"{len(run.meshes)} meshes; a mark a mesh, red: geometric mean", fontsize=10)
+    counts = Counter(map(kind, run.meshes.values()))
+    marks = [
+        Line2D([], [], linestyle="", label=f"{name} ({counts[name]})", **style)
+        for name, style in KINDS.items()
+        if counts[name]
+    ]
+    mean = Line2D([], [], linestyle="", label="geometric mean", marker="|", color="tab:red")
+    figure.suptitle(" ")  # room for the legend
+    figure.legend(handles=[*marks, mean], loc="upper center", ncols=4, frameon=False)
     figure.savefig(file, dpi=150)
     plt.close(figure)
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -21,6 +21,8 @@ SCHEMA = ROOT / "results" / "run.schema.json"
 RUNS = ROOT / "results" / "runs"
 
 OK = "ok"
+CLOSED_FORM = "closed-form"
+"""The reference of rows that were compared with truth and not with another solver."""
 
 
 class ResultError(Exception):
@@ -35,6 +37,11 @@ class Mesh:
     mean_edge_length: float
     thesis_model: str | None
     stand_in: bool
+
+    @property
+    def label(self) -> str:
+        """As what it is: "dragon-res2 (stand-in for lucy)"."""
+        return f"{self.name} (stand-in for {self.thesis_model})" if self.stand_in else self.name
 
 
 @dataclass(frozen=True)
@@ -69,6 +76,10 @@ class Row:
     @property
     def ok(self) -> bool:
         return self.outcome == OK
+
+    @property
+    def against_truth(self) -> bool:
+        return self.reference == CLOSED_FORM
 
 
 @dataclass(frozen=True)
@@ -198,9 +209,7 @@ def _typed(file: Path, data: Any) -> Run:
 
 
 def _solver(solver: dict[str, Any]) -> Solver:
-    copied = {
-        key: value for key, value in solver.items() if key not in ("exactness", "abilities")
-    }
+    copied = {field.name: solver[field.name] for field in fields(Solver) if field.name in solver}
     return Solver(**copied, exact=solver["exactness"] == "exact")
 
 

@@ -19,7 +19,7 @@ REMARKS = [
     "from its source or pseudo-source. n is the number of vertices and b = n^(1 / log_b n). "
     "Medians over sources with 95% bootstrap intervals.",
     f"Published: {published.citation()}, Table 5.1; its source vertices are not known. A stand-in "
-    "is another mesh of the same shape or size: compare b, not the depth.",
+    "is another mesh of the same shape or size: the published values beside it are context.",
 ]
 
 

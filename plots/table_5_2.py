@@ -21,7 +21,7 @@ REMARKS = [
     "interval of every number). Definitions: docs/metrics.md.",
     f"Published: {published.citation()}, Table 5.2, measured on {published.machine()}; compare "
     "ratios, not seconds. Its source vertices are not known. A stand-in is another mesh of the "
-    "same shape or size.",
+    "same shape or size: what is published for its model is context, not a value to meet.",
     "Space by the thesis's rule is 80 bytes times the window limit for MMP and FWP-MMP and times "
     "the peak wavefront for the others; MB are 10^6 bytes. The window limit is that of MMP.",
 ]
@@ -47,10 +47,11 @@ def _block(run: Run, model: Model) -> list[list[Cell]]:
         if model.mesh is not None:
             rows.append(_our_row(run, model.mesh.name, measure))
         if model.thesis is not None and measure.published is not None:
-            rows.append(_published_row(run, model.thesis, measure))
+            of = f" for {model.thesis}" if model.is_stand_in else ""
+            rows.append(_published_row(run, model.thesis, measure, of))
     labels = _labels(model) + [""] * len(rows)
     return [
-        [Cell(label, model.name), *row] for label, row in zip(labels, rows, strict=False)
+        [Cell(label, model.label), *row] for label, row in zip(labels, rows, strict=False)
     ]
 
 
@@ -70,13 +71,15 @@ def _our_row(run: Run, mesh: str, measure: Measure) -> list[Cell]:
     return [Cell(measure.label, note=measure.note), *cells, limit]
 
 
-def _published_row(run: Run, model: str, measure: Measure) -> list[Cell]:
+def _published_row(run: Run, model: str, measure: Measure, of: str) -> list[Cell]:
+    """@param of what the numbers were measured on, when that is not the mesh above"""
+
     def cell(solver: str, name: str | None) -> Cell:
         return published_cell(published.measure(model, str(name), solver), measure.show)
 
     limit = cell(LIMIT_SOLVER, LIMIT.published) if measure is PROPAGATIONS else BLANK
     cells = [cell(solver, measure.published) for solver in columns(run)]
-    return [Cell(f"{measure.label}, published"), *cells, limit]
+    return [Cell(f"{measure.label}, published{of}"), *cells, limit]
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 import sys
+from itertools import pairwise
 
 import published
 from command_line import draw
@@ -23,6 +24,9 @@ REMARKS = [
 ]
 
 
+MODELS, STAND_INS = "the thesis's models", "stand-ins"
+
+
 def tables(run: Run) -> list[Table]:
     return [_ratios(run), _claims(run)]
 
@@ -30,8 +34,11 @@ def tables(run: Run) -> list[Table]:
 def _ratios(run: Run) -> Table:
     rows = []
     for ratio in RATIOS:
-        for model in models(run):
-            rows += _rows(run, model, ratio)
+        for model, following in pairwise([*models(run), None]):
+            if model is not None:
+                rows += _our_rows(run, model, ratio)
+                if following is None or following.thesis != model.thesis:
+                    rows += _published_rows(run, model, ratio)
         rows.append(_mean_row(run, ratio))
     return Table(
         name="table_5_2_ratios",
@@ -43,19 +50,23 @@ def _ratios(run: Run) -> Table:
     )
 
 
-def _rows(run: Run, model: Model, ratio: Ratio) -> list[list[Cell]]:
-    rows = []
-    label = Cell(ratio.label, note=ratio.note)
-    relation = f" ({model.relation})" if model.relation.startswith("stand-in") else ""
-    if model.mesh is not None:
-        cells = [_ours(run, model.mesh.name, solver, ratio) for solver in columns(run)]
-        rows.append([label, Cell(model.name), Cell(f"ours{relation}"), *cells])
-    if model.thesis is not None:
-        values = [ratio.published(model.thesis, solver) for solver in columns(run)]
-        if any(value is not None for value in values):
-            cells = [Cell(ABSENT) if v is None else Cell(ratio.show(v), v) for v in values]
-            rows.append([label, Cell(model.thesis), Cell("published"), *cells])
-    return rows
+def _our_rows(run: Run, model: Model, ratio: Ratio) -> list[list[Cell]]:
+    if model.mesh is None:
+        return []
+    cells = [_ours(run, model.mesh.name, solver, ratio) for solver in columns(run)]
+    return [[Cell(ratio.label, note=ratio.note), Cell(model.label), Cell("ours"), *cells]]
+
+
+def _published_rows(run: Run, model: Model, ratio: Ratio) -> list[list[Cell]]:
+    """One, under the last of the meshes that are or stand for the model; none if not published."""
+    if model.thesis is None:
+        return []
+    values = [ratio.published(model.thesis, solver) for solver in columns(run)]
+    if all(value is None for value in values):
+        return []
+    cells = [Cell(ABSENT) if v is None else Cell(ratio.show(v), v) for v in values]
+    source = "published, context only" if model.is_stand_in else "published"
+    return [[Cell(ratio.label, note=ratio.note), Cell(model.thesis), Cell(source), *cells]]
 
 
 def _ours(run: Run, mesh: str, solver: str, ratio: Ratio) -> Cell:
@@ -79,28 +90,37 @@ def _mean_row(run: Run, ratio: Ratio) -> list[Cell]:
 
 
 def _claims(run: Run) -> Table:
-    thesis_meshes = [mesh.name for mesh in run.meshes.values() if mesh.thesis_model is not None]
+    of_thesis = [model for model in models(run) if model.thesis and model.mesh]
+    groups = {
+        MODELS: [model.name for model in of_thesis if not model.is_stand_in],
+        STAND_INS: [model.name for model in of_thesis if model.is_stand_in],
+        "all meshes": list(run.meshes),
+    }
     return Table(
         name="table_5_2_claims",
         title="The thesis's claims about Table 5.2",
         header=[
             "Edge-based ...", "Ratio", "Solver", "Claimed", "In the thesis's table",
-            "Ours, the thesis's models", "Range", "Ours, all meshes", "Range, all meshes",
+            *(head for group in groups for head in (f"Ours, {group}", f"Range, {group}")),
         ],
         text_columns=4,
         rows=[
-            row for claim in published.claims() for row in _claim_rows(run, claim, thesis_meshes)
+            row
+            for claim in published.claims()
+            for row in _claim_rows(run, claim, list(groups.values()))
         ],
         remarks=[
             *REMARKS,
             "Ranges are over meshes (over sources and repetitions when there is one mesh). All "
-            "meshes include those too small for their times to say much. "
-            f"The thesis's models in this run: {_listed(run, thesis_meshes)}.",
+            "meshes include those too small for their times to say much. Stand-ins are context: "
+            "they are other meshes than those that the thesis measured. "
+            f"In this run, the thesis's models: {_listed(run, groups[MODELS])}; "
+            f"stand-ins: {_listed(run, groups[STAND_INS])}.",
         ],
     )  # fmt: skip
 
 
-def _claim_rows(run: Run, claim: Claim, thesis_meshes: list[str]) -> list[list[Cell]]:
+def _claim_rows(run: Run, claim: Claim, groups: list[list[str]]) -> list[list[Cell]]:
     ratio = BY_KEY[claim.ratio]
     rows = []
     for solver in claim.solvers:
@@ -112,8 +132,7 @@ def _claim_rows(run: Run, claim: Claim, thesis_meshes: list[str]) -> list[list[C
                 Cell(solver),
                 Cell(claim.value),
                 _published_mean(ratio, solver),
-                *_our_mean(run, ratio, solver, thesis_meshes),
-                *_our_mean(run, ratio, solver, list(run.meshes)),
+                *(cell for meshes in groups for cell in _our_mean(run, ratio, solver, meshes)),
             ]
         )
     return rows
@@ -153,12 +172,7 @@ def _no_ratio(run: Run, solver: str, meshes: list[str]) -> Cell:
 
 
 def _listed(run: Run, meshes: list[str]) -> str:
-    names = [
-        f"{name} (stand-in for {mesh.thesis_model})" if mesh.stand_in else name
-        for name, mesh in run.meshes.items()
-        if name in meshes
-    ]
-    return ", ".join(names) or "none"
+    return ", ".join(run.meshes[name].label for name in meshes) or "none"
 
 
 if __name__ == "__main__":

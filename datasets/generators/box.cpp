@@ -1,6 +1,7 @@
 #include <array>
 
 #include "datasets/generators/families.h"
+#include "datasets/generators/known_distances.h"
 #include "datasets/generators/sheet.h"
 
 namespace geodesic::generators {
@@ -93,7 +94,8 @@ Family box() {
                           integer_parameter("z-cells", 16, 1, 10000, "cells along z"),
                           real_parameter("spacing", 1, 1e-6, 1e6, "side of a cell"),
                           diagonal_parameter()}},
-          make};
+          make,
+          box_distances};
 }
 
 }  // namespace geodesic::generators

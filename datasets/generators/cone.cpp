@@ -6,6 +6,7 @@
 
 #include "datasets/generators/circle.h"
 #include "datasets/generators/families.h"
+#include "datasets/generators/known_distances.h"
 #include "datasets/generators/sectors.h"
 
 namespace geodesic::generators {
@@ -14,8 +15,7 @@ namespace {
 constexpr const char* kFanDistances =
     "unrolled, a vertex has polar coordinates r = |p| and theta, its angle in its sector plus that "
     "of the sectors before; with t the lesser angle from a to b round the apex: d(a, b) = "
-    "sqrt(r_a^2 + r_b^2 - 2 r_a r_b cos t) when t < 180 degrees, else r_a + r_b; valid while the "
-    "straight path stays inside the rim";
+    "sqrt(r_a^2 + r_b^2 - 2 r_a r_b cos t) when t < 180 degrees, else r_a + r_b";
 
 /// Unit vectors at equal angles `sector_turns` from one to the next: around the z axis, all
 /// equally far below the plane z = 0, or above and below it in turn.
@@ -63,7 +63,8 @@ Family cone() {
            .parameters = {integer_parameter("sectors", 12, 3, 100000, "sides of the pyramid"),
                           real_parameter("angle", 240, 1, 359, "total at the apex, degrees"),
                           integer_parameter("rings", 16, 1, 10000, "cells from apex to rim")}},
-          make_cone};
+          make_cone,
+          fan_distances};
 }
 
 Family saddle_cone() {
@@ -76,7 +77,8 @@ Family saddle_cone() {
        .parameters = {integer_parameter("sectors", 8, 4, 1000, "an even number of planar parts"),
                       real_parameter("sector-angle", 60, 0.5, 120, "at the apex, degrees"),
                       integer_parameter("rings", 16, 1, 10000, "cells from apex to rim")}},
-      make_saddle};
+      make_saddle,
+      fan_distances};
 }
 
 }  // namespace geodesic::generators

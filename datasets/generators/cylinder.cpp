@@ -2,6 +2,7 @@
 
 #include "datasets/generators/circle.h"
 #include "datasets/generators/families.h"
+#include "datasets/generators/known_distances.h"
 #include "datasets/generators/sheet.h"
 
 namespace geodesic::generators {
@@ -33,7 +34,8 @@ Family cylinder() {
                       integer_parameter("rows", 24, 1, 40000, "cells along the axis"),
                       real_parameter("radius", 1, 1e-6, 1e6, "of the corners"),
                       real_parameter("height", 3, 1e-6, 1e6, "of the tube"), diagonal_parameter()}},
-      make};
+      make,
+      cylinder_distances};
 }
 
 }  // namespace geodesic::generators

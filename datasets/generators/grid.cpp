@@ -1,4 +1,5 @@
 #include "datasets/generators/families.h"
+#include "datasets/generators/known_distances.h"
 #include "datasets/generators/sheet.h"
 
 namespace geodesic::generators {
@@ -22,7 +23,8 @@ Family grid() {
                           integer_parameter("rows", 32, 1, 40000, "cells along y"),
                           real_parameter("spacing", 1, 1e-6, 1e6, "side of a cell"),
                           diagonal_parameter()}},
-          make};
+          make,
+          plane_distances};
 }
 
 }  // namespace geodesic::generators

@@ -1,4 +1,5 @@
 #include "datasets/generators/families.h"
+#include "datasets/generators/known_distances.h"
 #include "datasets/generators/sheet.h"
 
 namespace geodesic::generators {
@@ -27,7 +28,8 @@ Family square_with_hole() {
            .parameters = {integer_parameter("hole", 10, 1, 20000, "side of the hole in cells"),
                           integer_parameter("rim", 10, 1, 10000, "cells from hole to border"),
                           diagonal_parameter()}},
-          make};
+          make,
+          square_with_hole_distances};
 }
 
 }  // namespace geodesic::generators

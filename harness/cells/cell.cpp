@@ -98,14 +98,14 @@ Timing Cell::measure() {
 }  // namespace
 
 void run_cell(const CellSpec& spec) {
-  const Mesh mesh(load_mesh(spec.mesh_file, {.repair = spec.repair}).soup);
+  const Mesh mesh(load_mesh(spec.mesh_file).soup);
   restart_peak_resident_bytes();
   const Timing timing = Cell(spec, mesh).measure();
   write_result_file(spec.output, timing.context, spec.context, timing.rows);
 }
 
 void run_reference(const ReferenceSpec& spec) {
-  const Mesh mesh(load_mesh(spec.mesh_file, {.repair = spec.repair}).soup);
+  const Mesh mesh(load_mesh(spec.mesh_file).soup);
   write_distances(spec.output,
                   solve_once(spec.solver, mesh, {.sources = {{.vertex = spec.source}}}));
 }

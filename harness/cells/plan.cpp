@@ -40,7 +40,7 @@ void check_no_repetition(const std::string& kind, const Items& items, Name name)
 }
 
 PlannedMesh plan_mesh(const MeshEntry& entry, const Suite& suite) {
-  const TriangleSoup soup = load_mesh(entry.file, {.repair = entry.repair}).soup;
+  const TriangleSoup soup = load_mesh(entry.file).soup;
   const Mesh mesh(soup);
   PlannedMesh planned{.entry = entry,
                       .vertices = mesh.vertex_count(),

@@ -1,6 +1,7 @@
 #include "harness/cells/process.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,6 +17,7 @@ namespace {
 
 constexpr std::size_t kKeptBytes = 4096;  // of standard error
 constexpr std::size_t kKeptLines = 3;
+constexpr int kWaitMs = 1000;
 
 void check(int error) {
   if (error != 0) {
@@ -45,10 +47,15 @@ pid_t spawn(const std::vector<std::string>& arguments, int standard_error) {
 }
 
 // Everything until the other end is closed; only the end of it is kept.
-std::string read_tail(int pipe) {
+std::string read_tail(int pipe, const std::function<void()>& waiting) {
   std::string tail;
   std::array<char, kKeptBytes> block;
   for (;;) {
+    pollfd readable{.fd = pipe, .events = POLLIN, .revents = 0};
+    if (poll(&readable, 1, kWaitMs) == 0) {
+      waiting();
+      continue;
+    }
     const ssize_t bytes = read(pipe, block.data(), block.size());
     if (bytes < 0 && errno == EINTR) continue;
     if (bytes <= 0) return tail;
@@ -77,7 +84,8 @@ std::string Ended::describe() const {
   return last_words.empty() ? text : text + ": " + last_words;
 }
 
-Ended run_this_program(const std::vector<std::string>& arguments) {
+Ended run_this_program(const std::vector<std::string>& arguments,
+                       const std::function<void()>& waiting) {
   std::array<int, 2> ends;
   if (pipe2(ends.data(), O_CLOEXEC) != 0) check(errno);
   pid_t child = 0;
@@ -90,7 +98,7 @@ Ended run_this_program(const std::vector<std::string>& arguments) {
   }
   close(ends[1]);
   Ended ended;
-  ended.last_words = last_lines(read_tail(ends[0]));
+  ended.last_words = last_lines(read_tail(ends[0], waiting));
   close(ends[0]);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {

@@ -1,6 +1,7 @@
 // This program, started again as another process.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,9 @@ struct Ended {
 
 /// Runs this very program with other arguments and waits for it. Standard input and output are
 /// closed to it.
+/// @param waiting called about once a second until the process has ended
 /// @throws HarnessError when no process can be started
-Ended run_this_program(const std::vector<std::string>& arguments);
+Ended run_this_program(const std::vector<std::string>& arguments,
+                       const std::function<void()>& waiting);
 
 }  // namespace geodesic::harness

@@ -1,5 +1,8 @@
 #include "harness/cells/progress.h"
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -8,6 +11,9 @@
 
 namespace geodesic::harness {
 namespace {
+
+constexpr double kSecondsBetweenLogLines = 60;
+constexpr const char* kEraseLine = "\r\033[K";  // on a terminal
 
 // Windows grow about as n^1.5; the constant is the start of a process. A guess serves: it only
 // weighs large meshes against small ones.
@@ -28,6 +34,9 @@ std::string duration(double seconds) {
 
 }  // namespace
 
+Progress::Progress(const std::vector<Cell>& cells)
+    : cells_(cells), on_terminal_(isatty(STDERR_FILENO) == 1) {}
+
 double Progress::seconds_left() const {
   double seconds = 0;
   for (std::size_t i = done_; i < cells_.size(); ++i) {
@@ -38,19 +47,38 @@ double Progress::seconds_left() const {
   return seconds;
 }
 
-void Progress::ended(const std::string& result) {
-  const Cell& cell = cells_[done_++];
+// "[3/40] mmp/horse/src:0  "
+std::string Progress::heading() const {
+  const Cell& cell = cells_[done_];
+  return "[" + std::to_string(done_ + 1) + "/" + std::to_string(cells_.size()) + "] " +
+         row_name(cell.solver->name, cell.mesh->entry.name, cell.source) + "  ";
+}
+
+void Progress::working(const std::string& work) {
   const double now = watch_.real_seconds();
+  const std::string line = heading() + work + ", " + duration(seconds_in_cell());
+  if (on_terminal_) {
+    std::cerr << kEraseLine << line << std::flush;
+  } else if (now - std::max(told_seconds_, last_seconds_) >= kSecondsBetweenLogLines) {
+    told_seconds_ = now;
+    std::cerr << line << " so far" << std::endl;
+  }
+}
+
+void Progress::ended(const std::string& result) {
+  const std::string line = heading() + result;
+  const Cell& cell = cells_[done_++];
+  const double seconds = seconds_in_cell();
   for (const std::string& solver : {cell.solver->name, std::string()}) {
     Pace& pace = paces_[solver];
-    pace.seconds += now - last_seconds_;
+    pace.seconds += seconds;
     pace.work += estimated_work(cell);
   }
-  last_seconds_ = now;
-  std::cerr << '[' << done_ << '/' << cells_.size() << "] "
-            << row_name(cell.solver->name, cell.mesh->entry.name, cell.source) << "  " << result;
-  if (done_ < cells_.size()) std::cerr << "  (about " << duration(seconds_left()) << " left)";
-  std::cerr << std::endl;
+  last_seconds_ += seconds;
+  if (on_terminal_) std::cerr << kEraseLine;
+  std::cerr << line << "  (" << duration(seconds);
+  if (done_ < cells_.size()) std::cerr << ", about " << duration(seconds_left()) << " left";
+  std::cerr << ')' << std::endl;
 }
 
 }  // namespace geodesic::harness

@@ -1,4 +1,5 @@
-// A line on standard error for every cell, with an estimate of the time left.
+// A line on standard error for every cell, with an estimate of the time left; in between, what a
+// long cell is at and for how long.
 #pragma once
 
 #include <map>
@@ -12,7 +13,12 @@ namespace geodesic::harness {
 
 class Progress {
  public:
-  explicit Progress(const std::vector<Cell>& cells) : cells_(cells) {}
+  explicit Progress(const std::vector<Cell>& cells);
+
+  /// To be called about once a second while the next cell is worked on. On a terminal one line is
+  /// kept up to date; elsewhere (a log) a line is written every minute.
+  /// @param work what is being done: "reference by mmp"
+  void working(const std::string& work);
 
   /// The next cell, in the order of the constructor's, has ended.
   /// @param result its outcome, and its time or what went wrong
@@ -20,6 +26,8 @@ class Progress {
 
  private:
   double seconds_left() const;
+  double seconds_in_cell() const { return watch_.real_seconds() - last_seconds_; }
+  std::string heading() const;
 
   // A solver's pace on the meshes it has done so far; solvers differ by factors of a thousand.
   struct Pace {
@@ -28,7 +36,9 @@ class Progress {
   const std::vector<Cell>& cells_;
   std::size_t done_ = 0;
   std::map<std::string, Pace> paces_;  // by solver, and of all under ""
-  double last_seconds_ = 0;
+  double last_seconds_ = 0;            // when the last cell ended
+  double told_seconds_ = 0;            // when a log was last written to
+  const bool on_terminal_;
   Stopwatch watch_;
 };
 

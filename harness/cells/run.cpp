@@ -51,7 +51,10 @@ class Run {
         plan_(plan),
         cells_(plan.cells()),
         folder_(std::move(folder)),
-        references_(folder_ / "references", request.suite.reference) {}
+        progress_(cells_),
+        references_(
+            folder_ / "references", request.suite.reference,
+            [this](const std::string& solver) { progress_.working("reference by " + solver); }) {}
 
   void measure();
   void assemble() const;
@@ -73,6 +76,7 @@ class Run {
   const std::vector<Cell> cells_;
   const fs::path folder_;
   const std::string started_ = utc_now();
+  Progress progress_;
   References references_;
   std::vector<Json> rows_;  // of all cells so far
 };
@@ -137,14 +141,14 @@ void Run::start_cell(const Cell& cell, const fs::path& file) {
     CellSpec spec{.solver = cell.solver->name,
                   .mesh = cell.mesh->entry.name,
                   .mesh_file = cell.mesh->entry.file.string(),
-                  .repair = cell.mesh->entry.repair,
                   .source = cell.source,
                   .reference = reference.solver,
                   .reference_file = reference.file.string(),
                   .output = file.string(),
                   .benchmark_flags = benchmark_flags(),
                   .context = cell_context(cell)};
-    const Ended ended = run_this_program({"cell", Json(spec).dump()});
+    const Ended ended =
+        run_this_program({"cell", Json(spec).dump()}, [this] { progress_.working("measuring"); });
     if (!ended.succeeded()) {
       write_error(cell, file, ended.crashed ? outcome::kCrashed : outcome::kError,
                   ended.describe());
@@ -178,10 +182,9 @@ std::string summary(const Json& rows) {
 }
 
 void Run::measure() {
-  Progress progress(cells_);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     Json rows = run_cell(cells_[i]);
-    progress.ended(summary(rows));
+    progress_.ended(summary(rows));
     for (Json& row : rows) {
       row["family_index"] = i;  // every cell's own file says 0
       rows_.push_back(std::move(row));

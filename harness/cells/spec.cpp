@@ -3,15 +3,10 @@
 namespace geodesic::harness {
 
 void to_json(Json& json, const CellSpec& spec) {
-  json = {{"solver", spec.solver},
-          {"mesh", spec.mesh},
-          {"mesh_file", spec.mesh_file},
-          {"repair", spec.repair},
-          {"source", spec.source},
-          {"reference", spec.reference},
-          {"reference_file", spec.reference_file},
-          {"output", spec.output},
-          {"benchmark_flags", spec.benchmark_flags},
+  json = {{"solver", spec.solver},       {"mesh", spec.mesh},
+          {"mesh_file", spec.mesh_file}, {"source", spec.source},
+          {"reference", spec.reference}, {"reference_file", spec.reference_file},
+          {"output", spec.output},       {"benchmark_flags", spec.benchmark_flags},
           {"context", spec.context}};
 }
 
@@ -19,7 +14,6 @@ void from_json(const Json& json, CellSpec& spec) {
   json.at("solver").get_to(spec.solver);
   json.at("mesh").get_to(spec.mesh);
   json.at("mesh_file").get_to(spec.mesh_file);
-  json.at("repair").get_to(spec.repair);
   json.at("source").get_to(spec.source);
   json.at("reference").get_to(spec.reference);
   json.at("reference_file").get_to(spec.reference_file);
@@ -31,7 +25,6 @@ void from_json(const Json& json, CellSpec& spec) {
 void to_json(Json& json, const ReferenceSpec& spec) {
   json = {{"solver", spec.solver},
           {"mesh_file", spec.mesh_file},
-          {"repair", spec.repair},
           {"source", spec.source},
           {"output", spec.output}};
 }
@@ -39,7 +32,6 @@ void to_json(Json& json, const ReferenceSpec& spec) {
 void from_json(const Json& json, ReferenceSpec& spec) {
   json.at("solver").get_to(spec.solver);
   json.at("mesh_file").get_to(spec.mesh_file);
-  json.at("repair").get_to(spec.repair);
   json.at("source").get_to(spec.source);
   json.at("output").get_to(spec.output);
 }

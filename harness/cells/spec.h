@@ -14,7 +14,6 @@ struct CellSpec {
   std::string solver;
   std::string mesh;       ///< name
   std::string mesh_file;  ///< path
-  bool repair = false;    ///< the mesh while it is loaded
   Index source = 0;
   std::string reference;       ///< the solver that the distances are compared with
   std::string reference_file;  ///< its distances (verify/distance_file.h)
@@ -29,7 +28,6 @@ void from_json(const Json& json, CellSpec& spec);
 struct ReferenceSpec {
   std::string solver;
   std::string mesh_file;
-  bool repair = false;
   Index source = 0;
   std::string output;  ///< distance file to write
 };

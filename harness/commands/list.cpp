@@ -7,6 +7,7 @@
 #include "harness/corpus/manifest.h"
 #include "harness/error.h"
 #include "harness/results/context.h"
+#include "harness/verify/closed_form.h"
 #include "solvers/registry.h"
 
 namespace geodesic::harness {
@@ -54,11 +55,13 @@ std::vector<std::string> corpora_with(const Manifest& manifest, const std::strin
   return names;
 }
 
+std::string yes_or_no(bool value) { return value ? "yes" : "no"; }
+
 Table mesh_table(const Manifest& manifest, const std::vector<MeshEntry>& meshes) {
-  Table table{{"mesh", "kind", "corpora", "in the cache"}};
+  Table table{{"mesh", "kind", "corpora", "distances known", "in the cache"}};
   for (const MeshEntry& mesh : meshes) {
     table.push_back({mesh.name, mesh.kind, join(corpora_with(manifest, mesh.name)),
-                     mesh.available() ? "yes" : "no"});
+                     yes_or_no(has_closed_form(mesh)), yes_or_no(mesh.available())});
   }
   return table;
 }
@@ -76,6 +79,7 @@ Json to_json(const Manifest& manifest, const std::vector<MeshEntry>& meshes) {
          {"corpora", corpora_with(manifest, mesh.name)},
          {"thesis_model", mesh.thesis_model ? Json(*mesh.thesis_model) : Json(nullptr)},
          {"stand_in", mesh.stand_in},
+         {"distances_known", has_closed_form(mesh)},
          {"cached", mesh.available()}});
   }
   return json;

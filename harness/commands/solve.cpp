@@ -1,5 +1,6 @@
 #include "harness/commands/solve.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -13,6 +14,8 @@
 #include "harness/meshes/load.h"
 #include "harness/results/atomic_file.h"
 #include "harness/results/counters.h"
+#include "harness/verify/closed_form.h"
+#include "harness/verify/verify.h"
 #include "solvers/registry.h"
 
 namespace geodesic::harness {
@@ -36,12 +39,12 @@ void write_text(std::ostream& out, std::span<const double> distances) {
   }
 }
 
-Mesh load(const SolveFlags& flags, const MeshEntry& entry) {
-  const LoadedMesh loaded = load_mesh(entry.file, {.repair = flags.repair || entry.repair});
-  for (const std::string& warning : loaded.warnings) {
-    std::cerr << "geodesic-bench: " << entry.file.string() << ": " << warning << '\n';
-  }
-  return Mesh(loaded.soup);
+void warn(const std::string& warning) { std::cerr << "geodesic-bench: " << warning << '\n'; }
+
+TriangleSoup load(const SolveFlags& flags, const MeshEntry& entry) {
+  LoadedMesh loaded = load_mesh(entry.file, {.repair = flags.repair});
+  for (const std::string& warning : loaded.warnings) warn(entry.file.string() + ": " + warning);
+  return std::move(loaded.soup);
 }
 
 Query query_of(const SolveFlags& flags) {
@@ -81,16 +84,50 @@ Solved solve(const SolveFlags& flags, const Description& solver, const Mesh& mes
   return solved;
 }
 
+// The closed form's distances from the nearest of the sources; nothing where it is not known.
+std::optional<std::vector<double>> known_distances(const SolveFlags& flags, const MeshEntry& entry,
+                                                   const TriangleSoup& soup) {
+  if (std::isfinite(flags.limit)) return std::nullopt;
+  std::optional<std::vector<double>> least;
+  try {
+    for (const Index source : flags.sources) {
+      const auto known = closed_form_distances(entry, soup, source);
+      if (!known) return std::nullopt;
+      if (!least) least.emplace(known->size(), kInfinity);
+      for (std::size_t v = 0; v < known->size(); ++v) {
+        (*least)[v] = std::min((*least)[v], (*known)[v]);
+      }
+    }
+  } catch (const HarnessError& error) {
+    warn(error.what());
+    return std::nullopt;
+  }
+  return least;
+}
+
+// What the distances were compared with, and how far they are from it. @throws WrongAnswer
+Json verify_by(const std::optional<std::vector<double>>& known, const SolveFlags& flags,
+               const Description& solver, const Mesh& mesh, const std::vector<double>& distances) {
+  if (!known) return {{"reference", nullptr}, {"max_relative_error", nullptr}};
+  const Verdict verdict =
+      verify(mesh, flags.sources, solver.exactness, distances, {kClosedForm, *known}, std::nullopt);
+  if (!verdict.error.empty()) throw WrongAnswer(solver.name + ": " + verdict.error);
+  return {{"reference", kClosedForm}, {"max_relative_error", verdict.max_relative_error}};
+}
+
 void run_solve(const SolveFlags& flags) {
   const Description& solver = solver_named(flags.solver);
   const MeshEntry entry = find_mesh(flags.mesh, flags.manifest);
   std::optional<AtomicFile> output;  // opened before the work: a bad path costs no solve
   if (!flags.output.empty()) output.emplace(flags.output);
-  const Mesh mesh = load(flags, entry);
+  const TriangleSoup soup = load(flags, entry);
+  const Mesh mesh(soup);
   const std::string unable = unsupported(solver, mesh);
   if (!unable.empty()) throw HarnessError(unable);
 
   Solved solved = solve(flags, solver, mesh);
+  solved.json.update(
+      verify_by(known_distances(flags, entry, soup), flags, solver, mesh, solved.distances));
   if (output) {
     write_text(output->stream(), solved.distances);
     output->commit();

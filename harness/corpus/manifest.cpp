@@ -11,6 +11,21 @@ namespace geodesic::harness {
 namespace fs = std::filesystem;
 namespace {
 
+generators::Value parse_value(const Json& value) {
+  if (value.is_number()) return value.get<double>();
+  return value.get<std::string>();
+}
+
+std::optional<Recipe> parse_recipe(const Json& mesh) {
+  if (!mesh.contains("generator") || mesh.contains("inputs")) return std::nullopt;
+  Recipe recipe{.generator = mesh["generator"].get<std::string>(), .parameters = {}};
+  const Json parameters = mesh.value("parameters", Json::object());
+  for (const auto& [name, value] : parameters.items()) {
+    recipe.parameters.emplace(name, parse_value(value));
+  }
+  return recipe;
+}
+
 MeshEntry parse_mesh(const Json& mesh, const fs::path& cache) {
   MeshEntry entry{.name = mesh.at("name").get<std::string>(),
                   .file = cache / mesh.at("file").get<std::string>(),
@@ -19,7 +34,7 @@ MeshEntry parse_mesh(const Json& mesh, const fs::path& cache) {
     entry.thesis_model = mesh["thesis_model"].get<std::string>();
   }
   entry.stand_in = mesh.value("stand_in", false);
-  entry.repair = mesh.value("repair", false);
+  entry.recipe = parse_recipe(mesh);
   return entry;
 }
 
@@ -86,10 +101,7 @@ MeshEntry find_mesh(const std::string& file_or_name, const fs::path& manifest) {
 
 std::string how_to_get(const MeshEntry& mesh) {
   return "mesh '" + mesh.name + "' is not in the dataset cache (" +
-         mesh.file.parent_path().string() + "): run ./run_all.sh fetch" +
-         (mesh.kind == "downloaded" ? ", with GEODESIC_DATASETS_MIRROR set to a folder that "
-                                      "mirrors the upstream sites"
-                                    : "");
+         mesh.file.parent_path().string() + "): run datasets/fetch.py " + mesh.name;
 }
 
 }  // namespace geodesic::harness

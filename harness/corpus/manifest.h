@@ -9,15 +9,23 @@
 #include <string_view>
 #include <vector>
 
+#include "datasets/generators/parameters.h"
+
 namespace geodesic::harness {
+
+/// What makes a mesh out of nothing but numbers.
+struct Recipe {
+  std::string generator;
+  generators::Parameters parameters;
+};
 
 struct MeshEntry {
   std::string name;
   std::filesystem::path file;  ///< where it is, or would be, in the cache
-  std::string kind;            ///< "generated", "downloaded", or "file" when given by its path
+  std::string kind;  ///< "generated", "downloaded", "package", or "file" when given by its path
   std::optional<std::string> thesis_model = {};  ///< its row in the thesis's tables
   bool stand_in = false;                         ///< stands for that model without being it
-  bool repair = false;  ///< as stored it cannot be measured: to be loaded with repair
+  std::optional<Recipe> recipe = {};  ///< of a generated mesh that is made from no other file
 
   bool available() const { return std::filesystem::is_regular_file(file); }
 };

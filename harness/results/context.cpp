@@ -22,6 +22,7 @@ Json describe(const Description& solver) {
       {"spatial_order", solver.spatial_order},
       {"exactness", solver.exactness == Exactness::exact ? "exact" : "upper_bound"},
       {"independent_oracle", solver.independent_oracle},
+      {"relative_time", solver.relative_time > 0 ? Json(solver.relative_time) : Json(nullptr)},
       {"abilities",
        {{"multiple_sources", can.multiple_sources},
         {"initial_distances", can.initial_distances},
@@ -48,7 +49,6 @@ Json describe(const MeshEntry& entry, const TriangleSoup& soup, const Mesh& mesh
       {"mean_edge_length", mesh.mean_edge_length()},
       {"thesis_model", entry.thesis_model ? Json(*entry.thesis_model) : Json(nullptr)},
       {"stand_in", entry.stand_in},
-      {"repaired", entry.repair},
   };
 }
 

@@ -15,9 +15,9 @@ std::vector<const Description*> rank_references(const Description& verified,
     }
   }
   const auto demerits = [&](const Description* solver) {
+    const double time = solver->relative_time > 0 ? solver->relative_time : kInfinity;
     return std::tuple(solver->name != named, !solver->independent_oracle,
-                      solver->family == verified.family, solver->abilities.max_vertices != kNone,
-                      solver->name);
+                      solver->family == verified.family, time, solver->name);
   };
   std::sort(candidates.begin(), candidates.end(),
             [&](const auto* a, const auto* b) { return demerits(a) < demerits(b); });

@@ -10,7 +10,8 @@
 namespace geodesic::harness {
 
 /// Exact solvers that can verify another one, best first: the one that the user named, independent
-/// oracles, other families, those without a limit of size (a limit means slow), then by name.
+/// oracles, other families, the faster ones (`Description::relative_time`, an unknown one last),
+/// then by name. Which of them can do a mesh is for the caller to see.
 std::vector<const Description*> rank_references(const Description& verified,
                                                 const std::vector<const Description*>& solvers,
                                                 const std::optional<std::string>& named);

@@ -1,6 +1,5 @@
 // Counters: recording changes no distance, and what is counted makes sense.
 #include "tests/conformance/solver_test.h"
-#include "tests/oracles/closed_forms.h"
 #include "tests/oracles/random_meshes.h"
 
 namespace geodesic::conformance {

@@ -63,7 +63,7 @@ TEST_F(RunTest, ContextSaysHowToTrustAndRepeatIt) {
   const Output run = run_suite(PROGRAM, {"--solvers", "dijkstra", "--sources", "2", "--seed", "9"});
   ASSERT_EQ(run.code, 0) << run.err;
   const json context = read_json(out_ / "run.json").at("context").at("geodesic_bench");
-  EXPECT_EQ(context.at("schema_version"), 1);
+  EXPECT_EQ(context.at("schema_version"), 2);
   EXPECT_EQ(context.at("seed"), 9);
   EXPECT_EQ(context.at("repetitions"), 2);
   EXPECT_EQ(context.at("corpus"), "quick");
@@ -216,21 +216,101 @@ TEST_F(RunTest, AReferenceThatFailsIsReplacedByTheNext) {
   EXPECT_NE(row("dijkstra/tetrahedron/src:0").at("reference"), "crashing");
 }
 
-// Two faces that run opposite ways round along their edge.
-TEST_F(RunTest, MeshesThatTheManifestRepairsAreMeasured) {
-  write("twisted.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 4 3\n");
-  const auto measured = [&](const char* repair) {
-    write("manifest.json", std::string(R"({"corpora": {"quick": ["twisted"]}, "meshes": [
-      {"name": "twisted", "kind": "downloaded", "file": "twisted.obj", "repair": )") +
-                               repair + "}]}");
-    return run_suite(PROGRAM, {"--solvers", exact_solver(), "--sources", "1"});
-  };
-  EXPECT_EQ(measured("false").code, 1);
-  const Output run = measured("true");
+// A mesh of the manifest whose distances have a closed form: a box that the program itself makes.
+class RunOfABox : public RunTest {
+ protected:
+  RunOfABox() {
+    write("manifest.json", R"({"corpora": {"quick": ["box"]}, "meshes": [{"name": "box",
+      "kind": "generated", "generator": "box", "file": "box.ply", "tags": ["any other key"],
+      "parameters": {"x-cells": 4, "y-cells": 3, "z-cells": 2, "diagonal": "forward"}}]})");
+    make_box("4");
+  }
+  void make_box(const std::string& x_cells) const {
+    const Output made = run_plainly(
+        PROGRAM, {"generate", "box", "--x-cells", x_cells, "--y-cells", "3", "--z-cells", "2",
+                  "--diagonal", "forward", "-o", (folder_ / "box.ply").string()});
+    EXPECT_EQ(made.code, 0) << made.err;
+  }
+};
+
+TEST_F(RunOfABox, IsVerifiedByItsClosedForm) {
+  const Output run =
+      run_suite(PROGRAM, {"--solvers", exact_solver() + ",dijkstra", "--sources", "3"});
   ASSERT_EQ(run.code, 0) << run.err;
-  const json context = read_json(out_ / "run.json").at("context").at("geodesic_bench");
-  EXPECT_EQ(context.at("meshes")[0].at("repaired"), true);
-  EXPECT_EQ(rows()[0].at("outcome"), "ok");
+  for (const json& each : rows()) {
+    EXPECT_EQ(each.at("reference"), "closed-form") << each.at("name");
+    if (each.at("solver") != "dijkstra") {
+      EXPECT_LE(each.at("max_relative_error").get<double>(), 1e-14) << each.at("name");
+    }
+  }
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(out_ / "references"), {}), 3)
+      << "one file a source";
+}
+
+TEST_F(RunOfABox, CatchesWrongAnswersByItsClosedForm) {
+  const Output run = run_suite(FAULTY_PROGRAM, {"--solvers", "wrong", "--sources", "1"});
+  EXPECT_EQ(run.code, 2) << run.err;
+  EXPECT_NE(message(row("wrong/box/src:0")).find("closed-form has"), std::string::npos) << rows();
+}
+
+TEST_F(RunOfABox, IsVerifiedByTheSolverThatTheUserNames) {
+  const Output run = run_suite(
+      PROGRAM, {"--solvers", "dijkstra", "--sources", "1", "--reference", exact_solver()});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(row("dijkstra/box/src:0").at("reference"), exact_solver());
+}
+
+TEST_F(RunOfABox, UsesTheClosedFormWhereTheNamedSolverCannotVerifyItself) {
+  const Output run = run_suite(
+      PROGRAM, {"--solvers", exact_solver(), "--sources", "1", "--reference", exact_solver()});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(row(exact_solver() + "/box/src:0").at("reference"), "closed-form");
+}
+
+TEST_F(RunOfABox, IsVerifiedByASolverWhenItsFileIsAnotherMesh) {
+  make_box("5");
+  const Output run = run_suite(PROGRAM, {"--solvers", "dijkstra", "--sources", "1"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(row("dijkstra/box/src:0").at("reference"), "closed-form");
+  EXPECT_NE(run.err.find("'box' cannot be verified by its closed form"), std::string::npos)
+      << run.err;
+}
+
+// A mesh that is made from another one has no parameters that say all about it.
+TEST_F(RunOfABox, WithAnInputHasNoClosedForm) {
+  write("manifest.json", R"({"corpora": {"quick": ["box"]}, "meshes": [{"name": "box",
+    "kind": "generated", "generator": "box", "inputs": {"input": "x"}, "file": "box.ply",
+    "parameters": {"x-cells": 4, "y-cells": 3, "z-cells": 2, "diagonal": "forward"}}]})");
+  const Output run = run_suite(PROGRAM, {"--solvers", "dijkstra", "--sources", "1"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(row("dijkstra/box/src:0").at("reference"), "closed-form");
+}
+
+TEST_F(RunOfABox, SolveSaysHowFarItIsFromTheTruth) {
+  const auto solve = [&](const std::string& program, std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"solve", "box"});
+    return run(program, arguments);
+  };
+  const Output sound =
+      solve(PROGRAM, {"--solver", exact_solver(), "--source", "0", "--source", "30"});
+  ASSERT_EQ(sound.code, 0) << sound.err;
+  EXPECT_EQ(json::parse(sound.out).at("reference"), "closed-form");
+  EXPECT_LE(json::parse(sound.out).at("max_relative_error").get<double>(), 1e-14);
+
+  const Output limited =
+      solve(PROGRAM, {"--solver", exact_solver(), "--source", "0", "--limit", "2"});
+  ASSERT_EQ(limited.code, 0) << limited.err;
+  EXPECT_TRUE(json::parse(limited.out).at("reference").is_null());
+
+  const Output wrong = solve(FAULTY_PROGRAM, {"--solver", "wrong", "--source", "0"});
+  EXPECT_EQ(wrong.code, 2) << wrong.err;
+  EXPECT_EQ(wrong.out, "");
+  EXPECT_NE(wrong.err.find("closed-form has"), std::string::npos) << wrong.err;
+}
+
+TEST_F(RunOfABox, ListSaysThatItsDistancesAreKnown) {
+  EXPECT_EQ(json::parse(run(PROGRAM, {"list", "--json"}).out).at("meshes")[0].at("distances_known"),
+            true);
 }
 
 TEST_F(RunTest, UnreadableMeshesAreSkippedAndAnError) {

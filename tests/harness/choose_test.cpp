@@ -16,31 +16,32 @@ class RankReferences : public ::testing::Test {
     return names;
   }
 
-  static Description described(const char* name, const char* family) {
+  static Description described(const char* name, const char* family, double relative_time = 0) {
     Description solver{};
+    solver.relative_time = relative_time;
     solver.name = name;
     solver.family = family;
     return solver;
   }
   RankReferences() {
     bound_.exactness = Exactness::upper_bound;
-    slow_.abilities.max_vertices = 10;
     oracle_.independent_oracle = true;
   }
 
   Description bound_ = described("bound", "edges");
-  Description sibling_ = described("a-sibling", "CH");
-  Description slow_ = described("b-slow", "FIFO");
-  Description other_ = described("other", "MMP");
+  Description sibling_ = described("a-sibling", "CH", 1);
+  Description slow_ = described("b-slow", "FIFO", 10);
+  Description other_ = described("other", "MMP", 2.5);
+  Description unknown_ = described("a-unknown", "new");
   Description oracle_ = described("z-oracle", "CH");
   Description verified_ = described("verified", "CH");
-  const std::vector<const Description*> all_{&sibling_, &slow_,   &bound_,
+  const std::vector<const Description*> all_{&sibling_, &slow_,   &bound_,   &unknown_,
                                              &other_,   &oracle_, &verified_};
 };
 
-TEST_F(RankReferences, OracleThenOtherFamilyThenUnlimited) {
+TEST_F(RankReferences, OracleThenOtherFamiliesThenTheFaster) {
   EXPECT_EQ(ranked(verified_),
-            (std::vector<std::string>{"z-oracle", "other", "b-slow", "a-sibling"}));
+            (std::vector<std::string>{"z-oracle", "other", "b-slow", "a-unknown", "a-sibling"}));
 }
 
 TEST_F(RankReferences, TheNamedOneComesFirst) {

@@ -67,7 +67,7 @@ TEST_F(CommandLine, AMeshThatIsNotInTheCacheSaysHowToGetIt) {
   const Output solve =
       run(PROGRAM, {"solve", "absent", "--solver", exact_solver(), "--source", "0"});
   EXPECT_EQ(solve.code, 1);
-  expect_words(solve.err, {"'absent' is not in the dataset cache", "./run_all.sh fetch"});
+  expect_words(solve.err, {"'absent' is not in the dataset cache", "datasets/fetch.py absent"});
 }
 
 TEST_F(CommandLine, SolveWritesAJsonObjectAndDistancesInFileOrder) {

@@ -63,6 +63,30 @@ def test_largest_error_of_exact_solvers_is_told(
     assert line in capsys.readouterr().out
 
 
+def test_cells_that_were_checked_against_truth_are_counted(
+    changed: Changed, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def change(data: dict[str, Any]) -> None:
+        keep_only_good(data)
+        for row in data["benchmarks"]:
+            if row["solver"] in ("ich", "mmp") and row["source"] == 31415:
+                row["reference"] = "closed-form"
+                row["max_relative_error"] = 2e-16
+
+    assert check.main(["--run", str(changed(change))]) == 0
+    printed = capsys.readouterr().out
+    assert "checked against a closed form: 2 cells (horse)" in printed
+    assert "ich: 2.0e-16 against closed-form (horse, source 31415)" in printed
+    assert "ich: 3.0e-15 against mmp (horse, source 0)" in printed
+
+
+def test_a_run_without_closed_forms_says_so(
+    golden_folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    check.main(["--run", str(golden_folder)])
+    assert "checked against a closed form: 0 cells" in capsys.readouterr().out
+
+
 def test_broken_run_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert check.main(["--run", str(tmp_path / "none")]) == 1
     assert len(capsys.readouterr().err.splitlines()) == 1

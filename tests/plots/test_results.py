@@ -116,7 +116,7 @@ def test_aggregates_are_refused(changed: Changed) -> None:
 
 
 def test_other_schema_version_is_refused(changed: Changed) -> None:
-    folder = changed(lambda data: data["context"]["geodesic_bench"].update(schema_version=2))
+    folder = changed(lambda data: data["context"]["geodesic_bench"].update(schema_version=1))
     assert "schema_version" in error_of(folder)
 
 
