@@ -51,11 +51,22 @@ void Solver::solve(const Query& query, std::span<double> distances, Recording* r
   if (distances.size() != mesh_.vertex_count()) {
     refuse(description_, "needs room for one distance a vertex");
   }
-  std::fill(distances.begin(), distances.end(), kInfinity);
-  run(query, distances, recording);
+  if (mesh_.is_renumbered()) {
+    solve_renumbered(query, distances, recording);
+  } else {
+    std::fill(distances.begin(), distances.end(), kInfinity);
+    run(query, distances, recording);
+  }
   for (double& d : distances) {
     if (d > query.limit) d = kInfinity;
   }
+}
+
+void Solver::solve_renumbered(Query query, std::span<double> distances, Recording* recording) {
+  for (Source& source : query.sources) source.vertex = mesh_.vertex_given_as(source.vertex);
+  in_mesh_order_.assign(distances.size(), kInfinity);
+  run(query, in_mesh_order_, recording);
+  for (Index v = 0; v < distances.size(); ++v) distances[mesh_.given_number(v)] = in_mesh_order_[v];
 }
 
 }  // namespace geodesic

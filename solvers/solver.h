@@ -66,8 +66,9 @@ class Solver {
   Solver(const Solver&) = delete;
   Solver& operator=(const Solver&) = delete;
 
-  /// Writes the distance of every vertex, in the mesh's order and unit of length, +infinity where
-  /// no path leads or the limit is exceeded. The same query gives the same bits every time.
+  /// Writes the distance of every vertex, in the order in which the mesh was given its vertices and
+  /// in its unit of length, +infinity where no path leads or the limit is exceeded. The same query
+  /// gives the same bits every time.
   /// @param distances one entry a vertex
   /// @param recording null for a timed solve, which then carries no instrumentation; otherwise
   ///        filled with what the solver can count, without changing any distance
@@ -83,12 +84,15 @@ class Solver {
   const Mesh& mesh() const { return mesh_; }
 
  private:
-  /// As `solve`, with the query already checked and `distances` filled with +infinity. May leave
-  /// distances above the limit; they are cleared afterwards.
+  /// As `solve` in the mesh's own numbering, with the query already checked and `distances` filled
+  /// with +infinity. May leave distances above the limit; they are cleared afterwards.
   virtual void run(const Query& query, std::span<double> distances, Recording* recording) = 0;
+
+  void solve_renumbered(Query query, std::span<double> distances, Recording* recording);
 
   const Mesh& mesh_;
   const Description& description_;
+  std::vector<double> in_mesh_order_;  // scratch of solve_renumbered
 };
 
 }  // namespace geodesic

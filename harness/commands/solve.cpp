@@ -121,7 +121,7 @@ void run_solve(const SolveFlags& flags) {
   std::optional<AtomicFile> output;  // opened before the work: a bad path costs no solve
   if (!flags.output.empty()) output.emplace(flags.output);
   const TriangleSoup soup = load(flags, entry);
-  const Mesh mesh(soup);
+  const Mesh mesh(soup, Numbering::along_surface);
   const std::string unable = unsupported(solver, mesh);
   if (!unable.empty()) throw HarnessError(unable);
 

@@ -34,6 +34,7 @@ struct Verdict {
 /// - the edge graph: an exact distance is at most that along edges;
 /// - the triangle inequality: |d(u) - d(v)| <= |uv| along every edge.
 /// The bounds have a slack of kExactTolerance relative to the larger distance.
+/// @param mesh distances and sources go by the numbers its vertices were given as
 /// @param sources all with an initial distance of 0; the solve was without limit
 /// @param edge_graph from a solver of upper bounds; may be absent
 Verdict verify(const Mesh& mesh, std::span<const Index> sources, Exactness exactness,

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "solvers/core/tolerance.h"
+#include "solvers/core/vertex_order.h"
 
 namespace geodesic {
 namespace {
@@ -46,17 +47,44 @@ void check_input(std::span<const Vec3> positions, std::span<const Triangle> tria
 
 }  // namespace
 
-Mesh::Mesh(std::span<const Vec3> positions, std::span<const Triangle> triangles)
-    : positions_(positions.begin(), positions.end()) {
+Mesh::Mesh(std::span<const Vec3> positions, std::span<const Triangle> triangles,
+           Numbering numbering) {
   check_input(positions, triangles);
-  half_edges_.resize(3 * triangles.size());
-  for (std::size_t f = 0; f < triangles.size(); ++f) {
-    for (std::size_t k = 0; k < 3; ++k) half_edges_[3 * f + k].origin = triangles[f][k];
+  if (numbering == Numbering::along_surface) {
+    renumber(positions, triangles);
+  } else {
+    positions_.assign(positions.begin(), positions.end());
+    set_faces(triangles);
   }
   index_outgoing();
   link_twins();
   lay_out_faces();
   classify_vertices();
+}
+
+void Mesh::renumber(std::span<const Vec3> positions, std::span<const Triangle> triangles) {
+  numbers_ = order_along_curve(positions);
+  vertices_.resize(numbers_.size());
+  positions_.resize(numbers_.size());
+  for (Index v = 0; v < numbers_.size(); ++v) {
+    vertices_[numbers_[v]] = v;
+    positions_[v] = positions[numbers_[v]];
+  }
+  std::vector<Triangle> renamed(triangles.begin(), triangles.end());
+  for (Triangle& t : renamed) {
+    for (Index& corner : t) corner = vertices_[corner];
+  }
+  std::vector<Triangle> sorted;
+  sorted.reserve(renamed.size());
+  for (const Index f : order_by_least_vertex(renamed, vertex_count())) sorted.push_back(renamed[f]);
+  set_faces(sorted);
+}
+
+void Mesh::set_faces(std::span<const Triangle> triangles) {
+  half_edges_.resize(3 * triangles.size());
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) half_edges_[3 * f + k].origin = triangles[f][k];
+  }
 }
 
 void Mesh::index_outgoing() {

@@ -23,6 +23,12 @@ struct HalfEdge {
 };
 static_assert(sizeof(HalfEdge) == 32, "two half-edges share a cache line");
 
+/// How a mesh numbers its vertices and faces inside.
+enum class Numbering {
+  as_given,
+  along_surface,  ///< by vertex_order.h: large meshes are solved faster, small ones no slower
+};
+
 class Mesh {
  public:
   /// Builds the structure in time linear in its input (expected), apart from one pass of angles.
@@ -33,8 +39,16 @@ class Mesh {
   /// faces may share one vertex.
   /// @throws std::invalid_argument for an index out of range, a triangle that names a vertex twice,
   ///         a coordinate that is not finite, or more elements than an Index can number.
-  Mesh(std::span<const Vec3> positions, std::span<const Triangle> triangles);
-  explicit Mesh(const TriangleSoup& soup) : Mesh(soup.positions, soup.triangles) {}
+  Mesh(std::span<const Vec3> positions, std::span<const Triangle> triangles,
+       Numbering numbering = Numbering::as_given);
+  explicit Mesh(const TriangleSoup& soup, Numbering numbering = Numbering::as_given)
+      : Mesh(soup.positions, soup.triangles, numbering) {}
+
+  /// The vertex that was given as number v, and the number that vertex v was given as. Every other
+  /// function of this class speaks of vertices; Solver::solve speaks of numbers given.
+  Index vertex_given_as(Index v) const { return numbers_.empty() ? v : vertices_[v]; }
+  Index given_number(Index v) const { return numbers_.empty() ? v : numbers_[v]; }
+  bool is_renumbered() const { return !numbers_.empty(); }
 
   Index vertex_count() const { return static_cast<Index>(positions_.size()); }
   Index half_edge_count() const { return static_cast<Index>(half_edges_.size()); }
@@ -79,12 +93,16 @@ class Mesh {
   double mean_edge_length() const { return mean_edge_length_; }
 
  private:
+  void renumber(std::span<const Vec3> positions, std::span<const Triangle> triangles);
+  void set_faces(std::span<const Triangle> triangles);
   void link_twins();
   void index_outgoing();
   void lay_out_faces();
   void classify_vertices();
   Index fan_size(Index v) const;
 
+  std::vector<Index> numbers_;  // given_number and vertex_given_as; empty unless renumbered
+  std::vector<Index> vertices_;
   std::vector<Vec3> positions_;
   std::vector<HalfEdge> half_edges_;
   std::vector<Index> first_outgoing_;  // vertex_count + 1 offsets into outgoing_

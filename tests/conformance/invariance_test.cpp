@@ -68,6 +68,16 @@ TEST_P(Invariance, renumbered_vertices_keep_their_distances) {
   }
 }
 
+TEST_P(Invariance, numbering_along_the_surface_keeps_distances_and_sources) {
+  for (const auto& [name, soup] : oracles::random_meshes()) {
+    const Mesh given(soup), renumbered(soup, Numbering::along_surface);
+    for (const Index source : {Index{0}, given.vertex_count() - 1}) {
+      EXPECT_TRUE(agree(solve(renumbered, source), solve(given, source)))
+          << name << " from vertex " << source;
+    }
+  }
+}
+
 TEST_P(Invariance, reordered_and_rotated_faces_keep_the_distances) {
   NEEDS(is_exact());
   oracles::Random random(32);

@@ -38,6 +38,26 @@ TriangleSoup fan(Index count, double z) {
   return soup;
 }
 
+TEST(Mesh, numbered_along_the_surface_translates_to_the_given_numbers_and_back) {
+  const TriangleSoup soup = fan(50, 0.3);
+  const Mesh mesh(soup, Numbering::along_surface);
+  ASSERT_TRUE(mesh.is_renumbered());
+  std::vector<Triangle> given;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    Triangle t = mesh.triangle(f);
+    for (Index& v : t) v = mesh.given_number(v);
+    given.push_back(t);
+  }
+  std::vector<Triangle> expected = soup.triangles;
+  std::sort(given.begin(), given.end());
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(given, expected);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    EXPECT_EQ(mesh.position(mesh.vertex_given_as(v)), soup.positions[v]);
+    EXPECT_EQ(mesh.given_number(mesh.vertex_given_as(v)), v);
+  }
+}
+
 TEST(Mesh, counts_its_elements) {
   const Mesh mesh(square());
   EXPECT_EQ(mesh.vertex_count(), 4u);

@@ -1,0 +1,76 @@
+#include "solvers/core/vertex_order.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace geodesic {
+namespace {
+
+constexpr unsigned kBits = 10;  // of each coordinate
+
+/// Spreads ten bits so that two zeros follow each.
+std::uint32_t spread(std::uint32_t x) {
+  x = (x | x << 16) & 0x030000ffu;
+  x = (x | x << 8) & 0x0300f00fu;
+  x = (x | x << 4) & 0x030c30c3u;
+  return (x | x << 2) & 0x09249249u;
+}
+
+struct Keyed {
+  std::uint32_t key;
+  Index vertex;
+};
+
+/// The place of every vertex's cell on the curve.
+std::vector<Keyed> curve_keys(std::span<const Vec3> positions) {
+  Vec3 low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
+  for (const Vec3& p : positions) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  }
+  // Halved, so that the extent of any finite box is finite.
+  double extent = 0;
+  for (std::size_t k = 0; k < 3; ++k) extent = std::max(extent, high[k] / 2 - low[k] / 2);
+  const double greatest = (1u << kBits) - 1;
+  std::vector<Keyed> keys(positions.size());
+  for (Index v = 0; v < positions.size(); ++v) {
+    std::uint32_t key = 0;
+    for (std::size_t k = 0; extent > 0 && k < 3; ++k) {
+      const double share = (positions[v][k] / 2 - low[k] / 2) / extent;
+      key |= spread(static_cast<std::uint32_t>(share * greatest)) << k;
+    }
+    keys[v] = {key, v};
+  }
+  return keys;
+}
+
+}  // namespace
+
+std::vector<Index> order_along_curve(std::span<const Vec3> positions) {
+  std::vector<Keyed> keys = curve_keys(positions), sorted(keys.size());
+  for (unsigned shift = 0; shift < 3 * kBits; shift += kBits) {
+    std::array<Index, (1u << kBits) + 1> first{};
+    const auto digit = [shift](const Keyed& k) { return k.key >> shift & ((1u << kBits) - 1); };
+    for (const Keyed& k : keys) ++first[digit(k) + 1];
+    for (std::size_t d = 1; d < first.size(); ++d) first[d] += first[d - 1];
+    for (const Keyed& k : keys) sorted[first[digit(k)]++] = k;
+    keys.swap(sorted);
+  }
+  std::vector<Index> order(keys.size());
+  std::transform(keys.begin(), keys.end(), order.begin(), [](const Keyed& k) { return k.vertex; });
+  return order;
+}
+
+std::vector<Index> order_by_least_vertex(std::span<const Triangle> triangles, Index vertices) {
+  const auto least = [](const Triangle& t) { return std::min({t[0], t[1], t[2]}); };
+  std::vector<Index> first(std::size_t{vertices} + 1, 0), order(triangles.size());
+  for (const Triangle& t : triangles) ++first[least(t) + 1];
+  for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
+  for (Index f = 0; f < triangles.size(); ++f) order[first[least(triangles[f])]++] = f;
+  return order;
+}
+
+}  // namespace geodesic
