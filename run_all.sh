@@ -23,7 +23,7 @@ Usage: ./run_all.sh [STEP...] [OPTION...]
 Runs the exact geodesic solvers on a corpus of meshes and writes the thesis's tables.
 Without a step, all of them, in this order:
   build   compile the optimised solvers and the harness (build/release)
-  fetch   generate or copy the corpus's meshes into the dataset cache
+  fetch   generate or download the corpus's meshes into the dataset cache
   run     solve, verify and time every solver on every mesh
   check   fail unless every cell of the run is there and verified
   plot    write the tables of the run
@@ -34,6 +34,7 @@ Options:
                        and rocker arm where they are to be had; see geodesic-bench list)
   --solvers A,B        only these solvers
   --meshes A,B         only these meshes of the corpus
+  --sources N          source vertices of each mesh
   --repetitions N      timed solves of each solver, mesh and source
   --out DIR            run folder (default: results/runs/<UTC time>-<corpus>)
   --no-install         never install a package: print the line that would, and stop
@@ -41,7 +42,8 @@ Options:
 
 Environment:
   GEODESIC_DATASETS          dataset cache (default: datasets/cache)
-  GEODESIC_DATASETS_MIRROR   folder with a copy of the upstream meshes, read by fetch
+  GEODESIC_DATASETS_MIRROR   folder, file:// or http:// address with a copy of the upstream
+                             meshes, which fetch then takes from there
 
 What is missing is installed with apt, given root or sudo. Log: build/logs/run_all.log
 EOF
@@ -56,14 +58,14 @@ parse_options() {
     case $1 in
       --help | -h) usage; exit 0 ;;
       --no-install) install=no; shift ;;
-      --corpus | --out | --solvers | --meshes | --repetitions)
+      --corpus | --out | --solvers | --meshes | --sources | --repetitions)
         value=$(value_of "$@")
         take_option "$1" "$value"
         shift 2
         ;;
       -*)
-        die "unknown option $1; there are --corpus, --solvers, --meshes, --repetitions, --out," \
-          "--no-install, --help"
+        die "unknown option $1; there are --corpus, --solvers, --meshes, --sources," \
+          "--repetitions, --out, --no-install, --help"
         ;;
       *)
         [[ " ${all_steps[*]} " == *" $1 "* ]] ||
@@ -80,8 +82,8 @@ take_option() {
   case $1 in
     --corpus) corpus=$2 ;;
     --out) out=$(absolute "$2") ;;
-    --repetitions)
-      [[ $2 =~ ^[1-9][0-9]*$ ]] || die "--repetitions: $2 is no positive number"
+    --sources | --repetitions)
+      [[ $2 =~ ^[1-9][0-9]*$ ]] || die "$1: $2 is no positive number"
       run_options+=("$1" "$2")
       ;;
     *) run_options+=("$1" "$2") ;;
@@ -104,8 +106,11 @@ step_build() {
 
 step_fetch() {
   need_bench
-  local status=0
-  logged "$python" "$root/datasets/fetch.py" --corpus "$corpus" --bench "$bench" || status=$?
+  local status=0 bars=()
+  # Progress bars go to the terminal alone: what is logged passes through a pipe.
+  if [[ -t 2 ]]; then bars=(--bars "$(tty <&2)"); fi
+  logged "$python" "$root/datasets/fetch.py" --corpus "$corpus" --bench "$bench" "${bars[@]}" ||
+    status=$?
   # 3: some meshes cannot be had here; the run goes without them and says so.
   [[ $status -eq 0 || $status -eq 3 ]]
 }

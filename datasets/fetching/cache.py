@@ -1,22 +1,25 @@
-"""The folder of mesh files ready to use: what has its final name is whole and checked."""
+"""The folder of mesh files ready to use: what has its final name is whole and checked.
+
+Everything unfinished lies below the folder's own `.fetch`: one scratch folder for each file that
+is being made, downloads that have begun, and the locks that keep two fetches apart.
+"""
 
 from __future__ import annotations
 
+import fcntl
 import hashlib
 import json
 import os
 import shutil
-import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from .errors import CacheError, reason_of
+
 CHECKOUT = Path(__file__).resolve().parents[2]
-
-
-class CacheError(Exception):
-    """The cache cannot be written; nothing can be fetched."""
+WORK = ".fetch"
 
 
 def default_cache() -> Path:
@@ -34,30 +37,43 @@ class Cache:
         self.folder = folder
 
     def holds(self, file: str, sha256: str, recipe: dict[str, Any] | None = None) -> bool:
-        """Whether the file is there with these contents and, if generated, from this recipe."""
+        """Whether the file is there with these contents and, if generated, from this recipe.
+
+        The contents are hashed each time: a cache holds some 10^8 bytes, which takes less time
+        than the start of the first solve, and no note can go stale.
+        """
         path = self.folder / file
         if not path.is_file() or sha256_of(path) != sha256:
             return False
         return recipe is None or self._recipe_of(file) == recipe
 
     @contextmanager
-    def scratch(self) -> Iterator[Path]:
-        """A folder inside the cache, so that files can be renamed out of it; removed afterwards.
+    def workspace(self, file: str, waits: Callable[[], None]) -> Iterator[Path]:
+        """An empty folder to make a file in, from where it can be renamed; removed afterwards.
 
-        Raises CacheError when the cache cannot be written.
+        Only one process at a time has that of a file; `waits` is called before waiting for
+        another. What a killed process left is removed. Raises CacheError when the cache cannot be
+        written.
         """
-        try:
-            self.folder.mkdir(parents=True, exist_ok=True)
-            folder = Path(tempfile.mkdtemp(prefix=".fetch-", dir=self.folder))
-        except OSError as error:
-            raise CacheError(
-                f"cannot write to the dataset cache {self.folder} ({error.strerror}): "
-                "make it writable, or name another with --cache or GEODESIC_DATASETS"
-            ) from error
-        try:
-            yield folder
-        finally:
+        with self._locked(file, waits):
+            folder = self.folder / WORK / "scratch" / file
             shutil.rmtree(folder, ignore_errors=True)
+            self._make(folder)
+            try:
+                yield folder
+            finally:
+                shutil.rmtree(folder, ignore_errors=True)
+
+    @contextmanager
+    def partial(self, sha256: str, waits: Callable[[], None]) -> Iterator[Path]:
+        """The path for what has been downloaded so far of the upstream file with this sha256.
+
+        It need not exist, and stays for the next fetch unless it is removed or renamed.
+        """
+        folder = self.folder / WORK / "parts"
+        self._make(folder)
+        with self._locked(sha256, waits):
+            yield folder / f"{sha256}.part"
 
     def adopt(self, whole: Path, file: str, recipe: dict[str, Any] | None = None) -> None:
         """Moves a finished file out of the scratch folder to its final name, in one step."""
@@ -66,6 +82,36 @@ class Cache:
             note = whole.with_name("recipe.json")
             note.write_text(json.dumps(recipe, indent=1, sort_keys=True) + "\n", "utf-8")
             os.replace(note, self._recipe_path(file))
+
+    @contextmanager
+    def _locked(self, name: str, waits: Callable[[], None]) -> Iterator[None]:
+        """Holds a lock that ends with the process, however it ends. The empty lock file stays:
+        removing it would let a third process in beside a waiting second one."""
+        folder = self.folder / WORK / "locks"
+        self._make(folder)
+        try:
+            file = (folder / f"{name}.lock").open("wb")
+        except OSError as error:
+            raise self._unwritable(error) from error
+        with file:
+            try:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                waits()
+                fcntl.flock(file, fcntl.LOCK_EX)
+            yield
+
+    def _make(self, folder: Path) -> None:
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise self._unwritable(error) from error
+
+    def _unwritable(self, error: OSError) -> CacheError:
+        return CacheError(
+            f"cannot write to the dataset cache {self.folder} ({reason_of(error)}): "
+            "make it writable, or name another with --cache or GEODESIC_DATASETS"
+        )
 
     def _recipe_path(self, file: str) -> Path:
         return self.folder / f"{file}.recipe.json"

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -11,9 +13,30 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parents[1] / "datasets")]
 
 from fetch_world import World  # noqa: E402  (needs the path above)
+from http_site import Site, serving  # noqa: E402
+
+# Where the real files are, read before any test changes it.
+REAL_MIRROR = os.environ.get("GEODESIC_DATASETS_MIRROR")
 
 
 @pytest.fixture
 def world(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> World:
     monkeypatch.setenv("GEODESIC_DATASETS_MIRROR", "")  # restored afterwards
+    monkeypatch.setenv("NO_PROXY", "127.0.0.1")
     return World(tmp_path)
+
+
+@pytest.fixture
+def site(world: World) -> Iterator[Site]:
+    """The mirror of the world, over HTTP."""
+    with serving(world.mirror) as served:
+        yield served
+
+
+@pytest.fixture
+def real_mirror(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The folder that the environment names as a mirror of the real files."""
+    if not REAL_MIRROR or not Path(REAL_MIRROR).is_dir():
+        pytest.skip("GEODESIC_DATASETS_MIRROR names no folder")
+    monkeypatch.setenv("NO_PROXY", "127.0.0.1")
+    return Path(REAL_MIRROR)

@@ -6,20 +6,27 @@ import hashlib
 import json
 import os
 import stat
-import zipfile
+import subprocess
+import sys
+import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import fetch
+from fetching.cache import CHECKOUT, WORK
 
 TRIANGLE = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
 
-# Writes its parameters as the mesh, so that tests see what it was asked for.
+# Writes its arguments, or its input and those behind it, as the mesh, so that tests see them.
 FAKE_BENCH = """#!/bin/sh
 for last; do :; done
 echo called >> "$(dirname "$0")/calls"
 [ "$2" = broken ] && { echo "geodesic-bench: no such thing" >&2; exit 1; }
-echo "$2 $3" > "$last"
+case $3 in
+  --input=*) { cat "${3#--input=}"; echo "$2 $4"; } > "$last" ;;
+  *) echo "$2 $3" > "$last" ;;
+esac
 """
 
 
@@ -27,15 +34,17 @@ def sha256(data: bytes) -> str:
     return hashlib.sha256(data).hexdigest()
 
 
-def downloaded(name: str, path: str, data: bytes, **more: Any) -> dict[str, Any]:
+def entry(name: str, kind: str, sha: str, **more: Any) -> dict[str, Any]:
     return {
         "name": name,
-        "kind": "downloaded",
-        "path": path,
-        "sha256": sha256(data),
+        "kind": kind,
         "file": f"{name}.obj",
+        "sha256": sha,
         "vertices": 3,
         "faces": 1,
+        "genus": 0,
+        "boundary_loops": 1,
+        "components": 1,
         "licence": "none",
         "credit": "nobody",
         "tags": [],
@@ -44,32 +53,67 @@ def downloaded(name: str, path: str, data: bytes, **more: Any) -> dict[str, Any]
     }
 
 
+def downloaded(name: str, path: str, upstream: bytes, **more: Any) -> dict[str, Any]:
+    return entry(
+        name, "downloaded", sha256(upstream), path=path, upstream_sha256=sha256(upstream), **more
+    )
+
+
+def packaged(name: str, upstream: bytes, mesh: bytes, package: dict[str, str]) -> dict[str, Any]:
+    more = {"package": package, "upstream_sha256": sha256(upstream)}
+    return entry(name, "package", sha256(mesh), **more)
+
+
 def generated(name: str, generator: str = "grid", size: int = 4) -> dict[str, Any]:
-    return {
-        "name": name,
-        "kind": "generated",
-        "generator": generator,
-        "parameters": {"size": size},
-        "file": f"{name}.ply",
-        "sha256": sha256(f"{generator} --size={size}\n".encode()),
-        "vertices": 3,
-        "faces": 1,
-        "tags": [],
-        "why": "test",
-    }
+    return entry(
+        name,
+        "generated",
+        sha256(f"{generator} --size={size}\n".encode()),
+        generator=generator,
+        parameters={"size": size},
+        file=f"{name}.ply",
+    )
+
+
+def derived(name: str, source: str, contents: bytes, size: int = 4) -> dict[str, Any]:
+    """What the stand-in makes of `source`, whose file has these contents."""
+    return entry(
+        name,
+        "generated",
+        sha256(contents + f"cut --size={size}\n".encode()),
+        generator="cut",
+        parameters={"size": size},
+        inputs={"input": source},
+        file=f"{name}.ply",
+    )
+
+
+def wait_for(happened: Callable[[], bool], what: str) -> None:
+    for _ in range(2000):
+        if happened():
+            return
+        time.sleep(0.01)
+    raise AssertionError(f"{what}: not within 20 s")
+
+
+def executable(file: Path, text: str) -> Path:
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(text)
+    file.chmod(file.stat().st_mode | stat.S_IXUSR | stat.S_IXGRP | stat.S_IXOTH)
+    return file
 
 
 class World:
     """A manifest, a mirror, a program and a cache."""
 
     def __init__(self, folder: Path) -> None:
+        self.folder = folder
         self.manifest = folder / "manifest.json"
         self.mirror = folder / "mirror"
         self.cache = folder / "a cache"
-        self.bench = folder / "geodesic-bench"
-        self.bench.write_text(FAKE_BENCH)
-        self.bench.chmod(self.bench.stat().st_mode | stat.S_IXUSR)
+        self.bench = executable(folder / "geodesic-bench", FAKE_BENCH)
         self.meshes: list[dict[str, Any]] = []
+        self.elevation_grids: list[dict[str, Any]] = []
 
     def put(self, path: str, data: bytes) -> Path:
         """A file of the mirror."""
@@ -78,12 +122,18 @@ class World:
         file.write_bytes(data)
         return file
 
-    def zip_of(self, members: dict[str, bytes]) -> bytes:
-        archive = self.cache.with_name("archive.zip")
-        with zipfile.ZipFile(archive, "w") as opened:
-            for name, data in members.items():
-                opened.writestr(name, data)
-        return archive.read_bytes()
+    def put_mesh(self, name: str, data: bytes = TRIANGLE) -> Path:
+        """A mesh of the manifest that is a file of the mirror."""
+        self.meshes.append(downloaded(name, f"site/{name}.obj", data))
+        return self.put(f"site/{name}.obj", data)
+
+    def add_grid(self, name: str, data: bytes) -> None:
+        """An elevation grid of the manifest that is a file of the mirror."""
+        grid = downloaded(name, f"site/{name}.npy", data, file=f"{name}.npy")
+        for key in ["vertices", "faces", "genus", "boundary_loops", "components", "tags"]:
+            del grid[key]
+        self.elevation_grids.append(grid)
+        self.put(f"site/{name}.npy", data)
 
     def data(self) -> dict[str, Any]:
         return {
@@ -93,25 +143,46 @@ class World:
             },
             "corpora": {"all": [mesh["name"] for mesh in self.meshes]},
             "meshes": self.meshes,
+            "elevation_grids": self.elevation_grids,
         }
 
     def write(self) -> None:
         self.manifest.write_text(json.dumps(self.data()))
 
-    def fetch(self, *words: str, mirror: bool = True, bench: Path | None = None) -> int:
-        """Runs datasets/fetch.py in this process; --corpus all when no words are given."""
+    def words(self, *words: str, bench: Path | None = None) -> list[str]:
+        """Those of a command line of fetch.py; --corpus all when none are given."""
         self.write()
+        return [
+            *(words or ("--corpus", "all")),
+            *("--manifest", str(self.manifest)),
+            *("--cache", str(self.cache), "--bench", str(bench or self.bench)),
+        ]
+
+    def fetch(self, *words: str, mirror: str | None = "", bench: Path | None = None) -> int:
+        """Runs datasets/fetch.py in this process, from the mirror's folder unless told otherwise;
+        None: without a mirror."""
         os.environ.pop("GEODESIC_DATASETS_MIRROR", None)
-        if mirror:
-            os.environ["GEODESIC_DATASETS_MIRROR"] = str(self.mirror)
-        return fetch.main(
-            [*(words or ("--corpus", "all")), "--manifest", str(self.manifest)]
-            + ["--cache", str(self.cache), "--bench", str(bench or self.bench)]
-        )
+        if mirror is not None:
+            os.environ["GEODESIC_DATASETS_MIRROR"] = mirror or str(self.mirror)
+        return fetch.main(self.words(*words, bench=bench))
+
+    def start(self, mirror: str = "") -> subprocess.Popen[str]:
+        """Starts datasets/fetch.py --corpus all as a process of its own."""
+        command = [sys.executable, str(CHECKOUT / "datasets" / "fetch.py"), *self.words()]
+        environment = dict(os.environ, GEODESIC_DATASETS_MIRROR=mirror)
+        pipe = subprocess.PIPE
+        return subprocess.Popen(command, env=environment, stdout=pipe, stderr=pipe, text=True)
 
     def cached(self) -> list[str]:
-        """Names in the cache, sorted; leftovers of temporary files included."""
-        return sorted(path.name for path in self.cache.iterdir()) if self.cache.exists() else []
+        """Names in the cache, sorted."""
+        if not self.cache.exists():
+            return []
+        return sorted(path.name for path in self.cache.iterdir() if path.name != WORK)
+
+    def leftovers(self) -> list[str]:
+        """Unfinished files in the cache, by name; locks are empty and stay."""
+        files = (self.cache / WORK).glob("**/*")
+        return sorted(file.name for file in files if file.is_file() and file.suffix != ".lock")
 
     def calls_of_bench(self) -> int:
         calls = self.bench.with_name("calls")

@@ -3,129 +3,83 @@
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import jsonschema
 import pytest
-from fetch_world import TRIANGLE, World, downloaded, generated
-from fetching.cache import CHECKOUT, Cache
+from fetch_world import TRIANGLE, World, derived, downloaded, generated, packaged
+from fetching.cache import CHECKOUT
 from fetching.manifest import SCHEMA, Manifest, ManifestError
-from fetching.sources import DEFAULT_BENCH, Fetcher
 
-BENCH = Path(os.environ.get("GEODESIC_BENCH") or DEFAULT_BENCH)
 COMMITTED = Manifest()
-GENERATED = [mesh for mesh in COMMITTED.meshes if mesh["kind"] == "generated"]
+NPM = {"manager": "npm", "name": "shapes", "version": "1.2.3", "file": "p.obj"}
+
+Damage = Callable[[dict[str, Any]], None]
 
 
 def test_the_schema_is_a_schema() -> None:
     jsonschema.Draft202012Validator.check_schema(json.loads(SCHEMA.read_text()))
 
 
-def test_the_quick_corpus_is_generated_only() -> None:
+def test_the_quick_corpus_is_generated_from_nothing() -> None:
     quick = COMMITTED.select(["quick"], [])
     assert len(quick) == 10
-    assert {mesh["kind"] for mesh in quick} == {"generated"}
+    assert all(mesh["kind"] == "generated" and "inputs" not in mesh for mesh in quick)
 
 
-def test_the_thesis_models_that_are_not_the_same_are_stand_ins() -> None:
-    rows = {m["thesis_model"]: m["stand_in"] for m in COMMITTED.meshes if "thesis_model" in m}
-    assert rows == {"knot": False, "horse": False, "bunny": True, "rocker arm": True}
-
-
-def test_the_knot_has_the_counts_of_the_thesis() -> None:
-    (knot,) = COMMITTED.select([], ["knot"])
-    assert (knot["vertices"], knot["faces"]) == (28800, 57600)
-
-
-def test_every_mesh_is_in_a_corpus() -> None:
-    listed = {name for members in COMMITTED.corpora.values() for name in members}
-    assert listed == {mesh["name"] for mesh in COMMITTED.meshes}
-
-
-@pytest.mark.skipif(not BENCH.exists(), reason=f"no program at {BENCH}")
-@pytest.mark.parametrize("mesh", GENERATED, ids=[mesh["name"] for mesh in GENERATED])
-def test_the_generated_meshes_have_the_committed_bytes(
-    mesh: dict[str, Any], tmp_path: Path
-) -> None:
-    Fetcher(Cache(tmp_path), BENCH, mirror=None).fetch(mesh)
-    header = (tmp_path / mesh["file"]).read_bytes().split(b"end_header")[0].decode()
-    assert f"element vertex {mesh['vertices']}\n" in header
-    assert f"element face {mesh['faces']}\n" in header
-
-
-def break_key(data: dict[str, Any]) -> None:
-    data["meshes"][0]["lisence"] = "x"
-
-
-def break_parameters(data: dict[str, Any]) -> None:
-    data["meshes"][1]["parameters"] = [4]
-
-
-def break_path(data: dict[str, Any]) -> None:
-    data["meshes"][0]["path"] = "site/../../etc/passwd"
-
-
-def break_file(data: dict[str, Any]) -> None:
-    data["meshes"][0]["file"] = "../a.obj"
-
-
-def break_source(data: dict[str, Any]) -> None:
-    data["meshes"][0]["path"] = "elsewhere/a.obj"
-
-
-def break_member(data: dict[str, Any]) -> None:
-    data["meshes"][0]["archive_member"] = "a.obj"
-
-
-def break_corpus(data: dict[str, Any]) -> None:
-    data["corpora"]["all"].append("ghost")
-
-
-def break_names(data: dict[str, Any]) -> None:
-    data["meshes"][1]["name"] = "a"
-    data["corpora"]["all"] = ["a"]
-
-
-def break_top_level(data: dict[str, Any]) -> None:
-    data["extra"] = 1
+def test_the_paper_corpus_has_every_model_of_the_thesis_in_its_order() -> None:
+    rows = [
+        (mesh["thesis_model"], mesh["stand_in"])
+        for mesh in COMMITTED.select(["paper"], [])
+        if "thesis_model" in mesh
+    ]
+    assert rows == [
+        ("knot", False),
+        ("horse", False),
+        ("bunny", True),
+        ("hand", True),
+        ("rocker arm", True),
+        ("lucy", True),
+        ("asian dragon", True),
+        ("cervino terrain", True),
+    ]
 
 
 @pytest.mark.parametrize(
-    ("damage", "place", "message"),
+    ("name", "vertices", "faces"),
     [
-        (break_key, "at mesh a:", "'lisence' was unexpected"),
-        (break_parameters, "at mesh g: parameters:", "not of type 'object'"),
-        (break_path, "at mesh a: path:", "does not match"),
-        (break_file, "at mesh a: file:", "does not match"),
-        (break_source, "at mesh a: path:", "there is no source 'elsewhere'"),
-        (break_member, "at mesh a:", "'member_sha256' is a dependency"),
-        (break_corpus, "at corpora/all:", "there is no mesh 'ghost'"),
-        (break_names, "at meshes:", "name 'a' is used 2 times"),
-        (break_top_level, "at the top level:", "'extra' was unexpected"),
+        ("knot", 28_800, 57_600),
+        ("horse", 48_485, 96_966),
+        ("bunny-72k", 72_020, None),
+        ("rocker-arm-482k", 241_056, 482_112),
+        ("jacksboro-terrain", None, 3_145_728),
+        ("knot-460k", 460_800, 921_600),
     ],
 )
-def test_a_wrong_manifest_is_refused_with_the_place(
-    world: World, damage: Callable[[dict[str, Any]], None], place: str, message: str
+def test_stand_ins_have_the_counts_that_they_are_made_for(
+    name: str, vertices: int | None, faces: int | None
 ) -> None:
-    world.meshes = [downloaded("a", "site/a.obj", TRIANGLE), generated("g")]
-    data = world.data()
-    damage(data)
-    world.manifest.write_text(json.dumps(data))
-    with pytest.raises(ManifestError) as caught:
-        Manifest(world.manifest)
-    assert str(caught.value).startswith(f"{world.manifest}: {place} ")
-    assert message in str(caught.value)
-    assert "\n" not in str(caught.value)
+    mesh = COMMITTED.entry(name)
+    assert vertices in (None, mesh["vertices"]) and faces in (None, mesh["faces"])
 
 
-@pytest.mark.parametrize("text", ["", "{", "[1]"])
-def test_what_is_no_manifest_is_refused(world: World, text: str) -> None:
-    world.manifest.write_text(text)
-    with pytest.raises(ManifestError):
-        Manifest(world.manifest)
+def test_the_large_corpus_begins_at_400_000_vertices() -> None:
+    assert min(mesh["vertices"] for mesh in COMMITTED.select(["large"], [])) >= 400_000
+
+
+def test_every_entry_is_in_a_corpus_or_what_one_is_made_from() -> None:
+    used = {name for members in COMMITTED.corpora.values() for name in members}
+    used |= {name for mesh in COMMITTED.meshes for name in mesh.get("inputs", {}).values()}
+    assert used == {entry["name"] for entry in COMMITTED.meshes + COMMITTED.elevation_grids}
+
+
+def test_a_derived_mesh_has_the_licence_and_credit_of_its_input() -> None:
+    for mesh in COMMITTED.meshes:
+        for name in mesh.get("inputs", {}).values():
+            source = COMMITTED.entry(name)
+            for key in ("licence", "credit"):
+                assert source.get(key, mesh[key]) == mesh[key], mesh["name"]
 
 
 def test_the_sources_are_fixed_to_a_commit() -> None:
@@ -135,3 +89,93 @@ def test_the_sources_are_fixed_to_a_commit() -> None:
 
 def test_no_file_of_the_cache_is_tracked() -> None:
     assert "/datasets/cache/" in (CHECKOUT / ".gitignore").read_text().splitlines()
+
+
+def set_in(place: str, *values: Any) -> Damage:
+    """Sets one key, 'meshes/0/file', to a value; without one, removes it."""
+
+    def damage(data: Any) -> None:
+        *path, key = place.split("/")
+        for step in path:
+            data = data[int(step) if step.isdecimal() else step]
+        if values:
+            data[key] = values[0]
+        else:
+            del data[key]
+
+    return damage
+
+
+# Meshes 0 to 3 are a (downloaded), p (in a package), g (generated), d (generated from a).
+@pytest.mark.parametrize(
+    ("damage", "place", "message"),
+    [
+        (set_in("extra", 1), "the top level", "'extra' was unexpected"),
+        (set_in("elevation_grids"), "the top level", "'elevation_grids' is a required property"),
+        (set_in("meshes/0/lisence", "x"), "mesh a", "'lisence' was unexpected"),
+        (set_in("meshes/2/path", "site/a.obj"), "mesh g", "'path' was unexpected"),
+        (set_in("meshes/0/kind", "found"), "mesh a: kind", "'found' is not one of"),
+        (set_in("meshes/0/kind"), "mesh a", "'kind' is a required property"),
+        (set_in("meshes/0/licence"), "mesh a", "'licence' is a required property"),
+        (set_in("meshes/0/genus"), "mesh a", "'genus' is a required property"),
+        (set_in("meshes/0/genus", -1), "mesh a: genus", "less than the minimum"),
+        (set_in("meshes/0/sha256", "12"), "mesh a: sha256", "does not match"),
+        (set_in("meshes/0/path", "site/../../etc/passwd"), "mesh a: path", "does not match"),
+        (set_in("meshes/0/file", "../a.obj"), "mesh a: file", "does not match"),
+        (set_in("meshes/0/file", "a.npy"), "mesh a: file", "does not match"),
+        (set_in("meshes/0/path", "elsewhere/a.obj"), "mesh a: path", "no source 'elsewhere'"),
+        (set_in("meshes/0/thesis_model", "horse"), "mesh a", "'stand_in' is a dependency"),
+        (set_in("meshes/1/package/version"), "mesh p: package", "'version' is a required"),
+        (set_in("meshes/1/package/manager", "pip"), "mesh p: package: manager", "not one of"),
+        (set_in("meshes/1/package/name", "-g"), "mesh p: package: name", "does not match"),
+        (set_in("meshes/1/package/x", 1), "mesh p: package", "'x' was unexpected"),
+        (set_in("meshes/2/parameters", [4]), "mesh g: parameters", "not of type 'object'"),
+        (set_in("meshes/3/credit"), "mesh d", "'credit' is a dependency of 'inputs'"),
+        (set_in("meshes/3/inputs", {}), "mesh d: inputs", "does not have enough properties"),
+        (set_in("meshes/3/inputs/input", "x"), "mesh d: inputs/input", "there is no mesh 'x'"),
+        (set_in("meshes/3/parameters/input", "x"), "mesh d: inputs/input", "among the parameters"),
+        (set_in("corpora/all", ["ghost"]), "corpora/all", "there is no mesh 'ghost'"),
+        (set_in("corpora/all", ["heights"]), "corpora/all", "there is no mesh 'heights'"),
+        (set_in("meshes/1/name", "a"), "meshes", "name 'a' is used 2 times"),
+        (set_in("meshes/1/file", "a.obj"), "meshes", "file 'a.obj' is used 2 times"),
+        (set_in("elevation_grids/0/vertices", 1), "mesh heights", "'vertices' was unexpected"),
+        (set_in("elevation_grids/0/file", "h.obj"), "mesh heights: file", "does not match"),
+        (set_in("elevation_grids/0/kind", "found"), "mesh heights: kind", "is not one of"),
+    ],
+)
+def test_a_wrong_manifest_is_refused_with_the_place(
+    world: World, damage: Damage, place: str, message: str
+) -> None:
+    world.meshes = [
+        downloaded("a", "site/a.obj", TRIANGLE),
+        packaged("p", TRIANGLE, TRIANGLE, NPM),
+        generated("g"),
+        derived("d", "a", TRIANGLE),
+    ]
+    world.add_grid("heights", TRIANGLE)
+    world.write()
+    Manifest(world.manifest)
+    data = json.loads(world.manifest.read_text())
+    damage(data)
+    world.manifest.write_text(json.dumps(data))
+    with pytest.raises(ManifestError) as caught:
+        Manifest(world.manifest)
+    assert str(caught.value).startswith(f"{world.manifest}: at {place}: ")
+    assert message in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+def test_meshes_made_from_each_other_are_refused(world: World) -> None:
+    world.meshes = [derived("a", "c", b""), derived("b", "a", b""), derived("c", "b", b"")]
+    world.write()
+    with pytest.raises(ManifestError) as caught:
+        Manifest(world.manifest)
+    loop = "a from c from b from a"
+    assert str(caught.value).endswith(f"at mesh a: inputs: it is made from itself: {loop}")
+
+
+@pytest.mark.parametrize("text", ["", "{", "[1]"])
+def test_what_is_no_manifest_is_refused(world: World, text: str) -> None:
+    world.manifest.write_text(text)
+    with pytest.raises(ManifestError):
+        Manifest(world.manifest)

@@ -90,17 +90,20 @@ def test_unknown_preset_lists_the_presets(checkout: Path) -> None:
     assert ended.returncode == 1 and "there are ci debug release" in ended.stderr
 
 
-@pytest.mark.parametrize("option", ["--corpus", "--out", "--meshes", "--solvers", "--repetitions"])
+@pytest.mark.parametrize(
+    "option", ["--corpus", "--out", "--meshes", "--solvers", "--sources", "--repetitions"]
+)
 def test_option_without_value_is_an_error(checkout: Path, option: str) -> None:
     for arguments in ([option], [option, "--no-install"]):
         ended = run(checkout / "run_all.sh", *arguments)
         assert ended.returncode == 1 and f"{option} needs a value" in ended.stderr
 
 
+@pytest.mark.parametrize("option", ["--sources", "--repetitions"])
 @pytest.mark.parametrize("number", ["0", "-1", "two"])
-def test_repetitions_must_be_a_positive_number(checkout: Path, number: str) -> None:
-    ended = run(checkout / "run_all.sh", "--repetitions", number)
-    assert ended.returncode == 1 and f"{number} is no positive number" in ended.stderr
+def test_counts_must_be_positive_numbers(checkout: Path, option: str, number: str) -> None:
+    ended = run(checkout / "run_all.sh", option, number)
+    assert ended.returncode == 1 and f"{option}: {number} is no positive number" in ended.stderr
 
 
 @pytest.mark.parametrize("script", SCRIPTS)

