@@ -33,14 +33,27 @@ bool in_range(const ParameterDescription& parameter, double number) {
   return whole && parameter.least <= number && number <= parameter.greatest;
 }
 
+bool is_among_choices(const ParameterDescription& parameter, const std::string& word) {
+  return std::count(parameter.choices.begin(), parameter.choices.end(), word) != 0;
+}
+
+bool is_acceptable(const ParameterDescription& parameter, const std::string& text) {
+  if (parameter.kind == ParameterKind::file) return !text.empty();
+  if (parameter.kind == ParameterKind::choice) return is_among_choices(parameter, text);
+  if (parameter.kind == ParameterKind::words) {
+    const std::vector<std::string> words = split(text);
+    return std::all_of(words.begin(), words.end(),
+                       [&](const std::string& word) { return is_among_choices(parameter, word); });
+  }
+  const std::optional<double> number = parse_number(text);
+  return number && in_range(parameter, *number);
+}
+
 std::variant<double, std::string> check(std::string_view owner,
                                         const ParameterDescription& parameter, const Value& value) {
-  if (parameter.kind == ParameterKind::choice) {
-    if (std::count(parameter.choices.begin(), parameter.choices.end(), value.text()) != 0)
-      return value.text();
-  } else if (const auto number = parse_number(value.text());
-             number && in_range(parameter, *number)) {
-    return *number;
+  if (is_acceptable(parameter, value.text())) {
+    if (parameter.is_number()) return *parse_number(value.text());
+    return value.text();
   }
   throw std::invalid_argument(std::string(owner) + ": parameter " + parameter.name + " is '" +
                               value.text() + "'; it must be " + parameter.range());
@@ -56,7 +69,22 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
+std::vector<std::string> split(std::string_view text) {
+  std::vector<std::string> words(1);
+  for (const char c : text) {
+    if (c == ',') {
+      words.emplace_back();
+    } else {
+      words.back() += c;
+    }
+  }
+  return words;
+}
+
 std::string ParameterDescription::range() const {
+  if (kind == ParameterKind::file) return "a file";
+  if (kind == ParameterKind::words)
+    return "one or more of " + listed(choices) + ", separated by commas";
   if (kind == ParameterKind::choice) return "one of " + listed(choices);
   return (kind == ParameterKind::integer ? "an integer from " : "a number from ") +
          number_text(least) + " to " + number_text(greatest);
@@ -91,12 +119,30 @@ ParameterDescription choice_parameter(std::string name, std::vector<std::string>
           .choices = std::move(choices)};
 }
 
+ParameterDescription words_parameter(std::string name, std::vector<std::string> choices,
+                                     std::string description) {
+  ParameterDescription parameter =
+      choice_parameter(std::move(name), std::move(choices), std::move(description));
+  parameter.kind = ParameterKind::words;
+  return parameter;
+}
+
+ParameterDescription file_parameter(std::string name, std::string description) {
+  return {.name = std::move(name),
+          .description = std::move(description),
+          .kind = ParameterKind::file,
+          .default_value = ""};
+}
+
 CheckedParameters::CheckedParameters(std::string_view owner,
                                      const std::vector<ParameterDescription>& descriptions,
                                      const Parameters& given) {
   std::vector<std::string> names;
   for (const ParameterDescription& parameter : descriptions) {
     const auto found = given.find(parameter.name);
+    if (found == given.end() && parameter.is_required())
+      throw std::invalid_argument(std::string(owner) + ": needs --" + parameter.name + ", " +
+                                  parameter.description);
     const Value& value = found == given.end() ? parameter.default_value : found->second;
     values_.emplace(parameter.name, check(owner, parameter, value));
     names.push_back(parameter.name);
@@ -115,10 +161,10 @@ double CheckedParameters::real(std::string_view name) const {
   return std::get<double>(found->second);
 }
 
-const std::string& CheckedParameters::choice(std::string_view name) const {
+const std::string& CheckedParameters::text(std::string_view name) const {
   const auto found = values_.find(name);
   if (found == values_.end() || !std::holds_alternative<std::string>(found->second))
-    throw std::logic_error("no choice parameter " + std::string(name));
+    throw std::logic_error("no text parameter " + std::string(name));
   return std::get<std::string>(found->second);
 }
 

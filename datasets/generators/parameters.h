@@ -30,7 +30,8 @@ class Value {
 
 using Parameters = std::map<std::string, Value, std::less<>>;
 
-enum class ParameterKind { integer, real, choice };
+/// `words` is one or more of the choices, separated by commas; `file` a path, without a default.
+enum class ParameterKind { integer, real, choice, words, file };
 
 struct ParameterDescription {
   std::string name;  ///< lower case with hyphens: "tube-radius"
@@ -41,7 +42,9 @@ struct ParameterDescription {
   double greatest = 0;
   std::vector<std::string> choices = {};  ///< the words that a choice may be
 
-  /// "an integer from 1 to 9", "a number from 0.1 to 2", "one of forward, backward"
+  bool is_number() const { return kind == ParameterKind::integer || kind == ParameterKind::real; }
+  bool is_required() const { return kind == ParameterKind::file; }
+  /// "an integer from 1 to 9", "a number from 0.1 to 2", "one of forward, backward", "a file"
   std::string range() const;
 };
 
@@ -51,15 +54,22 @@ ParameterDescription real_parameter(std::string name, double default_value, doub
                                     double greatest, std::string description);
 ParameterDescription choice_parameter(std::string name, std::vector<std::string> choices,
                                       std::string description);  ///< the first is the default
+ParameterDescription words_parameter(std::string name, std::vector<std::string> choices,
+                                     std::string description);  ///< the first is the default
+ParameterDescription file_parameter(std::string name, std::string description);
 
 /// "a, b, c": how error messages list what exists.
 std::string listed(const std::vector<std::string>& names);
+
+/// The words between the commas of a text, at least one and maybe empty.
+std::vector<std::string> split(std::string_view text);
 
 /// A generator's parameters, complete and in range.
 class CheckedParameters {
  public:
   /// @param owner the generator's name, for messages
-  /// @throws std::invalid_argument for an unknown parameter or a value out of range
+  /// @throws std::invalid_argument for an unknown parameter, a required one that is not given or
+  ///         a value out of range
   CheckedParameters(std::string_view owner, const std::vector<ParameterDescription>& descriptions,
                     const Parameters& given);
 
@@ -67,9 +77,13 @@ class CheckedParameters {
   /// (std::logic_error).
   Index integer(std::string_view name) const { return static_cast<Index>(real(name)); }
   double real(std::string_view name) const;
-  const std::string& choice(std::string_view name) const;
+  const std::string& choice(std::string_view name) const { return text(name); }
+  std::vector<std::string> words(std::string_view name) const { return split(text(name)); }
+  const std::string& file(std::string_view name) const { return text(name); }
 
  private:
+  const std::string& text(std::string_view name) const;
+
   std::map<std::string, std::variant<double, std::string>, std::less<>> values_;
 };
 

@@ -27,7 +27,11 @@ std::string describe(const generators::GeneratorDescription& generator) {
   if (!generator.closed_form.empty()) text << "  distances: " << generator.closed_form << '\n';
   for (const generators::ParameterDescription& parameter : generator.parameters) {
     text << "    --" << std::left << std::setw(14) << parameter.name << ' ' << parameter.description
-         << "; " << parameter.range() << ", by default " << parameter.default_value.text() << '\n';
+         << "; "
+         << (parameter.is_required()
+                 ? "required"
+                 : parameter.range() + ", by default " + parameter.default_value.text())
+         << '\n';
   }
   return text.str();
 }
@@ -70,7 +74,9 @@ void generate_file(const GenerateArguments& arguments, const std::vector<std::st
   if (arguments.name.empty() || arguments.output.empty()) {
     throw HarnessError("generate: needs the NAME of a generator and -o FILE, or --list");
   }
-  const TriangleSoup soup = generators::generate(arguments.name, parse_parameters(words));
+  std::vector<std::string> remarks;
+  const TriangleSoup soup = generators::generate(arguments.name, parse_parameters(words), &remarks);
+  for (const std::string& remark : remarks) std::cerr << arguments.name << ": " << remark << '\n';
   write_mesh(arguments.output, soup);
 }
 

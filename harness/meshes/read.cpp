@@ -87,6 +87,8 @@ Recognised recognise(std::string_view bytes, const std::string& name) {
   refuse_unknown(name);
 }
 
+}  // namespace
+
 std::string read_bytes(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -101,8 +103,6 @@ std::string read_bytes(const fs::path& path) {
   }
   return bytes;
 }
-
-}  // namespace
 
 MeshFile parse_mesh(std::string_view bytes, const std::string& name) {
   if (bytes.empty()) throw MeshError(name + ": the file is empty (0 bytes)");

@@ -30,6 +30,10 @@ struct MeshFile {
   std::vector<std::string> warnings;  ///< one line each, without the file's name
 };
 
+/// All bytes of a regular file.
+/// @throws MeshError when it cannot be read
+std::string read_bytes(const std::filesystem::path& path);
+
 /// Reads a file; its format is recognised by its content, the extension is only a hint.
 /// @throws MeshError when the file cannot be read, is of no known format, is malformed or
 /// truncated,

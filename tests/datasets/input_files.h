@@ -1,0 +1,56 @@
+// Meshes made from meshes: what the tests of generators with an input file share.
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "datasets/generators/generators.h"
+#include "harness/meshes/vectors.h"
+#include "tests/harness/temporary_folder.h"
+
+namespace geodesic::generators {
+
+/// An OFF file with the exact coordinates; unlike the writer, it takes any index and any number.
+inline std::string off_text(const TriangleSoup& soup) {
+  std::string text = "OFF\n" + std::to_string(soup.positions.size()) + " " +
+                     std::to_string(soup.triangles.size()) + " 0\n";
+  for (const auto& [x, y, z] : soup.positions) {
+    char line[100];
+    std::snprintf(line, sizeof line, "%.17g %.17g %.17g\n", x, y, z);
+    text += line;
+  }
+  for (const auto& [a, b, c] : soup.triangles)
+    text += "3 " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c) + "\n";
+  return text;
+}
+
+class InputFiles : public harness::TemporaryFolder {
+ protected:
+  TriangleSoup made(const std::string& generator, const TriangleSoup& input,
+                    Parameters parameters = {}) {
+    parameters.insert_or_assign("input", write("input.off", off_text(input)).string());
+    remarks_.clear();
+    return generate(generator, parameters, &remarks_);
+  }
+
+  std::vector<std::string> remarks_;  // of the last mesh that was made
+};
+
+inline double area_of(const TriangleSoup& soup) {
+  double sum = 0;
+  for (const auto& [a, b, c] : soup.triangles) {
+    const Vec3& corner = soup.positions[a];
+    sum += harness::norm(harness::cross(harness::difference(soup.positions[b], corner),
+                                        harness::difference(soup.positions[c], corner))) /
+           2;
+  }
+  return sum;
+}
+
+inline void expect_same(const TriangleSoup& made, const TriangleSoup& expected) {
+  EXPECT_EQ(made.positions, expected.positions);
+  EXPECT_EQ(made.triangles, expected.triangles);
+}
+
+}  // namespace geodesic::generators

@@ -1,0 +1,315 @@
+// Subdivision: counts, topology, and what each scheme promises about the surface.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "harness/meshes/vectors.h"
+#include "tests/datasets/input_files.h"
+#include "tests/datasets/soup_hash.h"
+#include "tests/datasets/soup_topology.h"
+#include "tests/harness/expect_error.h"
+
+namespace geodesic::generators {
+namespace {
+
+using geodesic::testing::hash_of;
+using geodesic::testing::SoupTopology;
+using geodesic::testing::topology_of;
+
+/// Three faces at one edge, and an isolated vertex.
+const TriangleSoup kBook = {
+    .positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}, {5, 5, 5}},
+    .triangles = {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}}};
+
+Vec3 unit_normal(const TriangleSoup& soup, const Triangle& face) {
+  const Vec3& corner = soup.positions[face[0]];
+  const Vec3 normal = harness::cross(harness::difference(soup.positions[face[1]], corner),
+                                     harness::difference(soup.positions[face[2]], corner));
+  const double length = harness::norm(normal);
+  return {normal[0] / length, normal[1] / length, normal[2] / length};
+}
+
+double distance(const Vec3& a, const Vec3& b) { return harness::norm(harness::difference(a, b)); }
+
+TriangleSoup transformed(TriangleSoup soup) {
+  for (auto& [x, y, z] : soup.positions) {
+    const Vec3 p = {x, y, z};
+    x = 2 * p[0] - p[1] + 0.5 * p[2] + 3;
+    y = p[0] + 1.5 * p[1] - 1;
+    z = -0.25 * p[0] + p[1] + 2 * p[2] + 7;
+  }
+  return soup;
+}
+
+class Subdivision : public InputFiles, public ::testing::WithParamInterface<const char*> {
+ protected:
+  TriangleSoup subdivided(const TriangleSoup& soup) {
+    return made("subdivide", soup, {{"steps", GetParam()}});
+  }
+};
+
+TEST_P(Subdivision, HasTheCountsOfItsScheme) {
+  const bool barycentric = std::string(GetParam()) == "barycentric";
+  for (const TriangleSoup& soup : {generate("holed-plate"), generate("icosphere"), kBook}) {
+    const SoupTopology before = topology_of(soup);
+    std::size_t edges = before.edges;
+    if (soup.triangles == kBook.triangles) edges = 7;  // the count of oriented faces does not hold
+    const TriangleSoup result = subdivided(soup);
+    EXPECT_EQ(result.positions.size(),
+              soup.positions.size() + edges + (barycentric ? soup.triangles.size() : 0));
+    EXPECT_EQ(result.triangles.size(), soup.triangles.size() * (barycentric ? 6 : 4));
+  }
+}
+
+TEST_P(Subdivision, KeepsTheTopology) {
+  for (const char* const generator : {"holed-plate", "icosphere", "torus", "two-components"}) {
+    const TriangleSoup soup = generate(generator);
+    const SoupTopology before = topology_of(soup), after = topology_of(subdivided(soup));
+    EXPECT_EQ(after.euler_characteristic, before.euler_characteristic) << generator;
+    EXPECT_EQ(after.boundary_loops, before.boundary_loops) << generator;
+    EXPECT_EQ(after.components, before.components) << generator;
+    EXPECT_EQ(after.isolated_vertices, before.isolated_vertices) << generator;
+    EXPECT_EQ(after.repeated_half_edges, 0u) << generator;
+  }
+}
+
+TEST_P(Subdivision, KeepsAFlatSurfaceFlatWithItsAreaAndOrientation) {
+  const TriangleSoup result = subdivided(generate("grid", {{"columns", 5}, {"rows", 4}}));
+  for (const Vec3& position : result.positions) EXPECT_EQ(position[2], 0);
+  // Loop's boundary curve rounds the rectangle's corners off.
+  if (std::string(GetParam()) != "loop") {
+    EXPECT_NEAR(area_of(result), 20, 1e-13);
+  }
+  for (const auto& [a, b, c] : result.triangles) {
+    const Vec3 &p = result.positions[a], &q = result.positions[b], &r = result.positions[c];
+    EXPECT_GT((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]), 0);
+  }
+}
+
+TEST_P(Subdivision, CommutesWithAffineMaps) {
+  for (const TriangleSoup& soup : {generate("holed-plate", {{"bulge", 0.3}}), kBook}) {
+    const TriangleSoup one = transformed(subdivided(soup)), other = subdivided(transformed(soup));
+    ASSERT_EQ(one.triangles, other.triangles);
+    for (std::size_t v = 0; v < one.positions.size(); ++v) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        EXPECT_NEAR(one.positions[v][axis], other.positions[v][axis], 1e-14) << v;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Schemes, Subdivision, ::testing::Values("midpoint", "loop", "barycentric"),
+                         [](const auto& scheme) { return std::string(scheme.param); });
+
+class Derived : public InputFiles {};
+
+TEST_F(Derived, MidpointAndBarycentricKeepTheSurfacesAreaAndOldVertices) {
+  const TriangleSoup soup = generate("torus-knot", {{"rings", 60}, {"sides", 9}});
+  for (const char* const steps : {"midpoint", "barycentric", "midpoint,barycentric"}) {
+    const TriangleSoup result = made("subdivide", soup, {{"steps", steps}});
+    EXPECT_NEAR(area_of(result), area_of(soup), 1e-12 * area_of(soup)) << steps;
+    EXPECT_TRUE(std::equal(soup.positions.begin(), soup.positions.end(), result.positions.begin()))
+        << steps;
+  }
+}
+
+TEST_F(Derived, AMeshSplitMidpointWiseAndThenBarycentricallyHas24FacesForOne) {
+  const TriangleSoup result =
+      made("subdivide", generate("torus"), {{"steps", "midpoint,barycentric"}});
+  EXPECT_EQ(result.triangles.size(), 24 * 4096u);
+  EXPECT_EQ(result.positions.size(), 24 * 2048u);
+}
+
+TEST_F(Derived, MidpointsOfAnEdgeOfThreeFacesAreOneVertex) {
+  const TriangleSoup result = made("subdivide", kBook);
+  EXPECT_EQ(std::count(result.positions.begin(), result.positions.end(), (Vec3{0, 0, 0.5})), 1);
+}
+
+// Loop 1987: an inner vertex of six neighbours gets 10/16 of itself and 1/16 of each.
+TEST_F(Derived, LoopGivesTheWeightsOfThePaper) {
+  TriangleSoup soup = generate("grid", {{"columns", 2}, {"rows", 2}, {"diagonal", "forward"}});
+  soup.positions[4][2] = 16;  // the middle one, of valence 6
+  const TriangleSoup result = made("subdivide", soup, {{"steps", "loop"}});
+  EXPECT_NEAR(result.positions[4][2], 10, 1e-14);
+  std::vector<double> heights;
+  for (std::size_t v = 9; v < result.positions.size(); ++v) {
+    heights.push_back(result.positions[v][2]);
+  }
+  EXPECT_EQ(std::count(heights.begin(), heights.end(), 6), 6) << "3/8 on the edges of the middle";
+  EXPECT_EQ(std::count(heights.begin(), heights.end(), 2), 2) << "1/8 opposite to it";
+  EXPECT_EQ(std::count(heights.begin(), heights.end(), 0), 8) << "nothing on the boundary";
+}
+
+/// The greatest sine of half the angle between the normals of neighbouring faces.
+double greatest_bend(const TriangleSoup& soup) {
+  std::map<std::pair<Index, Index>, Vec3> normals;
+  double greatest = 0;
+  for (const Triangle& face : soup.triangles) {
+    const Vec3 normal = unit_normal(soup, face);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index a = face[k], b = face[(k + 1) % 3];
+      normals[{a, b}] = normal;
+      const auto beyond = normals.find({b, a});
+      if (beyond != normals.end()) {
+        greatest = std::max(greatest, distance(normal, beyond->second) / 2);
+      }
+    }
+  }
+  return greatest;
+}
+
+TEST_F(Derived, LoopTendsToASmoothSurface) {
+  TriangleSoup soup = generate("box", {{"x-cells", 2}, {"y-cells", 2}, {"z-cells", 2}});
+  double bend = greatest_bend(soup);
+  EXPECT_NEAR(bend, std::sqrt(0.5), 1e-15) << "right angles";
+  for (int step = 1; step <= 5; ++step) {
+    soup = made("subdivide", soup, {{"steps", "loop"}});
+    EXPECT_LT(greatest_bend(soup), 0.85 * bend) << step;
+    bend = greatest_bend(soup);
+  }
+  EXPECT_LT(bend, 0.05);
+}
+
+TEST_F(Derived, NoiseMovesWithinItsAmplitudeAlongNormalsOnly) {
+  const TriangleSoup soup = generate("grid", {{"columns", 20}, {"rows", 20}, {"spacing", 2}});
+  const TriangleSoup result = made("noise", soup, {{"amplitude", 0.25}, {"seed", 5}});
+  EXPECT_EQ(result.triangles, soup.triangles);
+  const double mean_edge = (840 + 400 * std::sqrt(2.0)) / 1240 * 2;
+  double farthest = 0;
+  for (std::size_t v = 0; v < soup.positions.size(); ++v) {
+    EXPECT_EQ(result.positions[v][0], soup.positions[v][0]);
+    EXPECT_EQ(result.positions[v][1], soup.positions[v][1]);
+    farthest = std::max(farthest, std::abs(result.positions[v][2]));
+  }
+  EXPECT_LE(farthest, 0.25 * mean_edge);
+  EXPECT_GT(farthest, 0.24 * mean_edge) << "of 441 uniform numbers";
+}
+
+TEST_F(Derived, NoiseDependsOnItsSeedAndIsNothingWithoutAmplitude) {
+  const TriangleSoup soup = generate("two-components");
+  EXPECT_NE(hash_of(made("noise", soup, {{"seed", 1}})),
+            hash_of(made("noise", soup, {{"seed", 2}})));
+  expect_same(made("noise", soup, {{"amplitude", 0}}), soup);
+}
+
+TEST_F(Derived, RefineHasExactlyTheVerticesAskedAndTheSameSurface) {
+  const TriangleSoup soup = generate("holed-plate", {{"bulge", 0.3}});
+  const SoupTopology before = topology_of(soup);
+  for (const std::size_t vertices : {2068u, 2069u, 3001u, 10000u}) {
+    const TriangleSoup result = made("refine", soup, {{"vertices", vertices}});
+    const SoupTopology after = topology_of(result);
+    EXPECT_EQ(result.positions.size(), vertices);
+    EXPECT_EQ(after.euler_characteristic, before.euler_characteristic);
+    EXPECT_EQ(after.boundary_loops, before.boundary_loops);
+    EXPECT_EQ(after.repeated_half_edges, 0u);
+    EXPECT_LE(after.greatest_edge, before.greatest_edge);
+    EXPECT_NEAR(area_of(result), area_of(soup), 1e-13 * area_of(soup));
+  }
+}
+
+TEST_F(Derived, RefineSplitsTheLongestEdgeFirst) {
+  // A triangle of sides 3, 4, 5: the longest is halved, then the side of 4.
+  const TriangleSoup triangle = {.positions = {{0, 0, 0}, {4, 0, 0}, {0, 3, 0}},
+                                 .triangles = {{0, 1, 2}}};
+  const TriangleSoup result = made("refine", triangle, {{"vertices", 5}});
+  EXPECT_EQ(result.positions[3], (Vec3{2, 1.5, 0}));
+  EXPECT_EQ(result.positions[4], (Vec3{2, 0, 0}));
+  EXPECT_EQ(result.triangles.size(), 3u);
+}
+
+TEST_F(Derived, RefineBringsEdgesToOneLength) {
+  const SoupTopology after =
+      topology_of(made("refine", generate("needles"), {{"vertices", 60000}}));
+  EXPECT_LT(after.greatest_edge, 0.2 * topology_of(generate("needles")).greatest_edge);
+}
+
+TEST_F(Derived, RefineSplitsAllFacesOfAnEdgeAndDropsIsolatedVertices) {
+  const TriangleSoup result = made("refine", kBook, {{"vertices", 500}});
+  EXPECT_EQ(result.positions.size(), 500u);
+  EXPECT_NEAR(area_of(result), area_of(kBook), 1e-13);
+  const auto on_spine = [&](Index v) {
+    return result.positions[v][0] == 0 && result.positions[v][1] == 0;
+  };
+  std::map<std::pair<Index, Index>, int> faces_of_spine_edge;
+  for (const Triangle& face : result.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto edge = std::minmax(face[k], face[(k + 1) % 3]);
+      if (on_spine(edge.first) && on_spine(edge.second)) ++faces_of_spine_edge[edge];
+    }
+  }
+  EXPECT_GT(faces_of_spine_edge.size(), 4u);
+  for (const auto& [edge, faces] : faces_of_spine_edge) {
+    EXPECT_EQ(faces, 3) << edge.first << '-' << edge.second;
+  }
+}
+
+TEST_F(Derived, RefineRefusesFewerVerticesThanThereAre) {
+  try {
+    made("refine", generate("two-components"), {{"vertices", 1387}});
+    ADD_FAILURE() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("has 1388 without the isolated ones"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST_F(Derived, HasTheCommittedBits) {
+  const TriangleSoup soup = generate("holed-plate", {{"bulge", 0.3}, {"holes", 2}, {"pitch", 6}});
+  const auto expect_hash = [&](const char* generator, const Parameters& parameters,
+                               std::uint64_t expected) {
+    const std::uint64_t hash = hash_of(made(generator, soup, parameters));
+    EXPECT_EQ(hash, expected) << generator << std::hex << " 0x" << hash;
+  };
+  expect_hash("subdivide", {{"steps", "midpoint"}}, 0x8fdbb2fb5304eeb0u);
+  expect_hash("subdivide", {{"steps", "loop,loop"}}, 0x5cfd1f8b870cf14cu);
+  expect_hash("subdivide", {{"steps", "barycentric"}}, 0xf6bc5bb77638ec35u);
+  expect_hash("refine", {{"vertices", 1000}}, 0xdd97309c5a8f131eu);
+  expect_hash("noise", {}, 0xe8b1979cb6229cd0u);
+  expect_hash("clean", {}, 0xafe49bfed284c551u);
+}
+
+TEST_F(Derived, UnusableInputIsRefusedInOneLine) {
+  TriangleSoup soup = kBook;
+  soup.triangles.push_back({0, 1, 77});
+  harness::expect_error([&] { made("subdivide", soup); },
+                        {"input.off: face 3 names a vertex that is not there", "generate clean"});
+  for (const Triangle& twice : {Triangle{0, 1, 1}, {1, 0, 1}, {1, 1, 0}}) {
+    soup.triangles.back() = twice;
+    harness::expect_error([&] { made("refine", soup); }, {"face 3 names a vertex twice"});
+  }
+  soup = kBook;
+  soup.positions[2][1] = kInfinity;
+  harness::expect_error([&] { made("noise", soup); }, {"vertex 2 is not finite"});
+  harness::expect_error(
+      [] {
+        generate("subdivide", {{"input", "/no/such/file"}});
+      },
+      {"/no/such/file: no such file"});
+}
+
+TEST(DerivedErrors, MissingAndWrongParametersSayWhatIsWanted) {
+  const auto message_of = [](const char* generator, const Parameters& parameters) -> std::string {
+    try {
+      generate(generator, parameters);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(message_of("subdivide", {}),
+            "subdivide: needs --input, the mesh to start from, OBJ, OFF, PLY or STL");
+  for (const char* const steps : {"", "midpoint,", "loop,up", "loop midpoint"}) {
+    EXPECT_EQ(message_of("subdivide", {{"input", "x"}, {"steps", steps}}),
+              "subdivide: parameter steps is '" + std::string(steps) +
+                  "'; it must be one or more of midpoint, loop, barycentric, separated by commas");
+  }
+  EXPECT_EQ(message_of("clean", {{"input", ""}}),
+            "clean: parameter input is ''; it must be a file");
+}
+
+}  // namespace
+}  // namespace geodesic::generators
