@@ -1,0 +1,48 @@
+"""The growth table: exponents of a known law, and a clear refusal of too few meshes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import table_growth
+from results import Mesh, ResultError, Row, Run, Solver
+
+SOLVER = Solver("fast", "F", "", "", "", "", "", False, True, False, "")
+
+
+def run_of(sizes: list[int], exponent: float) -> Run:
+    """A run in which time (ns) and windows are n to the exponent: a nanosecond a window."""
+    meshes = {f"m{n}": Mesh(f"m{n}", n, 2 * n, 1.0, None, False) for n in sizes}
+    rows = [
+        Row(
+            "fast", mesh.name, 0, 0, "ok", "", None,
+            {"cpu_time": 1e-6 * mesh.vertices**exponent,
+             "window_propagations": mesh.vertices**exponent},
+        )
+        for mesh in meshes.values()
+    ]  # fmt: skip
+    return Run(
+        Path("run.json"), {}, meshes, {"fast": SOLVER}, {name: [0] for name in meshes}, [], rows
+    )
+
+
+def test_the_exponent_of_a_power_law_is_found() -> None:
+    _, fits = table_growth.tables(run_of([10_000, 100_000, 1_000_000], 1.25))
+    time, windows = fits.rows[0][-2:]
+    assert time.value == pytest.approx(1.25)
+    assert windows.value == pytest.approx(1.25)
+    assert time.low == pytest.approx(1.25, abs=1e-6)
+
+
+def test_time_per_window_is_shown_in_nanoseconds_and_by_the_smallest_mesh() -> None:
+    growth, _ = table_growth.tables(run_of([1_000_000, 10_000, 100_000], 1.5))
+    assert [row[2].value for row in growth.rows] == [10_000, 100_000, 1_000_000]
+    assert [row[-2].text for row in growth.rows] == ["1.0"] * 3
+    assert [row[-1].value for row in growth.rows] == pytest.approx([1, 1, 1])
+
+
+def test_fewer_than_three_sizes_are_refused_with_what_to_do() -> None:
+    with pytest.raises(ResultError, match="no solver has 3 meshes.*run --corpus growth"):
+        table_growth.tables(run_of([10, 20], 1.5))
