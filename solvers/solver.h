@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "solvers/core/instruction_set.h"
 #include "solvers/core/mesh.h"
 #include "solvers/core/recording.h"
 
@@ -76,6 +77,10 @@ class Solver {
   ///         a negative or non-finite initial distance or a negative limit, or asks for an ability
   ///         the solver lacks; or when `distances` has the wrong size
   void solve(const Query& query, std::span<double> distances, Recording* recording = nullptr);
+
+  /// The vector instructions that this object solves with: those chosen when it was constructed
+  /// (core/instruction_set.h), as far as the solver is compiled for them.
+  virtual InstructionSet instruction_set() const { return InstructionSet::plain; }
 
  protected:
   /// @param description must outlive the solver (registered descriptions do)

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "harness/cells/row.h"
+#include "harness/corpus/vectors.h"
 #include "harness/measure/benchmark.h"
 #include "harness/measure/process.h"
 #include "harness/measure/recorded_solve.h"
@@ -76,6 +77,7 @@ Timing Cell::measure() {
   if (!identical(solved_, verified_))
     return wrong("a timed solve gave other distances than the first one");
   const auto resident = peak_resident_bytes();
+  const std::string_view instructions = name_of(solver->instruction_set());
   solver.reset();
 
   const Json recorded = record_solve(spec_.solver, mesh_, query_, solved_);
@@ -86,6 +88,7 @@ Timing Cell::measure() {
                 {"mesh", spec_.mesh},
                 {"source", spec_.source},
                 {"outcome", outcome::kOk},
+                {"instruction_set", instructions},
                 {"prepare_time", prepare_ms}});
     row.update(recorded);
     if (resident) row["process_peak_bytes"] = *resident;
@@ -98,6 +101,7 @@ Timing Cell::measure() {
 }  // namespace
 
 void run_cell(const CellSpec& spec) {
+  set_instruction_set(instruction_set_named(spec.vectors));
   const TriangleSoup soup = load_mesh(spec.mesh_file).soup;
   const Stopwatch building;
   const Mesh mesh(soup, Numbering::along_surface);

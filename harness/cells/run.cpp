@@ -145,6 +145,7 @@ void Run::start_cell(const Cell& cell, const fs::path& file) {
                   .reference = reference.solver,
                   .reference_file = reference.file.string(),
                   .output = file.string(),
+                  .vectors = request_.suite.vectors,
                   .benchmark_flags = benchmark_flags(),
                   .context = cell_context(cell)};
     const Ended ended =

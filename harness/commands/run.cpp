@@ -17,7 +17,7 @@ struct RunFlags {
   std::optional<int> sources, repetitions;
   std::optional<std::uint64_t> seed;
   std::optional<double> min_time;
-  std::optional<std::string> reference, out;
+  std::optional<std::string> reference, vectors, out;
   std::string manifest = default_manifest().string();
 };
 
@@ -52,6 +52,7 @@ RunRequest request_of(const RunFlags& flags, const std::string& command) {
   override_with(flags.repetitions, suite.repetitions);
   override_with(flags.seed, suite.seed);
   override_with(flags.min_time, suite.min_time);
+  override_with(flags.vectors, suite.vectors);
   if (flags.reference) suite.reference = flags.reference;
   return request;
 }
@@ -78,6 +79,7 @@ void add_run_command(CLI::App& app, const std::string& command_line) {
   option("--seed", flags->seed, "of the choice of sources");
   option("--min-time", flags->min_time, "least seconds of a repetition");
   option("--reference", flags->reference, "exact solver to verify others by");
+  option("--vectors", flags->vectors, "instructions to solve with: auto, plain or avx2");
   option("--out", flags->out, "folder of the run (results/runs/<UTC time>-<corpus>)");
   option("--manifest", flags->manifest, "list of meshes and corpora")->capture_default_str();
   run_command->callback([flags, command_line] {

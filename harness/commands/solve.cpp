@@ -8,6 +8,7 @@
 
 #include "harness/corpus/manifest.h"
 #include "harness/corpus/solvers.h"
+#include "harness/corpus/vectors.h"
 #include "harness/error.h"
 #include "harness/measure/process.h"
 #include "harness/measure/recorded_solve.h"
@@ -27,6 +28,7 @@ struct SolveFlags {
   std::string output;
   bool repair = false;
   double limit = kInfinity;
+  std::string vectors = kAutoVectors;
   std::string manifest = default_manifest().string();
 };
 
@@ -71,6 +73,7 @@ Solved solve(const SolveFlags& flags, const Description& solver, const Mesh& mes
   solved.json["cpu_time_s"] = watch.cpu_seconds();
   solved.json["real_time_s"] = watch.real_seconds();
   solved.json["prepare_time_s"] = prepare_time;
+  solved.json["instruction_set"] = name_of(prepared->instruction_set());
   for (const std::string& name : counter_names()) solved.json[name] = nullptr;
   const auto resident = peak_resident_bytes();
   prepared.reset();
@@ -117,6 +120,7 @@ Json verify_by(const std::optional<std::vector<double>>& known, const SolveFlags
 
 void run_solve(const SolveFlags& flags) {
   const Description& solver = solver_named(flags.solver);
+  set_instruction_set(instruction_set_named(flags.vectors));
   const MeshEntry entry = find_mesh(flags.mesh, flags.manifest);
   std::optional<AtomicFile> output;  // opened before the work: a bad path costs no solve
   if (!flags.output.empty()) output.emplace(flags.output);
@@ -158,6 +162,8 @@ void add_solve_command(CLI::App& app) {
   command->add_option("--output", flags->output, "file for the distances, one a line");
   command->add_flag("--repair", flags->repair, "mend defects of the mesh, and say which");
   command->add_option("--limit", flags->limit, "vertices farther than this are unreachable");
+  command->add_option("--vectors", flags->vectors,
+                      "instructions to solve with: auto, plain or avx2");
   command->add_option("--manifest", flags->manifest, "list of meshes and corpora");
   command->callback([flags] { run_solve(*flags); });
 }

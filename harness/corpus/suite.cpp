@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "harness/build_info.h"
+#include "harness/corpus/vectors.h"
 #include "harness/error.h"
 #include "harness/results/atomic_file.h"
 
@@ -32,6 +33,7 @@ const std::map<std::string, Setter>& setters() {
       {"seed", [](Suite& s, const Json& v) { set_integer(s.seed, v); }},
       {"min_time", [](Suite& s, const Json& v) { v.get_to(s.min_time); }},
       {"reference", [](Suite& s, const Json& v) { s.reference = v.get<std::string>(); }},
+      {"vectors", [](Suite& s, const Json& v) { v.get_to(s.vectors); }},
   };
   return all;
 }
@@ -71,6 +73,7 @@ void check_suite(const Suite& suite) {
   if (!(suite.min_time > 0) || !std::isfinite(suite.min_time)) {
     throw HarnessError("the least time of a repetition must be a positive number of seconds");
   }
+  instruction_set_named(suite.vectors);
 }
 
 std::filesystem::path default_suite() {

@@ -18,7 +18,8 @@ struct Suite {
   std::uint64_t seed = 1;                 ///< of the choice of sources
   double min_time = 0.05;                 ///< seconds that a repetition lasts at least
   std::optional<std::string> reference =
-      {};  ///< solver to verify by; by default one of another kind
+      {};                        ///< solver to verify by; by default one of another kind
+  std::string vectors = "auto";  ///< instructions that solvers are timed with (corpus/vectors.h)
 };
 
 /// Reads a suite; keys that the file leaves out keep the values above.

@@ -22,6 +22,8 @@ struct Recording {
   std::optional<std::uint64_t> strip_depth;     ///< longest chain of faces a window crossed
   std::optional<std::uint64_t> window_bytes;    ///< size of one stored window
   std::optional<double> wavefront_sd;           ///< mean over samples, in units of length
+
+  bool operator==(const Recording&) const = default;
 };
 
 /// The length of a window's strip of faces; an empty type when nothing is recorded.

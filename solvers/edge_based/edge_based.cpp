@@ -10,8 +10,8 @@
 // this one keeps late arrivals rare.
 //
 // The loop (propagation-inl.h) and its steps over whole lists (kernels-inl.h) are compiled for
-// several instruction sets; the best one that the processor has is chosen at run time. All of them
-// give the same bits.
+// several instruction sets; which one runs is chosen when a solver is constructed
+// (core/instruction_set.h). All of them give the same bits.
 // Two targets are enough: AVX2, and one window at a time for every other processor.
 #undef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS (HWY_AVX3_DL | HWY_AVX3 | HWY_SSE4 | HWY_SSSE3)
@@ -27,23 +27,30 @@
 namespace geodesic::edge_based {
 namespace {
 
-HWY_EXPORT(make_timed);
-HWY_EXPORT(make_recorded);
+const Path& chosen_path() {
+#if (HWY_TARGETS & HWY_AVX2) != 0 && HWY_STATIC_TARGET != HWY_AVX2
+  if (geodesic::instruction_set() == InstructionSet::avx2) return N_AVX2::kPath;
+#endif
+  return HWY_STATIC_DISPATCH(kPath);
+}
 
 class EdgeBased final : public Solver {
  public:
   EdgeBased(const Mesh& mesh, const Description& description)
-      : Solver(mesh, description), timed_(HWY_DYNAMIC_DISPATCH(make_timed)(mesh)) {}
+      : Solver(mesh, description), path_(chosen_path()), timed_(path_.make_timed(mesh)) {}
+
+  InstructionSet instruction_set() const override { return path_.instruction_set; }
 
  private:
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
     if (recording == nullptr) {
       timed_->run(query, distances, nullptr);
     } else {
-      HWY_DYNAMIC_DISPATCH(make_recorded)(mesh())->run(query, distances, recording);
+      path_.make_recorded(mesh())->run(query, distances, recording);
     }
   }
 
+  const Path& path_;
   std::unique_ptr<Propagator> timed_;
 };
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 
+#include "solvers/core/instruction_set.h"
 #include "solvers/core/recording.h"
 #include "solvers/solver.h"
 
@@ -14,6 +15,13 @@ class Propagator {
   virtual ~Propagator() = default;
   /// As Solver::run.
   virtual void run(const Query& query, std::span<double> distances, Recording* recording) = 0;
+};
+
+/// The loop as compiled for one instruction set.
+struct Path {
+  InstructionSet instruction_set;
+  std::unique_ptr<Propagator> (*make_timed)(const Mesh& mesh);
+  std::unique_ptr<Propagator> (*make_recorded)(const Mesh& mesh);
 };
 
 }  // namespace geodesic::edge_based

@@ -115,6 +115,13 @@ TEST_F(RunTest, SourcesAndCountersAreTheSameAgain) {
   EXPECT_EQ(counters(), counters());
 }
 
+TEST_F(RunTest, RowsTellTheVectorInstructionsThatRan) {
+  const Output run = run_suite(PROGRAM, {"--solvers", exact_solver() + ",dijkstra", "--sources",
+                                         "1", "--meshes", "tetrahedron", "--vectors", "plain"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  for (const json& each : rows()) EXPECT_EQ(each.at("instruction_set"), "plain") << each;
+}
+
 TEST_F(RunTest, FlagsOverrideTheSuite) {
   const auto suite = write("suite.json", R"({"corpus": "missing", "sources": 3, "seed": 5})");
   const Output run = run_suite(PROGRAM, {suite.string(), "--corpus", "quick", "--meshes",

@@ -94,6 +94,31 @@ TEST_F(CommandLine, SolveWritesAJsonObjectAndDistancesInFileOrder) {
   EXPECT_EQ(read(file), "0\n1\n1\n1\n");
 }
 
+TEST_F(CommandLine, VectorInstructionsAreChosenByNameAndChangeNoDistance) {
+  const auto solve = [&](const std::string& vectors) {
+    const auto file = folder_ / (vectors + ".txt");
+    const Output output = run(PROGRAM, {"solve", "hill", "--solver", exact_solver(), "--source",
+                                        "1", "--vectors", vectors, "--output", file.string()});
+    EXPECT_EQ(output.code, 0) << output.err;
+    return nlohmann::json::parse(output.out).at("instruction_set").get<std::string>();
+  };
+  EXPECT_EQ(solve("plain"), "plain");
+  const std::string widest = solve("auto");
+  EXPECT_EQ(read(folder_ / "plain.txt"), read(folder_ / "auto.txt"));
+  if (widest != "plain") {
+    EXPECT_EQ(solve(widest), widest);
+  }
+
+  Output refused = run(
+      PROGRAM, {"solve", "hill", "--source", "1", "--vectors", "sse9", "--solver", exact_solver()});
+  EXPECT_EQ(refused.code, 1);
+  expect_words(refused.err, {"no kind of vectors named 'sse9'", "auto", "plain", "avx2"});
+  refused = run(PROGRAM, {"run", "--vectors", "sse9", "--out", (folder_ / "run").string()});
+  EXPECT_EQ(refused.code, 1);
+  expect_words(refused.err, {"no kind of vectors named 'sse9'"});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "run"));
+}
+
 TEST_F(CommandLine, SolveKeepsIsolatedVerticesAndEveryDigit) {
   const auto file = folder_ / "distances.txt";
   const Output solve = run(PROGRAM, {"solve", "hill", "--solver", exact_solver(), "--source", "1",

@@ -11,7 +11,7 @@ using SuiteFile = TemporaryFolder;
 TEST_F(SuiteFile, SetsEveryKey) {
   const Suite suite = read_suite(write("suite.json", R"({
     "solvers": ["a", "b"], "corpus": "real", "meshes": ["m"], "sources": 5, "repetitions": 7,
-    "seed": 18446744073709551615, "min_time": 0.25, "reference": "a"})"));
+    "seed": 18446744073709551615, "min_time": 0.25, "reference": "a", "vectors": "plain"})"));
   EXPECT_EQ(suite.solvers, (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(suite.corpus, "real");
   EXPECT_EQ(suite.meshes, std::vector<std::string>{"m"});
@@ -20,6 +20,7 @@ TEST_F(SuiteFile, SetsEveryKey) {
   EXPECT_EQ(suite.seed, 18446744073709551615u);
   EXPECT_EQ(suite.min_time, 0.25);
   EXPECT_EQ(suite.reference, "a");
+  EXPECT_EQ(suite.vectors, "plain");
 }
 
 TEST_F(SuiteFile, LeavesOutWhatItDoesNotChange) {
@@ -45,6 +46,7 @@ TEST_F(SuiteFile, RefusesValuesOutOfRange) {
       {R"({"min_time": 0})", "positive number of seconds"},
       {R"({"solvers": "mmp"})", "\"solvers\": \"mmp\""},
       {R"({"reference": null})", "\"reference\": null"},
+      {R"({"vectors": "wide"})", "no kind of vectors named 'wide'"},
       {R"([])", "JSON object"},
       {R"({"sources": )", "not valid JSON"},
   };
