@@ -71,7 +71,8 @@ class Row:
     message: str
     reference: str | None
     numbers: dict[str, float]
-    """Every number the row has under its name in the file; empty unless the outcome is ok."""
+    """Every number the row has under its name in the file, those of an object as
+    "phase_seconds.queue"; empty unless the outcome is ok."""
 
     @property
     def ok(self) -> bool:
@@ -223,8 +224,13 @@ def _row(row: dict[str, Any]) -> Row:
         outcome=row["outcome"],
         message=row.get("error_message", ""),
         reference=row.get("reference"),
-        numbers={k: v for k, v in row.items() if ok and type(v) in (int, float)},
+        numbers=_numbers(row) if ok else {},
     )
+
+
+def _numbers(row: dict[str, Any]) -> dict[str, float]:
+    leaves = (([str(key) for key in path], value) for path, value in _leaves(row, []))
+    return {".".join(path): value for path, value in leaves if type(value) in (int, float)}
 
 
 def _check_names(run: Run) -> None:

@@ -9,10 +9,13 @@
 
 namespace geodesic::harness {
 
-/// Solves with recording on a fresh solver object.
-/// @param distances one entry a vertex, to be compared with those of the solve that was timed
+/// Solves with counters on a fresh solver object, and once more on another to time the phases.
+/// @param distances one entry a vertex, to be compared with those of the solve that was timed;
+/// those
+///        of the second recorded solve if they differ from the first one's
 /// @return the solver's counters (results/counters.h), solver_peak_bytes (the most that preparation
-///         and solve together had allocated) and unreachable_vertices
+///         and solve together had allocated), unreachable_vertices, and phase_seconds where the
+///         solver has phases
 Json record_solve(const std::string& solver, const Mesh& mesh, const Query& query,
                   std::span<double> distances);
 

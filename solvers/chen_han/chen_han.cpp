@@ -45,9 +45,10 @@ class ChenHan final : public Solver {
 
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
     if (recording == nullptr) return propagation_.run(query, distances);
-    recording->window_bytes = sizeof(StoredWindow<NoDepth>);
-    Propagation<Policy, CountingRecorder>(mesh(), CountingRecorder(*recording))
-        .run(query, distances);
+    solve_recording(*recording, [&](auto recorder) {
+      if constexpr (recorder.kRecords) recording->window_bytes = sizeof(StoredWindow<NoDepth>);
+      Propagation<Policy, decltype(recorder)>(mesh(), recorder).run(query, distances);
+    });
   }
 
   Propagation<Policy, NoRecorder> propagation_;

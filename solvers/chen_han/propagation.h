@@ -40,9 +40,10 @@ class Propagation {
         unreliable_(find_unreliable_vertices(mesh)) {}
 
   void run(const Query& query, std::span<double> distances) {
+    const auto timed = recorder_.enter(Phase::propagation);
     start(query, distances);
     while (!queue_.empty()) {
-      const Stored w = pool_.take(queue_.pop());
+      const Stored w = pop();
       if (w.is_pseudo_source()) {
         if (!is_outdated(w)) emit(w.root, {w.half_edge, w.x, w.y});
       } else {
@@ -58,6 +59,16 @@ class Propagation {
   using Depth = std::conditional_t<Filter::filters, typename Recorder::Depth, StripDepth>;
   using Stored = StoredWindow<Depth>;
   static constexpr Index kSamples = 64;  // of the wavefront, at equal steps of vertices reached
+
+  Stored pop() {
+    const auto timed = recorder_.enter(Phase::queue);
+    return pool_.take(queue_.pop());
+  }
+
+  void push(double key, const Stored& w) {
+    const auto timed = recorder_.enter(Phase::queue);
+    queue_.push(key, pool_.add(w));
+  }
 
   void start(const Query& query, std::span<double> distances) {
     distances_ = distances;
@@ -88,7 +99,7 @@ class Propagation {
     w.sigma = distance;
     w.half_edge = arrival.corner;
     w.root = v & kMaxVertices;
-    queue_.push(distance, pool_.add(w));
+    push(distance, w);
   }
 
   /// The pseudo-source has come nearer since the window was made.
@@ -132,6 +143,7 @@ class Propagation {
       reach_apex(h, face, distance, {w.x, w.y});
       // A window that ends at the apex keeps its child: the owner may be its neighbour.
       if (!touches_begin && !touches_end && has_owner(h)) {
+        const auto timed = recorder_.enter(Phase::trimming);
         const Children children =
             corners_.claim(h, distance, w.x - dx * w.y / dy, kApexReach * face.length);
         left = children != Children::right;
@@ -193,11 +205,12 @@ class Propagation {
                    static_cast<Index>(entry) & 1,
                    parent.depth.next()};
     if constexpr (Filter::filters) {
+      const auto timed = recorder_.enter(Phase::trimming);
       if (Filter::is_useless(w, entry, passed_face(across, third, third_vertex))) return;
     }
     const double key = least_distance(w);
     if (key > limit_) return;
-    queue_.push(key, pool_.add(w));
+    push(key, w);
     if constexpr (Recorder::kRecords) {
       recorder_.valid(1);
       recorder_.wavefront_size(++waiting_);
@@ -216,6 +229,7 @@ class Propagation {
 
   /// The filter again, with the distances known by now.
   bool is_useless(const Stored& w) const {
+    const auto timed = recorder_.enter(Phase::trimming);
     if constexpr (Filter::filters) {
       const Index across = mesh_.twin(w.half_edge);
       const HalfEdge& e = mesh_.half_edge(across);

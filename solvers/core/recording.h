@@ -1,7 +1,8 @@
 // What a recorded solve counts, and the recorders a solver's inner loop is compiled against.
 //
 // A solver is written as a template over its recorder. `NoRecorder` is empty: timed solves contain
-// no trace of it. `CountingRecorder` fills a Recording. Definitions: docs/metrics.md.
+// no trace of it. `CountingRecorder` fills a Recording with counters; `TimingRecorder` counts
+// nothing, which would take time, and reads the clock instead. Definitions: docs/metrics.md.
 #pragma once
 
 #include <algorithm>
@@ -9,10 +10,17 @@
 #include <cstdint>
 #include <optional>
 
+#include "solvers/core/phase_timer.h"
+
 namespace geodesic {
+
+/// What a recorded solve is made for.
+enum class Record : std::uint8_t { counters, phase_times };
 
 /// Integer results are the same on every run and every x86-64 machine.
 struct Recording {
+  Record what = Record::counters;  ///< the caller's wish
+
   std::optional<std::uint64_t> window_propagations;  ///< windows propagated across a face
   std::optional<std::uint64_t> windows_created;      ///< before reduction drops any; not in MMP
   std::optional<std::uint64_t> valid_windows;        ///< windows that survive redundancy reduction
@@ -22,6 +30,8 @@ struct Recording {
   std::optional<std::uint64_t> strip_depth;     ///< longest chain of faces a window crossed
   std::optional<std::uint64_t> window_bytes;    ///< size of one stored window
   std::optional<double> wavefront_sd;           ///< mean over samples, in units of length
+
+  std::optional<PhaseTimes> phase_times;  ///< when they are wished for: the only thing recorded
 
   bool operator==(const Recording&) const = default;
 };
@@ -44,6 +54,19 @@ struct NoRecorder {
   void valid(std::uint64_t /*windows*/) {}
   void reinserted(std::uint64_t /*windows*/) {}
   void wavefront_size(std::uint64_t /*windows*/) {}
+
+  /// The phase that runs as long as the result lives (phase_timer.h).
+  struct [[nodiscard]] NoScope {
+    constexpr ~NoScope() {}  // NOLINT: a result without a destructor would be called unused
+  };
+  constexpr NoScope enter(Phase /*phase*/) const { return {}; }
+};
+
+struct TimingRecorder : NoRecorder {
+  explicit TimingRecorder(PhaseTimer& into) : timer(into) {}
+  PhaseScope<PhaseTimer> enter(Phase phase) const { return {timer, phase}; }
+
+  PhaseTimer& timer;
 };
 
 struct CountingRecorder {
@@ -88,11 +111,22 @@ struct CountingRecorder {
     recording.wavefront_sd = sd_sum_ / ++samples_;
   }
 
+  NoRecorder::NoScope enter(Phase /*phase*/) const { return {}; }
+
   Recording& recording;
 
  private:
   double sd_sum_ = 0;
   int samples_ = 0;
 };
+
+/// Calls `solve` with the recorder for what `recording` wants.
+template <class Solve>
+void solve_recording(Recording& recording, Solve&& solve) {
+  if (recording.what == Record::counters) return solve(CountingRecorder(recording));
+  PhaseTimer timer;
+  solve(TimingRecorder(timer));
+  recording.phase_times = timer.times();
+}
 
 }  // namespace geodesic

@@ -46,7 +46,7 @@ class EdgeBased final : public Solver {
     if (recording == nullptr) {
       timed_->run(query, distances, nullptr);
     } else {
-      path_.make_recorded(mesh())->run(query, distances, recording);
+      path_.make_recorded(mesh(), recording->what)->run(query, distances, recording);
     }
   }
 

@@ -7,6 +7,7 @@
 #endif
 
 #include <bit>
+#include <type_traits>
 #include <vector>
 
 #include "solvers/core/queues/vertex_heap.h"
@@ -31,11 +32,15 @@ class Propagation final : public Propagator {
   }
 
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
-    if constexpr (Recorder::kRecords) {
+    if constexpr (std::is_same_v<Recorder, CountingRecorder>) {
       recording->window_bytes = sizeof(Window);
-      run(query, distances, Recorder(*recording));
+      run(query, distances, CountingRecorder(*recording));
+    } else if constexpr (std::is_same_v<Recorder, TimingRecorder>) {
+      PhaseTimer timer;
+      run(query, distances, TimingRecorder(timer));
+      recording->phase_times = timer.times();
     } else {
-      run(query, distances, Recorder());
+      run(query, distances, NoRecorder());
     }
   }
 
@@ -48,10 +53,12 @@ class Propagation final : public Propagator {
   using Lists = WindowLists<kFields>;
 
   void run(const Query& query, std::span<double> distances, Recorder recorder) {
+    const auto timed = recorder.enter(Phase::propagation);
     distances_ = distances;
     std::fill(vertex_state_.begin(), vertex_state_.end(), std::uint8_t{0});
     for (const Source& source : query.sources) {
-      if (source.distance < distances_[source.vertex]) reach(source.vertex, source.distance);
+      if (source.distance < distances_[source.vertex])
+        reach(source.vertex, source.distance, recorder);
       vertex_state_[source.vertex] |= kSource;
     }
     // The shortest path to a vertex within the limit crosses only edges that have an end nearer
@@ -60,7 +67,7 @@ class Propagation final : public Propagator {
     std::uint64_t passed = 0;
     const std::uint64_t step = std::max<std::uint64_t>(1, mesh_.vertex_count() / kSamples);
     while (!front_.empty() && front_.least_key() <= stop) {
-      enter_faces_around(front_.pop());
+      enter_faces_around(pop(recorder), recorder);
       for (std::size_t i = 0; i < fifo_.size(); ++i) {
         const Index h = fifo_[i];
         queued_[h] = 0;
@@ -76,7 +83,13 @@ class Propagation final : public Propagator {
     lists_.clear();
   }
 
-  void reach(Index v, double distance) {
+  Index pop(Recorder& recorder) {
+    const auto timed = recorder.enter(Phase::queue);
+    return front_.pop();
+  }
+
+  void reach(Index v, double distance, Recorder& recorder) {
+    const auto timed = recorder.enter(Phase::queue);
     distances_[v] = distance;
     front_.push_or_decrease(v, distance);
   }
@@ -93,7 +106,7 @@ class Propagation final : public Propagator {
     fifo_.push_back(h);
   }
 
-  void enter_faces_around(Index v) {
+  void enter_faces_around(Index v, Recorder& recorder) {
     const bool emits = (vertex_state_[v] & kSource) != 0 || mesh_.is_pseudo_source(v);
     vertex_state_[v] |= kPassed;
     for (const Index h : mesh_.outgoing(v)) {
@@ -104,11 +117,14 @@ class Propagation final : public Propagator {
     for (const Index h : mesh_.outgoing(v)) {
       const Index into = Mesh::previous(h);
       const double at_head = distances_[v] + mesh_.half_edge(h).length;
-      if (at_head < distances_[mesh_.head(h)]) reach(mesh_.head(h), at_head);
+      if (at_head < distances_[mesh_.head(h)]) reach(mesh_.head(h), at_head, recorder);
       const double at_origin = distances_[v] + mesh_.half_edge(into).length;
-      if (at_origin < distances_[mesh_.origin(into)]) reach(mesh_.origin(into), at_origin);
+      if (at_origin < distances_[mesh_.origin(into)]) {
+        reach(mesh_.origin(into), at_origin, recorder);
+      }
       if (emits) emit(v, Mesh::next(h));
     }
+    const auto timed = recorder.enter(Phase::queue);
     for (const Index h : mesh_.outgoing(v)) {
       enqueue(h);
       enqueue(Mesh::next(h));
@@ -143,20 +159,14 @@ class Propagation final : public Propagator {
   void cross_face(Index h, Recorder& recorder) {
     const HalfEdge& edge = mesh_.half_edge(h);
     const EndPaths ends(edge.length, distances_[edge.origin], distances_[mesh_.head(h)]);
-    batch_.count = 0;
-    lists_.consume(h, [&](auto& segment) {
-      recorder.created(segment.count);
-      gather<kFields>(segment, ends, batch_);
-    });
+    gather_and_trim(h, ends, recorder);
     if (batch_.count == 0) return;
-    reserve_masks();
-    if (batch_.count > 1) trim(crossed_face(mesh_, h));
 
     const FaceFrame face = face_frame(mesh_, h);
     const Separator separator = classify(batch_, face, seen_left_.data(), seen_right_.data());
     const Index apex = mesh_.apex(h);
-    if (separator.distance < distances_[apex]) reach(apex, separator.distance);
-    choose_sides(separator, face);
+    if (separator.distance < distances_[apex]) reach(apex, separator.distance, recorder);
+    choose_sides(separator, face, recorder);
     if constexpr (Recorder::kRecords) count(recorder);
 
     const Index left = mesh_.twin(Mesh::previous(h)), right = mesh_.twin(Mesh::next(h));
@@ -170,6 +180,19 @@ class Propagation final : public Propagator {
       unfold<RightEdge, kFields>(batch_, face, to_right_, seen_left_.data(), *out);
       land(right, out, Place::back);
     }
+  }
+
+  /// Moves the list of h into the batch, without what paths over the ends of h or other windows of
+  /// the list beat.
+  void gather_and_trim(Index h, const EndPaths& ends, Recorder& recorder) {
+    const auto timed = recorder.enter(Phase::trimming);
+    batch_.count = 0;
+    lists_.consume(h, [&](auto& segment) {
+      recorder.created(segment.count);
+      gather<kFields>(segment, ends, batch_);
+    });
+    reserve_masks();
+    if (batch_.count > 1) trim(crossed_face(mesh_, h));
   }
 
   void reserve_masks() {
@@ -231,10 +254,11 @@ class Propagation final : public Propagator {
   }
 
   /// Strategy II: decides for each window to which edges it goes.
-  void choose_sides(const Separator& separator, const FaceFrame& face) {
+  void choose_sides(const Separator& separator, const FaceFrame& face, Recorder& recorder) {
     to_left_ = seen_left_.data();
     to_right_ = seen_right_.data();
     if (separator.window == SIZE_MAX) return;
+    const auto timed = recorder.enter(Phase::trimming);
     if (separator.rivals == 0 && !any_crosses(batch_, separator, to_left_, to_right_)) return;
     const std::size_t groups = batch_.count / kLanes + 1;
     std::copy_n(seen_left_.begin(), groups, kept_left_.begin());
@@ -300,7 +324,8 @@ inline std::unique_ptr<Propagator> make_timed(const Mesh& mesh) {
   return std::make_unique<Propagation<NoRecorder>>(mesh);
 }
 
-inline std::unique_ptr<Propagator> make_recorded(const Mesh& mesh) {
+inline std::unique_ptr<Propagator> make_recorded(const Mesh& mesh, Record what) {
+  if (what == Record::phase_times) return std::make_unique<Propagation<TimingRecorder>>(mesh);
   return std::make_unique<Propagation<CountingRecorder>>(mesh);
 }
 

@@ -21,7 +21,7 @@ class Propagator {
 struct Path {
   InstructionSet instruction_set;
   std::unique_ptr<Propagator> (*make_timed)(const Mesh& mesh);
-  std::unique_ptr<Propagator> (*make_recorded)(const Mesh& mesh);
+  std::unique_ptr<Propagator> (*make_recorded)(const Mesh& mesh, Record what);
 };
 
 }  // namespace geodesic::edge_based

@@ -32,10 +32,14 @@ class Mmp final : public Solver {
 
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
     if (recording == nullptr) return propagation_.run(query, distances, NoRecorder{});
-    recording->reinsertions = 0;
-    recording->window_bytes = sizeof(EdgeWindow<NoDepth>);
-    PropagationWith<CountingRecorder>(mesh(), Order::make(mesh()))
-        .run(query, distances, CountingRecorder(*recording));
+    solve_recording(*recording, [&](auto recorder) {
+      if constexpr (recorder.kRecords) {
+        recording->reinsertions = 0;
+        recording->window_bytes = sizeof(EdgeWindow<NoDepth>);
+      }
+      PropagationWith<decltype(recorder)>(mesh(), Order::make(mesh()))
+          .run(query, distances, recorder);
+    });
   }
 
   PropagationWith<NoRecorder> propagation_;

@@ -29,6 +29,7 @@ class Propagation {
       : mesh_(mesh), wavefront_(mesh.half_edge_count(), std::move(queue)) {}
 
   void run(const Query& query, std::span<double> distances, Recorder recorder) {
+    const auto timed = recorder.enter(Phase::propagation);
     start(query, distances, recorder);
     while (!wavefront_.empty()) {
       const QueueItem item = wavefront_.pop();

@@ -50,14 +50,18 @@ class Wavefront {
   }
 
   bool empty() const { return queue_.empty(); }
-  QueueItem pop() { return queue_.pop(); }
+  QueueItem pop() {
+    const auto timed = recorder_->enter(Phase::queue);
+    return queue_.pop();
+  }
 
   void push_vertex(Index v, double distance) {
-    if (distance <= limit_) queue_.push(distance, {v, -1.0f});
+    if (distance <= limit_) push(distance, {v, -1.0f});
   }
 
   /// The window that an entry names, which does not wait any longer; none when the entry is stale.
   std::optional<Taken> take(QueueItem item, double length) {
+    const auto timed = recorder_->enter(Phase::queue);
     const std::span<W> list = lists_.windows(item.id);
     const std::size_t i = find(list, length, item.at);
     if (i == list.size()) return std::nullopt;
@@ -71,6 +75,7 @@ class Wavefront {
   /// @param w in the frame of the edge's own half-edge
   /// @param goes_on whether there is a face beyond
   void lay(Index edge, double length, const Window& w, Depth depth, bool goes_on) {
+    const auto timed = recorder_->enter(Phase::trimming);
     if (lists_.windows(edge).empty()) {
       const W gap = W::gap(0);
       lists_.replace(edge, 0, 0, {&gap, 1});
@@ -131,6 +136,11 @@ class Wavefront {
     return list.size();
   }
 
+  void push(double key, QueueItem item) {
+    const auto timed = recorder_->enter(Phase::queue);
+    queue_.push(key, item);
+  }
+
   /// Queues a part that the challenger won.
   void accept(Index edge, W& stored, double end, bool goes_on) {
     recorder_->valid(1);
@@ -138,7 +148,7 @@ class Wavefront {
     const double key = least_distance(part);
     if (!goes_on || key > limit_) return;
     stored.set_waits(true);
-    queue_.push(key, {edge, queue_position(part)});
+    push(key, {edge, queue_position(part)});
   }
 
   /// Re-inserts piece k, a part of a window that waits, when it has lost the point by which its
@@ -151,7 +161,7 @@ class Wavefront {
     const bool second = k >= 2 && overlay_.pieces[k - 2].owner == owner;
     if (!second && queue_position(part) == queue_position(whole)) return;
     recorder_->reinserted(1);
-    queue_.push(least_distance(part), {edge, queue_position(part)});
+    push(least_distance(part), {edge, queue_position(part)});
   }
 
   void tally(const Window& w, Change change) {

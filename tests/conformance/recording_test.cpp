@@ -61,6 +61,40 @@ TEST_P(Recordings, of_a_single_triangle_count_no_propagation_beyond_it) {
   EXPECT_LE(r.strip_depth.value_or(0), 1);
 }
 
+TEST_P(Recordings, of_phase_times_change_no_distance_and_no_counter) {
+  for (const auto& [name, soup] : oracles::random_meshes()) {
+    const Mesh mesh(soup);
+    const auto solver = prepare(mesh);
+    Recording before, after, timed;
+    timed.what = Record::phase_times;
+    const auto counted = ask(*solver, mesh, from(4), &before);
+    EXPECT_TRUE(identical(ask(*solver, mesh, from(4), &timed), counted)) << name;
+    EXPECT_TRUE(identical(ask(*solver, mesh, from(4)), counted)) << name;
+    ask(*solver, mesh, from(4), &after);
+    EXPECT_EQ(before, after) << name;
+    EXPECT_FALSE(before.phase_times) << name;
+  }
+}
+
+TEST_P(Recordings, of_phase_times_hold_nothing_else_and_lose_none) {
+  const Mesh mesh(oracles::rough_sphere(53, 2, 0.3));
+  Recording counters, timed;
+  timed.what = Record::phase_times;
+  ask(*prepare(mesh), mesh, from(4), &counters);
+  ask(*prepare(mesh), mesh, from(4), &timed);
+  ASSERT_EQ(timed.phase_times.has_value(), counters.window_propagations.has_value())
+      << "a solver that counts windows knows its phases";
+  if (!timed.phase_times) GTEST_SKIP() << GetParam() << " records nothing";
+  EXPECT_GT(timed.phase_times->propagation.readings, 0u);
+  EXPECT_GT(timed.phase_times->trimming.readings, 0u);
+  EXPECT_GT(timed.phase_times->queue.readings, mesh.vertex_count());
+  EXPECT_GT(timed.phase_times->propagation.seconds, 0);
+  Recording only;
+  only.what = timed.what;
+  only.phase_times = timed.phase_times;
+  EXPECT_EQ(timed, only);
+}
+
 FOR_EVERY_SOLVER(Recordings);
 
 }  // namespace

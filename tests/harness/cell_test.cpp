@@ -104,8 +104,8 @@ TEST_F(RunTest, SourcesAndCountersAreTheSameAgain) {
     EXPECT_EQ(run.code, 0) << run.err;
     json all = json::array();
     for (json row : rows()) {
-      for (const char* key :
-           {"real_time", "cpu_time", "iterations", "prepare_time", "process_peak_bytes"}) {
+      for (const char* key : {"real_time", "cpu_time", "iterations", "prepare_time",
+                              "process_peak_bytes", "phase_seconds"}) {
         row.erase(key);
       }
       all.push_back(row);
@@ -120,6 +120,25 @@ TEST_F(RunTest, RowsTellTheVectorInstructionsThatRan) {
                                          "1", "--meshes", "tetrahedron", "--vectors", "plain"});
   ASSERT_EQ(run.code, 0) << run.err;
   for (const json& each : rows()) EXPECT_EQ(each.at("instruction_set"), "plain") << each;
+}
+
+TEST_F(RunTest, RowsOfWindowSolversTellWhereTheTimeWent) {
+  const Output run = run_suite(
+      PROGRAM, {"--solvers", exact_solver() + ",dijkstra", "--sources", "1", "--meshes", "hill"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  for (const json& each : rows()) {
+    if (each.at("solver") == "dijkstra") {
+      EXPECT_FALSE(each.contains("phase_seconds")) << each;
+      continue;
+    }
+    double sum = 0;
+    for (const char* phase : {"propagation", "trimming", "queue", "timer_overhead"}) {
+      EXPECT_GE(each.at("phase_seconds").at(phase).get<double>(), 0) << phase;
+      sum += each.at("phase_seconds").at(phase).get<double>();
+    }
+    EXPECT_GT(sum, 0);
+    EXPECT_EQ(each.at("phase_seconds").size(), 4u);
+  }
 }
 
 TEST_F(RunTest, FlagsOverrideTheSuite) {

@@ -37,6 +37,21 @@ def test_golden_run_has_typed_rows(golden_run: Run) -> None:
     assert golden_run.sources["horse"] == [0, 31415]
 
 
+def test_numbers_of_an_object_have_its_name_before_theirs(golden_run: Run, tmp_path: Path) -> None:
+    data = json.loads(golden_run.file.read_text())
+    phases = {"propagation": 0.2, "trimming": 0.1, "queue": 0.05, "timer_overhead": 0.02}
+    ok = next(i for i, row in enumerate(data["benchmarks"]) if row["outcome"] == "ok")
+    data["benchmarks"][ok]["phase_seconds"] = phases
+    file = tmp_path / "run.json"
+    file.write_text(json.dumps(data))
+    numbers = read_file(file).rows[ok].numbers
+    assert {name: numbers[f"phase_seconds.{name}"] for name in phases} == phases
+    del phases["queue"]
+    file.write_text(json.dumps(data))
+    with pytest.raises(ResultError, match="queue"):
+        read_file(file)
+
+
 def test_failed_row_has_its_message_and_no_numbers(golden_run: Run) -> None:
     (row,) = golden_run.cell("flat-grid", "fwp-ch")
     assert not row.ok and row.outcome == "wrong answer" and row.message and row.numbers == {}

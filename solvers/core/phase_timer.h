@@ -1,0 +1,133 @@
+// Where the time of a solve goes: window propagation, trimming, queue maintenance (Figure 5.9 of
+// the thesis).
+//
+// One phase runs at any moment, and the clock is read when it changes. A reading takes some 10 ns,
+// about as long as a short phase; between two of them lies exactly one reading's cost, half of the
+// first and half of the second. Times are given with that cost, together with the number of
+// readings, so that it can be taken out by whoever knows how long the solve takes without them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#if defined(__x86_64__)
+#include <x86intrin.h>
+#endif
+
+namespace geodesic {
+
+enum class Phase : std::uint8_t {
+  outside,      ///< not part of the solve: not reported
+  propagation,  ///< whatever is none of the others, unfolding and new distances above all
+  trimming,     ///< finding out which windows are useless, and cutting or dropping them
+  queue,        ///< pushing, popping, and finding what an entry stands for
+};
+inline constexpr std::size_t kPhases = 4;
+
+/// Wall seconds of one solve, the readings of the clock included.
+struct PhaseTimes {
+  struct Share {
+    double seconds = 0;
+    std::uint64_t readings = 0;  ///< of the clock, whose cost the seconds contain
+
+    bool operator==(const Share&) const = default;
+  };
+  Share propagation, trimming, queue;
+  /// Seconds that a reading takes when nothing else is done. A solve hides part of it behind its
+  /// other work.
+  double reading = 0;
+
+  bool operator==(const PhaseTimes&) const = default;
+};
+
+/// Counts in a unit of its own that is cheap to read; the same on all cores of the machine.
+struct TickClock {
+#if defined(__x86_64__)
+  static std::uint64_t ticks() { return __rdtsc(); }
+#else
+  static std::uint64_t ticks() {
+    return static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
+  }
+#endif
+  static double seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+  }
+};
+
+/// @tparam Clock as TickClock
+template <class Clock>
+class BasicPhaseTimer {
+ public:
+  /// Ends the running phase. @return which it was
+  Phase change_to(Phase next) {
+    const std::uint64_t now = Clock::ticks();
+    Share& share = shares_[static_cast<std::size_t>(phase_)];
+    share.ticks += now - last_;
+    ++share.readings;
+    last_ = now;
+    const Phase ended = phase_;
+    phase_ = next;
+    return ended;
+  }
+
+  /// What was timed since the construction; the solve must be over.
+  PhaseTimes times() const {
+    const double ticks = static_cast<double>(Clock::ticks() - first_);
+    const double unit = ticks > 0 ? (Clock::seconds() - started_) / ticks : 0;
+    const auto share = [&](Phase phase) -> PhaseTimes::Share {
+      const Share& own = shares_[static_cast<std::size_t>(phase)];
+      return {unit * static_cast<double>(own.ticks), own.readings};
+    };
+    return {.propagation = share(Phase::propagation),
+            .trimming = share(Phase::trimming),
+            .queue = share(Phase::queue),
+            .reading = unit * ticks_per_reading()};
+  }
+
+ private:
+  struct Share {
+    std::uint64_t ticks = 0, readings = 0;
+  };
+
+  // The least of several measurements: whatever else happens on the machine only adds.
+  static double ticks_per_reading() {
+    constexpr int kBatches = 8, kReadings = 2000;
+    double least = 0;
+    for (int batch = 0; batch < kBatches; ++batch) {
+      BasicPhaseTimer timer;
+      for (int i = 0; i < kReadings; ++i) {
+        timer.change_to(i % 2 == 0 ? Phase::queue : Phase::trimming);
+      }
+      const double ticks = static_cast<double>(timer.last_ - timer.first_) / kReadings;
+      least = batch == 0 ? ticks : std::min(least, ticks);
+    }
+    return least;
+  }
+
+  std::array<Share, kPhases> shares_ = {};
+  Phase phase_ = Phase::outside;
+  std::uint64_t first_ = Clock::ticks();
+  double started_ = Clock::seconds();
+  std::uint64_t last_ = first_;
+};
+
+using PhaseTimer = BasicPhaseTimer<TickClock>;
+
+/// Lets a phase run until the end of a block, and then the one that it interrupted.
+template <class Timer>
+class [[nodiscard]] PhaseScope {
+ public:
+  PhaseScope(Timer& timer, Phase phase) : timer_(timer), interrupted_(timer.change_to(phase)) {}
+  ~PhaseScope() { timer_.change_to(interrupted_); }
+  PhaseScope(const PhaseScope&) = delete;
+  PhaseScope& operator=(const PhaseScope&) = delete;
+
+ private:
+  Timer& timer_;
+  Phase interrupted_;
+};
+
+}  // namespace geodesic
