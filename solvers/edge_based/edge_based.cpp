@@ -12,45 +12,31 @@
 // The loop (propagation-inl.h) and its steps over whole lists (kernels-inl.h) are compiled for
 // several instruction sets; which one runs is chosen when a solver is constructed
 // (core/instruction_set.h). All of them give the same bits.
-// Two targets are enough: AVX2, and one window at a time for every other processor.
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS (HWY_AVX3_DL | HWY_AVX3 | HWY_SSE4 | HWY_SSSE3)
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "solvers/edge_based/edge_based.cpp"
-#include <hwy/foreach_target.h>
-
-#include "solvers/edge_based/propagation-inl.h"
-
-#if HWY_ONCE
+#include "solvers/edge_based/propagation.h"
 #include "solvers/registry.h"
 
 namespace geodesic::edge_based {
 namespace {
 
-const Path& chosen_path() {
-#if (HWY_TARGETS & HWY_AVX2) != 0 && HWY_STATIC_TARGET != HWY_AVX2
-  if (geodesic::instruction_set() == InstructionSet::avx2) return N_AVX2::kPath;
-#endif
-  return HWY_STATIC_DISPATCH(kPath);
-}
-
 class EdgeBased final : public Solver {
  public:
   EdgeBased(const Mesh& mesh, const Description& description)
-      : Solver(mesh, description), path_(chosen_path()), timed_(path_.make_timed(mesh)) {}
+      : Solver(mesh, description),
+        instruction_set_(compiled_for(geodesic::instruction_set())),
+        timed_(make_timed(mesh, instruction_set_)) {}
 
-  InstructionSet instruction_set() const override { return path_.instruction_set; }
+  InstructionSet instruction_set() const override { return instruction_set_; }
 
  private:
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
     if (recording == nullptr) {
       timed_->run(query, distances, nullptr);
     } else {
-      path_.make_recorded(mesh(), recording->what)->run(query, distances, recording);
+      make_recorded(mesh(), instruction_set_, recording->what)->run(query, distances, recording);
     }
   }
 
-  const Path& path_;
+  InstructionSet instruction_set_;
   std::unique_ptr<Propagator> timed_;
 };
 
@@ -68,4 +54,3 @@ const RegisterSolver<EdgeBased> registered{{
 
 }  // namespace
 }  // namespace geodesic::edge_based
-#endif

@@ -122,7 +122,7 @@ struct EndPaths {
 
 /// Appends to `batch` the windows of a segment that no path over an end of the edge beats.
 template <unsigned fields, class Segment>
-void gather(Segment& segment, const EndPaths& ends, Batch& batch) {
+HWY_INLINE void gather(Segment& segment, const EndPaths& ends, Batch& batch) {
   batch.reserve(batch.count + segment.count);
   double* from[fields];
   double* to[fields];
@@ -161,7 +161,7 @@ inline Side2 right_of(Vec x, Vec y, Vec t, Vec px, Vec py) {
 /// For each window but the first, in groups of kLanes bits: whether it and the one before it are
 /// not `in_order`, so that `trim_pair` has to look at them.
 /// @return true when any is
-inline bool find_suspects(const Batch& batch, std::uint8_t* suspects) {
+HWY_INLINE bool find_suspects(const Batch& batch, std::uint8_t* suspects) {
   const double* begin = batch.array(kBegin);
   const double* end = batch.array(kEnd);
   const double* xs = batch.array(kX);
@@ -188,8 +188,8 @@ inline bool find_suspects(const Batch& batch, std::uint8_t* suspects) {
 /// Which sides of the apex the windows' lines pass, in groups of kLanes bits; both bits are set for
 /// a window that sees the apex. Also fills the batch's crossings.
 /// @return the window that gives the least distance to the apex
-inline Separator classify(Batch& batch, const FaceFrame& face, std::uint8_t* left,
-                          std::uint8_t* right) {
+HWY_INLINE Separator classify(Batch& batch, const FaceFrame& face, std::uint8_t* left,
+                              std::uint8_t* right) {
   const Vec apex_x = all(face.apex_x), apex_y = all(face.apex_y);
   const Vec slack = all(kApexTolerance * face.length);
   Separator best;
@@ -236,8 +236,8 @@ inline Separator classify(Batch& batch, const FaceFrame& face, std::uint8_t* lef
 
 /// True when a window that passes the apex on one side starts from the other side of the
 /// separating path.
-inline bool any_crosses(const Batch& batch, const Separator& separator, const std::uint8_t* left,
-                        const std::uint8_t* right) {
+HWY_INLINE bool any_crosses(const Batch& batch, const Separator& separator,
+                            const std::uint8_t* left, const std::uint8_t* right) {
   const Vec position = all(separator.crossing);
   for (std::size_t i = 0; i < batch.count; i += kLanes) {
     const unsigned l = left[i / kLanes], r = right[i / kLanes];
@@ -305,8 +305,8 @@ struct RightEdge {
 /// in `seen_other` is set too sees the apex and reaches up to it.
 /// @param out room for the chosen windows and kLaneRoom - 1 more
 template <class Edge, unsigned fields, class Segment>
-void unfold(const Batch& batch, const FaceFrame& face, const std::uint8_t* to_edge,
-            const std::uint8_t* seen_other, Segment& out) {
+HWY_INLINE void unfold(const Batch& batch, const FaceFrame& face, const std::uint8_t* to_edge,
+                       const std::uint8_t* seen_other, Segment& out) {
   double* to[fields];
   for (unsigned f = 0; f < fields; ++f) to[f] = out.array(f);
   const Vec width = all(kWindowWidth * Edge::length(face));

@@ -317,20 +317,6 @@ class Propagation final : public Propagator {
   const std::uint8_t* to_right_ = nullptr;
 };
 
-inline constexpr InstructionSet kInstructionSet =
-    HWY_TARGET == HWY_AVX2 ? InstructionSet::avx2 : InstructionSet::plain;
-
-inline std::unique_ptr<Propagator> make_timed(const Mesh& mesh) {
-  return std::make_unique<Propagation<NoRecorder>>(mesh);
-}
-
-inline std::unique_ptr<Propagator> make_recorded(const Mesh& mesh, Record what) {
-  if (what == Record::phase_times) return std::make_unique<Propagation<TimingRecorder>>(mesh);
-  return std::make_unique<Propagation<CountingRecorder>>(mesh);
-}
-
-inline constexpr Path kPath{kInstructionSet, make_timed, make_recorded};
-
 }  // namespace geodesic::edge_based::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -17,11 +17,11 @@ class Propagator {
   virtual void run(const Query& query, std::span<double> distances, Recording* recording) = 0;
 };
 
-/// The loop as compiled for one instruction set.
-struct Path {
-  InstructionSet instruction_set;
-  std::unique_ptr<Propagator> (*make_timed)(const Mesh& mesh);
-  std::unique_ptr<Propagator> (*make_recorded)(const Mesh& mesh, Record what);
-};
+/// What runs when `wish` is wished for: the nearest that was compiled.
+InstructionSet compiled_for(InstructionSet wish);
+
+/// The loop for an instruction set that `compiled_for` gave.
+std::unique_ptr<Propagator> make_timed(const Mesh& mesh, InstructionSet set);
+std::unique_ptr<Propagator> make_recorded(const Mesh& mesh, InstructionSet set, Record what);
 
 }  // namespace geodesic::edge_based
