@@ -1,8 +1,9 @@
 // The contract between solvers and whoever uses them, on one page.
 //
 // A solver is constructed for one mesh (that is its preparation, timed apart) and then asked any
-// number of queries. It owns all its state; the mesh is shared and never written. Two solver
-// objects may run in two threads, one object may not.
+// number of queries. It owns all its state, which `solve` changes: one object belongs to one thread
+// at a time. What objects share is constant (the mesh, their description), so that any number of
+// them may solve in as many threads.
 #pragma once
 
 #include <memory>

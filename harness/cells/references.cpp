@@ -5,6 +5,7 @@
 #include "harness/cells/process.h"
 #include "harness/cells/spec.h"
 #include "harness/error.h"
+#include "harness/measure/threads.h"
 #include "harness/meshes/load.h"
 #include "harness/verify/choose.h"
 #include "harness/verify/closed_form.h"
@@ -31,20 +32,25 @@ std::string write_closed_form(const Cell& cell, const std::filesystem::path& fil
 }  // namespace
 
 std::string References::solve(const Cell& cell, const std::string& solver,
-                              const std::filesystem::path& file) const {
+                              const std::filesystem::path& file) {
   const auto unable = cell.mesh->unsupported.find(solver);
   if (unable != cell.mesh->unsupported.end()) return unable->second;
   const ReferenceSpec spec{.solver = solver,
                            .mesh_file = cell.mesh->entry.file.string(),
                            .source = cell.source,
                            .output = file.string()};
-  const Ended ended = run_this_program({"reference", Json(spec).dump()}, [&] { waiting_(solver); });
+  const Ended ended = run_this_program({"reference", Json(spec).dump()}, [&] {
+    const std::lock_guard lock(mutex_);
+    waiting_(solver);
+  });
   return ended.succeeded() ? "" : solver + ": " + ended.describe();
 }
 
 const std::string& References::compute(const Cell& cell, const std::string& solver,
                                        const std::filesystem::path& file) {
+  std::unique_lock lock(mutex_);
   const auto [at, first] = tried_.try_emplace(file.filename().string());
+  lock.unlock();
   if (!first) return at->second;
   return at->second =
              solver == kClosedForm ? write_closed_form(cell, file) : solve(cell, solver, file);
@@ -73,6 +79,26 @@ Reference References::find(const Cell& cell) {
   }
   throw HarnessError("cannot be verified: no other exact solver gave distances (" +
                      (failures.empty() ? "none is registered" : join(failures, "; ")) + ")");
+}
+
+void References::compute_ahead(std::span<const Cell> cells, unsigned threads) {
+  std::map<Index, std::vector<const Cell*>> by_source;
+  for (const Cell& cell : cells) {
+    if (!cell.mesh->unsupported.contains(cell.solver->name))
+      by_source[cell.source].push_back(&cell);
+  }
+  std::vector<std::vector<const Cell*>> sources;
+  for (auto& [source, of_source] : by_source) sources.push_back(std::move(of_source));
+  do_in_threads(sources.size(), threads, [&]() -> Worker {
+    return [&](std::size_t i) {
+      for (const Cell* cell : sources[i]) {
+        try {
+          find(*cell);
+        } catch (const HarnessError&) {
+        }
+      }
+    };
+  });
 }
 
 }  // namespace geodesic::harness

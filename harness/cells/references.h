@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,7 +24,8 @@ class References {
  public:
   /// @param folder exists
   /// @param named the solver that the suite wants others to be verified by
-  /// @param waiting called about once a second while a solver works: with whose reference it is
+  /// @param waiting called about once a second while a solver works: with whose reference it is;
+  ///        never by two threads at once
   References(std::filesystem::path folder, std::optional<std::string> named,
              std::function<void(const std::string& solver)> waiting)
       : folder_(std::move(folder)), named_(std::move(named)), waiting_(std::move(waiting)) {}
@@ -32,17 +35,21 @@ class References {
   /// @throws HarnessError saying why each candidate gave none
   Reference find(const Cell& cell);
 
+  /// Computes what `find` will need for these cells, for as many sources at a time as there are
+  /// threads. Failures are left to `find`.
+  void compute_ahead(std::span<const Cell> cells, unsigned threads);
+
  private:
   std::vector<std::string> candidates(const Cell& cell) const;
   // Empty when it was computed; otherwise why not.
   const std::string& compute(const Cell& cell, const std::string& solver,
                              const std::filesystem::path& file);
-  std::string solve(const Cell& cell, const std::string& solver,
-                    const std::filesystem::path& file) const;
+  std::string solve(const Cell& cell, const std::string& solver, const std::filesystem::path& file);
 
   std::filesystem::path folder_;
   std::optional<std::string> named_;
   std::function<void(const std::string&)> waiting_;
+  std::mutex mutex_;  // of the map, not of its values: those are of one source, thus of one thread
   std::map<std::string, std::string> tried_;  // by file name: what `compute` returned
 };
 

@@ -61,6 +61,7 @@ class Run {
   RunResult conclude() const;
 
  private:
+  void compute_references(std::size_t first);
   Json run_cell(const Cell& cell);
   void start_cell(const Cell& cell, const fs::path& file);
   Json context(const std::vector<const PlannedMesh*>& meshes,
@@ -182,8 +183,19 @@ std::string summary(const Json& rows) {
   return text;
 }
 
+// Those of the mesh whose first cell this is. Without threads they are computed when they are
+// needed, which lets a run show its first time sooner.
+void Run::compute_references(std::size_t first) {
+  const PlannedMesh* mesh = cells_[first].mesh;
+  if (request_.threads == 1 || (first > 0 && cells_[first - 1].mesh == mesh)) return;
+  std::size_t last = first;
+  while (last < cells_.size() && cells_[last].mesh == mesh) ++last;
+  references_.compute_ahead(std::span(cells_).subspan(first, last - first), request_.threads);
+}
+
 void Run::measure() {
   for (std::size_t i = 0; i < cells_.size(); ++i) {
+    compute_references(i);
     Json rows = run_cell(cells_[i]);
     progress_.ended(summary(rows));
     for (Json& row : rows) {

@@ -15,7 +15,8 @@ struct RunRequest {
   std::filesystem::path manifest;
   std::optional<std::filesystem::path> out;  ///< by default results/runs/<UTC time>-<corpus>
   std::vector<std::string> benchmark_flags;
-  std::string command;  ///< the command line, for the record
+  unsigned threads = 1;  ///< reference distances computed at a time; nothing is timed meanwhile
+  std::string command;   ///< the command line, for the record
 };
 
 /// Exit codes of a run; the worst thing that happened decides.

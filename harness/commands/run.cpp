@@ -17,6 +17,7 @@ struct RunFlags {
   std::optional<int> sources, repetitions;
   std::optional<std::uint64_t> seed;
   std::optional<double> min_time;
+  unsigned threads = 1;
   std::optional<std::string> reference, vectors, out;
   std::string manifest = default_manifest().string();
 };
@@ -31,6 +32,7 @@ RunRequest request_of(const RunFlags& flags, const std::string& command) {
                      .manifest = flags.manifest,
                      .out = flags.out,
                      .benchmark_flags = {},
+                     .threads = flags.threads,
                      .command = command};
   std::string suite_file;
   for (const std::string& word : flags.words) {
@@ -79,6 +81,9 @@ void add_run_command(CLI::App& app, const std::string& command_line) {
   option("--seed", flags->seed, "of the choice of sources");
   option("--min-time", flags->min_time, "least seconds of a repetition");
   option("--reference", flags->reference, "exact solver to verify others by");
+  option("--threads", flags->threads,
+         "reference distances to compute at a time; solvers are timed one by one")
+      ->check(CLI::Range(1, 1024));
   option("--vectors", flags->vectors, "instructions to solve with: auto, plain or avx2");
   option("--out", flags->out, "folder of the run (results/runs/<UTC time>-<corpus>)");
   option("--manifest", flags->manifest, "list of meshes and corpora")->capture_default_str();

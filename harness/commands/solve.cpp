@@ -12,6 +12,7 @@
 #include "harness/error.h"
 #include "harness/measure/process.h"
 #include "harness/measure/recorded_solve.h"
+#include "harness/measure/solve_each.h"
 #include "harness/meshes/load.h"
 #include "harness/results/atomic_file.h"
 #include "harness/results/counters.h"
@@ -26,19 +27,23 @@ struct SolveFlags {
   std::string mesh, solver;
   std::vector<Index> sources;
   std::string output;
-  bool repair = false;
+  bool repair = false, each = false;
+  unsigned threads = 1;
   double limit = kInfinity;
   std::string vectors = kAutoVectors;
   std::string manifest = default_manifest().string();
 };
 
-// One distance a line in file order, 17 significant digits: every double survives.
-void write_text(std::ostream& out, std::span<const double> distances) {
-  char line[40];
+// In file order, 17 significant digits: every double survives.
+std::string as_text(std::span<const double> distances, char separator) {
+  std::string text;
+  char number[40];
   for (const double d : distances) {
-    std::snprintf(line, sizeof line, "%.17g\n", d);
-    out << (std::isinf(d) ? "inf\n" : line);
+    std::snprintf(number, sizeof number, "%.17g", d);
+    text += std::isinf(d) ? "inf" : number;
+    text += separator;
   }
+  return text;
 }
 
 void warn(const std::string& warning) { std::cerr << "geodesic-bench: " << warning << '\n'; }
@@ -54,6 +59,15 @@ Query query_of(const SolveFlags& flags) {
   for (const Index v : flags.sources) query.sources.push_back({.vertex = v});
   return query;
 }
+
+// What to solve, read and checked.
+struct Problem {
+  const SolveFlags& flags;
+  const Description& solver;
+  const MeshEntry& entry;
+  const TriangleSoup& soup;
+  const Mesh& mesh;
+};
 
 struct Solved {
   std::vector<double> distances;
@@ -88,13 +102,13 @@ Solved solve(const SolveFlags& flags, const Description& solver, const Mesh& mes
 }
 
 // The closed form's distances from the nearest of the sources; nothing where it is not known.
-std::optional<std::vector<double>> known_distances(const SolveFlags& flags, const MeshEntry& entry,
-                                                   const TriangleSoup& soup) {
-  if (std::isfinite(flags.limit)) return std::nullopt;
+std::optional<std::vector<double>> known_distances(const Problem& problem,
+                                                   std::span<const Index> sources) {
+  if (std::isfinite(problem.flags.limit)) return std::nullopt;
   std::optional<std::vector<double>> least;
   try {
-    for (const Index source : flags.sources) {
-      const auto known = closed_form_distances(entry, soup, source);
+    for (const Index source : sources) {
+      const auto known = closed_form_distances(problem.entry, problem.soup, source);
       if (!known) return std::nullopt;
       if (!least) least.emplace(known->size(), kInfinity);
       for (std::size_t v = 0; v < known->size(); ++v) {
@@ -109,16 +123,63 @@ std::optional<std::vector<double>> known_distances(const SolveFlags& flags, cons
 }
 
 // What the distances were compared with, and how far they are from it. @throws WrongAnswer
-Json verify_by(const std::optional<std::vector<double>>& known, const SolveFlags& flags,
-               const Description& solver, const Mesh& mesh, const std::vector<double>& distances) {
+Json verify_by_closed_form(const Problem& problem, std::span<const Index> sources,
+                           std::span<const double> distances) {
+  const auto known = known_distances(problem, sources);
   if (!known) return {{"reference", nullptr}, {"max_relative_error", nullptr}};
-  const Verdict verdict =
-      verify(mesh, flags.sources, solver.exactness, distances, {kClosedForm, *known}, std::nullopt);
-  if (!verdict.error.empty()) throw WrongAnswer(solver.name + ": " + verdict.error);
+  const Verdict verdict = verify(problem.mesh, sources, problem.solver.exactness, distances,
+                                 {kClosedForm, *known}, std::nullopt);
+  if (!verdict.error.empty()) throw WrongAnswer(problem.solver.name + ": " + verdict.error);
   return {{"reference", kClosedForm}, {"max_relative_error", verdict.max_relative_error}};
 }
 
+// From the nearest of the sources: distances one a line.
+Json solve_jointly(const Problem& problem, std::ostream* output) {
+  Solved solved = solve(problem.flags, problem.solver, problem.mesh);
+  solved.json.update(verify_by_closed_form(problem, problem.flags.sources, solved.distances));
+  if (output != nullptr) *output << as_text(solved.distances, '\n');
+  Json json{{"sources", problem.flags.sources}};
+  json.update(solved.json);
+  return json;
+}
+
+// From each source by itself: its distances in a line.
+Json solve_separately(const Problem& problem, std::ostream* output) {
+  const auto keep = [&](const SingleSolve& solve) -> Kept {
+    Kept kept{.json = {{"source", solve.source},
+                       {"cpu_time_s", solve.cpu_seconds},
+                       {"real_time_s", solve.real_seconds},
+                       {"instruction_set", name_of(solve.instruction_set)},
+                       {"unreachable_vertices", unreachable_vertices(solve.distances)}},
+              .text = {}};
+    kept.json.update(verify_by_closed_form(problem, std::span(&solve.source, 1), solve.distances));
+    if (output != nullptr) {
+      kept.text = as_text(solve.distances, ' ');
+      if (!kept.text.empty()) kept.text.back() = '\n';
+    }
+    return kept;
+  };
+  Json solves = Json::array();
+  const auto deliver = [&](Kept kept) {
+    solves.push_back(std::move(kept.json));
+    if (output != nullptr) *output << kept.text;
+  };
+  restart_peak_resident_bytes();
+  const Stopwatch watch;
+  solve_each(problem.solver.name, problem.mesh, problem.flags.sources, problem.flags.limit,
+             problem.flags.threads, keep, deliver);
+  const auto resident = peak_resident_bytes();
+  return {{"threads", problem.flags.threads},
+          {"cpu_time_s", watch.cpu_seconds()},
+          {"real_time_s", watch.real_seconds()},
+          {"process_peak_bytes", resident ? Json(*resident) : Json(nullptr)},
+          {"solves", solves}};
+}
+
 void run_solve(const SolveFlags& flags) {
+  if (flags.threads > 1 && !flags.each) {
+    throw HarnessError("--threads is for --each: a single solve takes one thread");
+  }
   const Description& solver = solver_named(flags.solver);
   set_instruction_set(instruction_set_named(flags.vectors));
   const MeshEntry entry = find_mesh(flags.mesh, flags.manifest);
@@ -129,20 +190,15 @@ void run_solve(const SolveFlags& flags) {
   const std::string unable = unsupported(solver, mesh);
   if (!unable.empty()) throw HarnessError(unable);
 
-  Solved solved = solve(flags, solver, mesh);
-  solved.json.update(
-      verify_by(known_distances(flags, entry, soup), flags, solver, mesh, solved.distances));
-  if (output) {
-    write_text(output->stream(), solved.distances);
-    output->commit();
-  }
+  const Problem problem{flags, solver, entry, soup, mesh};
   Json json{{"solver", solver.name},
             {"mesh", entry.name},
             {"vertices", mesh.vertex_count()},
             {"faces", mesh.face_count()},
-            {"sources", flags.sources},
             {"limit", std::isinf(flags.limit) ? Json(nullptr) : Json(flags.limit)}};
-  json.update(solved.json);
+  json.update((flags.each ? solve_separately : solve_jointly)(
+      problem, output ? &output->stream() : nullptr));
+  if (output) output->commit();
   std::cout << json.dump(2) << std::endl;
 }
 
@@ -150,16 +206,21 @@ void run_solve(const SolveFlags& flags) {
 
 void add_solve_command(CLI::App& app) {
   const auto flags = std::make_shared<SolveFlags>();
-  CLI::App* command =
-      app.add_subcommand("solve", "Solve once: numbers as JSON, distances in a file");
+  CLI::App* command = app.add_subcommand("solve", "Distances in a file, numbers as JSON");
   command->add_option("mesh", flags->mesh, "a file, or a mesh of the manifest")
       ->required()
       ->type_name("MESH");
   command->add_option("--solver", flags->solver, "its name (geodesic-bench list)")->required();
-  command->add_option("--source", flags->sources, "a vertex, counted from 0; may be repeated")
+  command
+      ->add_option("--source", flags->sources,
+                   "a vertex, counted from 0; of several, each vertex's nearest counts")
       ->required()
       ->allow_extra_args(false);
-  command->add_option("--output", flags->output, "file for the distances, one a line");
+  command->add_flag("--each", flags->each, "solve from each source by itself");
+  command->add_option("--threads", flags->threads, "solve from as many sources at a time (--each)")
+      ->check(CLI::Range(1, 1024));
+  command->add_option("--output", flags->output,
+                      "file for the distances, one a line; with --each, a line a source");
   command->add_flag("--repair", flags->repair, "mend defects of the mesh, and say which");
   command->add_option("--limit", flags->limit, "vertices farther than this are unreachable");
   command->add_option("--vectors", flags->vectors,

@@ -24,6 +24,8 @@ double Stopwatch::real_seconds() const { return read_clock(CLOCK_MONOTONIC) - re
 
 double Stopwatch::cpu_seconds() const { return read_clock(CLOCK_PROCESS_CPUTIME_ID) - cpu_start_; }
 
+double thread_cpu_seconds() { return read_clock(CLOCK_THREAD_CPUTIME_ID); }
+
 void restart_peak_resident_bytes() {
   malloc_trim(0);
   std::ofstream("/proc/self/clear_refs") << "5";  // proc(5): resets the peak to the present size

@@ -18,6 +18,9 @@ class Stopwatch {
   double cpu_start_;
 };
 
+/// CPU time of the calling thread, in seconds since it began.
+double thread_cpu_seconds();
+
 /// Makes `peak_resident_bytes` count from now on; what reading a mesh took is no solver's memory.
 /// Without effect where the kernel does not offer it (Linux does).
 void restart_peak_resident_bytes();

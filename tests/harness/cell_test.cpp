@@ -141,6 +141,32 @@ TEST_F(RunTest, RowsOfWindowSolversTellWhereTheTimeWent) {
   }
 }
 
+TEST_F(RunTest, ReferencesComputedInThreadsAreThoseOfARunWithout) {
+  const auto references = [&](const std::string& threads) {
+    std::filesystem::remove_all(out_);
+    const Output run = run_suite(PROGRAM, {"--solvers", exact_solver() + ",dijkstra", "--sources",
+                                           "4", "--threads", threads});
+    EXPECT_EQ(run.code, 0) << run.err;
+    std::map<std::string, std::string> files;
+    for (const auto& file : std::filesystem::directory_iterator(out_ / "references")) {
+      files[file.path().filename().string()] = read(file.path());
+    }
+    return files;
+  };
+  const auto one = references("1");
+  EXPECT_GE(one.size(), 8u) << "meshes x sources";
+  EXPECT_EQ(references("3"), one);
+}
+
+TEST_F(RunTest, FailedReferencesInThreadsHarmNoOtherCell) {
+  const Output run = run_suite(
+      FAULTY_PROGRAM, {"--solvers", "crashing,dijkstra", "--meshes", "tetrahedron", "--sources",
+                       "3", "--reference", exact_solver(), "--threads", "2"});
+  EXPECT_EQ(run.code, 1) << run.err;
+  EXPECT_EQ(row("crashing/tetrahedron/src:0").at("outcome"), "crashed");
+  EXPECT_EQ(row("dijkstra/tetrahedron/src:0").at("outcome"), "ok");
+}
+
 TEST_F(RunTest, FlagsOverrideTheSuite) {
   const auto suite = write("suite.json", R"({"corpus": "missing", "sources": 3, "seed": 5})");
   const Output run = run_suite(PROGRAM, {suite.string(), "--corpus", "quick", "--meshes",

@@ -1,4 +1,5 @@
 // list, solve and the errors of the command line, from outside.
+#include <algorithm>
 #include <cmath>
 
 #include "tests/harness/program.h"
@@ -117,6 +118,54 @@ TEST_F(CommandLine, VectorInstructionsAreChosenByNameAndChangeNoDistance) {
   EXPECT_EQ(refused.code, 1);
   expect_words(refused.err, {"no kind of vectors named 'sse9'"});
   EXPECT_FALSE(std::filesystem::exists(folder_ / "run"));
+}
+
+TEST_F(CommandLine, SolvesOfEachSourceAreTheSameInAnyNumberOfThreads) {
+  const std::vector<std::string> sources{"1", "36", "7", "7", "20", "2"};
+  const auto solve = [&](std::vector<std::string> more) {
+    std::vector<std::string> words{"solve", "hill", "--solver", exact_solver()};
+    for (const std::string& source : sources) words.insert(words.end(), {"--source", source});
+    words.insert(words.end(), more.begin(), more.end());
+    const Output output = run(PROGRAM, words);
+    EXPECT_EQ(output.code, 0) << output.err;
+    return nlohmann::json::parse(output.out);
+  };
+  const auto one = folder_ / "one.txt", three = folder_ / "three.txt";
+  solve({"--each", "--output", one.string()});
+  const nlohmann::json json = solve({"--each", "--threads", "3", "--output", three.string()});
+  EXPECT_EQ(read(one), read(three));
+  EXPECT_EQ(json.at("threads"), 3);
+  ASSERT_EQ(json.at("solves").size(), sources.size());
+
+  std::istringstream lines(read(three));
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    EXPECT_EQ(json.at("solves")[i].at("source").dump(), sources[i]);
+    const auto alone = folder_ / "alone.txt";
+    run(PROGRAM, {"solve", "hill", "--solver", exact_solver(), "--source", sources[i], "--output",
+                  alone.string()});
+    std::string expected = read(alone), line;
+    std::replace(expected.begin(), expected.end(), '\n', ' ');
+    expected.pop_back();
+    ASSERT_TRUE(std::getline(lines, line));
+    EXPECT_EQ(line, expected) << "from vertex " << sources[i];
+  }
+}
+
+TEST_F(CommandLine, ThreadsWithoutSeparateSourcesAreRefused) {
+  const Output solve = run(PROGRAM, {"solve", "hill", "--solver", exact_solver(), "--source", "1",
+                                     "--source", "2", "--threads", "2"});
+  EXPECT_EQ(solve.code, 1);
+  expect_words(solve.err, {"--threads is for --each"});
+}
+
+TEST_F(CommandLine, OneSourceOfManyThatIsNotThereIsAnErrorWithoutOutput) {
+  const auto file = folder_ / "distances.txt";
+  const Output solve =
+      run(PROGRAM, {"solve", "hill", "--solver", exact_solver(), "--each", "--threads", "2",
+                    "--source", "1", "--source", "37", "--source", "2", "--output", file.string()});
+  EXPECT_EQ(solve.code, 1);
+  expect_words(solve.err, {"source vertex 37 is not in the mesh of 37 vertices"});
+  EXPECT_FALSE(std::filesystem::exists(file));
 }
 
 TEST_F(CommandLine, SolveKeepsIsolatedVerticesAndEveryDigit) {

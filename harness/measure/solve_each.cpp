@@ -1,0 +1,59 @@
+#include "harness/measure/solve_each.h"
+
+#include <map>
+#include <memory>
+#include <mutex>
+
+#include "harness/measure/process.h"
+#include "harness/measure/threads.h"
+#include "solvers/registry.h"
+
+namespace geodesic::harness {
+namespace {
+
+/// Takes items in any order, from several threads, and hands them on in order.
+class InOrder {
+ public:
+  explicit InOrder(const std::function<void(Kept)>& deliver) : deliver_(deliver) {}
+
+  void put(std::size_t position, Kept item) {
+    const std::lock_guard lock(mutex_);
+    early_.emplace(position, std::move(item));
+    for (auto first = early_.begin(); first != early_.end() && first->first == next_;
+         first = early_.erase(first)) {
+      deliver_(std::move(first->second));
+      ++next_;
+    }
+  }
+
+ private:
+  const std::function<void(Kept)>& deliver_;
+  std::mutex mutex_;
+  std::map<std::size_t, Kept> early_;  // behind one that is not there yet
+  std::size_t next_ = 0;
+};
+
+}  // namespace
+
+void solve_each(const std::string& solver, const Mesh& mesh, const std::vector<Index>& sources,
+                double limit, unsigned threads, const std::function<Kept(const SingleSolve&)>& keep,
+                const std::function<void(Kept)>& deliver) {
+  InOrder results(deliver);
+  do_in_threads(sources.size(), threads, [&]() -> Worker {
+    // Shared because a std::function must be copyable.
+    const std::shared_ptr<Solver> own = make_solver(solver, mesh);
+    return [&, own, distances = std::vector<double>(mesh.vertex_count())](std::size_t i) mutable {
+      const Query query{.sources = {{.vertex = sources[i]}}, .limit = limit};
+      const double cpu_start = thread_cpu_seconds();
+      const Stopwatch watch;
+      own->solve(query, distances);
+      results.put(i, keep({.source = sources[i],
+                           .distances = distances,
+                           .cpu_seconds = thread_cpu_seconds() - cpu_start,
+                           .real_seconds = watch.real_seconds(),
+                           .instruction_set = own->instruction_set()}));
+    };
+  });
+}
+
+}  // namespace geodesic::harness
