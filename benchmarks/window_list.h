@@ -1,0 +1,47 @@
+// The windows that the benchmarks of kernels work on, the same for all instruction sets.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "solvers/core/window.h"
+
+namespace geodesic::microbench {
+
+/// The kernels as compiled for one instruction set.
+struct Steps {
+  void (*gather)(benchmark::State&);
+  void (*find_suspects)(benchmark::State&);
+  void (*classify)(benchmark::State&);
+  void (*unfold)(benchmark::State&);
+};
+
+/// Windows that share an edge of length 1 evenly. Their sources spread a little, in order: as they
+/// do where a pencil has passed several saddles.
+inline std::vector<Window> windows_in_order(std::size_t count) {
+  std::vector<Window> windows;
+  const double width = 1 / static_cast<double>(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double begin = static_cast<double>(i) * width;
+    const double x = 0.45 + 0.1 * begin;
+    windows.push_back({begin, begin + width, x, -2, 0.01 * std::abs(begin - 0.5)});
+  }
+  return windows;
+}
+
+/// An uneven triangle above that edge.
+inline FaceFrame crossed_face_frame() {
+  FaceFrame face{.length = 1, .apex_x = 0.4, .apex_y = 0.8};
+  face.left = std::hypot(face.apex_x, face.apex_y);
+  face.right = std::hypot(1 - face.apex_x, face.apex_y);
+  face.left_x = face.apex_x / face.left;
+  face.left_y = face.apex_y / face.left;
+  face.right_x = (1 - face.apex_x) / face.right;
+  face.right_y = -face.apex_y / face.right;
+  return face;
+}
+
+}  // namespace geodesic::microbench
