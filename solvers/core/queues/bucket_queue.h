@@ -61,6 +61,9 @@ class BucketQueue {
     ++size_;
   }
 
+  /// True when the running phase takes items of this key, so that one need not be queued.
+  bool is_due(double key) const { return number(key) - base_ < static_cast<double>(phase_span_); }
+
   /// Removes and returns the next item of the phase. The queue must not be empty.
   Item pop() {
     if (phase_.count == 0) start_phase();

@@ -54,6 +54,13 @@ class PriorityQueue {
     }
   }
 
+  /// True when no item has a smaller key, so that one of this key need not be queued.
+  bool is_due(double key) const {
+    const Entry entry{std::bit_cast<std::uint64_t>(key), 0, {}};
+    if (near_.empty()) return size_ == 0 || number(entry) <= current_;
+    return entry.key <= near_.least().key;
+  }
+
   /// Removes and returns the item of least key. The queue must not be empty.
   Item pop() {
     if (near_.empty()) advance();

@@ -1,0 +1,52 @@
+// Tickets: what the queue holds in place of windows and pseudo-sources.
+//
+// Windows move within their list and lose parts while they wait. A waiting window knows its ticket
+// and keeps it up to date, so that no entry of the queue has to be looked for or replaced then: the
+// entry of a window that is no more is recognised by its ticket alone, and one that was trimmed is
+// queued anew, with its new key, only when its turn comes.
+#pragma once
+
+#include <vector>
+
+#include "solvers/core/geometry.h"
+
+namespace geodesic::mmp {
+
+struct Ticket {
+  double begin;  ///< of the window, by which its list finds it; kVertex for a pseudo-source
+  Index id;      ///< edge or vertex; kNone when the window is no more
+  bool trimmed;  ///< the key may have become too small
+
+  static constexpr double kVertex = -1;
+  bool is_vertex() const { return begin < 0; }
+  bool is_void() const { return id == kNone; }
+};
+
+/// A ticket lasts until its entry leaves the queue; its number is used again then.
+class Tickets {
+ public:
+  void clear() {
+    tickets_.clear();
+    free_.clear();
+  }
+
+  Index issue(const Ticket& ticket) {
+    if (free_.empty()) {
+      tickets_.push_back(ticket);
+      return static_cast<Index>(tickets_.size() - 1);
+    }
+    const Index number = free_.back();
+    free_.pop_back();
+    tickets_[number] = ticket;
+    return number;
+  }
+
+  Ticket& operator[](Index number) { return tickets_[number]; }
+  void take_back(Index number) { free_.push_back(number); }
+
+ private:
+  std::vector<Ticket> tickets_;
+  std::vector<Index> free_;
+};
+
+}  // namespace geodesic::mmp
