@@ -18,10 +18,10 @@ namespace geodesic::mmp {
 /// @tparam Depth strip depth, an empty type in timed solves (core/recording.h)
 template <class Depth>
 struct EdgeWindow {
-  double begin;   ///< position on the edge, from the origin of its half-edge
-  double x, y;    ///< unfolded position of the (pseudo-)source
-  Index source;   ///< its number, by which sigma is found; kNone for a gap
-  Index ticket;   ///< while it waits in the queue, otherwise kNone
+  double begin;  ///< position on the edge, from the origin of its half-edge
+  double x, y;   ///< unfolded position of the (pseudo-)source
+  Index source;  ///< its number, by which sigma is found; kNone for a gap
+  Index ticket;  ///< while it waits in the queue, otherwise kNone
   [[no_unique_address]] Depth depth;
 
   static EdgeWindow gap(double begin) { return {begin, 0, 0, kNone, kNone, {}}; }

@@ -79,8 +79,7 @@ class Wavefront {
     tickets_.take_back(number);
     w.ticket = kNone;
     tally(window, Change::leaves);
-    return Taken{
-        .edge = ticket.id, .window = window, .source = w.source, .depth = w.depth};
+    return Taken{.edge = ticket.id, .window = window, .source = w.source, .depth = w.depth};
   }
 
   /// Lays a window over those of its edge and queues the parts that it wins.
@@ -94,8 +93,10 @@ class Wavefront {
     }
     const std::span<const W> list = lists_.windows(edge);
     const W challenger{w.begin, w.x, w.y, source, kNoTicketYet, depth};
-    if (!overlay(list, length, challenger, w.end, std::span<const double>(sigmas_), overlay_)) return;
-    const std::span<const W> replaced = list.subspan(overlay_.first, overlay_.last - overlay_.first);
+    if (!overlay(list, length, challenger, w.end, std::span<const double>(sigmas_), overlay_))
+      return;
+    const std::span<const W> replaced =
+        list.subspan(overlay_.first, overlay_.last - overlay_.first);
     tally(replaced, Change::leaves);
     // Void until one of the pieces claims it.
     for (const W& old : replaced) {
