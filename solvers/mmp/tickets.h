@@ -15,11 +15,12 @@ namespace geodesic::mmp {
 struct Ticket {
   double begin;  ///< of the window, by which its list finds it; kVertex for a pseudo-source
   Index id;      ///< edge or vertex; kNone when the window is no more
+  Index index;   ///< of the window in its list when the ticket was written: near it still
   bool trimmed;  ///< the key may have become too small
 
   static constexpr double kVertex = -1;
-  bool is_vertex() const { return begin < 0; }
   bool is_void() const { return id == kNone; }
+  bool is_window() const { return id != kNone && begin >= 0; }
 };
 
 /// A ticket lasts until its entry leaves the queue; its number is used again then.

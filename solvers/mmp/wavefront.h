@@ -40,6 +40,7 @@ class Wavefront {
     lists_.clear();
     queue_.clear();
     tickets_.clear();
+    soon_ = sooner_ = kNone;
     sigmas_.clear();
     tally_ = {};
     // A window whose key exceeds the limit by rounding may reach a vertex that lies on it.
@@ -51,7 +52,7 @@ class Wavefront {
 
   void push_vertex(Index v, double distance) {
     if (distance > limit_) return;
-    queue_.push(distance, tickets_.issue({Ticket::kVertex, v, false}));
+    queue_.push(distance, tickets_.issue({Ticket::kVertex, v, 0, false}));
   }
 
   /// Makes room for the windows of a pseudo-source. @return its number
@@ -64,15 +65,16 @@ class Wavefront {
   /// more, or is queued again. The wavefront must not be empty.
   std::optional<Taken> take(const Mesh& mesh) {
     const Index number = queue_.pop();
+    fetch_ahead(mesh);
     const Ticket ticket = tickets_[number];
-    if (ticket.is_void() || ticket.is_vertex()) {
+    if (!ticket.is_window()) {
       tickets_.take_back(number);
       if (ticket.is_void()) return std::nullopt;
       return Taken{.vertex = ticket.id};
     }
     const double length = mesh.half_edge(ticket.id).length;
     const std::span<W> list = lists_.windows(ticket.id);
-    const std::size_t i = window_at(list, ticket.begin);
+    const std::size_t i = find(list, ticket);
     W& w = list[i];
     const Window window = w.geometry(end_of(list, i, length), sigmas_[w.source]);
     if (ticket.trimmed && reinsert(number, window)) return std::nullopt;
@@ -108,9 +110,9 @@ class Wavefront {
       if (!piece.waits()) continue;
       const double end = overlay_.piece_end(k);
       if (piece.ticket == kNoTicketYet) {
-        accept(edge, piece, end, w.sigma, goes_on);
+        accept(edge, static_cast<Index>(overlay_.first + k), piece, end, w.sigma, goes_on);
       } else {
-        keep_queued(edge, piece, end);
+        keep_queued(edge, static_cast<Index>(overlay_.first + k), piece, end);
       }
     }
     tally(pieces, Change::joins);
@@ -140,6 +142,31 @@ class Wavefront {
   };
   enum class Change { joins, leaves };
 
+  /// Has the memory fetched that the next takes will read, each address of which lies behind the
+  /// one before: ticket, list and window, in as many turns.
+  void fetch_ahead(const Mesh& mesh) {
+    const Index* upcoming = queue_.upcoming();
+    const Index latest = upcoming ? *upcoming : kNone;
+    if (latest != kNone) prefetch(&tickets_[latest]);
+    if (soon_ != kNone && tickets_[soon_].is_window()) {
+      prefetch(&mesh.half_edge(tickets_[soon_].id));
+      lists_.prefetch(tickets_[soon_].id);
+    }
+    if (sooner_ != kNone && tickets_[sooner_].is_window()) {
+      const Ticket& ticket = tickets_[sooner_];
+      prefetch(lists_.windows(ticket.id).data() + ticket.index);
+    }
+    sooner_ = std::exchange(soon_, latest);
+  }
+
+  /// Index in its list of the window that holds a ticket.
+  static std::size_t find(std::span<const W> list, const Ticket& ticket) {
+    std::size_t i = std::min<std::size_t>(ticket.index, list.size() - 1);
+    while (list[i].begin > ticket.begin) --i;
+    while (list[i].begin < ticket.begin) ++i;
+    return i;
+  }
+
   /// Queues a window that was trimmed with its present key unless it is its turn even so.
   bool reinsert(Index number, const Window& window) {
     const double key = least_distance(window);
@@ -151,26 +178,27 @@ class Wavefront {
   }
 
   /// Queues a part that the challenger won.
-  void accept(Index edge, W& piece, double end, double sigma, bool goes_on) {
+  void accept(Index edge, Index index, W& piece, double end, double sigma, bool goes_on) {
     recorder_->valid(1);
     piece.ticket = kNone;
     const double key = least_distance(piece.geometry(end, sigma));
     if (!goes_on || key > limit_) return;
-    piece.ticket = tickets_.issue({piece.begin, edge, false});
+    piece.ticket = tickets_.issue({piece.begin, edge, index, false});
     queue_.push(key, piece.ticket);
   }
 
   /// The first piece of a window that waits keeps its ticket, others are queued by themselves.
-  void keep_queued(Index edge, W& piece, double end) {
+  void keep_queued(Index edge, Index index, W& piece, double end) {
     Ticket& ticket = tickets_[piece.ticket];
     if (ticket.is_void()) {
       ticket.id = edge;
       ticket.begin = piece.begin;
+      ticket.index = index;
       ticket.trimmed |= piece.x < piece.begin || piece.x > end;
       return;
     }
     recorder_->reinserted(1);
-    piece.ticket = tickets_.issue({piece.begin, edge, false});
+    piece.ticket = tickets_.issue({piece.begin, edge, index, false});
     queue_.push(least_distance(piece.geometry(end, sigmas_[piece.source])), piece.ticket);
   }
 
@@ -198,6 +226,7 @@ class Wavefront {
   EdgeLists<W> lists_;
   Queue queue_;
   Tickets tickets_;
+  Index soon_ = kNone, sooner_ = kNone;  // tickets on the way through fetch_ahead
   std::vector<double> sigmas_;  // by number of source
   double limit_ = kInfinity;
   Recorder* recorder_ = nullptr;

@@ -42,7 +42,7 @@ class BucketQueue {
     far_serial_ = 0;
     nodes_.clear();
     free_ = kEnd;
-    phase_ = {};
+    phase_ = ahead_ = {};
     size_ = in_ring_ = head_ = phase_span_ = 0;
     base_ = kNoPhase;
     target_ = kMinimum;
@@ -64,12 +64,16 @@ class BucketQueue {
   /// True when the running phase takes items of this key, so that one need not be queued.
   bool is_due(double key) const { return number(key) - base_ < static_cast<double>(phase_span_); }
 
+  /// An item that a few others precede, for its data to be fetched meanwhile; null when none is
+  /// known. Valid until the next push.
+  const Item* upcoming() const { return ahead_.count > 0 ? &nodes_[ahead_.first].item : nullptr; }
+
   /// Removes and returns the next item of the phase. The queue must not be empty.
   Item pop() {
     if (phase_.count == 0) start_phase();
     const std::uint32_t at = phase_.first;
-    phase_.first = nodes_[at].next;
-    --phase_.count;
+    drop_first(phase_);
+    drop_first(ahead_);
     --size_;
     nodes_[at].next = free_;
     free_ = at;
@@ -78,6 +82,7 @@ class BucketQueue {
 
  private:
   static constexpr std::ptrdiff_t kMinimum = 6;    // K never falls below
+  static constexpr int kAhead = 4;                 // items between the next one and `upcoming`
   static constexpr std::size_t kRing = 1u << 14;   // buckets; a power of two
   static constexpr std::uint32_t kEnd = ~0u;       // no node
   static constexpr double kLargestNumber = 1e300;  // keeps bucket numbers finite
@@ -91,6 +96,12 @@ class BucketQueue {
     std::uint32_t first = kEnd, last = kEnd;
     std::uint32_t count = 0;
   };
+
+  void drop_first(Bucket& from) const {
+    if (from.count == 0) return;
+    from.first = nodes_[from.first].next;
+    --from.count;
+  }
 
   double number(double key) const { return std::min(std::floor(key * per_width_), kLargestNumber); }
 
@@ -140,6 +151,8 @@ class BucketQueue {
     while (in_ring_ > 0 && phase_.count < target_ && phase_span_ < kRing) {
       take(bucket(phase_span_++));
     }
+    ahead_ = phase_;
+    for (int k = 0; k < kAhead; ++k) drop_first(ahead_);
   }
 
   void take(Bucket& from) {
@@ -161,6 +174,7 @@ class BucketQueue {
   std::vector<Node> nodes_;
   std::uint32_t free_ = kEnd;  // first of the unused nodes
   Bucket phase_;               // what is left of the running phase
+  Bucket ahead_;                // the part of it that starts with `upcoming`
   std::size_t in_ring_ = 0;
   std::size_t size_ = 0;
   std::ptrdiff_t target_ = kMinimum;  // K: windows a phase should cover
