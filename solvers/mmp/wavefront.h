@@ -227,7 +227,7 @@ class Wavefront {
   Queue queue_;
   Tickets tickets_;
   Index soon_ = kNone, sooner_ = kNone;  // tickets on the way through fetch_ahead
-  std::vector<double> sigmas_;  // by number of source
+  std::vector<double> sigmas_;           // by number of source
   double limit_ = kInfinity;
   Recorder* recorder_ = nullptr;
   Tally tally_;

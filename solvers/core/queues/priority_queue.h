@@ -148,8 +148,8 @@ class PriorityQueue {
   std::vector<Node> nodes_;
   std::uint32_t free_ = kEnd;  // first of the unused nodes
   std::uint64_t current_ = 0;
-  std::uint64_t preview_bucket_ = 0;    // where `upcoming` has got to: a bucket not emptied yet,
-  std::uint32_t preview_ = kEnd;        // and its node
+  std::uint64_t preview_bucket_ = 0;  // where `upcoming` has got to: a bucket not emptied yet,
+  std::uint32_t preview_ = kEnd;      // and its node
   std::size_t in_ring_ = 0;
   std::size_t size_ = 0;
   std::uint32_t serial_ = 0;
