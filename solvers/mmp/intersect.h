@@ -57,8 +57,8 @@ inline bool stays_behind(const Window& loser, const EndDistances& lost, const En
 
 /// What `divide` does when its first look decides nothing.
 /// @param at_from, at_to who is nearer at the ends of the interval
-Division divide_at_crossings(const Window& challenger, const Window& incumbent, double from,
-                             double to, double narrowest, int at_from, int at_to);
+Division divide_at_crossings(Window challenger, Window incumbent, double from, double to,
+                             double narrowest, int at_from, int at_to);
 
 /// Divides the interval [from, to] of an edge between two windows, to each the points where it is
 /// shorter. The challenger has to be shorter by kPathMargin, relative: the incumbent keeps ties, so

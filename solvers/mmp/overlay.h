@@ -59,16 +59,12 @@ double end_of(std::span<W> list, std::size_t i, double length) {
 }
 
 /// Index of the last window of a non-empty list that begins at `position` or before; there must be
-/// one. Branches on nothing: the outcomes are unpredictable.
+/// one. With branches: the next window to look at is guessed, and fetched, before the last arrives.
 template <class W>
 std::size_t window_at(std::span<W> list, double position) {
-  std::size_t at = 0;
-  for (std::size_t left = list.size(); left > 1;) {
-    const std::size_t half = left / 2;
-    at += list[at + half].begin <= position ? half : 0;
-    left -= half;
-  }
-  return at;
+  const auto begins_behind = [](double t, const W& w) { return t < w.begin; };
+  const auto next = std::upper_bound(list.begin() + 1, list.end(), position, begins_behind);
+  return static_cast<std::size_t>(next - list.begin()) - 1;
 }
 
 /// @param list the edge's windows, a partition of [0, length]

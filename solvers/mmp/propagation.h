@@ -7,7 +7,7 @@
 // The queue holds windows and pseudo-sources. A window taken from it is unfolded across the face it
 // enters; its children are laid over the windows of the two edges they land on (overlay.h) and what
 // they win is queued. A pseudo-source sends windows into all its faces. A window that waits and
-// loses the point where it is nearest is queued again with its new key: it is re-inserted.
+// loses the point where it is nearest gets a new key: it counts as re-inserted (tickets.h).
 #pragma once
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 //
 // Windows move within their list and lose parts while they wait. A waiting window knows its ticket
 // and keeps it up to date, so that no entry of the queue has to be looked for or replaced then: the
-// entry of a window that is no more is recognised by its ticket alone, and one that was trimmed is
-// queued anew, with its new key, only when its turn comes.
+// entry of a window that is no more is recognised by its ticket alone, and one whose key has grown
+// moves to its new place only when its turn by the old one comes.
 #pragma once
 
 #include <vector>
@@ -13,10 +13,11 @@
 namespace geodesic::mmp {
 
 struct Ticket {
-  double begin;  ///< of the window, by which its list finds it; kVertex for a pseudo-source
-  Index id;      ///< edge or vertex; kNone when the window is no more
-  Index index;   ///< of the window in its list when the ticket was written: near it still
-  bool trimmed;  ///< the key may have become too small
+  double begin;    ///< of the window, by which its list finds it; kVertex for a pseudo-source
+  double nearest;  ///< position on the edge where the window is nearest, which decides its key
+  Index id;        ///< edge or vertex; kNone when the window is no more
+  Index index;     ///< of the window in its list when the ticket was written: near it still
+  bool late;       ///< the nearest point was lost, the queue has an older and smaller key
 
   static constexpr double kVertex = -1;
   bool is_void() const { return id == kNone; }

@@ -52,7 +52,7 @@ class Wavefront {
 
   void push_vertex(Index v, double distance) {
     if (distance > limit_) return;
-    queue_.push(distance, tickets_.issue({Ticket::kVertex, v, 0, false}));
+    queue_.push(distance, tickets_.issue({Ticket::kVertex, 0, v, 0, false}));
   }
 
   /// Makes room for the windows of a pseudo-source. @return its number
@@ -77,7 +77,7 @@ class Wavefront {
     const std::size_t i = find(list, ticket);
     W& w = list[i];
     const Window window = w.geometry(end_of(list, i, length), sigmas_[w.source]);
-    if (ticket.trimmed && reinsert(number, window)) return std::nullopt;
+    if (ticket.late && postpone(number, window)) return std::nullopt;
     tickets_.take_back(number);
     w.ticket = kNone;
     tally(window, Change::leaves);
@@ -167,12 +167,11 @@ class Wavefront {
     return i;
   }
 
-  /// Queues a window that was trimmed with its present key unless it is its turn even so.
-  bool reinsert(Index number, const Window& window) {
+  /// Queues a window that is late with its present key, unless it is its turn by that too.
+  bool postpone(Index number, const Window& window) {
     const double key = least_distance(window);
     if (queue_.is_due(key)) return false;
-    recorder_->reinserted(1);
-    tickets_[number].trimmed = false;
+    tickets_[number].late = false;
     queue_.push(key, number);
     return true;
   }
@@ -181,25 +180,28 @@ class Wavefront {
   void accept(Index edge, Index index, W& piece, double end, double sigma, bool goes_on) {
     recorder_->valid(1);
     piece.ticket = kNone;
-    const double key = least_distance(piece.geometry(end, sigma));
+    const Window part = piece.geometry(end, sigma);
+    const double key = least_distance(part);
     if (!goes_on || key > limit_) return;
-    piece.ticket = tickets_.issue({piece.begin, edge, index, false});
+    piece.ticket = tickets_.issue({piece.begin, nearest_position(part), edge, index, false});
     queue_.push(key, piece.ticket);
   }
 
-  /// The first piece of a window that waits keeps its ticket, others are queued by themselves.
+  /// The first piece of a window that waits keeps its ticket, others are queued by themselves. A
+  /// piece with another nearest point counts as re-inserted here, though its entry stays for now.
   void keep_queued(Index edge, Index index, W& piece, double end) {
+    const Window part = piece.geometry(end, sigmas_[piece.source]);
+    const double nearest = nearest_position(part);
     Ticket& ticket = tickets_[piece.ticket];
-    if (ticket.is_void()) {
-      ticket.id = edge;
-      ticket.begin = piece.begin;
-      ticket.index = index;
-      ticket.trimmed |= piece.x < piece.begin || piece.x > end;
+    if (!ticket.is_void()) {
+      recorder_->reinserted(1);
+      piece.ticket = tickets_.issue({piece.begin, nearest, edge, index, false});
+      queue_.push(least_distance(part), piece.ticket);
       return;
     }
-    recorder_->reinserted(1);
-    piece.ticket = tickets_.issue({piece.begin, edge, index, false});
-    queue_.push(least_distance(piece.geometry(end, sigmas_[piece.source])), piece.ticket);
+    const bool moved = nearest != ticket.nearest;
+    if (moved) recorder_->reinserted(1);
+    ticket = {piece.begin, nearest, edge, index, ticket.late || moved};
   }
 
   void tally(const Window& w, Change change) {
