@@ -13,6 +13,9 @@
 
 namespace geodesic::mmp {
 
+/// Asks for a piece of memory that will be read soon. Any address will do.
+inline void prefetch(const void* address) { __builtin_prefetch(address); }
+
 /// Lists by edge, an edge being named by its own half-edge (edge_window.h). A list is empty until
 /// something reaches its edge; from then on its windows partition the edge.
 template <class W>
@@ -28,6 +31,9 @@ class EdgeLists {
   }
 
   std::span<W> windows(Index edge) { return {lists_[edge].windows, lists_[edge].size}; }
+
+  /// Where an edge's list is, before asking for it.
+  void prefetch(Index edge) const { mmp::prefetch(&lists_[edge]); }
 
   /// Number of edges, reached or not, as the upper bound of their names.
   Index edge_bound() const { return static_cast<Index>(lists_.size()); }

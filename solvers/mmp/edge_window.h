@@ -6,9 +6,10 @@
 // in the frame of the edge's own half-edge, the smaller of the twins, for windows of both sides
 // (Liu 2013): a source at y < 0 sends its lines into that half-edge's face, at y > 0 into the
 // twin's, and at y = 0 along the edge.
+//
+// Windows of one pseudo-source have their sigma in common. They keep its number instead, which
+// leaves room for the ticket under which a window waits in the queue (tickets.h).
 #pragma once
-
-#include <cmath>
 
 #include "solvers/core/window.h"
 
@@ -17,21 +18,20 @@ namespace geodesic::mmp {
 /// @tparam Depth strip depth, an empty type in timed solves (core/recording.h)
 template <class Depth>
 struct EdgeWindow {
-  double begin;         ///< position on the edge, from the origin of its half-edge
-  double x, y;          ///< unfolded position of the (pseudo-)source
-  double marked_sigma;  ///< distance to that source; its sign bit marks a window in the queue
+  double begin;  ///< position on the edge, from the origin of its half-edge
+  double x, y;   ///< unfolded position of the (pseudo-)source
+  Index source;  ///< its number, by which sigma is found; kNone for a gap
+  Index ticket;  ///< while it waits in the queue, otherwise kNone
   [[no_unique_address]] Depth depth;
 
-  static EdgeWindow gap(double begin) { return {begin, 0, 0, kInfinity, {}}; }
+  static EdgeWindow gap(double begin) { return {begin, 0, 0, kNone, kNone, {}}; }
 
-  double sigma() const { return std::abs(marked_sigma); }
-  bool is_gap() const { return marked_sigma == kInfinity; }
+  bool is_gap() const { return source == kNone; }
   /// Waits in the queue, not propagated yet.
-  bool waits() const { return std::signbit(marked_sigma); }
-  void set_waits(bool waits) { marked_sigma = std::copysign(marked_sigma, waits ? -1.0 : 1.0); }
+  bool waits() const { return ticket != kNone; }
 
   /// In the kernel's form; y keeps its sign, whichever face the window enters.
-  Window geometry(double end) const { return {begin, end, x, y, sigma()}; }
+  Window geometry(double end, double sigma) const { return {begin, end, x, y, sigma}; }
 };
 
 }  // namespace geodesic::mmp

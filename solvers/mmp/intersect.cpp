@@ -7,14 +7,6 @@ namespace {
 
 double square(double x) { return x * x; }
 
-/// -1 where the challenger is shorter, 1 where the incumbent is, 0 where they tie.
-int nearer(const Window& challenger, const Window& incumbent, double t) {
-  const double rival = distance_at(incumbent, t);
-  const double lead = distance_at(challenger, t) - rival;
-  const double margin = kPathMargin * rival;
-  return lead < -margin ? -1 : lead > margin ? 1 : 0;
-}
-
 /// False when `winner`, which is shorter at both ends of an interval, is so between them too: it
 /// can lose there only to a source nearer to the edge that is so far behind in sigma that it loses
 /// at both ends of the whole line.
@@ -38,6 +30,10 @@ void restrict_to(double from, double to, double narrowest, Crossings& found) {
   found.count = kept;
 }
 
+bool is_nearer(const Window& challenger, const Window& incumbent, double t) {
+  return nearer(distance_at(challenger, t), distance_at(incumbent, t)) < 0;
+}
+
 /// Asks for the owner in the middle of each part, for when the ends tie or contradict the cuts.
 Division divide_by_midpoints(const Window& challenger, const Window& incumbent, double from,
                              double to, const Crossings& cuts) {
@@ -46,7 +42,7 @@ Division divide_by_midpoints(const Window& challenger, const Window& incumbent, 
   for (int k = 0; k <= cuts.count; ++k) {
     const double begin = k == 0 ? from : cuts.at[k - 1];
     const double end = k == cuts.count ? to : cuts.at[k];
-    const bool wins = nearer(challenger, incumbent, 0.5 * (begin + end)) < 0;
+    const bool wins = is_nearer(challenger, incumbent, 0.5 * (begin + end));
     if (k == 0) division.challenger_first = wins;
     if (k > 0 && wins != last) division.at[division.cuts++] = begin;
     last = wins;
@@ -84,10 +80,8 @@ Crossings crossings(const Window& a, const Window& b) {
   return {.count = 2, .at = {a.x + std::min(t, u), a.x + std::max(t, u)}};
 }
 
-Division divide(const Window& challenger, const Window& incumbent, double from, double to,
-                double narrowest) {
-  const int at_from = nearer(challenger, incumbent, from);
-  const int at_to = nearer(challenger, incumbent, to);
+Division divide_at_crossings(Window challenger, Window incumbent, double from, double to,
+                             double narrowest, int at_from, int at_to) {
   if (at_from * at_to > 0) {
     const Window& winner = at_from < 0 ? challenger : incumbent;
     const Window& other = at_from < 0 ? incumbent : challenger;

@@ -10,13 +10,13 @@ namespace {
 
 /// Least distance first.
 struct ByDistance {
-  using Queue = PriorityQueue<QueueItem>;
+  using Queue = PriorityQueue<Index>;
   static Queue make(const Mesh& mesh) { return Queue(priority_bucket_width(mesh)); }
 };
 
 /// Buckets of the published width, in phases.
 struct ByBucket {
-  using Queue = BucketQueue<QueueItem>;
+  using Queue = BucketQueue<Index>;
   static Queue make(const Mesh& mesh) { return Queue(published_bucket_width(mesh)); }
 };
 

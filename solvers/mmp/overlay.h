@@ -14,26 +14,42 @@
 
 namespace geodesic::mmp {
 
-/// A part of the edge, up to the next piece's begin, and the window it belongs to.
-template <class W>
-struct Piece {
-  double begin;
-  const W* owner;  ///< in the edge's list; null for the challenger
-};
+/// The ticket of a challenger's parts until they have one or are known not to wait.
+inline constexpr Index kNoTicketYet = kNone - 1;
 
-/// What takes the place of windows [first, last) of the list.
+/// What takes the place of windows [first, last) of the list: pieces of those windows and parts of
+/// the challenger. The windows around them are left as they are.
 template <class W>
-struct Overlay {
+class Overlay {
+ public:
   std::size_t first = 0, last = 0;
   double end = 0;  ///< of the last piece
-  std::vector<Piece<W>> pieces;
 
+  std::span<W> pieces() { return {room_.data(), count_}; }
+  double piece_end(std::size_t k) const { return k + 1 < count_ ? room_[k + 1].begin : end; }
+
+  /// Forgets the pieces; `windows` more will be overlaid at most.
+  void start(std::size_t windows) {
+    count_ = 0;
+    owner_ = nullptr;
+    if (room_.size() < kMostPieces * windows) room_.resize(kMostPieces * windows);
+  }
+
+  /// The part from `begin` on belongs to `owner`, as may the part before.
   void add(double begin, const W* owner) {
-    if (pieces.empty() || pieces.back().owner != owner) pieces.push_back({begin, owner});
+    if (owner_ == owner) return;
+    owner_ = owner;
+    room_[count_] = *owner;
+    room_[count_++].begin = begin;
   }
-  double piece_end(std::size_t k) const {
-    return k + 1 < pieces.size() ? pieces[k + 1].begin : end;
-  }
+
+ private:
+  // Of one window: before the challenger, three within it, and after it.
+  static constexpr std::size_t kMostPieces = 5;
+
+  std::vector<W> room_;
+  std::size_t count_ = 0;
+  const W* owner_ = nullptr;  // of the last piece
 };
 
 /// Where window i of an edge's list ends.
@@ -42,53 +58,57 @@ double end_of(std::span<W> list, std::size_t i, double length) {
   return i + 1 < list.size() ? list[i + 1].begin : length;
 }
 
-/// Index of the last window of a non-empty list for which `begins_before` holds; true for a front
-/// part of the list, of one window at least. Branches on nothing: the outcomes are unpredictable.
-template <class W, class Predicate>
-std::size_t window_at(std::span<W> list, Predicate begins_before) {
-  std::size_t at = 0;
-  for (std::size_t left = list.size(); left > 1;) {
-    const std::size_t half = left / 2;
-    at += begins_before(list[at + half]) ? half : 0;
-    left -= half;
-  }
-  return at;
+/// Index of the last window of a non-empty list that begins at `position` or before; there must be
+/// one. With branches: the next window to look at is guessed, and fetched, before the last arrives.
+template <class W>
+std::size_t window_at(std::span<W> list, double position) {
+  const auto begins_behind = [](double t, const W& w) { return t < w.begin; };
+  const auto next = std::upper_bound(list.begin() + 1, list.end(), position, begins_behind);
+  return static_cast<std::size_t>(next - list.begin()) - 1;
 }
 
 /// @param list the edge's windows, a partition of [0, length]
-/// @param challenger in the same frame, any sign of y
+/// @param challenger in the same frame, any sign of y, its ticket kNoTicketYet
+/// @param end where the challenger ends
+/// @param sigmas by number of source
 /// @param result overwritten; meaningful when the challenger got a part
 /// @return whether it did
 template <class W>
-bool overlay(std::span<const W> list, double length, const Window& challenger, Overlay<W>& result) {
+bool overlay(std::span<const W> list, double length, const W& challenger, double end,
+             std::span<const double> sigmas, Overlay<W>& result) {
   const double narrowest = kWindowWidth * length;
+  const Window rival = challenger.geometry(end, sigmas[challenger.source]);
+  std::size_t i = window_at(list, challenger.begin);
   bool won = false;
-  std::size_t i = window_at(list, [&](const W& w) { return w.begin <= challenger.begin; });
-  result.pieces.clear();
-  result.first = i;
-  for (; i < list.size() && list[i].begin < challenger.end; ++i) {
+  for (; i < list.size() && list[i].begin < end; ++i) {
     const W& old = list[i];
-    const double end = end_of(list, i, length);
-    double from = std::max(old.begin, challenger.begin), to = std::min(end, challenger.end);
+    const double old_end = end_of(list, i, length);
+    double from = std::max(old.begin, challenger.begin), to = std::min(old_end, end);
     if (from - old.begin < narrowest) from = old.begin;
-    if (end - to < narrowest) to = end;
-    Division division;
-    if (to - from > narrowest) {
-      division = old.is_gap() ? Division{.challenger_first = true}
-                              : divide(challenger, old.geometry(end), from, to, narrowest);
+    if (old_end - to < narrowest) to = old_end;
+    if (!(to - from > narrowest)) continue;
+    Division division{.challenger_first = true};
+    if (!old.is_gap()) {
+      division = divide(rival, old.geometry(old_end, sigmas[old.source]), from, to, narrowest);
+      if (!division.challenger_first && division.cuts == 0) continue;
     }
-    won |= division.challenger_first || division.cuts > 0;
+    if (!won) {
+      result.start(list.size() - i);
+      result.first = result.last = i;
+      won = true;
+    }
+    for (; result.last < i; ++result.last) result.add(list[result.last].begin, &list[result.last]);
     if (from > old.begin) result.add(old.begin, &old);
     bool challengers = division.challenger_first;
-    result.add(from, challengers ? nullptr : &old);
+    result.add(from, challengers ? &challenger : &old);
     for (int k = 0; k < division.cuts; ++k) {
       challengers = !challengers;
-      result.add(division.at[k], challengers ? nullptr : &old);
+      result.add(division.at[k], challengers ? &challenger : &old);
     }
-    if (to < end) result.add(to, &old);
-    result.end = end;
+    if (to < old_end) result.add(to, &old);
+    result.last = i + 1;
+    result.end = old_end;
   }
-  result.last = i;
   return won;
 }
 

@@ -7,7 +7,7 @@
 // The queue holds windows and pseudo-sources. A window taken from it is unfolded across the face it
 // enters; its children are laid over the windows of the two edges they land on (overlay.h) and what
 // they win is queued. A pseudo-source sends windows into all its faces. A window that waits and
-// loses the point where it is nearest is queued again with its new key: it is re-inserted.
+// loses the point where it is nearest gets a new key: it counts as re-inserted (tickets.h).
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@
 
 namespace geodesic::mmp {
 
-/// The state of one solve, reusable. @tparam Queue of QueueItem (core/queues)
+/// The state of one solve, reusable. @tparam Queue of numbers of tickets (core/queues)
 template <class Queue, class Recorder>
 class Propagation {
  public:
@@ -32,11 +32,12 @@ class Propagation {
     const auto timed = recorder.enter(Phase::propagation);
     start(query, distances, recorder);
     while (!wavefront_.empty()) {
-      const QueueItem item = wavefront_.pop();
-      if (item.at < 0) {
-        emit(item.id);
-      } else {
-        propagate(item, recorder);
+      if (const auto taken = wavefront_.take(mesh_)) {
+        if (taken->vertex != kNone) {
+          emit(taken->vertex);
+        } else {
+          propagate(*taken, recorder);
+        }
       }
       if constexpr (Recorder::kRecords) sample();
     }
@@ -45,6 +46,13 @@ class Propagation {
 
  private:
   using Depth = typename Recorder::Depth;
+  using Taken = typename Wavefront<Queue, Recorder>::Taken;
+  /// What a window's children inherit besides the geometry.
+  struct Beam {
+    Index source;  ///< number of the pseudo-source
+    Depth depth;
+  };
+
   static constexpr Index kSamples = 64;  // of the wavefront, at equal steps of vertices reached
 
   void start(const Query& query, std::span<double> distances, Recorder& recorder) {
@@ -74,17 +82,19 @@ class Propagation {
     if (!has_news(v)) return;
     const double d = distances_[v];
     emitted_[v] = d;
+    const Index source = wavefront_.add_source(d);
+    const Beam along{source, {}}, beyond{source, Depth{}.next()};
     for (const Index h : mesh_.outgoing(v)) {
       const Index opposite = Mesh::next(h), into = Mesh::previous(h);
       const double out = mesh_.half_edge(h).length, in = mesh_.half_edge(into).length;
       reach(mesh_.head(h), d + out);
       reach(mesh_.origin(into), d + in);
-      land(h, {0, out, 0, 0, d}, {});
-      if (mesh_.twin(into) == kNone) land(into, {0, in, in, 0, d}, {});
+      land(h, {0, out, 0, 0, d}, along);
+      if (mesh_.twin(into) == kNone) land(into, {0, in, in, 0, d}, along);
       const HalfEdge& e = mesh_.half_edge(opposite);
       const double height = std::max(e.apex_y, kTouchingHeight * e.length);
       const Window across{0, e.length, e.apex_x, height, d};
-      if (!beaten_by_ends(opposite, across)) land(opposite, across, Depth{}.next());
+      if (!beaten_by_ends(opposite, across)) land(opposite, across, beyond);
     }
   }
 
@@ -99,21 +109,19 @@ class Propagation {
     return along < distance_at(w, meeting) * (1 - kPathMargin);
   }
 
-  void propagate(QueueItem item, Recorder& recorder) {
-    const double length = mesh_.half_edge(item.id).length;
-    const auto taken = wavefront_.take(item, length);
-    if (!taken) return;
-    const Depth depth = taken->depth.next();
-    recorder.propagated(1, depth);
-    if (taken->window.y < 0) {
-      cross_face(item.id, taken->window, depth);
+  void propagate(const Taken& taken, Recorder& recorder) {
+    const Beam beam{taken.source, taken.depth.next()};
+    recorder.propagated(1, beam.depth);
+    if (taken.window.y < 0) {
+      cross_face(taken.edge, taken.window, beam);
     } else {
-      cross_face(mesh_.twin(item.id), turned(taken->window, length), depth);
+      const double length = mesh_.half_edge(taken.edge).length;
+      cross_face(mesh_.twin(taken.edge), turned(taken.window, length), beam);
     }
   }
 
   /// @param w in the frame of h, whose face it enters; y < 0
-  void cross_face(Index h, const Window& w, Depth depth) {
+  void cross_face(Index h, const Window& w, const Beam& beam) {
     const FaceFrame face = face_frame(mesh_, h);
     // Where the line from the source to the apex crosses h.
     const double split = w.x + (face.apex_x - w.x) * (-w.y / (face.apex_y - w.y));
@@ -125,12 +133,12 @@ class Propagation {
     if (w.begin < split) {
       const double end = w.end < split ? face.on_left(w, w.end) : face.left;
       land_child(Mesh::previous(h), {face.on_left(w, w.begin), end}, face.to_left(w.x, w.y),
-                 face.left, w.sigma, depth);
+                 face.left, w.sigma, beam);
     }
     if (split < w.end) {
       const double begin = split < w.begin ? face.on_right(w, w.begin) : 0.0;
       land_child(Mesh::next(h), {begin, face.on_right(w, w.end)}, face.to_right(w.x, w.y),
-                 face.right, w.sigma, depth);
+                 face.right, w.sigma, beam);
     }
   }
 
@@ -140,23 +148,23 @@ class Propagation {
 
   /// A child that leaves its face through h, given in the frame of h's twin.
   void land_child(Index h, Interval on, const Point2& source, double length, double sigma,
-                  Depth depth) {
+                  const Beam& beam) {
     // Rounding must not move the source across the edge.
     const Window child{on.begin, on.end, source.x, std::min(source.y, 0.0), sigma};
-    land(h, turned(child, length), depth);
+    land(h, turned(child, length), beam);
   }
 
   /// @param w in the frame of h, whose face it leaves; y >= 0
-  void land(Index h, const Window& w, Depth depth) {
+  void land(Index h, const Window& w, const Beam& beam) {
     const double length = mesh_.half_edge(h).length;
     if (!(w.end - w.begin > kWindowWidth * length)) return;
     const Index twin = mesh_.twin(h);
     const bool goes_on = twin != kNone && w.y > 0;
     // An edge goes by the smaller of its half-edges; kNone is larger than any.
     if (twin < h) {
-      wavefront_.lay(twin, length, turned(w, length), depth, goes_on);
+      wavefront_.lay(twin, length, turned(w, length), beam.source, beam.depth, goes_on);
     } else {
-      wavefront_.lay(h, length, w, depth, goes_on);
+      wavefront_.lay(h, length, w, beam.source, beam.depth, goes_on);
     }
   }
 

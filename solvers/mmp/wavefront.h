@@ -14,27 +14,23 @@
 #include "solvers/mmp/edge_lists.h"
 #include "solvers/mmp/edge_window.h"
 #include "solvers/mmp/overlay.h"
+#include "solvers/mmp/tickets.h"
 
 namespace geodesic::mmp {
 
-/// An entry of the queue, kept out of the stored windows. Windows move within their list, so the
-/// entry names one by a position instead of an address: where it is nearest, rounded. An entry
-/// whose window has been deleted, or re-inserted elsewhere, is stale and names none; every window
-/// that waits has an entry of its own.
-struct QueueItem {
-  Index id;  ///< edge, or vertex
-  float at;  ///< position on the edge; negative for a pseudo-source vertex
-};
-
-/// @tparam Queue of QueueItem (core/queues)
+/// @tparam Queue of numbers of tickets (core/queues)
 template <class Queue, class Recorder>
 class Wavefront {
  public:
   using Depth = typename Recorder::Depth;
 
+  /// What the queue gives back.
   struct Taken {
-    Window window;  ///< in the frame of the edge's own half-edge; y > 0: it enters the twin's face
-    Depth depth;
+    Index vertex = kNone;  ///< a pseudo-source, or none:
+    Index edge = kNone;    ///< the edge of a window, in the frame of the edge's own half-edge
+    Window window = {};    ///< y > 0: it enters the twin's face
+    Index source = kNone;
+    Depth depth = {};
   };
 
   Wavefront(Index half_edges, Queue queue) : lists_(half_edges), queue_(std::move(queue)) {}
@@ -43,6 +39,9 @@ class Wavefront {
   void start(double limit, Recorder& recorder) {
     lists_.clear();
     queue_.clear();
+    tickets_.clear();
+    soon_ = sooner_ = kNone;
+    sigmas_.clear();
     tally_ = {};
     // A window whose key exceeds the limit by rounding may reach a vertex that lies on it.
     limit_ = limit * (1 + kPathMargin);
@@ -50,54 +49,77 @@ class Wavefront {
   }
 
   bool empty() const { return queue_.empty(); }
-  QueueItem pop() {
-    const auto timed = recorder_->enter(Phase::queue);
-    return queue_.pop();
-  }
 
   void push_vertex(Index v, double distance) {
-    if (distance <= limit_) push(distance, {v, -1.0f});
+    if (distance > limit_) return;
+    push(distance, tickets_.issue({Ticket::kVertex, 0, v, 0, false}));
   }
 
-  /// The window that an entry names, which does not wait any longer; none when the entry is stale.
-  std::optional<Taken> take(QueueItem item, double length) {
+  /// Makes room for the windows of a pseudo-source. @return its number
+  Index add_source(double sigma) {
+    sigmas_.push_back(sigma);
+    return static_cast<Index>(sigmas_.size() - 1);
+  }
+
+  /// The next pseudo-source or window, which does not wait any longer; none when what waited is no
+  /// more, or is queued again. The wavefront must not be empty.
+  std::optional<Taken> take(const Mesh& mesh) {
     const auto timed = recorder_->enter(Phase::queue);
-    const std::span<W> list = lists_.windows(item.id);
-    const std::size_t i = find(list, length, item.at);
-    if (i == list.size()) return std::nullopt;
-    list[i].set_waits(false);
-    const Taken taken{list[i].geometry(end_of(list, i, length)), list[i].depth};
-    tally(taken.window, Change::leaves);
-    return taken;
+    const Index number = queue_.pop();
+    fetch_ahead(mesh);
+    const Ticket ticket = tickets_[number];
+    if (!ticket.is_window()) {
+      tickets_.take_back(number);
+      if (ticket.is_void()) return std::nullopt;
+      return Taken{.vertex = ticket.id};
+    }
+    const double length = mesh.half_edge(ticket.id).length;
+    const std::span<W> list = lists_.windows(ticket.id);
+    const std::size_t i = find(list, ticket);
+    W& w = list[i];
+    const Window window = w.geometry(end_of(list, i, length), sigmas_[w.source]);
+    if (ticket.late && postpone(number, window)) return std::nullopt;
+    tickets_.take_back(number);
+    w.ticket = kNone;
+    tally(window, Change::leaves);
+    return Taken{.edge = ticket.id, .window = window, .source = w.source, .depth = w.depth};
   }
 
   /// Lays a window over those of its edge and queues the parts that it wins.
   /// @param w in the frame of the edge's own half-edge
+  /// @param source the number of its source
   /// @param goes_on whether there is a face beyond
-  void lay(Index edge, double length, const Window& w, Depth depth, bool goes_on) {
+  void lay(Index edge, double length, const Window& w, Index source, Depth depth, bool goes_on) {
     const auto timed = recorder_->enter(Phase::trimming);
     if (lists_.windows(edge).empty()) {
       const W gap = W::gap(0);
       lists_.replace(edge, 0, 0, {&gap, 1});
     }
     const std::span<const W> list = lists_.windows(edge);
-    if (!overlay(list, length, w, overlay_)) return;
-    replacement_.clear();
-    for (std::size_t k = 0; k < overlay_.pieces.size(); ++k) {
-      const Piece<W>& piece = overlay_.pieces[k];
-      if (piece.owner == nullptr) {
-        replacement_.push_back({piece.begin, w.x, w.y, w.sigma, depth});
-        accept(edge, replacement_.back(), overlay_.piece_end(k), goes_on);
+    const W challenger{w.begin, w.x, w.y, source, kNoTicketYet, depth};
+    if (!overlay(list, length, challenger, w.end, std::span<const double>(sigmas_), overlay_))
+      return;
+    const std::span<const W> replaced =
+        list.subspan(overlay_.first, overlay_.last - overlay_.first);
+    tally(replaced, Change::leaves);
+    // Void until one of the pieces claims it.
+    for (const W& old : replaced) {
+      if (old.waits()) tickets_[old.ticket].id = kNone;
+    }
+    const std::span<W> pieces = overlay_.pieces();
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      W& piece = pieces[k];
+      if (!piece.waits()) continue;
+      const double end = overlay_.piece_end(k);
+      if (piece.ticket == kNoTicketYet) {
+        accept(edge, static_cast<Index>(overlay_.first + k), piece, end, w.sigma, goes_on);
       } else {
-        replacement_.push_back(*piece.owner);
-        replacement_.back().begin = piece.begin;
-        if (piece.owner->waits()) keep_queued(edge, list, length, k);
+        keep_queued(edge, static_cast<Index>(overlay_.first + k), piece, end);
       }
     }
-    tally(list.subspan(overlay_.first, overlay_.last - overlay_.first), Change::leaves);
-    tally(replacement_, Change::joins);
+    tally(pieces, Change::joins);
     recorder_->wavefront_size(tally_.windows);
-    lists_.replace(edge, overlay_.first, overlay_.last, replacement_);
+    lists_.replace(edge, overlay_.first, overlay_.last, pieces);
   }
 
   /// Hands the spread of the waiting windows' distances to the recorder.
@@ -122,46 +144,71 @@ class Wavefront {
   };
   enum class Change { joins, leaves };
 
-  static float queue_position(const Window& w) { return static_cast<float>(nearest_position(w)); }
-
-  /// Index in the list, or the list's size when the entry is stale.
-  static std::size_t find(std::span<const W> list, double length, float at) {
-    // Rounding is monotone: windows whose rounded ends enclose the position are neighbours.
-    const auto begins_before = [&](const W& w) { return static_cast<float>(w.begin) <= at; };
-    for (std::size_t i = window_at(list, begins_before) + 1; i-- > 0;) {
-      const double end = end_of(list, i, length);
-      if (static_cast<float>(end) < at) break;
-      if (list[i].waits() && queue_position(list[i].geometry(end)) == at) return i;
+  /// Has the memory fetched that the next takes will read, each address of which lies behind the
+  /// one before: ticket, list and window, in as many turns.
+  void fetch_ahead(const Mesh& mesh) {
+    const Index* upcoming = queue_.upcoming();
+    const Index latest = upcoming ? *upcoming : kNone;
+    if (latest != kNone) prefetch(&tickets_[latest]);
+    if (soon_ != kNone && tickets_[soon_].is_window()) {
+      prefetch(&mesh.half_edge(tickets_[soon_].id));
+      lists_.prefetch(tickets_[soon_].id);
     }
-    return list.size();
+    if (sooner_ != kNone && tickets_[sooner_].is_window()) {
+      const Ticket& ticket = tickets_[sooner_];
+      prefetch(lists_.windows(ticket.id).data() + ticket.index);
+    }
+    sooner_ = std::exchange(soon_, latest);
   }
 
-  void push(double key, QueueItem item) {
+  /// Index in its list of the window that holds a ticket.
+  static std::size_t find(std::span<const W> list, const Ticket& ticket) {
+    std::size_t i = std::min<std::size_t>(ticket.index, list.size() - 1);
+    while (list[i].begin > ticket.begin) --i;
+    while (list[i].begin < ticket.begin) ++i;
+    return i;
+  }
+
+  /// Queues a window that is late with its present key, unless it is its turn by that too.
+  bool postpone(Index number, const Window& window) {
+    const double key = least_distance(window);
+    if (queue_.is_due(key)) return false;
+    tickets_[number].late = false;
+    queue_.push(key, number);
+    return true;
+  }
+
+  void push(double key, Index ticket) {
     const auto timed = recorder_->enter(Phase::queue);
-    queue_.push(key, item);
+    queue_.push(key, ticket);
   }
 
   /// Queues a part that the challenger won.
-  void accept(Index edge, W& stored, double end, bool goes_on) {
+  void accept(Index edge, Index index, W& piece, double end, double sigma, bool goes_on) {
     recorder_->valid(1);
-    const Window part = stored.geometry(end);
+    piece.ticket = kNone;
+    const Window part = piece.geometry(end, sigma);
     const double key = least_distance(part);
     if (!goes_on || key > limit_) return;
-    stored.set_waits(true);
-    push(key, {edge, queue_position(part)});
+    piece.ticket = tickets_.issue({piece.begin, nearest_position(part), edge, index, false});
+    push(key, piece.ticket);
   }
 
-  /// Re-inserts piece k, a part of a window that waits, when it has lost the point by which its
-  /// entry names it, or when an earlier piece of the same window keeps that entry.
-  void keep_queued(Index edge, std::span<const W> list, double length, std::size_t k) {
-    const W* owner = overlay_.pieces[k].owner;
-    const std::size_t i = static_cast<std::size_t>(owner - list.data());
-    const Window whole = owner->geometry(end_of(list, i, length));
-    const Window part = replacement_.back().geometry(overlay_.piece_end(k));
-    const bool second = k >= 2 && overlay_.pieces[k - 2].owner == owner;
-    if (!second && queue_position(part) == queue_position(whole)) return;
-    recorder_->reinserted(1);
-    push(least_distance(part), {edge, queue_position(part)});
+  /// The first piece of a window that waits keeps its ticket, others are queued by themselves. A
+  /// piece with another nearest point counts as re-inserted here, though its entry stays for now.
+  void keep_queued(Index edge, Index index, W& piece, double end) {
+    const Window part = piece.geometry(end, sigmas_[piece.source]);
+    const double nearest = nearest_position(part);
+    Ticket& ticket = tickets_[piece.ticket];
+    if (!ticket.is_void()) {
+      recorder_->reinserted(1);
+      piece.ticket = tickets_.issue({piece.begin, nearest, edge, index, false});
+      push(least_distance(part), piece.ticket);
+      return;
+    }
+    const bool moved = nearest != ticket.nearest;
+    if (moved) recorder_->reinserted(1);
+    ticket = {piece.begin, nearest, edge, index, ticket.late || moved};
   }
 
   void tally(const Window& w, Change change) {
@@ -179,18 +226,21 @@ class Wavefront {
     if constexpr (Recorder::kRecords) {
       for (std::size_t i = 0; i < windows.size(); ++i) {
         if (!windows[i].waits()) continue;
-        tally(windows[i].geometry(end_of(windows, i, overlay_.end)), change);
+        const double end = end_of(windows, i, overlay_.end);
+        tally(windows[i].geometry(end, sigmas_[windows[i].source]), change);
       }
     }
   }
 
   EdgeLists<W> lists_;
   Queue queue_;
+  Tickets tickets_;
+  Index soon_ = kNone, sooner_ = kNone;  // tickets on the way through fetch_ahead
+  std::vector<double> sigmas_;           // by number of source
   double limit_ = kInfinity;
   Recorder* recorder_ = nullptr;
   Tally tally_;
-  Overlay<W> overlay_;          // scratch of lay
-  std::vector<W> replacement_;  // scratch of lay
+  Overlay<W> overlay_;  // scratch of lay
 };
 
 }  // namespace geodesic::mmp

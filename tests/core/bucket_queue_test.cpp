@@ -49,6 +49,34 @@ TEST(BucketQueue, an_item_born_during_a_phase_waits_for_the_next) {
   EXPECT_TRUE(queue.empty());
 }
 
+TEST(BucketQueue, what_the_phase_covers_is_due) {
+  BucketQueue<int> queue(1);
+  for (int i = 0; i < 20; ++i) queue.push(5.5, i);
+  queue.push(7.5, 20);
+  queue.pop();  // starts a phase that goes as far as there are items, to key 8
+  EXPECT_TRUE(queue.is_due(7.9));
+  EXPECT_FALSE(queue.is_due(8.1));
+}
+
+TEST(BucketQueue, shows_the_items_of_a_phase_before_their_turn) {
+  BucketQueue<int> queue(1);
+  for (int i = 0; i < 20; ++i) queue.push(5.5, i);
+  queue.pop();
+  ASSERT_NE(queue.upcoming(), nullptr);
+  const int distance = *queue.upcoming();
+  EXPECT_GT(distance, 0);
+  for (int i = 1; i < 20; ++i) {
+    EXPECT_EQ(queue.pop(), i);
+    const int* item = queue.upcoming();
+    if (i + distance < 20) {
+      ASSERT_NE(item, nullptr);
+      EXPECT_EQ(*item, i + distance);
+    } else {
+      EXPECT_EQ(item, nullptr);
+    }
+  }
+}
+
 // A propagation as solvers do it: an item bears others with larger keys.
 std::vector<int> propagate(BucketQueue<int>& queue, double unit) {
   oracles::Random random(4);

@@ -54,6 +54,30 @@ TEST(PriorityQueue, equals_a_stable_sort_whatever_the_width_while_items_come_and
   }
 }
 
+TEST(PriorityQueue, an_item_is_due_when_no_other_has_a_smaller_key) {
+  for (const double width : {0.0, 1e9, 3.0, 0.1}) {
+    PriorityQueue<int> queue(width);
+    for (const double key : {1.0, 2.0, 4.0}) queue.push(key, 0);
+    queue.pop();
+    EXPECT_TRUE(queue.is_due(1)) << "width " << width;
+    EXPECT_FALSE(queue.is_due(3)) << "width " << width;
+  }
+}
+TEST(PriorityQueue, shows_items_before_their_turn_each_once) {
+  PriorityQueue<int> queue(1);
+  for (int i = 0; i < 400; ++i) queue.push(i / 4.0, i);
+  std::vector<int> shown;
+  for (int popped = 0; popped < 400; ++popped) {
+    ASSERT_EQ(queue.pop(), popped);
+    if (const int* item = queue.upcoming()) {
+      EXPECT_GT(*item, popped);
+      shown.push_back(*item);
+    }
+  }
+  EXPECT_GT(shown.size(), 350u);
+  std::sort(shown.begin(), shown.end());
+  EXPECT_EQ(std::adjacent_find(shown.begin(), shown.end()), shown.end());
+}
 TEST(PriorityQueue, is_as_new_when_cleared) {
   PriorityQueue<int> queue(1e-3);
   queue.push(1, 1);

@@ -19,29 +19,36 @@ class EdgeList {
   explicit EdgeList(double length) : length_(length), windows_{W::gap(0)} {}
 
   bool lay(const Window& w) {
+    const Index source = static_cast<Index>(sigmas_.size());
+    sigmas_.push_back(w.sigma);
     Overlay<W> result;
-    if (!overlay(std::span<const W>(windows_), length_, w, result)) return false;
-    std::vector<W> next(windows_.begin(), windows_.begin() + std::ptrdiff_t(result.first));
-    for (const Piece<W>& piece : result.pieces) {
-      next.push_back(piece.owner ? *piece.owner : W{0, w.x, w.y, w.sigma, {}});
-      next.back().begin = piece.begin;
+    if (!overlay(std::span<const W>(windows_), length_, W{w.begin, w.x, w.y, source, kNone, {}},
+                 w.end, std::span<const double>(sigmas_), result)) {
+      return false;
     }
+    std::vector<W> next(windows_.begin(), windows_.begin() + std::ptrdiff_t(result.first));
+    for (const W& piece : result.pieces()) next.push_back(piece);
     next.insert(next.end(), windows_.begin() + std::ptrdiff_t(result.last), windows_.end());
     windows_ = std::move(next);
+    replaced_ = result.last - result.first;
     return true;
   }
 
   double distance(double t) const {
     const std::span<const W> list(windows_);
-    const std::size_t i = window_at(list, [&](const W& w) { return w.begin <= t; });
-    return distance_at(list[i].geometry(end_of(list, i, length_)), t);
+    const W& w = list[window_at(list, t)];
+    return w.is_gap() ? kInfinity : distance_at(w.geometry(0, sigma(w)), t);
   }
 
+  double sigma(const W& w) const { return sigmas_[w.source]; }
+  std::size_t replaced() const { return replaced_; }
   const std::vector<W>& windows() const { return windows_; }
 
  private:
   double length_;
   std::vector<W> windows_;
+  std::vector<double> sigmas_;  // by number of source
+  std::size_t replaced_ = 0;    // windows by the latest overlay
 };
 
 TEST(Overlay, BecomesTheLowerEnvelopeWhateverTheOrder) {
@@ -82,6 +89,15 @@ TEST(Overlay, RefusesAWindowThatIsThereAlready) {
   EXPECT_EQ(list.windows().size(), 3u) << "gap, window, gap";
 }
 
+TEST(Overlay, LeavesAloneWhatLiesAroundThePartsThatAreWon) {
+  EdgeList list(1);
+  for (int k = 0; k < 8; ++k) list.lay({k / 8.0, (k + 1) / 8.0, (k + 0.5) / 8, -1, 1});
+  // Nearer in the fourth window only, though it reaches over all of them.
+  EXPECT_TRUE(list.lay({0, 1, 3.5 / 8, -0.001, 1.99}));
+  EXPECT_EQ(list.replaced(), 1u);
+  EXPECT_EQ(list.windows().size(), 10u);
+}
+
 TEST(Overlay, MakesNoPieceNarrowerThanTheTolerance) {
   EdgeList list(1);
   list.lay({0, 0.5, 0.2, -1, 0});
@@ -89,7 +105,7 @@ TEST(Overlay, MakesNoPieceNarrowerThanTheTolerance) {
   list.lay({0.5 + 1e-16, 1, 0.2, -1, 0.25});  // and misses by it
   ASSERT_EQ(list.windows().size(), 2u);
   EXPECT_EQ(list.windows()[1].begin, 0.5);
-  EXPECT_EQ(list.windows()[1].sigma(), 0.25);
+  EXPECT_EQ(list.sigma(list.windows()[1]), 0.25);
 }
 
 }  // namespace

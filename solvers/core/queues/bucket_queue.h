@@ -14,10 +14,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "solvers/core/queues/key_heap.h"
@@ -31,7 +29,7 @@ class BucketQueue {
   /// @param width keys covered by one bucket, in the keys' unit; mean edge length / sqrt(vertices)
   ///        is the published choice. Not positive: one bucket takes everything.
   explicit BucketQueue(double width)
-      : per_width_(width > 0 ? std::min(1 / width, kLargestNumber) : 0), ring_(kRing) {}
+      : per_width_(width > 0 ? std::min(1 / width, kGreatestFactor) : 0), ring_(kRing) {}
 
   bool empty() const { return size_ == 0; }
   std::size_t size() const { return size_; }
@@ -42,8 +40,9 @@ class BucketQueue {
     far_serial_ = 0;
     nodes_.clear();
     free_ = kEnd;
-    phase_ = {};
-    size_ = in_ring_ = head_ = phase_span_ = 0;
+    phase_ = ahead_ = {};
+    size_ = in_ring_ = 0;
+    head_ = phase_span_ = 0;
     base_ = kNoPhase;
     target_ = kMinimum;
     balance_ = 0;
@@ -51,8 +50,8 @@ class BucketQueue {
 
   /// @param key not negative; less than the key of the item popped last only by rounding
   void push(double key, Item item) {
-    const double offset = number(key) - base_;
-    balance_ += offset >= static_cast<double>(phase_span_) ? 1 : -1;
+    const std::int64_t offset = number(key) - base_;
+    balance_ += offset >= phase_span_ ? 1 : -1;
     if (offset < kRing) {
       put(offset, item);
     } else {
@@ -61,12 +60,19 @@ class BucketQueue {
     ++size_;
   }
 
+  /// True when the running phase takes items of this key, so that one need not be queued.
+  bool is_due(double key) const { return number(key) - base_ < phase_span_; }
+
+  /// An item that a few others precede, for its data to be fetched meanwhile; null when none is
+  /// known. Valid until the next push.
+  const Item* upcoming() const { return ahead_.count > 0 ? &nodes_[ahead_.first].item : nullptr; }
+
   /// Removes and returns the next item of the phase. The queue must not be empty.
   Item pop() {
     if (phase_.count == 0) start_phase();
     const std::uint32_t at = phase_.first;
-    phase_.first = nodes_[at].next;
-    --phase_.count;
+    drop_first(phase_);
+    drop_first(ahead_);
     --size_;
     nodes_[at].next = free_;
     free_ = at;
@@ -74,11 +80,13 @@ class BucketQueue {
   }
 
  private:
-  static constexpr std::ptrdiff_t kMinimum = 6;    // K never falls below
-  static constexpr std::size_t kRing = 1u << 14;   // buckets; a power of two
-  static constexpr std::uint32_t kEnd = ~0u;       // no node
-  static constexpr double kLargestNumber = 1e300;  // keeps bucket numbers finite
-  static constexpr double kNoPhase = -std::numeric_limits<double>::infinity();
+  static constexpr std::ptrdiff_t kMinimum = 6;     // K never falls below
+  static constexpr int kAhead = 4;                  // items between the next one and `upcoming`
+  static constexpr std::int64_t kRing = 1 << 14;    // buckets; a power of two
+  static constexpr std::uint32_t kEnd = ~0u;        // no node
+  static constexpr std::int64_t kNoPhase = -kRing;  // everything lies beyond the ring
+  static constexpr double kGreatestFactor = 1e300;
+  static constexpr double kGreatestNumber = 9e18;  // fits std::int64_t
 
   struct Node {
     Item item;
@@ -89,12 +97,22 @@ class BucketQueue {
     std::uint32_t count = 0;
   };
 
-  double number(double key) const { return std::min(std::floor(key * per_width_), kLargestNumber); }
+  void drop_first(Bucket& from) const {
+    if (from.count == 0) return;
+    from.first = nodes_[from.first].next;
+    --from.count;
+  }
 
-  Bucket& bucket(std::size_t offset) { return ring_[(head_ + offset) & (kRing - 1)]; }
+  std::int64_t number(double key) const {
+    return static_cast<std::int64_t>(std::min(key * per_width_, kGreatestNumber));
+  }
 
-  void put(double offset, Item item) {
-    Bucket& into = bucket(static_cast<std::size_t>(std::max(offset, 0.0)));
+  Bucket& bucket(std::int64_t offset) {
+    return ring_[static_cast<std::size_t>((head_ + offset) & (kRing - 1))];
+  }
+
+  void put(std::int64_t offset, Item item) {
+    Bucket& into = bucket(std::max<std::int64_t>(offset, 0));
     const std::uint32_t at = new_node(item);
     (into.count == 0 ? into.first : nodes_[into.last].next) = at;
     into.last = at;
@@ -118,10 +136,10 @@ class BucketQueue {
     if (in_ring_ == 0) {
       base_ = number(far_.least().key_value());
     } else {
-      std::size_t empty = 0;
+      std::int64_t empty = 0;
       while (bucket(empty).count == 0) ++empty;
       head_ += empty;
-      base_ += static_cast<double>(empty);
+      base_ += empty;
     }
     while (!far_.empty() && number(far_.least().key_value()) - base_ < kRing) {
       const auto entry = far_.pop();
@@ -137,6 +155,8 @@ class BucketQueue {
     while (in_ring_ > 0 && phase_.count < target_ && phase_span_ < kRing) {
       take(bucket(phase_span_++));
     }
+    ahead_ = phase_;
+    for (int k = 0; k < kAhead; ++k) drop_first(ahead_);
   }
 
   void take(Bucket& from) {
@@ -149,15 +169,16 @@ class BucketQueue {
   }
 
   double per_width_;
-  std::vector<Bucket> ring_;    // buckets base_ to base_ + kRing - 1
-  std::size_t head_ = 0;        // position of bucket base_ in the ring, modulo its size
-  double base_ = kNoPhase;      // number of the running phase's first bucket: an integer
-  std::size_t phase_span_ = 0;  // buckets that the running phase took
-  KeyHeap<Item> far_;           // what lies beyond the ring
+  std::vector<Bucket> ring_;      // buckets base_ to base_ + kRing - 1
+  std::int64_t head_ = 0;         // position of bucket base_ in the ring, modulo its size
+  std::int64_t base_ = kNoPhase;  // number of the running phase's first bucket
+  std::int64_t phase_span_ = 0;   // buckets that the running phase took
+  KeyHeap<Item> far_;             // what lies beyond the ring
   std::uint32_t far_serial_ = 0;
   std::vector<Node> nodes_;
   std::uint32_t free_ = kEnd;  // first of the unused nodes
   Bucket phase_;               // what is left of the running phase
+  Bucket ahead_;               // the part of it that starts with `upcoming`
   std::size_t in_ring_ = 0;
   std::size_t size_ = 0;
   std::ptrdiff_t target_ = kMinimum;  // K: windows a phase should cover

@@ -36,7 +36,8 @@ class PriorityQueue {
     nodes_.clear();
     free_ = kEnd;
     in_ring_ = size_ = 0;
-    current_ = 0;
+    current_ = preview_bucket_ = 0;
+    preview_ = kEnd;
     serial_ = 0;
   }
 
@@ -54,6 +55,29 @@ class PriorityQueue {
     }
   }
 
+  /// True when no item has a smaller key, so that one of this key need not be queued.
+  bool is_due(double key) const {
+    const Entry entry{std::bit_cast<std::uint64_t>(key), 0, {}};
+    if (near_.empty()) return size_ == 0 || number(entry) <= current_;
+    return entry.key <= near_.least().key;
+  }
+
+  /// Some item that will be popped soon but not next, another one at each call, for its data to be
+  /// fetched meanwhile; null when none is known. Valid until the next push.
+  const Item* upcoming() {
+    if (preview_bucket_ <= current_) {
+      preview_bucket_ = current_ + 1;
+      preview_ = ring_[preview_bucket_ % kRing];
+    }
+    while (preview_ == kEnd) {
+      if (preview_bucket_ - current_ >= kPreview) return nullptr;
+      preview_ = ring_[++preview_bucket_ % kRing];
+    }
+    const Node& node = nodes_[preview_];
+    preview_ = node.next;
+    return &node.entry.item;
+  }
+
   /// Removes and returns the item of least key. The queue must not be empty.
   Item pop() {
     if (near_.empty()) advance();
@@ -64,6 +88,7 @@ class PriorityQueue {
  private:
   using Entry = KeyedItem<Item>;
   static constexpr std::size_t kRing = 1u << 14;  // buckets
+  static constexpr std::uint64_t kPreview = 4;    // buckets that `upcoming` looks into
   static constexpr std::uint32_t kEnd = ~0u;      // no node
   static constexpr double kGreatestFactor = 1e300;
   static constexpr double kGreatestNumber = 9e18;  // fits std::uint64_t
@@ -123,6 +148,8 @@ class PriorityQueue {
   std::vector<Node> nodes_;
   std::uint32_t free_ = kEnd;  // first of the unused nodes
   std::uint64_t current_ = 0;
+  std::uint64_t preview_bucket_ = 0;  // where `upcoming` has got to: a bucket not emptied yet,
+  std::uint32_t preview_ = kEnd;      // and its node
   std::size_t in_ring_ = 0;
   std::size_t size_ = 0;
   std::uint32_t serial_ = 0;
