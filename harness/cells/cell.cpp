@@ -108,7 +108,9 @@ void run_cell(const CellSpec& spec) {
   const double mesh_ms = 1e3 * building.cpu_seconds();
   restart_peak_resident_bytes();
   Timing timing = Cell(spec, mesh).measure();
-  for (Json& row : timing.rows) row["mesh_time"] = mesh_ms;
+  for (Json& row : timing.rows) {
+    if (row.at("outcome") == outcome::kOk) row["mesh_time"] = mesh_ms;
+  }
   write_result_file(spec.output, timing.context, spec.context, timing.rows);
 }
 

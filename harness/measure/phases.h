@@ -16,7 +16,8 @@ namespace geodesic::harness {
 /// @return seconds: propagation, trimming, queue, and timer_overhead, what was taken out of them
 Json phase_seconds(const PhaseTimes& times, double untimed);
 
-/// Solves three times on fresh solver objects, the second time with timers.
+/// Solves three times on fresh solver objects, the second time with timers; a solve of seconds only
+/// twice.
 /// @param distances what the solve with timers gave
 /// @return nothing when the solver does not tell its phases
 std::optional<Json> time_phases(const std::string& solver, const Mesh& mesh, const Query& query,
