@@ -20,13 +20,14 @@ usage() {
   cat <<EOF
 Usage: ./run_all.sh [STEP...] [OPTION...]
 
-Runs the exact geodesic solvers on a corpus of meshes and writes the thesis's tables.
+Runs the exact geodesic solvers on a corpus of meshes and writes the thesis's tables
+and figures.
 Without a step, all of them, in this order:
   build   compile the optimised solvers and the harness (build/release)
   fetch   generate or download the corpus's meshes into the dataset cache
   run     solve, verify and time every solver on every mesh
   check   fail unless every cell of the run is there and verified
-  plot    write the tables of the run
+  plot    write the tables and figures of the run
 check and plot alone work on the newest run, or on the one that --out names.
 
 Options:
@@ -130,7 +131,6 @@ step_check() {
 
 step_plot() {
   logged "$python" "$root/plots/all.py" --run "$out"
-  logged "$python" "$root/plots/overview.py" --run "$out"
 }
 
 # choose_out: the folder that `run` writes and that check and plot read.
@@ -199,6 +199,7 @@ report_failure() {
 finish() {
   if wants plot; then
     say "Tables: $out/tables (5.1, 5.2 with its ratios and claims, 5.3; as .md, .csv and .tex)"
+    say "Figures: $out/figures (as .png and .pdf, with captions in .md)"
   elif wants run; then
     say "Results: $out/run.json"
   fi

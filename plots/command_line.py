@@ -1,4 +1,4 @@
-"""What every table's own command has in common: --run DIR [--out DIR]."""
+"""What every table's and figure's own command has in common: --run DIR [--out DIR]."""
 
 from __future__ import annotations
 
@@ -7,8 +7,11 @@ import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+import drawing
+import table
+from drawing import Drawing
 from results import ResultError, Run, newest_run, read_run
-from table import Table, write
+from table import Table
 
 
 def run_folder_parser(description: str | None) -> argparse.ArgumentParser:
@@ -19,24 +22,42 @@ def run_folder_parser(description: str | None) -> argparse.ArgumentParser:
     return parser
 
 
-def draw(
-    description: str | None,
-    tables_of: Callable[[Run], Sequence[Table]],
-    arguments: Sequence[str] | None = None,
-) -> int:
-    """Reads the run, writes its tables and says where; returns the exit code."""
+def drawing_parser(description: str | None) -> argparse.ArgumentParser:
     parser = run_folder_parser(description)
     parser.add_argument(
-        "--out", type=Path, metavar="DIR", help="folder for the tables (default: RUN/tables)"
-    )
-    options = parser.parse_args(arguments)
+        "--out", type=Path, metavar="DIR",
+        help="folder for what is drawn (default: tables to RUN/tables, figures to RUN/figures)",
+    )  # fmt: skip
+    return parser
+
+
+def write(drawn: Table | Drawing, run_folder: Path, out: Path | None) -> None:
+    """Writes it in every format and says where."""
+    if isinstance(drawn, Table):
+        file, *others = table.write(drawn, out or run_folder / "tables")
+    else:
+        file, *others = drawing.write(drawn, out or run_folder / "figures")
+    print(f"{file} (also {', '.join(other.suffix for other in others)})")
+
+
+def draw_by(
+    options: argparse.Namespace, of_run: Callable[[Run], Sequence[Table | Drawing]]
+) -> int:
+    """Reads the run, writes what is drawn from it; returns the exit code."""
     try:
         folder = options.run or newest_run()
-        tables = tables_of(read_run(folder))
-        for table in tables:
-            file, *others = write(table, options.out or folder / "tables")
-            print(f"{file} (also {', '.join(other.suffix for other in others)})")
+        for drawn in of_run(read_run(folder)):
+            write(drawn, folder, options.out)
     except (ResultError, OSError) as error:
-        print(f"{parser.prog}: {error}", file=sys.stderr)
+        print(f"{Path(sys.argv[0]).name}: {error}", file=sys.stderr)
         return 1
     return 0
+
+
+def draw(
+    description: str | None,
+    of_run: Callable[[Run], Sequence[Table | Drawing]],
+    arguments: Sequence[str] | None = None,
+) -> int:
+    """The whole command of a table or figure without options of its own."""
+    return draw_by(drawing_parser(description).parse_args(arguments), of_run)

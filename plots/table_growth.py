@@ -67,19 +67,27 @@ def exponent(points: list[Point], what: list[float]) -> Cell:
     return Cell(f"{fit.slope:.3f} [{low:.3f}, {high:.3f}]", fit.slope, low, high)
 
 
-def tables(run: Run) -> list[Table]:
-    """@raises ResultError when no solver has enough meshes of different sizes."""
+def grown(run: Run) -> dict[str, list[Point]]:
+    """The series of every solver that has one long enough for a fit.
+
+    @raises ResultError when no solver has enough meshes of different sizes."""
     all_series = {solver: series(run, solver) for solver in run.solvers}
-    grown = {
+    long_enough = {
         solver: points
         for solver, points in all_series.items()
         if len({point.mesh.vertices for point in points}) >= LEAST_MESHES
     }
-    if not grown:
+    if not long_enough:
         raise ResultError(
             f"{run.file}: no solver has {LEAST_MESHES} meshes of different sizes; "
             "run --corpus growth"
         )
+    return long_enough
+
+
+def tables(run: Run) -> list[Table]:
+    """@raises ResultError when no solver has enough meshes of different sizes."""
+    all_series = grown(run)
     return [
         Table(
             name="table_growth",
@@ -88,7 +96,7 @@ def tables(run: Run) -> list[Table]:
             text_columns=2,
             rows=[
                 _row(solver, point, points[0])
-                for solver, points in grown.items()
+                for solver, points in all_series.items()
                 for point in points
             ],
             remarks=REMARKS,
@@ -98,7 +106,7 @@ def tables(run: Run) -> list[Table]:
             title="Growth: fitted exponents",
             header=["Solver", "Meshes", "n from", "n to", "of time", "of windows"],
             text_columns=1,
-            rows=[_fit(solver, points) for solver, points in grown.items()],
+            rows=[_fit(solver, points) for solver, points in all_series.items()],
             remarks=FIT_REMARKS,
         ),
     ]

@@ -1,0 +1,174 @@
+#!/usr/bin/python3
+"""Figure 5.9: running time split into window propagation, trimming and queue maintenance."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from matplotlib.axes import Axes
+from matplotlib.patches import Patch
+
+import style
+from command_line import draw_by, drawing_parser
+from dots import ordered_meshes, sentences
+from drawing import Drawing
+from estimates import median
+from measures import TIME, Measure, by_source, columns, failure, seconds, values
+from published import THESIS_SOLVERS
+from results import Mesh, ResultError, Run
+
+MODELS = 2
+PHASES = {
+    "propagation": ("window propagation", "#0072B2", ""),
+    "trimming": ("window trimming", "#F0E442", "////"),
+    "queue": ("queue maintenance", "#CC79A7", "...."),
+}
+"""By the key in a row's `phase_seconds`: name, colour, hatch."""
+REST = ("rest", "white", "")
+OVERHEAD = "timer_overhead"
+
+
+def phase_measure(key: str) -> Measure:
+    return Measure(f"phase_seconds.{key}", key, seconds)
+
+
+@dataclass(frozen=True)
+class Split:
+    """Seconds of one solver on one mesh: of a timed solve, and of the phases of another."""
+
+    solver: str
+    time: float
+    phases: dict[str, float]
+    overhead: float
+
+    @property
+    def scale(self) -> float:
+        """1, or what makes the phases fit into the timed solve when they took longer than it."""
+        return min(1, self.time / sum(self.phases.values()))
+
+    def parts(self) -> list[tuple[tuple[str, str, str], float]]:
+        shown = {key: seconds * self.scale for key, seconds in self.phases.items()}
+        rest = max(0, self.time - sum(shown.values()))
+        return [(PHASES[key], value) for key, value in shown.items()] + [(REST, rest)]
+
+
+def split(run: Run, mesh: str, solver: str) -> Split | None:
+    """Medians over sources; None when the solver has no phase times on the mesh."""
+
+    def middle(measure: Measure) -> float | None:
+        sample = by_source(values(run, mesh, solver, measure))
+        return median(sample).value if sample else None
+
+    time = middle(TIME)
+    phases = {key: middle(phase_measure(key)) for key in PHASES}
+    known = {key: value for key, value in phases.items() if value is not None}
+    if not time or len(known) < len(PHASES) or not sum(known.values()):
+        return None
+    return Split(solver, time, known, middle(phase_measure(OVERHEAD)) or 0)
+
+
+def splits(run: Run, mesh: str) -> list[Split]:
+    found = (split(run, mesh, solver) for solver in columns(run))
+    return [one for one in found if one]
+
+
+def default_meshes(run: Run) -> list[Mesh]:
+    """The largest on which the most solvers have phase times, the thesis's models first."""
+
+    def merit(mesh: Mesh) -> tuple[bool, int, int]:
+        return mesh.thesis_model is not None, len(splits(run, mesh.name)), mesh.vertices
+
+    with_phases = [mesh for mesh in ordered_meshes(run) if splits(run, mesh.name)]
+    return sorted(with_phases, key=merit, reverse=True)[:MODELS]
+
+
+def figures(run: Run, meshes: Sequence[str] = ()) -> list[Drawing]:
+    """@param meshes names, instead of the default ones
+    @raises ResultError when there are no phase times, or not on a mesh that was asked for"""
+    for name in meshes:
+        if name not in run.meshes or not splits(run, name):
+            raise ResultError(f"{run.file}: no verified cell of {name!r} has phase_seconds")
+    chosen = [run.meshes[name] for name in meshes] or default_meshes(run)
+    if not chosen:
+        raise ResultError(f"{run.file}: no verified cell has phase_seconds")
+    all_splits = {mesh.name: splits(run, mesh.name) for mesh in chosen}
+    most = max(map(len, all_splits.values()))
+    figure = style.new_figure(1.2 + len(chosen) * (0.55 + 0.26 * most))
+    panels = figure.subplots(len(chosen), 1, squeeze=False)[:, 0]
+    for axes, mesh in zip(panels, chosen, strict=True):
+        _draw(axes, mesh, all_splits[mesh.name])
+    panels[-1].set_xlabel("CPU time of one solve (s)")
+    kinds = [*PHASES.values(), REST]
+    handles = [
+        Patch(facecolor=color, hatch=hatch, edgecolor=style.INK, linewidth=0.6, label=name)
+        for name, color, hatch in kinds
+    ]
+    style.legend_above(figure, handles)
+    return [
+        Drawing(
+            name="figure_5_9",
+            title="Figure 5.9: statistics of running time",
+            caption=_caption(run, all_splits),
+            figure=figure,
+        )
+    ]
+
+
+def _draw(axes: Axes, mesh: Mesh, found: list[Split]) -> None:
+    longest = max(one.time for one in found)
+    for place, one in enumerate(found):
+        left = 0.0
+        for (_, color, hatch), width in one.parts():
+            axes.barh(
+                place, width, 0.68, left, color=color, hatch=hatch, edgecolor=style.INK,
+                linewidth=0.6,
+            )  # fmt: skip
+            left += width
+        words = f"{seconds(one.time)} s"
+        axes.text(one.time + 0.01 * longest, place, words, va="center", fontsize=9)
+    axes.set_yticks(range(len(found)), [one.solver for one in found])
+    axes.set_ylim(len(found) - 0.45, -0.55)
+    axes.set_xlim(0, 1.14 * longest)
+    axes.tick_params(axis="y", length=0)
+    axes.grid(axis="x")
+    axes.set_title(f"{mesh.label}, {mesh.vertices:,} vertices", loc="left")
+
+
+def _caption(run: Run, all_splits: dict[str, list[Split]]) -> str:
+    everything = [(mesh, one) for mesh, found in all_splits.items() for one in found]
+    shares = [one.overhead / one.time for _, one in everything]
+    scaled = [f"{one.solver} on {mesh} to {one.scale:.0%}" for mesh, one in everything
+              if one.scale < 1]  # fmt: skip
+    absent = [
+        f"{solver} on {mesh} ({failed.text if failed else 'no phase times'})"
+        for mesh, found in all_splits.items()
+        for solver in THESIS_SOLVERS
+        if solver in run.solvers and solver not in [one.solver for one in found]
+        for failed in [failure(run, mesh, solver)]
+    ]
+    return sentences(
+        "A bar is as long as the CPU time of a timed solve, the median over sources and "
+        "repetitions. The phases are those of a solve of their own with timers, whose overhead "
+        f"({min(shares):.0%} to {max(shares):.0%} of the timed solve) is in none of them. "
+        "Rest is the part of the timed solve that no phase accounts for.",
+        f"Phases that took longer than the whole timed solve are scaled to it: {', '.join(scaled)}."
+        if scaled
+        else "",
+        f"Without phases: {', '.join(absent)}." if absent else "",
+    )
+
+
+def main() -> int:
+    parser = drawing_parser(__doc__)
+    parser.add_argument(
+        "--meshes", type=lambda text: text.split(","), default=[], metavar="A,B",
+        help=f"meshes of the run (default: the {MODELS} largest of the thesis's models in it)",
+    )  # fmt: skip
+    options = parser.parse_args()
+    return draw_by(options, lambda run: figures(run, options.meshes))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

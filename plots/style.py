@@ -1,0 +1,149 @@
+"""How every figure looks: page width, type, and one colour, mark and line a solver.
+
+Importing it sets matplotlib's defaults. Colours are those of Okabe and Ito, which colour-blind
+people tell apart. They follow the families: blue is MMP, orange Chen-Han, black edge-based; the
+variant with bucket queue is the lighter one. Mark, line and hatch repeat what the colour says, for
+those who print in grey.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import matplotlib
+
+matplotlib.use("Agg")
+from matplotlib.axis import Axis
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.patheffects import withStroke
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+WIDTH = 6.3
+"""Inches: the text of an A4 page."""
+DPI = 200
+
+INK, PALE, GRID = "#222222", "#767676", "#dddddd"
+
+matplotlib.rcParams.update(
+    {
+        "font.family": "STIXGeneral",
+        "mathtext.fontset": "stix",
+        "font.size": 10,
+        "axes.titlesize": 10.5,
+        "axes.edgecolor": INK,
+        "axes.linewidth": 0.7,
+        "axes.spines.top": False,
+        "axes.spines.right": False,
+        "axes.axisbelow": True,
+        "grid.color": GRID,
+        "grid.linewidth": 0.6,
+        "hatch.linewidth": 0.6,
+        "legend.frameon": False,
+        "legend.fontsize": 9,
+        "legend.handletextpad": 0.5,
+        "legend.columnspacing": 1.4,
+        "lines.linewidth": 1.2,
+        "lines.markersize": 5,
+        "xtick.labelsize": 9,
+        "ytick.labelsize": 9,
+        "pdf.fonttype": 42,
+    }
+)
+
+Dashes = tuple[int, tuple[float, ...]]
+SOLID: Dashes = (0, ())
+
+
+@dataclass(frozen=True)
+class SolverStyle:
+    color: str
+    marker: str
+    line: Dashes
+    hatch: str
+
+
+_FIXED = {
+    "mmp": SolverStyle("#0072B2", "o", SOLID, ""),
+    "fwp-mmp": SolverStyle("#56B4E9", "s", (0, (5, 2)), "////"),
+    "ich": SolverStyle("#D55E00", "^", (0, (6, 2, 1, 2)), "...."),
+    "fwp-ch": SolverStyle("#E69F00", "v", (0, (2, 1.5)), "xxxx"),
+    "edge-based": SolverStyle("#000000", "D", SOLID, ""),
+    "ch": SolverStyle("#CC79A7", "<", (0, (1, 2)), "\\\\\\\\"),
+    "cgal": SolverStyle("#009E73", "P", (0, (8, 2)), "++++"),
+    "dijkstra": SolverStyle("#999999", "X", (0, (1, 1)), "----"),
+}
+_SPARE = [
+    SolverStyle("#882255", "p", (0, (5, 1, 1, 1, 1, 1)), "||||"),
+    SolverStyle("#B8A000", "h", (0, (3, 3)), "oooo"),
+    SolverStyle("#332288", "*", (0, (10, 2)), "//"),
+    SolverStyle("#44AA99", ">", (0, (4, 1)), "\\\\"),
+]
+"""For solvers that nobody has thought of yet, in the order of the run."""
+
+
+def solver_styles(solvers: Iterable[str]) -> dict[str, SolverStyle]:
+    """A style for each solver: its own, or the next spare one (which recur after the last)."""
+    spare = itertools.count()
+    return {
+        solver: _FIXED.get(solver) or _SPARE[next(spare) % len(_SPARE)] for solver in solvers
+    }
+
+
+PUBLISHED: dict[str, Any] = {
+    "marker": "d", "markersize": 6, "linestyle": "", "markeredgewidth": 0.9, "zorder": 4,
+}  # fmt: skip
+"""The mark of a number that the thesis prints: the thin diamond stands for nothing else."""
+RIM = [withStroke(linewidth=2.4, foreground="white")]
+"""Lifts a mark off the bar below it."""
+
+
+def published_mark(color: str, *, context: bool) -> dict[str, Any]:
+    """@param context a stand-in was measured here, so the number is none to meet: hollow"""
+    return PUBLISHED | {
+        "markeredgecolor": color if context else INK,
+        "markerfacecolor": "white" if context else color,
+    }
+
+
+def new_figure(height: float, width: float = WIDTH) -> Figure:
+    """Inches. Of no window system and not remembered by pyplot: it goes when nobody holds it."""
+    figure = Figure(figsize=(width, height), layout="constrained")
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def plain_logarithmic(axis: Axis) -> None:
+    """A logarithmic axis with 0.5, 1, 2 and not powers of ten: for few decades."""
+    axis.axes.set(**{f"{axis.axis_name}scale": "log"})
+    axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.10g}"))
+    axis.set_minor_formatter(NullFormatter())
+
+
+def legend_above(figure: Figure, handles: list[Any], columns: int = 5) -> None:
+    """A legend over all axes, which keep below it; in fewer columns where so many are too wide."""
+    renderer = figure.canvas.get_renderer()
+    for count in range(min(columns, len(handles)), 0, -1):
+        legend = figure.legend(
+            handles=handles, loc="upper center", ncols=count, borderaxespad=0.2
+        )
+        box = legend.get_window_extent(renderer)
+        if box.width <= figure.bbox.width or count == 1:
+            break
+        legend.remove()
+    share = (box.height + 0.08 * figure.dpi) / figure.bbox.height
+    figure.get_layout_engine().set(rect=(0, 0, 1, 1 - share))
+
+
+def save(figure: Figure, file: Path) -> None:
+    """PDF or PNG by the extension; the same figure always gives the same bytes."""
+    undated = {
+        ".pdf": {"CreationDate": None, "Creator": None, "Producer": None},
+        ".png": {"Software": None},
+    }
+    figure.savefig(file, dpi=DPI, metadata=undated[file.suffix])

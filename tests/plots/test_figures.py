@@ -1,0 +1,354 @@
+"""Every figure: refused without its data, whole with it, and the numbers where they belong."""
+
+from __future__ import annotations
+
+import math
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import accuracy
+import drawing
+import figure_5_9
+import figure_5_10
+import numpy as np
+import overview
+import pytest
+import speedup
+import style
+import table_growth
+import time_over_vertices
+import windows_over_limit
+from all import FIGURES, everything
+from dots import BEYOND
+from matplotlib.colors import to_hex, to_rgb
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Rectangle
+from matplotlib.text import Text
+from published import THESIS_SOLVERS
+from results import ROOT, ResultError, Row, Run, read_run
+
+Changed = Callable[[Callable[[dict[str, Any]], object]], Path]
+
+PHASES = {"propagation": 0.4, "trimming": 0.2, "queue": 0.3, "timer_overhead": 0.1}
+"""Shares of the timed solve; a tenth is left."""
+NEEDS = {
+    accuracy: ["max_relative_error"],
+    figure_5_9: ["phase_seconds.queue"],
+    figure_5_10: ["wavefront_sd_edges"],
+    overview: ["window_limit"],
+    speedup: ["cpu_time"],
+    time_over_vertices: ["cpu_time"],
+    windows_over_limit: ["window_propagations"],
+}
+"""Numbers of a row without which there is no figure."""
+
+
+def complete(data: dict[str, Any]) -> None:
+    """What the golden run's old rows lack."""
+    for row in data["benchmarks"]:
+        if row["outcome"] == "ok" and row["solver"] in THESIS_SOLVERS:
+            seconds = row["cpu_time"] / 1000
+            row["phase_seconds"] = {key: share * seconds for key, share in PHASES.items()}
+            row["wavefront_sd_edges"] = 0.2 + 0.1 * THESIS_SOLVERS.index(row["solver"])
+
+
+@pytest.fixture
+def run(changed: Changed) -> Run:
+    return read_run(changed(complete))
+
+
+def changed_rows(run: Run, change: Callable[[Row], Row | None]) -> Run:
+    rows = [change(row) for row in run.rows]
+    return replace(run, rows=[row for row in rows if row is not None])
+
+
+def with_number(run: Run, solver: str, mesh: str, key: str, value: float) -> Run:
+    def change(row: Row) -> Row:
+        mine = (row.solver, row.mesh) == (solver, mesh) and row.ok
+        return replace(row, numbers=row.numbers | {key: value}) if mine else row
+
+    return changed_rows(run, change)
+
+
+def figure_of(module: Any, run: Run) -> Figure:
+    (drawn,) = module.figures(run)
+    assert isinstance(drawn, drawing.Drawing)
+    return drawn.figure
+
+
+def legend(figure: Figure) -> list[str]:
+    (legend,) = figure.legends
+    return [text.get_text() for text in legend.get_texts()]
+
+
+def cut_texts(figure: Figure) -> list[str]:
+    """The texts that reach over the edge of the page by more than a pixel."""
+    figure.canvas.draw()
+    page = figure.bbox.padded(1)
+    renderer = figure.canvas.get_renderer()
+    hidden = beyond_the_axis(figure)
+    texts = [
+        text
+        for text in figure.findobj(Text)
+        if text.get_visible() and text.get_text().strip() and text not in hidden
+    ]
+    boxes = [(text.get_text(), text.get_window_extent(renderer)) for text in texts]
+    assert len(boxes) > 5
+    return [
+        name
+        for name, box in boxes
+        if not (page.x0 <= box.x0 and box.x1 <= page.x1 and page.y0 <= box.y0 and box.y1 <= page.y1)
+    ]
+
+
+def beyond_the_axis(figure: Figure) -> set[Text]:
+    """Labels of ticks that exist but are not drawn."""
+    labels = set()
+    for axis in [axis for axes in figure.axes for axis in (axes.xaxis, axes.yaxis)]:
+        low, high = sorted(axis.get_view_interval())
+        for tick in (*axis.majorTicks, *axis.minorTicks):
+            if not low <= tick.get_loc() <= high:
+                labels |= {tick.label1, tick.label2}
+    return labels
+
+
+def drawn_numbers(figure: Figure) -> list[float]:
+    numbers: list[float] = []
+    for axes in figure.axes:
+        for line in axes.lines:
+            numbers += [*map(float, line.get_xdata()), *map(float, line.get_ydata())]
+        for patch in axes.patches:
+            if isinstance(patch, Rectangle):
+                numbers += [patch.get_x(), patch.get_width()]
+        numbers += [*axes.get_xlim(), *axes.get_ylim()]
+    return numbers
+
+
+def dots_of(figure: Figure, marker: str) -> list[Line2D]:
+    return [line for line in figure.axes[0].lines if line.get_marker() == marker]
+
+
+@pytest.mark.parametrize("module", FIGURES, ids=[module.__name__ for module in FIGURES])
+class TestEveryFigure:
+    def test_no_text_is_cut_and_nothing_drawn_is_infinite(self, module: Any, run: Run) -> None:
+        figure = figure_of(module, run)
+        assert cut_texts(figure) == []
+        assert all(map(math.isfinite, drawn_numbers(figure)))
+        assert all(axes.lines or axes.patches for axes in figure.axes)
+
+    def test_it_has_a_series_for_each_of_the_thesis_s_solvers(self, module: Any, run: Run) -> None:
+        figure = figure_of(module, run)
+        ticks = {label.get_text() for axes in figure.axes for label in axes.get_yticklabels()}
+        found = {text.split(":")[0] for text in legend(figure)} | ticks
+        absent = {speedup: {speedup.BASE}, time_over_vertices: {"fwp-ch"}}
+        assert set(THESIS_SOLVERS) - absent.get(module, set()) <= found
+
+    def test_many_solvers_and_long_names_still_fit(self, module: Any, run: Run) -> None:
+        long = "a-model-with-a-long-name-of-forty-letters"
+        meshes = {name: replace(mesh, name=long if name == "horse" else name)
+                  for name, mesh in run.meshes.items()}  # fmt: skip
+        more = {
+            f"my-own-variant-{i}": replace(run.solvers["mmp"], name=f"my-own-variant-{i}")
+            for i in range(4)
+        }
+        copies = [
+            replace(row, solver=name) for row in run.rows if row.solver == "mmp" for name in more
+        ]
+        rows = [
+            replace(row, mesh=meshes[row.mesh].name) for row in [*run.rows, *copies]
+        ]
+        grown = replace(
+            run, meshes={mesh.name: mesh for mesh in meshes.values()}, rows=rows,
+            solvers=run.solvers | more,
+            sources={meshes[name].name: sources for name, sources in run.sources.items()},
+        )  # fmt: skip
+        assert cut_texts(figure_of(module, grown)) == []
+
+    def test_without_its_numbers_it_is_refused_in_one_line(self, module: Any, run: Run) -> None:
+        def drop(row: Row) -> Row:
+            kept = {k: v for k, v in row.numbers.items() if k not in NEEDS[module]}
+            return replace(row, numbers=kept)
+
+        with pytest.raises(ResultError, match=r"run\.json: no [^\n]*$"):
+            module.figures(changed_rows(run, drop))
+
+    def test_a_run_in_which_everything_failed_is_refused(self, module: Any, run: Run) -> None:
+        def fail(row: Row) -> Row:
+            return replace(row, outcome="crashed", message="signal 11", numbers={})
+
+        with pytest.raises(ResultError):
+            module.figures(changed_rows(run, fail))
+
+    def test_it_says_what_it_shows(self, module: Any, run: Run) -> None:
+        (drawn,) = module.figures(run)
+        assert drawn.caption.endswith(".") and "  " not in drawn.caption
+        assert drawn.name == module.__name__
+
+
+def test_the_same_run_gives_the_same_bytes_in_any_process(run: Run, tmp_path: Path) -> None:
+    for seed in ["1", "2"]:
+        subprocess.run(
+            [sys.executable, str(ROOT / "plots" / "speedup.py"), "--run", str(run.file.parent),
+             "--out", str(tmp_path / seed)],
+            check=True, capture_output=True, env=os.environ | {"PYTHONHASHSEED": seed},
+        )  # fmt: skip
+    for extension in [".png", ".pdf", ".md"]:
+        first, second = (tmp_path / seed / f"speedup{extension}" for seed in ["1", "2"])
+        assert first.read_bytes() == second.read_bytes()
+
+
+def test_all_draws_what_it_can_and_says_what_it_leaves_out(golden_run: Run) -> None:
+    items, left_out = everything(golden_run)
+    assert [one.command for one in left_out] == ["figure_5_9.py", "figure_5_10.py"]
+    assert "phase_seconds" in left_out[0].why
+    assert {"table_5_2.py", "speedup.py", "overview.py"} <= {item.command for item in items}
+
+
+def test_solvers_differ_in_colour_mark_hatch_and_most_of_all_in_grey() -> None:
+    names = [*THESIS_SOLVERS, "ch", "cgal", "dijkstra", "new-one", "newer-one"]
+    looks = style.solver_styles(names)
+    for what in ["color", "marker"]:
+        assert len({getattr(look, what) for look in looks.values()}) == len(names)
+
+    def grey(solver: str) -> float:
+        return float(np.dot(to_rgb(looks[solver].color), [0.299, 0.587, 0.114]))
+
+    for family in [("mmp", "fwp-mmp"), ("ich", "fwp-ch")]:
+        assert grey(family[1]) - grey(family[0]) > 0.15
+    for one, next_one in pairwise(THESIS_SOLVERS):
+        assert looks[one].hatch != looks[next_one].hatch
+
+
+def test_a_known_solver_looks_the_same_beside_unknown_ones() -> None:
+    assert style.solver_styles(["zzz", "ich"])["ich"] == style.solver_styles(["ich"])["ich"]
+
+
+def test_phases_and_rest_make_up_the_timed_solve(run: Run) -> None:
+    one = figure_5_9.split(run, "horse", "ich")
+    assert one is not None
+    shares = {name: value / one.time for (name, _, _), value in one.parts()}
+    assert shares == pytest.approx(
+        {"window propagation": 0.4, "window trimming": 0.2, "queue maintenance": 0.3, "rest": 0.1},
+        rel=0.02,
+    )
+    axes = figure_of(figure_5_9, run).axes[0]
+    row = [bar for bar in axes.patches if round(bar.get_y() + bar.get_height() / 2) == 2]
+    assert sum(bar.get_width() for bar in row) == pytest.approx(one.time)
+
+
+def test_phases_longer_than_the_timed_solve_are_scaled_and_the_caption_says_so(run: Run) -> None:
+    slow = with_number(run, "ich", "horse", "phase_seconds.queue", 100)
+    (drawn,) = figure_5_9.figures(slow)
+    one = figure_5_9.split(slow, "horse", "ich")
+    assert one is not None
+    assert sum(value for _, value in one.parts()) == pytest.approx(one.time)
+    assert "scaled to it: ich on horse to" in drawn.caption
+    assert "scaled" not in figure_5_9.figures(run)[0].caption
+
+
+def test_the_split_is_shown_for_two_models_of_the_thesis_or_those_asked_for(run: Run) -> None:
+    titles = [axes.get_title("left") for axes in figure_of(figure_5_9, run).axes]
+    assert titles == [
+        "horse, 48,485 vertices", "rocker-arm (stand-in for rocker arm), 10,044 vertices",
+    ]  # fmt: skip
+    (drawn,) = figure_5_9.figures(run, ["flat-grid"])
+    assert [axes.get_title("left")[:9] for axes in drawn.figure.axes] == ["flat-grid"]
+    with pytest.raises(ResultError, match="'dragon'"):
+        figure_5_9.figures(run, ["dragon"])
+
+
+def test_a_solver_without_phases_is_named(run: Run) -> None:
+    def drop(row: Row) -> Row:
+        kept = {k: v for k, v in row.numbers.items() if not k.startswith("phase")}
+        return replace(row, numbers=kept) if row.solver == "ich" else row
+
+    (drawn,) = figure_5_9.figures(changed_rows(run, drop))
+    assert "Without phases: ich on horse (no phase times)" in drawn.caption
+
+
+def test_wavefront_quality_is_drawn_where_it_is(run: Run) -> None:
+    marks = dots_of(figure_of(figure_5_10, run), "^")
+    assert [float(mark.get_xdata()[0]) for mark in marks] == pytest.approx([0.4] * 3)
+
+
+def test_a_solver_far_beyond_the_thesis_s_is_written_at_the_edge(run: Run) -> None:
+    far = with_number(run, "ch", "flat-grid", "wavefront_sd_edges", 1000 * BEYOND)
+    figure = figure_of(figure_5_10, far)
+    assert figure.axes[0].get_xlim()[1] < 2
+    assert [text.get_text()[:5] for text in figure.axes[0].texts] == ["2,500"]
+    assert cut_texts(figure) == []
+
+
+def test_bars_are_ratios_and_stand_ins_are_white(run: Run) -> None:
+    axes = figure_of(speedup, run).axes[0]
+    groups = speedup.groups(run, ["edge-based"])
+    assert [group.stand_in for group in groups][:2] == [False, True]
+    colours = {to_hex(bar.get_facecolor()) for bar in axes.patches}
+    assert "#ffffff" in colours and style.solver_styles(["ich"])["ich"].color.lower() in colours
+    (bar,) = groups[0].bars
+    times = {
+        solver: [row.numbers["cpu_time"] for row in run.cell("horse", solver)]
+        for solver in ["mmp", "edge-based"]
+    }
+    ratios = np.divide(times["mmp"], times["edge-based"])
+    assert bar.estimate.value == pytest.approx(float(np.exp(np.mean(np.log(ratios)))))
+    assert bar.published == pytest.approx(4.948, abs=0.001)
+
+
+def test_a_solver_much_slower_than_the_base_has_a_cut_bar_with_its_number(run: Run) -> None:
+    slow = with_number(run, "ch", "flat-grid", "cpu_time", 1e6)
+    figure = figure_of(speedup, slow)
+    assert figure.axes[0].get_xlim()[0] > 0.1
+    assert any("\N{LEFTWARDS ARROW}" in text.get_text() for text in figure.axes[0].texts)
+
+
+def test_published_marks_are_filled_for_models_and_hollow_for_stand_ins(run: Run) -> None:
+    marks = dots_of(figure_of(windows_over_limit, run), "d")
+    by_row: dict[int, set[str]] = {}
+    for mark in marks:
+        row = round(float(mark.get_ydata()[0]))
+        by_row.setdefault(row, set()).add(to_hex(mark.get_markerfacecolor()))
+    assert len(marks) == 2 * len(THESIS_SOLVERS)
+    assert "#ffffff" not in by_row[0] and by_row[1] == {"#ffffff"}
+
+
+def test_truth_is_filled_and_the_word_of_a_solver_hollow(run: Run) -> None:
+    def on_truth(row: Row) -> Row:
+        return replace(row, reference="closed-form") if row.mesh == "flat-grid" else row
+
+    figure = figure_of(accuracy, changed_rows(run, on_truth))
+    faces = [to_hex(mark.get_markerfacecolor()) for mark in dots_of(figure, "D")]
+    assert faces == ["#ffffff", "#ffffff", "#000000"]
+
+
+def test_no_error_at_all_is_drawn_at_the_floor_and_the_bound_is_always_in_sight(run: Run) -> None:
+    for row in run.rows:
+        if "max_relative_error" in row.numbers:
+            row.numbers["max_relative_error"] = 0
+    axes = figure_of(accuracy, run).axes[0]
+    assert {float(mark.get_xdata()[0]) for mark in axes.lines if mark.get_marker() == "D"} == {
+        accuracy.FLOOR
+    }
+    low, high = axes.get_xlim()
+    assert low < accuracy.FLOOR < accuracy.BOUND < high
+
+
+def test_a_solver_with_too_few_sizes_for_a_fit_is_named(run: Run) -> None:
+    (drawn,) = time_over_vertices.figures(run)
+    assert "Without: fwp-ch, ch, dijkstra (fewer than 3 sizes" in drawn.caption
+
+
+def test_the_legend_has_the_exponents_of_the_growth_table(run: Run) -> None:
+    fits = table_growth.tables(run)[1]
+    exponents = {row[0].text: row[-2].value for row in fits.rows}
+    labels = dict(text.split(": ") for text in legend(figure_of(time_over_vertices, run)))
+    assert set(labels) == set(exponents)
+    for solver, value in exponents.items():
+        assert labels[solver].startswith(f"$n^{{{value:.2f}}}$")
