@@ -27,7 +27,7 @@ Without a step, all of them, in this order:
   fetch   generate or download the corpus's meshes into the dataset cache
   run     solve, verify and time every solver on every mesh
   check   fail unless every cell of the run is there and verified
-  plot    write the tables and figures of the run
+  plot    write the tables and figures of the run, and a page that shows them
 check and plot alone work on the newest run, or on the one that --out names.
 
 Options:
@@ -130,7 +130,7 @@ step_check() {
 }
 
 step_plot() {
-  logged "$python" "$root/plots/all.py" --run "$out"
+  logged "$python" "$root/plots/report.py" --run "$out"
 }
 
 # choose_out: the folder that `run` writes and that check and plot read.
@@ -200,6 +200,7 @@ finish() {
   if wants plot; then
     say "Tables: $out/tables (5.1, 5.2 with its ratios and claims, 5.3; as .md, .csv and .tex)"
     say "Figures: $out/figures (as .png and .pdf, with captions in .md)"
+    say "All on one page: $out/report.html"
   elif wants run; then
     say "Results: $out/run.json"
   fi

@@ -25,6 +25,8 @@ SPREAD = 0.8
 """Share of a row's height over which its solvers are spread."""
 WIDE = 20
 """Values that differ by this factor need a logarithmic axis."""
+FEW = 3
+"""As many meshes are named in a caption, more are counted."""
 BEYOND = 2.5
 """Values more than so many times the largest of the thesis's solvers are written at the edge."""
 
@@ -186,10 +188,14 @@ def without_value(run: Run, solvers: Sequence[str]) -> str:
             if failed is not None:
                 causes.setdefault((solver, failed.text), []).append(mesh.name)
     listed = "; ".join(
-        f"{solver}: {outcome} on {', '.join(meshes)}"
+        f"{solver}: {outcome} on {_named_or_counted(meshes)}"
         for (solver, outcome), meshes in causes.items()
     )
     return f"Without a value: {listed}." if listed else ""
+
+
+def _named_or_counted(meshes: list[str]) -> str:
+    return ", ".join(meshes) if len(meshes) <= FEW else f"{len(meshes)} meshes"
 
 
 def sentences(*parts: str) -> str:

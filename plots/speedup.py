@@ -31,6 +31,8 @@ SPEEDUP = Ratio(
 BAR_INCHES = 0.125
 CUT = 0.4
 """Bars are cut here, and the number beside them says how far they would go."""
+NEAR = 1.3
+"""A published mark within this factor of a bar's end is where its number would be."""
 GAP = 1.2
 """Between groups, in bars."""
 
@@ -159,10 +161,14 @@ def _draw_bar(axes: Axes, place: float, bar: Bar, look: SolverStyle, *, pale: bo
         axes.plot(ends, [place, place], color="white", linewidth=3)
         axes.plot(ends, [place, place], color=style.INK, linewidth=1)
     slower = value < 1
+    beside = max(CUT, bar.estimate.low) if slower else bar.estimate.high
+    gap = 3
+    if bar.published is not None and 1 / NEAR < bar.published / beside < NEAR:
+        beside = (min if slower else max)(beside, bar.published)
+        gap = 6
     axes.annotate(
         _number(value) if value == end else f"\N{LEFTWARDS ARROW} {_number(value)}",
-        (max(CUT, bar.estimate.low) if slower else bar.estimate.high, place),
-        (-3 if slower else 3, 0), textcoords="offset points",
+        (beside, place), (-gap if slower else gap, 0), textcoords="offset points",
         ha="right" if slower else "left", va="center", fontsize=7,
     )  # fmt: skip
 

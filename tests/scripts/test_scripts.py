@@ -160,9 +160,10 @@ def test_plot_alone_draws_the_newest_run_twice_in_a_row(checkout: Path) -> None:
     for _ in range(2):
         ended = run(checkout / "run_all.sh", "plot", "--no-install")
         assert ended.returncode == 0, ended.stderr
-        assert ended.stdout.splitlines()[-1].startswith(f"Figures: {folder}/figures")
+        assert ended.stdout.splitlines()[-1].endswith(f": {folder}/report.html")
     assert (folder / "tables" / "table_5_2.md").exists()
     assert (folder / "figures" / "speedup.pdf").exists()
+    assert (folder / "report.html").exists()
     assert "plot: done" in (checkout / "build" / "logs" / "run_all.log").read_text()
 
 

@@ -1,0 +1,236 @@
+#!/usr/bin/python3
+"""Draws everything of a run and shows it on one page that needs nothing else: RUN/report.html."""
+
+from __future__ import annotations
+
+import base64
+import shlex
+import sys
+from collections.abc import Iterable, Sequence
+from html import escape
+from pathlib import Path
+
+import check
+import differences
+import published
+from all import Item, LeftOut, everything
+from command_line import run_folder_parser, write
+from drawing import Drawing
+from html_table import to_html
+from results import ROOT, ResultError, Run, newest_run, read_run
+from style import DPI
+from table import Table
+
+HERE = Path(__file__).resolve().parent
+CSS_DPI = 96
+SECTIONS = {
+    "thesis": "What differs from the thesis",
+    "figures": "Figures",
+    "tables": "Tables",
+    "cells": "Cells",
+    "machine": "Machine and revision",
+    "reproduce": "How to reproduce",
+}
+
+
+def page(run: Run, items: Sequence[Item], left_out: Sequence[LeftOut], pictures: Path) -> str:
+    """@param pictures the folder that the figures' PNG files are in"""
+    folder = _folder(run)
+    tables = [item for item in items if isinstance(item.drawn, Table)]
+    figures = [item for item in items if isinstance(item.drawn, Drawing)]
+    bodies = {
+        "thesis": _thesis(run),
+        "figures": "\n".join(_figure(item, folder, pictures) for item in figures),
+        "tables": "\n".join(_table(item, folder) for item in tables),
+        "cells": _cells(run),
+        "machine": _machine(run),
+        "reproduce": _reproduce(run, folder, left_out),
+    }
+    navigation = "".join(f'<li><a href="#{key}">{SECTIONS[key]}</a></li>' for key in bodies)
+    sections = "\n".join(
+        f'<section id="{key}" class="{key}"><h2>{SECTIONS[key]}</h2>\n{body}\n</section>'
+        for key, body in bodies.items()
+    )
+    title = f"geodesic-bench: corpus {_ours(run, 'corpus')}, {_ours(run, 'started')[:10]}"
+    return f"""<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{escape(title)}</title>
+<link rel="icon" href="data:,">
+<style>
+{_text("report.css")}</style>
+</head>
+<body>
+<header>
+<h1>{escape(title)}</h1>
+<p class="summary">{escape(_summary(run))}</p>
+<nav aria-label="Sections"><ul>{navigation}</ul></nav>
+</header>
+<main>
+{sections}
+</main>
+<dialog aria-label="Figure at full size">
+<form method="dialog"><p></p><button>Close</button></form>
+<div><img alt=""></div></dialog>
+<script>
+{_text("report.js")}</script>
+</body>
+</html>
+"""
+
+
+def _text(name: str) -> str:
+    return (HERE / name).read_text(encoding="utf-8")
+
+
+def _ours(run: Run, key: str) -> str:
+    return str(run.context["geodesic_bench"][key])
+
+
+def _folder(run: Run) -> str:
+    """As one would type it in the checkout."""
+    folder = run.file.parent.resolve()
+    return shlex.quote(str(folder.relative_to(ROOT) if folder.is_relative_to(ROOT) else folder))
+
+
+def _list(lines: Iterable[str], style: str = "") -> str:
+    items = "".join(f"<li{style}>{escape(line)}</li>" for line in lines)
+    return f"<ul>{items}</ul>" if items else ""
+
+
+def _paragraphs(lines: Iterable[str]) -> str:
+    return "\n".join(f"<p>{escape(line)}</p>" for line in lines)
+
+
+def _command(name: str, folder: str) -> str:
+    return f'<p class="command">Drawn by <code>plots/{name} --run {escape(folder)}</code></p>'
+
+
+def _summary(run: Run) -> str:
+    passed = check.cells([row for row in run.rows if row.ok])
+    failed = len(check.failures(run))
+    unsupported = check.cells([row for row in run.rows if row.outcome == check.ALLOWED])
+    stand_ins = sum(mesh.stand_in for mesh in run.meshes.values())
+    return (
+        f"{len(run.solvers)} solvers on {len(run.meshes)} meshes (stand-ins among them: "
+        f"{stand_ins}). Cells: {passed} verified, {failed} failed or missing, {unsupported} not "
+        "supported by their solver. Every time is that of a solver whose distances were verified."
+    )
+
+
+def _thesis(run: Run) -> str:
+    source = (
+        f"Published numbers: {published.citation()}, measured on {published.machine()}. "
+        "All means are geometric."
+    )
+    return _paragraphs([*differences.paragraphs(run), source])
+
+
+def _figure(item: Item, folder: str, pictures: Path) -> str:
+    drawing = item.drawn
+    assert isinstance(drawing, Drawing)
+    png = (pictures / f"{drawing.name}.png").read_bytes()
+    width, height = (
+        int.from_bytes(png[start : start + 4], "big") for start in (16, 20)
+    )  # of the PNG's header
+    data = base64.b64encode(png).decode("ascii")
+    title, alternative = escape(drawing.title), escape(drawing.alternative)
+    return f"""<figure id="{drawing.name}">
+<button type="button" data-title="{title}" aria-label="{title}, at full size">\
+<img src="data:image/png;base64,{data}" alt="{alternative}" \
+width="{width * CSS_DPI // DPI}" height="{height * CSS_DPI // DPI}"></button>
+<figcaption><h3>{title}</h3><p>{escape(drawing.caption)}</p>
+{_command(item.command, folder)}</figcaption>
+</figure>"""
+
+
+def _table(item: Item, folder: str) -> str:
+    table = item.drawn
+    assert isinstance(table, Table)
+    return (
+        f'<article id="{table.name}"><h3 id="{table.name}-title">{escape(table.title)}</h3>\n'
+        f"{to_html(table)}\n{_command(item.command, folder)}</article>"
+    )
+
+
+def _cells(run: Run) -> str:
+    failed = check.failures(run)
+    unsupported = [
+        f"{row.solver}/{row.mesh}/src:{row.source}: {row.message}"
+        for row in run.rows
+        if row.outcome == check.ALLOWED
+    ]
+    skipped = [f"{skip.mesh}, {skip.solver or 'all solvers'}: {skip.why}" for skip in run.skipped]
+    parts = [
+        f"<p>{escape(check.checked_against_truth(run).capitalize())}.</p>",
+        "<h3>Failed or missing</h3>",
+        _list(failed, " class=failed") or "<p>None.</p>",
+        "<h3>Largest relative error of each exact solver</h3>",
+        _list(check.largest_errors(run)),
+    ]
+    for title, lines in {"Not supported": unsupported, "Skipped": skipped}.items():
+        if lines:
+            parts += [f"<h3>{title}</h3>", _list(lines)]
+    return "\n".join(parts)
+
+
+def _machine(run: Run) -> str:
+    modified = {"True": ", modified", "False": "", "None": ", perhaps modified"}
+    facts = {
+        "Revision": _ours(run, "revision") + modified[_ours(run, "modified")],
+        "Started": _ours(run, "started"),
+        "Finished": _ours(run, "finished"),
+        "Processor": f"{_ours(run, 'processor')}, {run.context['num_cpus']} cores seen",
+        "Compiler": f"{_ours(run, 'compiler')} {_ours(run, 'compiler_flags')}",
+        "Build type": _ours(run, "build_type"),
+        "Seed of the sources": _ours(run, "seed"),
+        "Sources a mesh": str(max(map(len, run.sources.values()), default=0)),
+        "Repetitions": _ours(run, "repetitions"),
+    }
+    listed = "".join(f"<dt>{key}</dt><dd>{escape(value)}</dd>" for key, value in facts.items())
+    return f"<dl>{listed}</dl>"
+
+
+def _reproduce(run: Run, folder: str, left_out: Sequence[LeftOut]) -> str:
+    """The commands, from the checkout's root; what this run could not show."""
+    steps = {
+        "The run itself, that is run.json and cells/": _ours(run, "command"),
+        "Every table and figure, and this page": f"plots/report.py --run {folder}",
+        "Whether every cell is there and verified": f"plots/check.py --run {folder}",
+    }
+    listed = "".join(
+        f"<dt>{key}</dt><dd><code>{escape(command)}</code></dd>" for key, command in steps.items()
+    )
+    why = {one: one.why.removeprefix(f"{run.file}: ") for one in left_out}
+    absent = _list(f"plots/{one.command}: {why[one]}" for one in left_out)
+    return (
+        "<p>From the root of a checkout of the revision above. The command under each table and "
+        "figure draws it alone.</p>\n"
+        f"<dl>{listed}</dl>\n"
+        + (f"<h3>Left out, for want of data in this run</h3>{absent}" if absent else "")
+    )
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    options = run_folder_parser(__doc__).parse_args(arguments)
+    try:
+        folder = options.run or newest_run()
+        run = read_run(folder)
+        items, left_out = everything(run)
+        for one in left_out:
+            print(f"left out: {one.command}: {one.why}")
+        for item in items:
+            write(item.drawn, folder, None)
+        file = folder / "report.html"
+        file.write_text(page(run, items, left_out, folder / "figures"), encoding="utf-8")
+        print(file)
+    except (ResultError, OSError) as error:
+        print(f"report.py: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,175 @@
+"""The report page: whole, alone, and with everything that failed; what differs, in words."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any
+
+import differences
+import pytest
+import report
+from html_table import to_html
+from models import models
+from results import ROOT, Run, read_run
+from table import Cell, Table
+
+Changed = Callable[[Callable[[dict[str, Any]], object]], Path]
+
+
+class Page(HTMLParser):
+    """What a reader needs of it: tags with their attributes, and the text."""
+
+    def __init__(self, html: str) -> None:
+        super().__init__()
+        self.tags: list[tuple[str, dict[str, str | None]]] = []
+        self.pieces: list[str] = []
+        self.feed(html)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags.append((tag, dict(attrs)))
+
+    def handle_data(self, data: str) -> None:
+        self.pieces.append(data)
+
+    @property
+    def text(self) -> str:
+        return " ".join(" ".join(self.pieces).split())
+
+    def all_of(self, name: str) -> list[str]:
+        return [value for _, attributes in self.tags if (value := attributes.get(name))]
+
+
+def report_of(folder: Path) -> Page:
+    assert report.main(["--run", str(folder)]) == 0
+    return Page((folder / "report.html").read_text(encoding="utf-8"))
+
+
+def unchanged(data: dict[str, Any]) -> None:
+    pass
+
+
+def test_the_page_shows_every_table_and_figure_and_needs_no_other_file(changed: Changed) -> None:
+    folder = changed(unchanged)
+    page = report_of(folder)
+    drawn = {file.stem for name in ["tables", "figures"] for file in (folder / name).iterdir()}
+    ids = page.all_of("id")
+    assert len(drawn) >= 9 and drawn <= set(ids)
+    assert len(ids) == len(set(ids))
+    for address in [*page.all_of("src"), *page.all_of("href")]:
+        assert address.startswith(("data:", "#")), address[:80]
+        assert not address.startswith("#") or address[1:] in ids
+
+
+def test_every_picture_has_words_in_its_place(changed: Changed) -> None:
+    page = report_of(changed(unchanged))
+    pictures = [attributes for tag, attributes in page.tags if tag == "img" and "src" in attributes]
+    assert len(pictures) == 5
+    assert all(len(attributes["alt"] or "") > 50 for attributes in pictures)
+
+
+def test_every_command_on_the_page_is_there(changed: Changed) -> None:
+    text = report_of(changed(unchanged)).text
+    commands = {word for word in text.split() if word.startswith("plots/") and "--" not in word}
+    assert len(commands) > 8
+    for command in commands:
+        assert (ROOT / command.rstrip(":")).exists()
+
+
+def test_failed_skipped_and_left_out_are_all_on_the_page(changed: Changed) -> None:
+    text = report_of(changed(unchanged)).text
+    for words in [
+        "ich/rocker-arm/src:4711: crashed", "fwp-ch/flat-grid/src:0: wrong answer",
+        "stanford-bunny, all solvers: not in the dataset cache", "Not supported ch/rocker-arm/src:",
+        "figure_5_9.py: no verified cell has phase_seconds", "3 failed or missing, 2 not",
+    ]:  # fmt: skip
+        assert words in text
+
+
+def test_words_of_a_result_file_are_never_markup(changed: Changed) -> None:
+    def change(data: dict[str, Any]) -> None:
+        data["context"]["geodesic_bench"]["processor"] = "<script>alert(1)</script>"
+        for row in data["benchmarks"]:
+            if row["outcome"] != "ok":
+                row["error_message"] = "a < b & </table><img src=x>"
+
+    page = report_of(changed(change))
+    assert "<script>alert(1)</script>" in page.text
+    assert "x" not in page.all_of("src")
+
+
+def test_the_same_run_gives_the_same_page(changed: Changed) -> None:
+    folder = changed(unchanged)
+    report_of(folder)
+    first = (folder / "report.html").read_bytes()
+    report_of(folder)
+    assert (folder / "report.html").read_bytes() == first
+
+
+def test_a_broken_run_ends_in_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert report.main(["--run", str(tmp_path / "none")]) == 1
+    assert len(capsys.readouterr().err.splitlines()) == 1
+
+
+def test_cells_carry_the_number_they_are_sorted_by_and_their_footnote() -> None:
+    table = Table(
+        "t", "T", ["Model", "Time"], 1,
+        [[Cell("10 vertices", "horse"), Cell("1,234", 1234, note="why")],
+         [Cell("knot"), Cell("crashed")]],
+    )  # fmt: skip
+    page = Page(to_html(table))
+    cells = [attributes for tag, attributes in page.tags if tag == "td"]
+    assert [cell.get("data-value") for cell in cells] == ["horse", "1234", None, None]
+    assert "#t-a" in page.all_of("href") and "t-a" in page.all_of("id")
+    assert "10 vertices horse 1,234" in page.text
+
+
+def test_what_differs_is_told_apart_for_models_and_stand_ins(golden_run: Run) -> None:
+    own, stand_ins = differences.paragraphs(golden_run)
+    assert own.startswith("On the thesis's own models in this run (horse): time over that of")
+    assert "mmp 4.96 (4.95)" in own
+    assert "The order from fastest to slowest is the thesis's: edge-based, fwp-mmp, fwp-ch" in own
+    assert "all within 10% of the thesis" in own
+    assert "rocker-arm for rocker arm" in stand_ins and "context only" in stand_ins
+    assert "within" not in stand_ins and "more than" not in stand_ins
+
+
+def change_numbers(run: Run, solver: str, key: str, factor: float) -> Run:
+    rows = [
+        replace(row, numbers=row.numbers | {key: row.numbers[key] * factor})
+        if row.solver == solver and key in row.numbers
+        else row
+        for row in run.rows
+    ]
+    return replace(run, rows=rows)
+
+
+def test_another_order_and_a_far_count_are_said(golden_run: Run) -> None:
+    slow = change_numbers(golden_run, "fwp-mmp", "cpu_time", 10)
+    assert (
+        "they are edge-based, fwp-ch, mmp, ich, fwp-mmp, but in the thesis edge-based, fwp-mmp"
+        in differences.paragraphs(slow)[0]
+    )
+    many = change_numbers(golden_run, "ich", "window_propagations", 1.2)
+    assert "more than 10% from the thesis: ich (docs/metrics.md" in differences.paragraphs(many)[0]
+
+
+def test_means_are_over_models_that_have_both_numbers(golden_run: Run) -> None:
+    rows = [r for r in golden_run.rows if (r.solver, r.mesh) != ("ich", "rocker-arm")]
+    run = replace(golden_run, rows=rows)
+    both = [model for model in models(run) if model.mesh and model.thesis]
+    pairs = differences.compare(run, both, differences.SPEED)
+    assert (pairs["ich"].models, pairs["mmp"].models) == (1, 2)
+    assert pairs["ich"].thesis == pytest.approx(5.14, abs=0.01)
+
+
+def test_a_run_without_the_thesis_s_models_says_so(changed: Changed) -> None:
+    def change(data: dict[str, Any]) -> None:
+        for mesh in data["context"]["geodesic_bench"]["meshes"]:
+            mesh.update(thesis_model=None, stand_in=False)
+
+    assert differences.paragraphs(read_run(changed(change))) == [
+        "None of the thesis's own models was measured in this run."
+    ]

@@ -1,0 +1,155 @@
+"""The report in a browser: opens from disk, sorts, shows a figure, fits a phone."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+import report
+
+pytest.importorskip("selenium", reason="python3-selenium is not installed")
+from selenium import webdriver
+from selenium.webdriver.chrome.options import Options
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+
+CHROMIUM, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")
+pytestmark = pytest.mark.skipif(
+    not (CHROMIUM and DRIVER), reason="chromium or chromium-driver is not installed"
+)
+PHONE = 360
+"""Pixels."""
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    options: Any = Options()
+    options.binary_location = str(CHROMIUM)
+    for argument in [
+        "--headless=new",
+        "--no-sandbox",  # which root cannot have
+        "--disable-gpu",
+        "--disable-dev-shm-usage",
+        "--window-size=1280,900",
+    ]:
+        options.add_argument(argument)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    driver = webdriver.Chrome(service=Service(str(DRIVER)), options=options)
+    yield driver
+    driver.quit()
+
+
+@pytest.fixture(scope="module")
+def address(tmp_path_factory: pytest.TempPathFactory) -> str:
+    folder = tmp_path_factory.mktemp("a run")
+    shutil.copy(Path(__file__).parent / "golden" / "run" / "run.json", folder)
+    assert report.main(["--run", str(folder)]) == 0
+    return (folder / "report.html").as_uri()
+
+
+@pytest.fixture
+def page(browser: Any, address: str) -> Iterator[Any]:
+    """The opened page; whatever a test did on it, the console must have stayed empty."""
+    browser.get(address)
+    yield browser
+    assert browser.get_log("browser") == []
+
+
+def column(page: Any, table: str, index: int) -> list[str]:
+    script = """return [...document.querySelectorAll(`#${arguments[0]} tbody tr`)]
+        .map(row => row.cells[arguments[1]].innerText.trim())"""
+    return [str(text) for text in page.execute_script(script, table, index)]
+
+
+def header(page: Any, table: str, index: int) -> Any:
+    return page.find_elements(By.CSS_SELECTOR, f"#{table} thead th")[index]
+
+
+def test_numbers_sort_as_numbers_up_and_down_and_back(page: Any) -> None:
+    vertices = 2
+    original = column(page, "table_5_1", vertices)
+    states = []
+    for _ in range(3):
+        clicked = header(page, "table_5_1", vertices)
+        clicked.find_element(By.TAG_NAME, "button").click()
+        states.append((clicked.get_attribute("aria-sort"), column(page, "table_5_1", vertices)))
+    words = ["not in this run"] * 6
+    assert states == [
+        ("ascending", ["441", "10,044", "48,485", *words]),
+        ("descending", ["48,485", "10,044", "441", *words]),
+        ("none", original),
+    ]
+    assert original != states[0][1] != states[1][1]
+
+
+def test_sorted_rows_say_which_model_they_belong_to(page: Any) -> None:
+    assert "" in column(page, "table_5_2", 0)
+    header(page, "table_5_2", 2).find_element(By.TAG_NAME, "button").click()
+    labels = column(page, "table_5_2", 0)
+    assert "horse" in labels and "" not in labels
+
+
+def test_the_keyboard_sorts_and_one_column_at_a_time_is_sorted(page: Any) -> None:
+    for index in (0, 2):
+        header(page, "table_5_1", index).find_element(By.TAG_NAME, "button").send_keys(Keys.ENTER)
+    states = [header(page, "table_5_1", i).get_attribute("aria-sort") for i in (0, 2)]
+    assert states == ["none", "ascending"]
+
+
+def test_a_click_shows_a_figure_at_full_size_and_escape_closes_it(page: Any) -> None:
+    dialog = page.find_element(By.TAG_NAME, "dialog")
+    assert not dialog.is_displayed()
+    button = page.find_element(By.CSS_SELECTOR, "#speedup button")
+    shown = button.find_element(By.TAG_NAME, "img").size["width"]
+    button.click()
+    assert dialog.is_displayed()
+    large = dialog.find_element(By.TAG_NAME, "img")
+    assert large.size["width"] > 1.5 * shown > 300
+    assert "Speed-up" in dialog.text
+    page.switch_to.active_element.send_keys(Keys.ESCAPE)
+    assert not dialog.is_displayed()
+
+
+def test_every_picture_is_drawn(page: Any) -> None:
+    widths = page.execute_script(
+        "return [...document.querySelectorAll('figure img')].map(image => image.naturalWidth)"
+    )
+    assert len(widths) == 5 and min(widths) > 1000
+
+
+@pytest.mark.parametrize("width", [PHONE, 768, 1280])
+def test_nothing_reaches_over_the_edge_of_the_page(page: Any, width: int) -> None:
+    page.execute_cdp_cmd(
+        "Emulation.setDeviceMetricsOverride",
+        {"width": width, "height": 800, "deviceScaleFactor": 1, "mobile": width == PHONE},
+    )
+    try:
+        inner, scroll, outside = page.execute_script(
+            """const outside = [...document.querySelectorAll('body *')].filter(element =>
+                 !element.closest('.scroll table, dialog')
+                 && element.getBoundingClientRect().right > innerWidth + 1);
+               return [innerWidth, document.documentElement.scrollWidth,
+                       outside.map(element => element.outerHTML.slice(0, 80))]"""
+        )
+        assert inner == width and scroll <= width
+        assert outside == []
+    finally:
+        page.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+
+def test_in_print_headers_have_words_and_what_is_for_clicking_is_gone(page: Any) -> None:
+    page.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    try:
+        words = page.execute_script(
+            """const header = document.querySelector('#table_5_1 thead th');
+               return getComputedStyle(header, '::before').content"""
+        )
+        assert json.loads(words) == "Model"
+        assert not page.find_element(By.TAG_NAME, "nav").is_displayed()
+    finally:
+        page.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
