@@ -26,6 +26,8 @@ PHASES = {
     "queue": ("queue maintenance", "#CC79A7", "...."),
 }
 """By the key in a row's `phase_seconds`: name, colour, hatch."""
+NOTICED = 0.995
+"""The caption names what is scaled by less than this."""
 REST = ("rest", "white", "")
 OVERHEAD = "timer_overhead"
 
@@ -47,6 +49,11 @@ class Split:
     def scale(self) -> float:
         """1, or what makes the phases fit into the timed solve when they took longer than it."""
         return min(1, self.time / sum(self.phases.values()))
+
+    @property
+    def overhead_share(self) -> float:
+        """Of the solve with timers."""
+        return self.overhead / (self.overhead + sum(self.phases.values()))
 
     def parts(self) -> list[tuple[tuple[str, str, str], float]]:
         shown = {key: seconds * self.scale for key, seconds in self.phases.items()}
@@ -138,9 +145,12 @@ def _draw(axes: Axes, mesh: Mesh, found: list[Split]) -> None:
 
 def _caption(run: Run, all_splits: dict[str, list[Split]]) -> str:
     everything = [(mesh, one) for mesh, found in all_splits.items() for one in found]
-    shares = [one.overhead / one.time for _, one in everything]
-    scaled = [f"{one.solver} on {mesh} to {one.scale:.0%}" for mesh, one in everything
-              if one.scale < 1]  # fmt: skip
+    shares = [one.overhead_share for _, one in everything]
+    scaled = [
+        f"{one.solver} on {mesh} to {one.scale:.0%}"
+        for mesh, one in everything
+        if one.scale < NOTICED
+    ]
     absent = [
         f"{solver} on {mesh} ({failed.text if failed else 'no phase times'})"
         for mesh, found in all_splits.items()
@@ -150,10 +160,10 @@ def _caption(run: Run, all_splits: dict[str, list[Split]]) -> str:
     ]
     return sentences(
         "A bar is as long as the CPU time of a timed solve, the median over sources and "
-        "repetitions. The phases are those of a solve of their own with timers, whose overhead "
-        f"({min(shares):.0%} to {max(shares):.0%} of the timed solve) is in none of them. "
-        "Rest is the part of the timed solve that no phase accounts for.",
-        f"Phases that took longer than the whole timed solve are scaled to it: {', '.join(scaled)}."
+        "repetitions. The phases are those of a solve of their own with timers, whose cost "
+        f"({min(shares):.0%} to {max(shares):.0%} of that solve) is taken out of them. Rest is "
+        "what the timed solve took longer than the phases together.",
+        f"Where the phases together took longer they are scaled: {', '.join(scaled)}."
         if scaled
         else "",
         f"Without phases: {', '.join(absent)}." if absent else "",

@@ -249,7 +249,7 @@ def test_phases_longer_than_the_timed_solve_are_scaled_and_the_caption_says_so(r
     one = figure_5_9.split(slow, "horse", "ich")
     assert one is not None
     assert sum(value for _, value in one.parts()) == pytest.approx(one.time)
-    assert "scaled to it: ich on horse to" in drawn.caption
+    assert "they are scaled: ich on horse to" in drawn.caption
     assert "scaled" not in figure_5_9.figures(run)[0].caption
 
 
