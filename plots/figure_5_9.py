@@ -15,7 +15,7 @@ from command_line import draw_by, drawing_parser
 from dots import ordered_meshes, sentences
 from drawing import Drawing
 from estimates import median
-from measures import TIME, Measure, by_source, columns, failure, seconds, values
+from measures import TIME, Measure, by_source, failure, seconds, values
 from published import THESIS_SOLVERS
 from results import Mesh, ResultError, Run
 
@@ -26,6 +26,8 @@ PHASES = {
     "queue": ("queue maintenance", "#CC79A7", "...."),
 }
 """By the key in a row's `phase_seconds`: name, colour, hatch."""
+SHORT = 0.1
+"""Seconds; figures of shorter solves are in milliseconds."""
 NOTICED = 0.995
 """The caption names what is scaled by less than this."""
 REST = ("rest", "white", "")
@@ -77,7 +79,8 @@ def split(run: Run, mesh: str, solver: str) -> Split | None:
 
 
 def splits(run: Run, mesh: str) -> list[Split]:
-    found = (split(run, mesh, solver) for solver in columns(run))
+    """Of the thesis's solvers."""
+    found = (split(run, mesh, solver) for solver in THESIS_SOLVERS)
     return [one for one in found if one]
 
 
@@ -104,9 +107,11 @@ def figures(run: Run, meshes: Sequence[str] = ()) -> list[Drawing]:
     most = max(map(len, all_splits.values()))
     figure = style.new_figure(1.2 + len(chosen) * (0.55 + 0.26 * most))
     panels = figure.subplots(len(chosen), 1, squeeze=False)[:, 0]
+    longest = max(one.time for found in all_splits.values() for one in found)
+    unit, scale = ("s", 1.0) if longest >= SHORT else ("ms", 1e3)
     for axes, mesh in zip(panels, chosen, strict=True):
-        _draw(axes, mesh, all_splits[mesh.name])
-    panels[-1].set_xlabel("CPU time of one solve (s)")
+        _draw(axes, mesh, all_splits[mesh.name], unit, scale)
+    panels[-1].set_xlabel(f"CPU time of one solve ({unit})")
     kinds = [*PHASES.values(), REST]
     handles = [
         Patch(facecolor=color, hatch=hatch, edgecolor=style.INK, linewidth=0.6, label=name)
@@ -123,18 +128,20 @@ def figures(run: Run, meshes: Sequence[str] = ()) -> list[Drawing]:
     ]
 
 
-def _draw(axes: Axes, mesh: Mesh, found: list[Split]) -> None:
-    longest = max(one.time for one in found)
+def _draw(axes: Axes, mesh: Mesh, found: list[Split], unit: str, scale: float) -> None:
+    """@param scale from seconds to the unit"""
+    longest = scale * max(one.time for one in found)
     for place, one in enumerate(found):
         left = 0.0
-        for (_, color, hatch), width in one.parts():
+        for (_, color, hatch), time in one.parts():
+            width = scale * time
             axes.barh(
                 place, width, 0.68, left, color=color, hatch=hatch, edgecolor=style.INK,
                 linewidth=0.6,
             )  # fmt: skip
             left += width
-        words = f"{seconds(one.time)} s"
-        axes.text(one.time + 0.01 * longest, place, words, va="center", fontsize=9)
+        words = f"{seconds(scale * one.time)} {unit}"
+        axes.text(left + 0.01 * longest, place, words, va="center", fontsize=9)
     axes.set_yticks(range(len(found)), [one.solver for one in found])
     axes.set_ylim(len(found) - 0.45, -0.55)
     axes.set_xlim(0, 1.14 * longest)

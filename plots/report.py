@@ -114,8 +114,8 @@ def _summary(run: Run) -> str:
     unsupported = check.cells([row for row in run.rows if row.outcome == check.ALLOWED])
     stand_ins = sum(mesh.stand_in for mesh in run.meshes.values())
     return (
-        f"{len(run.solvers)} solvers on {len(run.meshes)} meshes (stand-ins among them: "
-        f"{stand_ins}). Cells: {passed} verified, {failed} failed or missing, {unsupported} not "
+        f"Solvers: {len(run.solvers)}. Meshes: {len(run.meshes)}, stand-ins among them: "
+        f"{stand_ins}. Cells: {passed} verified, {failed} failed or missing, {unsupported} not "
         "supported by their solver. Every time is that of a solver whose distances were verified."
     )
 

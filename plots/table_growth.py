@@ -19,6 +19,8 @@ from results import Mesh, ResultError, Run
 from table import Cell, Table
 
 LEAST_MESHES = 3
+LEAST_SPAN = 4
+"""Of the largest mesh over the smallest, in vertices: less shows no growth."""
 CONFIDENCE = 0.95
 REMARKS = [
     "Medians over sources and repetitions. Time per window: CPU time of a timed solve over the "
@@ -75,12 +77,13 @@ def grown(run: Run) -> dict[str, list[Point]]:
     long_enough = {
         solver: points
         for solver, points in all_series.items()
-        if len({point.mesh.vertices for point in points}) >= LEAST_MESHES
+        if len(sizes := {point.mesh.vertices for point in points}) >= LEAST_MESHES
+        and max(sizes) >= LEAST_SPAN * min(sizes)
     }
     if not long_enough:
         raise ResultError(
-            f"{run.file}: no solver has {LEAST_MESHES} meshes of different sizes; "
-            "run --corpus growth"
+            f"{run.file}: no solver has {LEAST_MESHES} meshes of which the largest has "
+            f"{LEAST_SPAN} times the vertices of the smallest; run --corpus growth"
         )
     return long_enough
 

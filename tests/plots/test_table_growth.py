@@ -43,6 +43,7 @@ def test_time_per_window_is_shown_in_nanoseconds_and_by_the_smallest_mesh() -> N
     assert [row[-1].value for row in growth.rows] == pytest.approx([1, 1, 1])
 
 
-def test_fewer_than_three_sizes_are_refused_with_what_to_do() -> None:
+@pytest.mark.parametrize("sizes", [[10, 1000], [100, 120, 399]])
+def test_too_few_sizes_or_too_near_are_refused_with_what_to_do(sizes: list[int]) -> None:
     with pytest.raises(ResultError, match="no solver has 3 meshes.*run --corpus growth"):
-        table_growth.tables(run_of([10, 20], 1.5))
+        table_growth.tables(run_of(sizes, 1.5))
