@@ -106,14 +106,19 @@ class Propagation final : public Propagator {
     fifo_.push_back(h);
   }
 
+  /// What entering the faces around v reads, all at once, so that cache misses overlap.
+  void fetch_ahead(Index v) const {
+    for (const Index h : mesh_.outgoing(v)) {
+      const Index beyond = mesh_.twin(Mesh::next(h));
+      if (beyond != kNone) __builtin_prefetch(&mesh_.half_edge(beyond));
+      lists_.prefetch(h - h % 3);
+    }
+  }
+
   void enter_faces_around(Index v, Recorder& recorder) {
     const bool emits = (vertex_state_[v] & kSource) != 0 || mesh_.is_pseudo_source(v);
     vertex_state_[v] |= kPassed;
-    for (const Index h : mesh_.outgoing(v)) {
-      const Index t = mesh_.twin(Mesh::next(h));
-      if (t != kNone) __builtin_prefetch(&mesh_.half_edge(t));
-      lists_.prefetch(h - h % 3);
-    }
+    fetch_ahead(v);
     for (const Index h : mesh_.outgoing(v)) {
       const Index into = Mesh::previous(h);
       const double at_head = distances_[v] + mesh_.half_edge(h).length;
