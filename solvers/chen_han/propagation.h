@@ -15,6 +15,7 @@
 #include <cmath>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "solvers/chen_han/corners.h"
@@ -44,6 +45,7 @@ class Propagation {
     start(query, distances);
     while (!queue_.empty()) {
       const Stored w = pop();
+      fetch_ahead();
       if (w.is_pseudo_source()) {
         if (!is_outdated(w)) emit(w.root, {w.half_edge, w.x, w.y});
       } else {
@@ -75,12 +77,34 @@ class Propagation {
     limit_ = query.limit;
     pool_.clear();
     queue_.clear();
+    soon_ = sooner_ = kNone;
     corners_.clear();
     for (const Source& source : query.sources) {
       if (!(source.distance < distances_[source.vertex])) continue;
       distances_[source.vertex] = source.distance;
       wait_to_emit(source.vertex, {});
     }
+  }
+
+  /// Lets the memory that upcoming windows need arrive while others are propagated: the window,
+  /// then the face it enters, then the face it comes from, one a turn, since each tells where the
+  /// next is.
+  void fetch_ahead() {
+    const Index* upcoming = queue_.upcoming();
+    const Index latest = upcoming ? *upcoming : kNone;
+    if (latest != kNone) __builtin_prefetch(&pool_[latest]);
+    const Index soon = soon_ == kNone ? kNone : pool_[soon_].half_edge;
+    if (soon != kNone) fetch_face(soon);
+    const Index sooner = sooner_ == kNone ? kNone : pool_[sooner_].half_edge;
+    const Index from = sooner == kNone ? kNone : mesh_.twin(sooner);
+    if (from != kNone) fetch_face(from);
+    sooner_ = std::exchange(soon_, latest);
+  }
+
+  void fetch_face(Index h) const {
+    const Index first = h - h % 3;  // 96 bytes
+    __builtin_prefetch(&mesh_.half_edge(first));
+    __builtin_prefetch(&mesh_.half_edge(first + 2));
   }
 
   void reach(Index v, double distance, const Arrival& arrival) {
@@ -263,6 +287,7 @@ class Propagation {
   std::vector<ShadowedEdge> shadow_;      // scratch, kept for its memory
   std::span<double> distances_;
   double limit_ = kInfinity;
+  Index soon_ = kNone, sooner_ = kNone;  // slots on the way through fetch_ahead
   // Recorded solves only.
   std::uint64_t waiting_ = 0;  // windows in the queue
   Index reached_ = 0;          // vertices with a distance

@@ -47,6 +47,9 @@ class Pool {
     return slot;
   }
 
+  /// Of a slot that was given out since the last `clear`, taken or not.
+  const Item& operator[](Index slot) const { return slots_[slot]; }
+
   /// Removes and returns the item of a slot.
   Item take(Index slot) {
     free_.push_back(slot);
