@@ -23,6 +23,7 @@
 #include "solvers/chen_han/shadow.h"
 #include "solvers/chen_han/stored_window.h"
 #include "solvers/chen_han/unreliable.h"
+#include "solvers/core/prefetch.h"
 #include "solvers/core/tolerance.h"
 #include "solvers/solver.h"
 
@@ -92,7 +93,7 @@ class Propagation {
   void fetch_ahead() {
     const Index* upcoming = queue_.upcoming();
     const Index latest = upcoming ? *upcoming : kNone;
-    if (latest != kNone) __builtin_prefetch(&pool_[latest]);
+    if (latest != kNone) prefetch(&pool_[latest]);
     const Index soon = soon_ == kNone ? kNone : pool_[soon_].half_edge;
     if (soon != kNone) fetch_face(soon);
     const Index sooner = sooner_ == kNone ? kNone : pool_[sooner_].half_edge;
@@ -103,8 +104,8 @@ class Propagation {
 
   void fetch_face(Index h) const {
     const Index first = h - h % 3;  // 96 bytes
-    __builtin_prefetch(&mesh_.half_edge(first));
-    __builtin_prefetch(&mesh_.half_edge(first + 2));
+    prefetch(&mesh_.half_edge(first));
+    prefetch(&mesh_.half_edge(first + 2));
   }
 
   void reach(Index v, double distance, const Arrival& arrival) {

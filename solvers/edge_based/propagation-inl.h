@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "solvers/core/prefetch.h"
 #include "solvers/core/queues/vertex_heap.h"
 #include "solvers/edge_based/kernels-inl.h"
 #include "solvers/edge_based/propagation.h"
@@ -110,7 +111,7 @@ class Propagation final : public Propagator {
   void fetch_ahead(Index v) const {
     for (const Index h : mesh_.outgoing(v)) {
       const Index beyond = mesh_.twin(Mesh::next(h));
-      if (beyond != kNone) __builtin_prefetch(&mesh_.half_edge(beyond));
+      if (beyond != kNone) prefetch(&mesh_.half_edge(beyond));
       lists_.prefetch(h - h % 3);
     }
   }

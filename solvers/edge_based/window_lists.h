@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "solvers/core/geometry.h"
+#include "solvers/core/prefetch.h"
 
 namespace geodesic::edge_based {
 
@@ -44,7 +45,7 @@ class WindowLists {
 
   bool empty(Index h) const { return last_[h] == kNone; }
   std::uint64_t size() const { return size_; }
-  void prefetch(Index h) const { __builtin_prefetch(&last_[h]); }
+  void prefetch(Index h) const { geodesic::prefetch(&last_[h]); }
 
   /// A segment with room for at least `windows`, in no list yet; its count is 0.
   Segment* allocate(std::size_t windows) {

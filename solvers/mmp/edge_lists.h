@@ -9,12 +9,10 @@
 #include <vector>
 
 #include "solvers/core/mesh.h"
+#include "solvers/core/prefetch.h"
 #include "solvers/mmp/segment_pool.h"
 
 namespace geodesic::mmp {
-
-/// Asks for a piece of memory that will be read soon. Any address will do.
-inline void prefetch(const void* address) { __builtin_prefetch(address); }
 
 /// Lists by edge, an edge being named by its own half-edge (edge_window.h). A list is empty until
 /// something reaches its edge; from then on its windows partition the edge.
@@ -33,7 +31,7 @@ class EdgeLists {
   std::span<W> windows(Index edge) { return {lists_[edge].windows, lists_[edge].size}; }
 
   /// Where an edge's list is, before asking for it.
-  void prefetch(Index edge) const { mmp::prefetch(&lists_[edge]); }
+  void prefetch(Index edge) const { geodesic::prefetch(&lists_[edge]); }
 
   /// Number of edges, reached or not, as the upper bound of their names.
   Index edge_bound() const { return static_cast<Index>(lists_.size()); }

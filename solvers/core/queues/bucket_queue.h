@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "solvers/core/queues/bucket_numbers.h"
 #include "solvers/core/queues/key_heap.h"
 
 namespace geodesic {
@@ -28,8 +29,7 @@ class BucketQueue {
  public:
   /// @param width keys covered by one bucket, in the keys' unit; mean edge length / sqrt(vertices)
   ///        is the published choice. Not positive: one bucket takes everything.
-  explicit BucketQueue(double width)
-      : per_width_(width > 0 ? std::min(1 / width, kGreatestFactor) : 0), ring_(kRing) {}
+  explicit BucketQueue(double width) : numbers_(width), ring_(kRing) {}
 
   bool empty() const { return size_ == 0; }
   std::size_t size() const { return size_; }
@@ -50,7 +50,7 @@ class BucketQueue {
 
   /// @param key not negative; less than the key of the item popped last only by rounding
   void push(double key, Item item) {
-    const std::int64_t offset = number(key) - base_;
+    const std::int64_t offset = numbers_.of(key) - base_;
     balance_ += offset >= phase_span_ ? 1 : -1;
     if (offset < kRing) {
       put(offset, item);
@@ -61,7 +61,7 @@ class BucketQueue {
   }
 
   /// True when the running phase takes items of this key, so that one need not be queued.
-  bool is_due(double key) const { return number(key) - base_ < phase_span_; }
+  bool is_due(double key) const { return numbers_.of(key) - base_ < phase_span_; }
 
   /// An item that a few others precede, for its data to be fetched meanwhile; null when none is
   /// known. Valid until the next push.
@@ -85,8 +85,6 @@ class BucketQueue {
   static constexpr std::int64_t kRing = 1 << 14;    // buckets; a power of two
   static constexpr std::uint32_t kEnd = ~0u;        // no node
   static constexpr std::int64_t kNoPhase = -kRing;  // everything lies beyond the ring
-  static constexpr double kGreatestFactor = 1e300;
-  static constexpr double kGreatestNumber = 9e18;  // fits std::int64_t
 
   struct Node {
     Item item;
@@ -101,10 +99,6 @@ class BucketQueue {
     if (from.count == 0) return;
     from.first = nodes_[from.first].next;
     --from.count;
-  }
-
-  std::int64_t number(double key) const {
-    return static_cast<std::int64_t>(std::min(key * per_width_, kGreatestNumber));
   }
 
   Bucket& bucket(std::int64_t offset) {
@@ -134,16 +128,16 @@ class BucketQueue {
   // Moves the ring's start to the first bucket that holds anything.
   void advance() {
     if (in_ring_ == 0) {
-      base_ = number(far_.least().key_value());
+      base_ = numbers_.of(far_.least().key_value());
     } else {
       std::int64_t empty = 0;
       while (bucket(empty).count == 0) ++empty;
       head_ += empty;
       base_ += empty;
     }
-    while (!far_.empty() && number(far_.least().key_value()) - base_ < kRing) {
+    while (!far_.empty() && numbers_.of(far_.least().key_value()) - base_ < kRing) {
       const auto entry = far_.pop();
-      put(number(entry.key_value()) - base_, entry.item);
+      put(numbers_.of(entry.key_value()) - base_, entry.item);
     }
   }
 
@@ -168,7 +162,7 @@ class BucketQueue {
     from = {};
   }
 
-  double per_width_;
+  BucketNumbers numbers_;
   std::vector<Bucket> ring_;      // buckets base_ to base_ + kRing - 1
   std::int64_t head_ = 0;         // position of bucket base_ in the ring, modulo its size
   std::int64_t base_ = kNoPhase;  // number of the running phase's first bucket

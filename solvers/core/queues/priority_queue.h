@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "solvers/core/queues/bucket_numbers.h"
 #include "solvers/core/queues/key_heap.h"
 
 namespace geodesic {
@@ -23,8 +24,7 @@ class PriorityQueue {
  public:
   /// @param width keys covered by one bucket, in the keys' unit; best when a bucket holds but a
   ///        few items. Not positive: one heap takes everything.
-  explicit PriorityQueue(double width)
-      : per_width_(width > 0 ? std::min(1 / width, kGreatestFactor) : 0), ring_(kRing, kEnd) {}
+  explicit PriorityQueue(double width) : numbers_(width), ring_(kRing, kEnd) {}
 
   bool empty() const { return size_ == 0; }
   std::size_t size() const { return size_; }
@@ -90,8 +90,6 @@ class PriorityQueue {
   static constexpr std::size_t kRing = 1u << 14;  // buckets
   static constexpr std::uint64_t kPreview = 4;    // buckets that `upcoming` looks into
   static constexpr std::uint32_t kEnd = ~0u;      // no node
-  static constexpr double kGreatestFactor = 1e300;
-  static constexpr double kGreatestNumber = 9e18;  // fits std::uint64_t
 
   struct Node {
     Entry entry;
@@ -99,7 +97,7 @@ class PriorityQueue {
   };
 
   std::uint64_t number(const Entry& entry) const {
-    return static_cast<std::uint64_t>(std::min(entry.key_value() * per_width_, kGreatestNumber));
+    return static_cast<std::uint64_t>(numbers_.of(entry.key_value()));
   }
 
   void put(std::uint32_t& bucket, const Entry& entry) {
@@ -141,7 +139,7 @@ class PriorityQueue {
     while (!far_.empty() && number(far_.least()) == current_) near_.push(far_.pop());
   }
 
-  double per_width_;
+  BucketNumbers numbers_;
   KeyHeap<Item> near_;               // buckets up to current_
   std::vector<std::uint32_t> ring_;  // first node of buckets current_ + 1 ... current_ + kRing - 1
   KeyHeap<Item> far_;                // what lay beyond the ring when it was pushed
