@@ -33,15 +33,15 @@ class Propagation final : public Propagator {
   }
 
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
-    if constexpr (std::is_same_v<Recorder, CountingRecorder>) {
-      recording->window_bytes = sizeof(Window);
-      run(query, distances, CountingRecorder(*recording));
-    } else if constexpr (std::is_same_v<Recorder, TimingRecorder>) {
-      PhaseTimer timer;
-      run(query, distances, TimingRecorder(timer));
-      recording->phase_times = timer.times();
-    } else {
+    if constexpr (std::is_same_v<Recorder, NoRecorder>) {
       run(query, distances, NoRecorder());
+    } else {
+      if constexpr (Recorder::kRecords) recording->window_bytes = sizeof(Window);
+      solve_recording(*recording, [&](auto recorder) {
+        if constexpr (std::is_same_v<decltype(recorder), Recorder>) {
+          run(query, distances, recorder);
+        }
+      });
     }
   }
 
