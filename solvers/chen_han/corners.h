@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "solvers/core/geometry.h"
+#include "solvers/core/prefetch.h"
 
 namespace geodesic::chen_han {
 
@@ -34,6 +35,9 @@ class Corners {
     if (crossing < owner.crossing - resolution) return Children::left;
     return crossing > owner.crossing + resolution ? Children::right : Children::both;
   }
+
+  /// Starts to bring the owner of a corner near.
+  void fetch(Index h) const { prefetch(&owners_[h]); }
 
  private:
   struct Owner {

@@ -15,7 +15,6 @@
 #include <cmath>
 #include <span>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "solvers/chen_han/corners.h"
@@ -25,6 +24,7 @@
 #include "solvers/chen_han/unreliable.h"
 #include "solvers/core/prefetch.h"
 #include "solvers/core/tolerance.h"
+#include "solvers/core/upcoming.h"
 #include "solvers/solver.h"
 
 namespace geodesic::chen_han {
@@ -78,7 +78,7 @@ class Propagation {
     limit_ = query.limit;
     pool_.clear();
     queue_.clear();
-    soon_ = sooner_ = kNone;
+    upcoming_.clear();
     corners_.clear();
     for (const Source& source : query.sources) {
       if (!(source.distance < distances_[source.vertex])) continue;
@@ -88,24 +88,35 @@ class Propagation {
   }
 
   /// Lets the memory that upcoming windows need arrive while others are propagated: the window,
-  /// then the face it enters, then the face it comes from, one a turn, since each tells where the
-  /// next is.
+  /// then the face it enters, then the face it comes from and distances.
   void fetch_ahead() {
-    const Index* upcoming = queue_.upcoming();
-    const Index latest = upcoming ? *upcoming : kNone;
-    if (latest != kNone) prefetch(&pool_[latest]);
-    const Index soon = soon_ == kNone ? kNone : pool_[soon_].half_edge;
-    if (soon != kNone) fetch_face(soon);
-    const Index sooner = sooner_ == kNone ? kNone : pool_[sooner_].half_edge;
-    const Index from = sooner == kNone ? kNone : mesh_.twin(sooner);
-    if (from != kNone) fetch_face(from);
-    sooner_ = std::exchange(soon_, latest);
+    const Index* told = queue_.upcoming();
+    upcoming_.advance(told ? *told : kNone);
+    if (upcoming_[0] != kNone) {
+      const auto* w = reinterpret_cast<const char*>(&pool_[upcoming_[0]]);
+      prefetch(w);
+      prefetch(w + sizeof(Stored) - 1);
+    }
+    if (const Stored* w = upcoming_window(1)) {
+      mesh_.fetch_face(w->half_edge);
+      corners_.fetch(w->half_edge);
+      prefetch(&distances_[w->root]);
+    }
+    if (const Stored* w = upcoming_window(2)) {
+      mesh_.fetch_face(mesh_.twin(w->half_edge));
+      prefetch(&distances_[mesh_.origin(w->half_edge)]);
+      prefetch(&distances_[mesh_.head(w->half_edge)]);
+      prefetch(&distances_[mesh_.apex(w->half_edge)]);
+    }
+    if (const Stored* w = upcoming_window(3)) {
+      prefetch(&distances_[mesh_.apex(mesh_.twin(w->half_edge))]);
+    }
   }
 
-  void fetch_face(Index h) const {
-    const Index first = h - h % 3;  // 96 bytes
-    prefetch(&mesh_.half_edge(first));
-    prefetch(&mesh_.half_edge(first + 2));
+  /// The window at a stage of fetch_ahead; null when there is none.
+  const Stored* upcoming_window(std::size_t stage) const {
+    const Index slot = upcoming_[stage];
+    return slot == kNone || pool_[slot].is_pseudo_source() ? nullptr : &pool_[slot];
   }
 
   void reach(Index v, double distance, const Arrival& arrival) {
@@ -288,7 +299,7 @@ class Propagation {
   std::vector<ShadowedEdge> shadow_;      // scratch, kept for its memory
   std::span<double> distances_;
   double limit_ = kInfinity;
-  Index soon_ = kNone, sooner_ = kNone;  // slots on the way through fetch_ahead
+  Upcoming<4> upcoming_;  // slots on the way through fetch_ahead
   // Recorded solves only.
   std::uint64_t waiting_ = 0;  // windows in the queue
   Index reached_ = 0;          // vertices with a distance

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "solvers/core/geometry.h"
+#include "solvers/core/prefetch.h"
 
 namespace geodesic {
 
@@ -87,6 +88,13 @@ class Mesh {
 
   const Vec3& position(Index v) const { return positions_[v]; }
   std::span<const Vec3> positions() const { return positions_; }
+  /// Starts to bring the half-edges of the face of h near; h may be kNone.
+  void fetch_face(Index h) const {
+    if (h == kNone) return;
+    const HalfEdge* face = &half_edges_[h - h % 3];
+    prefetch(face);
+    prefetch(face + 2);
+  }
   Triangle triangle(Index f) const { return {origin(3 * f), origin(3 * f + 1), origin(3 * f + 2)}; }
 
   /// Mean length over edges (not half-edges); 0 for a mesh without faces.

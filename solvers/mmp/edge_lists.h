@@ -30,8 +30,15 @@ class EdgeLists {
 
   std::span<W> windows(Index edge) { return {lists_[edge].windows, lists_[edge].size}; }
 
-  /// Where an edge's list is, before asking for it.
-  void prefetch(Index edge) const { geodesic::prefetch(&lists_[edge]); }
+  /// Starts to bring near where an edge's list is, and, once that is near, the list itself: its
+  /// ends, where most windows land, and its middle, where a search begins.
+  void fetch(Index edge) const { prefetch(&lists_[edge]); }
+  void fetch_windows(Index edge) const {
+    const List& list = lists_[edge];
+    prefetch(list.windows);
+    prefetch(list.windows + list.size / 2);
+    prefetch(list.windows + list.size);
+  }
 
   /// Number of edges, reached or not, as the upper bound of their names.
   Index edge_bound() const { return static_cast<Index>(lists_.size()); }

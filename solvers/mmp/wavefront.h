@@ -11,6 +11,7 @@
 
 #include "solvers/core/recording.h"
 #include "solvers/core/tolerance.h"
+#include "solvers/core/upcoming.h"
 #include "solvers/mmp/edge_lists.h"
 #include "solvers/mmp/edge_window.h"
 #include "solvers/mmp/overlay.h"
@@ -40,7 +41,7 @@ class Wavefront {
     lists_.clear();
     queue_.clear();
     tickets_.clear();
-    soon_ = sooner_ = kNone;
+    upcoming_.clear();
     sigmas_.clear();
     tally_ = {};
     // A window whose key exceeds the limit by rounding may reach a vertex that lies on it.
@@ -145,20 +146,44 @@ class Wavefront {
   enum class Change { joins, leaves };
 
   /// Has the memory fetched that the next takes will read, each address of which lies behind the
-  /// one before: ticket, list and window, in as many turns.
+  /// one before: ticket, list, window and faces, and the lists that its children are laid over.
   void fetch_ahead(const Mesh& mesh) {
-    const Index* upcoming = queue_.upcoming();
-    const Index latest = upcoming ? *upcoming : kNone;
-    if (latest != kNone) prefetch(&tickets_[latest]);
-    if (soon_ != kNone && tickets_[soon_].is_window()) {
-      prefetch(&mesh.half_edge(tickets_[soon_].id));
-      lists_.prefetch(tickets_[soon_].id);
+    const Index* told = queue_.upcoming();
+    upcoming_.advance(told ? *told : kNone);
+    if (upcoming_[0] != kNone) prefetch(&tickets_[upcoming_[0]]);
+    if (const Ticket* ticket = upcoming_ticket(1)) {
+      mesh.fetch_face(ticket->id);
+      lists_.fetch(ticket->id);
     }
-    if (sooner_ != kNone && tickets_[sooner_].is_window()) {
-      const Ticket& ticket = tickets_[sooner_];
-      prefetch(lists_.windows(ticket.id).data() + ticket.index);
+    if (const Ticket* ticket = upcoming_ticket(2)) {
+      prefetch(lists_.windows(ticket->id).data() + ticket->index);
+      mesh.fetch_face(mesh.twin(ticket->id));
     }
-    sooner_ = std::exchange(soon_, latest);
+    if (const Ticket* ticket = upcoming_ticket(3)) {
+      for_each_target(mesh, *ticket, [&](Index edge) { lists_.fetch(edge); });
+    }
+    if (const Ticket* ticket = upcoming_ticket(4)) {
+      for_each_target(mesh, *ticket, [&](Index edge) { lists_.fetch_windows(edge); });
+    }
+  }
+
+  /// The ticket of a window at a stage of fetch_ahead; null when there is none.
+  const Ticket* upcoming_ticket(std::size_t stage) {
+    const Index number = upcoming_[stage];
+    return number == kNone || !tickets_[number].is_window() ? nullptr : &tickets_[number];
+  }
+
+  /// Calls visit(edge) for the two edges that a window's children will be laid over. By then
+  /// another window may lie at its index: a hint is enough here.
+  template <class Visit>
+  void for_each_target(const Mesh& mesh, const Ticket& ticket, Visit&& visit) {
+    const std::span<const W> list = lists_.windows(ticket.id);
+    const W& w = list[std::min<std::size_t>(ticket.index, list.size() - 1)];
+    const Index into = w.y < 0 ? ticket.id : mesh.twin(ticket.id);
+    if (into == kNone) return;
+    for (const Index h : {Mesh::next(into), Mesh::previous(into)}) {
+      visit(std::min(h, mesh.twin(h)));
+    }
   }
 
   /// Index in its list of the window that holds a ticket.
@@ -235,8 +260,8 @@ class Wavefront {
   EdgeLists<W> lists_;
   Queue queue_;
   Tickets tickets_;
-  Index soon_ = kNone, sooner_ = kNone;  // tickets on the way through fetch_ahead
-  std::vector<double> sigmas_;           // by number of source
+  Upcoming<5> upcoming_;        // tickets on the way through fetch_ahead
+  std::vector<double> sigmas_;  // by number of source
   double limit_ = kInfinity;
   Recorder* recorder_ = nullptr;
   Tally tally_;

@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "solvers/core/prefetch.h"
 #include "solvers/core/queues/bucket_numbers.h"
 #include "solvers/core/queues/key_heap.h"
 
@@ -73,6 +74,7 @@ class BucketQueue {
     const std::uint32_t at = phase_.first;
     drop_first(phase_);
     drop_first(ahead_);
+    if (ahead_.count > 0) prefetch(&nodes_[ahead_.first]);
     --size_;
     nodes_[at].next = free_;
     free_ = at;
@@ -81,7 +83,7 @@ class BucketQueue {
 
  private:
   static constexpr std::ptrdiff_t kMinimum = 6;     // K never falls below
-  static constexpr int kAhead = 4;                  // items between the next one and `upcoming`
+  static constexpr int kAhead = 8;                  // items between the next one and `upcoming`
   static constexpr std::int64_t kRing = 1 << 14;    // buckets; a power of two
   static constexpr std::uint32_t kEnd = ~0u;        // no node
   static constexpr std::int64_t kNoPhase = -kRing;  // everything lies beyond the ring

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "solvers/core/prefetch.h"
 #include "solvers/core/queues/bucket_numbers.h"
 #include "solvers/core/queues/key_heap.h"
 
@@ -75,6 +76,7 @@ class PriorityQueue {
     }
     const Node& node = nodes_[preview_];
     preview_ = node.next;
+    if (preview_ != kEnd) prefetch(&nodes_[preview_]);
     return &node.entry.item;
   }
 
