@@ -8,14 +8,15 @@
 
 #include "harness/error.h"
 #include "harness/meshes/bytes.h"
+#include "harness/results/npy.h"
 
 namespace geodesic::generators {
 namespace {
 
 using harness::HarnessError;
-
-constexpr std::string_view kMagic = "\x93NUMPY";
-constexpr std::size_t kPreamble = 10;  // bytes: magic, version, length of the header
+using harness::kNpyMagic;
+using harness::kNpyPreamble;
+using harness::npy_type;
 
 /// Reads one number of a type from its bytes.
 template <class T>
@@ -28,10 +29,12 @@ struct NumberType {
   std::size_t bytes;
   double (*load)(const char* bytes);
 };
-constexpr NumberType kNumberTypes[] = {{"<i2", 2, load<std::int16_t>},
-                                       {"<i4", 4, load<std::int32_t>},
-                                       {"<f4", 4, load<float>},
-                                       {"<f8", 8, load<double>}};
+template <class T>
+constexpr NumberType number_type() {
+  return {npy_type<T>(), sizeof(T), load<T>};
+}
+constexpr NumberType kNumberTypes[] = {number_type<std::int16_t>(), number_type<std::int32_t>(),
+                                       number_type<float>(), number_type<double>()};
 
 /// The header: a Python dictionary of one line, like
 /// {'descr': '<i2', 'fortran_order': False, 'shape': (344, 403), }
@@ -98,18 +101,18 @@ class Header {
 };
 
 std::string_view header_of(std::string_view bytes, const std::string& name) {
-  if (!bytes.starts_with(kMagic)) throw HarnessError(name + ": not a .npy file");
-  if (bytes.size() < kPreamble) throw HarnessError(name + ": truncated; get a whole copy");
+  if (!bytes.starts_with(kNpyMagic)) throw HarnessError(name + ": not a .npy file");
+  if (bytes.size() < kNpyPreamble) throw HarnessError(name + ": truncated; get a whole copy");
   if (bytes[6] != 1 || bytes[7] != 0) {
     throw HarnessError(name +
                        ": a .npy file of a version other than 1.0; save it again with numpy");
   }
   const std::size_t length =
       harness::load_number<std::uint16_t>(bytes.data() + 8, std::endian::little);
-  if (bytes.size() - kPreamble < length) {
+  if (bytes.size() - kNpyPreamble < length) {
     throw HarnessError(name + ": truncated within its header; get a whole copy");
   }
-  return bytes.substr(kPreamble, length);
+  return bytes.substr(kNpyPreamble, length);
 }
 
 void require_size(const Array& array, std::size_t number_bytes, std::size_t data_bytes,
@@ -134,7 +137,7 @@ Array parse_npy(std::string_view bytes, const std::string& name) {
   const NumberType& type = header.type();
   header.require_c_order();
   Array array = header.shape();
-  const std::string_view data = bytes.substr(kPreamble + text.size());
+  const std::string_view data = bytes.substr(kNpyPreamble + text.size());
   require_size(array, type.bytes, data.size(), name);
   array.values.reserve(array.rows * array.columns);
   for (std::size_t i = 0; i < data.size(); i += type.bytes) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <string>
 
 namespace geodesic::harness {
 
@@ -23,6 +24,14 @@ void store_little_endian(T number, char* bytes) {
   auto raw = std::bit_cast<std::array<char, sizeof(T)>>(number);
   if (std::endian::native != std::endian::little) std::reverse(raw.begin(), raw.end());
   std::memcpy(bytes, raw.data(), sizeof(T));
+}
+
+/// Appends a number in little-endian order.
+template <class T>
+void append_little_endian(std::string& bytes, T number) {
+  std::array<char, sizeof(T)> raw;
+  store_little_endian(number, raw.data());
+  bytes.append(raw.data(), raw.size());
 }
 
 }  // namespace geodesic::harness

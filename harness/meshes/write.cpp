@@ -53,13 +53,6 @@ std::string to_off(const TriangleSoup& soup) {
   return text;
 }
 
-template <class T>
-void append_binary(std::string& bytes, T number) {
-  std::array<char, sizeof(T)> raw;
-  store_little_endian(number, raw.data());
-  bytes.append(raw.data(), raw.size());
-}
-
 std::string to_ply(const TriangleSoup& soup) {
   std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " +
                       std::to_string(soup.positions.size()) +
@@ -67,11 +60,11 @@ std::string to_ply(const TriangleSoup& soup) {
                       std::to_string(soup.triangles.size()) +
                       "\nproperty list uchar uint vertex_indices\nend_header\n";
   for (const Vec3& point : soup.positions) {
-    for (const double coordinate : point) append_binary(bytes, coordinate);
+    for (const double coordinate : point) append_little_endian(bytes, coordinate);
   }
   for (const Triangle& triangle : soup.triangles) {
     bytes += '\3';
-    for (const Index v : triangle) append_binary(bytes, v);
+    for (const Index v : triangle) append_little_endian(bytes, v);
   }
   return bytes;
 }
@@ -98,9 +91,7 @@ void write_mesh(const std::filesystem::path& path, const TriangleSoup& soup) {
     throw HarnessError("cannot write '" + path.string() +
                        "': a mesh is written as .obj, .off or .ply");
   }
-  AtomicFile file(path);
-  file.stream().write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.commit();
+  write_bytes(path, bytes);
 }
 
 }  // namespace geodesic::harness

@@ -43,6 +43,12 @@ void AtomicFile::commit() {
   stream_.close();
 }
 
+void write_bytes(const fs::path& path, std::string_view bytes) {
+  AtomicFile file(path);
+  file.stream().write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file.commit();
+}
+
 void write_json(const fs::path& path, const Json& json) {
   AtomicFile file(path);
   file.stream() << json.dump(2) << '\n';

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <ostream>
+#include <string_view>
 
 #include "harness/json.h"
 
@@ -30,6 +31,9 @@ class AtomicFile {
   std::filesystem::path written_;  // the temporary name, or path_ itself
   std::ofstream stream_;
 };
+
+/// Writes a file, whole or not at all. @throws HarnessError
+void write_bytes(const std::filesystem::path& path, std::string_view bytes);
 
 /// Writes indented JSON, whole or not at all. @throws HarnessError
 void write_json(const std::filesystem::path& path, const Json& json);

@@ -8,10 +8,7 @@
 namespace geodesic::harness {
 
 void write_distances(const std::filesystem::path& file, std::span<const double> distances) {
-  AtomicFile out(file);
-  out.stream().write(reinterpret_cast<const char*>(distances.data()),
-                     static_cast<std::streamsize>(distances.size_bytes()));
-  out.commit();
+  write_bytes(file, {reinterpret_cast<const char*>(distances.data()), distances.size_bytes()});
 }
 
 std::vector<double> read_distances(const std::filesystem::path& file, std::size_t vertices) {
