@@ -1,34 +1,13 @@
 // `ch`, `ich` and `fwp-ch`: one propagation of windows in three orders, filtered but for `ch`.
 #include <stdexcept>
 
+#include "solvers/chen_han/policies.h"
 #include "solvers/chen_han/propagation.h"
-#include "solvers/core/queues/bucket_queue.h"
-#include "solvers/core/queues/bucket_width.h"
-#include "solvers/core/queues/fifo_queue.h"
-#include "solvers/core/queues/priority_queue.h"
+#include "solvers/chen_han/recorded.h"
 #include "solvers/registry.h"
 
 namespace geodesic::chen_han {
 namespace {
-
-struct Ch {
-  using Filter = NoFilter;
-  using Queue = FifoQueue<Index>;
-  static Queue make_queue(const Mesh&) { return {}; }
-};
-
-struct Ich {
-  using Filter = XinWangFilter;
-  using Queue = PriorityQueue<Index>;
-  static Queue make_queue(const Mesh& mesh) { return Queue(priority_bucket_width(mesh)); }
-};
-
-struct FwpCh {
-  using Filter = XinWangFilter;
-  using Queue = BucketQueue<Index>;
-  /// Buckets of the published width.
-  static Queue make_queue(const Mesh& mesh) { return Queue(published_bucket_width(mesh)); }
-};
 
 template <class Policy>
 class ChenHan final : public Solver {
@@ -45,10 +24,7 @@ class ChenHan final : public Solver {
 
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
     if (recording == nullptr) return propagation_.run(query, distances);
-    solve_recording(*recording, [&](auto recorder) {
-      if constexpr (recorder.kRecords) recording->window_bytes = sizeof(StoredWindow<NoDepth>);
-      Propagation<Policy, decltype(recorder)>(mesh(), recorder).run(query, distances);
-    });
+    solve_recorded<Policy>(mesh(), query, distances, *recording);
   }
 
   Propagation<Policy, NoRecorder> propagation_;

@@ -53,7 +53,9 @@ class Propagation {
         if constexpr (Recorder::kRecords) --waiting_;
         if (!is_outdated(w) && !is_useless(w)) propagate(w);
       }
-      if constexpr (Recorder::kRecords) sample();
+      if constexpr (Recorder::kRecords) {
+        if (progress_.made_step()) sample();
+      }
     }
   }
 
@@ -61,7 +63,6 @@ class Propagation {
   using Filter = typename Policy::Filter;
   using Depth = std::conditional_t<Filter::filters, typename Recorder::Depth, StripDepth>;
   using Stored = StoredWindow<Depth>;
-  static constexpr Index kSamples = 64;  // of the wavefront, at equal steps of vertices reached
 
   Stored pop() {
     const auto timed = recorder_.enter(Phase::queue);
@@ -80,9 +81,10 @@ class Propagation {
     queue_.clear();
     upcoming_.clear();
     corners_.clear();
+    if constexpr (Recorder::kRecords) progress_.start(mesh_, query);
     for (const Source& source : query.sources) {
       if (!(source.distance < distances_[source.vertex])) continue;
-      distances_[source.vertex] = source.distance;
+      set_distance(source.vertex, source.distance);
       wait_to_emit(source.vertex, {});
     }
   }
@@ -119,10 +121,14 @@ class Propagation {
     return slot == kNone || pool_[slot].is_pseudo_source() ? nullptr : &pool_[slot];
   }
 
+  void set_distance(Index v, double distance) {
+    if constexpr (Recorder::kRecords) progress_.reach(distances_[v]);
+    distances_[v] = distance;
+  }
+
   void reach(Index v, double distance, const Arrival& arrival) {
     if (!(distance < distances_[v])) return;
-    if constexpr (Recorder::kRecords) reached_ += distances_[v] == kInfinity ? 1u : 0u;
-    distances_[v] = distance;
+    set_distance(v, distance);
     if (mesh_.is_pseudo_source(v)) wait_to_emit(v, arrival);
   }
 
@@ -278,16 +284,11 @@ class Propagation {
   }
 
   void sample() {
-    if (reached_ < next_sample_) return;
-    next_sample_ = reached_ + std::max<Index>(1, mesh_.vertex_count() / kSamples);
-    double sum = 0, squares = 0;
-    pool_.for_each([&](const Stored& w) {
-      if (w.is_pseudo_source()) return;
-      const double d = least_distance(w);
-      sum += d;
-      squares += d * d;
+    recorder_.sample(progress_, [&](auto&& visit) {
+      pool_.for_each([&](const Stored& w) {
+        if (!w.is_pseudo_source()) visit(w.half_edge, w);
+      });
     });
-    recorder_.wavefront_sample(sum, squares, waiting_);
   }
 
   const Mesh& mesh_;
@@ -302,8 +303,7 @@ class Propagation {
   Upcoming<4> upcoming_;  // slots on the way through fetch_ahead
   // Recorded solves only.
   std::uint64_t waiting_ = 0;  // windows in the queue
-  Index reached_ = 0;          // vertices with a distance
-  Index next_sample_ = 0;      // as soon as that many are reached
+  Progress progress_;
 };
 
 }  // namespace geodesic::chen_han

@@ -1,25 +1,34 @@
 // What a recorded solve counts, and the recorders a solver's inner loop is compiled against.
 //
 // A solver is written as a template over its recorder. `NoRecorder` is empty: timed solves contain
-// no trace of it. `CountingRecorder` fills a Recording with counters; `TimingRecorder` counts
-// nothing, which would take time, and reads the clock instead. Definitions: docs/metrics.md.
+// no trace of it. `CountingRecorder` fills a Recording with counters, `WavefrontRecorder` keeps the
+// samples of the wavefront besides; `TimingRecorder` counts nothing, which would take time, and
+// reads the clock instead. Definitions: docs/metrics.md.
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "solvers/core/phase_timer.h"
+#include "solvers/core/progress.h"
+#include "solvers/core/wavefront_samples.h"
 
 namespace geodesic {
 
 /// What a recorded solve is made for.
-enum class Record : std::uint8_t { counters, phase_times };
+enum class Record : std::uint8_t {
+  counters,
+  phase_times,  ///< and nothing else
+  wavefront,    ///< and counters
+};
 
 /// Integer results are the same on every run and every x86-64 machine.
 struct Recording {
   Record what = Record::counters;  ///< the caller's wish
+  /// Of Record::wavefront: when to take snapshots, as shares of the reachable vertices, ascending.
+  std::vector<double> snapshots_at = {};
 
   std::optional<std::uint64_t> window_propagations;  ///< windows propagated across a face
   std::optional<std::uint64_t> windows_created;      ///< before reduction drops any; not in MMP
@@ -31,7 +40,10 @@ struct Recording {
   std::optional<std::uint64_t> window_bytes;    ///< size of one stored window
   std::optional<double> wavefront_sd;           ///< mean over samples, in units of length
 
-  std::optional<PhaseTimes> phase_times;  ///< when they are wished for: the only thing recorded
+  std::optional<PhaseTimes> phase_times;
+
+  std::vector<WavefrontSample> curve = {};        ///< at equal steps of progress (progress.h)
+  std::vector<WavefrontSnapshot> snapshots = {};  ///< the wished ones that came about
 
   bool operator==(const Recording&) const = default;
 };
@@ -102,13 +114,15 @@ struct CountingRecorder {
     *recording.peak_wavefront = std::max(*recording.peak_wavefront, windows);
   }
 
-  /// Adds one sample of the wavefront: the standard deviation of its windows' distances.
-  void wavefront_sample(double sum, double sum_of_squares, std::uint64_t windows) {
-    if (windows == 0) return;
-    const double n = static_cast<double>(windows);
-    const double mean = sum / n;
-    sd_sum_ += std::sqrt(std::max(0.0, sum_of_squares / n - mean * mean));
+  /// Samples the wavefront, at every step of progress.
+  /// @param for_each_window as in wavefront_samples.h
+  template <class ForEachWindow>
+  WavefrontSample sample(const Progress& progress, const ForEachWindow& for_each_window) {
+    const WavefrontSample sample = sample_wavefront(progress.reached(), for_each_window);
+    if (sample.windows == 0) return sample;
+    sd_sum_ += sample.sd;
     recording.wavefront_sd = sd_sum_ / ++samples_;
+    return sample;
   }
 
   NoRecorder::NoScope enter(Phase /*phase*/) const { return {}; }
@@ -120,10 +134,37 @@ struct CountingRecorder {
   int samples_ = 0;
 };
 
+struct WavefrontRecorder : CountingRecorder {
+  using CountingRecorder::CountingRecorder;
+
+  /// As above, and keeps the sample; a wavefront without windows has none.
+  template <class ForEachWindow>
+  void sample(const Progress& progress, const ForEachWindow& for_each_window) {
+    const WavefrontSample sample = CountingRecorder::sample(progress, for_each_window);
+    if (sample.windows == 0) return;
+    recording.curve.push_back(sample);
+    for (std::size_t next = recording.snapshots.size();
+         next < recording.snapshots_at.size() && progress.share() >= recording.snapshots_at[next];
+         ++next) {
+      take_snapshot(recording.snapshots_at[next], for_each_window);
+    }
+  }
+
+ private:
+  template <class ForEachWindow>
+  void take_snapshot(double wish, const ForEachWindow& for_each_window) {
+    std::vector<WavefrontWindow>& windows = recording.snapshots.emplace_back(wish).windows;
+    for_each_window([&](Index half_edge, const Window& w) {
+      windows.push_back({half_edge, w.begin, w.end, least_distance(w)});
+    });
+  }
+};
+
 /// Calls `solve` with the recorder for what `recording` wants.
 template <class Solve>
 void solve_recording(Recording& recording, Solve&& solve) {
   if (recording.what == Record::counters) return solve(CountingRecorder(recording));
+  if (recording.what == Record::wavefront) return solve(WavefrontRecorder(recording));
   PhaseTimer timer;
   solve(TimingRecorder(timer));
   recording.phase_times = timer.times();

@@ -47,8 +47,6 @@ class Propagation final : public Propagator {
 
  private:
   static constexpr unsigned kFields = Recorder::kRecords ? kDepth + 1 : kSigma + 1;
-  static constexpr std::uint64_t kSamples =
-      64;                                     // of the wavefront, at equal steps of passed vertices
   static constexpr std::uint8_t kPassed = 1;  // popped at least once
   static constexpr std::uint8_t kSource = 2;
   using Lists = WindowLists<kFields>;
@@ -57,6 +55,7 @@ class Propagation final : public Propagator {
     const auto timed = recorder.enter(Phase::propagation);
     distances_ = distances;
     std::fill(vertex_state_.begin(), vertex_state_.end(), std::uint8_t{0});
+    if constexpr (Recorder::kRecords) progress_.start(mesh_, query);
     for (const Source& source : query.sources) {
       if (source.distance < distances_[source.vertex])
         reach(source.vertex, source.distance, recorder);
@@ -65,8 +64,6 @@ class Propagation final : public Propagator {
     // The shortest path to a vertex within the limit crosses only edges that have an end nearer
     // than the limit plus half their length.
     const double stop = query.limit + longest_edge_ / 2;
-    std::uint64_t passed = 0;
-    const std::uint64_t step = std::max<std::uint64_t>(1, mesh_.vertex_count() / kSamples);
     while (!front_.empty() && front_.least_key() <= stop) {
       enter_faces_around(pop(recorder), recorder);
       for (std::size_t i = 0; i < fifo_.size(); ++i) {
@@ -77,7 +74,7 @@ class Propagation final : public Propagator {
       }
       fifo_.clear();
       if constexpr (Recorder::kRecords) {
-        if (++passed % step == 0) sample(recorder);
+        if (progress_.made_step()) sample(recorder);
       }
     }
     front_.clear();
@@ -91,6 +88,7 @@ class Propagation final : public Propagator {
 
   void reach(Index v, double distance, Recorder& recorder) {
     const auto timed = recorder.enter(Phase::queue);
+    if constexpr (Recorder::kRecords) progress_.reach(distances_[v]);
     distances_[v] = distance;
     front_.push_or_decrease(v, distance);
   }
@@ -293,19 +291,16 @@ class Propagation final : public Propagator {
   }
 
   void sample(Recorder& recorder) {
-    double sum = 0, squares = 0;
-    for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
-      lists_.for_each_segment(h, [&](auto& segment) {
-        for (std::size_t i = 0; i < segment.count; ++i) {
-          const double d = least_distance({segment.array(kBegin)[i], segment.array(kEnd)[i],
-                                           segment.array(kX)[i], segment.array(kY)[i],
-                                           segment.array(kSigma)[i]});
-          sum += d;
-          squares += d * d;
-        }
-      });
-    }
-    recorder.wavefront_sample(sum, squares, lists_.size());
+    recorder.sample(progress_, [&](auto&& visit) {
+      for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
+        lists_.for_each_segment(h, [&](auto& segment) {
+          for (std::size_t i = 0; i < segment.count; ++i) {
+            visit(h, {segment.array(kBegin)[i], segment.array(kEnd)[i], segment.array(kX)[i],
+                      segment.array(kY)[i], segment.array(kSigma)[i]});
+          }
+        });
+      }
+    });
   }
 
   const Mesh& mesh_;
@@ -316,6 +311,7 @@ class Propagation final : public Propagator {
   std::vector<std::uint8_t> queued_;  // half-edges in fifo_
   std::vector<Index> fifo_;
   double longest_edge_ = 0;
+  Progress progress_;  // recorded solves only
   // Scratch of one list. Masks hold the bits of kLanes windows a byte.
   Batch batch_;
   std::vector<std::uint8_t> seen_left_, seen_right_, kept_left_, kept_right_, suspects_;

@@ -1,4 +1,4 @@
-// The loop as recorded solves run it, with counters or with clocks.
+// The loop as recorded solves run it, with counters, with clocks, or with samples of the wavefront.
 #include "solvers/edge_based/targets.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -12,8 +12,15 @@ namespace geodesic::edge_based::HWY_NAMESPACE {
 namespace {
 
 std::unique_ptr<Propagator> recorded(const Mesh& mesh, Record what) {
-  if (what == Record::phase_times) return std::make_unique<Propagation<TimingRecorder>>(mesh);
-  return std::make_unique<Propagation<CountingRecorder>>(mesh);
+  switch (what) {
+    case Record::counters:
+      return std::make_unique<Propagation<CountingRecorder>>(mesh);
+    case Record::phase_times:
+      return std::make_unique<Propagation<TimingRecorder>>(mesh);
+    case Record::wavefront:
+      return std::make_unique<Propagation<WavefrontRecorder>>(mesh);
+  }
+  return nullptr;
 }
 
 }  // namespace

@@ -1,24 +1,11 @@
 // `mmp` and `fwp-mmp`: the same propagation of windows in two orders.
-#include "solvers/core/queues/bucket_queue.h"
-#include "solvers/core/queues/bucket_width.h"
-#include "solvers/core/queues/priority_queue.h"
+#include "solvers/mmp/orders.h"
 #include "solvers/mmp/propagation.h"
+#include "solvers/mmp/recorded.h"
 #include "solvers/registry.h"
 
 namespace geodesic::mmp {
 namespace {
-
-/// Least distance first.
-struct ByDistance {
-  using Queue = PriorityQueue<Index>;
-  static Queue make(const Mesh& mesh) { return Queue(priority_bucket_width(mesh)); }
-};
-
-/// Buckets of the published width, in phases.
-struct ByBucket {
-  using Queue = BucketQueue<Index>;
-  static Queue make(const Mesh& mesh) { return Queue(published_bucket_width(mesh)); }
-};
 
 template <class Order>
 class Mmp final : public Solver {
@@ -27,22 +14,12 @@ class Mmp final : public Solver {
       : Solver(mesh, description), propagation_(mesh, Order::make(mesh)) {}
 
  private:
-  template <class Recorder>
-  using PropagationWith = Propagation<typename Order::Queue, Recorder>;
-
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
-    if (recording == nullptr) return propagation_.run(query, distances, NoRecorder{});
-    solve_recording(*recording, [&](auto recorder) {
-      if constexpr (recorder.kRecords) {
-        recording->reinsertions = 0;
-        recording->window_bytes = sizeof(EdgeWindow<NoDepth>);
-      }
-      PropagationWith<decltype(recorder)>(mesh(), Order::make(mesh()))
-          .run(query, distances, recorder);
-    });
+    if (recording == nullptr) return propagation_.run(query, distances);
+    solve_recorded<Order>(mesh(), query, distances, *recording);
   }
 
-  PropagationWith<NoRecorder> propagation_;
+  Propagation<typename Order::Queue, NoRecorder> propagation_;
 };
 
 const RegisterSolver<Mmp<ByDistance>> mmp{{

@@ -25,23 +25,29 @@ namespace geodesic::mmp {
 template <class Queue, class Recorder>
 class Propagation {
  public:
-  Propagation(const Mesh& mesh, Queue queue)
-      : mesh_(mesh), wavefront_(mesh.half_edge_count(), std::move(queue)) {}
+  Propagation(const Mesh& mesh, Queue queue, Recorder recorder = {})
+      : mesh_(mesh),
+        recorder_(recorder),
+        wavefront_(mesh.half_edge_count(), std::move(queue), recorder_) {}
+  Propagation(const Propagation&) = delete;
+  Propagation& operator=(const Propagation&) = delete;
 
-  void run(const Query& query, std::span<double> distances, Recorder recorder) {
-    const auto timed = recorder.enter(Phase::propagation);
-    start(query, distances, recorder);
+  void run(const Query& query, std::span<double> distances) {
+    const auto timed = recorder_.enter(Phase::propagation);
+    start(query, distances);
     while (!wavefront_.empty()) {
       if (const auto taken = wavefront_.take(mesh_)) {
         if (taken->vertex != kNone) {
           emit(taken->vertex);
         } else {
-          propagate(*taken, recorder);
+          propagate(*taken);
         }
       }
-      if constexpr (Recorder::kRecords) sample();
+      if constexpr (Recorder::kRecords) {
+        if (progress_.made_step()) wavefront_.sample(mesh_, progress_);
+      }
     }
-    if constexpr (Recorder::kRecords) recorder.recording.window_limit = wavefront_.windows_left();
+    if constexpr (Recorder::kRecords) recorder_.recording.window_limit = wavefront_.windows_left();
   }
 
  private:
@@ -53,24 +59,26 @@ class Propagation {
     Depth depth;
   };
 
-  static constexpr Index kSamples = 64;  // of the wavefront, at equal steps of vertices reached
-
-  void start(const Query& query, std::span<double> distances, Recorder& recorder) {
+  void start(const Query& query, std::span<double> distances) {
     distances_ = distances;
     emitted_.assign(distances.size(), kInfinity);
-    wavefront_.start(query.limit, recorder);
-    reached_ = next_sample_ = 0;
+    wavefront_.start(query.limit);
+    if constexpr (Recorder::kRecords) progress_.start(mesh_, query);
     for (const Source& source : query.sources) {
       if (!(source.distance < distances_[source.vertex])) continue;
-      distances_[source.vertex] = source.distance;
+      set_distance(source.vertex, source.distance);
       wavefront_.push_vertex(source.vertex, source.distance);
     }
   }
 
+  void set_distance(Index v, double distance) {
+    if constexpr (Recorder::kRecords) progress_.reach(distances_[v]);
+    distances_[v] = distance;
+  }
+
   void reach(Index v, double distance) {
     if (!(distance < distances_[v])) return;
-    if constexpr (Recorder::kRecords) reached_ += distances_[v] == kInfinity ? 1u : 0u;
-    distances_[v] = distance;
+    set_distance(v, distance);
     if (mesh_.is_pseudo_source(v) && has_news(v)) wavefront_.push_vertex(v, distance);
   }
 
@@ -109,9 +117,9 @@ class Propagation {
     return along < distance_at(w, meeting) * (1 - kPathMargin);
   }
 
-  void propagate(const Taken& taken, Recorder& recorder) {
+  void propagate(const Taken& taken) {
     const Beam beam{taken.source, taken.depth.next()};
-    recorder.propagated(1, beam.depth);
+    recorder_.propagated(1, beam.depth);
     if (taken.window.y < 0) {
       cross_face(taken.edge, taken.window, beam);
     } else {
@@ -173,18 +181,12 @@ class Propagation {
     return {length - w.end, length - w.begin, length - w.x, -w.y, w.sigma};
   }
 
-  void sample() {
-    if (reached_ < next_sample_) return;
-    wavefront_.sample();
-    next_sample_ = reached_ + std::max<Index>(1, mesh_.vertex_count() / kSamples);
-  }
-
   const Mesh& mesh_;
+  Recorder recorder_;
   Wavefront<Queue, Recorder> wavefront_;
   std::span<double> distances_;
   std::vector<double> emitted_;  // distance of the windows that each vertex sent out last
-  Index reached_ = 0;            // vertices with a distance; recorded solves only
-  Index next_sample_ = 0;        // as soon as that many are reached
+  Progress progress_;            // recorded solves only
 };
 
 }  // namespace geodesic::mmp

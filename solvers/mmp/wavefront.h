@@ -34,19 +34,20 @@ class Wavefront {
     Depth depth = {};
   };
 
-  Wavefront(Index half_edges, Queue queue) : lists_(half_edges), queue_(std::move(queue)) {}
+  /// @param recorder must outlive this
+  Wavefront(Index half_edges, Queue queue, Recorder& recorder)
+      : lists_(half_edges), queue_(std::move(queue)), recorder_(recorder) {}
 
-  /// Forgets everything. @param recorder must outlive the solve
-  void start(double limit, Recorder& recorder) {
+  /// Forgets everything.
+  void start(double limit) {
     lists_.clear();
     queue_.clear();
     tickets_.clear();
     upcoming_.clear();
     sigmas_.clear();
-    tally_ = {};
+    waiting_ = 0;
     // A window whose key exceeds the limit by rounding may reach a vertex that lies on it.
     limit_ = limit * (1 + kPathMargin);
-    recorder_ = &recorder;
   }
 
   bool empty() const { return queue_.empty(); }
@@ -65,7 +66,7 @@ class Wavefront {
   /// The next pseudo-source or window, which does not wait any longer; none when what waited is no
   /// more, or is queued again. The wavefront must not be empty.
   std::optional<Taken> take(const Mesh& mesh) {
-    const auto timed = recorder_->enter(Phase::queue);
+    const auto timed = recorder_.enter(Phase::queue);
     const Index number = queue_.pop();
     fetch_ahead(mesh);
     const Ticket ticket = tickets_[number];
@@ -82,7 +83,7 @@ class Wavefront {
     if (ticket.late && postpone(number, window)) return std::nullopt;
     tickets_.take_back(number);
     w.ticket = kNone;
-    tally(window, Change::leaves);
+    if constexpr (Recorder::kRecords) --waiting_;
     return Taken{.edge = ticket.id, .window = window, .source = w.source, .depth = w.depth};
   }
 
@@ -91,7 +92,7 @@ class Wavefront {
   /// @param source the number of its source
   /// @param goes_on whether there is a face beyond
   void lay(Index edge, double length, const Window& w, Index source, Depth depth, bool goes_on) {
-    const auto timed = recorder_->enter(Phase::trimming);
+    const auto timed = recorder_.enter(Phase::trimming);
     if (lists_.windows(edge).empty()) {
       const W gap = W::gap(0);
       lists_.replace(edge, 0, 0, {&gap, 1});
@@ -102,7 +103,7 @@ class Wavefront {
       return;
     const std::span<const W> replaced =
         list.subspan(overlay_.first, overlay_.last - overlay_.first);
-    tally(replaced, Change::leaves);
+    if constexpr (Recorder::kRecords) waiting_ -= count_waiting(replaced);
     // Void until one of the pieces claims it.
     for (const W& old : replaced) {
       if (old.waits()) tickets_[old.ticket].id = kNone;
@@ -118,13 +119,26 @@ class Wavefront {
         keep_queued(edge, static_cast<Index>(overlay_.first + k), piece, end);
       }
     }
-    tally(pieces, Change::joins);
-    recorder_->wavefront_size(tally_.windows);
+    if constexpr (Recorder::kRecords) {
+      waiting_ += count_waiting(pieces);
+      recorder_.wavefront_size(waiting_);
+    }
     lists_.replace(edge, overlay_.first, overlay_.last, pieces);
   }
 
-  /// Hands the spread of the waiting windows' distances to the recorder.
-  void sample() { recorder_->wavefront_sample(tally_.sum, tally_.squares, tally_.windows); }
+  /// Hands the windows that wait to the recorder.
+  void sample(const Mesh& mesh, const Progress& progress) {
+    recorder_.sample(progress, [&](auto&& visit) {
+      for (Index edge = 0; edge < lists_.edge_bound(); ++edge) {
+        const std::span<const W> list = lists_.windows(edge);
+        for (std::size_t i = 0; i < list.size(); ++i) {
+          if (!list[i].waits()) continue;
+          const double end = end_of(list, i, mesh.half_edge(edge).length);
+          visit(edge, list[i].geometry(end, sigmas_[list[i].source]));
+        }
+      }
+    });
+  }
 
   /// Windows on all edges.
   std::uint64_t windows_left() {
@@ -137,13 +151,6 @@ class Wavefront {
 
  private:
   using W = EdgeWindow<Depth>;
-
-  /// The windows that wait, kept count of in recorded solves only.
-  struct Tally {
-    std::uint64_t windows = 0;
-    double sum = 0, squares = 0;  // of their distances
-  };
-  enum class Change { joins, leaves };
 
   /// Has the memory fetched that the next takes will read, each address of which lies behind the
   /// one before: ticket, list, window and faces, and the lists that its children are laid over.
@@ -204,13 +211,13 @@ class Wavefront {
   }
 
   void push(double key, Index ticket) {
-    const auto timed = recorder_->enter(Phase::queue);
+    const auto timed = recorder_.enter(Phase::queue);
     queue_.push(key, ticket);
   }
 
   /// Queues a part that the challenger won.
   void accept(Index edge, Index index, W& piece, double end, double sigma, bool goes_on) {
-    recorder_->valid(1);
+    recorder_.valid(1);
     piece.ticket = kNone;
     const Window part = piece.geometry(end, sigma);
     const double key = least_distance(part);
@@ -226,35 +233,19 @@ class Wavefront {
     const double nearest = nearest_position(part);
     Ticket& ticket = tickets_[piece.ticket];
     if (!ticket.is_void()) {
-      recorder_->reinserted(1);
+      recorder_.reinserted(1);
       piece.ticket = tickets_.issue({piece.begin, nearest, edge, index, false});
       push(least_distance(part), piece.ticket);
       return;
     }
     const bool moved = nearest != ticket.nearest;
-    if (moved) recorder_->reinserted(1);
+    if (moved) recorder_.reinserted(1);
     ticket = {piece.begin, nearest, edge, index, ticket.late || moved};
   }
 
-  void tally(const Window& w, Change change) {
-    if constexpr (Recorder::kRecords) {
-      const double distance = least_distance(w);
-      const double sign = change == Change::joins ? 1 : -1;
-      tally_.windows += change == Change::joins ? 1 : std::uint64_t(-1);
-      tally_.sum += sign * distance;
-      tally_.squares += sign * distance * distance;
-    }
-  }
-
-  /// As above for the waiting ones of consecutive windows that end where the overlay does.
-  void tally(std::span<const W> windows, Change change) {
-    if constexpr (Recorder::kRecords) {
-      for (std::size_t i = 0; i < windows.size(); ++i) {
-        if (!windows[i].waits()) continue;
-        const double end = end_of(windows, i, overlay_.end);
-        tally(windows[i].geometry(end, sigmas_[windows[i].source]), change);
-      }
-    }
+  static std::uint64_t count_waiting(std::span<const W> windows) {
+    return static_cast<std::uint64_t>(
+        std::count_if(windows.begin(), windows.end(), [](const W& w) { return w.waits(); }));
   }
 
   EdgeLists<W> lists_;
@@ -263,9 +254,9 @@ class Wavefront {
   Upcoming<5> upcoming_;        // tickets on the way through fetch_ahead
   std::vector<double> sigmas_;  // by number of source
   double limit_ = kInfinity;
-  Recorder* recorder_ = nullptr;
-  Tally tally_;
-  Overlay<W> overlay_;  // scratch of lay
+  Recorder& recorder_;
+  std::uint64_t waiting_ = 0;  // windows that wait; recorded solves only
+  Overlay<W> overlay_;         // scratch of lay
 };
 
 }  // namespace geodesic::mmp

@@ -1,0 +1,22 @@
+// In which order windows are propagated.
+#pragma once
+
+#include "solvers/core/queues/bucket_queue.h"
+#include "solvers/core/queues/bucket_width.h"
+#include "solvers/core/queues/priority_queue.h"
+
+namespace geodesic::mmp {
+
+/// Least distance first.
+struct ByDistance {
+  using Queue = PriorityQueue<Index>;
+  static Queue make(const Mesh& mesh) { return Queue(priority_bucket_width(mesh)); }
+};
+
+/// Buckets of the published width, in phases.
+struct ByBucket {
+  using Queue = BucketQueue<Index>;
+  static Queue make(const Mesh& mesh) { return Queue(published_bucket_width(mesh)); }
+};
+
+}  // namespace geodesic::mmp
