@@ -8,6 +8,8 @@
 #include "harness/measure/process.h"
 #include "harness/measure/recorded_solve.h"
 #include "harness/meshes/load.h"
+#include "harness/recordings/files.h"
+#include "harness/recordings/folders.h"
 #include "harness/verify/choose.h"
 #include "harness/verify/distance_file.h"
 #include "harness/verify/verify.h"
@@ -18,8 +20,9 @@ namespace {
 
 class Cell {
  public:
-  Cell(const CellSpec& spec, const Mesh& mesh)
+  Cell(const CellSpec& spec, const TriangleSoup& soup, const Mesh& mesh)
       : spec_(spec),
+        soup_(soup),
         mesh_(mesh),
         query_{.sources = {{.vertex = spec.source}}},
         verified_(mesh.vertex_count()),
@@ -29,8 +32,11 @@ class Cell {
 
  private:
   std::string verify_warm_up(Solver& solver);
+  Exactness exactness() const { return find_solver(spec_.solver)->exactness; }
+  Json record_wavefront();
 
   const CellSpec& spec_;
+  const TriangleSoup& soup_;
   const Mesh& mesh_;
   const Query query_;
   std::vector<double> verified_;  // distances of the warm-up solve
@@ -54,11 +60,27 @@ std::string Cell::verify_warm_up(Solver& solver) {
     bound = solve_once(chosen->name, mesh_, query_);
     edge_graph = {chosen->name, bound};
   }
-  const Verdict verdict =
-      verify(mesh_, std::vector{spec_.source}, find_solver(spec_.solver)->exactness, verified_,
-             {spec_.reference, reference}, edge_graph);
+  const Verdict verdict = verify(mesh_, std::vector{spec_.source}, exactness(), verified_,
+                                 {spec_.reference, reference}, edge_graph);
   max_relative_error_ = verdict.max_relative_error;
   return verdict.error;
+}
+
+// What to say of it in the rows: where it is, or why it is not there. A full disk takes no time
+// away that was measured.
+Json Cell::record_wavefront() {
+  Recording recording = wavefront_wish();
+  make_solver(spec_.solver, mesh_)->solve(query_, solved_, &recording);
+  const RecordingFolders folders = recording_folders(spec_.mesh, spec_.source, spec_.solver);
+  const std::filesystem::path run = spec_.run_folder;
+  try {
+    write_surface(run / folders.mesh, soup_);
+    if (exactness() == Exactness::exact) write_vertex_distances(run / folders.source, verified_);
+    write_wavefront(run / folders.solver, mesh_, recording);
+  } catch (const std::exception& error) {
+    return {{"recordings_error", error.what()}};
+  }
+  return {{"recordings", folders.solver.string()}};
 }
 
 Timing Cell::measure() {
@@ -80,9 +102,11 @@ Timing Cell::measure() {
   const std::string_view instructions = name_of(solver->instruction_set());
   solver.reset();
 
-  const Json recorded = record_solve(spec_.solver, mesh_, query_, solved_);
+  Json recorded = record_solve(spec_.solver, mesh_, query_, solved_);
+  if (spec_.pictured && recorded.contains("wavefront_sd") && identical(solved_, verified_))
+    recorded.update(record_wavefront());
   if (!identical(solved_, verified_))
-    return wrong("the recorded solve gave other distances than timed ones");
+    return wrong("a recorded solve gave other distances than timed ones");
   for (Json& row : timing.rows) {
     row.update({{"solver", spec_.solver},
                 {"mesh", spec_.mesh},
@@ -107,7 +131,7 @@ void run_cell(const CellSpec& spec) {
   const Mesh mesh(soup, Numbering::along_surface);
   const double mesh_ms = 1e3 * building.cpu_seconds();
   restart_peak_resident_bytes();
-  Timing timing = Cell(spec, mesh).measure();
+  Timing timing = Cell(spec, soup, mesh).measure();
   for (Json& row : timing.rows) {
     if (row.at("outcome") == outcome::kOk) row["mesh_time"] = mesh_ms;
   }

@@ -146,6 +146,8 @@ void Run::start_cell(const Cell& cell, const fs::path& file) {
                   .reference = reference.solver,
                   .reference_file = reference.file.string(),
                   .output = file.string(),
+                  .run_folder = folder_.string(),
+                  .pictured = is_pictured(cell, request_.pictured),
                   .vectors = request_.suite.vectors,
                   .benchmark_flags = benchmark_flags(),
                   .context = cell_context(cell)};
@@ -221,7 +223,12 @@ RunResult Run::conclude() const {
   for (const Json& row : rows_) {
     const std::string outcome = row.at("outcome");
     if (outcome == outcome::kOk) {
-      ok += row.at("repetition_index") == 0;
+      if (row.at("repetition_index") != 0) continue;
+      ++ok;
+      if (!row.contains("recordings_error")) continue;
+      std::cerr << row.at("name").get<std::string>()
+                << ": not recorded: " << row.at("recordings_error").get<std::string>() << '\n';
+      result = std::max(result, RunResult::error);
       continue;
     }
     std::cerr << row.at("name").get<std::string>() << ": " << outcome << ": "

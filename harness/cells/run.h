@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "harness/corpus/suite.h"
+#include "harness/recordings/pictured.h"
 
 namespace geodesic::harness {
 
@@ -15,6 +16,7 @@ struct RunRequest {
   std::filesystem::path manifest;
   std::optional<std::filesystem::path> out;  ///< by default results/runs/<UTC time>-<corpus>
   std::vector<std::string> benchmark_flags;
+  Pictured pictured = Pictured::automatic;
   unsigned threads = 1;  ///< reference distances computed at a time; nothing is timed meanwhile
   std::string command;   ///< the command line, for the record
 };

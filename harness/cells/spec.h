@@ -18,7 +18,9 @@ struct CellSpec {
   std::string reference;       ///< the solver that the distances are compared with
   std::string reference_file;  ///< its distances (verify/distance_file.h)
   std::string output;          ///< the result file to write
-  std::string vectors;         ///< corpus/vectors.h
+  std::string run_folder;
+  bool pictured = false;  ///< leave recordings in the run folder (recordings/pictured.h)
+  std::string vectors;    ///< corpus/vectors.h
   std::vector<std::string> benchmark_flags;
   Json context;  ///< context.geodesic_bench of the result file
 };

@@ -17,6 +17,7 @@ struct RunFlags {
   std::optional<int> sources, repetitions;
   std::optional<std::uint64_t> seed;
   std::optional<double> min_time;
+  std::string recordings = "auto";
   unsigned threads = 1;
   std::optional<std::string> reference, vectors, out;
   std::string manifest = default_manifest().string();
@@ -32,6 +33,7 @@ RunRequest request_of(const RunFlags& flags, const std::string& command) {
                      .manifest = flags.manifest,
                      .out = flags.out,
                      .benchmark_flags = {},
+                     .pictured = pictured_named(flags.recordings),
                      .threads = flags.threads,
                      .command = command};
   std::string suite_file;
@@ -81,6 +83,10 @@ void add_run_command(CLI::App& app, const std::string& command_line) {
   option("--seed", flags->seed, "of the choice of sources");
   option("--min-time", flags->min_time, "least seconds of a repetition");
   option("--reference", flags->reference, "exact solver to verify others by");
+  option("--recordings", flags->recordings,
+         "cells that leave the wavefront and the distances for figures: none, auto (the first "
+         "source of each mesh of 1,000 to 250,000 vertices, exact solvers) or all")
+      ->capture_default_str();
   option("--threads", flags->threads,
          "reference distances to compute at a time; solvers are timed one by one")
       ->check(CLI::Range(1, 1024));

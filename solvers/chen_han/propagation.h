@@ -54,7 +54,7 @@ class Propagation {
         if (!is_outdated(w) && !is_useless(w)) propagate(w);
       }
       if constexpr (Recorder::kRecords) {
-        if (progress_.made_step()) sample();
+        if (sweep_.made_step()) sample();
       }
     }
   }
@@ -81,7 +81,7 @@ class Propagation {
     queue_.clear();
     upcoming_.clear();
     corners_.clear();
-    if constexpr (Recorder::kRecords) progress_.start(mesh_, query);
+    if constexpr (Recorder::kRecords) sweep_.start(mesh_, query);
     for (const Source& source : query.sources) {
       if (!(source.distance < distances_[source.vertex])) continue;
       set_distance(source.vertex, source.distance);
@@ -122,7 +122,7 @@ class Propagation {
   }
 
   void set_distance(Index v, double distance) {
-    if constexpr (Recorder::kRecords) progress_.reach(distances_[v]);
+    if constexpr (Recorder::kRecords) sweep_.reach(distances_[v]);
     distances_[v] = distance;
   }
 
@@ -284,7 +284,7 @@ class Propagation {
   }
 
   void sample() {
-    recorder_.sample(progress_, [&](auto&& visit) {
+    recorder_.sample(sweep_, [&](auto&& visit) {
       pool_.for_each([&](const Stored& w) {
         if (!w.is_pseudo_source()) visit(w.half_edge, w);
       });
@@ -303,7 +303,7 @@ class Propagation {
   Upcoming<4> upcoming_;  // slots on the way through fetch_ahead
   // Recorded solves only.
   std::uint64_t waiting_ = 0;  // windows in the queue
-  Progress progress_;
+  Sweep sweep_;
 };
 
 }  // namespace geodesic::chen_han

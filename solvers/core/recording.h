@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "solvers/core/phase_timer.h"
-#include "solvers/core/progress.h"
+#include "solvers/core/sweep.h"
 #include "solvers/core/wavefront_samples.h"
 
 namespace geodesic {
@@ -42,7 +42,7 @@ struct Recording {
 
   std::optional<PhaseTimes> phase_times;
 
-  std::vector<WavefrontSample> curve = {};        ///< at equal steps of progress (progress.h)
+  std::vector<WavefrontSample> curve = {};        ///< at equal steps of progress (sweep.h)
   std::vector<WavefrontSnapshot> snapshots = {};  ///< the wished ones that came about
 
   bool operator==(const Recording&) const = default;
@@ -117,8 +117,8 @@ struct CountingRecorder {
   /// Samples the wavefront, at every step of progress.
   /// @param for_each_window as in wavefront_samples.h
   template <class ForEachWindow>
-  WavefrontSample sample(const Progress& progress, const ForEachWindow& for_each_window) {
-    const WavefrontSample sample = sample_wavefront(progress.reached(), for_each_window);
+  WavefrontSample sample(const Sweep& sweep, const ForEachWindow& for_each_window) {
+    const WavefrontSample sample = sample_wavefront(sweep.reached(), for_each_window);
     if (sample.windows == 0) return sample;
     sd_sum_ += sample.sd;
     recording.wavefront_sd = sd_sum_ / ++samples_;
@@ -139,12 +139,12 @@ struct WavefrontRecorder : CountingRecorder {
 
   /// As above, and keeps the sample; a wavefront without windows has none.
   template <class ForEachWindow>
-  void sample(const Progress& progress, const ForEachWindow& for_each_window) {
-    const WavefrontSample sample = CountingRecorder::sample(progress, for_each_window);
+  void sample(const Sweep& sweep, const ForEachWindow& for_each_window) {
+    const WavefrontSample sample = CountingRecorder::sample(sweep, for_each_window);
     if (sample.windows == 0) return;
     recording.curve.push_back(sample);
     for (std::size_t next = recording.snapshots.size();
-         next < recording.snapshots_at.size() && progress.share() >= recording.snapshots_at[next];
+         next < recording.snapshots_at.size() && sweep.share() >= recording.snapshots_at[next];
          ++next) {
       take_snapshot(recording.snapshots_at[next], for_each_window);
     }

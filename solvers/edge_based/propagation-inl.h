@@ -55,7 +55,7 @@ class Propagation final : public Propagator {
     const auto timed = recorder.enter(Phase::propagation);
     distances_ = distances;
     std::fill(vertex_state_.begin(), vertex_state_.end(), std::uint8_t{0});
-    if constexpr (Recorder::kRecords) progress_.start(mesh_, query);
+    if constexpr (Recorder::kRecords) sweep_.start(mesh_, query);
     for (const Source& source : query.sources) {
       if (source.distance < distances_[source.vertex])
         reach(source.vertex, source.distance, recorder);
@@ -74,7 +74,7 @@ class Propagation final : public Propagator {
       }
       fifo_.clear();
       if constexpr (Recorder::kRecords) {
-        if (progress_.made_step()) sample(recorder);
+        if (sweep_.made_step()) sample(recorder);
       }
     }
     front_.clear();
@@ -88,7 +88,7 @@ class Propagation final : public Propagator {
 
   void reach(Index v, double distance, Recorder& recorder) {
     const auto timed = recorder.enter(Phase::queue);
-    if constexpr (Recorder::kRecords) progress_.reach(distances_[v]);
+    if constexpr (Recorder::kRecords) sweep_.reach(distances_[v]);
     distances_[v] = distance;
     front_.push_or_decrease(v, distance);
   }
@@ -291,7 +291,7 @@ class Propagation final : public Propagator {
   }
 
   void sample(Recorder& recorder) {
-    recorder.sample(progress_, [&](auto&& visit) {
+    recorder.sample(sweep_, [&](auto&& visit) {
       for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
         lists_.for_each_segment(h, [&](auto& segment) {
           for (std::size_t i = 0; i < segment.count; ++i) {
@@ -311,7 +311,7 @@ class Propagation final : public Propagator {
   std::vector<std::uint8_t> queued_;  // half-edges in fifo_
   std::vector<Index> fifo_;
   double longest_edge_ = 0;
-  Progress progress_;  // recorded solves only
+  Sweep sweep_;  // recorded solves only
   // Scratch of one list. Masks hold the bits of kLanes windows a byte.
   Batch batch_;
   std::vector<std::uint8_t> seen_left_, seen_right_, kept_left_, kept_right_, suspects_;

@@ -44,7 +44,7 @@ class Propagation {
         }
       }
       if constexpr (Recorder::kRecords) {
-        if (progress_.made_step()) wavefront_.sample(mesh_, progress_);
+        if (sweep_.made_step()) wavefront_.sample(mesh_, sweep_);
       }
     }
     if constexpr (Recorder::kRecords) recorder_.recording.window_limit = wavefront_.windows_left();
@@ -63,7 +63,7 @@ class Propagation {
     distances_ = distances;
     emitted_.assign(distances.size(), kInfinity);
     wavefront_.start(query.limit);
-    if constexpr (Recorder::kRecords) progress_.start(mesh_, query);
+    if constexpr (Recorder::kRecords) sweep_.start(mesh_, query);
     for (const Source& source : query.sources) {
       if (!(source.distance < distances_[source.vertex])) continue;
       set_distance(source.vertex, source.distance);
@@ -72,7 +72,7 @@ class Propagation {
   }
 
   void set_distance(Index v, double distance) {
-    if constexpr (Recorder::kRecords) progress_.reach(distances_[v]);
+    if constexpr (Recorder::kRecords) sweep_.reach(distances_[v]);
     distances_[v] = distance;
   }
 
@@ -186,7 +186,7 @@ class Propagation {
   Wavefront<Queue, Recorder> wavefront_;
   std::span<double> distances_;
   std::vector<double> emitted_;  // distance of the windows that each vertex sent out last
-  Progress progress_;            // recorded solves only
+  Sweep sweep_;                  // recorded solves only
 };
 
 }  // namespace geodesic::mmp

@@ -127,8 +127,8 @@ class Wavefront {
   }
 
   /// Hands the windows that wait to the recorder.
-  void sample(const Mesh& mesh, const Progress& progress) {
-    recorder_.sample(progress, [&](auto&& visit) {
+  void sample(const Mesh& mesh, const Sweep& sweep) {
+    recorder_.sample(sweep, [&](auto&& visit) {
       for (Index edge = 0; edge < lists_.edge_bound(); ++edge) {
         const std::span<const W> list = lists_.windows(edge);
         for (std::size_t i = 0; i < list.size(); ++i) {

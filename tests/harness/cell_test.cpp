@@ -141,6 +141,66 @@ TEST_F(RunTest, RowsOfWindowSolversTellWhereTheTimeWent) {
   }
 }
 
+// The numbers of a .npy file, whatever they are.
+std::string npy_numbers(const std::string& file) {
+  EXPECT_TRUE(file.starts_with("\x93NUMPY")) << file.substr(0, 80);
+  return file.substr(file.find('\n') + 1);
+}
+
+TEST_F(RunTest, PicturedCellsLeaveTheWavefrontTheDistancesAndTheMesh) {
+  write("an odd name.off", read(folder_ / "hill.off"));
+  const std::string mesh = (folder_ / "an odd name.off").string();
+  const Output run = run_suite(PROGRAM, {"--solvers", exact_solver() + ",dijkstra", "--sources",
+                                         "2", "--meshes", mesh, "--recordings", "all"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  for (const json& each : rows()) {
+    if (each.at("solver") == "dijkstra") {
+      EXPECT_FALSE(each.contains("recordings")) << "it has no wavefront of windows";
+      continue;
+    }
+    const std::string source = "recordings/an%20odd%20name/src" + each.at("source").dump();
+    EXPECT_EQ(each.at("recordings"), source + "/" + exact_solver());
+    EXPECT_EQ(npy_numbers(read(out_ / source / "distances.npy")).size(), 37u * 8);
+    const auto folder = out_ / each.at("recordings").get<std::string>();
+    const std::size_t samples = npy_numbers(read(folder / "curve.npy")).size() / (4 + 8 + 3 * 8);
+    EXPECT_GE(samples, 5u);
+    for (const char* moment : {"25", "50", "75"}) {
+      const std::string file = read(folder / ("snapshot-" + std::string(moment) + ".npy"));
+      EXPECT_GE(npy_numbers(file).size(), 4u + 4 + 4 + 4 + 8) << moment;
+    }
+  }
+  EXPECT_EQ(npy_numbers(read(out_ / "recordings/an%20odd%20name/vertices.npy")).size(), 37u * 12);
+  EXPECT_EQ(npy_numbers(read(out_ / "recordings/an%20odd%20name/faces.npy")).size(), 50u * 12);
+}
+
+TEST_F(RunTest, SmallMeshesAndRunsWithoutRecordingsLeaveNone) {
+  for (const char* choice : {"auto", "none"}) {
+    std::filesystem::remove_all(out_);
+    const Output run =
+        run_suite(PROGRAM, {"--solvers", exact_solver(), "--sources", "1", "--recordings", choice});
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_FALSE(std::filesystem::exists(out_ / "recordings")) << choice;
+    for (const json& each : rows()) EXPECT_FALSE(each.contains("recordings")) << choice;
+  }
+  EXPECT_EQ(run_suite(PROGRAM, {"--recordings", "some"}).code, 1);
+}
+
+// As on a full disk: where the recordings belong, nothing can be written.
+TEST_F(RunTest, RecordingsThatCannotBeWrittenCostNoTime) {
+  std::filesystem::create_directories(out_);
+  write("out/recordings", "in the way");
+  const Output run = run_suite(PROGRAM, {"--solvers", exact_solver(), "--sources", "1", "--meshes",
+                                         "hill", "--recordings", "all"});
+  EXPECT_EQ(run.code, 1) << run.err;
+  EXPECT_NE(run.err.find("not recorded: cannot make the folder"), std::string::npos) << run.err;
+  for (const json& each : rows()) {
+    EXPECT_EQ(each.at("outcome"), "ok");
+    EXPECT_GT(each.at("cpu_time").get<double>(), 0);
+    EXPECT_FALSE(each.contains("recordings"));
+    EXPECT_NE(each.at("recordings_error").get<std::string>().find("recordings"), std::string::npos);
+  }
+}
+
 TEST_F(RunTest, ReferencesComputedInThreadsAreThoseOfARunWithout) {
   const auto references = [&](const std::string& threads) {
     std::filesystem::remove_all(out_);

@@ -9,9 +9,10 @@ namespace geodesic {
 
 struct Query;
 
-/// Counts the vertices that have a finite distance. Progress is their share of all vertices that
-/// some path joins to a source, so that it ends at 1 on any mesh (with a distance limit, earlier).
-class Progress {
+/// Counts the vertices that have a finite distance. Progress is their share of all vertices
+/// that some path joins to a source, so that it ends at 1 on any mesh (with a distance limit,
+/// earlier).
+class Sweep {
  public:
   static constexpr std::uint64_t kSteps = 64;  // moments for samples, equally far apart
 

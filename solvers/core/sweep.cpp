@@ -1,4 +1,4 @@
-#include "solvers/core/progress.h"
+#include "solvers/core/sweep.h"
 
 #include <vector>
 
@@ -32,7 +32,7 @@ std::uint64_t count_reachable(const Mesh& mesh, const Query& query) {
 
 }  // namespace
 
-void Progress::start(const Mesh& mesh, const Query& query) {
+void Sweep::start(const Mesh& mesh, const Query& query) {
   reached_ = 0;
   reachable_ = count_reachable(mesh, query);
   next_step_ = 1;

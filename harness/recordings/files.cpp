@@ -1,0 +1,101 @@
+#include "harness/recordings/files.h"
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "harness/error.h"
+#include "harness/results/npy.h"
+
+namespace geodesic::harness {
+namespace fs = std::filesystem;
+namespace {
+
+// Per cent of the reachable vertices reached.
+constexpr std::array<int, 3> kMoments{25, 50, 75};
+constexpr double share(int moment) { return moment / 100.0; }
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) {
+    throw HarnessError("cannot make the folder '" + folder.string() + "': " + error.message());
+  }
+}
+
+template <class To, class From>
+std::vector<To> flattened(const std::vector<std::array<From, 3>>& rows) {
+  std::vector<To> numbers;
+  numbers.reserve(3 * rows.size());
+  for (const auto& row : rows) {
+    for (const From number : row) numbers.push_back(static_cast<To>(number));
+  }
+  return numbers;
+}
+
+// A window as figures need it: on the edge between two vertices of the file.
+struct WindowOfFile {
+  Index origin, head;
+  double begin, end;  // shares of the edge from `origin`
+  double distance;
+};
+
+std::vector<WindowOfFile> as_in_file(const std::vector<WavefrontWindow>& windows,
+                                     const Mesh& mesh) {
+  std::vector<WindowOfFile> rows;
+  rows.reserve(windows.size());
+  for (const WavefrontWindow& w : windows) {
+    const double length = mesh.half_edge(w.half_edge).length;
+    rows.push_back({mesh.given_number(mesh.origin(w.half_edge)),
+                    mesh.given_number(mesh.head(w.half_edge)), w.begin / length, w.end / length,
+                    w.distance});
+  }
+  return rows;
+}
+
+}  // namespace
+
+Recording wavefront_wish() {
+  Recording recording;
+  recording.what = Record::wavefront;
+  for (const int moment : kMoments) recording.snapshots_at.push_back(share(moment));
+  return recording;
+}
+
+void write_surface(const fs::path& folder, const TriangleSoup& soup) {
+  make_folder(folder);
+  const fs::path vertices = folder / "vertices.npy", faces = folder / "faces.npy";
+  if (!fs::exists(vertices)) {
+    write_npy<float>(vertices, flattened<float>(soup.positions), 3);
+  }
+  if (!fs::exists(faces))
+    write_npy<std::uint32_t>(faces, flattened<std::uint32_t>(soup.triangles), 3);
+}
+
+void write_vertex_distances(const fs::path& folder, std::span<const double> distances) {
+  make_folder(folder);
+  const fs::path file = folder / "distances.npy";
+  if (!fs::exists(file)) write_npy(file, distances);
+}
+
+void write_wavefront(const fs::path& folder, const Mesh& mesh, const Recording& recording) {
+  make_folder(folder);
+  using Sample = WavefrontSample;
+  write_npy_table(folder / "curve.npy", recording.curve,
+                  npy_column<std::uint32_t>("reached", &Sample::reached),
+                  npy_column<std::uint64_t>("windows", &Sample::windows),
+                  npy_column<double>("least", &Sample::least),
+                  npy_column<double>("mean", &Sample::mean), npy_column<double>("sd", &Sample::sd));
+  for (std::size_t i = 0; i < recording.snapshots.size(); ++i) {
+    using W = WindowOfFile;
+    write_npy_table(folder / ("snapshot-" + std::to_string(kMoments[i]) + ".npy"),
+                    as_in_file(recording.snapshots[i].windows, mesh),
+                    npy_column<std::uint32_t>("origin", &W::origin),
+                    npy_column<std::uint32_t>("head", &W::head),
+                    npy_column<float>("begin", &W::begin), npy_column<float>("end", &W::end),
+                    npy_column<double>("distance", &W::distance));
+  }
+}
+
+}  // namespace geodesic::harness

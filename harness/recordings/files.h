@@ -1,0 +1,25 @@
+// The files of recordings (results/README.md describes every one): what figures are drawn from.
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include "solvers/solver.h"
+
+namespace geodesic::harness {
+
+/// A Recording that wishes for what `write_wavefront` writes.
+Recording wavefront_wish();
+
+/// Writes vertices.npy and faces.npy unless they are there.
+/// @throws HarnessError when a file cannot be written, as all of these
+void write_surface(const std::filesystem::path& folder, const TriangleSoup& soup);
+
+/// Writes distances.npy, unless it is there. @param distances in the order of the file
+void write_vertex_distances(const std::filesystem::path& folder, std::span<const double> distances);
+
+/// Writes curve.npy, and snapshot-25.npy, -50 and -75: those that came about.
+void write_wavefront(const std::filesystem::path& folder, const Mesh& mesh,
+                     const Recording& recording);
+
+}  // namespace geodesic::harness

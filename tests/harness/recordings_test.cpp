@@ -1,0 +1,69 @@
+// Recordings: which cells leave them, and in which folders.
+#include "harness/recordings/pictured.h"
+
+#include <algorithm>
+#include <set>
+
+#include "harness/recordings/folders.h"
+#include "tests/harness/expect_error.h"
+
+namespace geodesic::harness {
+namespace {
+
+class PicturedCells : public ::testing::Test {
+ protected:
+  Cell cell(Index vertices, Index source, const Description& solver) {
+    mesh_.vertices = vertices;
+    mesh_.sources = {7, 9};
+    return {&mesh_, source, &solver};
+  }
+  PlannedMesh mesh_;
+  static Description solver(Exactness exactness) {
+    Description description;
+    description.exactness = exactness;
+    return description;
+  }
+  const Description exact_ = solver(Exactness::exact);
+  const Description bound_ = solver(Exactness::upper_bound);
+};
+
+TEST_F(PicturedCells, AreByDefaultTheFirstSourceOfMeshesOfReasonableSizeWithExactSolvers) {
+  EXPECT_TRUE(is_pictured(cell(1000, 7, exact_), Pictured::automatic));
+  EXPECT_TRUE(is_pictured(cell(250'000, 7, exact_), Pictured::automatic));
+  EXPECT_FALSE(is_pictured(cell(999, 7, exact_), Pictured::automatic));
+  EXPECT_FALSE(is_pictured(cell(250'001, 7, exact_), Pictured::automatic));
+  EXPECT_FALSE(is_pictured(cell(1000, 9, exact_), Pictured::automatic));
+  EXPECT_FALSE(is_pictured(cell(1000, 7, bound_), Pictured::automatic));
+}
+
+TEST_F(PicturedCells, AreAllOrNoneWhereThatIsWished) {
+  EXPECT_TRUE(is_pictured(cell(3, 9, bound_), pictured_named("all")));
+  EXPECT_FALSE(is_pictured(cell(1000, 7, exact_), pictured_named("none")));
+  expect_error([] { pictured_named("non"); }, {"'non'", "did you mean 'none'", "none, auto, all"});
+}
+
+TEST(RecordingFolders, AreNamedByMeshSourceAndSolver) {
+  const RecordingFolders folders = recording_folders("stanford-bunny_2.0", 12, "fwp-mmp");
+  EXPECT_EQ(folders.mesh, "recordings/stanford-bunny_2.0");
+  EXPECT_EQ(folders.source, "recordings/stanford-bunny_2.0/src12");
+  EXPECT_EQ(folders.solver, "recordings/stanford-bunny_2.0/src12/fwp-mmp");
+}
+
+TEST(RecordingFolders, StayApartAndInsideTheRunWhateverTheMeshIsCalled) {
+  std::set<std::string> folders;
+  const std::vector<std::string> names{"a b", "a_b",  "a%20b",    "..",   ".", "../x",
+                                       "a/b", "a\nb", "\xc3\xa9", "$(x)", "-"};
+  for (const std::string& name : names) {
+    const std::string folder = recording_folders(name, 0, "mmp").mesh.string();
+    EXPECT_EQ(folder.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEF0123456789._-%/"),
+              std::string::npos)
+        << folder;
+    EXPECT_EQ(std::filesystem::path(folder).lexically_normal(), folder);
+    EXPECT_EQ(std::ranges::count(folder, '/'), 1) << folder;
+    folders.insert(folder);
+  }
+  EXPECT_EQ(folders.size(), names.size());
+}
+
+}  // namespace
+}  // namespace geodesic::harness
