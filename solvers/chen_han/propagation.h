@@ -301,9 +301,8 @@ class Propagation {
   std::span<double> distances_;
   double limit_ = kInfinity;
   Upcoming<4> upcoming_;  // slots on the way through fetch_ahead
-  // Recorded solves only.
-  std::uint64_t waiting_ = 0;  // windows in the queue
-  Sweep sweep_;
+  [[no_unique_address]] typename Recorder::Count waiting_{};  // windows in the queue
+  [[no_unique_address]] typename Recorder::Sweep sweep_;
 };
 
 }  // namespace geodesic::chen_han

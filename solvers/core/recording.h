@@ -57,9 +57,16 @@ struct StripDepth {
   StripDepth next() const { return {faces + 1}; }
 };
 
+/// What only recorded solves count is of these types, so that a timed solve that touched any of it
+/// would not compile.
+struct NoSweep {};
+struct NoCount {};
+
 struct NoRecorder {
   static constexpr bool kRecords = false;
   using Depth = NoDepth;
+  using Sweep = NoSweep;
+  using Count = NoCount;
 
   void propagated(std::uint64_t /*windows*/, Depth /*deepest*/) {}
   void created(std::uint64_t /*windows*/) {}
@@ -84,6 +91,8 @@ struct TimingRecorder : NoRecorder {
 struct CountingRecorder {
   static constexpr bool kRecords = true;
   using Depth = StripDepth;
+  using Sweep = geodesic::Sweep;
+  using Count = std::uint64_t;
 
   explicit CountingRecorder(Recording& into) : recording(into) {
     recording.window_propagations = recording.valid_windows = recording.peak_wavefront =

@@ -311,7 +311,7 @@ class Propagation final : public Propagator {
   std::vector<std::uint8_t> queued_;  // half-edges in fifo_
   std::vector<Index> fifo_;
   double longest_edge_ = 0;
-  Sweep sweep_;  // recorded solves only
+  [[no_unique_address]] typename Recorder::Sweep sweep_;
   // Scratch of one list. Masks hold the bits of kLanes windows a byte.
   Batch batch_;
   std::vector<std::uint8_t> seen_left_, seen_right_, kept_left_, kept_right_, suspects_;

@@ -186,7 +186,7 @@ class Propagation {
   Wavefront<Queue, Recorder> wavefront_;
   std::span<double> distances_;
   std::vector<double> emitted_;  // distance of the windows that each vertex sent out last
-  Sweep sweep_;                  // recorded solves only
+  [[no_unique_address]] typename Recorder::Sweep sweep_;
 };
 
 }  // namespace geodesic::mmp

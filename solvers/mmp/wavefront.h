@@ -45,7 +45,7 @@ class Wavefront {
     tickets_.clear();
     upcoming_.clear();
     sigmas_.clear();
-    waiting_ = 0;
+    waiting_ = {};
     // A window whose key exceeds the limit by rounding may reach a vertex that lies on it.
     limit_ = limit * (1 + kPathMargin);
   }
@@ -255,8 +255,8 @@ class Wavefront {
   std::vector<double> sigmas_;  // by number of source
   double limit_ = kInfinity;
   Recorder& recorder_;
-  std::uint64_t waiting_ = 0;  // windows that wait; recorded solves only
-  Overlay<W> overlay_;         // scratch of lay
+  [[no_unique_address]] typename Recorder::Count waiting_{};  // windows that wait
+  Overlay<W> overlay_;                                        // scratch of lay
 };
 
 }  // namespace geodesic::mmp
