@@ -11,6 +11,12 @@ namespace {
   throw std::invalid_argument(solver.name + ": " + why);
 }
 
+void check_recording(const Recording& recording, const Description& solver) {
+  if (recording.what != Record::windows) return;
+  if (!solver.final_windows) refuse(solver, "does not keep the windows of all edges");
+  if (recording.read_windows == nullptr) refuse(solver, "nobody to hand the windows over to");
+}
+
 void check_query(const Query& query, const Mesh& mesh, const Description& solver) {
   if (query.sources.empty()) refuse(solver, "a query needs at least one source");
   if (query.sources.size() > 1 && !solver.abilities.multiple_sources) {
@@ -48,6 +54,7 @@ Solver::Solver(const Mesh& mesh, const Description& description)
 
 void Solver::solve(const Query& query, std::span<double> distances, Recording* recording) {
   check_query(query, mesh_, description_);
+  if (recording != nullptr) check_recording(*recording, description_);
   if (distances.size() != mesh_.vertex_count()) {
     refuse(description_, "needs room for one distance a vertex");
   }

@@ -54,6 +54,7 @@ struct Description {
   std::string space_complexity;
   std::string propagation;     ///< unit of propagation: "window", "edge", "vertex"
   bool spatial_order = false;  ///< windows of an edge are available in spatial order
+  bool final_windows = false;  ///< keeps the windows of all edges, and hands them over
   Exactness exactness = Exactness::exact;
   bool independent_oracle = false;  ///< shares no kernel with the others: first choice to verify by
   double relative_time = 0;         ///< of a solve of a scan of 50,000 vertices, measured, that of
@@ -76,7 +77,8 @@ class Solver {
   ///        filled with what the solver can count, without changing any distance
   /// @throws std::invalid_argument when the query is empty, names a vertex that is not there, has
   ///         a negative or non-finite initial distance or a negative limit, or asks for an ability
-  ///         the solver lacks; or when `distances` has the wrong size
+  ///         the solver lacks; when windows are wished for that it does not keep; or when
+  ///         `distances` has the wrong size
   void solve(const Query& query, std::span<double> distances, Recording* recording = nullptr);
 
   /// The vector instructions that this object solves with: those chosen when it was constructed

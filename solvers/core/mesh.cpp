@@ -74,9 +74,10 @@ void Mesh::renumber(std::span<const Vec3> positions, std::span<const Triangle> t
   for (Triangle& t : renamed) {
     for (Index& corner : t) corner = vertices_[corner];
   }
+  faces_ = order_by_least_vertex(renamed, vertex_count());
   std::vector<Triangle> sorted;
   sorted.reserve(renamed.size());
-  for (const Index f : order_by_least_vertex(renamed, vertex_count())) sorted.push_back(renamed[f]);
+  for (const Index f : faces_) sorted.push_back(renamed[f]);
   set_faces(sorted);
 }
 

@@ -49,6 +49,8 @@ class Mesh {
   /// function of this class speaks of vertices; Solver::solve speaks of numbers given.
   Index vertex_given_as(Index v) const { return numbers_.empty() ? v : vertices_[v]; }
   Index given_number(Index v) const { return numbers_.empty() ? v : numbers_[v]; }
+  /// The number that face f was given as.
+  Index given_face(Index f) const { return faces_.empty() ? f : faces_[f]; }
   bool is_renumbered() const { return !numbers_.empty(); }
 
   Index vertex_count() const { return static_cast<Index>(positions_.size()); }
@@ -111,6 +113,7 @@ class Mesh {
 
   std::vector<Index> numbers_;  // given_number and vertex_given_as; empty unless renumbered
   std::vector<Index> vertices_;
+  std::vector<Index> faces_;  // given_face; empty unless renumbered
   std::vector<Vec3> positions_;
   std::vector<HalfEdge> half_edges_;
   std::vector<Index> first_outgoing_;  // vertex_count + 1 offsets into outgoing_

@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "solvers/core/final_windows.h"
 #include "solvers/core/phase_timer.h"
 #include "solvers/core/sweep.h"
 #include "solvers/core/wavefront_samples.h"
@@ -22,6 +23,7 @@ enum class Record : std::uint8_t {
   counters,
   phase_times,  ///< and nothing else
   wavefront,    ///< and counters
+  windows,      ///< those that the solve ends with, and nothing else
 };
 
 /// Integer results are the same on every run and every x86-64 machine.
@@ -29,6 +31,9 @@ struct Recording {
   Record what = Record::counters;  ///< the caller's wish
   /// Of Record::wavefront: when to take snapshots, as shares of the reachable vertices, ascending.
   std::vector<double> snapshots_at = {};
+  /// Of Record::windows: called once, when the solve is over, by solvers that keep them
+  /// (Description::final_windows).
+  const ReadWindows* read_windows = nullptr;
 
   std::optional<std::uint64_t> window_propagations;  ///< windows propagated across a face
   std::optional<std::uint64_t> windows_created;      ///< before reduction drops any; not in MMP

@@ -29,6 +29,7 @@ class EdgeLists {
   }
 
   std::span<W> windows(Index edge) { return {lists_[edge].windows, lists_[edge].size}; }
+  std::span<const W> windows(Index edge) const { return {lists_[edge].windows, lists_[edge].size}; }
 
   /// Starts to bring near where an edge's list is, and, once that is near, the list itself: its
   /// ends, where most windows land, and its middle, where a search begins.

@@ -15,8 +15,15 @@ class Mmp final : public Solver {
 
  private:
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
-    if (recording == nullptr) return propagation_.run(query, distances);
-    solve_recorded<Order>(mesh(), query, distances, *recording);
+    if (recording != nullptr && recording->what != Record::windows) {
+      return solve_recorded<Order>(mesh(), query, distances, *recording);
+    }
+    propagation_.run(query, distances);
+    if (recording != nullptr) hand_over_windows(*recording->read_windows);
+  }
+
+  void hand_over_windows(const ReadWindows& read) const {
+    read([this](Index h, std::vector<Window>& windows) { propagation_.copy_windows(h, windows); });
   }
 
   Propagation<typename Order::Queue, NoRecorder> propagation_;
@@ -30,6 +37,7 @@ const RegisterSolver<Mmp<ByDistance>> mmp{{
     .time_complexity = "O(n^2 log n)",
     .space_complexity = "O(n^2)",
     .propagation = "window",
+    .final_windows = true,
     .relative_time = 12,
 }};
 
@@ -41,6 +49,7 @@ const RegisterSolver<Mmp<ByBucket>> fwp_mmp{{
     .time_complexity = "O(n^2 log n)",
     .space_complexity = "O(n^2)",
     .propagation = "window",
+    .final_windows = true,
     .relative_time = 10,
 }};
 

@@ -50,6 +50,12 @@ class Propagation {
     if constexpr (Recorder::kRecords) recorder_.recording.window_limit = wavefront_.windows_left();
   }
 
+  /// The windows that the last solve left on an edge (core/final_windows.h).
+  void copy_windows(Index half_edge, std::vector<Window>& windows) const {
+    const Index edge = std::min(half_edge, mesh_.twin(half_edge));
+    wavefront_.copy_windows(edge, mesh_.half_edge(edge).length, windows);
+  }
+
  private:
   using Depth = typename Recorder::Depth;
   using Taken = typename Wavefront<Queue, Recorder>::Taken;

@@ -140,8 +140,18 @@ class Wavefront {
     });
   }
 
+  /// The windows of an edge, in the frame of its own half-edge.
+  void copy_windows(Index edge, double length, std::vector<Window>& windows) const {
+    windows.clear();
+    const std::span<const W> list = lists_.windows(edge);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (list[i].is_gap()) continue;
+      windows.push_back(list[i].geometry(end_of(list, i, length), sigmas_[list[i].source]));
+    }
+  }
+
   /// Windows on all edges.
-  std::uint64_t windows_left() {
+  std::uint64_t windows_left() const {
     std::uint64_t left = 0;
     for (Index edge = 0; edge < lists_.edge_bound(); ++edge) {
       for (const W& w : lists_.windows(edge)) left += w.is_gap() ? 0u : 1u;
