@@ -35,24 +35,26 @@ class Union {
         result_(result) {}
 
   void add(const Interval& next) {
-    if (last_ && next.begin <= last_->end + kWeld * length_) {
-      last_->end = std::max(last_->end, next.end);
+    if (!empty_ && next.begin <= last_.end + kWeld * length_) {
+      last_.end = std::max(last_.end, next.end);
       return;
     }
     close();
     last_ = next;
+    empty_ = false;
   }
 
   void close() {
-    if (!last_) return;
-    if (!(origin_inside_ && last_->begin <= 0)) result_.push_back({last_->begin, true});
-    if (!(head_inside_ && last_->end >= length_)) result_.push_back({last_->end, false});
+    if (empty_) return;
+    if (!(origin_inside_ && last_.begin <= 0)) result_.push_back({last_.begin, true});
+    if (!(head_inside_ && last_.end >= length_)) result_.push_back({last_.end, false});
   }
 
  private:
   double length_;
   bool origin_inside_, head_inside_;
-  std::optional<Interval> last_;
+  bool empty_ = true;
+  Interval last_{0, 0};
   std::vector<Crossing>& result_;
 };
 

@@ -19,6 +19,8 @@ std::unique_ptr<Propagator> recorded(const Mesh& mesh, Record what) {
       return std::make_unique<Propagation<TimingRecorder>>(mesh);
     case Record::wavefront:
       return std::make_unique<Propagation<WavefrontRecorder>>(mesh);
+    case Record::windows:
+      break;  // refused: this solver does not keep them
   }
   return nullptr;
 }

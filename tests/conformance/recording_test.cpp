@@ -95,6 +95,55 @@ TEST_P(Recordings, of_phase_times_hold_nothing_else_and_lose_none) {
   EXPECT_EQ(timed, only);
 }
 
+// On every edge: in order, without overlap, no nearer than the vertices are, and at a vertex the
+// nearest of all its edges is as near as the vertex.
+TEST_P(Recordings, of_windows_hand_over_those_that_give_the_distances) {
+  NEEDS(description().final_windows);
+  for (const auto& [name, soup] : oracles::random_meshes()) {
+    const Mesh mesh(soup);
+    const auto solver = prepare(mesh);
+    const auto distances = ask(*solver, mesh, from(4));
+    std::vector<double> nearest(mesh.vertex_count(), kInfinity);
+    nearest[4] = 0;
+    int calls = 0;
+    const ReadWindows read = [&](const FinalWindows& windows_on) {
+      ++calls;
+      std::vector<Window> windows;
+      for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+        windows_on(h, windows);
+        const Index own = std::min(h, mesh.twin(h));
+        double end = 0;
+        for (const Window& w : windows) {
+          ASSERT_LE(end, w.begin) << name << ", half-edge " << h;
+          ASSERT_LT(w.begin, w.end) << name << ", half-edge " << h;
+          end = w.end;
+          double& at_origin = nearest[mesh.origin(own)];
+          double& at_head = nearest[mesh.head(own)];
+          at_origin = std::min(at_origin, distance_at(w, w.begin) + w.begin);
+          at_head = std::min(at_head, distance_at(w, w.end) + mesh.half_edge(own).length - w.end);
+        }
+        ASSERT_LE(end, mesh.half_edge(own).length) << name << ", half-edge " << h;
+      }
+    };
+    Recording recording;
+    recording.what = Record::windows;
+    recording.read_windows = &read;
+    EXPECT_TRUE(identical(ask(*solver, mesh, from(4), &recording), distances)) << name;
+    EXPECT_EQ(calls, 1) << name;
+    EXPECT_TRUE(agree(nearest, distances)) << name;
+  }
+}
+
+TEST_P(Recordings, of_windows_are_refused_by_solvers_that_keep_none) {
+  NEEDS(!description().final_windows);
+  const Mesh mesh(oracles::rough_sphere(54, 0, 0.3));
+  const ReadWindows read = [](const FinalWindows&) { FAIL() << "handed over none"; };
+  Recording recording;
+  recording.what = Record::windows;
+  recording.read_windows = &read;
+  EXPECT_THROW(ask(*prepare(mesh), mesh, from(4), &recording), std::invalid_argument);
+}
+
 FOR_EVERY_SOLVER(Recordings);
 
 }  // namespace
