@@ -4,6 +4,7 @@
 
 #include "harness/cells/row.h"
 #include "harness/corpus/vectors.h"
+#include "harness/isolines/solve.h"
 #include "harness/measure/benchmark.h"
 #include "harness/measure/process.h"
 #include "harness/measure/recorded_solve.h"
@@ -32,8 +33,9 @@ class Cell {
 
  private:
   std::string verify_warm_up(Solver& solver);
-  Exactness exactness() const { return find_solver(spec_.solver)->exactness; }
-  Json record_wavefront();
+  const Description& description() const { return *find_solver(spec_.solver); }
+  Json record();
+  void record_isolines(const std::filesystem::path& folder);
 
   const CellSpec& spec_;
   const TriangleSoup& soup_;
@@ -60,27 +62,37 @@ std::string Cell::verify_warm_up(Solver& solver) {
     bound = solve_once(chosen->name, mesh_, query_);
     edge_graph = {chosen->name, bound};
   }
-  const Verdict verdict = verify(mesh_, std::vector{spec_.source}, exactness(), verified_,
-                                 {spec_.reference, reference}, edge_graph);
+  const Verdict verdict = verify(mesh_, std::vector{spec_.source}, description().exactness,
+                                 verified_, {spec_.reference, reference}, edge_graph);
   max_relative_error_ = verdict.max_relative_error;
   return verdict.error;
 }
 
 // What to say of it in the rows: where it is, or why it is not there. A full disk takes no time
 // away that was measured.
-Json Cell::record_wavefront() {
+Json Cell::record() {
   Recording recording = wavefront_wish();
   make_solver(spec_.solver, mesh_)->solve(query_, solved_, &recording);
   const RecordingFolders folders = recording_folders(spec_.mesh, spec_.source, spec_.solver);
   const std::filesystem::path run = spec_.run_folder;
   try {
     write_surface(run / folders.mesh, soup_);
-    if (exactness() == Exactness::exact) write_vertex_distances(run / folders.source, verified_);
+    if (description().exactness == Exactness::exact)
+      write_vertex_distances(run / folders.source, verified_);
     write_wavefront(run / folders.solver, mesh_, recording);
+    if (description().final_windows && !has_isolines(run / folders.source))
+      record_isolines(run / folders.source);
   } catch (const std::exception& error) {
     return {{"recordings_error", error.what()}};
   }
   return {{"recordings", folders.solver.string()}};
+}
+
+// The first solver that can does it for all of this source.
+void Cell::record_isolines(const std::filesystem::path& folder) {
+  std::vector<double> distances = verified_;
+  write_isolines(folder, solve_isolines(spec_.solver, mesh_, query_, distances));
+  if (!identical(distances, verified_)) solved_ = distances;
 }
 
 Timing Cell::measure() {
@@ -104,7 +116,7 @@ Timing Cell::measure() {
 
   Json recorded = record_solve(spec_.solver, mesh_, query_, solved_);
   if (spec_.pictured && recorded.contains("wavefront_sd") && identical(solved_, verified_))
-    recorded.update(record_wavefront());
+    recorded.update(record());
   if (!identical(solved_, verified_))
     return wrong("a recorded solve gave other distances than timed ones");
   for (Json& row : timing.rows) {

@@ -34,6 +34,8 @@ std::vector<To> flattened(const std::vector<std::array<From, 3>>& rows) {
   return numbers;
 }
 
+constexpr const char* kPieces = "isoline_pieces.npy";
+
 // A window as figures need it: on the edge between two vertices of the file.
 struct WindowOfFile {
   Index origin, head;
@@ -96,6 +98,17 @@ void write_wavefront(const fs::path& folder, const Mesh& mesh, const Recording& 
                     npy_column<float>("begin", &W::begin), npy_column<float>("end", &W::end),
                     npy_column<double>("distance", &W::distance));
   }
+}
+
+bool has_isolines(const fs::path& folder) { return fs::exists(folder / kPieces); }
+
+void write_isolines(const fs::path& folder, const Isolines& isolines) {
+  make_folder(folder);
+  using Piece = Isolines::Piece;
+  write_npy<float>(folder / "isoline_points.npy", flattened<float>(isolines.points), 3);
+  write_npy_table(
+      folder / kPieces, isolines.pieces, npy_column<std::uint32_t>("face", &Piece::face),
+      npy_column<float>("level", &Piece::level), npy_column<std::uint32_t>("first", &Piece::first));
 }
 
 }  // namespace geodesic::harness

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 
+#include "harness/isolines/isolines.h"
 #include "solvers/solver.h"
 
 namespace geodesic::harness {
@@ -21,5 +22,11 @@ void write_vertex_distances(const std::filesystem::path& folder, std::span<const
 /// Writes curve.npy, and snapshot-25.npy, -50 and -75: those that came about.
 void write_wavefront(const std::filesystem::path& folder, const Mesh& mesh,
                      const Recording& recording);
+
+/// Whether `write_isolines` has been there.
+bool has_isolines(const std::filesystem::path& folder);
+
+/// Writes isoline_points.npy and isoline_pieces.npy.
+void write_isolines(const std::filesystem::path& folder, const Isolines& isolines);
 
 }  // namespace geodesic::harness
