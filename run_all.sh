@@ -10,6 +10,7 @@ source "$root/tools/common.sh"
 all_steps=(build fetch run check plot)
 corpus=standard
 out=
+old_run=
 install=yes
 run_options=()
 steps=()
@@ -28,7 +29,8 @@ Without a step, all of them, in this order:
   run     solve, verify and time every solver on every mesh
   check   fail unless every cell of the run is there and verified
   plot    write the tables and figures of the run, and a page that shows them
-check and plot alone work on the newest run, or on the one that --out names.
+check and plot without run work on the newest run, or on the one that --run names: they solve
+nothing, so every table, figure and the page can be drawn again from an old run.
 
 Options:
   --corpus NAME        meshes to run on (default: standard: the quick ones, and horse, bunny
@@ -37,7 +39,8 @@ Options:
   --meshes A,B         only these meshes of the corpus
   --sources N          source vertices of each mesh
   --repetitions N      timed solves of each solver, mesh and source
-  --out DIR            run folder (default: results/runs/<UTC time>-<corpus>)
+  --out DIR            folder that run writes (default: results/runs/<UTC time>-<corpus>)
+  --run DIR            folder of an old run, for check and plot (default: the newest)
   --no-install         never install a package: print the line that would, and stop
   --help               this text
 
@@ -59,14 +62,14 @@ parse_options() {
     case $1 in
       --help | -h) usage; exit 0 ;;
       --no-install) install=no; shift ;;
-      --corpus | --out | --solvers | --meshes | --sources | --repetitions)
+      --corpus | --out | --run | --solvers | --meshes | --sources | --repetitions)
         value=$(value_of "$@")
         take_option "$1" "$value"
         shift 2
         ;;
       -*)
         die "unknown option $1; there are --corpus, --solvers, --meshes, --sources," \
-          "--repetitions, --out, --no-install, --help"
+          "--repetitions, --out, --run, --no-install, --help"
         ;;
       *)
         [[ " ${all_steps[*]} " == *" $1 "* ]] ||
@@ -77,12 +80,19 @@ parse_options() {
     esac
   done
   [[ ${#steps[@]} -gt 0 ]] || steps=("${all_steps[@]}")
+  if wants run; then
+    [[ -z $old_run ]] || die "--run names an old run, for check and plot; run writes to --out DIR"
+  else
+    [[ -z $out ]] || die "--out is where run writes; check and plot take --run DIR"
+    out=$old_run
+  fi
 }
 
 take_option() {
   case $1 in
     --corpus) corpus=$2 ;;
     --out) out=$(absolute "$2") ;;
+    --run) old_run=$(absolute "$2") ;;
     --sources | --repetitions)
       [[ $2 =~ ^[1-9][0-9]*$ ]] || die "$1: $2 is no positive number"
       run_options+=("$1" "$2")

@@ -66,7 +66,7 @@ def test_help_lists_every_option_from_any_folder(checkout: Path, script: str) ->
     assert ended.returncode == 0 and ended.stderr == ""
     text = (checkout / script).read_text()
     steps = ["build", "fetch", "run", "check", "plot"] if script == "run_all.sh" else []
-    options = [word for word in ["--corpus", "--preset", "--out"] if f"{word})" in text]
+    options = [word for word in ["--corpus", "--preset", "--out", "--run"] if f"{word})" in text]
     for word in ["--no-install", "--help", *steps, *options]:
         assert word in ended.stdout
 
@@ -91,7 +91,8 @@ def test_unknown_preset_lists_the_presets(checkout: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "option", ["--corpus", "--out", "--meshes", "--solvers", "--sources", "--repetitions"]
+    "option",
+    ["--corpus", "--out", "--run", "--meshes", "--solvers", "--sources", "--repetitions"],
 )
 def test_option_without_value_is_an_error(checkout: Path, option: str) -> None:
     for arguments in ([option], [option, "--no-install"]):
@@ -169,11 +170,34 @@ def test_plot_alone_draws_the_newest_run_twice_in_a_row(checkout: Path) -> None:
 
 def test_failed_check_still_draws_the_tables_and_ends_in_error(checkout: Path) -> None:
     shutil.copytree(ROOT / "tests" / "plots" / "golden" / "run", checkout / "my run")
-    arguments = ["check", "plot", "--no-install", "--out", "my run"]
+    arguments = ["check", "plot", "--no-install", "--run", "my run"]
     ended = run(checkout / "run_all.sh", *arguments, cwd=str(checkout))
     assert ended.returncode == 1 and "check failed" in ended.stderr
     assert "FAILED: ich/rocker-arm/src:4711" in ended.stdout
     assert (checkout / "my run" / "tables" / "table_5_1.tex").exists()
+
+
+def test_an_old_run_is_redrawn_where_it_is_without_the_program(checkout: Path) -> None:
+    shutil.copytree(ROOT / "tests" / "plots" / "golden" / "run", checkout / "old run")
+    ended = run(checkout / "run_all.sh", "plot", "--no-install", "--run", str(checkout / "old run"))
+    assert ended.returncode == 0, ended.stderr
+    assert (checkout / "old run" / "report.html").exists()
+    assert not (checkout / "results" / "runs").exists()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["plot", "--out", "x"], "check and plot take --run DIR"),
+        (["run", "plot", "--run", "x"], "run writes to --out DIR"),
+        (["plot", "--run", "x", "--no-install"], "no such folder"),
+    ],
+)
+def test_the_folder_to_write_and_the_one_to_read_are_not_confused(
+    checkout: Path, arguments: list[str], words: str
+) -> None:
+    ended = run(checkout / "run_all.sh", *arguments)
+    assert ended.returncode == 1 and words in ended.stdout + ended.stderr
 
 
 def test_run_folder_that_holds_results_is_not_written_to(checkout: Path) -> None:
