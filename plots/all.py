@@ -7,8 +7,17 @@ import sys
 from dataclasses import dataclass
 
 import accuracy
+import figure_5_7
+import figure_5_8
 import figure_5_9
 import figure_5_10
+import figure_5_10_curve
+import figure_6_4
+import figure_a_1
+import figure_a_2
+import figure_a_3
+import figure_a_4
+import figure_a_5
 import overview
 import speedup
 import table_5_1
@@ -25,7 +34,9 @@ from table import Table
 
 TABLES = [table_5_1, table_5_2, table_5_2_ratios, table_5_3, table_growth]
 FIGURES = [
-    overview, figure_5_9, figure_5_10, speedup, windows_over_limit, time_over_vertices, accuracy,
+    overview, figure_5_7, figure_5_8, figure_5_9, figure_5_10, figure_5_10_curve, figure_6_4,
+    speedup, windows_over_limit, time_over_vertices, accuracy,
+    figure_a_1, figure_a_2, figure_a_3, figure_a_4, figure_a_5,
 ]  # fmt: skip
 """In the order in which the report shows them."""
 

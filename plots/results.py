@@ -73,6 +73,8 @@ class Row:
     numbers: dict[str, float]
     """Every number the row has under its name in the file, those of an object as
     "phase_seconds.queue"; empty unless the outcome is ok."""
+    recordings: str | None = None
+    """Folder of the solver's recordings, seen from the run folder."""
 
     @property
     def ok(self) -> bool:
@@ -225,6 +227,7 @@ def _row(row: dict[str, Any]) -> Row:
         message=row.get("error_message", ""),
         reference=row.get("reference"),
         numbers=_numbers(row) if ok else {},
+        recordings=row.get("recordings"),
     )
 
 

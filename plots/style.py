@@ -28,6 +28,8 @@ WIDTH = 6.3
 DPI = 200
 
 INK, PALE, GRID = "#222222", "#767676", "#dddddd"
+ISOLINE, WAVEFRONT = "#EE442F", "#08407F"
+"""Red and blue as in the thesis; in grey the isoline is the lighter one."""
 
 matplotlib.rcParams.update(
     {

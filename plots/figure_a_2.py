@@ -1,0 +1,19 @@
+#!/usr/bin/python3
+"""Figure A.2: shape of the wavefront of mmp."""
+
+from __future__ import annotations
+
+import sys
+
+from command_line import draw
+from drawing import Drawing
+from results import Run
+from wavefront_shape import shape
+
+
+def figures(run: Run) -> list[Drawing]:
+    return [shape(run, 2, "mmp")]
+
+
+if __name__ == "__main__":
+    sys.exit(draw(__doc__, figures))

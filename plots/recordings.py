@@ -1,0 +1,187 @@
+"""The one reader of a run's recordings: surfaces, distances, isolines, wavefronts and their curves.
+
+The files are described by results/README.md. Whatever is wrong with one ends in a ResultError of
+one line that names it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from camera import Floats
+from numpy.typing import NDArray
+from published import THESIS_SOLVERS
+from results import Mesh, ResultError, Run
+from surface import Surface
+
+MOMENTS = (25, 50, 75)
+"""Per cent of the vertices reached at which the wavefront is recorded."""
+
+CURVE = np.dtype(
+    [("reached", "<u4"), ("windows", "<u8"), ("least", "<f8"), ("mean", "<f8"), ("sd", "<f8")]
+)
+SNAPSHOT = np.dtype(
+    [("origin", "<u4"), ("head", "<u4"), ("begin", "<f4"), ("end", "<f4"), ("distance", "<f8")]
+)
+PIECES = np.dtype([("face", "<u4"), ("level", "<f4"), ("first", "<u4")])
+
+Table = NDArray[Any]
+"""Of one of the structures above."""
+
+
+@dataclass(frozen=True)
+class Isolines:
+    segments: Floats
+    """(n, 2, 3)"""
+    levels: Floats
+    """(n): of each segment."""
+
+    def at(self, level: float) -> Floats:
+        there: Floats = self.segments[self.levels == level]
+        return there
+
+
+@dataclass(frozen=True)
+class Recording:
+    """Of one source on one mesh; what is in files is read when it is asked for."""
+
+    mesh: Mesh
+    source: int
+    folder: Path
+    """RUN/recordings/<mesh>/src<source>"""
+    solvers: dict[str, Path]
+    """Their folders in it."""
+
+    @cached_property
+    def surface(self) -> Surface:
+        vertices = _floats(self.folder.parent / "vertices.npy", "<f4", (self.mesh.vertices, 3))
+        file = self.folder.parent / "faces.npy"
+        faces = _load(file, np.dtype("<u4"), (self.mesh.faces, 3))
+        _require(int(faces.max()) < len(vertices), file, "a face has a vertex that is not there")
+        return Surface(vertices, faces.astype(np.int64))
+
+    @cached_property
+    def distances(self) -> Floats:
+        """By vertex; infinite where no path leads."""
+        file = self.folder / "distances.npy"
+        distances = _load(file, np.dtype("<f8"), (self.mesh.vertices,))
+        _require(not np.isnan(distances).any(), file, "a distance is no number")
+        _require(distances.min() >= 0, file, "a distance is negative")
+        reached = distances[np.isfinite(distances)]
+        _require(reached.size > 0 and reached.max() > 0, file, "no vertex is reached")
+        return distances
+
+    @property
+    def greatest(self) -> float:
+        """Distance of a vertex that is reached."""
+        return float(self.distances[np.isfinite(self.distances)].max())
+
+    @cached_property
+    def isolines(self) -> Isolines:
+        points = _floats(self.folder / "isoline_points.npy", "<f4", (None, 3))
+        file = self.folder / "isoline_pieces.npy"
+        pieces = _load(file, PIECES, (None,))
+        first = pieces["first"].astype(np.int64)
+        _require(first[0] == 0 and first[-1] < len(points), file, "points and pieces do not match")
+        counts = np.diff(first, append=len(points))
+        _require(counts.min() >= 2, file, "a piece has fewer than two points")
+        levels = pieces["level"].astype(float)
+        _require(bool(np.isfinite(levels).all() and levels.min() > 0), file, "a level is absurd")
+        # Each point but the last of a piece begins a segment.
+        begins = np.delete(np.arange(len(points)), first[1:] - 1)[:-1]
+        owner = np.repeat(levels, counts - 1)
+        return Isolines(np.stack([points[begins], points[begins + 1]], axis=1), owner)
+
+    def curve(self, solver: str) -> Table:
+        """Of CURVE: the wavefront at equal steps of progress."""
+        file = self.solvers[solver] / "curve.npy"
+        curve = _load(file, CURVE, (None,))
+        numbers = np.column_stack([curve[name] for name in ("least", "mean", "sd")])
+        _require(bool(np.isfinite(numbers).all() and numbers.min() >= 0), file, "a value is absurd")
+        _require(len(curve) > 1, file, "fewer than two samples")
+        _require(bool((np.diff(curve["reached"].astype(np.int64)) > 0).all()), file, "no progress")
+        return curve
+
+    def snapshot(self, solver: str, moment: int) -> Table:
+        """Of SNAPSHOT: the windows on the wavefront. @param moment one of MOMENTS"""
+        file = self.solvers[solver] / f"snapshot-{moment}.npy"
+        windows = _load(file, SNAPSHOT, (None,))
+        ends = np.column_stack([windows["origin"], windows["head"]])
+        _require(int(ends.max()) < self.mesh.vertices, file, "a window is on no edge of the mesh")
+        begin, end = windows["begin"], windows["end"]
+        on_edge = (begin >= 0) & (begin <= end) & (end <= 1)
+        _require(bool(on_edge.all()), file, "a window reaches over its edge")
+        distance = windows["distance"]
+        _require(bool(np.isfinite(distance).all() and distance.min() >= 0), file, "no distance")
+        return windows
+
+    def wavefront(self, solver: str, moment: int) -> Floats:
+        """The windows of a snapshot as segments (n, 2, 3)."""
+        windows = self.snapshot(solver, moment)
+        origin = self.surface.vertices[windows["origin"]]
+        along = self.surface.vertices[windows["head"]] - origin
+        begin, end = windows["begin"][:, None], windows["end"][:, None]
+        return np.stack([origin + begin * along, origin + end * along], axis=1)
+
+
+def recordings(run: Run, *solvers: str) -> list[Recording]:
+    """One a mesh, of its first recorded source: those that suit the thesis's figures best come
+    first, and of several meshes for one of its models only the best does.
+    @param solvers without which a recording is of no use
+    @raises ResultError when there is none"""
+    found: dict[str, Recording] = {}
+    for row in run.rows:
+        if row.recordings is None:
+            continue
+        folder = run.file.parent / row.recordings
+        mesh = run.meshes[row.mesh]
+        one = found.setdefault(row.mesh, Recording(mesh, row.source, folder.parent, {}))
+        if row.source == one.source:
+            one.solvers[row.solver] = folder
+    useful = [one for one in found.values() if set(solvers) <= set(one.solvers)]
+    if not useful:
+        whose = f" of {' and '.join(solvers)}" if solvers else ""
+        raise ResultError(f"{run.file}: no recordings{whose}; run --recordings auto makes them")
+    best: dict[str, Recording] = {}
+    for one in sorted(useful, key=_merit, reverse=True):
+        best.setdefault(one.mesh.thesis_model or one.mesh.name, one)
+    return list(best.values())
+
+
+def _merit(one: Recording) -> tuple[bool, int, bool, int]:
+    of_thesis = sum(solver in one.solvers for solver in THESIS_SOLVERS)
+    mesh = one.mesh
+    return mesh.thesis_model is not None, of_thesis, not mesh.stand_in, mesh.vertices
+
+
+def _floats(file: Path, kind: str, shape: Sequence[int | None]) -> Floats:
+    numbers = _load(file, np.dtype(kind), shape)
+    _require(bool(np.isfinite(numbers).all()), file, "a number is not finite")
+    return numbers.astype(float)
+
+
+def _load(file: Path, kind: np.dtype[Any], shape: Sequence[int | None]) -> Table:
+    """@param shape None stands for any number but 0"""
+    try:
+        data: Table = np.load(file, allow_pickle=False)
+    except FileNotFoundError:
+        raise ResultError(f"{file}: no such file; was the run interrupted?") from None
+    except (OSError, ValueError, EOFError) as error:
+        raise ResultError(f"{file}: not a .npy file, perhaps cut off: {error}") from None
+    _require(data.dtype == kind, file, f"holds {data.dtype}, not {kind}")
+    fits = data.ndim == len(shape) and all(
+        has > 0 if wanted is None else has == wanted
+        for has, wanted in zip(data.shape, shape, strict=True)
+    )
+    _require(fits, file, f"has the shape {data.shape}, not {tuple(n or 'any' for n in shape)}")
+    return data
+
+
+def _require(holds: bool, file: Path, otherwise: str) -> None:
+    if not holds:
+        raise ResultError(f"{file}: {' '.join(otherwise.split())}")

@@ -1,0 +1,98 @@
+"""A triangle mesh, and its picture: shaded smoothly, as an image below vector lines."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from camera import Camera, Floats
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+from zbuffer import NOTHING, Integers, ZBuffer, z_buffer
+
+PIXELS_PER_INCH = 400
+"""Twice the resolution of a saved figure, which smooths the outline."""
+CREASE = np.cos(np.radians(40))
+"""Faces that turn away further than this from their neighbours are not shaded smoothly."""
+LIGHT = np.array([-0.45, 0.55, 0.7]) / np.linalg.norm([-0.45, 0.55, 0.7])
+"""Towards the light, in camera coordinates."""
+DARK, BRIGHT = np.array([0.50, 0.52, 0.56]), np.array([0.97, 0.965, 0.95])
+"""Colours of a face that turns away from the light, and of one that looks into it."""
+
+
+@dataclass(frozen=True)
+class Surface:
+    vertices: Floats
+    """(n, 3)"""
+    faces: Integers
+    """(m, 3)"""
+
+    @cached_property
+    def face_normals(self) -> Floats:
+        """Unit vectors; 0 of a face without area."""
+        return _unit(self._area_vectors)
+
+    @cached_property
+    def _area_vectors(self) -> Floats:
+        a, b, c = (self.vertices[self.faces[:, i]] for i in range(3))
+        vectors: Floats = np.cross(b - a, c - a)
+        return vectors
+
+    @cached_property
+    def corner_normals(self) -> Floats:
+        """(m, 3, 3): those of the vertices, but of the face itself beside a crease."""
+        sums = np.zeros_like(self.vertices)
+        for i in range(3):
+            for axis in range(3):
+                sums[:, axis] += np.bincount(
+                    self.faces[:, i], self._area_vectors[:, axis], len(sums)
+                )
+        smooth = _unit(sums)[self.faces]
+        flat = np.broadcast_to(self.face_normals[:, None], smooth.shape)
+        agree = np.einsum("ijk,ijk->ij", smooth, flat) >= CREASE
+        return np.where(agree[:, :, None], smooth, flat)
+
+
+def _unit(vectors: Floats) -> Floats:
+    lengths = np.linalg.norm(vectors, axis=-1, keepdims=True)
+    units: Floats = vectors / np.where(lengths > 0, lengths, 1)
+    return units
+
+
+def shade(surface: Surface, buffer: ZBuffer) -> Floats:
+    """The picture (height, width, 3), row 0 lowest, white where there is no surface."""
+    image = np.ones((*buffer.face.shape, 3))
+    y, x = np.nonzero(buffer.face != NOTHING)
+    face = buffer.face[y, x]
+    weights = buffer.weights(face, x + 0.5, y + 0.5)
+    normals = np.einsum("ij,ijk->ik", weights, surface.corner_normals[face])
+    normals = buffer.camera.project(_unit(normals))
+    normals *= np.where(normals[:, 2:] < 0, -1, 1)  # inside and outside look alike
+    bright = (0.5 + 0.5 * normals @ LIGHT) ** 1.2
+    image[y, x] = DARK + bright[:, None] * (BRIGHT - DARK)
+    return image
+
+
+def draw_surface(axes: Axes, surface: Surface, camera: Camera, inches: float) -> ZBuffer:
+    """Fills the axes with the surface, and gives what decides which lines on it are hidden.
+    @param inches about as wide as the axes will be"""
+    buffer = z_buffer(
+        surface.vertices, surface.faces, camera, max(1, round(inches * PIXELS_PER_INCH))
+    )
+    axes.imshow(
+        shade(surface, buffer), extent=camera.extent, origin="lower", interpolation="antialiased"
+    )
+    axes.set_axis_off()
+    return buffer
+
+
+def draw_lines(axes: Axes, buffer: ZBuffer, segments: Floats, color: str, width: float) -> Floats:
+    """Draws what is visible of segments (n, 2, 3) on the surface, which is returned.
+    @param width in points"""
+    pieces, _ = buffer.visible_pieces(segments)
+    axes.add_collection(
+        LineCollection(list(pieces), colors=color, linewidths=width, capstyle="round"),
+        autolim=False,
+    )
+    return pieces

@@ -1,0 +1,151 @@
+"""Meshes with known distances, and recordings of runs that never were, in the recordings' formats.
+
+The windows on a solver's wavefront are the edges that cross a level, moved off it by a spread of
+the solver's own.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from camera import Floats
+from published import THESIS_SOLVERS
+from recordings import CURVE, MOMENTS, PIECES, SNAPSHOT
+from zbuffer import Integers
+
+LEVELS = 40
+SAMPLES = 64
+SPREAD = {"mmp": 0.2, "ich": 0.25, "edge-based": 0.5, "fwp-mmp": 0.7, "fwp-ch": 0.8}
+"""Mean edge lengths."""
+
+Geometry = tuple[Floats, Integers]
+
+
+def grid(columns: int, rows: int, *, closed: bool) -> Integers:
+    """Faces of columns x rows vertices; closed: both directions come round to where they began."""
+    i, j = np.meshgrid(
+        np.arange(columns - (not closed)), np.arange(rows - (not closed)), indexing="ij"
+    )
+    a, b = i * rows + j, (i + 1) % columns * rows + j
+    c, d = (i + 1) % columns * rows + (j + 1) % rows, i * rows + (j + 1) % rows
+    faces = [np.stack([a, b, c], axis=-1), np.stack([a, c, d], axis=-1)]
+    return np.concatenate([one.reshape(-1, 3) for one in faces]).astype(np.int64)
+
+
+def plane(columns: int, rows: int) -> Geometry:
+    """The unit square."""
+    x, y = np.meshgrid(np.linspace(0, 1, columns), np.linspace(0, 1, rows), indexing="ij")
+    vertices = np.column_stack([x.ravel(), y.ravel(), np.zeros(x.size)])
+    return vertices, grid(columns, rows, closed=False)
+
+
+def torus(columns: int, rows: int, radius: float = 1.0, tube: float = 0.4) -> Geometry:
+    u, v = np.meshgrid(
+        np.arange(columns) * 2 * np.pi / columns, np.arange(rows) * 2 * np.pi / rows, indexing="ij"
+    )
+    across = radius + tube * np.cos(v)
+    points = [across * np.cos(u), tube * np.sin(v), -across * np.sin(u)]
+    return np.column_stack([one.ravel() for one in points]), grid(columns, rows, closed=True)
+
+
+def sphere(rings: int, segments: int, radius: float = 1.0) -> Geometry:
+    """Outward faces; the first vertex is the north pole (z), the last the south pole."""
+    theta, phi = np.meshgrid(
+        np.arange(1, rings + 1) * np.pi / (rings + 1), np.arange(segments) * 2 * np.pi / segments,
+        indexing="ij",
+    )  # fmt: skip
+    band = [np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)]
+    vertices = np.vstack([[0, 0, 1], np.column_stack([b.ravel() for b in band]), [0, 0, -1]])
+    round_ = np.arange(segments)
+    after = (round_ + 1) % segments
+    last, first = len(vertices) - 1, 1 + (rings - 1) * segments
+    faces = [
+        np.column_stack([np.zeros_like(round_), 1 + round_, 1 + after]),
+        np.column_stack([np.full_like(round_, last), first + after, first + round_]),
+    ]
+    for ring in range(rings - 1):
+        a, b = 1 + ring * segments + round_, 1 + ring * segments + after
+        faces += [np.column_stack([a, a + segments, b]),
+                  np.column_stack([b, a + segments, b + segments])]  # fmt: skip
+    return radius * vertices, np.concatenate(faces).astype(np.int64)
+
+
+def edges_of(faces: Integers) -> Integers:
+    return np.unique(np.sort(faces[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)), axis=0)
+
+
+def mean_edge_length(vertices: Floats, faces: Integers) -> float:
+    ends = vertices[edges_of(faces)]
+    return float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).mean())
+
+
+def record(
+    run_folder: Path, mesh: str, source: int, geometry: Geometry, distances: Floats
+) -> dict[str, str]:
+    """Writes RUN/recordings/<mesh> and gives the `recordings` of each of the thesis's solvers."""
+    vertices, faces = geometry
+    folder = run_folder / "recordings" / mesh / f"src{source}"
+    folder.mkdir(parents=True)
+    np.save(folder.parent / "vertices.npy", vertices.astype("<f4"))
+    np.save(folder.parent / "faces.npy", faces.astype("<u4"))
+    np.save(folder / "distances.npy", distances.astype("<f8"))
+    points, pieces = linear_isolines(vertices, faces, distances)
+    np.save(folder / "isoline_points.npy", points)
+    np.save(folder / "isoline_pieces.npy", pieces)
+    edge = mean_edge_length(vertices, faces)
+    return {
+        solver: _record_solver(folder / solver, run_folder, solver, faces, distances, edge)
+        for solver in THESIS_SOLVERS
+    }
+
+
+def linear_isolines(
+    vertices: Floats, faces: Integers, distances: Floats
+) -> tuple[Floats, np.ndarray[Any, Any]]:
+    """One straight piece in each face that a level crosses: linear in the face, so not exact."""
+    corners, values = vertices[faces], distances[faces]
+    points, pieces = [], []
+    for level in np.arange(1, LEVELS + 1) * distances.max() / LEVELS:
+        above = values >= level
+        face = np.flatnonzero(above.any(axis=1) & ~above.all(axis=1))
+        odd = np.argmax(above[face] == (above[face].sum(axis=1) == 1)[:, None], axis=1)
+        ends = []
+        for other in ((odd + 1) % 3, (odd + 2) % 3):
+            a, b = values[face, odd], values[face, other]
+            share = ((level - a) / (b - a))[:, None]
+            ends.append(corners[face, odd] + share * (corners[face, other] - corners[face, odd]))
+        points.append(np.stack(ends, axis=1).reshape(-1, 3))
+        pieces += [(int(f), level, 0) for f in face]
+    table = np.array(pieces, PIECES)
+    table["first"] = 2 * np.arange(len(table))
+    return np.vstack(points).astype("<f4"), table
+
+
+def _record_solver(
+    folder: Path, run_folder: Path, solver: str, faces: Integers, distances: Floats, edge: float
+) -> str:
+    folder.mkdir()
+    edges = edges_of(faces)
+    ends = np.sort(distances[edges], axis=1)
+    sd = SPREAD[solver] * edge
+    random = np.random.default_rng(THESIS_SOLVERS.index(solver))
+    moved = random.normal(0, sd, len(edges))
+    curve = np.zeros(SAMPLES, CURVE)
+    ranked = np.sort(distances)
+    for index in range(SAMPLES):
+        reached = (index + 1) * len(distances) // SAMPLES
+        level = ranked[reached - 1]
+        windows = 3 * int(np.count_nonzero((ends[:, 0] < level) & (ends[:, 1] >= level)))
+        curve[index] = (reached, windows, max(level - 2 * sd, 0), level, sd)
+    np.save(folder / "curve.npy", curve)
+    for moment in MOMENTS:
+        level = ranked[moment * len(distances) // 100]
+        on = (ends[:, 0] + moved < level) & (ends[:, 1] + moved >= level)
+        windows = np.zeros(np.count_nonzero(on), SNAPSHOT)
+        windows["origin"], windows["head"] = edges[on].T
+        windows["end"] = 1
+        windows["distance"] = ends[on, 0]
+        np.save(folder / f"snapshot-{moment}.npy", windows)
+    return str(folder.relative_to(run_folder))
