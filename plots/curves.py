@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import style
 from camera import Floats
+from dots import two_lines
 from matplotlib.axes import Axes
 from measures import columns
 from recordings import Recording, recordings
@@ -35,7 +36,7 @@ def draw_curve(axes: Axes, run: Run, solver: str, x: Floats, y: Floats) -> None:
 
 
 def title(mesh: Mesh) -> str:
-    return f"{mesh.label}, {mesh.vertices:,} vertices"
+    return f"{two_lines(mesh)}, {mesh.vertices:,} vertices"
 
 
 def legend(axes: Sequence[Axes], solvers: Sequence[str]) -> None:

@@ -9,6 +9,7 @@ import numpy as np
 from camera import Camera, Floats
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
+from polylines import joined
 from zbuffer import NOTHING, Integers, ZBuffer, z_buffer
 
 PIXELS_PER_INCH = 400
@@ -19,6 +20,9 @@ LIGHT = np.array([-0.45, 0.55, 0.7]) / np.linalg.norm([-0.45, 0.55, 0.7])
 """Towards the light, in camera coordinates."""
 DARK, BRIGHT = np.array([0.50, 0.52, 0.56]), np.array([0.97, 0.965, 0.95])
 """Colours of a face that turns away from the light, and of one that looks into it."""
+
+SAME_PLACE = 0.02
+"""Pixels."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +72,8 @@ def shade(surface: Surface, buffer: ZBuffer) -> Floats:
     weights = buffer.weights(face, x + 0.5, y + 0.5)
     normals = np.einsum("ij,ijk->ik", weights, surface.corner_normals[face])
     normals = buffer.camera.project(_unit(normals))
-    normals *= np.where(normals[:, 2:] < 0, -1, 1)  # inside and outside look alike
+    turned_away = surface.face_normals[face] @ buffer.camera.axes[2] < 0
+    normals[turned_away] *= -1  # inside and outside look alike
     bright = (0.5 + 0.5 * normals @ LIGHT) ** 1.2
     image[y, x] = DARK + bright[:, None] * (BRIGHT - DARK)
     return image
@@ -92,7 +97,10 @@ def draw_lines(axes: Axes, buffer: ZBuffer, segments: Floats, color: str, width:
     @param width in points"""
     pieces, _ = buffer.visible_pieces(segments)
     axes.add_collection(
-        LineCollection(list(pieces), colors=color, linewidths=width, capstyle="round"),
+        LineCollection(
+            joined(pieces, SAME_PLACE * buffer.pixel), colors=color, linewidths=width,
+            capstyle="round", joinstyle="round",
+        ),
         autolim=False,
-    )
+    )  # fmt: skip
     return pieces

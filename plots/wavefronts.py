@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import style
 from camera import Camera, Floats, close_up, framing
+from curves import title
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -76,7 +77,7 @@ def draw_wavefront(recording: Recording, layers: Sequence[Lines], about: Floats)
         draw_lines(right, near_buffer, lines.segments, lines.color, lines.width)
     _outline(left, near)
     seen = draw_source(left, buffer, recording)
-    left.set_title(f"{mesh.label}, {mesh.vertices:,} vertices")
+    left.set_title(title(mesh))
     handles = [
         Line2D([], [], label=one.label, color=one.color, linewidth=one.width) for one in layers
     ]

@@ -21,6 +21,10 @@ NOTHING = -1
 """The face of a pixel through which none goes."""
 TOLERANCE = 2.0
 """Pixels; a point no further behind a face lies on it."""
+EDGE_ON = 1e-9
+"""Square pixels; a face that appears smaller than this has no side that one could see."""
+SEAM = 1e-6
+"""Of a face's size that it reaches further, so that no pixel falls through between two faces."""
 STEP = 2.0
 """Pixels; lines are hidden or shown by pieces no longer."""
 
@@ -108,7 +112,7 @@ def _maps(corners: Floats) -> Floats:
     """For `ZBuffer.maps`. A face that is seen edge-on has negative weights, so no pixel."""
     (ax, ay, az), (bx, by, bz), (cx, cy, cz) = (corners[:, i].T for i in range(3))
     area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
-    flat = area == 0
+    flat = np.abs(area) < EDGE_ON
     scale = 1 / np.where(flat, 1, area)
     first = scale * np.stack([bx * cy - by * cx, by - cy, cx - bx])
     second = scale * np.stack([cx * ay - cy * ax, cy - ay, ax - cx])
@@ -136,7 +140,7 @@ def z_buffer(vertices: Floats, faces: Integers, camera: Camera, width: int) -> Z
     for face, x, y in _pixels_in_boxes(corners, shape):
         first = _value(maps[0], face, x + 0.5, y + 0.5)
         second = _value(maps[1], face, x + 0.5, y + 0.5)
-        inside = (first >= 0) & (second >= 0) & (first + second <= 1)
+        inside = (first >= -SEAM) & (second >= -SEAM) & (first + second <= 1 + SEAM)
         face, x, y = face[inside], x[inside], y[inside]
         at = _value(maps[2], face, x + 0.5, y + 0.5)
         nearer = at > depth[y, x]

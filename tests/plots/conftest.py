@@ -1,8 +1,9 @@
-"""The golden run and copies of it that a test may break."""
+"""The golden run and copies of it that a test may break; makes the helpers here importable."""
 
 from __future__ import annotations
 
 import json
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -10,7 +11,10 @@ from typing import Any
 import pytest
 from results import Run, read_run
 
-GOLDEN = Path(__file__).parent / "golden"
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+
+GOLDEN = HERE / "golden"
 
 Change = Callable[[dict[str, Any]], object]
 

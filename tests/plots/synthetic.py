@@ -31,7 +31,8 @@ def grid(columns: int, rows: int, *, closed: bool) -> Integers:
     a, b = i * rows + j, (i + 1) % columns * rows + j
     c, d = (i + 1) % columns * rows + (j + 1) % rows, i * rows + (j + 1) % rows
     faces = [np.stack([a, b, c], axis=-1), np.stack([a, c, d], axis=-1)]
-    return np.concatenate([one.reshape(-1, 3) for one in faces]).astype(np.int64)
+    both: Integers = np.concatenate([one.reshape(-1, 3) for one in faces])
+    return both
 
 
 def plane(columns: int, rows: int) -> Geometry:
@@ -143,9 +144,9 @@ def _record_solver(
     for moment in MOMENTS:
         level = ranked[moment * len(distances) // 100]
         on = (ends[:, 0] + moved < level) & (ends[:, 1] + moved >= level)
-        windows = np.zeros(np.count_nonzero(on), SNAPSHOT)
-        windows["origin"], windows["head"] = edges[on].T
-        windows["end"] = 1
-        windows["distance"] = ends[on, 0]
-        np.save(folder / f"snapshot-{moment}.npy", windows)
+        snapshot = np.zeros(np.count_nonzero(on), SNAPSHOT)
+        snapshot["origin"], snapshot["head"] = edges[on].T
+        snapshot["end"] = 1
+        snapshot["distance"] = ends[on, 0]
+        np.save(folder / f"snapshot-{moment}.npy", snapshot)
     return str(folder.relative_to(run_folder))

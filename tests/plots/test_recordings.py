@@ -1,0 +1,197 @@
+"""The reader of recordings: what it gives, and that it refuses files that are cut off or absurd."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from recordings import CURVE, Recording, recordings
+from results import Mesh, ResultError, Row, Run
+from synthetic import LEVELS, mean_edge_length, plane, record
+
+SIDE = 21
+
+
+@pytest.fixture
+def recording(tmp_path: Path) -> Recording:
+    """Of a square from a corner of it, whose distances are known."""
+    vertices, faces = plane(SIDE, SIDE)
+    paths = record(tmp_path, "square", 0, (vertices, faces), np.linalg.norm(vertices, axis=1))
+    mesh = Mesh("square", len(vertices), len(faces), mean_edge_length(vertices, faces), None, False)
+    folders = {solver: tmp_path / path for solver, path in paths.items()}
+    return Recording(mesh, 0, tmp_path / "recordings" / "square" / "src0", folders)
+
+
+def everything(recording: Recording) -> None:
+    _ = recording.surface, recording.distances, recording.isolines
+    for solver in recording.solvers:
+        recording.curve(solver)
+        recording.wavefront(solver, 50)
+
+
+def test_what_was_written_is_read(recording: Recording) -> None:
+    everything(recording)
+    assert recording.greatest == pytest.approx(np.sqrt(2))
+    levels = recording.isolines.levels
+    assert np.unique(levels) == pytest.approx(np.sqrt(2) * np.arange(1, LEVELS + 1) / LEVELS, rel=1e-6)
+    radii = np.linalg.norm(recording.isolines.segments, axis=2)
+    assert radii == pytest.approx(np.column_stack([levels, levels]), abs=0.02)
+    wavefront = recording.wavefront("mmp", 50)
+    assert wavefront.shape[1:] == (2, 3) and len(wavefront) > SIDE
+
+
+def test_a_piece_of_several_points_is_joined_to_no_other(recording: Recording) -> None:
+    points = np.arange(21, dtype="<f4").reshape(7, 3)
+    pieces = np.array([(0, 1.0, 0), (1, 1.0, 3), (2, 2.0, 5)],
+                      [("face", "<u4"), ("level", "<f4"), ("first", "<u4")])  # fmt: skip
+    np.save(recording.folder / "isoline_points.npy", points)
+    np.save(recording.folder / "isoline_pieces.npy", pieces)
+    isolines = recording.isolines
+    assert [(int(a[0]) // 3, int(b[0]) // 3) for a, b in isolines.segments] == [
+        (0, 1), (1, 2), (3, 4), (5, 6),
+    ]  # fmt: skip
+    assert isolines.levels.tolist() == [1, 1, 1, 2] and len(isolines.at(2)) == 1
+
+
+FILES = [
+    "../vertices.npy", "../faces.npy", "distances.npy", "isoline_points.npy", "isoline_pieces.npy",
+    "mmp/curve.npy", "mmp/snapshot-50.npy",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("name", FILES)
+class TestEveryFile:
+    def test_missing_it_is_named_in_one_line(self, recording: Recording, name: str) -> None:
+        (recording.folder / name).unlink()
+        self.refused(recording, name, "no such file")
+
+    @pytest.mark.parametrize("kept", [0, 5, 100, 0.6])
+    def test_cut_off_it_is_refused(self, recording: Recording, name: str, kept: float) -> None:
+        file = recording.folder / name
+        whole = file.read_bytes()
+        file.write_bytes(whole[: int(kept if kept >= 1 else kept * len(whole))])
+        self.refused(recording, name, "perhaps cut off")
+
+    def test_of_another_kind_it_is_refused(self, recording: Recording, name: str) -> None:
+        np.save(recording.folder / name, np.zeros((3, 3), ">i2"))
+        self.refused(recording, name, "holds")
+
+    def test_empty_it_is_refused(self, recording: Recording, name: str) -> None:
+        data = np.load(recording.folder / name)
+        np.save(recording.folder / name, data[:0])
+        self.refused(recording, name, "has the shape")
+
+    def refused(self, recording: Recording, name: str, why: str) -> None:
+        with pytest.raises(ResultError, match=why) as caught:
+            everything(recording)
+        assert Path(name).name in str(caught.value) and "\n" not in str(caught.value)
+
+
+Break = Callable[[np.ndarray[Any, Any]], object]
+
+
+def put(field: str, value: float, index: int = 5) -> Break:
+    def change(data: np.ndarray[Any, Any]) -> None:
+        data[field][index] = value
+
+    return change
+
+
+ABSURD: list[tuple[str, Break, str]] = [
+    ("../vertices.npy", lambda data: data.fill(np.nan), "not finite"),
+    ("../faces.npy", lambda data: data.fill(SIDE * SIDE), "not there"),
+    ("distances.npy", lambda data: data.fill(np.nan), "no number"),
+    ("distances.npy", lambda data: data.fill(np.inf), "no vertex is reached"),
+    ("distances.npy", lambda data: data.fill(0), "no vertex is reached"),
+    ("distances.npy", lambda data: data.fill(-1), "negative"),
+    ("isoline_points.npy", lambda data: data.fill(np.inf), "not finite"),
+    ("isoline_pieces.npy", put("first", 1, 0), "do not match"),
+    ("isoline_pieces.npy", put("first", 2**31, -1), "do not match"),
+    ("isoline_pieces.npy", put("first", 3), "fewer than two points"),
+    ("isoline_pieces.npy", put("level", np.nan), "level is absurd"),
+    ("mmp/curve.npy", put("sd", np.nan), "absurd"),
+    ("mmp/curve.npy", put("mean", -1), "absurd"),
+    ("mmp/curve.npy", put("reached", 0), "no progress"),
+    ("mmp/snapshot-50.npy", put("origin", SIDE * SIDE), "on no edge"),
+    ("mmp/snapshot-50.npy", put("end", 1.5), "over its edge"),
+    ("mmp/snapshot-50.npy", put("begin", -0.5), "over its edge"),
+    ("mmp/snapshot-50.npy", put("begin", np.nan), "over its edge"),
+    ("mmp/snapshot-50.npy", put("distance", np.inf), "no distance"),
+]
+
+
+@pytest.mark.parametrize(("name", "change", "why"), ABSURD)
+def test_absurd_contents_are_refused(
+    recording: Recording, name: str, change: Break, why: str
+) -> None:
+    data = np.load(recording.folder / name)
+    change(data)
+    np.save(recording.folder / name, data)
+    with pytest.raises(ResultError, match=why) as caught:
+        everything(recording)
+    assert Path(name).name in str(caught.value) and "\n" not in str(caught.value)
+
+
+def test_a_recording_of_another_mesh_is_refused(recording: Recording) -> None:
+    larger = replace(recording, mesh=replace(recording.mesh, vertices=SIDE * SIDE + 1))
+    with pytest.raises(ResultError, match="has the shape"):
+        everything(larger)
+
+
+def test_vertices_that_cannot_be_reached_are_no_error(recording: Recording) -> None:
+    distances = recording.distances.copy()
+    distances[-1] = np.inf
+    np.save(recording.folder / "distances.npy", distances)
+    again = replace(recording)
+    everything(again)
+    assert np.isfinite(again.greatest) and again.greatest < np.sqrt(2)
+
+
+def with_recordings(run: Run, of: dict[str, list[str]], source: int | None = None) -> Run:
+    """The run, whose rows say that these solvers recorded on these meshes."""
+
+    def change(row: Row) -> Row:
+        mine = row.ok and row.solver in of.get(row.mesh, ())
+        mine = mine and row.source == (run.sources[row.mesh][0] if source is None else source)
+        path = f"recordings/{row.mesh}/src{row.source}/{row.solver}"
+        return replace(row, recordings=path) if mine else row
+
+    return replace(run, rows=[change(row) for row in run.rows])
+
+
+def test_a_run_without_recordings_says_what_makes_them(golden_run: Run) -> None:
+    with pytest.raises(ResultError, match=r"no recordings; run --recordings auto makes them$"):
+        recordings(golden_run)
+    some = with_recordings(golden_run, {"horse": ["mmp"]})
+    with pytest.raises(ResultError, match="no recordings of ich and mmp;"):
+        recordings(some, "ich", "mmp")
+
+
+def test_models_of_the_thesis_and_those_with_more_solvers_come_first(golden_run: Run) -> None:
+    run = with_recordings(
+        golden_run,
+        {"flat-grid": ["mmp", "ich", "fwp-mmp"], "horse": ["mmp"], "rocker-arm": ["mmp", "ich"]},
+    )
+    assert [one.mesh.name for one in recordings(run)] == ["rocker-arm", "horse", "flat-grid"]
+    assert [one.mesh.name for one in recordings(run, "ich")] == ["rocker-arm", "flat-grid"]
+    (first, *_) = recordings(run)
+    assert (first.source, set(first.solvers)) == (7, {"mmp", "ich"})
+    assert first.solvers["mmp"] == run.file.parent / "recordings/rocker-arm/src7/mmp"
+
+
+def test_of_two_meshes_for_one_model_the_better_one_is_shown(golden_run: Run) -> None:
+    twins = {
+        name: replace(mesh, thesis_model="horse", stand_in=name != "horse")
+        for name, mesh in golden_run.meshes.items()
+    }
+    run = replace(golden_run, meshes=twins)
+    run = with_recordings(run, {"horse": ["mmp"], "rocker-arm": ["mmp"]})
+    assert [one.mesh.name for one in recordings(run)] == ["horse"]
+
+
+def test_the_curve_has_the_documented_columns() -> None:
+    assert CURVE.names == ("reached", "windows", "least", "mean", "sd")
