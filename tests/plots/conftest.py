@@ -8,13 +8,22 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
+import surface
+from published import THESIS_SOLVERS
 from results import Run, read_run
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 
+from synthetic import mean_edge_length, plane, record, torus  # noqa: E402  (needs the path above)
+
 GOLDEN = HERE / "golden"
+PHASES = {"propagation": 0.4, "trimming": 0.2, "queue": 0.3, "timer_overhead": 0.1}
+"""Shares of the timed solve; a tenth is left."""
+SHAPES = {"rocker-arm": torus(108, 93), "flat-grid": plane(21, 21)}
+"""What is recorded; as many vertices and faces as the golden run says that these meshes have."""
 
 Change = Callable[[dict[str, Any]], object]
 
@@ -45,3 +54,47 @@ def changed(golden_folder: Path, tmp_path: Path) -> Callable[[Change], Path]:
         return tmp_path
 
     return make
+
+
+def complete(data: dict[str, Any]) -> None:
+    """What the golden run's old rows lack."""
+    for row in data["benchmarks"]:
+        if row["outcome"] == "ok" and row["solver"] in THESIS_SOLVERS:
+            seconds = row["cpu_time"] / 1000
+            row["phase_seconds"] = {key: share * seconds for key, share in PHASES.items()}
+            row["wavefront_sd_edges"] = 0.2 + 0.1 * THESIS_SOLVERS.index(row["solver"])
+    like = next(row for row in data["benchmarks"] if row["name"] == "mmp/rocker-arm/src:7")
+    name = "fwp-mmp/rocker-arm/src:7"
+    data["benchmarks"].append({**like, "name": name, "run_name": name, "solver": "fwp-mmp"})
+    ours = data["context"]["geodesic_bench"]
+    sources = ours["sources"]
+    for mesh in ours["meshes"]:
+        if mesh["name"] in SHAPES:
+            mesh["mean_edge_length"] = mean_edge_length(*SHAPES[mesh["name"]])
+    for row in data["benchmarks"]:
+        mesh, source, solver = row["mesh"], row["source"], row["solver"]
+        recorded = mesh in SHAPES and source == sources[mesh][0] and solver in THESIS_SOLVERS
+        if row["outcome"] == "ok" and recorded:
+            row["recordings"] = f"recordings/{mesh}/src{source}/{solver}"
+
+
+@pytest.fixture(scope="session")
+def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with recordings of the meshes, from the vertices 7 and 0."""
+    folder = tmp_path_factory.mktemp("recorded")
+    for source, (mesh, geometry) in zip([7, 0], SHAPES.items(), strict=True):
+        vertices, _ = geometry
+        distances = np.linalg.norm(vertices - vertices[source], axis=1)
+        record(folder, mesh, source, geometry, distances)
+    return folder / "recordings"
+
+
+@pytest.fixture
+def run(
+    changed: Callable[[Change], Path], recorded: Path, monkeypatch: pytest.MonkeyPatch
+) -> Run:
+    """The golden run with all that figures need, recordings too, which are drawn coarsely."""
+    monkeypatch.setattr(surface, "PIXELS_PER_INCH", 60)
+    folder = changed(complete)
+    (folder / "recordings").symlink_to(recorded)
+    return read_run(folder)

@@ -28,7 +28,6 @@ import overview
 import pytest
 import speedup
 import style
-import surface
 import table_growth
 import time_over_vertices
 import windows_over_limit
@@ -40,13 +39,8 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 from matplotlib.text import Text
 from published import THESIS_SOLVERS
-from results import ROOT, ResultError, Row, Run, read_run
-from synthetic import plane, record, torus
+from results import ROOT, ResultError, Row, Run
 
-Changed = Callable[[Callable[[dict[str, Any]], object]], Path]
-
-PHASES = {"propagation": 0.4, "trimming": 0.2, "queue": 0.3, "timer_overhead": 0.1}
-"""Shares of the timed solve; a tenth is left."""
 NEEDS = {
     accuracy: ["max_relative_error"],
     figure_5_9: ["phase_seconds.queue"],
@@ -62,45 +56,6 @@ ONLY: dict[Any, set[str]] = {
     figure_a_3: {"fwp-mmp"}, figure_a_4: {"ich"}, figure_a_5: {"fwp-ch"},
 }  # fmt: skip
 """Figures that do not compare solvers, and those they show."""
-SHAPES = {"rocker-arm": torus(108, 93), "flat-grid": plane(21, 21)}
-"""What is recorded; as many vertices and faces as the golden run says that these meshes have."""
-
-
-def complete(data: dict[str, Any]) -> None:
-    """What the golden run's old rows lack."""
-    for row in data["benchmarks"]:
-        if row["outcome"] == "ok" and row["solver"] in THESIS_SOLVERS:
-            seconds = row["cpu_time"] / 1000
-            row["phase_seconds"] = {key: share * seconds for key, share in PHASES.items()}
-            row["wavefront_sd_edges"] = 0.2 + 0.1 * THESIS_SOLVERS.index(row["solver"])
-    like = next(row for row in data["benchmarks"] if row["name"] == "mmp/rocker-arm/src:7")
-    name = "fwp-mmp/rocker-arm/src:7"
-    data["benchmarks"].append({**like, "name": name, "run_name": name, "solver": "fwp-mmp"})
-    sources = data["context"]["geodesic_bench"]["sources"]
-    for row in data["benchmarks"]:
-        mesh, source, solver = row["mesh"], row["source"], row["solver"]
-        recorded = mesh in SHAPES and source == sources[mesh][0] and solver in THESIS_SOLVERS
-        if row["outcome"] == "ok" and recorded:
-            row["recordings"] = f"recordings/{mesh}/src{source}/{solver}"
-
-
-@pytest.fixture(scope="module")
-def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with recordings of the meshes, from the vertices 7 and 0."""
-    folder = tmp_path_factory.mktemp("recorded")
-    for source, (mesh, geometry) in zip([7, 0], SHAPES.items(), strict=True):
-        vertices, _ = geometry
-        distances = np.linalg.norm(vertices - vertices[source], axis=1)
-        record(folder, mesh, source, geometry, distances)
-    return folder / "recordings"
-
-
-@pytest.fixture
-def run(changed: Changed, recorded: Path, monkeypatch: pytest.MonkeyPatch) -> Run:
-    monkeypatch.setattr(surface, "PIXELS_PER_INCH", 60)
-    folder = changed(complete)
-    (folder / "recordings").symlink_to(recorded)
-    return read_run(folder)
 
 
 def without_recordings(row: Row) -> Row:

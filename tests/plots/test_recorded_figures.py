@@ -1,0 +1,229 @@
+"""Figures from recordings: what must be in them (test_figures.py has what holds for all)."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import figure_5_7
+import figure_5_8
+import figure_5_10_curve
+import figure_6_4
+import figure_a_1
+import figure_a_2
+import figure_a_3
+import figure_a_4
+import figure_a_5
+import numpy as np
+import pytest
+import report
+import style
+from drawing import Drawing
+from matplotlib.axes import Axes
+from matplotlib.colors import to_hex
+from published import THESIS_SOLVERS
+from recordings import recordings
+from results import ResultError, Run
+from synthetic import LEVELS, SPREAD
+
+WAVEFRONTS = {
+    figure_a_1: "edge-based", figure_a_2: "mmp", figure_a_3: "fwp-mmp", figure_a_4: "ich",
+    figure_a_5: "fwp-ch",
+}  # fmt: skip
+NEEDS = {
+    figure_5_7: ["../vertices.npy", "isoline_points.npy", "edge-based/snapshot-25.npy"],
+    figure_5_8: ["distances.npy", "edge-based/curve.npy", "fwp-mmp/curve.npy", "ich/curve.npy"],
+    figure_5_10_curve: ["mmp/curve.npy"],
+    figure_6_4: ["../faces.npy", "isoline_pieces.npy"],
+} | {
+    module: ["../vertices.npy", "../faces.npy", f"{solver}/snapshot-50.npy"]
+    for module, solver in WAVEFRONTS.items()
+}
+CASES = [(module, name) for module, names in NEEDS.items() for name in names]
+
+
+def drawing_of(module: Any, run: Run) -> Drawing:
+    (drawn,) = module.figures(run)
+    assert isinstance(drawn, Drawing)
+    return drawn
+
+
+def own_recordings(run: Run) -> Path:
+    """The folder of the first mesh and source, which the test may change."""
+    folder = run.file.parent / "recordings"
+    shared = folder.resolve()
+    folder.unlink()
+    shutil.copytree(shared, folder)
+    return recordings(run)[0].folder
+
+
+def change_file(file: Path, change: Callable[[np.ndarray[Any, Any]], object]) -> None:
+    data = np.load(file)
+    change(data)
+    np.save(file, data)
+
+
+def colors(axes: Axes) -> set[str]:
+    return {to_hex(color) for lines in axes.collections for color in lines.get_color()}
+
+
+@pytest.mark.parametrize(
+    ("module", "name"), CASES, ids=[f"{module.__name__}: {name}" for module, name in CASES]
+)
+def test_a_file_that_is_missing_or_cut_off_is_named(module: Any, name: str, run: Run) -> None:
+    file = own_recordings(run) / name
+    file.write_bytes(file.read_bytes()[:-40])
+    for why in ["perhaps cut off", "no such file"]:
+        with pytest.raises(ResultError, match=why) as caught:
+            module.figures(run)
+        assert file.name in str(caught.value)
+        file.unlink(missing_ok=True)
+
+
+def without(run: Run, solver: str) -> Run:
+    rows = [replace(r, recordings=None) if r.solver == solver else r for r in run.rows]
+    return replace(run, rows=rows)
+
+
+@pytest.mark.parametrize("module", [figure_5_7, figure_5_8, figure_a_1])
+def test_without_the_solver_it_is_about_there_is_no_figure(module: Any, run: Run) -> None:
+    with pytest.raises(ResultError, match="no recordings of edge-based"):
+        module.figures(without(run, "edge-based"))
+
+
+def test_windows_are_drawn_over_the_level_for_two_solvers_and_for_all(run: Run) -> None:
+    grid = drawing_of(figure_5_8, run).figure.axes
+    assert [len(axes.lines) for axes in grid] == [2, 5, 2, 4]
+    (recording, *_) = recordings(run, "edge-based", "fwp-mmp")
+    curve = recording.curve("edge-based")
+    line = next(line for line in grid[0].lines if line.get_label() == "edge-based")
+    assert line.get_xdata() == pytest.approx(curve["mean"] / recording.greatest)
+    assert line.get_ydata() == pytest.approx(curve["windows"])
+    assert grid[0].get_title("left").startswith("rocker-arm") and grid[0].get_xlim() == (0, 1)
+
+
+@pytest.mark.parametrize(
+    ("factor", "words"),
+    [
+        (0.5, "fewer windows than fwp-mmp at 100% of 64 levels, and 0.50 times as many"),
+        (2, "fewer windows than fwp-mmp at 0% of 64 levels, and 2.00 times as many"),
+    ],
+)
+def test_the_caption_says_who_has_fewer_windows(run: Run, factor: float, words: str) -> None:
+    def scale(data: np.ndarray[Any, Any]) -> None:
+        data["windows"] = factor * np.maximum(data["windows"], 2)
+
+    def at_least_two(data: np.ndarray[Any, Any]) -> None:
+        data["windows"] = np.maximum(data["windows"], 2)
+
+    folder = own_recordings(run)
+    change_file(folder / "edge-based" / "curve.npy", scale)
+    change_file(folder / "fwp-mmp" / "curve.npy", at_least_two)
+    caption = drawing_of(figure_5_8, run).caption
+    assert words in caption
+    assert ("which agrees with the thesis" in caption) == (factor < 1)
+
+
+def test_the_curve_of_the_spread_is_in_mean_edge_lengths(run: Run) -> None:
+    drawn = drawing_of(figure_5_10_curve, run)
+    axes = drawn.figure.axes
+    assert [len(one.lines) for one in axes] == [5, 4]
+    for line in axes[0].lines:
+        assert line.get_ydata().mean() == pytest.approx(SPREAD[line.get_label()], rel=1e-6)
+        assert line.get_xdata()[-1] == pytest.approx(1)
+
+
+def test_the_caption_says_whether_mmp_and_ich_are_the_smoothest(run: Run) -> None:
+    assert "edge-based" in drawing_of(figure_5_10_curve, run).caption
+    assert drawing_of(figure_5_10_curve, run).caption.count("which agrees with the thesis") == 2
+
+    def rough(data: np.ndarray[Any, Any]) -> None:
+        data["sd"] *= 10
+
+    change_file(own_recordings(run) / "mmp" / "curve.npy", rough)
+    caption = drawing_of(figure_5_10_curve, run).caption
+    assert "from the smoothest: ich" in caption and "does not agree with the thesis" in caption
+
+
+def test_the_wavefront_is_drawn_over_the_isoline_of_its_distance(run: Run) -> None:
+    drawn = drawing_of(figure_5_7, run)
+    whole, near = drawn.figure.axes
+    wanted = {style.ISOLINE.lower(), style.WAVEFRONT.lower()}
+    assert colors(whole) == wanted and colors(near) == wanted | {style.PALE}
+    for axes in (whole, near):
+        assert len(axes.images) == 1
+        for lines in axes.collections:
+            assert lines.get_segments(), "lines without a visible part"
+    (recording, *_) = recordings(run)
+    assert len(near.collections[1].get_segments()) < len(whole.collections[0].get_segments()) + 500
+    width = np.diff(near.get_xlim())[0] / recording.mesh.mean_edge_length
+    assert f"{width:.0f} mean edge lengths wide" in drawn.caption
+
+
+@pytest.mark.parametrize(("spread", "agrees"), [(1.0, True), (40.0, False)])
+def test_the_caption_says_how_near_the_isoline_is(run: Run, spread: float, agrees: bool) -> None:
+    def scale(data: np.ndarray[Any, Any]) -> None:
+        mean = data["distance"].mean()
+        data["distance"] = np.abs(mean + spread * (data["distance"] - mean))
+
+    folder = own_recordings(run)
+    for moment in (25, 50, 75):
+        change_file(folder / "edge-based" / f"snapshot-{moment}.npy", scale)
+    caption = drawing_of(figure_5_7, run).caption
+    assert ("which agrees with the thesis's claim" in caption) == agrees
+
+
+def test_the_level_is_the_recorded_one_next_to_the_wavefront_s_mean(run: Run) -> None:
+    (recording, *_) = recordings(run)
+    moment, level = figure_5_7._moment(recording)
+    mean = recording.snapshot("edge-based", moment)["distance"].mean()
+    step = recording.greatest / LEVELS
+    assert abs(level - mean) <= step / 2
+    assert np.min(np.abs(np.unique(recording.isolines.levels) - level)) == 0
+
+
+@pytest.mark.parametrize(("module", "solver"), WAVEFRONTS.items(), ids=WAVEFRONTS.values())
+def test_each_solver_s_wavefront_has_its_colour_and_its_spread(
+    module: Any, solver: str, run: Run
+) -> None:
+    drawn = drawing_of(module, run)
+    color = style.solver_styles([solver])[solver].color.lower()
+    whole, near = drawn.figure.axes
+    assert colors(whole) == {color} and colors(near) == {color, style.PALE}
+    assert f"wavefront of {solver}" in drawn.title
+    (recording, *_) = recordings(run)
+    windows = recording.snapshot(solver, 50)
+    sd = windows["distance"].std() / recording.mesh.mean_edge_length
+    words = f"the {len(windows):,} windows' distances is {sd:.2f} mean edge lengths"
+    assert words in drawn.caption
+
+
+def test_all_wavefronts_are_shown_from_one_side_with_one_close_up(run: Run) -> None:
+    places = [
+        [(axes.get_xlim(), axes.get_ylim()) for axes in drawing_of(module, run).figure.axes]
+        for module in WAVEFRONTS
+    ]
+    assert all(place == places[0] for place in places)
+
+
+def test_every_model_has_all_its_isolines(run: Run) -> None:
+    drawn = drawing_of(figure_6_4, run)
+    assert len(drawn.figure.axes) == 2
+    for axes, count in zip(drawn.figure.axes, (LEVELS, LEVELS), strict=True):
+        assert len(axes.images) == 1 and len(axes.collections) == count
+        widths = [float(lines.get_linewidth()[0]) for lines in axes.collections]
+        assert sum(width > min(widths) for width in widths) == LEVELS // figure_6_4.THICK
+        seen = [lines for lines in axes.collections if lines.get_segments()]
+        assert len(seen) > LEVELS / 2
+    assert f"{LEVELS} on rocker-arm, {LEVELS} on flat-grid" in drawn.caption
+
+
+def test_the_report_shows_every_figure_of_a_run_with_recordings(run: Run) -> None:
+    assert report.main(["--run", str(run.file.parent)]) == 0
+    page = (run.file.parent / "report.html").read_text(encoding="utf-8")
+    for module in NEEDS:
+        assert f'<figure id="{module.__name__}">' in page
+    assert set(WAVEFRONTS.values()) == set(THESIS_SOLVERS)
