@@ -167,7 +167,8 @@ expected_seconds() {
     build) echo 150 ;;
     fetch) echo 10 ;;
     run) echo 180 ;;
-    check | plot) echo 5 ;;
+    check) echo 5 ;;
+    plot) echo 40 ;;
     *) echo "$seconds" ;;
   esac
 }
