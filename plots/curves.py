@@ -14,7 +14,7 @@ from results import Mesh, Run
 
 MODELS = 2
 BETWEEN_MARKS = 8
-"""Samples."""
+"""Samples; the solvers take turns, so that marks do not cover each other."""
 
 
 def models(run: Run, *solvers: str) -> list[Recording]:
@@ -29,9 +29,10 @@ def solvers_of(run: Run, found: Sequence[Recording]) -> list[str]:
 
 def draw_curve(axes: Axes, run: Run, solver: str, x: Floats, y: Floats) -> None:
     look = style.solver_styles(run.solvers)[solver]
+    first = columns(run).index(solver) * BETWEEN_MARKS // len(columns(run))
     axes.plot(
         x, y, label=solver, color=look.color, linestyle=look.line, marker=look.marker,
-        markersize=3.8, markevery=(BETWEEN_MARKS // 2, BETWEEN_MARKS),
+        markersize=3.8, markevery=(first, BETWEEN_MARKS),
     )  # fmt: skip
 
 

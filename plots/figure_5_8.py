@@ -24,7 +24,7 @@ def figures(run: Run) -> list[Drawing]:
     found = models(run, EDGE_BASED, RIVAL)
     solvers = solvers_of(run, found)
     figure = style.new_figure(0.7 + 2.4 * len(found))
-    grid = figure.subplots(len(found), 2, squeeze=False, sharex=True, sharey="row")
+    grid = figure.subplots(len(found), 2, squeeze=False, sharex=True)
     for panels, recording in zip(grid, found, strict=True):
         for axes, shown in zip(panels, ([RIVAL, EDGE_BASED], solvers), strict=True):
             for solver in shown:
@@ -32,9 +32,9 @@ def figures(run: Run) -> list[Drawing]:
                     draw_curve(axes, run, solver, *levels_and_windows(recording, solver))
             axes.grid(True)
             axes.set_ylim(bottom=0)
+            axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: count(value)))
         panels[0].set_title(title(recording.mesh), loc="left")
         panels[0].set_ylabel("windows on the wavefront")
-        panels[0].yaxis.set_major_formatter(FuncFormatter(lambda value, _: count(value)))
     for axes in grid[-1]:
         axes.set_xlabel("geodesic level (of the greatest distance)")
         axes.xaxis.set_major_formatter(PercentFormatter(1))

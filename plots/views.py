@@ -18,7 +18,7 @@ ELEVATION, ABOVE_A_LANDSCAPE = 18.0, 50.0
 AZIMUTHS = np.arange(20.0, 360.0, 30.0)
 """Degrees; none looks along an axis, where models lose their depth."""
 TRIAL_PIXELS = 160
-SOURCE_COUNTS = 1.25
+SOURCE_COUNTS = 2.0
 """So many times more must be seen of the lines from where the source is hidden."""
 
 

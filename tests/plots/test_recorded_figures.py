@@ -45,6 +45,14 @@ NEEDS = {
 CASES = [(module, name) for module, names in NEEDS.items() for name in names]
 
 
+def all_inside(axes: Axes) -> bool:
+    """Whether no point of a line is beyond the axes."""
+    points = np.vstack([line.get_xydata() for line in axes.lines])
+    (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
+    low, high = points.min(axis=0), points.max(axis=0)
+    return bool(left <= low[0] and high[0] <= right and bottom <= low[1] and high[1] <= top)
+
+
 def drawing_of(module: Any, run: Run) -> Drawing:
     (drawn,) = module.figures(run)
     assert isinstance(drawn, Drawing)
@@ -95,8 +103,13 @@ def test_without_the_solver_it_is_about_there_is_no_figure(module: Any, run: Run
 
 
 def test_windows_are_drawn_over_the_level_for_two_solvers_and_for_all(run: Run) -> None:
+    def many(data: np.ndarray[Any, Any]) -> None:
+        data["windows"] *= 3
+
+    change_file(own_recordings(run) / "ich" / "curve.npy", many)
     grid = drawing_of(figure_5_8, run).figure.axes
     assert [len(axes.lines) for axes in grid] == [2, 5, 2, 4]
+    assert all(map(all_inside, grid))
     (recording, *_) = recordings(run, "edge-based", "fwp-mmp")
     curve = recording.curve("edge-based")
     line = next(line for line in grid[0].lines if line.get_label() == "edge-based")
@@ -131,6 +144,7 @@ def test_the_curve_of_the_spread_is_in_mean_edge_lengths(run: Run) -> None:
     drawn = drawing_of(figure_5_10_curve, run)
     axes = drawn.figure.axes
     assert [len(one.lines) for one in axes] == [5, 4]
+    assert all(map(all_inside, axes))
     for line in axes[0].lines:
         assert line.get_ydata().mean() == pytest.approx(SPREAD[line.get_label()], rel=1e-6)
         assert line.get_xdata()[-1] == pytest.approx(1)
