@@ -5,7 +5,7 @@ Camera coordinates are (right, up, towards the viewer) in the mesh's unit of len
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,6 +28,11 @@ class Camera:
 
     def project(self, points: Floats) -> Floats:
         return points @ self.axes.T
+
+    def of_shape(self, height: float) -> Camera:
+        """The same with as much around it as makes it so many times as high as wide."""
+        width = max(self.width, self.height / height)
+        return replace(self, width=width, height=height * width)
 
     @property
     def extent(self) -> tuple[float, float, float, float]:

@@ -8,7 +8,7 @@ import sys
 
 import numpy as np
 import style
-from camera import framing
+from camera import Camera, framing
 from command_line import draw
 from curves import title
 from drawing import Drawing
@@ -25,7 +25,9 @@ from wavefronts import SOURCE, draw_source
 MODELS = 6
 COLUMNS = 3
 """In one row; more models take two."""
-ROW_INCHES = 2.5
+TITLE_INCHES = 0.6
+TALLEST = 1.1
+"""Height of a panel in its widths."""
 THICK = 5
 """Every so many levels the line is thick, as on a map."""
 COLORS = colormaps["viridis"]
@@ -37,14 +39,17 @@ def figures(run: Run) -> list[Drawing]:
     found = recordings(run)[:MODELS]
     columns = len(found) if len(found) <= COLUMNS else math.ceil(len(found) / 2)
     rows = math.ceil(len(found) / columns)
-    figure = style.new_figure(0.4 + ROW_INCHES * rows)
+    cameras = [_camera(recording) for recording in found]
+    height = min(max(camera.height / camera.width for camera in cameras), TALLEST)
+    inches = style.WIDTH / columns
+    figure = style.new_figure(0.3 + rows * (TITLE_INCHES + inches * height))
     grid = figure.subplots(rows, columns, squeeze=False)
     panels = list(grid.flat)
     for axes in panels[len(found) :]:
         axes.remove()
     seen = [
-        _draw(axes, recording, style.WIDTH / columns)
-        for axes, recording in zip(panels, found, strict=False)
+        _draw(axes, recording, camera.of_shape(height), inches)
+        for axes, recording, camera in zip(panels, found, cameras, strict=False)
     ]
     style.legend_above(figure, [Line2D([], [], label="source", **SOURCE)])
     hidden = [one.mesh.name for one, is_seen in zip(found, seen, strict=True) if not is_seen]
@@ -58,19 +63,22 @@ def figures(run: Run) -> list[Drawing]:
     ]
 
 
-def _draw(axes: Axes, recording: Recording, inches: float) -> bool:
-    isolines = recording.isolines
-    camera = framing(
-        best_axes(recording.mesh, recording.surface, isolines.segments, recording.source),
-        recording.surface.vertices,
+def _camera(recording: Recording) -> Camera:
+    surface, lines = recording.surface, recording.isolines.segments
+    return framing(
+        best_axes(recording.mesh, surface, lines, recording.source), surface.vertices
     )
+
+
+def _draw(axes: Axes, recording: Recording, camera: Camera, inches: float) -> bool:
+    """Returns whether the source is seen."""
+    isolines = recording.isolines
     buffer = draw_surface(axes, recording.surface, camera, inches)
     levels = np.unique(isolines.levels)
     for number, level in enumerate(levels, 1):
         color = to_hex(COLORS(BRIGHTEST * level / levels[-1]))
         width = 0.9 if number % THICK == 0 else 0.45
         draw_lines(axes, buffer, isolines.at(level), color, width)
-    axes.set_adjustable("datalim")  # so that all panels have one size, and titles one line
     axes.set_title(title(recording.mesh).replace(", ", "\n"), fontsize=9)
     return draw_source(axes, buffer, recording)
 

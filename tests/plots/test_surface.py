@@ -221,3 +221,8 @@ def test_a_camera_frames_all_points_with_a_margin() -> None:
     left, right, bottom, top = camera.extent
     assert left < 0 < 4 < right and bottom < 0 < 2 < top
     assert isinstance(camera, Camera) and camera.width == pytest.approx(4.16)
+    for height in (0.2, 2):
+        shaped = camera.of_shape(height)
+        assert shaped.height == pytest.approx(height * shaped.width)
+        assert shaped.width >= camera.width and shaped.height >= camera.height
+        assert min(shaped.width - camera.width, shaped.height - camera.height) == pytest.approx(0)
