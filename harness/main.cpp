@@ -1,6 +1,7 @@
 // geodesic-bench: measures exact geodesic-distance solvers on triangle meshes.
 //
-// Exit codes: 0 good, 1 a wrong request or an error, 2 a wrong answer.
+// Exit codes: 0 good, 1 a wrong request or an error, 2 a wrong answer, 3 a comparison above its
+// limits.
 #include <CLI/CLI.hpp>
 #include <iostream>
 

@@ -1,5 +1,7 @@
 #include "harness/commands/commands.h"
 
+#include "harness/commands/compare.h"
+#include "harness/commands/export.h"
 #include "harness/commands/generate.h"
 #include "harness/commands/list.h"
 #include "harness/commands/mesh.h"
@@ -14,6 +16,8 @@ void add_commands(CLI::App& app, const std::string& command_line) {
   add_generate_command(app);
   add_solve_command(app);
   add_run_command(app, command_line);
+  add_compare_command(app);
+  add_export_command(app);
   add_cell_commands(app);
 }
 

@@ -7,6 +7,7 @@
 #include "harness/corpus/manifest.h"
 #include "harness/error.h"
 #include "harness/results/context.h"
+#include "harness/results/text_table.h"
 #include "harness/verify/closed_form.h"
 #include "solvers/registry.h"
 
@@ -19,25 +20,8 @@ struct ListFlags {
   std::string manifest = default_manifest().string();
 };
 
-using Table = std::vector<std::vector<std::string>>;
-
-void print(const Table& table) {
-  std::vector<std::size_t> widths;
-  for (const auto& row : table) {
-    widths.resize(std::max(widths.size(), row.size()));
-    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
-  }
-  for (const auto& row : table) {
-    std::string line = " ";
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      line += ' ' + row[c] + std::string(widths[c] - row[c].size() + 1, ' ');
-    }
-    std::cout << line.substr(0, line.find_last_not_of(' ') + 1) << '\n';
-  }
-}
-
-Table solver_table() {
-  Table table{{"solver", "family", "ordered by", "time", "space", "distances", "paper"}};
+TextTable solver_table() {
+  TextTable table{{"solver", "family", "ordered by", "time", "space", "distances", "paper"}};
   for (const Description* solver : registered_solvers()) {
     table.push_back({solver->name, solver->family, solver->data_structure, solver->time_complexity,
                      solver->space_complexity,
@@ -57,8 +41,8 @@ std::vector<std::string> corpora_with(const Manifest& manifest, const std::strin
 
 std::string yes_or_no(bool value) { return value ? "yes" : "no"; }
 
-Table mesh_table(const Manifest& manifest, const std::vector<MeshEntry>& meshes) {
-  Table table{{"mesh", "kind", "corpora", "distances known", "in the cache"}};
+TextTable mesh_table(const Manifest& manifest, const std::vector<MeshEntry>& meshes) {
+  TextTable table{{"mesh", "kind", "corpora", "distances known", "in the cache"}};
   for (const MeshEntry& mesh : meshes) {
     table.push_back({mesh.name, mesh.kind, join(corpora_with(manifest, mesh.name)),
                      yes_or_no(has_closed_form(mesh)), yes_or_no(mesh.available())});
@@ -93,9 +77,7 @@ void run_list(const ListFlags& flags) {
     std::cout << to_json(manifest, meshes).dump(2) << '\n';
     return;
   }
-  print(solver_table());
-  std::cout << '\n';
-  print(mesh_table(manifest, meshes));
+  std::cout << as_text(solver_table()) << '\n' << as_text(mesh_table(manifest, meshes));
 }
 
 }  // namespace

@@ -66,6 +66,13 @@ const std::vector<std::string>& counter_names() {
   return names;
 }
 
+const std::vector<std::string>& integer_counters() {
+  static const std::vector<std::string> names{
+      "window_propagations", "reinsertions",   "windows_created", "valid_windows",
+      "window_limit",        "peak_wavefront", "strip_depth"};
+  return names;
+}
+
 std::size_t unreachable_vertices(std::span<const double> distances) {
   return static_cast<std::size_t>(std::count(distances.begin(), distances.end(), kInfinity));
 }

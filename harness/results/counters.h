@@ -18,6 +18,10 @@ Json counters(const Recording& recording, const Mesh& mesh);
 /// Every key that `counters` can have.
 const std::vector<std::string>& counter_names();
 
+/// The integers among them: the same on every run and machine, so that any change is the
+/// algorithm's.
+const std::vector<std::string>& integer_counters();
+
 std::size_t unreachable_vertices(std::span<const double> distances);
 
 }  // namespace geodesic::harness

@@ -1,0 +1,86 @@
+#include "harness/compare/statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <random>
+
+namespace geodesic::harness {
+namespace {
+
+constexpr int kResamples = 2000;
+constexpr double kConfidence = 0.95;
+constexpr std::uint64_t kSeed = 20160101;
+
+// How many arrangements of n and m values have U = 0, 1, ..., n m: the coefficients of the product
+// of (1 - q^(n + i)) / (1 - q^i) over i = 1 ... m.
+std::vector<double> arrangements_by_u(std::size_t n, std::size_t m) {
+  std::vector<double> count(n * m + 1);
+  count[0] = 1;
+  for (std::size_t i = 1; i <= m; ++i) {
+    for (std::size_t u = n * m; u >= n + i; --u) count[u] -= count[u - n - i];
+    for (std::size_t u = i; u <= n * m; ++u) count[u] += count[u - i];
+  }
+  return count;
+}
+
+class Resampler {
+ public:
+  std::size_t below(std::size_t size) { return random_() % size; }
+
+  double median_of(const std::vector<double>& values) {
+    std::vector<double> drawn(values.size());
+    for (double& value : drawn) value = values[below(values.size())];
+    return median(std::move(drawn));
+  }
+
+ private:
+  std::mt19937_64 random_{kSeed};
+};
+
+}  // namespace
+
+double median(std::vector<double> values) {
+  const std::size_t middle = values.size() / 2;
+  std::sort(values.begin(), values.end());
+  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+}
+
+double mann_whitney_p(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.empty() || b.empty()) return 1;
+  double u = 0;
+  for (const double x : a) {
+    for (const double y : b) u += x < y ? 1 : x == y ? 0.5 : 0;
+  }
+  const std::vector<double> count = arrangements_by_u(a.size(), b.size());
+  const double all = std::accumulate(count.begin(), count.end(), 0.0);
+  const double least = std::min(u, static_cast<double>(a.size() * b.size()) - u);
+  const auto last = static_cast<std::ptrdiff_t>(std::ceil(least));  // ties: towards "no difference"
+  return std::min(1.0, 2 * std::accumulate(count.begin(), count.begin() + last + 1, 0.0) / all);
+}
+
+Interval geometric_mean_ratio(const std::vector<Pair>& cells) {
+  const auto cell_count = static_cast<double>(cells.size());
+  double sum = 0;
+  for (const auto& [before, after] : cells) sum += std::log(median(after) / median(before));
+
+  Resampler random;
+  std::vector<double> means(kResamples);
+  for (double& mean : means) {
+    double drawn = 0;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const auto& [before, after] = cells[random.below(cells.size())];
+      drawn += std::log(random.median_of(after) / random.median_of(before));
+    }
+    mean = std::exp(drawn / cell_count);
+  }
+  std::sort(means.begin(), means.end());
+  constexpr double kTail = (1 - kConfidence) / 2;
+  const auto at = [&](double quantile) {
+    return means[static_cast<std::size_t>(std::lround(quantile * (kResamples - 1)))];
+  };
+  return {.value = std::exp(sum / cell_count), .low = at(kTail), .high = at(1 - kTail)};
+}
+
+}  // namespace geodesic::harness

@@ -1,0 +1,38 @@
+// Result files as they are compared and exported: by cells.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "harness/json.h"
+
+namespace geodesic::harness {
+
+/// One solver on one mesh from one source: its repetitions, or the one row that says why it failed.
+struct CellResult {
+  std::string name;  ///< "<solver>/<mesh>/src:<vertex>"
+  std::string solver;
+  std::string mesh;
+  std::string outcome;     ///< "ok", or what went wrong
+  std::string message;     ///< one line, empty when it is ok
+  std::vector<Json> rows;  ///< at least one
+
+  bool ok() const;
+  /// A number of every repetition, "cpu_time" (ms) for example; empty when the cell failed.
+  std::vector<double> values(const std::string& key) const;
+};
+
+struct ResultFile {
+  std::filesystem::path file;
+  Json context;  ///< Google Benchmark's keys, and ours in "geodesic_bench"
+  std::vector<CellResult> cells;
+
+  const Json& ours() const { return context.at("geodesic_bench"); }
+};
+
+/// @param path a result file, or a run folder with run.json in it
+/// @throws HarnessError when it cannot be read or is no result file of this program
+ResultFile read_result_file(const std::filesystem::path& path);
+
+}  // namespace geodesic::harness
