@@ -51,15 +51,15 @@ missing() {
 # set_up INSTALL GROUP...: everything the groups need is there afterwards, and `python` is set.
 # INSTALL is "yes", or "no" to stop with the line that would install what is missing.
 set_up() {
-  local install=$1 packages optional modules=()
+  local install=$1 packages modules=()
   shift
   mapfile -t packages < <(missing "$@")
   [[ ${#packages[@]} -eq 0 ]] || install_packages "$install" "${packages[@]}"
   if [[ " $* " == *" build "* ]]; then
-    mapfile -t optional < <(missing optional)
-    [[ ${#optional[@]} -eq 0 ]] || offer_optional "$install" "${optional[@]}"
+    want_optional "$install" optional
     check_cmake
   fi
+  if [[ " $* " == *" gate "* ]]; then want_optional "$install" optional-gate; fi
   mapfile -t modules < <(listed "$@" | sed -n 's/.* python://p')
   find_python "${modules[@]}" || die "no python3 can import ${modules[*]}; Debian's packages of" \
     "them belong to /usr/bin/python3, which is tried first"
@@ -97,6 +97,13 @@ install_packages() {
   }
 }
 
+# want_optional INSTALL GROUP: its packages are there afterwards, or a line says what goes without.
+want_optional() {
+  local optional
+  mapfile -t optional < <(missing "$2")
+  [[ ${#optional[@]} -eq 0 ]] || offer_optional "$1" "${optional[@]}"
+}
+
 offer_optional() {
   local install=$1
   shift
@@ -104,7 +111,7 @@ offer_optional() {
     say "installing (optional): $*"
     apt_install "$@" && return 0
   fi
-  say "without the optional $*: the solvers and tests that use it are left out"
+  say "without the optional $*: what uses it is left out"
 }
 
 # apt_install PACKAGE...: apt's own words go to build/logs/apt.log. The lists are fetched when

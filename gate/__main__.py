@@ -1,0 +1,133 @@
+"""The command line of the gate; ./check_performance.sh calls it and describes its options."""
+
+from __future__ import annotations
+
+import argparse
+import subprocess
+import sys
+from collections.abc import Sequence
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import NoReturn
+
+from . import check
+from .builds import Tree, build, tree_of
+from .errors import ERROR, GateError
+from .program import Program
+from .verdict import as_text, write
+
+ROOT = Path(__file__).resolve().parent.parent
+GATE = ROOT / "build" / "gate"
+NOISE = GATE / "noise.json"
+
+
+class Parser(argparse.ArgumentParser):
+    """Argparse ends with 2, which here means a wrong answer."""
+
+    def error(self, message: str) -> NoReturn:
+        raise GateError(f"{message}; see check_performance.sh --help")
+
+
+def _levels(text: str) -> tuple[int, ...]:
+    chosen = {int(word) for word in text.split(",")}
+    if not chosen <= set(check.ALL_LEVELS):
+        raise argparse.ArgumentTypeError("levels are 0, 1, 2, 3 and 4")
+    return tuple(sorted(chosen))
+
+
+def _margin(text: str) -> float:
+    value = float(text)
+    if not 1 < value < 10:
+        raise argparse.ArgumentTypeError("a margin is a ratio above 1, as 1.10")
+    return value
+
+
+def _sessions(text: str) -> int:
+    if int(text) < 1:
+        raise argparse.ArgumentTypeError("at least one session")
+    return int(text)
+
+
+def parse(words: Sequence[str] | None) -> argparse.Namespace:
+    parser = Parser(prog="check_performance.sh", add_help=False)
+    parser.add_argument("base", nargs="?")
+    parser.add_argument("head", nargs="?")
+    parser.add_argument("--levels", type=_levels, default=check.ALL_LEVELS)
+    parser.add_argument("--margin", type=_margin, default=check.MARGIN)
+    parser.add_argument("--solvers", default="")
+    parser.add_argument("--out", type=Path)
+    parser.add_argument("--strict", action="store_true")
+    parser.add_argument("--a-a", type=_sessions, metavar="N")
+    parser.add_argument("--update-baseline", action="store_true")
+    parser.add_argument("--reason", default="")
+    options = parser.parse_args(words)
+    if options.update_baseline and (options.base or options.solvers or options.a_a):
+        parser.error("--update-baseline is of the working tree and the whole suite")
+    if options.update_baseline and not options.reason.strip():
+        parser.error('--update-baseline needs --reason "why the change may be accepted"')
+    if options.reason and not options.update_baseline:
+        parser.error("--reason is for --update-baseline")
+    if options.a_a and options.head:
+        parser.error("--a-a takes one revision")
+    if not options.update_baseline and not options.a_a and options.base is None:
+        parser.error("against which base? Name a revision, as in check_performance.sh main")
+    return options
+
+
+def _ready(trees: list[Tree], out: Path) -> list[Program]:
+    """Built programs with the meshes of the suite."""
+    check.say(f"building {' and '.join(tree.label for tree in trees)}")
+    build(trees, out)
+    cache = GATE / "meshes"
+    manifest = ROOT / "datasets" / "manifest.json"
+    programs = [Program(tree.name, tree.label, tree.program, cache, manifest) for tree in trees]
+    fetch = [sys.executable, str(ROOT / "datasets" / "fetch.py"), "--corpus", check.CORPUS]
+    fetch += ["--cache", str(cache), "--bench", str(programs[-1].path)]
+    ended = subprocess.run(fetch, capture_output=True, text=True)
+    if ended.returncode != 0:
+        last = (ended.stderr.strip().splitlines() or ["it printed no error"])[-1]
+        raise GateError(f"the meshes of the suite cannot be made: {last}")
+    return programs
+
+
+def gate(options: argparse.Namespace) -> int:
+    out = (options.out or GATE / datetime.now(UTC).strftime("%Y%m%dT%H%M%SZ")).absolute()
+    out.mkdir(parents=True, exist_ok=True)
+    chosen = check.Options(
+        out=out,
+        levels=options.levels,
+        margin=options.margin,
+        solvers=tuple(name for name in options.solvers.split(",") if name),
+        strict=options.strict,
+        noise_file=NOISE,
+    )
+    if options.update_baseline:
+        [program] = _ready([tree_of(ROOT, "head", None)], out)
+        print("\n".join(check.update_baseline(program, ROOT, options.reason.strip(), chosen)))
+        return 0
+    if options.a_a:
+        [program] = _ready([tree_of(ROOT, "head", options.base)], out)
+        verdict = check.against_itself(program, options.a_a, chosen)
+    else:
+        head_tree = tree_of(ROOT, "head", options.head)
+        base, head = _ready([tree_of(ROOT, "base", options.base), head_tree], out)
+        verdict = check.check(base, head, head_tree.folder, chosen)
+    print(as_text(verdict), end="")
+    write(verdict, out)
+    check.say(f"Report: {out}/verdict.md and verdict.json")
+    return verdict.exit_code
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    try:
+        return gate(parse(words))
+    except GateError as error:
+        print(f"check_performance.sh: {error}", file=sys.stderr)
+        return ERROR
+    except KeyboardInterrupt:
+        print("check_performance.sh: interrupted", file=sys.stderr)
+        return 130
+
+
+if __name__ == "__main__":
+    sys.exit(main())

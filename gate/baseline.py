@@ -1,0 +1,176 @@
+"""Level 1: integer counters against those committed in results/baseline/.
+
+The file has one line a row, so that a change of an algorithm is a diff that a person reads.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Collection
+from datetime import date
+from pathlib import Path
+
+from .errors import ERROR, REGRESSION, GateError
+from .findings import LevelResult, Weight
+from .program import Cell, Run
+
+FOLDER = Path("results") / "baseline"
+COUNTERS = "counters.csv"
+CHANGES = "CHANGES.md"
+GROWTH_FAIL = 0.01
+KEY = ["solver", "mesh", "source"]
+NAMES = [
+    "window_propagations", "reinsertions", "windows_created", "valid_windows", "window_limit",
+    "peak_wavefront", "strip_depth",
+]  # fmt: skip
+
+Counters = dict[Cell, dict[str, int]]
+
+
+def counters_of(run: Run) -> Counters:
+    """The integer counters of every row that has some."""
+    found = {
+        cell: {name: int(row.numbers[name]) for name in NAMES if name in row.numbers}
+        for cell, row in run.rows.items()
+        if row.ok
+    }
+    return {cell: numbers for cell, numbers in found.items() if numbers}
+
+
+def read(tree: Path) -> Counters:
+    """@raises GateError when there is no baseline, or it is no table of counters"""
+    file = tree / FOLDER / COUNTERS
+    try:
+        with file.open(encoding="utf-8", newline="") as lines:
+            return dict(_entry(line) for line in csv.DictReader(lines))
+    except FileNotFoundError:
+        raise GateError(
+            f"{file}: no baseline of counters; ./check_performance.sh --update-baseline makes it"
+        ) from None
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        raise GateError(f"{file}: no table of counters: {error}") from None
+
+
+def _entry(line: dict[str, str]) -> tuple[Cell, dict[str, int]]:
+    cell = Cell(line["solver"], line["mesh"], int(line["source"]))
+    return cell, {name: int(line[name]) for name in NAMES if line[name] != ""}
+
+
+def as_csv(counters: Counters) -> str:
+    text = io.StringIO()
+    lines = csv.writer(text, lineterminator="\n")
+    lines.writerow(KEY + NAMES)
+    for cell in sorted(counters):
+        numbers = counters[cell]
+        lines.writerow([cell.solver, cell.mesh, cell.source, *(numbers.get(n, "") for n in NAMES)])
+    return text.getvalue()
+
+
+def compare(baseline: Counters, run: Run, solvers: Collection[str] | None = None) -> LevelResult:
+    """@param solvers those that were asked for; by default all"""
+    result = LevelResult(1, "The algorithms' counters against the committed baseline")
+    result.heading = ["row", "counter", "baseline", "head", "change"]
+    counted = counters_of(run)
+    expected = {c: n for c, n in baseline.items() if solvers is None or c.solver in solvers}
+    for cell in sorted(expected.keys() & counted.keys()):
+        result.compared += 1
+        _judge(result, cell, expected[cell], counted[cell])
+    _missing(result, sorted(expected.keys() - counted.keys()), run)
+    new = {f"{cell.solver} on {cell.mesh}" for cell in counted.keys() - baseline.keys()}
+    if new:
+        result.add(
+            Weight.WARNING,
+            f"not in the baseline yet, so not judged: {', '.join(sorted(new))};"
+            " --update-baseline adds them",
+        )
+    return result
+
+
+def _judge(result: LevelResult, cell: Cell, old: dict[str, int], new: dict[str, int]) -> None:
+    for name in NAMES:
+        before, after = old.get(name), new.get(name)
+        if before == after:
+            continue
+        change = f"{after / before - 1:+.2%}" if before and after is not None else "-"
+        result.table.append([str(cell), name, str(before), str(after), change])
+        text = f"{cell}: {name} {change}, {before} to {after}"
+        if before is None or after is None:
+            result.add(Weight.FAILURE, f"{text}: it is counted no more, or anew", ERROR)
+        elif after > before * (1 + GROWTH_FAIL):
+            result.add(Weight.FAILURE, text, REGRESSION, cell.solver)
+        elif after > before:
+            result.add(Weight.WARNING, text, solver=cell.solver)
+        else:
+            result.add(Weight.NOTE, f"{text}; --update-baseline keeps the gain")
+
+
+def _missing(result: LevelResult, cells: list[Cell], run: Run) -> None:
+    """Rows of the baseline that nothing was measured for: never silently green."""
+    gone = [cell for cell in cells if cell not in run.rows]  # the others failed: level 0 says how
+    meshes_left = {cell.mesh for cell in run.rows}
+    for solver in sorted({cell.solver for cell in gone if cell.mesh in meshes_left}):
+        result.add(
+            Weight.FAILURE,
+            f"{solver}: in the baseline and not in the head: removed, or renamed? If meant,"
+            " --update-baseline",
+            ERROR,
+        )
+    for mesh in sorted({cell.mesh for cell in gone} - meshes_left):
+        result.add(
+            Weight.FAILURE,
+            f"{mesh}: in the baseline and no mesh of the suite any more. If meant,"
+            " --update-baseline",
+            ERROR,
+        )
+
+
+def update(tree: Path, run: Run, reason: str) -> list[str]:
+    """Rewrites the baseline and adds to its history; returns lines that say what changed."""
+    file = tree / FOLDER / COUNTERS
+    old = read(tree) if file.exists() else {}
+    new = counters_of(run)
+    if not new:
+        raise GateError("no row has counters: the baseline stays as it is")
+    changes = summary(old, new)
+    if not changes:
+        return [f"{file}: nothing changed"]
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(as_csv(new), encoding="utf-8")
+    history = file.parent / CHANGES
+    before = history.read_text(encoding="utf-8") if history.exists() else HISTORY
+    lines = "\n".join(f"- {change}" for change in changes)
+    history.write_text(f"{before}\n## {date.today()}\n\n{reason}\n\n{lines}\n", encoding="utf-8")
+    return [*changes, f"written: {file}, and why in {history}"]
+
+
+HISTORY = """# Changes of the counter baseline
+
+Every rewriting of `counters.csv` by `./check_performance.sh --update-baseline --reason "..."`:
+why it was accepted, and what changed.
+"""
+
+
+def summary(old: Counters, new: Counters) -> list[str]:
+    """One line a solver and counter that changed, with the range of the changes."""
+    lines = []
+    for what, cells in (("new", new.keys() - old.keys()), ("gone", old.keys() - new.keys())):
+        for solver in sorted({cell.solver for cell in cells}):
+            meshes = sorted(cell.mesh for cell in cells if cell.solver == solver)
+            lines.append(f"{solver}: {what} on {', '.join(meshes)}")
+    for solver in sorted({cell.solver for cell in new}):
+        for name in NAMES:
+            ratios = _ratios(old, new, solver, name)
+            if ratios:
+                lines.append(
+                    f"{solver}: {name} {min(ratios) - 1:+.2%} to {max(ratios) - 1:+.2%}"
+                    f" on {len(ratios)} meshes"
+                )
+    return lines
+
+
+def _ratios(old: Counters, new: Counters, solver: str, name: str) -> list[float]:
+    """New to old where they differ; a counter that was 0 or not there counts as doubled."""
+    both = [(old[cell].get(name), new[cell].get(name)) for cell in new if cell in old
+            and cell.solver == solver]  # fmt: skip
+    return [(b or 0) / a if a else 2.0 for a, b in both if a != b]

@@ -1,0 +1,68 @@
+"""Two fake programs, a baseline that fits them, and the gate run on them."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from gate import baseline, check
+from gate.program import Cell, Program, read_run
+from gate.verdict import Verdict
+
+FAKE = Path(__file__).parent / "fake_bench.py"
+WORLD: dict[str, Any] = {
+    "compiler": "GNU 12.2.0",
+    "meshes": ["cube", "hill"],
+    "solvers": {
+        "mmp": {"propagations": 10_000, "peak_bytes": 10_000_000, "cpu_ms": 50.0},
+        "ich": {"propagations": 20_000, "peak_bytes": 1_000_000, "cpu_ms": 30.0},
+    },
+}
+
+
+def instant_solve_ms(program: Program, cell: Cell, solves: int) -> list[float]:
+    """As Program.solve_ms of a fake program, without starting it."""
+    world = json.loads(program.path.with_name(f"{program.path.name}.json").read_text())
+    return [float(world["solvers"][cell.solver]["cpu_ms"])] * solves
+
+
+Change = Callable[[dict[str, Any]], object]
+
+
+def unchanged(_: dict[str, Any]) -> None:
+    """The world as it is."""
+
+
+class World:
+    """gate(head=change, ...) judges a changed head against a base; keywords are check.Options."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.options = check.Options(out=folder / "out", levels=(0, 1, 3))
+        self.keep_baseline()
+
+    def program(self, name: str, change: Change = unchanged) -> Program:
+        world = json.loads(json.dumps(WORLD))
+        change(world)
+        path = self.folder / f"{name}-bench"
+        shutil.copy(FAKE, path)
+        path.chmod(0o755)
+        path.with_name(f"{path.name}.json").write_text(json.dumps(world))
+        return Program(name, name, path, self.folder, self.folder / "manifest.json")
+
+    def keep_baseline(self, change: Change = unchanged) -> None:
+        out = self.folder / "for-the-baseline"
+        shutil.rmtree(out, ignore_errors=True)
+        program = self.program("baseline", change)
+        program.run("regression", program.solvers(), out)
+        file = self.folder / baseline.FOLDER / baseline.COUNTERS
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(baseline.as_csv(baseline.counters_of(read_run(out / "run.json"))))
+
+    def gate(self, head: Change = unchanged, base: Change = unchanged, **options: Any) -> Verdict:
+        programs = self.program("base", base), self.program("head", head)
+        return check.check(*programs, self.folder, replace(self.options, **options))
