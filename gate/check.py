@@ -29,7 +29,8 @@ class Options:
     margin: float = MARGIN
     solvers: tuple[str, ...] = ()
     """All when empty."""
-    corpus: str = CORPUS
+    meshes: tuple[str, ...] = ()
+    """Of the manifest, in place of the suite when not empty."""
     strict: bool = False
     noise_file: Path | None = None
     """Where --a-a keeps what it measured."""
@@ -75,7 +76,7 @@ def timed_cells(base_run: Run, head_run: Run, options: Options) -> list[Cell]:
 
 def run_both(base: Program, head: Program, options: Options) -> tuple[Run, Run]:
     """Both at once: nothing is timed here."""
-    say(f"levels 0, 1 and 3: verifying and counting on the corpus {options.corpus}")
+    say(f"levels 0, 1 and 3: verifying and counting")
     with ThreadPoolExecutor() as pool:
         both = list(pool.map(lambda program: run_one(program, options), (base, head)))
     return both[0], both[1]
@@ -95,7 +96,7 @@ def run_one(program: Program, options: Options) -> Run:
     shutil.rmtree(out, ignore_errors=True)
     if not solvers:  # all those asked for are new
         return Run({}, {})
-    return program.run(options.corpus, solvers, out)
+    return program.run(CORPUS, options.meshes, solvers, out)
 
 
 def against_itself(program: Program, sessions: int, options: Options) -> Verdict:

@@ -18,7 +18,7 @@ INSTRUCTIONS_WARN = 0.005
 MEMORY_FAIL = 0.02
 MEMORY_FLOOR = 64 * 1024
 """Bytes by which memory may always grow: a table that is doubled once more."""
-CALLGRIND_MESHES = ("tiny-terrain", "tiny-torus", "tiny-plate", "cube")
+CALLGRIND_MESHES = ("tiny-terrain", "tiny-torus", "tiny-plate")
 """Callgrind is 50 times slower than the processor: the smallest of the suite."""
 
 UNSUPPORTED = "unsupported"

@@ -69,9 +69,10 @@ class Program:
         listed = json.loads(self._call(["list", "--json"], self._options()))
         return [s["name"] for s in listed["solvers"] if not s["independent_oracle"]]
 
-    def run(self, corpus: str, solvers: Sequence[str], out: Path) -> Run:
-        """Verifies and counts every cell of the corpus, into a run folder."""
-        words = ["run", "--corpus", corpus, "--solvers", ",".join(solvers), "--sources", "1"]
+    def run(self, corpus: str, meshes: Sequence[str], solvers: Sequence[str], out: Path) -> Run:
+        """Verifies and counts every cell of the corpus, or of the meshes, into a run folder."""
+        chosen = ["--meshes", ",".join(meshes)] if meshes else []
+        words = ["run", "--corpus", corpus, *chosen, "--solvers", ",".join(solvers), "--sources", "1"]
         words += ["--repetitions", "1", "--min-time", "0.000001", "--out", str(out)]
         # A run with wrong or failed cells ends with an exit code of its own and a whole run.json.
         self._call(words, self._options(), may_fail=(out / "run.json").exists)

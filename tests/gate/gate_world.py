@@ -58,7 +58,7 @@ class World:
         out = self.folder / "for-the-baseline"
         shutil.rmtree(out, ignore_errors=True)
         program = self.program("baseline", change)
-        program.run("regression", program.solvers(), out)
+        program.run("regression", [], program.solvers(), out)
         file = self.folder / baseline.FOLDER / baseline.COUNTERS
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(baseline.as_csv(baseline.counters_of(read_run(out / "run.json"))))

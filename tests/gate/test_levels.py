@@ -229,6 +229,7 @@ def test_stolen_time_and_switches_disturb() -> None:
 def counts(monkeypatch: pytest.MonkeyPatch, head: int) -> None:
     """Callgrind's answers: 1,000,000 for the base."""
     monkeypatch.setattr("shutil.which", lambda name: name)
+    monkeypatch.setattr(levels, "CALLGRIND_MESHES", ("cube",))
     of = {"base": 1_000_000, "head": head}
     monkeypatch.setattr(Program, "instructions", lambda self, cell: of[self.name])
 
@@ -264,7 +265,7 @@ def test_instructions_of_another_compiler_are_not_comparable(
 def test_without_valgrind_level_2_is_skipped_and_says_why(
     world: World, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(levels.shutil, "which", lambda name: None)
+    monkeypatch.setattr("shutil.which", lambda name: None)
     verdict = world.gate(levels=(0, 2))
     assert "Level 2. Instructions inside solve, counted by callgrind: skipped: valgrind" in as_text(
         verdict

@@ -1,0 +1,70 @@
+// Solver::solve as it is, with one fault around every solve: FAULT says which. The amounts are
+// those that the performance gate is to see.
+#include <cstdint>
+#include <cstdlib>
+#include <ctime>
+#include <vector>
+
+#include "solvers/solver.h"
+
+#if __has_include(<valgrind/valgrind.h>)
+#include <valgrind/valgrind.h>
+#else
+#define RUNNING_ON_VALGRIND 0
+#endif
+
+namespace {
+
+enum class Fault {
+  slower,        // a quarter more time without more instructions, as more cache misses would be
+  instructions,  // $GEODESIC_FAULT_AMOUNT more of them
+  windows,       // 5% more propagations are counted
+  memory,        // $GEODESIC_FAULT_AMOUNT more bytes
+  wrong,         // one distance of one solver is off by 1e-9
+};
+
+constexpr const char* kWrongSolver = "mmp";  // the others are what it is verified by
+
+double thread_seconds() {
+  timespec now;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+std::size_t amount() {
+  const char* text = std::getenv("GEODESIC_FAULT_AMOUNT");
+  return text == nullptr ? 0 : std::strtoull(text, nullptr, 10);
+}
+
+// Under valgrind the clock runs differently, and what is modelled here costs no instructions.
+void wait_a_quarter_of(double seconds) {
+  if (RUNNING_ON_VALGRIND) return;
+  const double end = thread_seconds() + seconds / 4;
+  while (thread_seconds() < end) {
+  }
+}
+
+void execute(std::size_t instructions) {
+  for (std::size_t i = instructions / 2; i > 0; --i) asm volatile("");  // two each: sub, jne
+}
+
+template <class Run>
+void run_with_fault(const Run& run, const geodesic::Description& solver,
+                    std::span<double> distances, geodesic::Recording* recording) {
+  const std::vector<char> held(FAULT == Fault::memory ? amount() : 0);
+  const double start = thread_seconds();
+  run();
+  if (FAULT == Fault::slower) wait_a_quarter_of(thread_seconds() - start);
+  if (FAULT == Fault::instructions) execute(amount());
+  if (FAULT == Fault::wrong && solver.name == kWrongSolver) distances.back() *= 1 + 1e-9;
+  if (FAULT == Fault::windows && recording != nullptr && recording->window_propagations) {
+    *recording->window_propagations += *recording->window_propagations / 20;
+  }
+}
+
+}  // namespace
+
+// A macro is not expanded again inside of itself: the inner `run` is the solver's.
+#define run(query, distances, recording) \
+  run_with_fault([&] { run(query, distances, recording); }, description_, distances, recording)
+#include "solvers/solver.cpp"
