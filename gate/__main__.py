@@ -91,8 +91,17 @@ def _ready(trees: list[Tree], out: Path) -> list[Program]:
 
 
 def gate(options: argparse.Namespace) -> int:
+    """The exit code. What keeps it from judging is a report too, for whoever shows that."""
     out = (options.out or GATE / datetime.now(UTC).strftime("%Y%m%dT%H%M%SZ")).absolute()
     out.mkdir(parents=True, exist_ok=True)
+    try:
+        return judge(options, out)
+    except GateError as error:
+        (out / "verdict.md").write_text(f"## error: {error}\n", encoding="utf-8")
+        raise
+
+
+def judge(options: argparse.Namespace, out: Path) -> int:
     chosen = check.Options(
         out=out,
         levels=options.levels,

@@ -28,12 +28,12 @@ std::string line(const std::string& where, const std::string& what, double ratio
 }
 
 bool counter_exceeds(const NumberChange& change, double limit) {
-  return std::abs(change.after - change.before) > limit * change.before;
+  return change.after > (1 + limit) * change.before;
 }
 
 bool memory_exceeds(const NumberChange& change, double limit) {
   const double growth = change.after - change.before;
-  return growth > limit * change.before && growth > kMemoryFloor;
+  return change.after > (1 + limit) * change.before && growth > kMemoryFloor;
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ inline constexpr double kMemoryFloor = 65536;  // bytes
 /// Largest growth of each kind, as a fraction: 0.1 is 10%. Absent: not looked at.
 struct Limits {
   std::optional<double> time = {};      ///< of resolved differences, of cells and of means
-  std::optional<double> counters = {};  ///< of integer counters, either way
+  std::optional<double> counters = {};  ///< of integer counters
   std::optional<double> memory = {};    ///< of the solver's peak bytes
 };
 

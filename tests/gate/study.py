@@ -32,7 +32,7 @@ from gate.program import Program  # noqa: E402
 from gate.verdict import Verdict  # noqa: E402
 
 SOLVERS = ("ich", "fwp-mmp", "mmp")
-MESHES = (*levels.CALLGRIND_MESHES, "needles", "growth-10k")
+MESHES = (*levels.CALLGRIND_MESHES, "needles")
 AMOUNT = "GEODESIC_FAULT_AMOUNT"
 
 

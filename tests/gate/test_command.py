@@ -124,8 +124,10 @@ def test_base_that_does_not_build_is_named_with_its_first_error(repository: Repo
     (repository.folder / "broken").touch()
     repository.commit()
     (repository.folder / "broken").unlink()
-    line = error_of(repository.check("main"))
+    out = repository.folder / "out"
+    line = error_of(repository.check("main", f"--out={out}"))
     assert "the base, main (" in line and "does not build: main.cpp:7: error" in line
+    assert (out / "verdict.md").read_text().startswith("## error: the base, main (")
     assert "base-build.log" in line
 
 

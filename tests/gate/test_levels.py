@@ -223,7 +223,7 @@ def test_stolen_time_and_switches_disturb() -> None:
     quiet = machine.Moment(0, 0, 0, 0.0)
     assert machine.disturbance(quiet, machine.Moment(2, 200, 10, 1.0)) == ""
     assert "stolen" in machine.disturbance(quiet, machine.Moment(3, 200, 10, 1.0))
-    assert "switches" in machine.disturbance(quiet, machine.Moment(0, 200, 101, 1.0))
+    assert "switches" in machine.disturbance(quiet, machine.Moment(0, 200, 501, 1.0))
 
 
 def counts(monkeypatch: pytest.MonkeyPatch, head: int) -> None:

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-SCRIPTS = ["run_all.sh", "run_tests.sh"]
+SCRIPTS = ["run_all.sh", "run_tests.sh", "check_performance.sh"]
 
 Ended = subprocess.CompletedProcess[str]
 
