@@ -68,10 +68,10 @@ class Study:
             [*fetch, "--cache", str(meshes), "--bench", str(self._base.path)],
             check=True, stdout=subprocess.DEVNULL,
         )  # fmt: skip
-        self._base_run = check.run_one(self._base, self._options((0,)))
+        self.base_run = check.run_one(self._base, self._options((0,)))
         file = folder / baseline.FOLDER / baseline.COUNTERS
         file.parent.mkdir(parents=True)
-        file.write_text(baseline.as_csv(baseline.counters_of(self._base_run)))
+        file.write_text(baseline.as_csv(baseline.counters_of(self.base_run)))
 
     def _program(self, name: str, path: Path) -> Program:
         return Program(name, path.name, path, self._meshes, ROOT / "datasets" / "manifest.json")
@@ -87,7 +87,7 @@ class Study:
 
     def _amount(self, fault: Fault) -> int:
         """5% of the instructions of mmp on tiny-terrain, or 10% of its memory on needles."""
-        rows = self._base_run.rows
+        rows = self.base_run.rows
         if fault.name == "instructions":
             [cell] = [c for c in rows if (c.solver, c.mesh) == ("mmp", "tiny-terrain")]
             return self._base.instructions(cell) // 20

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
 from gate_world import World
 
-from gate import levels, machine, pairs
+from gate import check, levels, machine, noise, pairs
 from gate.errors import ERROR, GOOD, INCONCLUSIVE, REGRESSION, WRONG, GateError
 from gate.findings import Weight
 from gate.program import Cell, Program
@@ -322,3 +323,25 @@ def test_reports_say_the_verdict_first_and_hold_every_level(world: World) -> Non
     assert "| mmp/cube/src:0 | 10000000 | 20000000 | +100.00% |" in text
     data = json.loads(as_json(verdict))
     assert data["exit_code"] == REGRESSION and [x["level"] for x in data["levels"]] == [0, 1, 3]
+
+
+def test_a_build_against_itself_reports_its_noise_and_keeps_it(
+    world: World, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    steps = [100.0 * 1.02 ** (i % 2) for i in range(pairs.PAIRS)]
+    noisy = pairs.Session(steps, steps, 0, "")
+    monkeypatch.setattr(noise, "measure", lambda base, head, cell: noisy)
+    kept = tmp_path / "noise.json"
+    options = replace(world.options, noise_file=kept)
+    verdict = check.against_itself(world.program("head"), 2, options)
+    assert verdict.exit_code == GOOD and verdict.levels[0].compared == 4
+    assert verdict.levels[0].table[0][2] == "3.0%" and verdict.levels[0].table[0][5] == "0 of 2"
+    cells = [Cell("mmp", "cube", 0)]
+    noise.check_margin(kept, "fake", cells, 1.03)
+    noise.check_margin(kept, "another processor", cells, 1.01)
+    with pytest.raises(GateError, match="below this machine's noise of mmp/cube/src:0, 1.030"):
+        noise.check_margin(kept, "fake", cells, 1.02)
+
+    monkeypatch.setattr(noise, "measure", lambda base, head, cell: SLOW)
+    verdict = check.against_itself(world.program("head"), 2, options)
+    assert verdict.exit_code == REGRESSION and first(verdict).endswith("red against itself")

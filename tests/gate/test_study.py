@@ -1,0 +1,31 @@
+"""The gate finds each fault that does not depend on the clock, in real programs, at its level."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from pathlib import Path
+
+import pytest
+from study import FAULTS, Fault, Study, ended
+
+
+@pytest.fixture(scope="module")
+def study(tmp_path_factory: pytest.TempPathFactory) -> Study:
+    program = os.environ.get("GEODESIC_BENCH")
+    if program is None:
+        pytest.skip("GEODESIC_BENCH names no program; ./run_tests.sh sets it")
+    folder = tmp_path_factory.mktemp("study")
+    return Study(Path(program).parent, folder, folder / "meshes")
+
+
+@pytest.mark.parametrize(
+    "fault", [pytest.param(f, id=f.name) for f in FAULTS if 4 not in f.levels]
+)
+def test_fault_is_found_at_its_level(study: Study, fault: Fault) -> None:
+    if 2 in fault.levels and shutil.which("valgrind") is None:
+        pytest.skip("valgrind is not installed")
+    if 2 in fault.levels and study.base_run.context["build_type"] != "Release":
+        pytest.skip("valgrind does not run programs with sanitizers")
+    result = ended(study.run(fault))
+    assert (result.exit_code, result.failed) == (fault.exit_code, fault.found_by)
