@@ -10,10 +10,19 @@ from pathlib import Path
 from typing import Any
 
 import jsonschema
+import numpy as np
 import pytest
 from results import SCHEMA, ResultError, Run, newest_run, read_file, read_run
 
 Changed = Callable[[Callable[[dict[str, Any]], object]], Path]
+
+
+CURVE = np.dtype(
+    [("reached", "<u4"), ("windows", "<u8"), ("least", "<f8"), ("mean", "<f8"), ("sd", "<f8")]
+)
+SNAPSHOT = np.dtype(
+    [("origin", "<u4"), ("head", "<u4"), ("begin", "<f4"), ("end", "<f4"), ("distance", "<f8")]
+)
 
 
 def error_of(folder: Path) -> str:
@@ -155,16 +164,19 @@ def test_newest_run_is_the_last_by_time(tmp_path: Path, monkeypatch: pytest.Monk
 @pytest.fixture(scope="session")
 def real_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A run of the built program on one small generated mesh."""
-    bench = os.environ.get("GEODESIC_BENCH")
+    bench = os.environ.get("GEODESIC_BENCH", "")
     if not bench:
         pytest.skip("GEODESIC_BENCH names no program; ./run_tests.sh sets it")
     folder = tmp_path_factory.mktemp("real run")
     mesh = folder / "square.off"
-    mesh.write_text("OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n")
-    subprocess.run(
-        [bench, "run", "--meshes", mesh, "--repetitions", "2", "--sources", "1",
-         "--min-time", "0.001", "--out", folder / "run"],
-        check=True, capture_output=True, timeout=300,
+
+    def call(*arguments: str | Path) -> None:
+        subprocess.run([bench, *arguments], check=True, capture_output=True, timeout=300)
+
+    call("generate", "grid", "--columns", "7", "--rows", "7", "-o", mesh)
+    call(
+        "run", "--meshes", mesh, "--repetitions", "2", "--sources", "1", "--min-time", "0.001",
+        "--recordings", "all", "--out", folder / "run",
     )  # fmt: skip
     return folder / "run"
 
@@ -174,6 +186,28 @@ def test_real_run_is_to_the_schema(real_run: Path) -> None:
     assert {row.mesh for row in run.rows} == set(run.meshes)
     assert {row.solver for row in run.rows} == set(run.solvers)
     assert [row.message for row in run.rows if row.outcome not in ("ok", "unsupported")] == []
+
+
+def test_recordings_of_a_real_run_are_as_the_readme_describes(real_run: Path) -> None:
+    rows = json.loads((real_run / "run.json").read_text())["benchmarks"]
+    folders = {real_run / row["recordings"] for row in rows if "recordings" in row}
+    assert len(folders) >= 5
+    for folder in folders:
+        vertices = np.load(folder.parent.parent / "vertices.npy")
+        faces = np.load(folder.parent.parent / "faces.npy")
+        distances = np.load(folder.parent / "distances.npy")
+        assert (vertices.dtype, faces.dtype, distances.dtype) == ("<f4", "<u4", "<f8")
+        assert vertices.shape == (64, 3) and faces.shape == (98, 3) and distances.shape == (64,)
+        curve = np.load(folder / "curve.npy")
+        assert curve.dtype == CURVE and curve["reached"][-1] <= 64
+        sides = {frozenset(side) for f in faces for side in zip(f, np.roll(f, 1), strict=True)}
+        for moment in (25, 50, 75):
+            windows = np.load(folder / f"snapshot-{moment}.npy")
+            assert windows.dtype == SNAPSHOT
+            assert len(windows) == curve["windows"][curve["reached"] >= 0.64 * moment][0]
+            for origin, head in zip(windows["origin"], windows["head"], strict=True):
+                assert frozenset((origin, head)) in sides
+            assert (windows["begin"] >= 0).all() and (windows["end"] <= 1).all()
 
 
 def test_every_cell_of_a_real_run_has_a_file_to_the_schema(real_run: Path) -> None:
