@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "solvers/core/final_windows.h"
@@ -167,10 +168,11 @@ struct WavefrontRecorder : CountingRecorder {
  private:
   template <class ForEachWindow>
   void take_snapshot(double wish, const ForEachWindow& for_each_window) {
-    std::vector<WavefrontWindow>& windows = recording.snapshots.emplace_back(wish).windows;
+    WavefrontSnapshot snapshot{.wish = wish, .windows = {}};
     for_each_window([&](Index half_edge, const Window& w) {
-      windows.push_back({half_edge, w.begin, w.end, least_distance(w)});
+      snapshot.windows.push_back({half_edge, w.begin, w.end, least_distance(w)});
     });
+    recording.snapshots.push_back(std::move(snapshot));
   }
 };
 
