@@ -6,7 +6,6 @@ from __future__ import annotations
 import math
 import sys
 
-import numpy as np
 import style
 from camera import Camera, framing
 from command_line import draw
@@ -74,7 +73,7 @@ def _draw(axes: Axes, recording: Recording, camera: Camera, inches: float) -> bo
     """Returns whether the source is seen."""
     isolines = recording.isolines
     buffer = draw_surface(axes, recording.surface, camera, inches)
-    levels = np.unique(isolines.levels)
+    levels = isolines.steps(recording.greatest)
     for number, level in enumerate(levels, 1):
         color = to_hex(COLORS(BRIGHTEST * level / levels[-1]))
         width = 0.9 if number % THICK == 0 else 0.45
@@ -85,7 +84,7 @@ def _draw(axes: Axes, recording: Recording, camera: Camera, inches: float) -> bo
 
 def _caption(found: list[Recording], hidden: list[str]) -> str:
     counts = ", ".join(
-        f"{len(np.unique(one.isolines.levels))} on {one.mesh.name}" for one in found
+        f"{len(one.isolines.steps(one.greatest))} on {one.mesh.name}" for one in found
     )
     words = (
         "Lines of equal exact distance from the source, arcs of circles within each face, at "

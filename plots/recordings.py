@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from camera import Floats
@@ -28,6 +28,8 @@ CURVE = np.dtype(
 SNAPSHOT = np.dtype(
     [("origin", "<u4"), ("head", "<u4"), ("begin", "<f4"), ("end", "<f4"), ("distance", "<f8")]
 )
+LEVEL_STEPS = 40
+"""Of isolines, besides those at the moments of the snapshots."""
 PIECES = np.dtype([("face", "<u4"), ("level", "<f4"), ("first", "<u4")])
 
 Table = NDArray[Any]
@@ -40,6 +42,12 @@ class Isolines:
     """(n, 2, 3)"""
     levels: Floats
     """(n): of each segment."""
+
+    def steps(self, greatest: float) -> Floats:
+        """The levels at equal steps of the greatest distance."""
+        levels = np.unique(self.levels)
+        steps = LEVEL_STEPS * levels / greatest
+        return cast(Floats, levels[np.abs(steps - np.round(steps)) < 1e-4])
 
     def at(self, level: float) -> Floats:
         there: Floats = self.segments[self.levels == level]

@@ -1,5 +1,7 @@
 #include "harness/cells/cell.h"
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "harness/cells/row.h"
@@ -91,7 +93,11 @@ Json Cell::record() {
 // The first solver that can does it for all of this source.
 void Cell::record_isolines(const std::filesystem::path& folder) {
   std::vector<double> distances = verified_;
-  write_isolines(folder, solve_isolines(spec_.solver, mesh_, query_, distances));
+  std::vector<double> levels = isoline_levels(verified_);
+  std::ranges::copy(levels_that_enclose(wavefront_wish().snapshots_at, verified_),
+                    std::back_inserter(levels));
+  std::ranges::sort(levels);
+  write_isolines(folder, solve_isolines(spec_.solver, mesh_, query_, levels, distances));
   if (!identical(distances, verified_)) solved_ = distances;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "harness/isolines/arcs.h"
 #include "harness/isolines/crossings.h"
@@ -203,6 +204,21 @@ std::vector<double> isoline_levels(std::span<const double> distances) {
   std::vector<double> levels;
   for (int k = 1; k < kIsolineSteps && greatest > 0; ++k) {
     levels.push_back(greatest * k / kIsolineSteps);
+  }
+  return levels;
+}
+
+std::vector<double> levels_that_enclose(std::span<const double> shares,
+                                        std::span<const double> distances) {
+  std::vector<double> finite;
+  std::ranges::copy_if(distances, std::back_inserter(finite),
+                       [](double d) { return d < kInfinity; });
+  std::ranges::sort(finite);
+  std::vector<double> levels;
+  for (const double share : shares) {
+    const auto count =
+        static_cast<std::size_t>(std::ceil(share * static_cast<double>(finite.size())));
+    if (count > 0) levels.push_back(finite[count - 1]);
   }
   return levels;
 }

@@ -21,6 +21,12 @@ inline constexpr int kIsolineSteps = 40;
 /// The levels of the isolines, ascending; none when no vertex has a positive finite distance.
 std::vector<double> isoline_levels(std::span<const double> distances);
 
+/// For each share the least level that this share of the vertices with a finite distance does not
+/// exceed: where a wavefront that swept them in perfect order would be.
+/// @param shares above 0, at most 1
+std::vector<double> levels_that_enclose(std::span<const double> shares,
+                                        std::span<const double> distances);
+
 /// How far a line may be from the isoline, in mean edge lengths.
 inline constexpr double kIsolineError = 1e-3;
 

@@ -5,11 +5,11 @@
 namespace geodesic::harness {
 
 Isolines solve_isolines(const std::string& solver, const Mesh& mesh, const Query& query,
-                        std::span<double> distances) {
+                        std::span<const double> levels, std::span<double> distances) {
   const std::vector<double> known(distances.begin(), distances.end());
   Isolines isolines;
   const ReadWindows read = [&](const FinalWindows& windows) {
-    isolines = trace_isolines(mesh, windows, query.sources, known, isoline_levels(known));
+    isolines = trace_isolines(mesh, windows, query.sources, known, levels);
   };
   Recording recording;
   recording.what = Record::windows;

@@ -358,5 +358,12 @@ TEST(IsolineLevels, DivideTheGreatestFiniteDistanceEqually) {
   EXPECT_TRUE(isoline_levels(std::vector{0.0, kInfinity}).empty());
 }
 
+TEST(IsolineLevels, EncloseTheShareOfReachedVerticesThatIsAskedFor) {
+  const std::vector distances = {5.0, kInfinity, 1.0, 0.0, 3.0, kInfinity};
+  EXPECT_EQ(levels_that_enclose(std::vector{0.25, 0.5, 0.6, 1.0}, distances),
+            (std::vector{0.0, 1.0, 3.0, 5.0}));
+  EXPECT_TRUE(levels_that_enclose(std::vector{0.5}, std::vector{kInfinity}).empty());
+}
+
 }  // namespace
 }  // namespace geodesic::harness
