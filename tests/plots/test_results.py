@@ -12,17 +12,10 @@ from typing import Any
 import jsonschema
 import numpy as np
 import pytest
+from recordings import CURVE, SNAPSHOT
 from results import SCHEMA, ResultError, Run, newest_run, read_file, read_run
 
 Changed = Callable[[Callable[[dict[str, Any]], object]], Path]
-
-
-CURVE = np.dtype(
-    [("reached", "<u4"), ("windows", "<u8"), ("least", "<f8"), ("mean", "<f8"), ("sd", "<f8")]
-)
-SNAPSHOT = np.dtype(
-    [("origin", "<u4"), ("head", "<u4"), ("begin", "<f4"), ("end", "<f4"), ("distance", "<f8")]
-)
 
 
 def error_of(folder: Path) -> str:
