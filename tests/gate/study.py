@@ -161,7 +161,7 @@ def main() -> int:
     plan = [(f, "", options.runs, False) for f in FAULTS if f.name in only]
     if A_A.name in only:
         half = options.a_a // 2
-        plan += [(A_A, ", quiet", options.a_a - half, False), (A_A, ", a core loaded", half, True)]
+        plan += [(A_A, ", alone", options.a_a - half, False), (A_A, ", beside a load", half, True)]
     missed = False
     print("| change | to be failed by | as it should be | exit codes | rows inconclusive | a run |")
     print("| --- | --- | --- | --- | --- | --- |", flush=True)
