@@ -1,5 +1,6 @@
 #include "harness/measure/allocation_meter.h"
 
+#include <benchmark/benchmark.h>
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 
@@ -11,10 +12,18 @@
 namespace geodesic::harness {
 namespace {
 
+/// A block that the compiler must not optimise away.
+template <class T>
+std::vector<T> allocated(std::size_t items) {
+  std::vector<T> block(items);
+  benchmark::DoNotOptimize(block.data());
+  return block;
+}
+
 TEST(AllocationMeter, SeesThePeakAndWhatIsLeft) {
   const AllocationMeter meter;
-  { const std::vector<double> large(100000); }
-  const std::vector<double> small(1000);
+  { const auto large = allocated<double>(100000); }
+  const auto small = allocated<double>(1000);
   EXPECT_GE(meter.peak_bytes(), 800000);
   EXPECT_LT(meter.peak_bytes(), 810000);
   EXPECT_GE(meter.live_bytes(), 8000);
@@ -26,7 +35,7 @@ TEST(AllocationMeter, SeesOveralignedBlocks) {
     double values[8];
   };
   const AllocationMeter meter;
-  { const std::vector<Line> lines(1000); }
+  { const auto lines = allocated<Line>(1000); }
   EXPECT_GE(meter.peak_bytes(), 64000);
   EXPECT_EQ(meter.live_bytes(), 0);
 }
@@ -34,7 +43,7 @@ TEST(AllocationMeter, SeesOveralignedBlocks) {
 TEST(AllocationMeter, StartsFromZero) {
   {
     const AllocationMeter meter;
-    const std::vector<double> any(1000);
+    const auto any = allocated<double>(1000);
   }
   const AllocationMeter meter;
   EXPECT_EQ(meter.live_bytes(), 0);
