@@ -61,7 +61,8 @@ def check(base: Program, head: Program, baseline_tree: Path, options: Options) -
         results.append(levels.memory(base_run, head_run))
     if 4 in options.levels:
         cells = timed_cells(base_run, head_run, options)
-        results.append(pairs.times(base, head, cells, options.margin, results[1:3], say))
+        causes = [result for result in results if result.level in (1, 2)]
+        results.append(pairs.times(base, head, cells, options.margin, causes, say))
     return judge(base.label, head.label, results, options.strict)
 
 
@@ -76,7 +77,7 @@ def timed_cells(base_run: Run, head_run: Run, options: Options) -> list[Cell]:
 
 def run_both(base: Program, head: Program, options: Options) -> tuple[Run, Run]:
     """Both at once: nothing is timed here."""
-    say(f"levels 0, 1 and 3: verifying and counting")
+    say("levels 0, 1 and 3: verifying and counting")
     with ThreadPoolExecutor() as pool:
         both = list(pool.map(lambda program: run_one(program, options), (base, head)))
     return both[0], both[1]

@@ -110,7 +110,7 @@ def times(
 ) -> LevelResult:
     """Level 4.
 
-    @param earlier the results of the levels before
+    @param earlier the results of levels 1 and 2, where one growing makes a suspect a regression
     """
     result = LevelResult(4, f"Time, {PAIRS} pairs by turns, margin {margin:g}")
     result.heading = ["row", "base ms", "head ms", "median", f"{_ordinal()} of {PAIRS}", "noise"]

@@ -166,6 +166,19 @@ def test_one_slow_session_is_red_when_a_counter_is_up_too(
     assert timed[0].weight == Weight.FAILURE and "level 1 is up as well" in timed[0].text
 
 
+def test_more_memory_does_not_stand_for_a_second_slow_session(
+    world: World, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def change(head: dict[str, Any]) -> None:
+        only_mmp_on_cube(head)
+        fact("mmp", "peak_bytes", 11_000_000)(head)
+
+    sessions(monkeypatch, SLOW, FAST)
+    verdict = world.gate(change, only_mmp_on_cube, levels=(0, 3, 4))
+    [timed] = [f for f in verdict.findings if f.level == 4]
+    assert timed.weight == Weight.NOTE and timed.text.endswith("but not in a second session")
+
+
 @pytest.mark.parametrize("measured", [[LOST], [SLOW, LOST]])
 def test_disturbed_sessions_are_inconclusive_and_red_only_when_strict(
     world: World, monkeypatch: pytest.MonkeyPatch, measured: list[pairs.Session]
