@@ -1,7 +1,5 @@
 #include "harness/cells/cell.h"
 
-#include <algorithm>
-#include <iterator>
 #include <memory>
 
 #include "harness/cells/row.h"
@@ -93,10 +91,7 @@ Json Cell::record() {
 // The first solver that can does it for all of this source.
 void Cell::record_isolines(const std::filesystem::path& folder) {
   std::vector<double> distances = verified_;
-  std::vector<double> levels = isoline_levels(verified_);
-  std::ranges::copy(levels_that_enclose(wavefront_wish().snapshots_at, verified_),
-                    std::back_inserter(levels));
-  std::ranges::sort(levels);
+  const std::vector<double> levels = isoline_levels(verified_, wavefront_wish().snapshots_at);
   write_isolines(folder, solve_isolines(spec_.solver, mesh_, query_, levels, distances));
   if (!identical(distances, verified_)) solved_ = distances;
 }

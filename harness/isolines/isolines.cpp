@@ -196,30 +196,25 @@ class Tracer {
 
 }  // namespace
 
-std::vector<double> isoline_levels(std::span<const double> distances) {
-  double greatest = 0;
-  for (const double d : distances) {
-    if (d < kInfinity) greatest = std::max(greatest, d);
-  }
-  std::vector<double> levels;
-  for (int k = 1; k < kIsolineSteps && greatest > 0; ++k) {
-    levels.push_back(greatest * k / kIsolineSteps);
-  }
-  return levels;
-}
-
-std::vector<double> levels_that_enclose(std::span<const double> shares,
-                                        std::span<const double> distances) {
+std::vector<double> isoline_levels(std::span<const double> distances,
+                                   std::span<const double> shares) {
   std::vector<double> finite;
   std::ranges::copy_if(distances, std::back_inserter(finite),
                        [](double d) { return d < kInfinity; });
   std::ranges::sort(finite);
+  if (finite.size() < 2 || !(finite.back() > 0)) return {};
+
   std::vector<double> levels;
+  for (int k = 1; k < kIsolineSteps; ++k) levels.push_back(finite.back() * k / kIsolineSteps);
   for (const double share : shares) {
-    const auto count =
-        static_cast<std::size_t>(std::ceil(share * static_cast<double>(finite.size())));
-    if (count > 0) levels.push_back(finite[count - 1]);
+    const double count = std::ceil(share * static_cast<double>(finite.size()));
+    const std::size_t next = std::min(static_cast<std::size_t>(count), finite.size() - 1);
+    const double between = (finite[next - 1] + finite[next]) / 2;
+    if (between > 0) levels.push_back(between);
   }
+  std::ranges::sort(levels);
+  const auto twice = std::ranges::unique(levels);
+  levels.erase(twice.begin(), twice.end());
   return levels;
 }
 

@@ -18,14 +18,13 @@ namespace geodesic::harness {
 /// two of them.
 inline constexpr int kIsolineSteps = 40;
 
-/// The levels of the isolines, ascending; none when no vertex has a positive finite distance.
-std::vector<double> isoline_levels(std::span<const double> distances);
-
-/// For each share the least level that this share of the vertices with a finite distance does not
-/// exceed: where a wavefront that swept them in perfect order would be.
-/// @param shares above 0, at most 1
-std::vector<double> levels_that_enclose(std::span<const double> shares,
-                                        std::span<const double> distances);
+/// The levels of the isolines, ascending, each once: the equal steps, and for each share the middle
+/// between the farthest of so many of the vertices that have a finite distance and the next, where
+/// a wavefront that swept them in perfect order would be. None when all distances are 0 or
+/// infinite.
+/// @param shares above 0, below 1
+std::vector<double> isoline_levels(std::span<const double> distances,
+                                   std::span<const double> shares = {});
 
 /// How far a line may be from the isoline, in mean edge lengths.
 inline constexpr double kIsolineError = 1e-3;

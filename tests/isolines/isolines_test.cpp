@@ -356,11 +356,20 @@ TEST(IsolineLevels, DivideTheGreatestFiniteDistanceEqually) {
   EXPECT_TRUE(isoline_levels(std::vector{0.0, kInfinity}).empty());
 }
 
-TEST(IsolineLevels, EncloseTheShareOfReachedVerticesThatIsAskedFor) {
-  const std::vector distances = {5.0, kInfinity, 1.0, 0.0, 3.0, kInfinity};
-  EXPECT_EQ(levels_that_enclose(std::vector{0.25, 0.5, 0.6, 1.0}, distances),
-            (std::vector{0.0, 1.0, 3.0, 5.0}));
-  EXPECT_TRUE(levels_that_enclose(std::vector{0.5}, std::vector{kInfinity}).empty());
+TEST(IsolineLevels, EncloseTheShareOfReachedVerticesThatIsAskedForAndMeetNone) {
+  const std::vector distances = {40.0, kInfinity, 1.3, 0.0, 20.5, 5.2, kInfinity};
+  const std::vector<double> levels = isoline_levels(distances, std::vector{0.2, 0.5, 0.6});
+  ASSERT_EQ(levels.size(), 39u + 2);  // two of the shares enclose the same vertices
+  EXPECT_TRUE(std::ranges::is_sorted(levels));
+  EXPECT_TRUE(std::ranges::binary_search(levels, (0.0 + 1.3) / 2));
+  EXPECT_TRUE(std::ranges::binary_search(levels, (5.2 + 20.5) / 2));
+}
+
+TEST(IsolineLevels, AreAboveZeroWhereVerticesCoincideWithTheSource) {
+  const std::vector<double> levels =
+      isoline_levels(std::vector{0.0, 0.0, 0.0, 8.0}, std::vector{0.25});
+  ASSERT_EQ(levels.size(), 39u);
+  EXPECT_GT(levels.front(), 0);
 }
 
 }  // namespace
