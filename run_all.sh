@@ -8,6 +8,8 @@ root=$(unset CDPATH; cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
 source "$root/tools/common.sh"
 
 all_steps=(build fetch run check plot)
+presets=(release ci)
+preset=release
 corpus=standard
 out=
 old_run=
@@ -41,6 +43,8 @@ Options:
   --repetitions N      timed solves of each solver, mesh and source
   --out DIR            folder that run writes (default: results/runs/<UTC time>-<corpus>)
   --run DIR            folder of an old run, for check and plot (default: the newest)
+  --preset NAME        the build to measure: release (default), or ci, the one that the tests
+                       run on: the same with warnings as errors
   --no-install         never install a package: print the line that would, and stop
   --help               this text
 
@@ -62,14 +66,14 @@ parse_options() {
     case $1 in
       --help | -h) usage; exit 0 ;;
       --no-install) install=no; shift ;;
-      --corpus | --out | --run | --solvers | --meshes | --sources | --repetitions)
+      --preset | --corpus | --out | --run | --solvers | --meshes | --sources | --repetitions)
         value=$(value_of "$@")
         take_option "$1" "$value"
         shift 2
         ;;
       -*)
         die "unknown option $1; there are --corpus, --solvers, --meshes, --sources," \
-          "--repetitions, --out, --run, --no-install, --help"
+          "--repetitions, --out, --run, --preset, --no-install, --help"
         ;;
       *)
         [[ " ${all_steps[*]} " == *" $1 "* ]] ||
@@ -90,6 +94,7 @@ parse_options() {
 
 take_option() {
   case $1 in
+    --preset) preset=$(known_preset "$2" "${presets[@]}") ;;
     --corpus) corpus=$2 ;;
     --out) out=$(absolute "$2") ;;
     --run) old_run=$(absolute "$2") ;;
@@ -105,14 +110,12 @@ wants() {
   [[ " ${steps[*]} " == *" $1 "* ]]
 }
 
-bench="$root/build/release/geodesic-bench"
-
 need_bench() {
   [[ -x $bench ]] || die "$bench is not there yet; ./run_all.sh build makes it"
 }
 
 step_build() {
-  build_preset release --target geodesic-bench
+  build_preset "$preset" --target geodesic-bench
 }
 
 step_fetch() {
@@ -219,6 +222,7 @@ finish() {
 }
 
 parse_options "$@"
+bench="$root/build/$preset/geodesic-bench"
 choose_out
 start_log run_all
 trap report_failure EXIT

@@ -38,8 +38,7 @@ parse_options() {
       --no-install) install=no; shift ;;
       --preset)
         preset=$(value_of "$@")
-        [[ " ${presets[*]} " == *" $preset "* ]] ||
-          die "unknown preset $preset; there are ${presets[*]}"
+        preset=$(known_preset "$preset" "${presets[@]}")
         shift 2
         ;;
       *) die "unknown option $1; there are --preset, --no-install, --help" ;;
@@ -54,7 +53,8 @@ run_tests() {
   (cd "$root" && logged ctest --preset "$preset" --parallel "$(processors)" \
     --output-junit "$logs/ctest.xml") || failed=1
   (cd "$root" && GEODESIC_BENCH="$root/build/$preset/geodesic-bench" \
-    logged "$python" -m pytest -q tests --junitxml "$logs/pytest.xml") || failed=1
+    logged "$python" -m pytest -q tests --numprocesses "$(processors)" \
+    --junitxml "$logs/pytest.xml") || failed=1
   return $failed
 }
 

@@ -33,6 +33,12 @@ value_of() {
   printf '%s\n' "$2"
 }
 
+# known_preset NAME PRESET...: prints NAME, which must be one of the presets.
+known_preset() {
+  [[ " ${*:2} " == *" $1 "* ]] || die "unknown preset $1; there are ${*:2}"
+  printf '%s\n' "$1"
+}
+
 # absolute PATH: as seen from the folder the user was in.
 absolute() {
   case $1 in
