@@ -31,6 +31,7 @@ const Description* find_solver(std::string_view name);
 /// @throws std::invalid_argument for an unknown name, listing the known ones
 std::unique_ptr<Solver> make_solver(std::string_view name, const Mesh& mesh);
 
+/// Registers S when it is constructed, as an object at namespace scope.
 template <class S>
 struct RegisterSolver {
   explicit RegisterSolver(Description description) {

@@ -24,6 +24,7 @@ struct Source {
   double distance = 0;  ///< initial distance at the source, >= 0, finite
 };
 
+/// What a solver is asked: distances from the nearest of some sources.
 struct Query {
   std::vector<Source> sources;  ///< at least one; the result is the least over them
   double limit = kInfinity;     ///< vertices farther than this are reported as unreachable
@@ -63,6 +64,7 @@ struct Description {
   std::string remarks = {};  ///< licence of what it links, limits, anything a user must know
 };
 
+/// Distances over one mesh; a solver family derives from it and implements `run`.
 class Solver {
  public:
   virtual ~Solver() = default;

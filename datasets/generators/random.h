@@ -1,4 +1,4 @@
-// Random numbers that are the same everywhere; the distributions of <random> are not.
+// Random numbers that are the same everywhere; the distributions of `<random>` are not.
 #pragma once
 
 #include <cstdint>

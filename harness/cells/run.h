@@ -14,7 +14,7 @@ namespace geodesic::harness {
 struct RunRequest {
   Suite suite;
   std::filesystem::path manifest;
-  std::optional<std::filesystem::path> out;  ///< by default results/runs/<UTC time>-<corpus>
+  std::optional<std::filesystem::path> out;  ///< by default `results/runs/<UTC time>-<corpus>`
   std::vector<std::string> benchmark_flags;
   Pictured pictured = Pictured::automatic;
   unsigned threads = 1;  ///< reference distances computed at a time; nothing is timed meanwhile

@@ -10,9 +10,9 @@ namespace geodesic::harness {
 
 /// Folders below the run folder.
 struct RecordingFolders {
-  std::filesystem::path mesh;    ///< recordings/<mesh>
-  std::filesystem::path source;  ///< recordings/<mesh>/src<vertex>
-  std::filesystem::path solver;  ///< recordings/<mesh>/src<vertex>/<solver>
+  std::filesystem::path mesh;    ///< `recordings/<mesh>`
+  std::filesystem::path source;  ///< `recordings/<mesh>/src<vertex>`
+  std::filesystem::path solver;  ///< `recordings/<mesh>/src<vertex>/<solver>`
 };
 
 /// Any name gives a folder of its own: what is no letter, digit, ".", "_" or "-" is written %XX.

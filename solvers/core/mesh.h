@@ -15,6 +15,7 @@
 
 namespace geodesic {
 
+/// A directed side of a face, with the frame of its plane.
 struct HalfEdge {
   double length;  ///< distance from origin to head, in the mesh's unit of length
   double apex_x;  ///< planar position of the face's third vertex in this half-edge's frame
@@ -30,6 +31,7 @@ enum class Numbering {
   along_surface,  ///< by vertex_order.h: large meshes are solved faster, small ones no slower
 };
 
+/// A triangle mesh as solvers walk over it; constant once it is built.
 class Mesh {
  public:
   /// Builds the structure in time linear in its input (expected), apart from one pass of angles.

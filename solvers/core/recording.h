@@ -58,6 +58,7 @@ struct Recording {
 struct NoDepth {
   NoDepth next() const { return {}; }
 };
+/// The same where it is counted.
 struct StripDepth {
   std::uint32_t faces = 0;
   StripDepth next() const { return {faces + 1}; }
@@ -68,6 +69,7 @@ struct StripDepth {
 struct NoSweep {};
 struct NoCount {};
 
+/// Of timed solves: records nothing and costs nothing.
 struct NoRecorder {
   static constexpr bool kRecords = false;
   using Depth = NoDepth;
@@ -87,6 +89,7 @@ struct NoRecorder {
   constexpr NoScope enter(Phase /*phase*/) const { return {}; }
 };
 
+/// Reads the clock whenever the phase changes, and counts nothing.
 struct TimingRecorder : NoRecorder {
   explicit TimingRecorder(PhaseTimer& into) : timer(into) {}
   PhaseScope<PhaseTimer> enter(Phase phase) const { return {timer, phase}; }
@@ -94,6 +97,7 @@ struct TimingRecorder : NoRecorder {
   PhaseTimer& timer;
 };
 
+/// Fills a Recording with counters.
 struct CountingRecorder {
   static constexpr bool kRecords = true;
   using Depth = StripDepth;
@@ -149,6 +153,7 @@ struct CountingRecorder {
   int samples_ = 0;
 };
 
+/// Counts, and keeps samples and snapshots of the wavefront.
 struct WavefrontRecorder : CountingRecorder {
   using CountingRecorder::CountingRecorder;
 

@@ -14,6 +14,7 @@
 
 namespace geodesic {
 
+/// A point of a half-edge's frame.
 struct Point2 {
   double x, y;
 };

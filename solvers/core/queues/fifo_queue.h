@@ -6,6 +6,7 @@
 
 namespace geodesic {
 
+/// First in, first out, whatever the keys.
 template <class Item>
 class FifoQueue {
  public:

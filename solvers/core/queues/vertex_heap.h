@@ -7,6 +7,7 @@
 
 namespace geodesic {
 
+/// Each vertex is in it at most once; a smaller key moves it forward.
 class VertexHeap {
  public:
   /// @param vertices number of vertices; ids run from 0 to vertices - 1
