@@ -1,0 +1,48 @@
+"""Makes the helpers beside this file importable; a checkout for pages to be followed in."""
+
+from __future__ import annotations
+
+import os
+import shlex
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from pages import ROOT, copy_checkout  # noqa: E402  (needs the path above)
+
+BENCH = Path(os.environ.get("GEODESIC_BENCH") or ROOT / "build" / "release" / "geodesic-bench")
+
+PROGRAM = """#!/bin/sh
+# Built elsewhere, the program knows another manifest than that of this checkout.
+case $1 in
+  list | solve | run) exec {bench} "$@" --manifest {manifest} ;;
+  *) exec {bench} "$@" ;;
+esac
+"""
+
+
+@dataclass(frozen=True)
+class Checkout:
+    folder: Path
+    environment: dict[str, str]
+
+
+@pytest.fixture
+def checkout(tmp_path: Path) -> Checkout:
+    """A copy of this checkout whose build/release/geodesic-bench is the program under test."""
+    if not BENCH.exists():
+        pytest.skip(f"no program at {BENCH}")
+    folder = tmp_path / "geodesic bench"
+    copy_checkout(folder)
+    program = folder / "build" / "release" / "geodesic-bench"
+    program.parent.mkdir(parents=True)
+    words = {"bench": BENCH.resolve(), "manifest": folder / "datasets" / "manifest.json"}
+    program.write_text(PROGRAM.format(**{k: shlex.quote(str(v)) for k, v in words.items()}))
+    program.chmod(0o755)
+    own = {"GEODESIC_DATASETS": str(folder / "datasets" / "cache"), "GEODESIC_BENCH": str(program)}
+    inherited = {k: v for k, v in os.environ.items() if k != "GEODESIC_DATASETS_MIRROR"}
+    return Checkout(folder, inherited | own)
