@@ -5,14 +5,13 @@ from __future__ import annotations
 import os
 import shlex
 import sys
-from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from pages import ROOT, copy_checkout  # noqa: E402  (needs the path above)
+from pages import ROOT, Checkout, copy_checkout  # noqa: E402  (needs the path above)
 
 BENCH = Path(os.environ.get("GEODESIC_BENCH") or ROOT / "build" / "release" / "geodesic-bench")
 
@@ -23,12 +22,6 @@ case $1 in
   *) exec {bench} "$@" ;;
 esac
 """
-
-
-@dataclass(frozen=True)
-class Checkout:
-    folder: Path
-    environment: dict[str, str]
 
 
 @pytest.fixture

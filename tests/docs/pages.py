@@ -49,6 +49,12 @@ class Block:
     instead: str | None
 
 
+@dataclass(frozen=True)
+class Checkout:
+    folder: Path
+    environment: dict[str, str]
+
+
 def blocks(page: str) -> list[Block]:
     return [
         Block(

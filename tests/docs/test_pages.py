@@ -6,8 +6,7 @@ import os
 from pathlib import Path
 
 import pytest
-from conftest import Checkout
-from pages import ROOT, PageError, blocks, follow
+from pages import ROOT, Checkout, PageError, blocks, follow
 
 PAGES = ["adding-a-mesh.md", "adding-a-figure.md"]
 

@@ -261,7 +261,7 @@ def test_ci_ends_with_the_number_of_tests(ci: Callable[[str, str, str], Ended]) 
     assert ended.returncode == 0
     assert "3 tests skipped" in ended.stdout
     assert ended.stdout.splitlines()[-1] == "12 passed, 0 failed"
-    assert "asked: --corpus tiny --repetitions 2" in ended.stdout
+    assert "asked: --preset ci --corpus tiny --repetitions 2" in ended.stdout
 
 
 def test_ci_fails_with_a_failed_test_and_still_runs_the_job(
