@@ -7,7 +7,6 @@ place in every tree, so that a compiler cache sees equal commands.
 from __future__ import annotations
 
 import os
-import shlex
 import shutil
 import subprocess
 from dataclasses import dataclass
@@ -16,7 +15,7 @@ from pathlib import Path
 from .errors import GateError
 
 BUILD = Path("build") / "gate" / "build"
-OPTIONS = ["-DGEODESIC_TESTS=OFF", "-DGEODESIC_BENCHMARKS=OFF"]
+OPTIONS = ["-DGEODESIC_TESTS=OFF", "-DGEODESIC_BENCHMARKS=OFF", "-DGEODESIC_UNITY=ON"]
 KEPT = 3
 """Trees of earlier revisions that stay."""
 
@@ -73,45 +72,35 @@ def _make_room(root: Path, trees: Path) -> None:
     _git(root, "worktree", "prune")
 
 
-class Building:
-    """A build that goes on in the background."""
-
-    def __init__(self, tree: Tree, jobs: int, log: Path) -> None:
-        self._tree, self._log = tree, log
-        self._process: subprocess.Popen[bytes] | None = None
-        if tree.done is not None and tree.done.exists() and tree.program.exists():
-            return
-        log.parent.mkdir(parents=True, exist_ok=True)
-        configure = ["cmake", "--preset", "release", "-B", str(BUILD), *OPTIONS]
-        if shutil.which("ccache"):
-            configure.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
-        build = ["cmake", "--build", str(BUILD), "--parallel", str(jobs), "-t", "geodesic-bench"]
-        environment = dict(os.environ, CCACHE_BASEDIR=str(tree.folder), CCACHE_NOHASHDIR="1")
-        with log.open("wb") as out:
-            self._process = subprocess.Popen(
-                ["sh", "-c", f"{shlex.join(configure)} && exec {shlex.join(build)}"],
-                cwd=tree.folder, stdout=out, stderr=out, env=environment,
-            )  # fmt: skip
-
-    def wait(self) -> None:
-        """@raises GateError when the revision does not build"""
-        if self._process is None:
-            return
-        if self._process.wait() != 0 or not self._tree.program.exists():
-            lines = self._log.read_text(errors="replace").strip().splitlines()
-            errors = [line for line in lines if "error" in line.lower()] or lines or ["no output"]
-            raise GateError(
-                f"the {self._tree.name}, {self._tree.label}, does not build: {errors[0].strip()}"
-                f" (all of it: {self._log})"
-            )
-        if self._tree.done is not None:
-            self._tree.done.touch()
-
-
 def build(trees: list[Tree], logs: Path) -> None:
-    """Builds all at once; the processors are shared between them."""
-    different = list({tree.folder: tree for tree in trees}.values())
-    jobs = max(1, (os.cpu_count() or 1) // len(different))
-    buildings = [Building(tree, jobs, logs / f"{tree.name}-build.log") for tree in different]
-    for building in buildings:
-        building.wait()
+    """Builds the trees, one after the other: what the second has in common with the first is then in
+    the compiler cache, if there is one.
+    @raises GateError when a revision does not build"""
+    for tree in {tree.folder: tree for tree in trees}.values():
+        _build(tree, logs / f"{tree.name}-build.log")
+
+
+def _build(tree: Tree, log: Path) -> None:
+    if tree.done is not None and tree.done.exists() and tree.program.exists():
+        return
+    log.parent.mkdir(parents=True, exist_ok=True)
+    configure = ["cmake", "--preset", "release", "-B", str(BUILD), *OPTIONS]
+    if shutil.which("ccache"):
+        configure.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
+    jobs = str(os.cpu_count() or 1)
+    compile_and_link = ["cmake", "--build", str(BUILD), "--parallel", jobs, "-t", "geodesic-bench"]
+    environment = dict(os.environ, CCACHE_BASEDIR=str(tree.folder), CCACHE_NOHASHDIR="1")
+    with log.open("wb") as out:
+        built = all(
+            subprocess.run(words, cwd=tree.folder, stdout=out, stderr=out, env=environment).returncode
+            == 0
+            for words in (configure, compile_and_link)
+        )
+    if not built or not tree.program.exists():
+        lines = log.read_text(errors="replace").strip().splitlines()
+        errors = [line for line in lines if "error" in line.lower()] or lines or ["no output"]
+        raise GateError(
+            f"the {tree.name}, {tree.label}, does not build: {errors[0].strip()} (all of it: {log})"
+        )
+    if tree.done is not None:
+        tree.done.touch()

@@ -19,9 +19,9 @@
 namespace geodesic::harness {
 namespace {
 
-class Cell {
+class Measurement {
  public:
-  Cell(const CellSpec& spec, const TriangleSoup& soup, const Mesh& mesh)
+  Measurement(const CellSpec& spec, const TriangleSoup& soup, const Mesh& mesh)
       : spec_(spec),
         soup_(soup),
         mesh_(mesh),
@@ -53,7 +53,7 @@ std::vector<double> solve_once(const std::string& solver, const Mesh& mesh, cons
 }
 
 // Empty when the distances are right. Leaves them in verified_.
-std::string Cell::verify_warm_up(Solver& solver) {
+std::string Measurement::verify_warm_up(Solver& solver) {
   solver.solve(query_, verified_);
   const std::vector<double> reference = read_distances(spec_.reference_file, mesh_.vertex_count());
   std::vector<double> bound;
@@ -70,7 +70,7 @@ std::string Cell::verify_warm_up(Solver& solver) {
 
 // What to say of it in the rows: where it is, or why it is not there. A full disk takes no time
 // away that was measured.
-Json Cell::record() {
+Json Measurement::record() {
   Recording recording = wavefront_wish();
   make_solver(spec_.solver, mesh_)->solve(query_, solved_, &recording);
   const RecordingFolders folders = recording_folders(spec_.mesh, spec_.source, spec_.solver);
@@ -89,14 +89,14 @@ Json Cell::record() {
 }
 
 // The first solver that can does it for all of this source.
-void Cell::record_isolines(const std::filesystem::path& folder) {
+void Measurement::record_isolines(const std::filesystem::path& folder) {
   std::vector<double> distances = verified_;
   const std::vector<double> levels = isoline_levels(verified_, wavefront_wish().snapshots_at);
   write_isolines(folder, solve_isolines(spec_.solver, mesh_, query_, levels, distances));
   if (!identical(distances, verified_)) solved_ = distances;
 }
 
-Timing Cell::measure() {
+Timing Measurement::measure() {
   const auto wrong = [&](const std::string& why) -> Timing {
     return {benchmark_context(),
             {error_row(spec_.solver, spec_.mesh, spec_.source, outcome::kWrongAnswer, why)}};
@@ -144,7 +144,7 @@ void run_cell(const CellSpec& spec) {
   const Mesh mesh(soup, Numbering::along_surface);
   const double mesh_ms = 1e3 * building.cpu_seconds();
   restart_peak_resident_bytes();
-  Timing timing = Cell(spec, soup, mesh).measure();
+  Timing timing = Measurement(spec, soup, mesh).measure();
   for (Json& row : timing.rows) {
     if (row.at("outcome") == outcome::kOk) row["mesh_time"] = mesh_ms;
   }

@@ -21,7 +21,7 @@ struct GenerateArguments {
   bool list = false;
 };
 
-std::string describe(const generators::GeneratorDescription& generator) {
+std::string usage(const generators::GeneratorDescription& generator) {
   std::ostringstream text;
   text << generator.name << "\n  " << generator.description << '\n';
   if (!generator.closed_form.empty()) text << "  distances: " << generator.closed_form << '\n';
@@ -39,7 +39,7 @@ std::string describe(const generators::GeneratorDescription& generator) {
 std::string list_of_generators() {
   std::string text;
   for (const auto& generator : generators::generator_descriptions()) {
-    text += (text.empty() ? "" : "\n") + describe(generator);
+    text += (text.empty() ? "" : "\n") + usage(generator);
   }
   return text;
 }

@@ -35,7 +35,7 @@ struct SolveFlags {
 };
 
 // In file order, 17 significant digits: every double survives.
-std::string as_text(std::span<const double> distances, char separator) {
+std::string separated(std::span<const double> distances, char separator) {
   std::string text;
   char number[40];
   for (const double d : distances) {
@@ -137,7 +137,7 @@ Json verify_by_closed_form(const Problem& problem, std::span<const Index> source
 Json solve_jointly(const Problem& problem, std::ostream* output) {
   Solved solved = solve(problem.flags, problem.solver, problem.mesh);
   solved.json.update(verify_by_closed_form(problem, problem.flags.sources, solved.distances));
-  if (output != nullptr) *output << as_text(solved.distances, '\n');
+  if (output != nullptr) *output << separated(solved.distances, '\n');
   Json json{{"sources", problem.flags.sources}};
   json.update(solved.json);
   return json;
@@ -154,7 +154,7 @@ Json solve_separately(const Problem& problem, std::ostream* output) {
               .text = {}};
     kept.json.update(verify_by_closed_form(problem, std::span(&solve.source, 1), solve.distances));
     if (output != nullptr) {
-      kept.text = as_text(solve.distances, ' ');
+      kept.text = separated(solve.distances, ' ');
       if (!kept.text.empty()) kept.text.back() = '\n';
     }
     return kept;

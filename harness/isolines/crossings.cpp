@@ -12,20 +12,20 @@ namespace {
 // between two windows.
 constexpr double kWeld = 1e-12;
 
-struct Interval {
+struct Part {
   double begin, end;
 };
 
 // Where a window is nearer than the level.
-std::optional<Interval> inside(const Window& w, double level) {
+std::optional<Part> inside(const Window& w, double level) {
   const double radius = level - w.sigma, height = std::abs(w.y);
   if (!(radius > height)) return std::nullopt;
   const double half = std::sqrt((radius - height) * (radius + height));
-  const Interval part{std::max(w.begin, w.x - half), std::min(w.end, w.x + half)};
+  const Part part{std::max(w.begin, w.x - half), std::min(w.end, w.x + half)};
   return part.begin < part.end ? std::optional(part) : std::nullopt;
 }
 
-// The union of intervals that are added in the order of their beginnings, as crossings.
+// The union of parts that are added in the order of their beginnings, as crossings.
 class Union {
  public:
   Union(const EdgeDistance& edge, double level, std::vector<Crossing>& result)
@@ -34,7 +34,7 @@ class Union {
         head_inside_(edge.at_head < level),
         result_(result) {}
 
-  void add(const Interval& next) {
+  void add(const Part& next) {
     if (!empty_ && next.begin <= last_.end + kWeld * length_) {
       last_.end = std::max(last_.end, next.end);
       return;
@@ -54,7 +54,7 @@ class Union {
   double length_;
   bool origin_inside_, head_inside_;
   bool empty_ = true;
-  Interval last_{0, 0};
+  Part last_{0, 0};
   std::vector<Crossing>& result_;
 };
 
@@ -67,7 +67,7 @@ void find_crossings(const EdgeDistance& edge, double level, std::vector<Crossing
   // rounding does to the windows.
   const double from_origin = level - edge.at_origin, to_head = level - edge.at_head;
   if (from_origin > 0) parts.add({0, std::min(from_origin, edge.length)});
-  std::optional<Interval> at_head;
+  std::optional<Part> at_head;
   if (to_head > 0) at_head = {std::max(edge.length - to_head, 0.0), edge.length};
   for (const Window& w : edge.windows) {
     const auto part = inside(w, level);
