@@ -1,34 +1,10 @@
 // `ch`, `ich` and `fwp-ch`: one propagation of windows in three orders, filtered but for `ch`.
-#include <stdexcept>
-
 #include "solvers/chen_han/policies.h"
-#include "solvers/chen_han/propagation.h"
-#include "solvers/chen_han/recorded.h"
+#include "solvers/chen_han/solver.h"
 #include "solvers/registry.h"
 
 namespace geodesic::chen_han {
 namespace {
-
-template <class Policy>
-class ChenHan final : public Solver {
- public:
-  ChenHan(const Mesh& mesh, const Description& description)
-      : Solver(mesh, description), propagation_(checked(mesh, description)) {}
-
- private:
-  static const Mesh& checked(const Mesh& mesh, const Description& description) {
-    if (mesh.vertex_count() <= kMaxVertices) return mesh;
-    throw std::invalid_argument(description.name + ": supports at most " +
-                                std::to_string(kMaxVertices) + " vertices");
-  }
-
-  void run(const Query& query, std::span<double> distances, Recording* recording) override {
-    if (recording == nullptr) return propagation_.run(query, distances);
-    solve_recorded<Policy>(mesh(), query, distances, *recording);
-  }
-
-  Propagation<Policy, NoRecorder> propagation_;
-};
 
 const RegisterSolver<ChenHan<Ch>> ch{{
     .name = "ch",

@@ -1,4 +1,7 @@
-// In which order windows are propagated, and which of them are dropped.
+// What the solvers of the family differ in. A policy has
+//   Filter             which windows are dropped (filter.h)
+//   Queue              of indices (core/queues): in which order windows are propagated
+//   make_queue(mesh)   an empty one
 #pragma once
 
 #include "solvers/chen_han/filter.h"

@@ -30,7 +30,7 @@
 namespace geodesic::chen_han {
 
 /// The state of the solves of one solver, one after the other.
-/// @tparam Policy has a Filter, a Queue of Index, and make_queue(mesh)
+/// @tparam Policy as in policies.h
 template <class Policy, class Recorder>
 class Propagation {
  public:

@@ -7,9 +7,12 @@
 
 namespace geodesic::chen_han {
 
-/// As Solver::run. @tparam Policy of policies.h
+/// Defined in recorded-inl.h. @tparam Policy of policies.h
 template <class Policy>
-void solve_recorded(const Mesh& mesh, const Query& query, std::span<double> distances,
+struct Recorded {
+  /// As Solver::run.
+  static void solve(const Mesh& mesh, const Query& query, std::span<double> distances,
                     Recording& recording);
+};
 
 }  // namespace geodesic::chen_han

@@ -12,35 +12,14 @@
 // The loop (propagation-inl.h) and its steps over whole lists (kernels-inl.h) are compiled for
 // several instruction sets; which one runs is chosen when a solver is constructed
 // (core/instruction_set.h). All of them give the same bits.
-#include "solvers/edge_based/propagation.h"
+#include "solvers/edge_based/policies.h"
+#include "solvers/edge_based/solver.h"
 #include "solvers/registry.h"
 
 namespace geodesic::edge_based {
 namespace {
 
-class EdgeBased final : public Solver {
- public:
-  EdgeBased(const Mesh& mesh, const Description& description)
-      : Solver(mesh, description),
-        instruction_set_(compiled_for(geodesic::instruction_set())),
-        timed_(make_timed(mesh, instruction_set_)) {}
-
-  InstructionSet instruction_set() const override { return instruction_set_; }
-
- private:
-  void run(const Query& query, std::span<double> distances, Recording* recording) override {
-    if (recording == nullptr) {
-      timed_->run(query, distances, nullptr);
-    } else {
-      make_recorded(mesh(), instruction_set_, recording->what)->run(query, distances, recording);
-    }
-  }
-
-  InstructionSet instruction_set_;
-  std::unique_ptr<Propagator> timed_;
-};
-
-const RegisterSolver<EdgeBased> registered{{
+const RegisterSolver<EdgeBased<ByDistance>> registered{{
     .name = "edge-based",
     .family = "edge-based",
     .paper = "thesis chapter 5; Qin, Han, Yu, Yu, Zhang 2016",

@@ -11,20 +11,20 @@
 #include <vector>
 
 #include "solvers/core/prefetch.h"
-#include "solvers/core/queues/vertex_heap.h"
 #include "solvers/edge_based/kernels-inl.h"
 #include "solvers/edge_based/propagation.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace geodesic::edge_based::HWY_NAMESPACE {
 
-template <class Recorder>
+/// @tparam Policy as in policies.h
+template <class Policy, class Recorder>
 class Propagation final : public Propagator {
  public:
   explicit Propagation(const Mesh& mesh)
       : mesh_(mesh),
         lists_(mesh.half_edge_count()),
-        front_(mesh.vertex_count()),
+        front_(Policy::make_queue(mesh)),
         vertex_state_(mesh.vertex_count()),
         queued_(mesh.half_edge_count()) {
     for (Index h = 0; h < mesh.half_edge_count(); ++h) {
@@ -306,7 +306,7 @@ class Propagation final : public Propagator {
   const Mesh& mesh_;
   std::span<double> distances_;
   Lists lists_;
-  VertexHeap front_;
+  typename Policy::Queue front_;
   std::vector<std::uint8_t> vertex_state_;
   std::vector<std::uint8_t> queued_;  // half-edges in fifo_
   std::vector<Index> fifo_;

@@ -1,33 +1,10 @@
 // `mmp` and `fwp-mmp`: the same propagation of windows in two orders.
-#include "solvers/mmp/orders.h"
-#include "solvers/mmp/propagation.h"
-#include "solvers/mmp/recorded.h"
+#include "solvers/mmp/policies.h"
+#include "solvers/mmp/solver.h"
 #include "solvers/registry.h"
 
 namespace geodesic::mmp {
 namespace {
-
-template <class Order>
-class Mmp final : public Solver {
- public:
-  Mmp(const Mesh& mesh, const Description& description)
-      : Solver(mesh, description), propagation_(mesh, Order::make(mesh)) {}
-
- private:
-  void run(const Query& query, std::span<double> distances, Recording* recording) override {
-    if (recording != nullptr && recording->what != Record::windows) {
-      return solve_recorded<Order>(mesh(), query, distances, *recording);
-    }
-    propagation_.run(query, distances);
-    if (recording != nullptr) hand_over_windows(*recording->read_windows);
-  }
-
-  void hand_over_windows(const ReadWindows& read) const {
-    read([this](Index h, std::vector<Window>& windows) { propagation_.copy_windows(h, windows); });
-  }
-
-  Propagation<typename Order::Queue, NoRecorder> propagation_;
-};
 
 const RegisterSolver<Mmp<ByDistance>> mmp{{
     .name = "mmp",

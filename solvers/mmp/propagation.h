@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "solvers/mmp/wavefront.h"
@@ -21,14 +20,14 @@
 
 namespace geodesic::mmp {
 
-/// The state of one solve, reusable. @tparam Queue of numbers of tickets (core/queues)
-template <class Queue, class Recorder>
+/// The state of one solve, reusable. @tparam Policy as in policies.h
+template <class Policy, class Recorder>
 class Propagation {
  public:
-  Propagation(const Mesh& mesh, Queue queue, Recorder recorder = {})
+  explicit Propagation(const Mesh& mesh, Recorder recorder = {})
       : mesh_(mesh),
         recorder_(recorder),
-        wavefront_(mesh.half_edge_count(), std::move(queue), recorder_) {}
+        wavefront_(mesh.half_edge_count(), Policy::make_queue(mesh), recorder_) {}
   Propagation(const Propagation&) = delete;
   Propagation& operator=(const Propagation&) = delete;
 
@@ -58,7 +57,8 @@ class Propagation {
 
  private:
   using Depth = typename Recorder::Depth;
-  using Taken = typename Wavefront<Queue, Recorder>::Taken;
+  using Front = Wavefront<typename Policy::Queue, Recorder>;
+  using Taken = typename Front::Taken;
   /// What a window's children inherit besides the geometry.
   struct Beam {
     Index source;  ///< number of the pseudo-source
@@ -189,7 +189,7 @@ class Propagation {
 
   const Mesh& mesh_;
   Recorder recorder_;
-  Wavefront<Queue, Recorder> wavefront_;
+  Front wavefront_;
   std::span<double> distances_;
   std::vector<double> emitted_;  // distance of the windows that each vertex sent out last
   [[no_unique_address]] typename Recorder::Sweep sweep_;

@@ -7,9 +7,12 @@
 
 namespace geodesic::mmp {
 
-/// As Solver::run. @tparam Order of orders.h
-template <class Order>
-void solve_recorded(const Mesh& mesh, const Query& query, std::span<double> distances,
+/// Defined in recorded-inl.h. @tparam Policy of policies.h
+template <class Policy>
+struct Recorded {
+  /// As Solver::run.
+  static void solve(const Mesh& mesh, const Query& query, std::span<double> distances,
                     Recording& recording);
+};
 
 }  // namespace geodesic::mmp

@@ -1,4 +1,6 @@
-// In which order windows are propagated.
+// What the solvers of the family differ in. A policy has
+//   Queue              of tickets (core/queues): in which order windows are propagated
+//   make_queue(mesh)   an empty one
 #pragma once
 
 #include "solvers/core/queues/bucket_queue.h"
@@ -10,13 +12,13 @@ namespace geodesic::mmp {
 /// Least distance first.
 struct ByDistance {
   using Queue = PriorityQueue<Index>;
-  static Queue make(const Mesh& mesh) { return Queue(priority_bucket_width(mesh)); }
+  static Queue make_queue(const Mesh& mesh) { return Queue(priority_bucket_width(mesh)); }
 };
 
 /// Buckets of the published width, in phases.
 struct ByBucket {
   using Queue = BucketQueue<Index>;
-  static Queue make(const Mesh& mesh) { return Queue(published_bucket_width(mesh)); }
+  static Queue make_queue(const Mesh& mesh) { return Queue(published_bucket_width(mesh)); }
 };
 
 }  // namespace geodesic::mmp
