@@ -85,7 +85,7 @@ def run_both(base: Program, head: Program, options: Options) -> tuple[Run, Run]:
 
 def run_one(program: Program, options: Options) -> Run:
     """@raises GateError for a solver that was asked for and is not there"""
-    known = program.solvers()
+    known = program.solvers(options.solvers)
     solvers = [name for name in known if not options.solvers or name in options.solvers]
     if program.name == "head":
         unknown = sorted(set(options.solvers) - set(known))

@@ -9,7 +9,7 @@ import json
 import os
 import subprocess
 import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -64,10 +64,17 @@ class Program:
     """Folder of meshes."""
     manifest: Path
 
-    def solvers(self) -> list[str]:
-        """Names, without independent oracles: those verify, and are not ours to make faster."""
+    def solvers(self, asked_for: Collection[str] = ()) -> list[str]:
+        """Names, without independent oracles: those verify, and are not ours to make faster.
+
+        Variants and examples are among them only when they are asked for.
+        """
         listed = json.loads(self._call(["list", "--json"], self._options()))
-        return [s["name"] for s in listed["solvers"] if not s["independent_oracle"]]
+        return [
+            s["name"] for s in listed["solvers"]
+            if not s["independent_oracle"]
+            and (s["name"] in asked_for or not s.get("by_name_only", False))
+        ]  # fmt: skip
 
     def run(self, corpus: str, meshes: Sequence[str], solvers: Sequence[str], out: Path) -> Run:
         """Verifies and counts every cell of the corpus, or of the meshes, into a run folder."""

@@ -60,6 +60,8 @@ struct Description {
   bool independent_oracle = false;  ///< shares no kernel with the others: first choice to verify by
   double relative_time = 0;         ///< of a solve of a scan of 50,000 vertices, measured, that of
                                     ///< the fastest solver being 1; 0: not known
+  bool by_name_only = false;  ///< a variant or an example: it runs, and verifies others, only where
+                              ///< somebody names it
   Abilities abilities = {};
   std::string remarks = {};  ///< licence of what it links, limits, anything a user must know
 };

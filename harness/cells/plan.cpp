@@ -16,8 +16,11 @@ std::vector<const Description*> chosen_solvers(const Suite& suite) {
   if (suite.reference && solver_named(*suite.reference).exactness != Exactness::exact) {
     throw HarnessError("'" + *suite.reference + "' is not exact: others cannot be verified by it");
   }
-  if (suite.solvers.empty()) return registered_solvers();
   std::vector<const Description*> solvers;
+  if (suite.solvers.empty()) {
+    solvers = registered_solvers();
+    std::erase_if(solvers, [](const Description* solver) { return solver->by_name_only; });
+  }
   for (const std::string& name : suite.solvers) solvers.push_back(&solver_named(name));
   return solvers;
 }

@@ -21,12 +21,13 @@ struct ListFlags {
 };
 
 TextTable solver_table() {
-  TextTable table{{"solver", "family", "ordered by", "time", "space", "distances", "paper"}};
+  TextTable table{
+      {"solver", "family", "ordered by", "time", "space", "distances", "runs", "paper"}};
   for (const Description* solver : registered_solvers()) {
     table.push_back({solver->name, solver->family, solver->data_structure, solver->time_complexity,
                      solver->space_complexity,
                      solver->exactness == Exactness::exact ? "exact" : "upper bound",
-                     solver->paper});
+                     solver->by_name_only ? "when named" : "always", solver->paper});
   }
   return table;
 }

@@ -75,7 +75,9 @@ void add_run_command(CLI::App& app, const std::string& command_line) {
     return run_command->add_option(name, value, help);
   };
   option("--corpus", flags->corpus, "a corpus of the manifest")->type_name("NAME");
-  option("--solvers", flags->solvers, "names, separated by commas")->delimiter(',');
+  option("--solvers", flags->solvers,
+         "names, separated by commas (default: those that list says always run)")
+      ->delimiter(',');
   option("--meshes", flags->meshes, "names of the manifest or files, separated by commas")
       ->delimiter(',');
   option("--sources", flags->sources, "source vertices a mesh");

@@ -10,7 +10,7 @@
 namespace geodesic::harness {
 
 struct Suite {
-  std::vector<std::string> solvers = {};  ///< names; empty: every registered one
+  std::vector<std::string> solvers = {};  ///< names; empty: all but Description::by_name_only
   std::string corpus = "quick";           ///< a corpus of the manifest
   std::vector<std::string> meshes = {};   ///< names or files, in place of the whole corpus
   int sources = 3;                        ///< a mesh

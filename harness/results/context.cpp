@@ -23,6 +23,7 @@ Json describe(const Description& solver) {
       {"exactness", solver.exactness == Exactness::exact ? "exact" : "upper_bound"},
       {"independent_oracle", solver.independent_oracle},
       {"relative_time", solver.relative_time > 0 ? Json(solver.relative_time) : Json(nullptr)},
+      {"by_name_only", solver.by_name_only},
       {"abilities",
        {{"multiple_sources", can.multiple_sources},
         {"initial_distances", can.initial_distances},

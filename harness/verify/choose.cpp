@@ -10,9 +10,8 @@ std::vector<const Description*> rank_references(const Description& verified,
                                                 const std::optional<std::string>& named) {
   std::vector<const Description*> candidates;
   for (const Description* solver : solvers) {
-    if (solver->exactness == Exactness::exact && solver->name != verified.name) {
-      candidates.push_back(solver);
-    }
+    if (solver->exactness != Exactness::exact || solver->name == verified.name) continue;
+    if (!solver->by_name_only || solver->name == named) candidates.push_back(solver);
   }
   const auto demerits = [&](const Description* solver) {
     const double time = solver->relative_time > 0 ? solver->relative_time : kInfinity;

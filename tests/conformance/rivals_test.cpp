@@ -56,7 +56,7 @@ FOR_EVERY_SOLVER(RandomMeshes);
 std::string reference_solver(const Mesh& mesh) {
   std::string reference;
   for (const Description* solver : registered_solvers()) {
-    if (solver->exactness != Exactness::exact) continue;
+    if (solver->exactness != Exactness::exact || solver->by_name_only) continue;
     if (solver->abilities.max_vertices < mesh.vertex_count()) continue;
     if (reference.empty() || solver->independent_oracle) reference = solver->name;
   }

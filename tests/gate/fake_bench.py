@@ -36,7 +36,11 @@ def row(solver: str, mesh: str) -> dict[str, object]:
 def main() -> int:
     command = sys.argv[1]
     if command == "list":
-        solvers = [{"name": name, "independent_oracle": False} for name in WORLD["solvers"]]
+        by_name = WORLD.get("by_name_only", [])
+        solvers = [
+            {"name": name, "independent_oracle": False, "by_name_only": name in by_name}
+            for name in WORLD["solvers"]
+        ]
         print(json.dumps({"solvers": [*solvers, {"name": "cgal", "independent_oracle": True}]}))
     elif command == "run":
         solvers_wanted = value_of("--solvers").split(",")

@@ -329,6 +329,16 @@ def test_unknown_solver_lists_the_known_ones(world: World) -> None:
         world.gate(solvers=("mpm",))
 
 
+def test_a_solver_that_runs_by_name_only_is_judged_when_it_is_asked_for(world: World) -> None:
+    def with_wrong_variant(one: dict[str, Any]) -> None:
+        one["solvers"]["variant"] = one["solvers"]["mmp"] | {"outcome": "wrong answer"}
+        one["by_name_only"] = ["variant"]
+
+    assert world.gate(with_wrong_variant, with_wrong_variant).exit_code == GOOD
+    named = world.gate(with_wrong_variant, with_wrong_variant, solvers=("variant", "mmp"))
+    assert named.exit_code == WRONG and "variant" in first(named)
+
+
 def test_reports_say_the_verdict_first_and_hold_every_level(world: World) -> None:
     verdict = world.gate(fact("mmp", "peak_bytes", 20_000_000))
     text = as_markdown(verdict)

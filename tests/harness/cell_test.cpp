@@ -40,6 +40,20 @@ void expect_no_time(const json& row) {
   EXPECT_FALSE(row.contains("prepare_time")) << row;
 }
 
+TEST_F(RunTest, WithoutSolversEveryOneRunsThatNeedNotBeNamed) {
+  std::vector<std::string> expected, by_name, ran;
+  for (const json& solver : json::parse(run(PROGRAM, {"list", "--json"}).out).at("solvers")) {
+    (solver.at("by_name_only") ? by_name : expected).push_back(solver.at("name"));
+  }
+  ASSERT_FALSE(by_name.empty());
+  const Output run = run_suite(PROGRAM, {"--meshes", "tetrahedron", "--sources", "1"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  for (const json& each : rows()) {
+    if (each.at("repetition_index") == 0) ran.push_back(each.at("solver"));
+  }
+  EXPECT_EQ(ran, expected);
+}
+
 TEST_F(RunTest, EveryRepetitionIsARowAndSolversAlternate) {
   const Output run =
       run_suite(PROGRAM, {"--solvers", exact_solver() + ",dijkstra", "--sources", "2"});

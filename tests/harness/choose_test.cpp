@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace geodesic::harness {
 namespace {
 
@@ -46,6 +48,12 @@ TEST_F(RankReferences, OracleThenOtherFamiliesThenTheFaster) {
 
 TEST_F(RankReferences, TheNamedOneComesFirst) {
   EXPECT_EQ(ranked(verified_, "a-sibling").front(), "a-sibling");
+}
+
+TEST_F(RankReferences, OneThatRunsOnlyByNameVerifiesOnlyByName) {
+  other_.by_name_only = true;
+  EXPECT_EQ(std::ranges::count(ranked(verified_), "other"), 0);
+  EXPECT_EQ(ranked(verified_, "other").front(), "other");
 }
 
 TEST_F(RankReferences, NobodyVerifiesItself) {

@@ -14,7 +14,7 @@ constexpr const char* kFamily = "test-only";
 const Description& sound_solver() {
   for (const Description* solver : registered_solvers()) {
     if (solver->exactness == Exactness::exact && solver->family != kFamily &&
-        solver->abilities.max_vertices == kNone) {
+        !solver->by_name_only && solver->abilities.max_vertices == kNone) {
       return *solver;
     }
   }

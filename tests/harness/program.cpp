@@ -71,7 +71,8 @@ Output ProgramTest::run_plainly(const std::string& program,
 std::string ProgramTest::exact_solver() const {
   const nlohmann::json list = nlohmann::json::parse(run(PROGRAM, {"list", "--json"}).out);
   for (const nlohmann::json& solver : list.at("solvers")) {
-    if (solver.at("exactness") == "exact" && !solver.at("independent_oracle").get<bool>() &&
+    if (solver.at("exactness") == "exact" && !solver.at("by_name_only").get<bool>() &&
+        !solver.at("independent_oracle").get<bool>() &&
         solver.at("abilities").at("max_vertices").is_null()) {
       return solver.at("name");
     }
