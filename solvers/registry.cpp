@@ -17,13 +17,32 @@ std::map<std::string, Entry, std::less<>>& entries() {
   return map;
 }
 
+constinit Registrations* collected = nullptr;  // by collect_registrations, while it runs
+
 }  // namespace
 
 void register_solver(Description description, SolverFactory factory) {
   std::string name = description.name;
   const auto [at, added] =
       entries().try_emplace(name, Entry{std::move(description), std::move(factory)});
-  if (!added) throw std::logic_error("two solvers are registered as '" + at->first + "'");
+  if (!added) {
+    throw std::logic_error("two solvers are registered as '" + at->first +
+                           "': give one of them another name");
+  }
+  if (collected != nullptr) collected->added.push_back(at->first);
+}
+
+Registrations collect_registrations(const std::function<void()>& load) {
+  Registrations registrations;
+  collected = &registrations;
+  try {
+    load();
+  } catch (...) {
+    collected = nullptr;
+    throw;
+  }
+  collected = nullptr;
+  return registrations;
 }
 
 std::vector<const Description*> registered_solvers() {
@@ -48,3 +67,20 @@ std::unique_ptr<Solver> make_solver(std::string_view name, const Mesh& mesh) {
 }
 
 }  // namespace geodesic
+
+void geodesic_register_solver(const char* contract, void* description, void* factory) {
+  using namespace geodesic;
+  try {
+    const std::string own = contract_compiled_against();
+    if (contract != own) {
+      throw std::logic_error("built against " + std::string(contract) +
+                             ", while this program has " + own +
+                             ": build it again against this program's package");
+    }
+    register_solver(std::move(*static_cast<Description*>(description)),
+                    std::move(*static_cast<SolverFactory*>(factory)));
+  } catch (const std::exception& error) {
+    if (collected == nullptr) throw;
+    collected->refused.emplace_back(error.what());
+  }
+}

@@ -9,9 +9,19 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "solvers/contract.h"
 #include "solvers/solver.h"
+
+/// Adds a solver that was compiled against `contract` (contract.h), and looks at nothing else if
+/// that is not the registry's own. What crosses over from a plug-in of any version comes this way:
+/// the signature never changes.
+/// @param description geodesic::Description, moved from
+/// @param factory geodesic::SolverFactory, moved from
+/// @throws std::logic_error when it is refused, unless somebody collects (collect_registrations)
+extern "C" void geodesic_register_solver(const char* contract, void* description, void* factory);
 
 namespace geodesic {
 
@@ -20,6 +30,16 @@ using SolverFactory =
 
 /// Adds a solver. @throws std::logic_error when the name is taken.
 void register_solver(Description description, SolverFactory factory);
+
+/// What became of the solvers that registered themselves.
+struct Registrations {
+  std::vector<std::string> added;    ///< names
+  std::vector<std::string> refused;  ///< why, a sentence each
+};
+
+/// Calls `load`, which may load shared libraries. Solvers in them that cannot be added are refused
+/// in the result: an exception could not leave the loading of a library.
+Registrations collect_registrations(const std::function<void()>& load);
 
 /// Descriptions of all registered solvers, by name.
 std::vector<const Description*> registered_solvers();
@@ -35,9 +55,10 @@ std::unique_ptr<Solver> make_solver(std::string_view name, const Mesh& mesh);
 template <class S>
 struct RegisterSolver {
   explicit RegisterSolver(Description description) {
-    register_solver(std::move(description), [](const Mesh& mesh, const Description& d) {
+    SolverFactory factory = [](const Mesh& mesh, const Description& d) {
       return std::make_unique<S>(mesh, d);
-    });
+    };
+    geodesic_register_solver(contract_compiled_against().c_str(), &description, &factory);
   }
 };
 

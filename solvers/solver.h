@@ -17,6 +17,12 @@
 
 namespace geodesic {
 
+/// The version of everything that a solver sees: this page, core/ and registry.h. Raise it when a
+/// solver that was compiled before the change would no longer work after it: when a member or a
+/// virtual function is added, moved or removed, or means something else. Plug-ins of other versions
+/// are refused (contract.h).
+inline constexpr int kContract = 1;
+
 /// A point that distances are measured from. Points on edges and faces will be other members of
 /// this struct; today a source is a vertex.
 struct Source {
