@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "harness/error.h"
+#include "harness/plugins.h"
 
 namespace geodesic::harness {
 namespace {
@@ -37,6 +38,9 @@ pid_t spawn(const std::vector<std::string>& arguments, int standard_error) {
   check(posix_spawn_file_actions_addopen(&files.actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0));
   check(posix_spawn_file_actions_adddup2(&files.actions, standard_error, STDERR_FILENO));
   std::vector<std::string> words{"geodesic-bench"};
+  for (const Plugin& plugin : loaded_plugins()) {
+    words.insert(words.end(), {"--plugin", plugin.file.string()});
+  }
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());

@@ -17,8 +17,8 @@ struct Ended {
   std::string describe() const;
 };
 
-/// Runs this very program with other arguments and waits for it. Standard input and output are
-/// closed to it.
+/// Runs this very program with other arguments and the same plug-ins, and waits for it. Standard
+/// input and output are closed to it.
 /// @param waiting called about once a second until the process has ended
 /// @throws HarnessError when no process can be started
 Ended run_this_program(const std::vector<std::string>& arguments,

@@ -7,8 +7,24 @@
 #include "harness/commands/mesh.h"
 #include "harness/commands/run.h"
 #include "harness/commands/solve.h"
+#include "harness/plugins.h"
 
 namespace geodesic::harness {
+namespace {
+
+// Options are looked at before any command runs.
+void add_plugin_option(CLI::App& app) {
+  app.add_option_function<std::vector<std::string>>(
+         "--plugin",
+         [](const std::vector<std::string>& files) {
+           for (const std::string& file : files) load_plugin(file);
+         },
+         "a shared library with more solvers; may be given several times")
+      ->allow_extra_args(false)
+      ->type_name("FILE");
+}
+
+}  // namespace
 
 void add_commands(CLI::App& app, const std::string& command_line) {
   add_list_command(app);
@@ -18,6 +34,8 @@ void add_commands(CLI::App& app, const std::string& command_line) {
   add_run_command(app, command_line);
   add_compare_command(app);
   add_export_command(app);
+  add_plugin_option(app);
+  for (CLI::App* command : app.get_subcommands(nullptr)) add_plugin_option(*command);
   add_cell_commands(app);
 }
 

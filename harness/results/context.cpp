@@ -5,6 +5,7 @@
 
 #include "harness/build_info.h"
 #include "harness/meshes/summary.h"
+#include "harness/plugins.h"
 #include "harness/sha256.h"
 
 namespace geodesic::harness {
@@ -75,6 +76,11 @@ std::string processor() {
 
 Json program_context() {
   const BuildInfo& build = build_info();
+  Json plugins = Json::array();
+  for (const Plugin& plugin : loaded_plugins()) {
+    plugins.push_back(
+        {{"file", plugin.file.string()}, {"sha256", plugin.sha256}, {"solvers", plugin.solvers}});
+  }
   return {
       {"schema_version", kSchemaVersion},
       {"revision", build.revision},
@@ -83,6 +89,7 @@ Json program_context() {
       {"compiler_flags", build.compiler_flags},
       {"build_type", build.build_type},
       {"processor", processor()},
+      {"plugins", std::move(plugins)},
   };
 }
 

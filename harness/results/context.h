@@ -26,7 +26,8 @@ std::string processor();
 /// Name, hash, size and topology of a mesh, with the keys of context.geodesic_bench.meshes.
 Json describe(const MeshEntry& entry, const TriangleSoup& soup, const Mesh& mesh);
 
-/// Keys that every result file of this program has: schema version, revision, compiler, processor.
+/// Keys that every result file of this program has: schema version, revision, compiler, processor,
+/// plug-ins.
 Json program_context();
 
 }  // namespace geodesic::harness
