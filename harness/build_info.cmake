@@ -1,5 +1,5 @@
 # Script, run at every build: writes OUTPUT from TEMPLATE, only when something in it has changed.
-# In: SOURCE_FOLDER, TEMPLATE, OUTPUT, and VERSION, COMPILER, COMPILER_FLAGS, BUILD_TYPE as they are.
+# In: SOURCE_FOLDER, TEMPLATE, OUTPUT, and VERSION, COMPILER, COMPILER_FLAGS, BUILD_TYPE, INSTALLED_DATA as they are.
 set(REVISION "unknown")
 set(MODIFIED "std::nullopt")
 

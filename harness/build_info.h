@@ -14,7 +14,8 @@ struct BuildInfo {
   std::string compiler;          ///< "GNU 12.2.0"
   std::string compiler_flags;
   std::string build_type;
-  std::string source_folder;  ///< the checkout that was built: manifest, cache and results lie here
+  std::string source_folder;   ///< the checkout that was built
+  std::string installed_data;  ///< as seen from the folder that the program is installed into
 };
 
 const BuildInfo& build_info();

@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <iostream>
 
-#include "harness/build_info.h"
 #include "harness/cells/plan.h"
 #include "harness/cells/process.h"
 #include "harness/cells/progress.h"
@@ -12,6 +11,7 @@
 #include "harness/cells/row.h"
 #include "harness/cells/spec.h"
 #include "harness/error.h"
+#include "harness/folders.h"
 #include "harness/measure/benchmark.h"
 #include "harness/results/atomic_file.h"
 #include "harness/results/context.h"
@@ -28,8 +28,7 @@ fs::path make_run_folder(const RunRequest& request) {
   } else {
     std::string time = utc_now();
     std::erase_if(time, [](char c) { return c == '-' || c == ':'; });
-    folder = fs::path(build_info().source_folder) / "results" / "runs" /
-             (time + "-" + request.suite.corpus);
+    folder = runs_folder() / (time + "-" + request.suite.corpus);
   }
   if (fs::exists(folder / "run.json") || fs::exists(folder / "cells")) {
     throw HarnessError("'" + folder.string() +

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "harness/build_info.h"
 #include "harness/error.h"
+#include "harness/folders.h"
 #include "harness/results/atomic_file.h"
 
 namespace geodesic::harness {
@@ -76,14 +76,12 @@ std::vector<MeshEntry> Manifest::corpus(const std::string& name) const {
   return members;
 }
 
-fs::path default_manifest() {
-  return fs::path(build_info().source_folder) / "datasets" / "manifest.json";
-}
+fs::path default_manifest() { return data_folder() / "datasets" / "manifest.json"; }
 
 fs::path dataset_cache() {
   const char* folder = std::getenv("GEODESIC_DATASETS");
   if (folder != nullptr && *folder != '\0') return folder;
-  return fs::path(build_info().source_folder) / "datasets" / "cache";
+  return data_folder() / "datasets" / "cache";
 }
 
 MeshEntry find_mesh(const std::string& file_or_name, const fs::path& manifest) {
@@ -101,7 +99,8 @@ MeshEntry find_mesh(const std::string& file_or_name, const fs::path& manifest) {
 
 std::string how_to_get(const MeshEntry& mesh) {
   return "mesh '" + mesh.name + "' is not in the dataset cache (" +
-         mesh.file.parent_path().string() + "): run datasets/fetch.py " + mesh.name;
+         mesh.file.parent_path().string() + "): run " +
+         (data_folder() / "datasets" / "fetch.py").string() + ' ' + mesh.name;
 }
 
 }  // namespace geodesic::harness

@@ -47,10 +47,10 @@ class Manifest {
   std::map<std::string, std::vector<std::string>> corpora_;  // names of meshes
 };
 
-/// The manifest of the checkout that this program was built from.
+/// datasets/manifest.json of the data folder (folders.h).
 std::filesystem::path default_manifest();
 
-/// $GEODESIC_DATASETS, by default datasets/cache in the checkout.
+/// $GEODESIC_DATASETS, by default datasets/cache in the data folder.
 std::filesystem::path dataset_cache();
 
 /// A mesh that a user names: the path of a file, or a name of the manifest, which is read only in

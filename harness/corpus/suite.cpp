@@ -5,9 +5,9 @@
 #include <map>
 #include <utility>
 
-#include "harness/build_info.h"
 #include "harness/corpus/vectors.h"
 #include "harness/error.h"
+#include "harness/folders.h"
 #include "harness/results/atomic_file.h"
 
 namespace geodesic::harness {
@@ -77,7 +77,7 @@ void check_suite(const Suite& suite) {
 }
 
 std::filesystem::path default_suite() {
-  return std::filesystem::path(build_info().source_folder) / "harness" / "suites" / "default.json";
+  return data_folder() / "harness" / "suites" / "default.json";
 }
 
 }  // namespace geodesic::harness

@@ -29,7 +29,7 @@ Suite read_suite(const std::filesystem::path& file);
 /// @throws HarnessError naming the first value out of range
 void check_suite(const Suite& suite);
 
-/// harness/suites/default.json of the checkout.
+/// harness/suites/default.json of the data folder (folders.h).
 std::filesystem::path default_suite();
 
 }  // namespace geodesic::harness

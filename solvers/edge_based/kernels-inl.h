@@ -1,7 +1,8 @@
 // The steps of propagation over whole batches, four (AVX2), two (SSE) or one window at a time.
 //
 // Included once per instruction set. Every operation is one correctly rounded IEEE operation in a
-// fixed order, no contraction, and minima are exact: all instruction sets give the same bits.
+// fixed order, no contraction, and minima are exact: all instruction sets give the same bits. Needs
+// Google Highway.
 #if defined(GEODESIC_EDGE_BASED_KERNELS) == defined(HWY_TARGET_TOGGLE)
 #ifdef GEODESIC_EDGE_BASED_KERNELS
 #undef GEODESIC_EDGE_BASED_KERNELS

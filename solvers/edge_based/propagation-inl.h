@@ -1,4 +1,5 @@
 // The wavefront loop. Included once per instruction set; see edge_based.cpp for the algorithm.
+// Needs Google Highway.
 #if defined(GEODESIC_EDGE_BASED_PROPAGATION) == defined(HWY_TARGET_TOGGLE)
 #ifdef GEODESIC_EDGE_BASED_PROPAGATION
 #undef GEODESIC_EDGE_BASED_PROPAGATION

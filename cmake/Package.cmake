@@ -1,0 +1,26 @@
+# What `cmake --install` gives: the library with its headers and the package GeodesicBench, the
+# program, and below share/geodesic-bench what the program reads, laid out as in the checkout.
+include(CMakePackageConfigHelpers)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/GeodesicBench)
+
+install(
+  TARGETS geodesic geodesic-bench
+  EXPORT GeodesicBenchTargets
+  FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/geodesic-bench)
+install(EXPORT GeodesicBenchTargets NAMESPACE GeodesicBench:: DESTINATION ${package_folder})
+write_basic_package_version_file(
+  ${PROJECT_BINARY_DIR}/GeodesicBenchConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES cmake/GeodesicBenchConfig.cmake ${PROJECT_BINARY_DIR}/GeodesicBenchConfigVersion.cmake
+        DESTINATION ${package_folder})
+
+install(FILES CITATION.cff LICENSE README.md DESTINATION ${GEODESIC_DATA_FOLDER})
+install(PROGRAMS datasets/fetch.py DESTINATION ${GEODESIC_DATA_FOLDER}/datasets)
+install(FILES datasets/README.md datasets/manifest.json datasets/manifest.schema.json
+        DESTINATION ${GEODESIC_DATA_FOLDER}/datasets)
+install(FILES results/README.md results/run.schema.json DESTINATION ${GEODESIC_DATA_FOLDER}/results)
+install(DIRECTORY datasets/fetching DESTINATION ${GEODESIC_DATA_FOLDER}/datasets
+        FILES_MATCHING PATTERN "*.py" PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY harness/suites DESTINATION ${GEODESIC_DATA_FOLDER}/harness)
+install(DIRECTORY results/published DESTINATION ${GEODESIC_DATA_FOLDER}/results)
+install(DIRECTORY plots docs examples DESTINATION ${GEODESIC_DATA_FOLDER}
+        USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE PATTERN build EXCLUDE)

@@ -1,0 +1,65 @@
+// Dijkstra's algorithm on the edges of the mesh, and on the straight lines across one edge: from
+// the corner of a face to the far corner of the face behind it. An upper bound of the geodesic
+// distance.
+#include <cmath>
+
+#include "solvers/core/queues/vertex_heap.h"
+#include "solvers/registry.h"
+
+namespace {
+
+using namespace geodesic;
+
+class MySolver final : public Solver {
+ public:
+  MySolver(const Mesh& mesh, const Description& description)
+      : Solver(mesh, description), front_(mesh.vertex_count()) {}
+
+ private:
+  void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
+    const auto reach = [&](Index v, double d) {
+      if (d < distances[v]) {
+        distances[v] = d;
+        front_.push_or_decrease(v, d);
+      }
+    };
+    for (const Source& source : query.sources) reach(source.vertex, source.distance);
+    while (!front_.empty() && front_.least_key() <= query.limit) {
+      const Index v = front_.pop();
+      for (const Index h : mesh().outgoing(v)) {
+        const Index opposite = Mesh::next(h), into = Mesh::previous(h);
+        reach(mesh().head(h), distances[v] + mesh().half_edge(h).length);
+        reach(mesh().origin(into), distances[v] + mesh().half_edge(into).length);
+        if (mesh().twin(opposite) == kNone) continue;
+        reach(mesh().apex(mesh().twin(opposite)), distances[v] + line_across(opposite));
+      }
+    }
+    front_.clear();
+  }
+
+  // Length of the straight line from the apex of h to that of its twin, both faces laid into the
+  // plane; infinite where it passes by the edge.
+  double line_across(Index h) const {
+    const HalfEdge& near = mesh().half_edge(h);
+    const HalfEdge& far = mesh().half_edge(near.twin);
+    const double dx = near.length - far.apex_x - near.apex_x;
+    const double dy = near.apex_y + far.apex_y;
+    const double crossing = near.apex_x + dx * near.apex_y / dy;
+    return crossing >= 0 && crossing <= near.length ? std::hypot(dx, dy) : kInfinity;
+  }
+
+  VertexHeap front_;
+};
+
+const RegisterSolver<MySolver> registered{{
+    .name = "my-solver",
+    .family = "Dijkstra",
+    .paper = "Dijkstra 1959, A note on two problems in connexion with graphs",
+    .data_structure = "priority queue",
+    .time_complexity = "O(n log n)",
+    .space_complexity = "O(n)",
+    .propagation = "vertex",
+    .exactness = Exactness::upper_bound,
+}};
+
+}  // namespace

@@ -1,0 +1,16 @@
+// Where the program finds the files it comes with, and leaves runs.
+#pragma once
+
+#include <filesystem>
+
+namespace geodesic::harness {
+
+/// The root of the checkout that the program was built from; of an installed program, the folder
+/// with the same files at the same places (share/geodesic-bench beside its bin).
+std::filesystem::path data_folder();
+
+/// The folder of runs that were given none: results/runs of the checkout, and of the current folder
+/// where the program is installed.
+std::filesystem::path runs_folder();
+
+}  // namespace geodesic::harness

@@ -1,0 +1,72 @@
+"""The tree that the tests belong to, installed, and projects built against it."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+WARNINGS = "-Wall -Wextra -Wpedantic -Werror"
+
+
+def cmake(*words: str | Path) -> None:
+    ended = subprocess.run(
+        ["cmake", *map(str, words)], capture_output=True, text=True, check=False
+    )
+    assert ended.returncode == 0, ended.stdout + ended.stderr
+
+
+def _cache(build: Path) -> dict[str, str]:
+    """The entries of CMakeCache.txt."""
+    lines = re.findall(r"^([A-Za-z_]+):\w+=(.*)$", (build / "CMakeCache.txt").read_text(), re.M)
+    return dict(lines)
+
+
+@dataclass(frozen=True)
+class Installed:
+    prefix: Path
+    built: dict[str, str]
+    """The CMake cache of the tree: its compiler, and its flags such as sanitizers."""
+
+    @property
+    def include(self) -> Path:
+        return self.prefix / "include" / "geodesic-bench"
+
+    @property
+    def program(self) -> Path:
+        return self.prefix / "bin" / "geodesic-bench"
+
+    def bench(self, folder: Path, *words: str | Path) -> subprocess.CompletedProcess[str]:
+        """Runs the installed program in a folder, as somebody without a checkout."""
+        environment = {k: v for k, v in os.environ.items() if not k.startswith("GEODESIC_")}
+        return subprocess.run(
+            [self.program, *words], cwd=folder, env=environment, capture_output=True, text=True,
+            check=False,
+        )  # fmt: skip
+
+    def build(self, source: Path, build: Path) -> Path:
+        """Configures and builds a project that finds the package; returns the build folder."""
+        kind = self.built["CMAKE_BUILD_TYPE"]
+        flags = f"CMAKE_CXX_FLAGS_{kind.upper()}"
+        settings = {
+            "CMAKE_PREFIX_PATH": str(self.prefix),
+            "CMAKE_BUILD_TYPE": kind,
+            "CMAKE_CXX_COMPILER": self.built["CMAKE_CXX_COMPILER"],
+            "CMAKE_CXX_COMPILER_LAUNCHER": self.built.get("CMAKE_CXX_COMPILER_LAUNCHER", ""),
+            "CMAKE_CXX_FLAGS": f"{self.built['CMAKE_CXX_FLAGS']} {WARNINGS}",
+            flags: self.built[flags],
+        }
+        cmake("-S", source, "-B", build, "-G", "Ninja", *(f"-D{k}={v}" for k, v in settings.items()))
+        cmake("--build", build)
+        return build
+
+
+def install(build: Path, prefix: Path) -> Installed:
+    """What is built already, in a prefix that was moved after it was made."""
+    made = prefix.with_name("made first")
+    cmake("--install", build, "--prefix", made)
+    made.rename(prefix)
+    return Installed(prefix, _cache(build))

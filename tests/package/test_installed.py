@@ -1,0 +1,93 @@
+"""An installed copy stands alone: its program, its library and its headers."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import pytest
+from installed import ROOT, Installed
+
+CUBE = """v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1
+f 1 3 2\nf 1 4 3\nf 5 6 7\nf 5 7 8\nf 1 2 6\nf 1 6 5\nf 2 3 7\nf 2 7 6
+f 3 4 8\nf 3 8 7\nf 4 1 5\nf 4 5 8\n"""
+FAR_CORNER = 5**0.5
+
+
+@pytest.fixture
+def cube(tmp_path: Path) -> Path:
+    file = tmp_path / "cube.obj"
+    file.write_text(CUBE)
+    return file
+
+
+def test_program_lists_the_solvers_and_the_manifest_of_the_tree(
+    installed: Installed, tmp_path: Path
+) -> None:
+    built = subprocess.run(
+        [os.environ["GEODESIC_BENCH"], "list", "--json"], capture_output=True, text=True, check=True
+    )
+    listed = installed.bench(tmp_path, "list", "--json")
+    assert listed.returncode == 0, listed.stderr
+    here, there = json.loads(listed.stdout), json.loads(built.stdout)
+    assert here["solvers"] == there["solvers"]
+    assert here["corpora"] == there["corpora"]
+
+
+def test_program_names_files_of_its_own_prefix(installed: Installed, tmp_path: Path) -> None:
+    ended = installed.bench(tmp_path, "solve", "horse", "--solver", "mmp", "--source", "0")
+    fetch = installed.prefix / "share" / "geodesic-bench" / "datasets" / "fetch.py"
+    assert ended.returncode == 1
+    assert f"{fetch} horse" in ended.stderr
+    helped = subprocess.run([fetch, "--help"], capture_output=True, text=True, check=False)
+    assert helped.returncode == 0, helped.stderr
+
+
+def test_program_leaves_runs_in_the_current_folder(
+    installed: Installed, tmp_path: Path, cube: Path
+) -> None:
+    ended = installed.bench(
+        tmp_path, "run", "--meshes", cube, "--solvers", "mmp,edge-based", "--sources", "1",
+        "--repetitions", "1", "--min-time", "0.001",
+    )  # fmt: skip
+    assert ended.returncode == 0, ended.stderr
+    run = Path(ended.stdout.strip())
+    assert run.is_relative_to(tmp_path / "results" / "runs")
+    assert {row["outcome"] for row in json.loads(run.read_text())["benchmarks"]} == {"ok"}
+
+
+def test_library_computes_distances(installed: Installed, tmp_path: Path) -> None:
+    build = installed.build(ROOT / "examples" / "library", tmp_path / "build")
+    ended = subprocess.run([build / "distances"], capture_output=True, text=True, check=True)
+    distances = [float(line) for line in ended.stdout.splitlines()]
+    assert distances == pytest.approx([0, 1, 2**0.5, 1, 1, 2**0.5, FAR_CORNER, 2**0.5], rel=1e-12)
+
+
+def test_headers_compile_alone_and_need_the_standard_library_only(
+    installed: Installed, tmp_path: Path
+) -> None:
+    """Those that need Google Highway besides say so."""
+    headers = sorted(installed.include.rglob("*.h"))
+    assert installed.include / "solvers" / "solver.h" in headers
+    alone = [header for header in headers if "Google Highway" not in header.read_text()]
+    assert len(alone) > len(headers) / 2
+
+    def complaint(header: Path) -> str:
+        name = header.relative_to(installed.include)
+        needs = tmp_path / f"{str(name).replace('/', '.')}.d"
+        ended = subprocess.run(
+            [
+                installed.built["CMAKE_CXX_COMPILER"], "-std=c++20", "-Wall", "-Wextra", "-Werror",
+                "-fsyntax-only", "-I", installed.include, "-MD", "-MF", needs, "-x", "c++", "-",
+            ],
+            input=f'#include "{name}"\n', capture_output=True, text=True, check=False,
+        )  # fmt: skip
+        if ended.returncode != 0:
+            return f"{name}: {ended.stderr}"
+        return f"{name}: needs Google Highway" if "/hwy/" in needs.read_text() else ""
+
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        assert [text for text in pool.map(complaint, alone) if text] == []
