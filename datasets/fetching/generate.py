@@ -11,7 +11,13 @@ from .cache import CHECKOUT
 from .errors import Unavailable
 from .manifest import Entry
 
-DEFAULT_BENCH = CHECKOUT / "build" / "release" / "geodesic-bench"
+IS_CHECKOUT = (CHECKOUT / "CMakeLists.txt").exists()
+"""Otherwise this is PREFIX/share/geodesic-bench of an installed copy."""
+DEFAULT_BENCH = (
+    CHECKOUT / "build" / "release" / "geodesic-bench"
+    if IS_CHECKOUT
+    else CHECKOUT.parent.parent / "bin" / "geodesic-bench"
+)
 
 
 def generate(bench: Path, mesh: Entry, inputs: Mapping[str, Path], target: Path) -> None:

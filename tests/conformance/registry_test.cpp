@@ -68,6 +68,25 @@ TEST(Registry, refuses_a_name_that_is_taken) {
   EXPECT_EQ(find_solver(taken->name), taken);
 }
 
+TEST(Registry, refuses_another_contract_and_reads_nothing_else) {
+  try {
+    geodesic_register_solver("contract 0 (old)", nullptr, nullptr);
+    FAIL() << "a solver of another contract was registered";
+  } catch (const std::logic_error& error) {
+    const std::string why = error.what();
+    EXPECT_NE(why.find("contract 0 (old)"), std::string::npos) << why;
+    EXPECT_NE(why.find(contract_compiled_against()), std::string::npos) << why;
+  }
+}
+
+TEST(Registry, throws_nothing_while_registrations_are_collected) {
+  const Registrations registrations =
+      collect_registrations([] { geodesic_register_solver("contract 0", nullptr, nullptr); });
+  EXPECT_TRUE(registrations.added.empty());
+  EXPECT_EQ(registrations.refused.size(), 1U);
+  EXPECT_THROW(geodesic_register_solver("contract 0", nullptr, nullptr), std::logic_error);
+}
+
 TEST(Registry, names_the_known_solvers_when_asked_for_an_unknown_one) {
   const Mesh mesh(TriangleSoup{});
   EXPECT_EQ(find_solver("no-such-solver"), nullptr);

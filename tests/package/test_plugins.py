@@ -85,9 +85,10 @@ def test_solver_is_listed_beside_those_of_the_program(
 def test_option_stands_before_the_command_or_after_it(
     installed: Installed, my_solver: Path, tmp_path: Path, tetrahedron: Path
 ) -> None:
-    solve = ("solve", tetrahedron, "--solver", "my-solver", "--source", "0", "--output", "d.txt")
-    for words in (("--plugin", my_solver, *solve), (*solve, "--plugin", my_solver)):
-        ended = installed.bench(tmp_path, *words)
+    plugin: list[str | Path] = ["--plugin", my_solver]
+    solve: list[str | Path] = ["solve", tetrahedron, "--solver", "my-solver", "--source", "0"]
+    for words in (plugin + solve, solve + plugin):
+        ended = installed.bench(tmp_path, *words, "--output", "d.txt")
         assert ended.returncode == 0, ended.stderr
         assert (tmp_path / "d.txt").read_text().split() == ["0", "1", "1", "1"]
 
