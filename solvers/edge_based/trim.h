@@ -6,6 +6,7 @@
 // has to be disjoint afterwards; what is removed is certainly useless.
 #pragma once
 
+#include "solvers/core/tolerance.h"
 #include "solvers/core/window.h"
 
 namespace geodesic::edge_based {
