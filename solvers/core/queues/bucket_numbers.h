@@ -19,7 +19,13 @@ class BucketNumbers {
     return static_cast<std::int64_t>(std::min(key * per_width_, kGreatestNumber));
   }
 
+  /// No key of this bucket or of a later one is smaller.
+  double least_key(std::int64_t number) const {
+    return per_width_ > 0 ? static_cast<double>(number) / per_width_ * kRoundedDown : 0;
+  }
+
  private:
+  static constexpr double kRoundedDown = 1 - 1e-15;
   static constexpr double kGreatestFactor = 1e300;
   static constexpr double kGreatestNumber = 9e18;  // fits std::int64_t
 
