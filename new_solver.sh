@@ -1,0 +1,152 @@
+#!/usr/bin/env bash
+# A solver of one's own, as a folder that builds and works at once. See --help.
+set -euo pipefail
+
+program=new_solver.sh
+root=$(unset CDPATH; cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
+# shellcheck source=tools/common.sh
+source "$root/tools/common.sh"
+
+starts=(template edge-based mmp chen-han)
+longest_name=32
+# Words of C++ that look like a name, and of this project and CMake that mean something else.
+reserved="alignas alignof and asm auto bitand bitor bool break case catch char class compl concept
+  const consteval constexpr constinit continue decltype default delete do double else enum explicit
+  export extern false float for friend goto if inline int long mutable namespace new noexcept not
+  nullptr operator or private protected public register requires return short signed sizeof static
+  struct switch template this throw true try typedef typeid typename union unsigned using virtual
+  void volatile while xor
+  all clean core closed-form geodesic help install package std test"
+
+name=
+from=template
+outside=
+
+usage() {
+  cat <<EOF
+Usage: ./new_solver.sh NAME [--from START] [--outside DIR]
+
+Makes the folder of a new solver: registered under NAME, exact, documented, and built with
+everything else; no other file changes.
+
+  NAME           lower case letters and digits, in words joined by hyphens: my-variant
+  --from START   what it begins as:
+                   template     a whole solver in one short file, slow (default)
+                   edge-based   a variant of edge-based propagation, by its policies
+                   mmp          a variant of MMP, by its policies
+                   chen-han     a variant of Chen and Han's algorithm, by its policies
+  --outside DIR  into DIR and not into solvers/: a project of its own, which makes a plug-in
+                 with an installed geodesic-bench
+  --help         this text
+EOF
+}
+
+parse_options() {
+  while [[ $# -gt 0 ]]; do
+    case $1 in
+      --*=*) set -- "${1%%=*}" "${1#*=}" "${@:2}" ;;
+    esac
+    case $1 in
+      --help | -h) usage; exit 0 ;;
+      --from)
+        from=$(value_of "$@")
+        [[ " ${starts[*]} " == *" $from "* ]] ||
+          die "cannot start from '$from'; there are ${starts[*]}"
+        shift 2
+        ;;
+      --outside)
+        outside=$(absolute "$(value_of "$@")")
+        shift 2
+        ;;
+      -*) die "unknown option $1; there are --from, --outside, --help" ;;
+      *)
+        [[ -z $name ]] || die "one name at a time: '$name' or '$1'?"
+        name=$1
+        shift
+        ;;
+    esac
+  done
+  [[ -n $name ]] || die "give the solver a name: ./new_solver.sh my-variant; --help has more"
+}
+
+check_name() {
+  [[ $name =~ ^[a-z][a-z0-9]*(-[a-z0-9]+)*$ ]] ||
+    die "'$name' is no name for a solver: lower case letters and digits, in words joined by" \
+      "hyphens, a letter first: my-variant"
+  [[ ${#name} -le $longest_name ]] || die "'$name' is longer than $longest_name characters"
+  [[ " ${reserved//$'\n'/ } " != *" $name "* ]] || die "'$name' means something else already"
+  local taken
+  taken=$(grep -lF ".name = \"$name\"" "$root"/solvers/*/*.cpp) || return 0
+  die "there is a solver named '$name' already, in ${taken#"$root/"}"
+}
+
+# instance_of SKELETON: the file with the names put in.
+instance_of() {
+  sed -e "s/@name@/$name/g" -e "s/@folder@/$folder_name/g" -e "s/@sources@/$sources/g" "$1"
+}
+
+# In the template's files the word is its name and nothing else.
+write_template() {
+  local start="$root/solvers/template"
+  sed "s/\<template\>/$name/g" "$start/template.cpp" >"$folder/$folder_name.cpp"
+  sed "s/\<template\>/$folder_name/g" "$start/CMakeLists.txt" >"$folder/CMakeLists.txt"
+  sed -e "s/\<template\.cpp\>/$folder_name.cpp/g" -e "s/\<template\>/$name/g" "$start/README.md" \
+    >"$folder/README.md"
+}
+
+write_variant() {
+  local skeleton file
+  for skeleton in "$root/tools/new_solver/$from"/*.in; do
+    file=$(basename "$skeleton" .in)
+    instance_of "$skeleton" >"$folder/${file/#solver.cpp/$folder_name.cpp}"
+  done
+}
+
+# Half a folder would stop the next build.
+remove_unfinished() {
+  local status=$?
+  if [[ $status -ne 0 ]]; then rm -rf "$folder"; fi
+}
+
+write_folder() {
+  [[ ! -e $folder ]] || die "$folder is there already; nothing was changed"
+  mkdir -p "$folder"
+  trap remove_unfinished EXIT
+  sources=$folder_name.cpp
+  if [[ $from == template ]]; then
+    write_template
+  else
+    write_variant
+    sources+=" recorded.cpp"
+  fi
+  if [[ -n $outside ]]; then
+    instance_of "$root/tools/new_solver/outside/CMakeLists.txt.in" >"$folder/CMakeLists.txt"
+  fi
+}
+
+rivals() {
+  if [[ $from == template ]]; then echo ich; else echo "${from/chen-han/ich}"; fi
+}
+
+say_what_next() {
+  local bench=build/release/geodesic-bench build
+  if [[ -n $outside ]]; then
+    printf -v build '%q' "$folder/build"
+    bench="geodesic-bench --plugin $build/lib$name.so"
+    build="cmake -S ${build%/build} -B $build -DCMAKE_PREFIX_PATH=PREFIX && cmake --build $build"
+    printf 'PREFIX is where geodesic-bench is installed; its program is in PREFIX/bin.\n'
+  else
+    build="cmake --preset release && cmake --build --preset release -t geodesic-bench"
+  fi
+  printf '%s is there; its README.md says what to change first. Next%s:\n' "$folder" \
+    "${outside:+, from any folder}"
+  printf '  %s\n' "$build" "$bench verify --solver $name" \
+    "$bench rank --solver $name --against $(rivals) --corpus tiny"
+}
+
+parse_options "$@"
+check_name
+folder_name=${name//-/_}
+folder=${outside:-$root/solvers/$folder_name}
+write_folder
+say_what_next
