@@ -80,9 +80,9 @@ check_name() {
   die "there is a solver named '$name' already, in ${taken#"$root/"}"
 }
 
-# instance_of SKELETON: the file with the names put in.
+# instance_of SKELETON...: the files, one after the other, with the names put in.
 instance_of() {
-  sed -e "s/@name@/$name/g" -e "s/@folder@/$folder_name/g" -e "s/@sources@/$sources/g" "$1"
+  sed -e "s/@name@/$name/g" -e "s/@folder@/$folder_name/g" -e "s/@sources@/$sources/g" "$@"
 }
 
 # In the template's files the word is its name and nothing else.
@@ -119,9 +119,14 @@ write_folder() {
     write_variant
     sources+=" recorded.cpp"
   fi
-  if [[ -n $outside ]]; then
-    instance_of "$root/tools/new_solver/outside/CMakeLists.txt.in" >"$folder/CMakeLists.txt"
-  fi
+  if [[ -n $outside ]]; then write_project; fi
+}
+
+write_project() {
+  local parts="$root/tools/new_solver/outside"
+  local lists=("$parts/CMakeLists.txt.in")
+  if [[ $from == edge-based ]]; then lists+=("$parts/highway.cmake.in"); fi
+  instance_of "${lists[@]}" >"$folder/CMakeLists.txt"
 }
 
 rivals() {

@@ -1,5 +1,5 @@
 // The loop (propagation-inl.h) for AVX2 and for every other processor (plain_lanes.h). To be
-// included before anything else of Highway's.
+// included before anything else of Highway's. Needs Google Highway.
 #pragma once
 
 #include <memory>

@@ -1,6 +1,7 @@
 // For the file recorded.cpp of a solver's folder and no other, so that what the compiler inlines
 // into a timed solve does not depend on instrumentation: a timed solve takes 3% more instructions
 // in one file with it. That file instantiates Recorded for the folder's policies.
+// Needs Google Highway.
 #pragma once
 
 #include "solvers/edge_based/loops.h"

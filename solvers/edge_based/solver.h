@@ -1,4 +1,5 @@
 // The family edge-based as a solver; what its members differ in is a policy (policies.h).
+// Needs Google Highway.
 #pragma once
 
 #include "solvers/core/instruction_set.h"
