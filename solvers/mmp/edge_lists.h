@@ -14,8 +14,8 @@
 
 namespace geodesic::mmp {
 
-/// Lists by edge, an edge being named by its own half-edge (edge_window.h). A list is empty until
-/// something reaches its edge; from then on its windows partition the edge.
+/// Lists by the half-edges they go by (list_layout.h). A list is empty until something reaches its
+/// edge; from then on its windows partition the edge.
 template <class W>
 class EdgeLists {
   static_assert(std::is_trivially_copyable_v<W>);

@@ -3,8 +3,8 @@
 // The windows of an edge partition it, so that a window ends where the next one begins (the last
 // one at the edge's length): a boundary is one number, shared, and no rounding can open or overlap
 // it. Parts that nothing has reached yet are windows too, gaps, at infinite distance. Positions are
-// in the frame of the edge's own half-edge, the smaller of the twins, for windows of both sides
-// (Liu 2013): a source at y < 0 sends its lines into that half-edge's face, at y > 0 into the
+// in the frame of the half-edge that the list goes by (list_layout.h), whichever side a window
+// comes from: a source at y < 0 sends its lines into that half-edge's face, at y > 0 into the
 // twin's, and at y = 0 along the edge.
 //
 // Windows of one pseudo-source have their sigma in common. They keep its number instead, which

@@ -50,14 +50,17 @@ class Propagation {
   }
 
   /// The windows that the last solve left on an edge (core/final_windows.h).
-  void copy_windows(Index half_edge, std::vector<Window>& windows) const {
-    const Index edge = std::min(half_edge, mesh_.twin(half_edge));
+  void copy_windows(Index half_edge, std::vector<Window>& windows) const
+    requires Policy::Layout::kBothSides
+  {
+    const Index edge = Layout::list(half_edge, mesh_.twin(half_edge));
     wavefront_.copy_windows(edge, mesh_.half_edge(edge).length, windows);
   }
 
  private:
   using Depth = typename Recorder::Depth;
-  using Front = Wavefront<typename Policy::Queue, Recorder>;
+  using Layout = typename Policy::Layout;
+  using Front = Wavefront<typename Policy::Queue, Layout, Recorder>;
   using Taken = typename Front::Taken;
   /// What a window's children inherit besides the geometry.
   struct Beam {
@@ -104,7 +107,8 @@ class Propagation {
       reach(mesh_.head(h), d + out);
       reach(mesh_.origin(into), d + in);
       land(h, {0, out, 0, 0, d}, along);
-      if (mesh_.twin(into) == kNone) land(into, {0, in, in, 0, d}, along);
+      // The other list of an edge, or the only one of an edge without a half-edge out of v.
+      if (!Layout::kBothSides || mesh_.twin(into) == kNone) land(into, {0, in, in, 0, d}, along);
       const HalfEdge& e = mesh_.half_edge(opposite);
       const double height = std::max(e.apex_y, kTouchingHeight * e.length);
       const Window across{0, e.length, e.apex_x, height, d};
@@ -174,11 +178,10 @@ class Propagation {
     if (!(w.end - w.begin > kWindowWidth * length)) return;
     const Index twin = mesh_.twin(h);
     const bool goes_on = twin != kNone && w.y > 0;
-    // An edge goes by the smaller of its half-edges; kNone is larger than any.
-    if (twin < h) {
-      wavefront_.lay(twin, length, turned(w, length), beam.source, beam.depth, goes_on);
-    } else {
+    if (Layout::list(h, twin) == h) {
       wavefront_.lay(h, length, w, beam.source, beam.depth, goes_on);
+    } else {
+      wavefront_.lay(twin, length, turned(w, length), beam.source, beam.depth, goes_on);
     }
   }
 

@@ -20,10 +20,14 @@ class Mmp final : public Solver {
       return Recorded<Policy>::solve(mesh(), query, distances, *recording);
     }
     propagation_.run(query, distances);
-    if (recording != nullptr) hand_over_windows(*recording->read_windows);
+    if constexpr (Policy::Layout::kBothSides) {
+      if (recording != nullptr) hand_over_windows(*recording->read_windows);
+    }
   }
 
-  void hand_over_windows(const ReadWindows& read) const {
+  void hand_over_windows(const ReadWindows& read) const
+    requires Policy::Layout::kBothSides
+  {
     read([this](Index h, std::vector<Window>& windows) { propagation_.copy_windows(h, windows); });
   }
 

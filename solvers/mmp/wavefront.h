@@ -20,7 +20,8 @@
 namespace geodesic::mmp {
 
 /// @tparam Queue of numbers of tickets (core/queues)
-template <class Queue, class Recorder>
+/// @tparam Layout as in list_layout.h
+template <class Queue, class Layout, class Recorder>
 class Wavefront {
  public:
   using Depth = typename Recorder::Depth;
@@ -28,7 +29,7 @@ class Wavefront {
   /// What the queue gives back.
   struct Taken {
     Index vertex = kNone;  ///< a pseudo-source, or none:
-    Index edge = kNone;    ///< the edge of a window, in the frame of the edge's own half-edge
+    Index edge = kNone;    ///< the list of a window, in the frame of that half-edge
     Window window = {};    ///< y > 0: it enters the twin's face
     Index source = kNone;
     Depth depth = {};
@@ -87,8 +88,8 @@ class Wavefront {
     return Taken{.edge = ticket.id, .window = window, .source = w.source, .depth = w.depth};
   }
 
-  /// Lays a window over those of its edge and queues the parts that it wins.
-  /// @param w in the frame of the edge's own half-edge
+  /// Lays a window over those of its list and queues the parts that it wins.
+  /// @param edge the half-edge that the list goes by, in whose frame w is
   /// @param source the number of its source
   /// @param goes_on whether there is a face beyond
   void lay(Index edge, double length, const Window& w, Index source, Depth depth, bool goes_on) {
@@ -140,7 +141,7 @@ class Wavefront {
     });
   }
 
-  /// The windows of an edge, in the frame of its own half-edge.
+  /// The windows of a list.
   void copy_windows(Index edge, double length, std::vector<Window>& windows) const {
     windows.clear();
     const std::span<const W> list = lists_.windows(edge);
@@ -199,7 +200,7 @@ class Wavefront {
     const Index into = w.y < 0 ? ticket.id : mesh.twin(ticket.id);
     if (into == kNone) return;
     for (const Index h : {Mesh::next(into), Mesh::previous(into)}) {
-      visit(std::min(h, mesh.twin(h)));
+      visit(Layout::list(h, mesh.twin(h)));
     }
   }
 
