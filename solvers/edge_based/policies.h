@@ -1,17 +1,21 @@
 // What the solvers of the family differ in. A policy has
 //   Queue              of vertices that wait for the wavefront, with the functions of VertexHeap
 //   make_queue(mesh)   an empty one
+//   Lists<fields>      in which windows wait on half-edges, with the functions of WindowLists
 // Any order of vertices is correct; one by distance keeps late arrivals rare.
 #pragma once
 
 #include "solvers/core/mesh.h"
 #include "solvers/core/queues/vertex_heap.h"
+#include "solvers/edge_based/window_lists.h"
 
 namespace geodesic::edge_based {
 
 /// Least distance first.
 struct ByDistance {
   using Queue = VertexHeap;
+  template <unsigned fields>
+  using Lists = WindowLists<fields>;
   static Queue make_queue(const Mesh& mesh) { return Queue(mesh.vertex_count()); }
 };
 

@@ -50,7 +50,7 @@ class Propagation final : public Propagator {
   static constexpr unsigned kFields = Recorder::kRecords ? kDepth + 1 : kSigma + 1;
   static constexpr std::uint8_t kPassed = 1;  // popped at least once
   static constexpr std::uint8_t kSource = 2;
-  using Lists = WindowLists<kFields>;
+  using Lists = typename Policy::template Lists<kFields>;
 
   void run(const Query& query, std::span<double> distances, Recorder recorder) {
     const auto timed = recorder.enter(Phase::propagation);
@@ -70,7 +70,9 @@ class Propagation final : public Propagator {
       for (std::size_t i = 0; i < fifo_.size(); ++i) {
         const Index h = fifo_[i];
         queued_[h] = 0;
+        if constexpr (Lists::kCarries) lists_.carry(h, face_frame(mesh_, h));
         cross_face(h, recorder);
+        if constexpr (Lists::kCarries) land_carried(h, recorder);
         recorder.wavefront_size(lists_.size());
       }
       fifo_.clear();
@@ -184,6 +186,25 @@ class Propagation final : public Propagator {
       auto* out = lists_.allocate(batch_.count + kLaneRoom - 1);
       unfold<RightEdge, kFields>(batch_, face, to_right_, seen_left_.data(), *out);
       land(right, out, Place::back);
+    }
+  }
+
+  /// Hands on what the lists have carried across the face of h.
+  void land_carried(Index h, Recorder& recorder) {
+    if constexpr (Recorder::kRecords) {
+      lists_.for_each_carried([&](const auto& segment, std::uint32_t faces) {
+        recorder.created(segment.count);
+        recorder.valid(segment.count);
+        for (std::size_t i = 0; i < segment.count; ++i) {
+          recorder.propagated(
+              1, {static_cast<std::uint32_t>(segment.array(kDepth)[i]) + faces});
+        }
+      });
+    }
+    const Index left = mesh_.twin(Mesh::previous(h)), right = mesh_.twin(Mesh::next(h));
+    lists_.land_carried(left, right);
+    for (const Index to : {left, right}) {
+      if (to != kNone && is_entered(to)) enqueue(to);
     }
   }
 

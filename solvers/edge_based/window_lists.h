@@ -26,19 +26,28 @@ enum Field : unsigned { kBegin, kEnd, kX, kY, kSigma, kDepth };
 /// Vectors read whole: room and arrays are multiples of this many doubles.
 inline constexpr std::size_t kLaneRoom = 4;
 
+struct NoExtra {};
+
 /// @tparam fields number of arrays: 5, or 6 when the depth of a window's strip is recorded
-template <unsigned fields>
+/// @tparam Extra what else a segment keeps about its windows; whoever fills the segment sets it
+template <unsigned fields, class Extra = NoExtra>
 class WindowLists {
  public:
+  /// Whether windows may cross a face without being unfolded (policies.h).
+  static constexpr bool kCarries = false;
+
   /// Header and arrays of `room` doubles each follow one another in a block.
   struct alignas(32) Segment {
     std::uint32_t count;
     std::uint32_t room;
     Index next;  // handle of the segment behind this one; of the first one in the last
     Index self;
-    double padding[2];
+    [[no_unique_address]] Extra extra;
 
     double* array(unsigned field) { return reinterpret_cast<double*>(this + 1) + field * room; }
+    const double* array(unsigned field) const {
+      return reinterpret_cast<const double*>(this + 1) + field * room;
+    }
   };
 
   explicit WindowLists(Index half_edges) : last_(half_edges, kNone) {}
@@ -83,6 +92,15 @@ class WindowLists {
   /// Hands the segments of h to `visit` in order and releases them; the list is empty afterwards.
   template <class Visit>
   void consume(Index h, Visit&& visit) {
+    take(h, [&](Segment& segment) {
+      visit(segment);
+      release(&segment);
+    });
+  }
+
+  /// As `consume`, but the segments belong to `visit`.
+  template <class Visit>
+  void take(Index h, Visit&& visit) {
     const Index last = last_[h];
     if (last == kNone) return;
     last_[h] = kNone;
@@ -92,7 +110,6 @@ class WindowLists {
       const Index next = segment->next;
       size_ -= segment->count;
       visit(*segment);
-      release(segment);
       if (s == last) break;
       s = next;
     }
