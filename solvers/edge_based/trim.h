@@ -6,6 +6,9 @@
 // has to be disjoint afterwards; what is removed is certainly useless.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "solvers/core/tolerance.h"
 #include "solvers/core/window.h"
 
