@@ -20,9 +20,9 @@ fs::path data_folder() {
   return installed.empty() ? fs::path(build_info().source_folder) : installed;
 }
 
-fs::path runs_folder() {
+fs::path results_folder() {
   const fs::path root = installed_data().empty() ? data_folder() : fs::current_path();
-  return root / "results" / "runs";
+  return root / "results";
 }
 
 }  // namespace geodesic::harness

@@ -9,8 +9,8 @@ namespace geodesic::harness {
 /// with the same files at the same places (share/geodesic-bench beside its bin).
 std::filesystem::path data_folder();
 
-/// The folder of runs that were given none: results/runs of the checkout, and of the current folder
-/// where the program is installed.
-std::filesystem::path runs_folder();
+/// The folder for what is measured and was given none: results of the checkout, and of the current
+/// folder where the program is installed.
+std::filesystem::path results_folder();
 
 }  // namespace geodesic::harness

@@ -115,7 +115,8 @@ Timing Measurement::measure() {
   const std::string_view instructions = name_of(solver->instruction_set());
   solver.reset();
 
-  Json recorded = record_solve(spec_.solver, mesh_, query_, solved_);
+  Json recorded = Json::object();
+  if (spec_.counted) recorded = record_solve(spec_.solver, mesh_, query_, solved_);
   if (spec_.pictured && recorded.contains("wavefront_sd") && identical(solved_, verified_))
     recorded.update(record());
   if (!identical(solved_, verified_))

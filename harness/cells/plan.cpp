@@ -74,6 +74,13 @@ Plan make_plan(const Suite& suite, const std::filesystem::path& manifest) {
       plan.skipped.push_back({entry.name, error.what(), true});
     }
   }
+  if (plan.meshes.empty()) {
+    std::string why = "nothing to run: ";
+    why += entries.empty() ? "the corpus '" + suite.corpus + "' is empty"
+                           : "no mesh of the suite can be read";
+    for (const SkippedMesh& skipped : plan.skipped) why += "; " + skipped.why;
+    throw HarnessError(why);
+  }
   return plan;
 }
 

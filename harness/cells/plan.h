@@ -44,8 +44,8 @@ struct Plan {
 
 /// Reads every mesh of the suite and chooses its sources. Meshes of a corpus that are not in the
 /// cache, and meshes that cannot be read, are skipped.
-/// @throws HarnessError for an unknown name, or for a mesh that the suite names itself and that is
-///         not there
+/// @throws HarnessError for an unknown name, for a mesh that the suite names itself and that is not
+///         there, or when no mesh is left
 Plan make_plan(const Suite& suite, const std::filesystem::path& manifest);
 
 }  // namespace geodesic::harness

@@ -22,7 +22,7 @@ constexpr int kWaitMs = 1000;
 
 void check(int error) {
   if (error != 0) {
-    throw HarnessError(std::string("cannot start a process for a cell: ") + std::strerror(error));
+    throw HarnessError(std::string("cannot start a process: ") + std::strerror(error));
   }
 }
 
@@ -32,21 +32,19 @@ struct FileActions {
   ~FileActions() { posix_spawn_file_actions_destroy(&actions); }
 };
 
-pid_t spawn(const std::vector<std::string>& arguments, int standard_error) {
+pid_t spawn(const std::string& program, const std::vector<std::string>& arguments,
+            int standard_error) {
   FileActions files;
   check(posix_spawn_file_actions_addopen(&files.actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0));
   check(posix_spawn_file_actions_addopen(&files.actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0));
   check(posix_spawn_file_actions_adddup2(&files.actions, standard_error, STDERR_FILENO));
-  std::vector<std::string> words{"geodesic-bench"};
-  for (const Plugin& plugin : loaded_plugins()) {
-    words.insert(words.end(), {"--plugin", plugin.file.string()});
-  }
+  std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   pid_t child = 0;
-  check(posix_spawn(&child, "/proc/self/exe", &files.actions, nullptr, argv.data(), environ));
+  check(posix_spawn(&child, program.c_str(), &files.actions, nullptr, argv.data(), environ));
   return child;
 }
 
@@ -88,13 +86,13 @@ std::string Ended::describe() const {
   return last_words.empty() ? text : text + ": " + last_words;
 }
 
-Ended run_this_program(const std::vector<std::string>& arguments,
-                       const std::function<void()>& waiting) {
+Ended run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                  const std::function<void()>& waiting) {
   std::array<int, 2> ends;
   if (pipe2(ends.data(), O_CLOEXEC) != 0) check(errno);
   pid_t child = 0;
   try {
-    child = spawn(arguments, ends[1]);
+    child = spawn(program.string(), arguments, ends[1]);
   } catch (...) {
     close(ends[0]);
     close(ends[1]);
@@ -110,6 +108,16 @@ Ended run_this_program(const std::vector<std::string>& arguments,
   ended.crashed = WIFSIGNALED(status);
   ended.code = ended.crashed ? WTERMSIG(status) : WEXITSTATUS(status);
   return ended;
+}
+
+Ended run_this_program(const std::vector<std::string>& arguments,
+                       const std::function<void()>& waiting) {
+  std::vector<std::string> words;
+  for (const Plugin& plugin : loaded_plugins()) {
+    words.insert(words.end(), {"--plugin", plugin.file.string()});
+  }
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return run_program("/proc/self/exe", words, waiting);
 }
 
 }  // namespace geodesic::harness

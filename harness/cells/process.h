@@ -1,6 +1,7 @@
-// This program, started again as another process.
+// Other processes: above all this program, started again.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -17,10 +18,13 @@ struct Ended {
   std::string describe() const;
 };
 
-/// Runs this very program with other arguments and the same plug-ins, and waits for it. Standard
-/// input and output are closed to it.
+/// Runs a program and waits for it. Standard input and output are closed to it.
 /// @param waiting called about once a second until the process has ended
 /// @throws HarnessError when no process can be started
+Ended run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                  const std::function<void()>& waiting);
+
+/// Runs this very program with other arguments and the same plug-ins. @throws as run_program
 Ended run_this_program(const std::vector<std::string>& arguments,
                        const std::function<void()>& waiting);
 

@@ -38,10 +38,12 @@ Json error_row(const std::string& solver, const std::string& mesh, Index source,
 }
 
 void write_result_file(const std::filesystem::path& file, Json benchmark_context, Json context,
-                       const std::vector<Json>& rows) {
+                       const std::vector<Json>& rows, const Json& more) {
   context["finished"] = utc_now();
   benchmark_context["geodesic_bench"] = std::move(context);
-  write_json(file, {{"context", std::move(benchmark_context)}, {"benchmarks", rows}});
+  Json json{{"context", std::move(benchmark_context)}, {"benchmarks", rows}};
+  json.update(more);
+  write_json(file, json);
 }
 
 }  // namespace geodesic::harness

@@ -29,7 +29,8 @@ Json error_row(const std::string& solver, const std::string& mesh, Index source,
 
 /// Writes {"context": {..., "geodesic_bench": context}, "benchmarks": rows}, whole or not at all.
 /// The finishing time is added here.
+/// @param more keys beside these two
 void write_result_file(const std::filesystem::path& file, Json benchmark_context, Json context,
-                       const std::vector<Json>& rows);
+                       const std::vector<Json>& rows, const Json& more = Json::object());
 
 }  // namespace geodesic::harness

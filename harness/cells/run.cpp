@@ -4,44 +4,21 @@
 #include <cstdio>
 #include <iostream>
 
+#include "harness/cells/context.h"
+#include "harness/cells/failures.h"
+#include "harness/cells/folder.h"
+#include "harness/cells/measure.h"
 #include "harness/cells/plan.h"
-#include "harness/cells/process.h"
 #include "harness/cells/progress.h"
 #include "harness/cells/references.h"
 #include "harness/cells/row.h"
 #include "harness/cells/spec.h"
-#include "harness/error.h"
-#include "harness/folders.h"
 #include "harness/measure/benchmark.h"
-#include "harness/results/atomic_file.h"
 #include "harness/results/context.h"
 
 namespace geodesic::harness {
 namespace fs = std::filesystem;
 namespace {
-
-// Raw results never change: a folder that holds some is not written to again.
-fs::path make_run_folder(const RunRequest& request) {
-  fs::path folder;
-  if (request.out) {
-    folder = *request.out;
-  } else {
-    std::string time = utc_now();
-    std::erase_if(time, [](char c) { return c == '-' || c == ':'; });
-    folder = runs_folder() / (time + "-" + request.suite.corpus);
-  }
-  if (fs::exists(folder / "run.json") || fs::exists(folder / "cells")) {
-    throw HarnessError("'" + folder.string() +
-                       "' holds a run already: remove it, or give another folder with --out");
-  }
-  std::error_code error;
-  fs::create_directories(folder / "cells", error);
-  if (!error) fs::create_directories(folder / "references", error);
-  if (error) {
-    throw HarnessError("cannot make the folder '" + folder.string() + "': " + error.message());
-  }
-  return folder;
-}
 
 class Run {
  public:
@@ -62,14 +39,6 @@ class Run {
  private:
   void compute_references(std::size_t first);
   Json run_cell(const Cell& cell);
-  void start_cell(const Cell& cell, const fs::path& file);
-  Json context(const std::vector<const PlannedMesh*>& meshes,
-               const std::vector<const Description*>& solvers) const;
-  Json cell_context(const Cell& cell) const;
-  std::vector<std::string> benchmark_flags() const;
-  void write_error(const Cell& cell, const fs::path& file, const char* outcome,
-                   const std::string& why) const;
-  fs::path cell_file(const Cell& cell) const;
 
   const RunRequest& request_;
   const Plan& plan_;
@@ -81,92 +50,13 @@ class Run {
   std::vector<Json> rows_;  // of all cells so far
 };
 
-fs::path Run::cell_file(const Cell& cell) const {
-  return folder_ / "cells" /
-         (cell.solver->name + "__" + cell.mesh->entry.name + "__src" + std::to_string(cell.source) +
-          ".json");
-}
-
-Json Run::context(const std::vector<const PlannedMesh*>& meshes,
-                  const std::vector<const Description*>& solvers) const {
-  Json json = program_context();
-  json["started"] = started_;
-  json["corpus"] = request_.suite.corpus;
-  json["seed"] = request_.suite.seed;
-  json["repetitions"] = request_.suite.repetitions;
-  json["command"] = request_.command;
-  json["meshes"] = Json::array();
-  json["sources"] = Json::object();
-  for (const PlannedMesh* mesh : meshes) {
-    json["meshes"].push_back(mesh->facts);
-    json["sources"][mesh->entry.name] = mesh->sources;
-  }
-  json["solvers"] = Json::array();
-  for (const Description* solver : solvers) json["solvers"].push_back(describe(*solver));
-  json["skipped"] = Json::array();
-  return json;
-}
-
-Json Run::cell_context(const Cell& cell) const {
-  Json json = context({cell.mesh}, {cell.solver});
-  json["started"] = utc_now();
-  json["sources"][cell.mesh->entry.name] = {cell.source};
-  return json;
-}
-
-// The user's own flags come last: Google Benchmark takes the last of several.
-std::vector<std::string> Run::benchmark_flags() const {
-  std::vector<std::string> flags{
-      "--benchmark_repetitions=" + std::to_string(request_.suite.repetitions),
-      "--benchmark_min_time=" + Json(request_.suite.min_time).dump()};
-  flags.insert(flags.end(), request_.benchmark_flags.begin(), request_.benchmark_flags.end());
-  return flags;
-}
-
-void Run::write_error(const Cell& cell, const fs::path& file, const char* outcome,
-                      const std::string& why) const {
-  write_result_file(
-      file, benchmark_context(), cell_context(cell),
-      {error_row(cell.solver->name, cell.mesh->entry.name, cell.source, outcome, why)});
-}
-
-// Starts the cell's process; makes sure that its file exists afterwards, whatever happens to it.
-void Run::start_cell(const Cell& cell, const fs::path& file) {
-  const auto unable = cell.mesh->unsupported.find(cell.solver->name);
-  if (unable != cell.mesh->unsupported.end()) {
-    return write_error(cell, file, outcome::kUnsupported, unable->second);
-  }
-  try {
-    const Reference reference = references_.find(cell);
-    CellSpec spec{.solver = cell.solver->name,
-                  .mesh = cell.mesh->entry.name,
-                  .mesh_file = cell.mesh->entry.file.string(),
-                  .source = cell.source,
-                  .reference = reference.solver,
-                  .reference_file = reference.file.string(),
-                  .output = file.string(),
-                  .run_folder = folder_.string(),
-                  .pictured = is_pictured(cell, request_.pictured),
-                  .vectors = request_.suite.vectors,
-                  .benchmark_flags = benchmark_flags(),
-                  .context = cell_context(cell)};
-    const Ended ended =
-        run_this_program({"cell", Json(spec).dump()}, [this] { progress_.working("measuring"); });
-    if (!ended.succeeded()) {
-      write_error(cell, file, ended.crashed ? outcome::kCrashed : outcome::kError,
-                  ended.describe());
-    } else if (!fs::exists(file)) {
-      write_error(cell, file, outcome::kError, "ended without writing a result");
-    }
-  } catch (const HarnessError& error) {
-    write_error(cell, file, outcome::kError, error.what());
-  }
-}
-
 Json Run::run_cell(const Cell& cell) {
-  const fs::path file = cell_file(cell);
-  start_cell(cell, file);
-  return read_json(file).at("benchmarks");
+  CellSpec spec = cell_spec(request_.suite, cell, folder_, request_.command);
+  spec.pictured = is_pictured(cell, request_.pictured);
+  // Google Benchmark takes the last of several.
+  spec.benchmark_flags.insert(spec.benchmark_flags.end(), request_.benchmark_flags.begin(),
+                              request_.benchmark_flags.end());
+  return measure_cell(cell, spec, references_, [this] { progress_.working("measuring"); });
 }
 
 // "ok  12.3 ms", "wrong answer: vertex 7 has ..."
@@ -207,39 +97,16 @@ void Run::measure() {
 }
 
 void Run::assemble() const {
-  std::vector<const PlannedMesh*> meshes;
-  for (const PlannedMesh& mesh : plan_.meshes) meshes.push_back(&mesh);
-  Json whole = context(meshes, plan_.solvers);
-  for (const SkippedMesh& skipped : plan_.skipped) {
-    whole["skipped"].push_back({{"mesh", skipped.name}, {"solver", nullptr}, {"why", skipped.why}});
-  }
+  Json whole = run_context(request_.suite, plan_, request_.command);
+  whole["started"] = started_;
   write_result_file(folder_ / "run.json", benchmark_context(), whole, rows_);
 }
 
 RunResult Run::conclude() const {
-  RunResult result = RunResult::ok;
-  std::size_t ok = 0;
-  for (const Json& row : rows_) {
-    const std::string outcome = row.at("outcome");
-    if (outcome == outcome::kOk) {
-      if (row.at("repetition_index") != 0) continue;
-      ++ok;
-      if (!row.contains("recordings_error")) continue;
-      std::cerr << row.at("name").get<std::string>()
-                << ": not recorded: " << row.at("recordings_error").get<std::string>() << '\n';
-      result = std::max(result, RunResult::error);
-      continue;
-    }
-    std::cerr << row.at("name").get<std::string>() << ": " << outcome << ": "
-              << row.at("error_message").get<std::string>() << '\n';
-    if (outcome == outcome::kUnsupported) continue;
-    result = std::max(
-        result, outcome == outcome::kWrongAnswer ? RunResult::wrong_answer : RunResult::error);
-  }
-  for (const SkippedMesh& skipped : plan_.skipped) {
-    std::cerr << "skipped " << skipped.name << ": " << skipped.why << '\n';
-    if (skipped.unreadable) result = std::max(result, RunResult::error);
-  }
+  const RunResult result = tell_failures(rows_, plan_);
+  const auto ok = std::count_if(rows_.begin(), rows_.end(), [](const Json& row) {
+    return row.at("outcome") == outcome::kOk && row.at("repetition_index") == 0;
+  });
   std::cerr << ok << " of " << cells_.size() << " cells ok\n";
   std::cout << (folder_ / "run.json").string() << std::endl;
   return result;
@@ -251,12 +118,8 @@ RunResult run(const RunRequest& request) {
   check_suite(request.suite);
   check_benchmark_flags(request.benchmark_flags);
   const Plan plan = make_plan(request.suite, request.manifest);
-  if (plan.meshes.empty()) {
-    std::string why = "nothing to run: no mesh of the suite can be read";
-    for (const SkippedMesh& skipped : plan.skipped) why += "; " + skipped.why;
-    throw HarnessError(why);
-  }
-  Run run(request, plan, make_run_folder(request));
+  const fs::path folder = make_result_folder(request.out, "runs", request.suite.corpus);
+  Run run(request, plan, folder);
   run.measure();
   run.assemble();
   return run.conclude();

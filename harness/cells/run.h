@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/cells/failures.h"
 #include "harness/corpus/suite.h"
 #include "harness/recordings/pictured.h"
 
@@ -20,9 +21,6 @@ struct RunRequest {
   unsigned threads = 1;  ///< reference distances computed at a time; nothing is timed meanwhile
   std::string command;   ///< the command line, for the record
 };
-
-/// Exit codes of a run; the worst thing that happened decides.
-enum class RunResult { ok = 0, error = 1, wrong_answer = 2 };
 
 /// Runs the suite. Whatever happens inside a cell becomes a row and never ends the run. Progress
 /// goes to standard error, the path of run.json to standard output.

@@ -7,8 +7,9 @@ void to_json(Json& json, const CellSpec& spec) {
           {"mesh_file", spec.mesh_file}, {"source", spec.source},
           {"reference", spec.reference}, {"reference_file", spec.reference_file},
           {"output", spec.output},       {"run_folder", spec.run_folder},
-          {"pictured", spec.pictured},   {"vectors", spec.vectors},
-          {"context", spec.context},     {"benchmark_flags", spec.benchmark_flags}};
+          {"counted", spec.counted},     {"pictured", spec.pictured},
+          {"vectors", spec.vectors},     {"benchmark_flags", spec.benchmark_flags},
+          {"context", spec.context}};
 }
 
 void from_json(const Json& json, CellSpec& spec) {
@@ -20,6 +21,7 @@ void from_json(const Json& json, CellSpec& spec) {
   json.at("reference_file").get_to(spec.reference_file);
   json.at("output").get_to(spec.output);
   json.at("run_folder").get_to(spec.run_folder);
+  json.at("counted").get_to(spec.counted);
   json.at("pictured").get_to(spec.pictured);
   json.at("vectors").get_to(spec.vectors);
   json.at("benchmark_flags").get_to(spec.benchmark_flags);

@@ -19,7 +19,9 @@ struct CellSpec {
   std::string reference_file;  ///< its distances (verify/distance_file.h)
   std::string output;          ///< the result file to write
   std::string run_folder;
-  bool pictured = false;  ///< leave recordings in the run folder (recordings/pictured.h)
+  bool counted = true;    ///< solve some more, for counters, memory and phases
+  bool pictured = false;  ///< leave recordings in the run folder (recordings/pictured.h);
+                          ///< only of counted cells
   std::string vectors;    ///< corpus/vectors.h
   std::vector<std::string> benchmark_flags;
   Json context;  ///< context.geodesic_bench of the result file
