@@ -1,7 +1,6 @@
 #include "harness/compare/report.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "harness/error.h"
 #include "harness/json.h"
@@ -12,12 +11,6 @@ namespace {
 
 constexpr const char* kAbsent = "-";
 constexpr const char* kUnresolved = "~";
-
-std::string number(double value, const char* pattern = "%.4g") {
-  char text[40];
-  std::snprintf(text, sizeof text, pattern, value);
-  return text;
-}
 
 std::string ratio(double value) { return number(value, "%.3f"); }
 

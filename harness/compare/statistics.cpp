@@ -39,6 +39,22 @@ class Resampler {
   std::mt19937_64 random_{kSeed};
 };
 
+// Geometric mean with its interval, both from sums of logarithms.
+// @param draw the sum over a sample drawn anew
+template <class Draw>
+Interval bootstrap(double sum, std::size_t count, Draw draw) {
+  const auto mean_of = [&](double logs) { return std::exp(logs / static_cast<double>(count)); };
+  Resampler random;
+  std::vector<double> means(kResamples);
+  for (double& mean : means) mean = mean_of(draw(random));
+  std::sort(means.begin(), means.end());
+  constexpr double kTail = (1 - kConfidence) / 2;
+  const auto at = [&](double quantile) {
+    return means[static_cast<std::size_t>(std::lround(quantile * (kResamples - 1)))];
+  };
+  return {.value = mean_of(sum), .low = at(kTail), .high = at(1 - kTail)};
+}
+
 }  // namespace
 
 double median(std::vector<double> values) {
@@ -61,26 +77,42 @@ double mann_whitney_p(const std::vector<double>& a, const std::vector<double>& b
 }
 
 Interval geometric_mean_ratio(const std::vector<Pair>& cells) {
-  const auto cell_count = static_cast<double>(cells.size());
   double sum = 0;
   for (const auto& [before, after] : cells) sum += std::log(median(after) / median(before));
-
-  Resampler random;
-  std::vector<double> means(kResamples);
-  for (double& mean : means) {
+  return bootstrap(sum, cells.size(), [&](Resampler& random) {
     double drawn = 0;
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const auto& [before, after] = cells[random.below(cells.size())];
       drawn += std::log(random.median_of(after) / random.median_of(before));
     }
-    mean = std::exp(drawn / cell_count);
+    return drawn;
+  });
+}
+
+Interval median_interval(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  // Probability that at most `outside` of n tosses of a coin are heads.
+  double arrangements = 1, tail = std::exp2(-static_cast<double>(n));
+  std::size_t outside = 0;
+  for (std::size_t k = 1; 2 * k < n; ++k) {
+    arrangements *= static_cast<double>(n - k + 1) / static_cast<double>(k);
+    tail += arrangements * std::exp2(-static_cast<double>(n));
+    if (2 * tail > 1 - kConfidence) break;
+    outside = k;
   }
-  std::sort(means.begin(), means.end());
-  constexpr double kTail = (1 - kConfidence) / 2;
-  const auto at = [&](double quantile) {
-    return means[static_cast<std::size_t>(std::lround(quantile * (kResamples - 1)))];
-  };
-  return {.value = std::exp(sum / cell_count), .low = at(kTail), .high = at(1 - kTail)};
+  return {.value = median(values), .low = values[outside], .high = values[n - 1 - outside]};
+}
+
+Interval geometric_mean_of_medians(const std::vector<std::vector<double>>& samples) {
+  if (samples.size() == 1) return median_interval(samples.front());
+  double sum = 0;
+  for (const auto& sample : samples) sum += std::log(median(sample));
+  return bootstrap(sum, samples.size(), [&](Resampler& random) {
+    double drawn = 0;
+    for (const auto& sample : samples) drawn += std::log(random.median_of(sample));
+    return drawn;
+  });
 }
 
 }  // namespace geodesic::harness

@@ -29,4 +29,19 @@ using Pair = std::pair<std::vector<double>, std::vector<double>>;
 /// @param cells (old, new), at least one
 Interval geometric_mean_ratio(const std::vector<Pair>& cells);
 
+/// So many values give a median a 95% interval: 2 / 2^6 = 0.03.
+inline constexpr std::size_t kLeastForInterval = 6;
+
+/// The median with its exact 95% interval, whatever the distribution: the innermost two values, as
+/// far from either end, between which the median lies with that probability (the sign test turned
+/// round). Fewer than kLeastForInterval values have no such two: the interval is then their range.
+/// @param values at least one
+Interval median_interval(std::vector<double> values);
+
+/// Geometric mean over samples of their medians. Its 95% interval is of the values alone: they are
+/// drawn anew within each sample (percentile bootstrap, seeded), the samples stay. Of one sample:
+/// its median_interval.
+/// @param samples at least one, none empty, all values > 0
+Interval geometric_mean_of_medians(const std::vector<std::vector<double>>& samples);
+
 }  // namespace geodesic::harness

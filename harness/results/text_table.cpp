@@ -1,6 +1,8 @@
 #include "harness/results/text_table.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <string_view>
 
 namespace geodesic::harness {
 
@@ -33,6 +35,52 @@ std::string as_markdown(const TextTable& table) {
       text += '\n';
     }
   }
+  return text;
+}
+
+std::string as_latex(const TextTable& table) {
+  std::size_t columns = 0;
+  for (const auto& row : table) columns = std::max(columns, row.size());
+  std::string text = "\\begin{tabular}{l" + std::string(columns - 1, 'r') + "}\n\\toprule\n";
+  for (const auto& row : table) {
+    for (std::size_t c = 0; c < row.size(); ++c)
+      text += (c > 0 ? " & " : "") + escape_latex(row[c]);
+    text += " \\\\\n";
+    if (&row == &table.front()) text += "\\midrule\n";
+  }
+  return text + "\\bottomrule\n\\end{tabular}\n";
+}
+
+std::string escape_latex(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '\\':
+        escaped += "\\textbackslash{}";
+        break;
+      case '~':
+        escaped += "$\\sim$";
+        break;
+      case '^':
+        escaped += "\\textasciicircum{}";
+        break;
+      case '<':
+        escaped += "$<$";
+        break;
+      case '>':
+        escaped += "$>$";
+        break;
+      default:
+        if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) escaped += '\\';
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string number(double value, const char* pattern) {
+  char text[40];
+  std::snprintf(text, sizeof text, pattern, value);
   return text;
 }
 

@@ -86,6 +86,35 @@ TEST(GeometricMean, IsOfRatiosOfMediansWithAnIntervalAroundIt) {
   EXPECT_DOUBLE_EQ(constant.high, 1.5);
 }
 
+TEST(MedianInterval, IsOfOrderStatisticsThatASignTestLeaves) {
+  const auto ends = [](std::size_t n) {
+    std::vector<double> values;
+    for (std::size_t i = n; i > 0; --i) values.push_back(static_cast<double>(i));
+    const Interval interval = median_interval(values);
+    return std::pair(interval.low, interval.high);
+  };
+  // Tables of the sign test at 5%: 0 of 6, 1 of 9, 3 of 15 and 7 of 25 values lie outside each end.
+  EXPECT_EQ(ends(6), std::pair(1.0, 6.0));
+  EXPECT_EQ(ends(9), std::pair(2.0, 8.0));
+  EXPECT_EQ(ends(15), std::pair(4.0, 12.0));
+  EXPECT_EQ(ends(25), std::pair(8.0, 18.0));
+  EXPECT_EQ(ends(3), std::pair(1.0, 3.0)) << "too few: the range";
+  EXPECT_DOUBLE_EQ(median_interval({4, 1, 3, 2}).value, 2.5);
+}
+
+TEST(GeometricMeanOfMedians, KeepsTheSamplesAndDrawsTheirValuesAnew) {
+  const Interval constant = geometric_mean_of_medians({{2, 2, 2}, {8, 8, 8}});
+  EXPECT_DOUBLE_EQ(constant.value, 4);
+  EXPECT_DOUBLE_EQ(constant.low, 4) << "samples that differ widen nothing";
+  EXPECT_DOUBLE_EQ(constant.high, 4);
+  const Interval spread = geometric_mean_of_medians({{1, 2, 4}, {1, 2, 4}});
+  EXPECT_DOUBLE_EQ(spread.value, 2);
+  EXPECT_LT(spread.low, 1.5);
+  EXPECT_GT(spread.high, 2.8);
+  const Interval one = geometric_mean_of_medians({{1, 2, 3, 4, 5, 6, 7, 8, 9}});
+  EXPECT_DOUBLE_EQ(one.low, 2) << "of one sample: the median's own";
+}
+
 TEST(Compare, OnlyResolvedDifferencesHaveARatioAndAreSlower) {
   const ResultFile before = file_of({{"mmp", kBefore}, {"ich", kBefore}});
   const ResultFile after = file_of({{"mmp", kSlower}, {"ich", kAlike}});
