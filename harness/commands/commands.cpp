@@ -5,6 +5,7 @@
 #include "harness/commands/generate.h"
 #include "harness/commands/list.h"
 #include "harness/commands/mesh.h"
+#include "harness/commands/rank.h"
 #include "harness/commands/run.h"
 #include "harness/commands/solve.h"
 #include "harness/plugins.h"
@@ -32,6 +33,7 @@ void add_commands(CLI::App& app, const std::string& command_line) {
   add_generate_command(app);
   add_solve_command(app);
   add_run_command(app, command_line);
+  add_rank_command(app, command_line);
   add_compare_command(app);
   add_export_command(app);
   add_plugin_option(app);
