@@ -122,12 +122,22 @@ def read_run(folder: Path) -> Run:
 
 def read_file(file: Path) -> Run:
     """A result file. @raises ResultError when it is missing, broken or not to the schema."""
-    data = _load(file)
-    _refuse_non_finite(file, data)
-    _validate(file, data)
+    return run_of(file, load(file))
+
+
+def run_of(file: Path, data: Any) -> Run:
+    """What `load` gave, as a run. @raises ResultError when it is not to the schema."""
+    validate(file, data, SCHEMA)
     run = _typed(file, data)
     _check_names(run)
     return run
+
+
+def load(file: Path) -> Any:
+    """JSON of finite numbers. @raises ResultError"""
+    data = _parsed(file)
+    _refuse_non_finite(file, data)
+    return data
 
 
 def newest_run() -> Path:
@@ -138,7 +148,7 @@ def newest_run() -> Path:
     return folders[-1]
 
 
-def _load(file: Path) -> Any:
+def _parsed(file: Path) -> Any:
     try:
         return json.loads(file.read_text(encoding="utf-8"))
     except FileNotFoundError:
@@ -173,13 +183,13 @@ def _key(path: list[str | int]) -> str:
 
 
 @cache
-def _validator() -> Any:
-    schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
-    return jsonschema.Draft202012Validator(schema)
+def _validator(schema: Path) -> Any:
+    return jsonschema.Draft202012Validator(json.loads(schema.read_text(encoding="utf-8")))
 
 
-def _validate(file: Path, data: Any) -> None:
-    error = next(_validator().iter_errors(data), None)
+def validate(file: Path, data: Any, schema: Path) -> None:
+    """@raises ResultError with the first key of the file that is not to the schema"""
+    error = next(_validator(schema).iter_errors(data), None)
     if error is not None:
         line = " ".join(error.message.split())
         if len(line) > 200:
