@@ -37,7 +37,7 @@ def draw(ranking: Ranking) -> Figure:
     row_inches = max(LEAST_ROW_INCHES, DOT_INCHES * (len(rivals) + 1))
     figure = style.new_figure(0.9 + row_inches * max(len(rows), 2), WIDTH)
     axes = figure.subplots()
-    styles = style.solver_styles(solver for solver in ranking.run.solvers)
+    styles = style.solver_styles(ranking.run.solvers)
     for index, rival in enumerate(rivals):
         look, shift = styles[rival.solver], SPREAD * ((index + 0.5) / len(rivals) - 0.5)
         for row, mesh in enumerate(meshes):

@@ -1,4 +1,6 @@
 // geodesic-bench rank, with sound solvers and with faulty ones.
+#include <algorithm>
+
 #include "tests/harness/program.h"
 
 namespace geodesic::harness {
