@@ -55,7 +55,7 @@ int complain(const std::string& message, int code) {
 
 }  // namespace
 
-int run_program(int argc, char** argv) {
+int run_command_line(int argc, char** argv) {
   CLI::App app("Exact geodesic distances on triangle meshes: solvers, and their benchmark",
                "geodesic-bench");
   app.set_version_flag("--version", build_info().version + " (" + build_info().revision + ")");
