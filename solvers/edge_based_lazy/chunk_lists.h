@@ -1,7 +1,7 @@
 // Lists of windows (edge_based/window_lists.h) in chunks of a few that cross faces as a whole.
 //
-// Of the chunks of a list, those at its front that pass the apex of the face beyond on the left, and
-// those at its back that pass it on the right, are carried (passage.h). Only what is between is
+// Of the chunks of a list, those at its front that pass the apex of the face beyond on the left,
+// and those at its back that pass it on the right, are carried (passage.h). Only what is between is
 // gathered, trimmed, split and unfolded: order is kept without any search, as ever. What is carried
 // is neither filtered nor trimmed, which loses nothing: both only spare work.
 #pragma once
@@ -24,9 +24,9 @@ class ChunkLists : edge_based::WindowLists<fields, Passage> {
 
  public:
   using Place = edge_based::Place;
-  using typename Base::Segment;
   using Base::allocate, Base::Base, Base::clear, Base::empty, Base::prefetch, Base::release,
       Base::size;
+  using typename Base::Segment;
 
   static constexpr bool kCarries = true;
 

@@ -30,8 +30,8 @@ inline constexpr std::uint32_t kMostFaces = 32;
 inline constexpr double kClear = 1e-9;
 
 /// The direction of a line is certain when its source is deeper below the edge than this, relative
-/// to the coordinates whose difference it is; where a line meets an edge, when the sine of the angle
-/// between them is larger.
+/// to the coordinates whose difference it is; where a line meets an edge, when the sine of the
+/// angle between them is larger.
 inline constexpr double kShallow = 1e-4;
 
 class Passage {
@@ -53,6 +53,8 @@ class Passage {
   void arrive(Segment& chunk) const;
 
  private:
+  void arrive(std::size_t count, double* begin, double* end, double* x, double* y) const;
+
   /// A point or vector given in the frame of the edge that the chunk has come to, in the chunk's.
   Point2 along(double x, double y) const { return {x * ux_ - y * uy_, x * uy_ + y * ux_}; }
   /// The reverse for a vector.
@@ -86,50 +88,10 @@ Passage::Passage(const Segment& chunk) {
   right_slope_ = kInfinity;
 }
 
-inline bool Passage::carry(const FaceFrame& face, Side side) {
-  if (faces_ == kMostFaces) return false;
-  Point2 apex = along(face.apex_x, face.apex_y);
-  apex.x += x_;
-  apex.y += y_;
-  if (!(apex.y > 0)) return false;
-  const double left = left_ + left_slope_ * apex.y, right = right_ + right_slope_ * apex.y;
-  const double margin = kClear * (std::abs(apex.x) + std::abs(left) + std::abs(right) + apex.y);
-  const bool to_left = side == Side::left;
-  if (!(to_left ? apex.x - right > margin : left - apex.x > margin)) return false;
-  const Point2 u = to_left ? along(face.left_x, face.left_y) : along(face.right_x, face.right_y);
-  const auto rises = [&](double slope) {
-    return u.x - slope * u.y > kShallow * (1 + std::abs(slope));
-  };
-  if (!rises(left_slope_) || !rises(right_slope_)) return false;
-  ux_ = u.x;
-  uy_ = u.y;
-  if (!to_left) {
-    x_ = apex.x;
-    y_ = apex.y;
-  }
-  length_ = to_left ? face.left : face.right;
-  ++faces_;
-  return true;
-}
-
 template <class Segment>
 void Passage::arrive(Segment& chunk) const {
-  double* begin = chunk.array(edge_based::kBegin);
-  double* end = chunk.array(edge_based::kEnd);
-  double* x = chunk.array(edge_based::kX);
-  double* y = chunk.array(edge_based::kY);
-  for (std::size_t i = 0; i < chunk.count; ++i) {
-    const Point2 source = across(x[i] - x_, y[i] - y_);
-    const auto meet = [&](double t) {
-      const Point2 p = across(t - x_, -y_);
-      const double position = source.x + (p.x - source.x) * (source.y / (source.y - p.y));
-      return std::min(std::max(position, 0.0), length_);
-    };
-    begin[i] = meet(begin[i]);
-    end[i] = std::max(begin[i], meet(end[i]));
-    x[i] = source.x;
-    y[i] = std::min(source.y, 0.0);
-  }
+  arrive(chunk.count, chunk.array(edge_based::kBegin), chunk.array(edge_based::kEnd),
+         chunk.array(edge_based::kX), chunk.array(edge_based::kY));
 }
 
 }  // namespace geodesic::edge_based_lazy
