@@ -196,8 +196,7 @@ class Propagation final : public Propagator {
         recorder.created(segment.count);
         recorder.valid(segment.count);
         for (std::size_t i = 0; i < segment.count; ++i) {
-          recorder.propagated(
-              1, {static_cast<std::uint32_t>(segment.array(kDepth)[i]) + faces});
+          recorder.propagated(1, {static_cast<std::uint32_t>(segment.array(kDepth)[i]) + faces});
         }
       });
     }

@@ -42,7 +42,8 @@ void expect_no_time(const json& row) {
 
 TEST_F(RunTest, WithoutSolversEveryOneRunsThatNeedNotBeNamed) {
   std::vector<std::string> expected, by_name, ran;
-  for (const json& solver : json::parse(run(PROGRAM, {"list", "--json"}).out).at("solvers")) {
+  const json listed = json::parse(run(PROGRAM, {"list", "--json"}).out);
+  for (const json& solver : listed.at("solvers")) {
     (solver.at("by_name_only") ? by_name : expected).push_back(solver.at("name"));
   }
   ASSERT_FALSE(by_name.empty());
