@@ -71,6 +71,14 @@ void load_plugin(const fs::path& file) {
   }
 }
 
+std::vector<std::string> plugin_arguments() {
+  std::vector<std::string> words;
+  for (const Plugin& plugin : plugins()) {
+    words.insert(words.end(), {"--plugin", plugin.file.string()});
+  }
+  return words;
+}
+
 const std::vector<Plugin>& loaded_plugins() { return plugins(); }
 
 }  // namespace geodesic::harness

@@ -19,6 +19,9 @@ struct Plugin {
 ///         (solvers/solver.h), or one whose name is taken
 void load_plugin(const std::filesystem::path& file);
 
+/// The arguments that make another process of this program load the same plug-ins.
+std::vector<std::string> plugin_arguments();
+
 /// In the order of loading.
 const std::vector<Plugin>& loaded_plugins();
 

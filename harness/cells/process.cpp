@@ -2,15 +2,19 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 
 #include "harness/error.h"
+#include "harness/measure/process.h"
 #include "harness/plugins.h"
 
 namespace geodesic::harness {
@@ -48,22 +52,59 @@ pid_t spawn(const std::string& program, const std::vector<std::string>& argument
   return child;
 }
 
-// Everything until the other end is closed; only the end of it is kept.
-std::string read_tail(int pipe, const std::function<void()>& waiting) {
+// Until when a process may run.
+class Deadline {
+ public:
+  explicit Deadline(double seconds) : seconds_(seconds) {}
+
+  bool exists() const { return std::isfinite(seconds_); }
+  /// What is left, at most `most`; 0 when it is over.
+  int milliseconds_left(int most) const {
+    const double left = 1e3 * (seconds_ - watch_.real_seconds());
+    return static_cast<int>(std::ceil(std::clamp<double>(left, 0, most)));
+  }
+
+ private:
+  const Stopwatch watch_;
+  double seconds_;
+};
+
+// Everything until the other end is closed, or the time is over; only the end of it is kept.
+// @param waiting called at every pause of kWaitMs
+std::string read_tail(int pipe, const std::function<void()>& waiting, const Deadline& deadline) {
   std::string tail;
   std::array<char, kKeptBytes> block;
-  for (;;) {
+  while (const int left_ms = deadline.milliseconds_left(kWaitMs)) {
     pollfd readable{.fd = pipe, .events = POLLIN, .revents = 0};
-    if (poll(&readable, 1, kWaitMs) == 0) {
+    if (poll(&readable, 1, left_ms) <= 0) {
       waiting();
       continue;
     }
     const ssize_t bytes = read(pipe, block.data(), block.size());
     if (bytes < 0 && errno == EINTR) continue;
-    if (bytes <= 0) return tail;
+    if (bytes <= 0) break;
     tail.append(block.data(), static_cast<std::size_t>(bytes));
     if (tail.size() > kKeptBytes) tail.erase(0, tail.size() - kKeptBytes);
   }
+  return tail;
+}
+
+// Waits for the child, which may run on though it has closed its standard error, and kills it when
+// the time is over.
+// @param status as waitpid gives it
+// @return whether it ended by itself
+bool wait_for(pid_t child, const Deadline& deadline, int& status) {
+  constexpr int kNapMs = 1;
+  for (;;) {
+    const pid_t ended = waitpid(child, &status, deadline.exists() ? WNOHANG : 0);
+    if (ended == child) return true;
+    if (ended == 0 && deadline.milliseconds_left(kNapMs) == 0) break;
+    if (ended == 0) poll(nullptr, 0, kNapMs);
+  }
+  kill(child, SIGKILL);
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return false;
 }
 
 std::string last_lines(const std::string& text) {
@@ -87,9 +128,10 @@ std::string Ended::describe() const {
 }
 
 Ended run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
-                  const std::function<void()>& waiting) {
+                  const std::function<void()>& waiting, double time_limit) {
   std::array<int, 2> ends;
   if (pipe2(ends.data(), O_CLOEXEC) != 0) check(errno);
+  const Deadline deadline(time_limit);
   pid_t child = 0;
   try {
     child = spawn(program.string(), arguments, ends[1]);
@@ -100,24 +142,20 @@ Ended run_program(const std::filesystem::path& program, const std::vector<std::s
   }
   close(ends[1]);
   Ended ended;
-  ended.last_words = last_lines(read_tail(ends[0], waiting));
+  ended.last_words = last_lines(read_tail(ends[0], waiting, deadline));
   close(ends[0]);
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
+  ended.timed_out = !wait_for(child, deadline, status);
   ended.crashed = WIFSIGNALED(status);
   ended.code = ended.crashed ? WTERMSIG(status) : WEXITSTATUS(status);
   return ended;
 }
 
 Ended run_this_program(const std::vector<std::string>& arguments,
-                       const std::function<void()>& waiting) {
-  std::vector<std::string> words;
-  for (const Plugin& plugin : loaded_plugins()) {
-    words.insert(words.end(), {"--plugin", plugin.file.string()});
-  }
+                       const std::function<void()>& waiting, double time_limit) {
+  std::vector<std::string> words = plugin_arguments();
   words.insert(words.end(), arguments.begin(), arguments.end());
-  return run_program("/proc/self/exe", words, waiting);
+  return run_program("/proc/self/exe", words, waiting, time_limit);
 }
 
 }  // namespace geodesic::harness

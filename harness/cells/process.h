@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@ namespace geodesic::harness {
 
 struct Ended {
   bool crashed = false;    ///< by a signal
+  bool timed_out = false;  ///< and was killed for it
   int code = 0;            ///< exit code, or the signal's number
   std::string last_words;  ///< the last lines of its standard error, joined by " | "
 
@@ -20,12 +22,15 @@ struct Ended {
 
 /// Runs a program and waits for it. Standard input and output are closed to it.
 /// @param waiting called about once a second until the process has ended
+/// @param time_limit seconds after which the process is killed
 /// @throws HarnessError when no process can be started
 Ended run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
-                  const std::function<void()>& waiting);
+                  const std::function<void()>& waiting,
+                  double time_limit = std::numeric_limits<double>::infinity());
 
-/// Runs this very program with other arguments and the same plug-ins. @throws as run_program
+/// Runs this very program with other arguments and the same plug-ins. As run_program.
 Ended run_this_program(const std::vector<std::string>& arguments,
-                       const std::function<void()>& waiting);
+                       const std::function<void()>& waiting,
+                       double time_limit = std::numeric_limits<double>::infinity());
 
 }  // namespace geodesic::harness

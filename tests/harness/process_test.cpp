@@ -1,0 +1,45 @@
+// How other processes end, and that none runs on after its time.
+#include "harness/cells/process.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+
+namespace geodesic::harness {
+namespace {
+
+constexpr double kLong = 60;  // seconds
+
+Ended run_in_shell(const std::string& script, double time_limit) {
+  return run_program(
+      "/bin/sh", {"-c", script}, [] {}, time_limit);
+}
+
+TEST(RunProgram, tells_how_the_process_ended_and_its_last_words) {
+  const Ended ended = run_in_shell("echo one >&2; echo two >&2; exit 3", kLong);
+  EXPECT_FALSE(ended.crashed || ended.timed_out || ended.succeeded());
+  EXPECT_EQ(ended.describe(), "exit code 3: one | two");
+  const Ended killed = run_in_shell("kill -SEGV $$", kLong);
+  EXPECT_TRUE(killed.crashed);
+  EXPECT_EQ(killed.code, SIGSEGV);
+  EXPECT_TRUE(run_in_shell("exit 0", kLong).succeeded());
+}
+
+TEST(RunProgram, kills_what_does_not_end_in_time) {
+  const Ended ended = run_in_shell("echo last words >&2; exec sleep 600", 0.5);
+  EXPECT_TRUE(ended.timed_out);
+  EXPECT_EQ(ended.last_words, "last words");
+}
+
+TEST(RunProgram, kills_what_closed_its_standard_error_and_waits_for_what_ends_after_that) {
+  EXPECT_TRUE(run_in_shell("exec 2>&-; exec sleep 600", 0.5).timed_out);
+  const Ended ended = run_in_shell("exec 2>&-; sleep 0.1; exit 3", kLong);
+  EXPECT_FALSE(ended.timed_out);
+  EXPECT_EQ(ended.code, 3);
+}
+
+TEST(RunProgram, is_not_kept_by_a_grandchild_that_holds_standard_error) {
+  EXPECT_TRUE(run_in_shell("sleep 5 & exit 0", 0.5).succeeded());
+}
+
+}  // namespace
+}  // namespace geodesic::harness
