@@ -2,8 +2,8 @@
 #include <numeric>
 
 #include "datasets/generators/generators.h"
+#include "harness/oracles/random_meshes.h"
 #include "tests/conformance/solver_test.h"
-#include "tests/oracles/random_meshes.h"
 
 namespace geodesic::conformance {
 namespace {
@@ -50,8 +50,10 @@ TEST_P(Wavefronts, change_no_distance_and_no_counter) {
       const auto solver = prepare(mesh);
       Recording counters, wavefront = wish_for_wavefront();
       const auto plain = ask(*solver, mesh, from(4));
-      EXPECT_TRUE(identical(ask(*solver, mesh, from(4), &counters), plain)) << name;
-      EXPECT_TRUE(identical(ask(*solver, mesh, from(4), &wavefront), plain)) << name;
+      const auto counted = ask(*solver, mesh, from(4), &counters);
+      const auto sampled = ask(*solver, mesh, from(4), &wavefront);
+      EXPECT_TRUE(nothing(identical(from(4), counted, plain))) << name;
+      EXPECT_TRUE(nothing(identical(from(4), sampled, plain))) << name;
       EXPECT_EQ(without_wavefront(wavefront), counters) << name;
       EXPECT_TRUE(counters.curve.empty() && counters.snapshots.empty()) << name;
       EXPECT_EQ(wavefront.curve.empty(), !counters.wavefront_sd) << name;

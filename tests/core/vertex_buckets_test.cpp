@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "tests/oracles/random.h"
+#include "harness/oracles/random.h"
 
 namespace geodesic {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/oracles/random.h"
+#include "harness/oracles/random.h"
 
 namespace geodesic {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "tests/oracles/random.h"
+#include "harness/oracles/random.h"
 
 namespace geodesic {
 namespace {

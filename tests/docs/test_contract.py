@@ -1,8 +1,9 @@
-"""docs/contract.md names a test for each promise, and these tests exist."""
+"""docs/contract.md names a test or a property for each promise, and these exist."""
 
 from __future__ import annotations
 
 import re
+from fnmatch import fnmatch
 
 import pytest
 from pages import ROOT
@@ -10,6 +11,9 @@ from pages import ROOT
 CASE = re.compile(r"^TEST(?:_[FP])?\((\w+), (\w+)\)", re.MULTILINE)
 OF_CTEST = re.compile(r"add_test\(NAME (\w+)\.(\w+)")
 NAMED = re.compile(r"`([A-Z]\w+)\.(\*|\w+)`")
+PROPERTY = re.compile(r'^      \{"([a-z0-9-]+)",$|^.* kDistancesProperty = "([a-z0-9-]+)";$', re.MULTILINE)
+NAMED_PROPERTY = re.compile(r"`((?:[a-z0-9]+-){2,}[a-z0-9]+|\*(?:-[a-z0-9]+)+|[a-z0-9]+(?:-[a-z0-9]+)*-\*)`")
+"""A whole name, or a pattern with * at one end."""
 
 
 def existing() -> set[tuple[str, str]]:
@@ -20,17 +24,40 @@ def existing() -> set[tuple[str, str]]:
     return found | {(suite, "*") for suite, _ in found}
 
 
+def properties() -> set[str]:
+    files = (ROOT / "harness" / "conformance").rglob("propert*/*.cpp")
+    header = ROOT / "harness" / "conformance" / "property.h"
+    texts = [file.read_text("utf-8") for file in [header, *files]]
+    return {first or second for text in texts for first, second in PROPERTY.findall(text)}
+
+
+PAGE = (ROOT / "docs" / "contract.md").read_text("utf-8")
 TESTS = existing()
-NAMES = NAMED.findall((ROOT / "docs" / "contract.md").read_text("utf-8"))
+NAMES = NAMED.findall(PAGE)
+PROPERTIES = properties()
+PATTERNS = NAMED_PROPERTY.findall(PAGE)
 
 
-def test_the_page_names_tests() -> None:
-    assert len(NAMES) > 30
+def test_the_page_names_tests_and_properties() -> None:
+    assert len(NAMES) > 10
+    assert len(PATTERNS) > 40
+    assert len(PROPERTIES) > 70
 
 
 @pytest.mark.parametrize("name", sorted(set(NAMES)), ids=".".join)
 def test_a_test_that_the_page_names_exists(name: tuple[str, str]) -> None:
     assert name in TESTS
+
+
+@pytest.mark.parametrize("pattern", sorted(set(PATTERNS)))
+def test_a_property_that_the_page_names_exists(pattern: str) -> None:
+    assert any(fnmatch(name, pattern) for name in PROPERTIES)
+
+
+@pytest.mark.parametrize("name", sorted(PROPERTIES))
+def test_no_property_is_left_out(name: str) -> None:
+    """Every property holds a promise, so the page has it."""
+    assert any(fnmatch(name, pattern) for pattern in PATTERNS)
 
 
 def test_no_test_of_conformance_is_left_out() -> None:

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "tests/oracles/random.h"
+#include "harness/oracles/random.h"
 
 namespace geodesic::edge_based_lazy {
 namespace {

@@ -11,10 +11,10 @@
 
 #include "datasets/generators/generators.h"
 #include "harness/isolines/crossings.h"
+#include "harness/oracles/brute_force.h"
+#include "harness/oracles/random.h"
+#include "harness/oracles/random_meshes.h"
 #include "tests/isolines/traced.h"
-#include "tests/oracles/brute_force.h"
-#include "tests/oracles/random.h"
-#include "tests/oracles/random_meshes.h"
 
 namespace geodesic::harness {
 namespace {

@@ -6,7 +6,7 @@
 #include <iomanip>
 
 #include "datasets/generators/generators.h"
-#include "tests/oracles/brute_force.h"
+#include "harness/oracles/brute_force.h"
 
 namespace geodesic::oracles {
 namespace {

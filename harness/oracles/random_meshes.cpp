@@ -1,4 +1,4 @@
-#include "tests/oracles/random_meshes.h"
+#include "harness/oracles/random_meshes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "tests/oracles/random.h"
+#include "harness/oracles/random.h"
 
 namespace geodesic::oracles {
 namespace {

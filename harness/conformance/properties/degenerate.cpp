@@ -1,0 +1,161 @@
+// Zero-length edges and zero-area faces, as real scans have them. They hang no solver, a
+// zero-length edge is a distance of 0 between its ends, and distances elsewhere stay exact.
+#include <cmath>
+
+#include "datasets/generators/generators.h"
+#include "harness/conformance/properties/properties.h"
+#include "harness/oracles/random.h"
+
+namespace geodesic::conformance {
+namespace {
+
+std::vector<double> straight_lines(const TriangleSoup& soup, const Query& query) {
+  const Vec3& s = soup.positions[query.sources.front().vertex];
+  std::vector<double> lines;
+  for (const Vec3& p : soup.positions) {
+    lines.push_back(std::hypot(p[0] - s[0], p[1] - s[1], p[2] - s[2]));
+  }
+  return lines;
+}
+
+TriangleSoup flat_grid(Index columns, Index rows, const char* diagonal = "alternating") {
+  return generators::generate("grid",
+                              {{"columns", columns}, {"rows", rows}, {"diagonal", diagonal}});
+}
+
+// Moves one end of an edge in `one_in` onto the other.
+TriangleSoup with_collapsed_edges(TriangleSoup soup, std::uint64_t seed, std::uint32_t one_in) {
+  oracles::Random random(seed);
+  for (const Triangle& t : soup.triangles) {
+    if (random.below(one_in) == 0) soup.positions[t[0]] = soup.positions[t[1]];
+  }
+  return soup;
+}
+
+// Splits faces in `one_in` at the middle of their first edge, on that face's side only, and fills
+// the slit with a face of no area.
+TriangleSoup with_flat_caps(TriangleSoup soup, std::uint64_t seed, std::uint32_t one_in) {
+  oracles::Random random(seed);
+  const std::size_t faces = soup.triangles.size();
+  for (std::size_t f = 0; f < faces; ++f) {
+    if (random.below(one_in) != 0) continue;
+    const auto [a, b, c] = soup.triangles[f];
+    const Vec3 &p = soup.positions[a], &q = soup.positions[b];
+    const Vec3 middle = {(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2};
+    const Index m = static_cast<Index>(soup.positions.size());
+    soup.positions.push_back(middle);
+    soup.triangles[f] = {a, m, c};
+    soup.triangles.push_back({m, b, c});
+    soup.triangles.push_back({a, b, m});
+  }
+  return soup;
+}
+
+Case from_some_sources(const std::string& name, const TriangleSoup& soup) {
+  return {name, soup, some_sources(soup)};
+}
+
+std::vector<Case> collapsed_edges_on_rough_surfaces() {
+  std::vector<Case> cases;
+  for (std::uint64_t seed = 2; seed < 6; ++seed) {
+    const auto collapsed = [&](const TriangleSoup& soup) {
+      return with_collapsed_edges(soup, seed, 12);
+    };
+    const std::string number = std::to_string(seed);
+    cases.push_back(
+        from_some_sources("terrain " + number, collapsed(oracles::rough_terrain(seed, 8, 8, 1))));
+    cases.push_back(
+        from_some_sources("sphere " + number, collapsed(oracles::rough_sphere(seed, 2, 0.2))));
+  }
+  return cases;
+}
+
+std::vector<Case> a_point() {
+  TriangleSoup soup = oracles::rough_sphere(7, 1, 0.2);
+  for (Vec3& p : soup.positions) p = {1, 2, 3};
+  return {from_some_sources("a point", soup)};
+}
+
+std::vector<Case> a_line() {
+  TriangleSoup soup = oracles::rough_terrain(8, 5, 5, 1);
+  for (Vec3& p : soup.positions) p = {p[0], 0, 0};
+  return {from_some_sources("a line", soup)};
+}
+
+// For meshes so degenerate that brute force sees no line but the edges: an upper bound only.
+Finding distances_are_bounded(const Trial& trial) {
+  const auto solver = trial.prepare();
+  for (const Query& query : trial.queries()) {
+    const auto got = ask(*solver, trial.mesh(), query);
+    if (auto wrong = satisfies_edges(trial.mesh(), query, got)) return wrong;
+    if (auto wrong = bound_from_above(query, got, straight_lines(trial.soup(), query)))
+      return in("nearer than the straight line", wrong);
+    if (auto wrong = bound_from_above(query, trial.expected(query), got))
+      return in("farther than along edges, here as the second of the two", wrong);
+  }
+  return {};
+}
+
+// Every other column is 10^6 times narrower than its neighbour.
+std::vector<Case> needles() {
+  TriangleSoup soup = flat_grid(10, 6, "backward");
+  for (Vec3& p : soup.positions) {
+    const double column = std::floor(p[0] / 2);
+    p[0] = column + (p[0] > 2 * column ? 1e-6 : 0);
+  }
+  return {{"needles", soup, {from(0), from(38)}, [=](const Query& query) {
+             return straight_lines(soup, query);
+           }}};
+}
+
+// Distances alone: along an edge of a needle, rounding of long distances exceeds its length.
+Finding distances_equal_the_known(const Trial& trial) {
+  for (const Query& query : trial.queries()) {
+    if (auto wrong = trial.correct(query, trial.solve(query), trial.expected(query))) return wrong;
+  }
+  return {};
+}
+
+using Cases = std::vector<Case>;
+
+}  // namespace
+
+std::vector<Property> degenerate_properties() {
+  return {
+      {"needles-in-a-plane-keep-euclid",
+       "faces a million times longer than wide leave the distances of a plane Euclid's",
+       {},
+       needles,
+       distances_equal_the_known},
+      {"degenerate-all-positions-equal",
+       "where all vertices lie in one point every distance is 0",
+       {},
+       a_point,
+       distances_are_right},
+      {"degenerate-all-positions-on-a-line",
+       "where all vertices lie on a line distances are between straight lines and ways along edges",
+       {},
+       a_line,
+       distances_are_bounded,
+       /*on_any_mesh=*/false},
+      {"degenerate-zero-length-edges-in-a-plane",
+       "in a plane with zero-length edges distances are exact, and 0 along those",
+       {},
+       [] {
+         return Cases{from_some_sources("grid", with_collapsed_edges(flat_grid(8, 8), 1, 12))};
+       },
+       distances_are_right},
+      {"degenerate-zero-area-faces-in-a-plane",
+       "in a plane with zero-area faces distances are exact",
+       {},
+       [] { return Cases{from_some_sources("grid", with_flat_caps(flat_grid(8, 8), 6, 5))}; },
+       distances_are_right},
+      {"degenerate-zero-length-edges-on-a-rough-surface",
+       "on a rough surface with zero-length edges distances are exact, and 0 along those",
+       {},
+       collapsed_edges_on_rough_surfaces,
+       distances_are_right},
+  };
+}
+
+}  // namespace geodesic::conformance

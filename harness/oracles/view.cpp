@@ -1,0 +1,105 @@
+#include "harness/oracles/view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace geodesic::oracles {
+namespace {
+
+// Twice the signed area of (0, a, b): positive when b lies to the left of the ray through a.
+Real cross(const PlanePoint& a, const PlanePoint& b) { return a.x * b.y - a.y * b.x; }
+
+// The apex of half-edge h's face when h is laid from p to q with the face on its left.
+PlanePoint lay_out_apex(const Mesh& mesh, Index h, const PlanePoint& p, const PlanePoint& q) {
+  const Real base = straight_distance(mesh, mesh.origin(h), mesh.head(h));
+  const Vec3& a = mesh.position(mesh.origin(h));
+  const Vec3& b = mesh.position(mesh.head(h));
+  const Vec3& c = mesh.position(mesh.apex(h));
+  Real u[3], v[3];
+  for (std::size_t k = 0; k < 3; ++k) {
+    u[k] = static_cast<Real>(b[k]) - static_cast<Real>(a[k]);
+    v[k] = static_cast<Real>(c[k]) - static_cast<Real>(a[k]);
+  }
+  const Real n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                     u[0] * v[1] - u[1] * v[0]};
+  const Real along = (u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) / base;
+  const Real across = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / base;
+  const PlanePoint e = {(q.x - p.x) / base, (q.y - p.y) / base};
+  return {p.x + along * e.x - across * e.y, p.y + along * e.y + across * e.x};
+}
+
+// True when the rays through r and l enclose something, up to a half-plane: what a vertex in the
+// middle of an edge (of a face without area) sees across it.
+bool opens(const PlanePoint& r, const PlanePoint& l) {
+  const Real turn = cross(r, l);
+  return turn > 0 || (turn == 0 && r.x * l.x + r.y * l.y < 0);
+}
+
+Real nearest(const PlanePoint& a, const PlanePoint& b) {
+  const PlanePoint d = {b.x - a.x, b.y - a.y};
+  const Real square = d.x * d.x + d.y * d.y;
+  Real t = square > 0 ? -(a.x * d.x + a.y * d.y) / square : 0;
+  t = std::min(Real{1}, std::max(Real{0}, t));
+  return std::hypot(a.x + t * d.x, a.y + t * d.y);
+}
+
+class View {
+ public:
+  View(const Mesh& mesh, Real reach, const std::function<void(const Sight&)>& see)
+      : mesh_(mesh), reach_(reach), see_(see) {}
+
+  void look_from(Index v) {
+    for (const Index h : mesh_.outgoing(v)) {
+      const PlanePoint right = {straight_distance(mesh_, v, mesh_.head(h)), 0};
+      if (right.x == 0) continue;  // a bend at the other end sees all that lies beyond
+      const PlanePoint left = lay_out_apex(mesh_, h, {0, 0}, right);
+      enter(mesh_.twin(Mesh::next(h)), left, right, left, right);
+    }
+  }
+
+ private:
+  // Enters the face of h, seen from below between the rays through `l` and `r`. The edge lies with
+  // its origin at `left` and its head at `right` as its own face sees it from outside: h is the
+  // twin, so it runs from left to right with its face above.
+  void enter(Index h, const PlanePoint& left, const PlanePoint& right, const PlanePoint& l,
+             const PlanePoint& r) {
+    if (h == kNone || !opens(r, l) || nearest(left, right) > reach_) return;
+    if (mesh_.half_edge(h).length == 0) return;
+    strip_.push_back({h, left, right});
+    const PlanePoint apex = lay_out_apex(mesh_, h, left, right);
+    const bool right_of_l = cross(apex, l) > 0, left_of_r = cross(r, apex) > 0;
+    if (right_of_l && left_of_r) {
+      see_({mesh_.apex(h), apex, std::hypot(apex.x, apex.y), strip_});
+    }
+    // The apex splits what is seen; a line through it exactly is continued by the bend there.
+    const Index left_edge = mesh_.twin(Mesh::previous(h));
+    const Index right_edge = mesh_.twin(Mesh::next(h));
+    if (right_of_l) enter(left_edge, left, apex, l, left_of_r ? apex : r);
+    if (left_of_r) enter(right_edge, apex, right, right_of_l ? apex : l, r);
+    strip_.pop_back();
+  }
+
+  const Mesh& mesh_;
+  Real reach_;
+  const std::function<void(const Sight&)>& see_;
+  std::vector<EdgeInView> strip_;
+};
+
+}  // namespace
+
+Real straight_distance(const Mesh& mesh, Index a, Index b) {
+  Real sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Real d = static_cast<Real>(mesh.position(a)[k]) - static_cast<Real>(mesh.position(b)[k]);
+    sum += d * d;
+  }
+  return std::sqrt(sum);
+}
+
+void view_from(const Mesh& mesh, Index v, Real reach,
+               const std::function<void(const Sight&)>& see) {
+  View(mesh, reach, see).look_from(v);
+}
+
+}  // namespace geodesic::oracles

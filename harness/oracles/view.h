@@ -1,0 +1,41 @@
+// What a vertex sees along straight lines on the surface.
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "solvers/core/mesh.h"
+
+namespace geodesic::oracles {
+
+using Real = long double;
+
+/// In the plane that the strip of faces is unfolded into; the vertex that looks is at (0, 0).
+struct PlanePoint {
+  Real x, y;
+};
+
+/// An edge that a line crosses, unfolded. The half-edge is the one whose face lies beyond.
+struct EdgeInView {
+  Index half_edge;
+  PlanePoint origin, head;
+};
+
+/// A vertex that is seen across the edges of a strip, nearest first.
+struct Sight {
+  Index vertex;
+  PlanePoint at;
+  Real length;
+  std::span<const EdgeInView> strip;  ///< valid as long as the call that hands it over
+};
+
+/// Distance of two vertices in space.
+Real straight_distance(const Mesh& mesh, Index a, Index b);
+
+/// Unfolds every strip of faces that can be seen from vertex v, as long as it lies nearer than
+/// `reach`; nothing else is pruned. Lengths are taken from the positions; only the topology (twins)
+/// is the mesh's. A line that runs through a vertex ends there, and neighbours along edges are not
+/// seen across a strip: neither is handed over.
+void view_from(const Mesh& mesh, Index v, Real reach, const std::function<void(const Sight&)>& see);
+
+}  // namespace geodesic::oracles

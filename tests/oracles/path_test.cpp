@@ -1,0 +1,134 @@
+// Shortest paths traced back from distances: as long as these, over the edges that they cross.
+#include "harness/oracles/path.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "datasets/generators/generators.h"
+#include "harness/oracles/brute_force.h"
+#include "harness/oracles/random_meshes.h"
+
+namespace geodesic::oracles {
+namespace {
+
+Vec3 point_on(const Mesh& mesh, const EdgeCrossing& crossing) {
+  const HalfEdge& edge = mesh.half_edge(crossing.half_edge);
+  const Vec3 &a = mesh.position(edge.origin), &b = mesh.position(mesh.head(crossing.half_edge));
+  const double share = crossing.position / edge.length;
+  Vec3 p;
+  for (std::size_t k = 0; k < 3; ++k) p[k] = a[k] + share * (b[k] - a[k]);
+  return p;
+}
+
+double distance(const Vec3& a, const Vec3& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+// On the surface, from point to point.
+double length_of(const Mesh& mesh, const StraightPiece& piece) {
+  Vec3 at = mesh.position(piece.from);
+  double length = 0;
+  for (const EdgeCrossing& crossing : piece.crossings) {
+    const Vec3 next = point_on(mesh, crossing);
+    length += distance(at, next);
+    EXPECT_NEAR(length, crossing.travelled, 1e-12 * length);
+    at = next;
+  }
+  return length + distance(at, mesh.position(piece.to));
+}
+
+// Every edge is one of the face that the one before it leads into.
+void expect_a_strip(const Mesh& mesh, const StraightPiece& piece) {
+  for (std::size_t i = 0; i < piece.crossings.size(); ++i) {
+    const Index h = piece.crossings[i].half_edge;
+    EXPECT_GE(piece.crossings[i].position, 0);
+    EXPECT_LE(piece.crossings[i].position, mesh.half_edge(h).length);
+    const Index left = mesh.twin(h);  // the face that the path comes from
+    ASSERT_NE(left, kNone);
+    if (i == 0) {
+      EXPECT_EQ(mesh.apex(left), piece.from);
+    } else {
+      EXPECT_EQ(left / 3, piece.crossings[i - 1].half_edge / 3);
+    }
+  }
+  if (!piece.crossings.empty()) {
+    EXPECT_EQ(mesh.apex(piece.crossings.back().half_edge), piece.to);
+  }
+}
+
+/// @return pieces of all paths
+int expect_paths(const Mesh& mesh, const std::vector<Source>& sources,
+                 const std::vector<double>& distances) {
+  const auto is_source = [&](Index v) {
+    return std::ranges::any_of(sources, [v](const Source& each) { return each.vertex == v; });
+  };
+  int pieces = 0;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const auto path = shortest_path(mesh, sources, distances, v);
+    if (path.empty()) {
+      EXPECT_TRUE(std::isinf(distances[v]) || is_source(v)) << "vertex " << v;
+      continue;
+    }
+    double length = distances[path.front().from];
+    Index at = path.front().from;
+    for (const StraightPiece& piece : path) {
+      EXPECT_EQ(piece.from, at);
+      expect_a_strip(mesh, piece);
+      EXPECT_NEAR(length_of(mesh, piece), piece.length, 1e-12 * piece.length);
+      length += piece.length;
+      at = piece.to;
+      ++pieces;
+    }
+    EXPECT_EQ(at, v);
+    EXPECT_NEAR(length, distances[v], 1e-12 * distances[v]) << "vertex " << v;
+  }
+  return pieces;
+}
+
+TEST(ShortestPath, is_as_long_as_the_closed_form_says) {
+  const std::vector<std::pair<std::string, generators::Parameters>> shapes = {
+      {"box", {{"x-cells", 3}, {"y-cells", 2}, {"z-cells", 1}}},
+      {"cone", {{"sectors", 4}, {"angle", 90}, {"rings", 3}}},
+      {"saddle-cone", {{"sectors", 6}, {"sector-angle", 80}, {"rings", 3}}},
+      {"cylinder", {{"sides", 7}, {"rows", 3}}},
+      {"square-with-hole", {{"hole", 2}, {"rim", 1}}}};
+  for (const auto& [generator, parameters] : shapes) {
+    SCOPED_TRACE(generator);
+    const TriangleSoup soup = generators::generate(generator, parameters);
+    const auto distances = generators::known_distances(generator, parameters, soup, 1).value();
+    expect_paths(Mesh(soup), {{.vertex = 1}}, distances);
+  }
+}
+
+TEST(ShortestPath, bends_at_pseudo_sources_only) {
+  for (const auto& [name, soup] : random_meshes()) {
+    SCOPED_TRACE(name);
+    const Mesh mesh(soup);
+    const std::vector<Source> sources{{0, 0.5}, {mesh.vertex_count() / 2, 0}};
+    const auto distances = BruteForce(mesh).distances(sources);
+    EXPECT_GT(expect_paths(mesh, sources, distances), static_cast<int>(mesh.vertex_count()) / 2);
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      const auto path = shortest_path(mesh, sources, distances, v);
+      for (std::size_t i = 1; i < path.size(); ++i) {
+        EXPECT_TRUE(mesh.is_pseudo_source(path[i].from)) << "to vertex " << v;
+      }
+    }
+  }
+}
+
+TEST(ShortestPath, does_not_exist_to_a_source_to_another_component_or_for_wrong_distances) {
+  const Mesh mesh(side_by_side(rough_sphere(1, 1, 0.2), rough_terrain(2, 3, 3, 1)));
+  const std::vector<Source> sources{{.vertex = 3}};
+  std::vector<double> distances = BruteForce(mesh).distances(sources);
+  EXPECT_TRUE(shortest_path(mesh, sources, distances, 3).empty());
+  EXPECT_TRUE(shortest_path(mesh, sources, distances, 45).empty());
+  EXPECT_FALSE(shortest_path(mesh, sources, distances, 20).empty());
+  distances[20] *= 0.99;
+  EXPECT_TRUE(shortest_path(mesh, sources, distances, 20).empty());
+}
+
+}  // namespace
+}  // namespace geodesic::oracles
