@@ -8,6 +8,7 @@
 #include "harness/commands/rank.h"
 #include "harness/commands/run.h"
 #include "harness/commands/solve.h"
+#include "harness/commands/verify.h"
 #include "harness/plugins.h"
 
 namespace geodesic::harness {
@@ -32,6 +33,7 @@ void add_commands(CLI::App& app, const std::string& command_line) {
   add_mesh_command(app);
   add_generate_command(app);
   add_solve_command(app);
+  add_verify_command(app);
   add_run_command(app, command_line);
   add_rank_command(app, command_line);
   add_compare_command(app);
@@ -39,6 +41,7 @@ void add_commands(CLI::App& app, const std::string& command_line) {
   add_plugin_option(app);
   for (CLI::App* command : app.get_subcommands(nullptr)) add_plugin_option(*command);
   add_cell_commands(app);
+  add_examine_command(app);
 }
 
 }  // namespace geodesic::harness

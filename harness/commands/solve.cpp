@@ -5,7 +5,9 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <tuple>
 
+#include "harness/conformance/trial.h"
 #include "harness/corpus/manifest.h"
 #include "harness/corpus/solvers.h"
 #include "harness/corpus/vectors.h"
@@ -27,7 +29,7 @@ struct SolveFlags {
   std::string mesh, solver;
   std::vector<Index> sources;
   std::string output;
-  bool repair = false, each = false;
+  bool repair = false, each = false, check = false;
   unsigned threads = 1;
   double limit = kInfinity;
   std::string vectors = kAutoVectors;
@@ -122,21 +124,34 @@ std::optional<std::vector<double>> known_distances(const Problem& problem,
   return least;
 }
 
+// Brute force or another exact solver, when the user asks for it.
+std::pair<std::string, std::vector<double>> reference_distances(const Problem& problem,
+                                                                std::span<const Index> sources) {
+  const Mesh as_given(problem.soup);  // whose numbers the sources are
+  conformance::Reference reference(problem.solver, as_given);
+  return {reference.name(),
+          reference.distances(conformance::from({sources.begin(), sources.end()}))};
+}
+
 // What the distances were compared with, and how far they are from it. @throws WrongAnswer
-Json verify_by_closed_form(const Problem& problem, std::span<const Index> sources,
-                           std::span<const double> distances) {
-  const auto known = known_distances(problem, sources);
-  if (!known) return {{"reference", nullptr}, {"max_relative_error", nullptr}};
+Json verify_distances(const Problem& problem, std::span<const Index> sources,
+                      std::span<const double> distances) {
+  std::string reference = kClosedForm;
+  auto right = known_distances(problem, sources);
+  if (!right && problem.flags.check) {
+    std::tie(reference, right.emplace()) = reference_distances(problem, sources);
+  }
+  if (!right) return {{"reference", nullptr}, {"max_relative_error", nullptr}};
   const Verdict verdict = verify(problem.mesh, sources, problem.solver.exactness, distances,
-                                 {kClosedForm, *known}, std::nullopt);
+                                 {reference, *right}, std::nullopt);
   if (!verdict.error.empty()) throw WrongAnswer(problem.solver.name + ": " + verdict.error);
-  return {{"reference", kClosedForm}, {"max_relative_error", verdict.max_relative_error}};
+  return {{"reference", reference}, {"max_relative_error", verdict.max_relative_error}};
 }
 
 // From the nearest of the sources: distances one a line.
 Json solve_jointly(const Problem& problem, std::ostream* output) {
   Solved solved = solve(problem.flags, problem.solver, problem.mesh);
-  solved.json.update(verify_by_closed_form(problem, problem.flags.sources, solved.distances));
+  solved.json.update(verify_distances(problem, problem.flags.sources, solved.distances));
   if (output != nullptr) *output << separated(solved.distances, '\n');
   Json json{{"sources", problem.flags.sources}};
   json.update(solved.json);
@@ -152,7 +167,7 @@ Json solve_separately(const Problem& problem, std::ostream* output) {
                        {"instruction_set", name_of(solve.instruction_set)},
                        {"unreachable_vertices", unreachable_vertices(solve.distances)}},
               .text = {}};
-    kept.json.update(verify_by_closed_form(problem, std::span(&solve.source, 1), solve.distances));
+    kept.json.update(verify_distances(problem, std::span(&solve.source, 1), solve.distances));
     if (output != nullptr) {
       kept.text = separated(solve.distances, ' ');
       if (!kept.text.empty()) kept.text.back() = '\n';
@@ -179,6 +194,9 @@ Json solve_separately(const Problem& problem, std::ostream* output) {
 void run_solve(const SolveFlags& flags) {
   if (flags.threads > 1 && !flags.each) {
     throw HarnessError("--threads is for --each: a single solve takes one thread");
+  }
+  if (flags.check && std::isfinite(flags.limit)) {
+    throw HarnessError("--check is for distances without --limit");
   }
   const Description& solver = solver_named(flags.solver);
   set_instruction_set(instruction_set_named(flags.vectors));
@@ -221,6 +239,8 @@ void add_solve_command(CLI::App& app) {
       ->check(CLI::Range(1, 1024));
   command->add_option("--output", flags->output,
                       "file for the distances, one a line; with --each, a line a source");
+  command->add_flag("--check", flags->check,
+                    "compare with brute force on up to 400 faces, else with another exact solver");
   command->add_flag("--repair", flags->repair, "mend defects of the mesh, and say which");
   command->add_option("--limit", flags->limit, "vertices farther than this are unreachable");
   command->add_option("--vectors", flags->vectors,

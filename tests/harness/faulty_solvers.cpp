@@ -1,9 +1,13 @@
 // Solvers that fail in every way that a run must catch and survive. They solve by another solver
 // first, so that only what is wrong on purpose is wrong.
+#include <unistd.h>
+
+#include <cmath>
 #include <cstdlib>
 #include <stdexcept>
 #include <vector>
 
+#include "harness/oracles/path.h"
 #include "solvers/registry.h"
 
 namespace geodesic {
@@ -66,6 +70,71 @@ class Disturbed final : public Faulty {
   }
 };
 
+// Knows the first source only.
+class SingleMinded final : public Faulty {
+  using Faulty::Faulty;
+  void run(const Query& query, std::span<double> distances, Recording*) override {
+    solve_soundly({.sources = {query.sources.front()}, .limit = query.limit}, distances);
+  }
+};
+
+// Knows no pseudo-sources at boundaries: what lies behind them is not reached.
+class BoundaryBlind final : public Faulty {
+  using Faulty::Faulty;
+  void run(const Query& query, std::span<double> distances, Recording*) override {
+    solve_soundly({.sources = query.sources}, distances);
+    const std::vector<double> right(distances.begin(), distances.end());
+    for (Index v = 0; v < right.size(); ++v) {
+      const auto path = oracles::shortest_path(mesh(), query.sources, right, v);
+      for (std::size_t bend = 1; bend < path.size(); ++bend) {
+        if (mesh().is_boundary(path[bend].from)) distances[v] = kInfinity;
+      }
+    }
+  }
+};
+
+class NotANumber final : public Faulty {
+  using Faulty::Faulty;
+  void run(const Query& query, std::span<double> distances, Recording*) override {
+    solve_soundly(query, distances);
+    distances.back() = std::nan("");
+  }
+};
+
+// Too long on meshes of some faces, too short on smaller ones: two faults.
+class TwoFaced final : public Faulty {
+  using Faulty::Faulty;
+  void run(const Query& query, std::span<double> distances, Recording*) override {
+    solve_soundly(query, distances);
+    distances[mesh().vertex_given_as(mesh().vertex_count() - 1)] *=
+        mesh().face_count() < 6 ? 1 - 1e-9 : 1 + 1e-9;
+  }
+};
+
+class Miscounting final : public Faulty {
+  using Faulty::Faulty;
+  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+    solve_soundly(query, distances);
+    if (recording != nullptr) recording->strip_depth = 1;
+  }
+};
+
+// Closes its standard error, which is what a process is waited for by.
+class Mute final : public Faulty {
+  using Faulty::Faulty;
+  void run(const Query&, std::span<double> distances, Recording*) override {
+    close(STDERR_FILENO);
+    for (volatile double* at = distances.data();;) *at = 0;
+  }
+};
+
+class Looping final : public Faulty {
+  using Faulty::Faulty;
+  void run(const Query&, std::span<double> distances, Recording*) override {
+    for (volatile double* at = distances.data();;) *at = 0;
+  }
+};
+
 class Crashing final : public Faulty {
   using Faulty::Faulty;
   void run(const Query&, std::span<double>, Recording*) override { std::abort(); }
@@ -97,6 +166,13 @@ Description faulty(const char* name, Index max_vertices = 1000) {
 const RegisterSolver<Wrong> wrong{faulty("wrong")};
 const RegisterSolver<Forgetful> forgetful{faulty("forgetful")};
 const RegisterSolver<Disturbed> disturbed{faulty("disturbed")};
+const RegisterSolver<SingleMinded> single_minded{faulty("single-minded")};
+const RegisterSolver<BoundaryBlind> boundary_blind{faulty("boundary-blind")};
+const RegisterSolver<NotANumber> not_a_number{faulty("not-a-number")};
+const RegisterSolver<TwoFaced> two_faced{faulty("two-faced")};
+const RegisterSolver<Miscounting> miscounting{faulty("miscounting")};
+const RegisterSolver<Mute> mute{faulty("mute")};
+const RegisterSolver<Looping> looping{faulty("looping")};
 const RegisterSolver<Crashing> crashing{faulty("crashing")};
 const RegisterSolver<Throwing> throwing{faulty("throwing")};
 const RegisterSolver<Leaving> leaving{faulty("leaving")};

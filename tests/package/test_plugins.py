@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import re
+import shlex
 import shutil
 from pathlib import Path
 
@@ -14,8 +15,14 @@ from installed import ROOT, Installed
 
 EXAMPLE = (ROOT / "examples" / "solver" / "my_solver.cpp").read_text()
 TETRAHEDRON = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
+STRIP = (
+    "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\n"
+    "f 1 2 5\nf 1 5 4\nf 2 3 5\nf 3 6 5\n"
+)
+"""A straight line across it crosses two edges."""
 SOURCES = {
     "empty": "int nothing = 0;\n",
+    "wrong": EXAMPLE.replace('"my-solver"', '"wrong"').replace("upper_bound", "exact"),
     "taken": EXAMPLE.replace('"my-solver"', '"mmp"'),
     "undefined": "namespace a { int missing(int); }\nint called = a::missing(1);\n",
     "other-contract": EXAMPLE,
@@ -113,6 +120,36 @@ def test_run_measures_the_solver_and_records_the_plugin(
             "solvers": ["my-solver"],
         }
     ]
+
+
+def test_verify_asks_the_solver_in_processes_of_their_own(
+    installed: Installed, my_solver: Path, tmp_path: Path, tetrahedron: Path
+) -> None:
+    ended = installed.bench(
+        tmp_path, "--plugin", my_solver, "verify", "--solver", "my-solver", "--property",
+        "distances-equal-the-reference", "--meshes", tetrahedron,
+    )  # fmt: skip
+    assert ended.returncode == 0, ended.stdout + ended.stderr
+    assert "holds        distances-equal-the-reference on tetrahedron" in ended.stdout
+    assert "my-solver: 1 hold, 0 fail" in ended.stdout
+
+
+def test_verify_prints_a_command_that_loads_the_plugin(
+    installed: Installed, plugins: Path, tmp_path: Path
+) -> None:
+    plugin = plugins / "libwrong.so"
+    (tmp_path / "strip.obj").write_text(STRIP)
+    ended = installed.bench(
+        tmp_path, "--plugin", plugin, "verify", "--solver", "wrong", "--property",
+        "distances-equal-the-reference", "--meshes", "strip.obj",
+    )  # fmt: skip
+    assert ended.returncode == 2, ended.stdout + ended.stderr
+    (line,) = re.findall(r"reproduce it +(.+)", ended.stdout)
+    program, *words = shlex.split(line)
+    assert (program, words[:2]) == (str(installed.program), ["--plugin", str(plugin.resolve())])
+    again = installed.bench(tmp_path, *words)
+    assert again.returncode == 2, again.stdout + again.stderr
+    assert "brute force" in again.stderr
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,275 @@
+// verify, from outside: each fault is found by the property that it breaks, the case that is saved
+// is small, and the command that is printed makes it fail again.
+#include <algorithm>
+#include <fstream>
+
+#include "tests/harness/program.h"
+
+namespace geodesic::harness {
+namespace {
+
+class VerifyCommand : public ProgramTest {
+ protected:
+  std::filesystem::path out() const { return folder_ / "failures"; }
+
+  Output verify(const std::string& solver, std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"verify", "--solver", solver});
+    arguments.insert(arguments.end(), {"--out", out().string()});
+    return run(FAULTY_PROGRAM, arguments);
+  }
+
+  /// What follows a word in a line of its own.
+  static std::string after(const std::string& word, const std::string& text) {
+    const std::size_t at = text.find("\n  " + word);
+    if (at == std::string::npos) return {};
+    const std::size_t begin = text.find_first_not_of(' ', at + 3 + word.size());
+    return text.substr(begin, text.find('\n', begin) - begin);
+  }
+
+  std::vector<std::filesystem::path> saved() const {
+    std::vector<std::filesystem::path> files;
+    if (!std::filesystem::exists(out())) return files;
+    for (const auto& entry : std::filesystem::directory_iterator(out())) {
+      files.push_back(entry.path());
+    }
+    return files;
+  }
+
+  static std::size_t faces_of(const std::filesystem::path& file) {
+    const std::string obj = '\n' + read(file);
+    std::size_t faces = 0;
+    for (std::size_t at = obj.find("\nf "); at != std::string::npos; at = obj.find("\nf ", at + 1))
+      ++faces;
+    return faces;
+  }
+};
+
+void expect_words(const std::string& text, const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    EXPECT_NE(text.find(word), std::string::npos) << "'" << word << "' is missing in: " << text;
+  }
+}
+
+struct Fault {
+  std::string solver;
+  std::string property;                 ///< that it breaks
+  std::size_t faces;                    ///< that the saved mesh may have
+  std::string command;                  ///< that the printed line starts with
+  std::vector<std::string> words = {};  ///< of the output
+  std::string seconds = "10";           ///< to shrink it
+};
+
+std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << fault.solver; }
+
+class VerifyFinds : public VerifyCommand, public ::testing::WithParamInterface<Fault> {};
+
+TEST_P(VerifyFinds, the_fault_by_the_property_that_it_breaks) {
+  const Fault& fault = GetParam();
+  const Output found = verify(
+      fault.solver, {"--property", fault.property, "--time-limit", "2", "--shrink", fault.seconds});
+  EXPECT_EQ(found.code, 2) << found.err;
+  EXPECT_EQ(found.err, "");
+  expect_words(found.out, {"FAILS", fault.property, fault.solver + ": 0 hold, 1 fail"});
+  expect_words(found.out, fault.words);
+
+  ASSERT_EQ(saved().size(), 1u) << found.out;
+  EXPECT_TRUE(saved()[0].filename().string().starts_with(fault.property + "-on-")) << saved()[0];
+  EXPECT_GE(faces_of(saved()[0]), 1u);
+  EXPECT_LE(faces_of(saved()[0]), fault.faces);
+  const std::string command = after("reproduce it", found.out);
+  expect_words(command, {fault.command});
+  EXPECT_EQ(found.out.find("did not fail again"), std::string::npos) << found.out;
+  // A shell that a loop would not keep waiting.
+  const int status = std::system(("timeout 3 " + command + " >/dev/null 2>&1").c_str());
+  EXPECT_NE(status, 0) << command;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Faults, VerifyFinds,
+    ::testing::Values(
+        Fault{"wrong",
+              "cone-distances-follow-from-the-angle-at-the-apex",
+              3,
+              " solve ",
+              {"first wrong: vertex", "relative error 1e-09"}},
+        Fault{"boundary-blind",
+              "square-with-hole-paths-bend-at-the-corners-of-the-hole",
+              8,
+              " solve ",
+              {"boundary vertex", "got       inf", "relative error inf"}},
+        Fault{"single-minded", "source-in-each-component-reaches-both", 2, " solve "},
+        Fault{"forgetful", "distances-on-a-cube-equal-the-shortest-unfolding", 8, "--each"},
+        Fault{"forgetful", "repetition-gives-the-same-bits", 10, " verify ", {"asked again"}},
+        Fault{"disturbed", "recordings-change-no-distance", 3, " solve "},
+        Fault{"not-a-number",
+              "another-component-is-infinitely-far",
+              2,
+              " solve ",
+              {"nan instead of"}},
+        Fault{"crashing",
+              "another-component-is-infinitely-far",
+              1,
+              " solve ",
+              {"killed by signal 6 (Aborted)"}},
+        Fault{"throwing",
+              "another-component-is-infinitely-far",
+              1,
+              " solve ",
+              {"threw: ran out of luck"}},
+        Fault{"leaving",
+              "another-component-is-infinitely-far",
+              1,
+              " verify ",
+              {"ended the process: exit code 0"}},
+        Fault{"looping",
+              "another-component-is-infinitely-far",
+              80,
+              " solve ",
+              {"did not end within 2 s"},
+              "4"},
+        Fault{"mute",
+              "another-component-is-infinitely-far",
+              80,
+              " solve ",
+              {"did not end within 2 s"},
+              "4"},
+        Fault{
+            "two-faced", "distances-equal-the-reference", 20, " solve ", {"relative error 1e-09"}},
+        Fault{"miscounting",
+              "recordings-of-what-is-counted-are-positive-and-bounded",
+              320,
+              " verify ",
+              {"strip_depth is 1, not between"}}),
+    [](const auto& fault) {
+      std::string name = fault.param.solver + "_by_" + fault.param.property;
+      std::ranges::replace(name, '-', '_');
+      return name;
+    });
+
+TEST_F(VerifyCommand, OfASoundSolverSaysThatAPropertyHolds) {
+  const Output found = verify(exact_solver(), {"--property", "distances-equal-the-reference"});
+  EXPECT_EQ(found.code, 0) << found.out << found.err;
+  expect_words(found.out, {"holds        distances-equal-the-reference", ": 1 hold, 0 fail"});
+  EXPECT_FALSE(std::filesystem::exists(out()));
+}
+
+TEST_F(VerifyCommand, DoesNotHoldAgainstASolverWhatItDoesNotClaim) {
+  const Output found = verify("dijkstra", {"--property", "distances-are-symmetric"});
+  EXPECT_EQ(found.code, 0) << found.out << found.err;
+  expect_words(found.out, {"not claimed", "dijkstra does not claim: exact distances"});
+  const Output large = verify("tiny", {"--property", "distances-are-symmetric"});
+  EXPECT_EQ(large.code, 0) << large.out << large.err;
+  expect_words(large.out, {"not claimed", "meant for at most 3 vertices"});
+}
+
+TEST_F(VerifyCommand, AsksForDistancesOnMeshesOfTheUser) {
+  const std::vector<std::string> on_hill = {"--property", "distances-equal-the-reference",
+                                            "--meshes", "hill"};
+  const Output sound = verify(exact_solver(), on_hill);
+  EXPECT_EQ(sound.code, 0) << sound.out << sound.err;
+  expect_words(sound.out, {"holds", "on hill"});
+  const Output wrong = verify("wrong", on_hill);
+  EXPECT_EQ(wrong.code, 2) << wrong.out << wrong.err;
+  expect_words(wrong.out, {"FAILS", "on hill", "of the 37 and 50 of 'hill'"});
+}
+
+TEST_F(VerifyCommand, KeepsTheFailureThatItFoundWhenSmallerMeshesFailInAnotherWay) {
+  const Output found = verify("two-faced", {"--property", "distances-equal-the-reference"});
+  EXPECT_EQ(found.code, 2) << found.out << found.err;
+  ASSERT_EQ(saved().size(), 1u) << found.out;
+  EXPECT_GE(faces_of(saved()[0]), 6u) << found.out;
+}
+
+TEST_F(VerifyCommand, SavesMeshesOfOneNameInFilesOfTheirOwn) {
+  std::vector<std::string> meshes;
+  for (const std::string folder : {"one", "other"}) {
+    std::filesystem::create_directory(folder_ / folder);
+    meshes.push_back((folder_ / folder / "mesh.obj").string());
+    std::ofstream(meshes.back()) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\n";
+  }
+  const Output found = verify("wrong", {"--property", "distances-equal-the-reference", "--source",
+                                        "0", "--meshes", meshes[0] + ',' + meshes[1]});
+  EXPECT_EQ(found.code, 2) << found.out << found.err;
+  EXPECT_EQ(saved().size(), 2u) << found.out;
+}
+
+TEST_F(VerifyCommand, GivesUpOnASolverThatNeverEnds) {
+  const Output found = verify("looping", {"--time-limit", "0.2", "--shrink", "0"});
+  EXPECT_EQ(found.code, 2) << found.out << found.err;
+  expect_words(found.out, {" 3 fail", "not asked, after 3 did not end", "--time-limit"});
+}
+
+TEST_F(VerifyCommand, OnACorpusSaysWhichMeshesAreNotThere) {
+  const Output found =
+      verify(exact_solver(), {"--property", "distances-equal-the-reference", "--corpus", "quick"});
+  EXPECT_EQ(found.code, 1) << found.out << found.err;
+  expect_words(found.out, {"on hill", "on tetrahedron", "not known", "datasets/fetch.py absent",
+                           ": 2 hold, 0 fail", "1 not known"});
+  expect_words(found.err, {"1 not known"});
+}
+
+TEST_F(VerifyCommand, ListsThePropertiesWithTheirStatements) {
+  const Output list = run(PROGRAM, {"verify", "--list"});
+  EXPECT_EQ(list.code, 0) << list.err;
+  expect_words(list.out, {"refusals-name-the-solver\n    the message of a refused query",
+                          "(needs a distance limit, initial distances, multiple sources)",
+                          "are its edges (on its own meshes only)"});
+}
+
+TEST_F(VerifyCommand, BadRequestsAreErrorsThatSayWhatToDo) {
+  const auto expect_refused = [&](std::vector<std::string> arguments,
+                                  const std::vector<std::string>& words) {
+    arguments.insert(arguments.begin(), "verify");
+    const Output refused = run(FAULTY_PROGRAM, arguments);
+    EXPECT_EQ(refused.code, 1) << refused.out;
+    EXPECT_EQ(std::ranges::count(refused.err, '\n'), 1) << refused.err;
+    expect_words(refused.err, words);
+  };
+  const std::string solver = exact_solver();
+  expect_refused({}, {"--solver is required"});
+  expect_refused({"--solver", "none"}, {"no solver named 'none'", solver});
+  expect_refused({"--solver", solver, "--property", "refusals-name-the-solvers"},
+                 {"did you mean 'refusals-name-the-solver'"});
+  expect_refused({"--solver", solver, "--source", "1"}, {"--source", "--meshes"});
+  expect_refused({"--solver", solver, "--meshes", "hil"}, {"did you mean 'hill'"});
+  expect_refused({"--solver", solver, "--corpus", "quik"}, {"did you mean 'quick'"});
+  expect_refused({"--solver", solver, "--time-limit", "0"}, {"--time-limit"});
+  expect_refused({"--solver", solver, "--vectors", "sse"}, {"'sse'", "avx2"});
+  expect_refused({"--solver", solver, "--out", manifest_.string()}, {"--out", "is a file"});
+  expect_refused({"--solver", solver, "--meshes", "hill", "--property",
+                  "single-triangle-has-its-edges-for-distances"},
+                 {"its own meshes only"});
+  const std::vector<std::string> on_hill = {
+      "--solver", solver, "--meshes", "hill", "--property", "repetition-gives-the-same-bits"};
+  const auto with_source = [&](const std::string& source) {
+    std::vector<std::string> arguments = on_hill;
+    arguments.insert(arguments.end(), {"--source", source});
+    return arguments;
+  };
+  expect_refused(with_source("37"), {"source vertex 37", "37 vertices"});
+  expect_refused(with_source("1:"), {"--source 1:", "like 12:0.5"});
+  expect_refused(with_source("one"), {"--source one", "like 12:0.5"});
+}
+
+TEST_F(VerifyCommand, SolveComparesDistancesWhenAsked) {
+  const auto check = [&](const std::string& solver, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"solve",    "hill", "--solver", solver,
+                                       "--source", "1",    "--check"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(FAULTY_PROGRAM, arguments);
+  };
+  const Output sound = check(exact_solver(), {});
+  EXPECT_EQ(sound.code, 0) << sound.err;
+  EXPECT_EQ(nlohmann::json::parse(sound.out).at("reference"), "brute force");
+  const Output wrong = check("wrong", {});
+  EXPECT_EQ(wrong.code, 2) << wrong.out;
+  expect_words(wrong.err, {"wrong: vertex 36", "brute force has", "relative error 1e-09"});
+  const Output each = check("forgetful", {"--source", "2", "--each"});
+  EXPECT_EQ(each.code, 2) << each.out;
+  const Output limited = check(exact_solver(), {"--limit", "1"});
+  EXPECT_EQ(limited.code, 1);
+  expect_words(limited.err, {"--check", "--limit"});
+}
+
+}  // namespace
+}  // namespace geodesic::harness
