@@ -74,10 +74,10 @@ def parse(words: Sequence[str] | None) -> argparse.Namespace:
     return options
 
 
-def _ready(trees: list[Tree], out: Path) -> list[Program]:
+def _ready(trees: list[Tree], chosen: check.Options) -> list[Program]:
     """Built programs with the meshes of the suite."""
     check.say(f"building {' and '.join(tree.label for tree in trees)}")
-    build(trees, out)
+    build(trees, chosen.solvers, chosen.out)
     cache = GATE / "meshes"
     manifest = ROOT / "datasets" / "manifest.json"
     programs = [Program(tree.name, tree.label, tree.program, cache, manifest) for tree in trees]
@@ -111,15 +111,15 @@ def judge(options: argparse.Namespace, out: Path) -> int:
         noise_file=NOISE,
     )
     if options.update_baseline:
-        [program] = _ready([tree_of(ROOT, "head", None)], out)
+        [program] = _ready([tree_of(ROOT, "head", None)], chosen)
         print("\n".join(check.update_baseline(program, ROOT, options.reason.strip(), chosen)))
         return 0
     if options.a_a:
-        [program] = _ready([tree_of(ROOT, "head", options.base)], out)
+        [program] = _ready([tree_of(ROOT, "head", options.base)], chosen)
         verdict = check.against_itself(program, options.a_a, chosen)
     else:
         head_tree = tree_of(ROOT, "head", options.head)
-        base, head = _ready([tree_of(ROOT, "base", options.base), head_tree], out)
+        base, head = _ready([tree_of(ROOT, "base", options.base), head_tree], chosen)
         verdict = check.check(base, head, head_tree.folder, chosen)
     print(as_text(verdict), end="")
     write(verdict, out)

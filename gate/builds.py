@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -30,7 +31,8 @@ class Tree:
     """What was asked for, and its hash."""
     folder: Path
     done: Path | None
-    """A file that says that this revision is built already; none for a tree that may change."""
+    """A file that says with which options this revision is built already; none for a tree that may
+    change."""
 
     @property
     def program(self) -> Path:
@@ -72,19 +74,32 @@ def _make_room(root: Path, trees: Path) -> None:
     _git(root, "worktree", "prune")
 
 
-def build(trees: list[Tree], logs: Path) -> None:
-    """Builds the trees, one after the other: what the second has in common with the first is then in
+def build(trees: list[Tree], asked_for: Sequence[str], logs: Path) -> None:
+    """Builds the trees with the solvers that are judged, one after the other: what the second has in common with the first is then in
     the compiler cache, if there is one.
     @raises GateError when a revision does not build"""
     for tree in {tree.folder: tree for tree in trees}.values():
-        _build(tree, logs / f"{tree.name}-build.log")
+        _build(tree, options_for(tree.folder, asked_for), logs / f"{tree.name}-build.log")
 
 
-def _build(tree: Tree, log: Path) -> None:
+def options_for(tree: Path, asked_for: Sequence[str]) -> list[str]:
+    """CMake's. Folders whose solvers run only where they are named are left out unless they are."""
+    folders = []
+    for folder in sorted(path.parent for path in tree.glob("solvers/*/CMakeLists.txt")):
+        text = "".join(source.read_text(encoding="utf-8") for source in folder.glob("*.cpp"))
+        named = any(f'.name = "{name}"' in text for name in asked_for)
+        if named or ".by_name_only = true" not in text:
+            folders.append(folder.name)
+    return [*OPTIONS, f"-DGEODESIC_SOLVERS={';'.join(folders)}"]
+
+
+def _build(tree: Tree, options: list[str], log: Path) -> None:
+    built_with = "\n".join(options)
     if tree.done is not None and tree.done.exists() and tree.program.exists():
-        return
+        if tree.done.read_text(encoding="utf-8") == built_with:
+            return
     log.parent.mkdir(parents=True, exist_ok=True)
-    configure = ["cmake", "--preset", "release", "-B", str(BUILD), *OPTIONS]
+    configure = ["cmake", "--preset", "release", "-B", str(BUILD), *options]
     if shutil.which("ccache"):
         configure.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
     jobs = str(os.cpu_count() or 1)
@@ -103,4 +118,4 @@ def _build(tree: Tree, log: Path) -> None:
             f"the {tree.name}, {tree.label}, does not build: {errors[0].strip()} (all of it: {log})"
         )
     if tree.done is not None:
-        tree.done.touch()
+        tree.done.write_text(built_with, encoding="utf-8")
