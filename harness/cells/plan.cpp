@@ -63,8 +63,10 @@ Plan make_plan(const Suite& suite, const std::filesystem::path& manifest) {
   const std::vector<MeshEntry> entries = chosen_meshes(suite, manifest);
   check_no_repetition("solvers", plan.solvers, [](const auto* solver) { return solver->name; });
   check_no_repetition("meshes", entries, [](const auto& entry) { return entry.name; });
+  std::vector<MeshEntry> absent;
   for (const MeshEntry& entry : entries) {
     if (!entry.available()) {
+      absent.push_back(entry);
       plan.skipped.push_back({entry.name, how_to_get(entry)});
       continue;
     }
@@ -78,7 +80,10 @@ Plan make_plan(const Suite& suite, const std::filesystem::path& manifest) {
     std::string why = "nothing to run: ";
     why += entries.empty() ? "the corpus '" + suite.corpus + "' is empty"
                            : "no mesh of the suite can be read";
-    for (const SkippedMesh& skipped : plan.skipped) why += "; " + skipped.why;
+    if (!absent.empty()) why += "; " + how_to_get(absent);
+    for (const SkippedMesh& skipped : plan.skipped) {
+      if (skipped.unreadable) why += "; " + skipped.why;
+    }
     throw HarnessError(why);
   }
   return plan;

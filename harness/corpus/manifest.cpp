@@ -97,10 +97,18 @@ MeshEntry find_mesh(const std::string& file_or_name, const fs::path& manifest) {
   return entry;
 }
 
-std::string how_to_get(const MeshEntry& mesh) {
-  return "mesh '" + mesh.name + "' is not in the dataset cache (" +
-         mesh.file.parent_path().string() + "): run " +
-         (data_folder() / "datasets" / "fetch.py").string() + ' ' + mesh.name;
+std::string how_to_get(std::span<const MeshEntry> meshes) {
+  const bool one = meshes.size() == 1;
+  std::string quoted, words;
+  for (const MeshEntry& mesh : meshes) {
+    quoted += (quoted.empty() ? "'" : ", '") + mesh.name + "'";
+    words += ' ' + mesh.name;
+  }
+  return (one ? "mesh " : "meshes ") + quoted + (one ? " is" : " are") +
+         " not in the dataset cache (" + meshes.front().file.parent_path().string() + "): run " +
+         (data_folder() / "datasets" / "fetch.py").string() + words;
 }
+
+std::string how_to_get(const MeshEntry& mesh) { return how_to_get({&mesh, 1}); }
 
 }  // namespace geodesic::harness

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,7 +58,8 @@ std::filesystem::path dataset_cache();
 /// the second case. @throws HarnessError when it is neither, or not in the cache
 MeshEntry find_mesh(const std::string& file_or_name, const std::filesystem::path& manifest);
 
-/// One line: that the mesh is not in the cache, and how to get it there.
+/// One line: that the meshes, at least one, are not in the cache, and how to get them there.
+std::string how_to_get(std::span<const MeshEntry> meshes);
 std::string how_to_get(const MeshEntry& mesh);
 
 }  // namespace geodesic::harness

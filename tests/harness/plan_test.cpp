@@ -26,6 +26,16 @@ TEST(Cells, AlternateSolversOnAMeshAndSource) {
                                              "a/n/src:3", "b/n/src:3"}));
 }
 
+TEST(MissingMeshes, AreFetchedByOneCommand) {
+  const std::vector<MeshEntry> meshes = {
+      {.name = "a", .file = "/cache/a.ply", .kind = "generated"},
+      {.name = "b", .file = "/cache/b.ply", .kind = "generated"}};
+  const std::string how = how_to_get(meshes);
+  EXPECT_TRUE(how.starts_with("meshes 'a', 'b' are not in the dataset cache (/cache): run "))
+      << how;
+  EXPECT_TRUE(how.ends_with("fetch.py a b")) << how;
+}
+
 TEST(ErrorRow, HasNoTimeAndASingleLine) {
   const Json row = error_row("s", "m", 4, outcome::kError, "first\nsecond");
   EXPECT_EQ(row["name"], "s/m/src:4");
