@@ -55,7 +55,8 @@ parse_options() {
         shift 2
         ;;
       --outside)
-        outside=$(absolute "$(value_of "$@")")
+        outside=$(value_of "$@")
+        outside=$(realpath -m -- "$outside")
         shift 2
         ;;
       -*) die "unknown option $1; there are --from, --outside, --help" ;;
@@ -110,7 +111,8 @@ remove_unfinished() {
 
 write_folder() {
   [[ ! -e $folder ]] || die "$folder is there already; nothing was changed"
-  mkdir -p "$folder"
+  local why
+  why=$(mkdir -p "$folder" 2>&1) || die "cannot make $folder: ${why##*: }; nothing was changed"
   trap remove_unfinished EXIT
   sources=$folder_name.cpp
   if [[ $from == template ]]; then
@@ -134,18 +136,19 @@ rivals() {
 }
 
 say_what_next() {
-  local bench=build/release/geodesic-bench build
+  local bench=build/release/geodesic-bench where=$root steps=() build
   if [[ -n $outside ]]; then
+    where="any folder, with the one that geodesic-bench is installed in for PREFIX"
     printf -v build '%q' "$folder/build"
-    bench="geodesic-bench --plugin $build/lib$name.so"
-    build="cmake -S ${build%/build} -B $build -DCMAKE_PREFIX_PATH=PREFIX && cmake --build $build"
-    printf 'PREFIX is where geodesic-bench is installed; its program is in PREFIX/bin.\n'
+    bench="PREFIX/bin/geodesic-bench --plugin $build/lib$name.so"
+    steps=("cmake -S ${build%/build} -B $build -DCMAKE_PREFIX_PATH=PREFIX && cmake --build $build"
+      "PREFIX/share/geodesic-bench/datasets/fetch.py --corpus tiny")
   else
-    build="cmake --preset release && cmake --build --preset release -t geodesic-bench"
+    steps=("./run_all.sh build fetch --corpus tiny")
   fi
-  printf '%s is there; its README.md says what to change first. Next%s:\n' "$folder" \
-    "${outside:+, from any folder}"
-  printf '  %s\n' "$build" "$bench verify --solver $name" \
+  printf '%s is there; its README.md says what to change first. Next, from %s:\n' \
+    "$folder" "$where"
+  printf '  %s\n' "${steps[@]}" "$bench verify --solver $name" \
     "$bench rank --solver $name --against $(rivals) --corpus tiny"
 }
 

@@ -29,7 +29,7 @@ logged() {
 
 # value_of OPTION [VALUE...]: prints the value that must follow an option.
 value_of() {
-  [[ $# -ge 2 && $2 != --* ]] || die "$1 needs a value; see $program --help"
+  [[ $# -ge 2 && -n $2 && $2 != --* ]] || die "$1 needs a value; see $program --help"
   printf '%s\n' "$2"
 }
 

@@ -1,0 +1,194 @@
+"""new_solver.sh, in a copy of the checkout: what it makes, that it builds, and what it refuses."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+COPIED = ["cmake", "datasets/generators", "harness", "solvers", "tools"]
+STARTS = ["template", "edge-based", "mmp", "chen-han"]
+LONG = "a-variant-with-the-longest-name2"
+NAMES = {start: f"my-{start}" for start in STARTS}
+
+Ended = subprocess.CompletedProcess[str]
+
+
+def copy_checkout(folder: Path) -> Path:
+    folder.mkdir()
+    for file in ["CMakeLists.txt", "CMakePresets.json", "new_solver.sh", ".clang-format"]:
+        shutil.copy(ROOT / file, folder)
+    for name in COPIED:
+        shutil.copytree(ROOT / name, folder / name)
+    return folder
+
+
+def run(checkout: Path, *words: str | Path, cwd: Path = Path("/")) -> Ended:
+    return subprocess.run(
+        [checkout / "new_solver.sh", *words], cwd=cwd, capture_output=True, text=True, timeout=60
+    )
+
+
+def sums(folder: Path) -> dict[str, str]:
+    return {
+        str(file.relative_to(folder)): hashlib.sha256(file.read_bytes()).hexdigest()
+        for file in folder.rglob("*")
+        if file.is_file()
+    }
+
+
+@pytest.fixture(scope="module")
+def checkout(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """With a solver of each start, made from another folder, in a path with spaces."""
+    copy = copy_checkout(tmp_path_factory.mktemp("new_solver") / "a path with spaces")
+    for start, name in NAMES.items():
+        ended = run(copy, name, "--from", start)
+        assert ended.returncode == 0, ended.stderr
+    return copy
+
+
+@pytest.fixture
+def untouched(tmp_path: Path) -> Path:
+    return copy_checkout(tmp_path / "checkout")
+
+
+@pytest.mark.parametrize("start", STARTS)
+def test_one_folder_is_new_and_nothing_else_changes(untouched: Path, start: str) -> None:
+    before = sums(untouched)
+    ended = run(untouched, "my-variant", f"--from={start}", cwd=untouched)
+    assert (ended.returncode, ended.stderr) == (0, "")
+    after = sums(untouched)
+    assert {name: after.get(name) for name in before} == before
+    made = {name.removeprefix("solvers/my_variant/") for name in after.keys() - before.keys()}
+    policies = set() if start == "template" else {"policies.h", "recorded.cpp"}
+    assert made == {"CMakeLists.txt", "README.md", "my_variant.cpp"} | policies
+
+
+@pytest.mark.parametrize("start", STARTS)
+def test_no_placeholder_is_left_and_the_solver_is_registered(checkout: Path, start: str) -> None:
+    name = NAMES[start]
+    folder = checkout / "solvers" / name.replace("-", "_")
+    for file in folder.iterdir():
+        text = file.read_text()
+        assert "@" not in text and "template.cpp" not in text.replace("my_template.cpp", "")
+    source = (folder / f"{folder.name}.cpp").read_text()
+    assert f'.name = "{name}",' in source and ".by_name_only = true," in source
+    assert (folder / "README.md").read_text().startswith(f"# {name}\n")
+    assert f"geodesic_add_solver({folder.name} " in (folder / "CMakeLists.txt").read_text()
+
+
+@pytest.mark.parametrize("start", STARTS)
+@pytest.mark.parametrize("name", ["a", LONG])
+def test_what_is_made_is_formatted_whatever_the_name(
+    untouched: Path, start: str, name: str
+) -> None:
+    clang_format = shutil.which("clang-format")
+    if clang_format is None:
+        pytest.skip("clang-format is not installed")
+    assert run(untouched, name, "--from", start).returncode == 0
+    folder = untouched / "solvers" / name.replace("-", "_")
+    sources = [*folder.glob("*.h"), *folder.glob("*.cpp")]
+    checked = subprocess.run(
+        [clang_format, "--dry-run", "-Werror", *sources], capture_output=True, text=True
+    )
+    assert checked.returncode == 0, checked.stderr
+
+
+def test_each_start_builds_without_a_warning(checkout: Path) -> None:
+    build = checkout / "build"
+    options = ["-DGEODESIC_TESTS=OFF", "-DGEODESIC_BENCHMARKS=OFF", "-DGEODESIC_WERROR=ON"]
+    options += ["-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_FLAGS_DEBUG=-O0"]  # seconds, not minutes
+    targets = [f"geodesic_solver_{name.replace('-', '_')}" for name in NAMES.values()]
+    commands: list[list[str | Path]] = [
+        ["cmake", "-G", "Ninja", "-S", checkout, "-B", build, *options],
+        ["cmake", "--build", build, "--target", *targets],
+    ]
+    for command in commands:
+        ended = subprocess.run(command, capture_output=True, text=True, timeout=300)
+        assert ended.returncode == 0, ended.stdout + ended.stderr
+
+
+def test_next_commands_name_the_solver_and_where_it_is(checkout: Path, tmp_path: Path) -> None:
+    ended = run(checkout, "last-one", "--from", "chen-han")
+    lines = ended.stdout.splitlines()
+    assert str(checkout / "solvers" / "last_one") in lines[0]
+    assert len(lines) == 4 and all(line.startswith("  ") for line in lines[1:])
+    assert "verify --solver last-one" in lines[2]
+    assert "rank --solver last-one --against ich" in lines[3]
+
+
+def test_outside_the_tree_a_project_of_the_same_sources(checkout: Path, tmp_path: Path) -> None:
+    before = sums(checkout / "solvers")
+    ended = run(checkout, "my-mmp2", "--from", "mmp", "--outside", "a folder", cwd=tmp_path)
+    assert ended.returncode == 0, ended.stderr
+    assert sums(checkout / "solvers") == before
+    outside, inside = tmp_path / "a folder", checkout / "solvers" / "my_mmp"
+    for file in ["policies.h", "recorded.cpp", "README.md"]:
+        text = (outside / file).read_text().replace("my-mmp2", "my-mmp").replace("mmp2", "mmp")
+        assert text == (inside / file).read_text()
+    listed = (outside / "CMakeLists.txt").read_text()
+    assert "find_package(GeodesicBench REQUIRED)" in listed
+    assert "geodesic_add_solver(my-mmp2 my_mmp2.cpp recorded.cpp)" in listed
+
+
+@pytest.mark.parametrize(
+    ("words", "says"),
+    [
+        ([], "give the solver a name"),
+        (["My-Variant"], "'My-Variant' is no name for a solver"),
+        (["2-step"], "'2-step' is no name for a solver"),
+        (["my_variant"], "'my_variant' is no name for a solver"),
+        (["my--variant"], "'my--variant' is no name for a solver"),
+        (["../mmp"], "'../mmp' is no name for a solver"),
+        (["a" * 33], "longer than 32 characters"),
+        (["class"], "'class' means something else already"),
+        (["test"], "'test' means something else already"),
+        (["core"], "'core' means something else already"),
+        (["fwp-mmp"], "there is a solver named 'fwp-mmp' already, in solvers/mmp/mmp.cpp"),
+        (["chen-han"], "solvers/chen_han is there already"),
+        (["one", "two"], "one name at a time: 'one' or 'two'?"),
+        (["one", "--from", "dijkstra"], "cannot start from 'dijkstra'; there are template"),
+        (["one", "--from"], "--from needs a value"),
+        (["one", "--outside"], "--outside needs a value"),
+        (["one", "--outside="], "--outside needs a value"),
+        (["one", "--outside", "/dev/null/x"], "cannot make /dev/null/x: Not a directory"),
+        (["one", "--outside", "/proc/x"], "cannot make /proc/x: No such file"),
+        (["one", "--form", "mmp"], "unknown option --form; there are --from"),
+    ],
+)
+def test_refusals_are_one_line_and_change_nothing(
+    checkout: Path, words: list[str], says: str
+) -> None:
+    before = sums(checkout / "solvers")
+    ended = run(checkout, *words)
+    assert ended.returncode == 1 and ended.stdout == ""
+    assert says in ended.stderr and len(ended.stderr.splitlines()) == 1
+    assert sums(checkout / "solvers") == before
+
+
+def test_a_folder_that_is_there_is_not_written_to(checkout: Path, tmp_path: Path) -> None:
+    (tmp_path / "mine.txt").write_text("mine")
+    ended = run(checkout, "one", "--outside", tmp_path)
+    assert ended.returncode == 1 and f"{tmp_path} is there already" in ended.stderr
+    assert os.listdir(tmp_path) == ["mine.txt"]
+
+
+def test_a_folder_without_permission_is_named(checkout: Path, tmp_path: Path) -> None:
+    if os.geteuid() == 0:
+        pytest.skip("root may write anywhere")
+    tmp_path.chmod(0o500)
+    ended = run(checkout, "one", "--outside", tmp_path / "new")
+    says = f"new_solver.sh: cannot make {tmp_path}/new: Permission denied; nothing was changed\n"
+    assert (ended.returncode, ended.stderr) == (1, says)
+
+
+def test_help_names_every_start(checkout: Path) -> None:
+    ended = run(checkout, "--help")
+    assert ended.returncode == 0
+    for word in [*STARTS, "--from", "--outside"]:
+        assert word in ended.stdout

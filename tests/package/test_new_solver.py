@@ -1,0 +1,42 @@
+"""What new_solver.sh makes outside the tree builds against an installed copy, and conforms."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from pathlib import Path
+
+import pytest
+from installed import ROOT, Installed
+
+RIVALS = {"template": "mmp", "edge-based": "edge-based", "mmp": "mmp", "chen-han": "ich"}
+"""By what a solver begins as: one whose distances it must give."""
+
+
+@pytest.mark.parametrize("start", RIVALS)
+def test_a_new_solver_builds_is_listed_runs_and_conforms(
+    installed: Installed, tmp_path: Path, start: str
+) -> None:
+    name = f"my-{start}"
+    project = tmp_path / "a project"
+    subprocess.run(
+        [ROOT / "new_solver.sh", name, "--from", start, "--outside", project],
+        check=True, stdout=subprocess.DEVNULL,
+    )  # fmt: skip
+    plugin = installed.build(project, project / "build") / f"lib{name}.so"
+
+    listed = installed.bench(tmp_path, "--plugin", plugin, "list", "--json")
+    described = {solver["name"]: solver for solver in json.loads(listed.stdout)["solvers"]}
+    assert described[name]["by_name_only"]
+
+    mesh = tmp_path / "cone.ply"
+    installed.bench(tmp_path, "generate", "saddle-cone", "--rings=10", "-o", mesh)
+    run = installed.bench(
+        tmp_path, "--plugin", plugin, "run", "--meshes", mesh, "--sources", "1",
+        "--repetitions", "1", "--solvers", f"{name},{RIVALS[start]}", "--out", "run",
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+
+    verified = installed.bench(tmp_path, "--plugin", plugin, "verify", "--solver", name)
+    assert verified.returncode == 0, verified.stdout + verified.stderr
+    assert " 0 fail, " in verified.stdout.splitlines()[-1]
