@@ -15,10 +15,13 @@ from pages import ROOT, Checkout, copy_checkout  # noqa: E402  (needs the path a
 
 BENCH = Path(os.environ.get("GEODESIC_BENCH") or ROOT / "build" / "release" / "geodesic-bench")
 
-PROGRAM = """#!/bin/sh
-# Built elsewhere, the program knows another manifest than that of this checkout.
+PROGRAM = """#!/bin/bash
+# Built elsewhere, the program knows another manifest than that of this checkout, and needs a solver
+# of this checkout as a plug-in (build_solver.py).
+plugin=()
+if [[ -f {plugin} ]]; then plugin=(--plugin {plugin}); fi
 case $1 in
-  list | solve | run) exec {bench} "$@" --manifest {manifest} ;;
+  list | solve | run | rank | verify) exec {bench} "${{plugin[@]}}" "$@" --manifest {manifest} ;;
   *) exec {bench} "$@" ;;
 esac
 """
@@ -33,9 +36,17 @@ def checkout(tmp_path: Path) -> Checkout:
     copy_checkout(folder)
     program = folder / "build" / "release" / "geodesic-bench"
     program.parent.mkdir(parents=True)
-    words = {"bench": BENCH.resolve(), "manifest": folder / "datasets" / "manifest.json"}
+    words = {
+        "bench": BENCH.resolve(),
+        "manifest": folder / "datasets" / "manifest.json",
+        "plugin": program.with_name("plugin.so"),
+    }
     program.write_text(PROGRAM.format(**{k: shlex.quote(str(v)) for k, v in words.items()}))
     program.chmod(0o755)
-    own = {"GEODESIC_DATASETS": str(folder / "datasets" / "cache"), "GEODESIC_BENCH": str(program)}
+    own = {
+        "GEODESIC_DATASETS": str(folder / "datasets" / "cache"),
+        "GEODESIC_BENCH": str(program),
+        "GEODESIC_BUILD": str(BENCH.resolve().parent),
+    }
     inherited = {k: v for k, v in os.environ.items() if k != "GEODESIC_DATASETS_MIRROR"}
     return Checkout(folder, inherited | own)
