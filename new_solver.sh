@@ -38,6 +38,8 @@ everything else; no other file changes.
   --outside DIR  into DIR and not into solvers/: a project of its own, which makes a plug-in
                  with an installed geodesic-bench
   --help         this text
+
+docs/adding-a-solver.md goes on from there, to a variant that is verified and ranked.
 EOF
 }
 
