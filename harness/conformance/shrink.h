@@ -7,8 +7,9 @@
 
 namespace geodesic::conformance {
 
-/// Takes away queries, sources and faces, in halves, quarters and so on down to single ones, as
-/// long as the case fails without them (after Zeller, Hildebrandt 2002, "Simplifying and isolating
+/// Starts with the fewest faces around the sources that fail, if less than all do. Takes away
+/// queries, sources and faces, in halves, quarters and so on down to single ones, as long as the
+/// case fails without them (after Zeller, Hildebrandt 2002, "Simplifying and isolating
 /// failure-inducing input"). Faces far from the source go first; faces keep their order, and
 /// vertices that neither a face nor a source needs go too.
 /// @param given fails

@@ -93,6 +93,20 @@ TEST(Shrink, keeps_vertices_without_faces_where_they_are_what_fails) {
   EXPECT_EQ(small.soup.positions.size(), vertices);
 }
 
+TEST(Shrink, asks_few_faces_near_the_source_before_any_large_mesh) {
+  const Case given{"terrain", oracles::rough_terrain(2, 60, 60, 1), {from(30), from(1800)}};
+  std::size_t most = 0;
+  const Case small = shrink(
+      given, from(1800),
+      [&](const Case& c) {
+        most = std::max(most, c.soup.triangles.size());
+        return c.soup.triangles.size() >= 20;
+      },
+      kLong);
+  EXPECT_EQ(small.soup.triangles.size(), 20u);
+  EXPECT_LT(most, 100u);
+}
+
 TEST(Shrink, without_time_gives_the_case_back) {
   const Case given = terrain({from(0), from(1)});
   const Case small = shrink(
