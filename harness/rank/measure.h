@@ -13,7 +13,7 @@ namespace geodesic::harness {
 struct RankRequest {
   Suite suite;  ///< its first solver is the candidate, the others are its rivals
   std::filesystem::path manifest;
-  std::optional<std::filesystem::path> out;  ///< by default results/ranks/<UTC time>-<candidate>
+  std::optional<std::filesystem::path> out;  ///< by default `results/ranks/<UTC time>-<candidate>`
   int pairs = 9;                             ///< timed on each source, against each rival
   bool figure = true;
   std::string command;  ///< the command line, for the record

@@ -15,7 +15,7 @@ std::string verdict(const Ranking& ranking, const Measurements& measurements);
 std::string as_markdown(const Ranking& ranking, const Measurements& measurements);
 
 /// rank.tex: the ranking and the ratios on every mesh as tables, and rank.pdf as a figure, to be
-/// \input into a paper that uses the packages booktabs and graphicx.
+/// included in a paper that uses the packages booktabs and graphicx.
 std::string as_latex(const Ranking& ranking, const Measurements& measurements);
 
 /// `ranking` of rank.json (results/README.md).

@@ -50,8 +50,8 @@ class Propagation {
   }
 
   /// The windows that the last solve left on an edge (core/final_windows.h).
-  void copy_windows(Index half_edge,
-                    std::vector<Window>& windows) const requires Policy::Layout::kBothSides {
+  void copy_windows(Index half_edge, std::vector<Window>& windows) const {
+    static_assert(Policy::Layout::kBothSides, "two lists of an edge overlap");
     const Index edge = Layout::list(half_edge, mesh_.twin(half_edge));
     wavefront_.copy_windows(edge, mesh_.half_edge(edge).length, windows);
   }

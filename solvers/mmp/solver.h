@@ -25,7 +25,7 @@ class Mmp final : public Solver {
     }
   }
 
-  void hand_over_windows(const ReadWindows& read) const requires Policy::Layout::kBothSides {
+  void hand_over_windows(const ReadWindows& read) const {
     read([this](Index h, std::vector<Window>& windows) { propagation_.copy_windows(h, windows); });
   }
 
