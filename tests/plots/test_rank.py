@@ -44,9 +44,10 @@ def folder(golden_folder: Path, tmp_path: Path) -> Folder:
         ratios: dict[str, list[float]], change: Callable[[dict[str, Any]], object] = len
     ) -> Path:
         data = json.loads((golden_folder / "run.json").read_text())
+        candidate: dict[str, list[float]] = {"fwp-mmp": []}
         data["ranking"] = {
             "candidate": "fwp-mmp", "verdict": "fwp-mmp is a solver.",
-            "standings": [standing(*each) for each in ({"fwp-mmp": []} | ratios).items()],
+            "standings": [standing(*each) for each in (candidate | ratios).items()],
             "pairs": [], "unfinished": [], "remarks": [],
         }  # fmt: skip
         change(data)
