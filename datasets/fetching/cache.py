@@ -11,6 +11,7 @@ import hashlib
 import json
 import os
 import shutil
+import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -60,7 +61,8 @@ class Cache:
             shutil.rmtree(folder, ignore_errors=True)
             self._make(folder)
             try:
-                yield folder
+                # A name of its own: a generator that outlives its killed fetch may still write.
+                yield Path(tempfile.mkdtemp(dir=folder))
             finally:
                 shutil.rmtree(folder, ignore_errors=True)
 
