@@ -42,10 +42,9 @@ Exit codes: 0 good, 1 usage or harness error, 2 wrong answer, 3 regression, 4 in
 EOF
 }
 
+split_options "$@"
+set -- "${split[@]}"
 while [[ $# -gt 0 ]]; do
-  case $1 in
-    --*=*) set -- "${1%%=*}" "${1#*=}" "${@:2}" ;;
-  esac
   case $1 in
     --help | -h) usage; exit 0 ;;
     --no-install) install=no; shift ;;

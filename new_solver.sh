@@ -44,10 +44,9 @@ EOF
 }
 
 parse_options() {
+  split_options "$@"
+  set -- "${split[@]}"
   while [[ $# -gt 0 ]]; do
-    case $1 in
-      --*=*) set -- "${1%%=*}" "${1#*=}" "${@:2}" ;;
-    esac
     case $1 in
       --help | -h) usage; exit 0 ;;
       --from)

@@ -59,10 +59,9 @@ EOF
 
 parse_options() {
   local value
+  split_options "$@"
+  set -- "${split[@]}"
   while [[ $# -gt 0 ]]; do
-    case $1 in
-      --*=*) set -- "${1%%=*}" "${1#*=}" "${@:2}" ;;
-    esac
     case $1 in
       --help | -h) usage; exit 0 ;;
       --no-install) install=no; shift ;;

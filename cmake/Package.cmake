@@ -17,7 +17,8 @@ install(FILES CITATION.cff LICENSE README.md DESTINATION ${GEODESIC_DATA_FOLDER}
 install(PROGRAMS datasets/fetch.py DESTINATION ${GEODESIC_DATA_FOLDER}/datasets)
 install(FILES datasets/README.md datasets/manifest.json datasets/manifest.schema.json
         DESTINATION ${GEODESIC_DATA_FOLDER}/datasets)
-install(FILES results/README.md results/run.schema.json DESTINATION ${GEODESIC_DATA_FOLDER}/results)
+install(FILES results/README.md results/rank.schema.json results/run.schema.json
+        DESTINATION ${GEODESIC_DATA_FOLDER}/results)
 install(DIRECTORY datasets/fetching DESTINATION ${GEODESIC_DATA_FOLDER}/datasets
         FILES_MATCHING PATTERN "*.py" PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY harness/suites DESTINATION ${GEODESIC_DATA_FOLDER}/harness)

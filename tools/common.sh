@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# Sourced by run_all.sh and run_tests.sh: messages, logging, options, and building.
+# Sourced by the scripts at the root: messages, logging, options, and building.
 # The caller has set -euo pipefail, `program` (its name, for messages) and `root` (the checkout).
 : "${program:?}" "${root:?}"
 
@@ -25,6 +25,18 @@ say() {
 
 logged() {
   "$@" 2>&1 | tee -a "$log"
+}
+
+# split_options WORD...: fills the array `split` with the words, --option=value being two.
+split_options() {
+  local word
+  split=()
+  for word in "$@"; do
+    case $word in
+      --*=*) split+=("${word%%=*}" "${word#*=}") ;;
+      *) split+=("$word") ;;
+    esac
+  done
 }
 
 # value_of OPTION [VALUE...]: prints the value that must follow an option.

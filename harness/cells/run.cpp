@@ -1,7 +1,6 @@
 #include "harness/cells/run.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <iostream>
 
 #include "harness/cells/context.h"
@@ -13,8 +12,10 @@
 #include "harness/cells/references.h"
 #include "harness/cells/row.h"
 #include "harness/cells/spec.h"
+#include "harness/compare/statistics.h"
 #include "harness/measure/benchmark.h"
 #include "harness/results/context.h"
+#include "harness/results/text_table.h"
 
 namespace geodesic::harness {
 namespace fs = std::filesystem;
@@ -67,11 +68,7 @@ std::string summary(const Json& rows) {
   }
   std::vector<double> times;
   for (const Json& row : rows) times.push_back(row.at("cpu_time"));
-  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-  std::nth_element(times.begin(), middle, times.end());
-  char text[40];
-  std::snprintf(text, sizeof text, "%s  %.4g ms", outcome.c_str(), *middle);
-  return text;
+  return outcome + "  " + number(median(times)) + " ms";
 }
 
 // Those of the mesh whose first cell this is. Without threads they are computed when they are

@@ -92,12 +92,13 @@ Interval geometric_mean_ratio(const std::vector<Pair>& cells) {
 Interval median_interval(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t n = values.size();
-  // Probability that at most `outside` of n tosses of a coin are heads.
-  double arrangements = 1, tail = std::exp2(-static_cast<double>(n));
+  // Probability that at most `outside` of n tosses of a coin are heads. In logarithms: thousands of
+  // tosses have more outcomes than a double can count.
+  double log_heads = -static_cast<double>(n) * std::log(2.0), tail = std::exp(log_heads);
   std::size_t outside = 0;
   for (std::size_t k = 1; 2 * k < n; ++k) {
-    arrangements *= static_cast<double>(n - k + 1) / static_cast<double>(k);
-    tail += arrangements * std::exp2(-static_cast<double>(n));
+    log_heads += std::log(static_cast<double>(n - k + 1) / static_cast<double>(k));
+    tail += std::exp(log_heads);
     if (2 * tail > 1 - kConfidence) break;
     outside = k;
   }

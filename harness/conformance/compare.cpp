@@ -5,10 +5,12 @@
 #include <cstring>
 #include <functional>
 
-#include "harness/conformance/number.h"
+#include "harness/number.h"
 
 namespace geodesic::conformance {
 namespace {
+
+using harness::significant;
 
 std::string sources_of(const Query& query) {
   constexpr std::size_t kShown = 4;
@@ -52,9 +54,9 @@ Finding compare(const Query& query, std::span<const double> got, std::span<const
       query, got,
       std::to_string(wrong) + " of " + std::to_string(got.size()) + " distances are wrong" +
           sources_of(query) + ", first at vertex " + std::to_string(first) + ": " +
-          number(got[first]) + " instead of " + number(want[first]) + " (relative error " +
-          number(error(got[first], want[first]), 3) +
-          (wrong > 1 ? ", largest " + number(largest, 3) : "") + ")");
+          significant(got[first]) + " instead of " + significant(want[first]) +
+          " (relative error " + significant(error(got[first], want[first]), 3) +
+          (wrong > 1 ? ", largest " + significant(largest, 3) : "") + ")");
   failure.kind = direction(got[first], want[first]);
   failure.vertex = static_cast<Index>(first);
   return failure;
@@ -70,7 +72,7 @@ double relative_error(double got, double want) {
 
 Finding agree(const Query& query, std::span<const double> got, std::span<const double> want) {
   const auto error = [](double g, double w) { return std::abs(relative_error(g, w)); };
-  return compare(query, got, want, error, kExact);
+  return compare(query, got, want, error, kExactTolerance);
 }
 
 Finding bound_from_above(const Query& query, std::span<const double> got,
@@ -79,7 +81,7 @@ Finding bound_from_above(const Query& query, std::span<const double> got,
     const double e = relative_error(g, w);
     return std::isinf(e) ? e : -e;
   };
-  return compare(query, got, want, error, kExact);
+  return compare(query, got, want, error, kExactTolerance);
 }
 
 Finding identical(const Query& query, std::span<const double> got, std::span<const double> want) {
@@ -96,12 +98,12 @@ Finding satisfies_edges(const Mesh& mesh, const Query& query, std::span<const do
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const double a = distances[mesh.origin(h)], b = distances[mesh.head(h)];
     const double length = mesh.half_edge(h).length;
-    if (a == b || std::abs(a - b) <= length + kExact * std::max(a, b)) continue;
-    Failure failure = wrong_distances(query, distances,
-                                      "edge " + std::to_string(mesh.origin(h)) + " - " +
-                                          std::to_string(mesh.head(h)) + " of length " +
-                                          number(length) + " joins the distances " + number(a) +
-                                          " and " + number(b) + sources_of(query));
+    if (a == b || std::abs(a - b) <= length + kExactTolerance * std::max(a, b)) continue;
+    Failure failure = wrong_distances(
+        query, distances,
+        "edge " + std::to_string(mesh.origin(h)) + " - " + std::to_string(mesh.head(h)) +
+            " of length " + significant(length) + " joins the distances " + significant(a) +
+            " and " + significant(b) + sources_of(query));
     failure.kind = "farther than along an edge";
     failure.vertex = a > b ? mesh.origin(h) : mesh.head(h);
     return failure;

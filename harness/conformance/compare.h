@@ -5,28 +5,30 @@
 #include <span>
 
 #include "harness/conformance/finding.h"
+#include "harness/verify/verify.h"
 
 namespace geodesic::conformance {
 
-/// What "exact" means throughout: the largest relative error.
-inline constexpr double kExact = 1e-12;
+using harness::kExactTolerance;  // what "exact" means throughout: the largest relative error
 
 /// (got - want) / want; 0 when they are equal; infinite when only one of them is infinite, when
 /// either is not a number, and when something else than 0 was got for 0.
 double relative_error(double got, double want);
 
-/// Every distance equals the expected one up to kExact relative; infinities in the same places.
+/// Every distance equals the expected one up to kExactTolerance relative; infinities in the same
+/// places.
 /// @param query that the distances answer, for the failure; so in all of these
 Finding agree(const Query& query, std::span<const double> got, std::span<const double> want);
 
-/// No distance is below the expected one (up to kExact relative); infinities in the same places.
+/// No distance is below the expected one (up to kExactTolerance relative); infinities in the same
+/// places.
 Finding bound_from_above(const Query& query, std::span<const double> got,
                          std::span<const double> want);
 
 /// The same bits, entry by entry.
 Finding identical(const Query& query, std::span<const double> got, std::span<const double> want);
 
-/// |d(u) - d(v)| <= |uv| along every edge, up to kExact of the distances.
+/// |d(u) - d(v)| <= |uv| along every edge, up to kExactTolerance of the distances.
 Finding satisfies_edges(const Mesh& mesh, const Query& query, std::span<const double> distances);
 
 }  // namespace geodesic::conformance

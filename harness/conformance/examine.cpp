@@ -5,18 +5,19 @@
 
 #include "harness/cells/process.h"
 #include "harness/conformance/explain.h"
-#include "harness/conformance/number.h"
 #include "harness/corpus/solvers.h"
 #include "harness/corpus/vectors.h"
 #include "harness/error.h"
 #include "harness/meshes/read.h"
 #include "harness/meshes/write.h"
+#include "harness/number.h"
 #include "harness/results/atomic_file.h"
 
 namespace geodesic::conformance {
 namespace {
 
 using harness::Json;
+using harness::significant;
 
 // The process's side: checks case by case, and writes down before each step what it is to be called
 // when it does not come back from it.
@@ -132,7 +133,7 @@ Report Examiner::run(ExaminationSpec spec, double seconds) const {
   if (std::filesystem::exists(file)) report = harness::read_json(file).get<Report>();
   if (report.outcome == Outcome::wrong) return report;  // whatever became of the explanation
   if (ended.succeeded() && report.outcome != Outcome::crashed) return report;
-  const std::string end = ended.timed_out ? "did not end within " + number(seconds, 6) + " s"
+  const std::string end = ended.timed_out ? "did not end within " + significant(seconds, 6) + " s"
                                           : "ended the process: " + ended.describe();
   if (report.outcome == Outcome::unjudged) {
     report.what += ' ' + end;

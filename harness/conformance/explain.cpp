@@ -3,18 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/conformance/number.h"
 #include "harness/corpus/solvers.h"
+#include "harness/number.h"
 #include "harness/oracles/path.h"
 
 namespace geodesic::conformance {
 namespace {
 
+using harness::significant;
 using oracles::EdgeCrossing;
 using oracles::StraightPiece;
 
 // Enough to tell windows apart; distances get all.
-std::string rounded(double x) { return number(x, 12); }
+std::string rounded(double x) { return significant(x, 12); }
 
 /// A window that contains the crossing, in the frame of the half-edge that the path enters.
 struct WindowThere {
@@ -94,12 +95,12 @@ class Explanation {
       return lines_;
     }
     const Vec3& p = mesh_.position(first);
-    say("first wrong: vertex " + std::to_string(first) + " at (" + number(p[0]) + ", " +
-        number(p[1]) + ", " + number(p[2]) + "), " + role(first));
-    say("  got       " + number(got_[first]));
+    say("first wrong: vertex " + std::to_string(first) + " at (" + significant(p[0]) + ", " +
+        significant(p[1]) + ", " + significant(p[2]) + "), " + role(first));
+    say("  got       " + significant(got_[first]));
     const bool reached = std::isfinite(right_[first]);
-    say("  expected  " + number(right_[first]) + " (" + reference_.name() + "), " +
-        (reached ? "relative error " + number(relative_error(got_[first], right_[first]), 3)
+    say("  expected  " + significant(right_[first]) + " (" + reference_.name() + "), " +
+        (reached ? "relative error " + significant(relative_error(got_[first], right_[first]), 3)
                  : "no path leads there"));
     if (reached) explain_path(first);
     return lines_;
@@ -111,7 +112,8 @@ class Explanation {
   bool wrong(Index v) const {
     const double error = relative_error(got_[v], right_[v]);
     if (std::isinf(error)) return true;
-    return solver_.exactness == Exactness::exact ? std::abs(error) > kExact : -error > kExact;
+    return solver_.exactness == Exactness::exact ? std::abs(error) > kExactTolerance
+                                                 : -error > kExactTolerance;
   }
 
   Index first_wrong() const {
@@ -135,7 +137,7 @@ class Explanation {
     for (const StraightPiece& piece : path) {
       say("  from vertex " + std::to_string(piece.from) + " (" + role(piece.from) + ", distance " +
           rounded(right_[piece.from]) + ", " +
-          (wrong(piece.from) ? "WRONG: got " + number(got_[piece.from]) : "right") + ") " +
+          (wrong(piece.from) ? "WRONG: got " + significant(got_[piece.from]) : "right") + ") " +
           (piece.crossings.empty() ? "along an edge" : "straight") + " for " +
           rounded(piece.length) + " to vertex " + std::to_string(piece.to));
       for (const EdgeCrossing& each : piece.crossings) {
@@ -160,9 +162,9 @@ class Explanation {
   static std::string window_text(const std::optional<WindowThere>& there, double distance) {
     if (!there) return "no window here";
     const Window& w = there->window;
-    const bool right = std::abs(relative_error(there->distance, distance)) <= kExact;
+    const bool right = std::abs(relative_error(there->distance, distance)) <= kExactTolerance;
     return "window [" + rounded(w.begin) + ", " + rounded(w.end) + "], sigma " + rounded(w.sigma) +
-           ", distance " + (right ? "right" : "WRONG: " + number(there->distance)) +
+           ", distance " + (right ? "right" : "WRONG: " + significant(there->distance)) +
            (w.y > 0 ? ", from the face ahead" : "");
   }
 

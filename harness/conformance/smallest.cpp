@@ -6,15 +6,17 @@
 #include <cctype>
 
 #include "harness/cells/process.h"
-#include "harness/conformance/number.h"
 #include "harness/conformance/shrink.h"
 #include "harness/corpus/vectors.h"
 #include "harness/error.h"
 #include "harness/meshes/write.h"
+#include "harness/number.h"
 #include "harness/plugins.h"
 
 namespace geodesic::conformance {
 namespace {
+
+using harness::significant;
 
 using Words = std::vector<std::string>;
 
@@ -37,7 +39,7 @@ bool can_be_words(const Case& given) {
 void append_sources(Words& words, const Case& given) {
   for (const Query& query : given.queries) {
     for (const Source& source : query.sources) {
-      const std::string initial = source.distance > 0 ? ':' + number(source.distance) : "";
+      const std::string initial = source.distance > 0 ? ':' + significant(source.distance) : "";
       words.insert(words.end(), {"--source", std::to_string(source.vertex) + initial});
     }
   }
@@ -96,7 +98,7 @@ class Reproduction {
     words.insert(words.end(), {"--meshes", smallest.file.string()});
     append_sources(words, smallest.given);
     const double limit = smallest.given.queries.front().limit;
-    if (limit < kInfinity) words.insert(words.end(), {"--limit", number(limit)});
+    if (limit < kInfinity) words.insert(words.end(), {"--limit", significant(limit)});
     smallest.command = words;
     return run(words, kInfinity).code == kFails;
   }
@@ -106,7 +108,7 @@ class Reproduction {
                 "--shrink", "0"};
     append_vectors(words);
     if (failed_.outcome == Outcome::timed_out) {
-      words.insert(words.end(), {"--time-limit", number(examiner_.time_limit())});
+      words.insert(words.end(), {"--time-limit", significant(examiner_.time_limit())});
     }
     return words;
   }

@@ -1,8 +1,8 @@
 #include "harness/rank/figure.h"
 
-#include "harness/build_info.h"
 #include "harness/cells/process.h"
 #include "harness/error.h"
+#include "harness/folders.h"
 
 namespace geodesic::harness {
 namespace {
@@ -24,7 +24,7 @@ std::string draw(const std::filesystem::path& script, const std::filesystem::pat
 }  // namespace
 
 std::string draw_rank_figure(const std::filesystem::path& folder) {
-  const auto script = std::filesystem::path(build_info().source_folder) / "plots" / "rank.py";
+  const std::filesystem::path script = data_folder() / "plots" / "rank.py";
   const std::string why = draw(script, folder);
   if (why.empty()) return (folder / "rank.pdf").string() + " (also .png)";
   return "no figure (" + why + "); to draw it later: " + kPython + ' ' + script.string() +

@@ -2,16 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "harness/number.h"
 
 namespace geodesic::harness {
 namespace {
-
-std::string number(double x, int digits = 17) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*g", digits, x);
-  return text;
-}
 
 // The vertex that breaks a rule by most.
 struct Worst {
@@ -30,15 +25,15 @@ double relative_difference(double d, double reference) {
 }
 
 std::string describe(const Worst& worst, double d, const std::string& rule, double other) {
-  std::string text = "vertex " + std::to_string(worst.vertex) + " has distance " + number(d) +
-                     ", " + rule + " " + number(other);
-  if (std::isfinite(worst.excess)) text += ", relative error " + number(worst.excess, 3);
+  std::string text = "vertex " + std::to_string(worst.vertex) + " has distance " + significant(d) +
+                     ", " + rule + " " + significant(other);
+  if (std::isfinite(worst.excess)) text += ", relative error " + significant(worst.excess, 3);
   return text;
 }
 
 std::string check_numbers(std::span<const double> d) {
   for (Index v = 0; v < d.size(); ++v) {
-    if (!(d[v] >= 0)) return "vertex " + std::to_string(v) + " has distance " + number(d[v]);
+    if (!(d[v] >= 0)) return "vertex " + std::to_string(v) + " has distance " + significant(d[v]);
   }
   return {};
 }

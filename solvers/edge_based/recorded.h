@@ -10,7 +10,7 @@ namespace geodesic::edge_based {
 /// Defined in recorded-inl.h. @tparam Policy of policies.h
 template <class Policy>
 struct Recorded {
-  /// The loop for an instruction set that `compiled_for` (loops.h) gave: with counters, with
+  /// The loop for an instruction set that `make_loop` (loops.h) takes: with counters, with
   /// clocks, or with samples of the wavefront.
   static std::unique_ptr<Propagator> make(const Mesh& mesh, InstructionSet set, Record what);
 };

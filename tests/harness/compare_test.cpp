@@ -98,6 +98,7 @@ TEST(MedianInterval, IsOfOrderStatisticsThatASignTestLeaves) {
   EXPECT_EQ(ends(9), std::pair(2.0, 8.0));
   EXPECT_EQ(ends(15), std::pair(4.0, 12.0));
   EXPECT_EQ(ends(25), std::pair(8.0, 18.0));
+  EXPECT_EQ(ends(3000), std::pair(1446.0, 1555.0)) << "more outcomes than a double can count";
   EXPECT_EQ(ends(3), std::pair(1.0, 3.0)) << "too few: the range";
   EXPECT_DOUBLE_EQ(median_interval({4, 1, 3, 2}).value, 2.5);
 }

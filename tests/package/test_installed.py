@@ -68,6 +68,25 @@ def test_program_leaves_runs_in_the_current_folder(
     assert {row["outcome"] for row in json.loads(run.read_text())["benchmarks"]} == {"ok"}
 
 
+def test_program_draws_rankings_with_the_files_of_its_own_prefix(
+    installed: Installed, tmp_path: Path, cube: Path
+) -> None:
+    def rank(out: str) -> str:
+        ended = installed.bench(
+            tmp_path, "rank", "--solver", "edge-based", "--against", "mmp", "--meshes", cube,
+            "--pairs", "1", "--min-time", "0.001", "--out", out,
+        )  # fmt: skip
+        assert ended.returncode == 0, ended.stderr
+        return ended.stderr
+
+    said = rank("drawn")
+    assert (tmp_path / "drawn" / "rank.pdf").exists(), said
+    script = installed.prefix / "share" / "geodesic-bench" / "plots" / "rank.py"
+    elsewhere = script.rename(script.with_name("elsewhere.py"))
+    assert f"no figure (there is no {script})" in rank("without a script")
+    elsewhere.rename(script)
+
+
 def test_library_computes_distances(installed: Installed, tmp_path: Path) -> None:
     build = installed.build(ROOT / "examples" / "library", tmp_path / "build")
     ended = subprocess.run([build / "distances"], capture_output=True, text=True, check=True)

@@ -5,13 +5,13 @@
 #include <cstdio>
 #include <string>
 
-namespace geodesic::conformance {
+namespace geodesic::harness {
 
-/// @param digits significant ones; 17 bring the same double back
-inline std::string number(double x, int digits = 17) {
+/// @param digits so many significant ones; 17 bring the same double back
+inline std::string significant(double x, int digits = 17) {
   std::array<char, 40> text;
   std::snprintf(text.data(), text.size(), "%.*g", digits, x);
   return text.data();
 }
 
-}  // namespace geodesic::conformance
+}  // namespace geodesic::harness
