@@ -11,6 +11,9 @@ Json run_context(const Suite& suite, const std::vector<const PlannedMesh*>& mesh
   json["corpus"] = suite.corpus;
   json["seed"] = suite.seed;
   json["repetitions"] = suite.repetitions;
+  json["time_limit"] = suite.time_limit;
+  if (suite.memory_limit) json["memory_limit"] = *suite.memory_limit;
+  json["expected"] = suite.expected;
   json["command"] = command;
   json["meshes"] = Json::array();
   json["sources"] = Json::object();

@@ -1,7 +1,7 @@
 #include "harness/cells/measure.h"
 
 #include "harness/cells/context.h"
-#include "harness/cells/process.h"
+#include "harness/cells/ending.h"
 #include "harness/cells/row.h"
 #include "harness/error.h"
 #include "harness/measure/benchmark.h"
@@ -10,30 +10,28 @@
 namespace geodesic::harness {
 namespace {
 
-void write_error(const CellSpec& spec, const char* outcome, const std::string& why) {
-  write_result_file(spec.output, benchmark_context(), spec.context,
-                    {error_row(spec.solver, spec.mesh, spec.source, outcome, why)});
-}
-
 // Makes sure that the cell's file exists afterwards.
-void start(const Cell& cell, CellSpec& spec, References& references,
+void start(const Cell& cell, CellSpec& spec, References& references, const Limits& limits,
            const std::function<void()>& waiting) {
   const auto unable = cell.mesh->unsupported.find(spec.solver);
   if (unable != cell.mesh->unsupported.end()) {
-    return write_error(spec, outcome::kUnsupported, unable->second);
+    return write_failure(spec, outcome::kUnsupported, unable->second);
   }
   try {
     const Reference reference = references.find(cell);
     spec.reference = reference.solver;
     spec.reference_file = reference.file.string();
-    const Ended ended = run_this_program({"cell", Json(spec).dump()}, waiting);
+    const Ended ended = run_this_program({"cell", Json(spec).dump()}, waiting, limits);
     if (!ended.succeeded()) {
-      write_error(spec, ended.crashed ? outcome::kCrashed : outcome::kError, ended.describe());
+      const Failure failure = failure_of(ended, limits);
+      write_failure(spec, failure.outcome, failure.why);
     } else if (!std::filesystem::exists(spec.output)) {
-      write_error(spec, outcome::kError, "ended without writing a result");
+      write_failure(spec, outcome::kError, "ended without writing a result");
     }
+  } catch (const CannotWrite&) {
+    throw;
   } catch (const HarnessError& error) {
-    write_error(spec, outcome::kError, error.what());
+    write_failure(spec, outcome::kError, error.what());
   }
 }
 
@@ -57,9 +55,14 @@ CellSpec cell_spec(const Suite& suite, const Cell& cell, const std::filesystem::
   return spec;
 }
 
-Json measure_cell(const Cell& cell, CellSpec spec, References& references,
+void write_failure(const CellSpec& spec, const char* outcome, const std::string& why) {
+  write_result_file(spec.output, benchmark_context(), spec.context,
+                    {error_row(spec.solver, spec.mesh, spec.source, outcome, why)});
+}
+
+Json measure_cell(const Cell& cell, CellSpec spec, References& references, const Limits& limits,
                   const std::function<void()>& waiting) {
-  start(cell, spec, references, waiting);
+  start(cell, spec, references, limits, waiting);
   return read_json(spec.output).at("benchmarks");
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "harness/cells/limits.h"
 #include "harness/cells/plan.h"
 #include "harness/cells/references.h"
 #include "harness/cells/spec.h"
@@ -22,9 +23,14 @@ CellSpec cell_spec(const Suite& suite, const Cell& cell, const std::filesystem::
 /// error row instead.
 /// @param spec its output does not exist yet
 /// @param waiting called about once a second while the cell's process runs
+/// @param limits of the cell's process
 /// @return the rows of the result file, at least one
-/// @throws HarnessError when the result file cannot be written
-Json measure_cell(const Cell& cell, CellSpec spec, References& references,
+/// @throws CannotWrite when the result file cannot be written
+/// @throws Interrupted (interruption.h); then there is no result file
+Json measure_cell(const Cell& cell, CellSpec spec, References& references, const Limits& limits,
                   const std::function<void()>& waiting);
+
+/// Writes the result file of a cell that has no time.
+void write_failure(const CellSpec& spec, const char* outcome, const std::string& why);
 
 }  // namespace geodesic::harness

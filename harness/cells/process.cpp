@@ -1,18 +1,13 @@
 #include "harness/cells/process.h"
 
-#include <fcntl.h>
-#include <poll.h>
-#include <signal.h>
-#include <spawn.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <cmath>
 #include <cstring>
 
+#include "harness/cells/child.h"
+#include "harness/cells/interruption.h"
 #include "harness/error.h"
 #include "harness/measure/process.h"
 #include "harness/plugins.h"
@@ -20,92 +15,8 @@
 namespace geodesic::harness {
 namespace {
 
-constexpr std::size_t kKeptBytes = 4096;  // of standard error
 constexpr std::size_t kKeptLines = 3;
-constexpr int kWaitMs = 1000;
-
-void check(int error) {
-  if (error != 0) {
-    throw HarnessError(std::string("cannot start a process: ") + std::strerror(error));
-  }
-}
-
-struct FileActions {
-  posix_spawn_file_actions_t actions;
-  FileActions() { check(posix_spawn_file_actions_init(&actions)); }
-  ~FileActions() { posix_spawn_file_actions_destroy(&actions); }
-};
-
-pid_t spawn(const std::string& program, const std::vector<std::string>& arguments,
-            int standard_error) {
-  FileActions files;
-  check(posix_spawn_file_actions_addopen(&files.actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0));
-  check(posix_spawn_file_actions_addopen(&files.actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0));
-  check(posix_spawn_file_actions_adddup2(&files.actions, standard_error, STDERR_FILENO));
-  std::vector<std::string> words{program};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-  pid_t child = 0;
-  check(posix_spawn(&child, program.c_str(), &files.actions, nullptr, argv.data(), environ));
-  return child;
-}
-
-// Until when a process may run.
-class Deadline {
- public:
-  explicit Deadline(double seconds) : seconds_(seconds) {}
-
-  bool exists() const { return std::isfinite(seconds_); }
-  /// What is left, at most `most`; 0 when it is over.
-  int milliseconds_left(int most) const {
-    const double left = 1e3 * (seconds_ - watch_.real_seconds());
-    return static_cast<int>(std::ceil(std::clamp<double>(left, 0, most)));
-  }
-
- private:
-  const Stopwatch watch_;
-  double seconds_;
-};
-
-// Everything until the other end is closed, or the time is over; only the end of it is kept.
-// @param waiting called at every pause of kWaitMs
-std::string read_tail(int pipe, const std::function<void()>& waiting, const Deadline& deadline) {
-  std::string tail;
-  std::array<char, kKeptBytes> block;
-  while (const int left_ms = deadline.milliseconds_left(kWaitMs)) {
-    pollfd readable{.fd = pipe, .events = POLLIN, .revents = 0};
-    if (poll(&readable, 1, left_ms) <= 0) {
-      waiting();
-      continue;
-    }
-    const ssize_t bytes = read(pipe, block.data(), block.size());
-    if (bytes < 0 && errno == EINTR) continue;
-    if (bytes <= 0) break;
-    tail.append(block.data(), static_cast<std::size_t>(bytes));
-    if (tail.size() > kKeptBytes) tail.erase(0, tail.size() - kKeptBytes);
-  }
-  return tail;
-}
-
-// Waits for the child, which may run on though it has closed its standard error, and kills it when
-// the time is over.
-// @param status as waitpid gives it
-// @return whether it ended by itself
-bool wait_for(pid_t child, const Deadline& deadline, int& status) {
-  constexpr int kNapMs = 1;
-  for (;;) {
-    const pid_t ended = waitpid(child, &status, deadline.exists() ? WNOHANG : 0);
-    if (ended == child) return true;
-    if (ended == 0 && deadline.milliseconds_left(kNapMs) == 0) break;
-    if (ended == 0) poll(nullptr, 0, kNapMs);
-  }
-  kill(child, SIGKILL);
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return false;
-}
+constexpr double kPauseSeconds = 1;  // between two calls of `waiting`
 
 std::string last_lines(const std::string& text) {
   std::vector<std::string> lines;
@@ -118,6 +29,15 @@ std::string last_lines(const std::string& text) {
   return join(lines, " | ");
 }
 
+// A process that is refused memory often crashes in its own way. The kernel, when the machine has
+// none left, kills without a word.
+bool ran_out_of_memory(const Ended& ended, std::int64_t peak_bytes, std::uint64_t limit) {
+  if (!ended.crashed || ended.timed_out) return false;
+  const bool near_limit = static_cast<double>(peak_bytes) > 0.9 * static_cast<double>(limit);
+  return near_limit || ended.code == SIGKILL ||
+         ended.last_words.find("std::bad_alloc") != std::string::npos;
+}
+
 }  // namespace
 
 std::string Ended::describe() const {
@@ -128,34 +48,37 @@ std::string Ended::describe() const {
 }
 
 Ended run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
-                  const std::function<void()>& waiting, double time_limit) {
-  std::array<int, 2> ends;
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) check(errno);
-  const Deadline deadline(time_limit);
-  pid_t child = 0;
-  try {
-    child = spawn(program.string(), arguments, ends[1]);
-  } catch (...) {
-    close(ends[0]);
-    close(ends[1]);
-    throw;
-  }
-  close(ends[1]);
+                  const std::function<void()>& waiting, const Limits& limits) {
+  const Stopwatch watch;
+  Child child(program.string(), arguments, limits.memory_bytes);
   Ended ended;
-  ended.last_words = last_lines(read_tail(ends[0], waiting, deadline));
-  close(ends[0]);
-  int status = 0;
-  ended.timed_out = !wait_for(child, deadline, status);
-  ended.crashed = WIFSIGNALED(status);
-  ended.code = ended.crashed ? WTERMSIG(status) : WEXITSTATUS(status);
+  double told_seconds = 0;
+  while (!child.has_ended()) {
+    throw_if_interrupted();
+    const double seconds = watch.real_seconds();
+    if (seconds >= limits.seconds) {
+      ended.timed_out = true;
+      break;
+    }
+    if (seconds - told_seconds >= kPauseSeconds) {
+      waiting();
+      told_seconds = seconds;
+    }
+    child.listen(limits.seconds - seconds);
+  }
+  const Child::Exit exit = child.finish();
+  ended.crashed = WIFSIGNALED(exit.status);
+  ended.code = ended.crashed ? WTERMSIG(exit.status) : WEXITSTATUS(exit.status);
+  ended.last_words = last_lines(exit.last_words);
+  ended.out_of_memory = ran_out_of_memory(ended, exit.peak_resident_bytes, limits.memory_bytes);
   return ended;
 }
 
 Ended run_this_program(const std::vector<std::string>& arguments,
-                       const std::function<void()>& waiting, double time_limit) {
+                       const std::function<void()>& waiting, const Limits& limits) {
   std::vector<std::string> words = plugin_arguments();
   words.insert(words.end(), arguments.begin(), arguments.end());
-  return run_program("/proc/self/exe", words, waiting, time_limit);
+  return run_program("/proc/self/exe", words, waiting, limits);
 }
 
 }  // namespace geodesic::harness

@@ -20,7 +20,10 @@ class Progress {
   /// @param work what is being done: "reference by mmp"
   void working(const std::string& work);
 
-  /// The next cell, in the order of the constructor's, has ended.
+  /// The next cell, in the order of the constructor's, has its result from an earlier start.
+  void kept() { ++done_; }
+
+  /// The next cell has ended.
   /// @param result its outcome, and its time or what went wrong
   void ended(const std::string& result);
 

@@ -2,6 +2,7 @@
 
 #include <iostream>
 
+#include "harness/cells/ending.h"
 #include "harness/cells/process.h"
 #include "harness/cells/spec.h"
 #include "harness/error.h"
@@ -39,11 +40,15 @@ std::string References::solve(const Cell& cell, const std::string& solver,
                            .mesh_file = cell.mesh->entry.file.string(),
                            .source = cell.source,
                            .output = file.string()};
-  const Ended ended = run_this_program({"reference", Json(spec).dump()}, [&] {
+  const Limits limits = limits_of(suite_);
+  const auto waiting = [&] {
     const std::lock_guard lock(mutex_);
     waiting_(solver);
-  });
-  return ended.succeeded() ? "" : solver + ": " + ended.describe();
+  };
+  const Ended ended = run_this_program({"reference", Json(spec).dump()}, waiting, limits);
+  if (ended.succeeded()) return {};
+  const Failure failure = failure_of(ended, limits);
+  return solver + ": " + failure.outcome + ": " + failure.why;
 }
 
 const std::string& References::compute(const Cell& cell, const std::string& solver,
@@ -58,11 +63,12 @@ const std::string& References::compute(const Cell& cell, const std::string& solv
 
 std::vector<std::string> References::candidates(const Cell& cell) const {
   std::vector<std::string> names;
-  for (const Description* solver : rank_references(*cell.solver, registered_solvers(), named_)) {
+  for (const Description* solver :
+       rank_references(*cell.solver, registered_solvers(), suite_.reference)) {
     names.push_back(solver->name);
   }
   if (has_closed_form(cell.mesh->entry)) {
-    const bool named_is_first = !names.empty() && names.front() == named_;
+    const bool named_is_first = !names.empty() && names.front() == suite_.reference;
     names.insert(names.begin() + (named_is_first ? 1 : 0), kClosedForm);
   }
   return names;

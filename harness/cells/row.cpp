@@ -4,8 +4,17 @@
 
 #include "harness/results/atomic_file.h"
 #include "harness/results/context.h"
+#include "harness/sha256.h"
 
 namespace geodesic::harness {
+namespace {
+
+// Bytes that are no UTF-8 as write_json writes them.
+std::string compact(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
 
 std::string row_name(const std::string& solver, const std::string& mesh, Index source) {
   return solver + "/" + mesh + "/src:" + std::to_string(source);
@@ -43,7 +52,19 @@ void write_result_file(const std::filesystem::path& file, Json benchmark_context
   benchmark_context["geodesic_bench"] = std::move(context);
   Json json{{"context", std::move(benchmark_context)}, {"benchmarks", rows}};
   json.update(more);
+  json["context"]["geodesic_bench"]["checksum"] = sha256_of(compact(json));
   write_json(file, json);
+}
+
+bool is_intact(Json result_file) {
+  try {
+    Json& ours = result_file.at("context").at("geodesic_bench");
+    const std::string checksum = ours.at("checksum");
+    ours.erase("checksum");
+    return checksum == sha256_of(compact(result_file));
+  } catch (const Json::exception&) {
+    return false;
+  }
 }
 
 }  // namespace geodesic::harness

@@ -6,17 +6,10 @@
 #include <vector>
 
 #include "harness/json.h"
+#include "harness/results/outcome.h"
 #include "solvers/core/geometry.h"
 
 namespace geodesic::harness {
-
-namespace outcome {
-inline constexpr const char* kOk = "ok";
-inline constexpr const char* kWrongAnswer = "wrong answer";
-inline constexpr const char* kUnsupported = "unsupported";
-inline constexpr const char* kCrashed = "crashed";
-inline constexpr const char* kError = "error";
-}  // namespace outcome
 
 /// "<solver>/<mesh>/src:<vertex>", the name of a row
 std::string row_name(const std::string& solver, const std::string& mesh, Index source);
@@ -28,9 +21,13 @@ Json error_row(const std::string& solver, const std::string& mesh, Index source,
                const char* outcome, std::string why);
 
 /// Writes {"context": {..., "geodesic_bench": context}, "benchmarks": rows}, whole or not at all.
-/// The finishing time is added here.
+/// The finishing time and the file's own checksum are added here.
 /// @param more keys beside these two
 void write_result_file(const std::filesystem::path& file, Json benchmark_context, Json context,
                        const std::vector<Json>& rows, const Json& more = Json::object());
+
+/// Whether a result file is as it was written: context.geodesic_bench.checksum is the SHA-256 of
+/// the file without that key, as compact JSON.
+bool is_intact(Json result_file);
 
 }  // namespace geodesic::harness

@@ -2,18 +2,26 @@
 
 #include <algorithm>
 #include <iostream>
+#include <map>
+#include <optional>
 
 #include "harness/cells/context.h"
+#include "harness/cells/ending.h"
 #include "harness/cells/failures.h"
 #include "harness/cells/folder.h"
+#include "harness/cells/interruption.h"
+#include "harness/cells/kept.h"
 #include "harness/cells/measure.h"
 #include "harness/cells/plan.h"
 #include "harness/cells/progress.h"
 #include "harness/cells/references.h"
 #include "harness/cells/row.h"
 #include "harness/cells/spec.h"
+#include "harness/command_line.h"
 #include "harness/compare/statistics.h"
+#include "harness/error.h"
 #include "harness/measure/benchmark.h"
+#include "harness/results/atomic_file.h"
 #include "harness/results/context.h"
 #include "harness/results/text_table.h"
 
@@ -23,41 +31,81 @@ namespace {
 
 class Run {
  public:
-  Run(const RunRequest& request, const Plan& plan, fs::path folder)
-      : request_(request),
+  Run(const SavedRequest& saved, const Plan& plan, fs::path folder)
+      : saved_(saved),
+        request_(saved.request),
         plan_(plan),
         cells_(plan.cells()),
         folder_(std::move(folder)),
         progress_(cells_),
-        references_(
-            folder_ / "references", request.suite.reference,
-            [this](const std::string& solver) { progress_.working("reference by " + solver); }) {}
+        references_(folder_ / "references", request_.suite, [this](const std::string& solver) {
+          progress_.working("reference by " + solver);
+        }) {}
 
+  /// Takes over what the folder holds of an earlier start.
+  void keep();
   void measure();
   void assemble() const;
   RunResult conclude() const;
+  /// What is safe, and the command that does the rest.
+  void tell_how_to_go_on() const;
 
  private:
+  CellSpec spec_of(const Cell& cell) const;
   void compute_references(std::size_t first);
+  Json rows_of(std::size_t cell);
   Json run_cell(const Cell& cell);
+  void note_failure(const Cell& cell, const Json& row);
 
+  const SavedRequest& saved_;
   const RunRequest& request_;
   const Plan& plan_;
   const std::vector<Cell> cells_;
   const fs::path folder_;
-  const std::string started_ = utc_now();
   Progress progress_;
   References references_;
-  std::vector<Json> rows_;  // of all cells so far
+  std::map<std::size_t, Json> kept_;  // rows by cell
+  std::size_t measured_ = 0;          // cells
+  std::vector<Json> rows_;            // of all cells so far
+  // By solver and mesh: the first source that took all its memory or time, and what that was.
+  std::map<std::pair<std::string, std::string>, std::string> exhausted_;
 };
 
-Json Run::run_cell(const Cell& cell) {
+CellSpec Run::spec_of(const Cell& cell) const {
   CellSpec spec = cell_spec(request_.suite, cell, folder_, request_.command);
   spec.pictured = is_pictured(cell, request_.pictured);
   // Google Benchmark takes the last of several.
   spec.benchmark_flags.insert(spec.benchmark_flags.end(), request_.benchmark_flags.begin(),
                               request_.benchmark_flags.end());
-  return measure_cell(cell, spec, references_, [this] { progress_.working("measuring"); });
+  return spec;
+}
+
+void Run::keep() {
+  remove_parts_of_files(folder_);
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    if (std::optional<Json> rows = kept_rows(spec_of(cells_[i]))) kept_[i] = std::move(*rows);
+  }
+  std::cerr << kept_.size() << " of " << cells_.size() << " cells are kept from "
+            << folder_.string() << '\n';
+}
+
+Json Run::run_cell(const Cell& cell) {
+  const CellSpec spec = spec_of(cell);
+  const auto exhausted = exhausted_.find({spec.solver, spec.mesh});
+  if (exhausted != exhausted_.end()) {
+    write_failure(spec, outcome::kSkipped, exhausted->second);
+    return read_json(spec.output).at("benchmarks");
+  }
+  return measure_cell(cell, spec, references_, limits_of(request_.suite),
+                      [this] { progress_.working("measuring"); });
+}
+
+// Other sources of the mesh would take all memory or time as well.
+void Run::note_failure(const Cell& cell, const Json& row) {
+  const std::string outcome = row.at("outcome");
+  if (outcome != outcome::kOutOfMemory && outcome != outcome::kTimeOut) return;
+  exhausted_.try_emplace({cell.solver->name, cell.mesh->entry.name},
+                         outcome + " from source " + std::to_string(cell.source));
 }
 
 // "ok  12.3 ms", "wrong answer: vertex 7 has ..."
@@ -81,11 +129,24 @@ void Run::compute_references(std::size_t first) {
   references_.compute_ahead(std::span(cells_).subspan(first, last - first), request_.threads);
 }
 
+Json Run::rows_of(std::size_t cell) {
+  const auto kept = kept_.find(cell);
+  if (kept != kept_.end()) {
+    progress_.kept();
+    return kept->second;
+  }
+  compute_references(cell);
+  Json rows = run_cell(cells_[cell]);
+  ++measured_;
+  progress_.ended(summary(rows));
+  return rows;
+}
+
 void Run::measure() {
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    compute_references(i);
-    Json rows = run_cell(cells_[i]);
-    progress_.ended(summary(rows));
+    throw_if_interrupted();
+    Json rows = rows_of(i);
+    note_failure(cells_[i], rows.front());
     for (Json& row : rows) {
       row["family_index"] = i;  // every cell's own file says 0
       rows_.push_back(std::move(row));
@@ -93,14 +154,22 @@ void Run::measure() {
   }
 }
 
+void Run::tell_how_to_go_on() const {
+  std::cerr << "\n"
+            << kept_.size() + measured_ << " of " << cells_.size() << " cells are saved in "
+            << folder_.string() << "; to measure the others:\n  "
+            << as_command_line({"run", "--resume", folder_.string()}) << std::endl;
+}
+
 void Run::assemble() const {
   Json whole = run_context(request_.suite, plan_, request_.command);
-  whole["started"] = started_;
+  whole["started"] = saved_.started;
+  if (!saved_.changes.empty()) whole["changes"] = saved_.changes;
   write_result_file(folder_ / "run.json", benchmark_context(), whole, rows_);
 }
 
 RunResult Run::conclude() const {
-  const RunResult result = tell_failures(rows_, plan_);
+  const RunResult result = tell_failures(rows_, plan_, request_.suite);
   const auto ok = std::count_if(rows_.begin(), rows_.end(), [](const Json& row) {
     return row.at("outcome") == outcome::kOk && row.at("repetition_index") == 0;
   });
@@ -109,16 +178,56 @@ RunResult Run::conclude() const {
   return result;
 }
 
+// What changed since the run began, unless that is accepted.
+void compare_with(const Json& before, SavedRequest& saved) {
+  const std::vector<std::string> changes = differences(before, saved.identity);
+  if (changes.empty()) return;
+  if (!saved.request.accept_changes) {
+    throw HarnessError("cannot go on with the run in '" + saved.request.resume->string() +
+                       "': " + join(changes, "; ") +
+                       ": start a run of its own, or mix both results with --accept-changes");
+  }
+  for (const std::string& change : changes) std::cerr << "accepted: " << change << '\n';
+  saved.changes.insert(saved.changes.end(), changes.begin(), changes.end());
+}
+
+// A run that is gone on with stays the one that it was.
+SavedRequest saved_now(const RunRequest& request, const Plan& plan) {
+  SavedRequest saved{request, identity(request, plan), utc_now(), {}};
+  if (request.resume) {
+    const SavedRequest before = saved_request(*request.resume);
+    saved.started = before.started;
+    saved.changes = before.changes;
+    saved.request.command = before.request.command;
+    compare_with(before.identity, saved);
+  }
+  return saved;
+}
+
 }  // namespace
 
-RunResult run(const RunRequest& request) {
+RunResult run(RunRequest request) {
   check_suite(request.suite);
   check_benchmark_flags(request.benchmark_flags);
+  set_memory_limit(request.suite, request.threads);
   const Plan plan = make_plan(request.suite, request.manifest);
-  const fs::path folder = make_result_folder(request.out, "runs", request.suite.corpus);
-  Run run(request, plan, folder);
-  run.measure();
-  run.assemble();
+  const ResultFolder folder = request.resume
+                                  ? ResultFolder(*request.resume)
+                                  : ResultFolder::make(request.out, "runs", request.suite.corpus);
+  const SavedRequest saved = saved_now(request, plan);
+  save_request(saved, folder.path());
+  folder.make_subfolders();
+
+  Run run(saved, plan, folder.path());
+  if (request.resume) run.keep();
+  try {
+    const InterruptionGuard guard;
+    run.measure();
+    run.assemble();
+  } catch (const std::exception&) {
+    run.tell_how_to_go_on();
+    throw;
+  }
   return run.conclude();
 }
 

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "harness/build_info.h"
+#include "harness/cells/interruption.h"
 #include "harness/commands/commands.h"
 #include "harness/error.h"
 
@@ -69,6 +70,8 @@ int run_command_line(int argc, char** argv) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
     return complain(what_exists(app, error) + " (see --help)", 1);
+  } catch (const Interrupted& error) {
+    return complain(error.what(), error.exit_code());
   } catch (const WrongAnswer& error) {
     return complain(error.what(), 2);
   } catch (const std::exception& error) {

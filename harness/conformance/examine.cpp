@@ -127,8 +127,8 @@ Report Examiner::run(ExaminationSpec spec, double seconds) const {
   std::filesystem::remove(file);
   spec.report = file.string();
   seconds = std::min(seconds, time_limit_);
-  const harness::Ended ended = harness::run_this_program(
-      {"examine", Json(spec).dump()}, [] {}, seconds);
+  const harness::Ended ended =
+      harness::run_this_program({"examine", Json(spec).dump()}, [] {}, {.seconds = seconds});
   Report report;
   if (std::filesystem::exists(file)) report = harness::read_json(file).get<Report>();
   if (report.outcome == Outcome::wrong) return report;  // whatever became of the explanation

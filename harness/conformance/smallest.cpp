@@ -67,8 +67,7 @@ class Reproduction {
   static constexpr int kFails = 2;  // exit code
 
   static harness::Ended run(const Words& words, double seconds) {
-    return harness::run_this_program(
-        words, [] {}, seconds);
+    return harness::run_this_program(words, [] {}, {.seconds = seconds});
   }
 
   bool solves_wrongly(Smallest& smallest) const {
@@ -147,20 +146,6 @@ void save(const Case& given, const std::filesystem::path& file) {
   harness::write_mesh(file, given.soup);
 }
 
-bool plain_word(const std::string& word) {
-  const std::string plain = "-_./:,=+@%";
-  return !word.empty() && std::ranges::all_of(word, [&](unsigned char c) {
-    return std::isalnum(c) != 0 || plain.find(static_cast<char>(c)) != std::string::npos;
-  });
-}
-
-std::string quoted(const std::string& word) {
-  if (plain_word(word)) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
 }  // namespace
 
 Smallest save_smallest(const Examiner& examiner, const Property& property, const Case& given,
@@ -179,14 +164,6 @@ Smallest save_smallest(const Examiner& examiner, const Property& property, const
   const Report explained = examiner.explain(property, smallest.given);
   if (explained.failed()) smallest.report = explained;
   return smallest;
-}
-
-std::string as_command_line(const std::vector<std::string>& arguments) {
-  std::string line = quoted(program_invocation_name);
-  for (const auto& words : {harness::plugin_arguments(), arguments}) {
-    for (const std::string& word : words) line += ' ' + quoted(word);
-  }
-  return line;
 }
 
 }  // namespace geodesic::conformance

@@ -26,7 +26,4 @@ Smallest save_smallest(const Examiner& examiner, const Property& property, const
                        const Report& failed, bool own, const std::filesystem::path& file,
                        double seconds);
 
-/// As one line for a shell, with this program as it was called and its plug-ins in front.
-std::string as_command_line(const std::vector<std::string>& arguments);
-
 }  // namespace geodesic::conformance

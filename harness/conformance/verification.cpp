@@ -4,6 +4,7 @@
 #include <iostream>
 #include <set>
 
+#include "harness/command_line.h"
 #include "harness/conformance/smallest.h"
 #include "harness/corpus/manifest.h"
 #include "harness/corpus/solvers.h"
@@ -190,7 +191,7 @@ class Verification {
                 << failed.given.mesh << "'\n";
     }
     std::cout << "  fails there    " << smallest.report.what << '\n'
-              << "  reproduce it   " << as_command_line(smallest.command) << '\n';
+              << "  reproduce it   " << harness::as_command_line(smallest.command) << '\n';
     if (!smallest.repeated) {
       std::cout
           << "                 (when tried, it did not fail again: the answer may change from "

@@ -1,5 +1,6 @@
 #include "harness/corpus/suite.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -9,9 +10,12 @@
 #include "harness/error.h"
 #include "harness/folders.h"
 #include "harness/results/atomic_file.h"
+#include "harness/results/outcome.h"
 
 namespace geodesic::harness {
 namespace {
+
+constexpr std::uint64_t kLeastMemory = std::uint64_t{128} << 20;  // of address space
 
 using Setter = std::function<void(Suite&, const Json&)>;
 
@@ -34,6 +38,9 @@ const std::map<std::string, Setter>& setters() {
       {"min_time", [](Suite& s, const Json& v) { v.get_to(s.min_time); }},
       {"reference", [](Suite& s, const Json& v) { s.reference = v.get<std::string>(); }},
       {"vectors", [](Suite& s, const Json& v) { v.get_to(s.vectors); }},
+      {"time_limit", [](Suite& s, const Json& v) { v.get_to(s.time_limit); }},
+      {"memory_limit", [](Suite& s, const Json& v) { set_integer(s.memory_limit.emplace(), v); }},
+      {"expected", [](Suite& s, const Json& v) { v.get_to(s.expected); }},
   };
   return all;
 }
@@ -52,19 +59,43 @@ void set(Suite& suite, const std::string& key, const Json& value) {
   }
 }
 
+void check_expectation(const std::string& cell, const std::string& outcome) {
+  if (cell.find('/') == std::string::npos) {
+    throw HarnessError("\"expected\": '" + cell + "' names no solver and mesh (mmp/horse)");
+  }
+  if (std::ranges::find(outcome::kExpectable, outcome) == outcome::kExpectable.end()) {
+    throw HarnessError(unknown_name("outcome that can be expected", outcome,
+                                    {outcome::kExpectable.begin(), outcome::kExpectable.end()}));
+  }
+}
+
 }  // namespace
+
+Suite suite_of(const Json& json) {
+  if (!json.is_object()) throw HarnessError("a suite is a JSON object");
+  Suite suite;
+  for (const auto& [key, value] : json.items()) set(suite, key, value);
+  check_suite(suite);
+  return suite;
+}
 
 Suite read_suite(const std::filesystem::path& file) {
   const Json json = read_json(file);
-  Suite suite;
   try {
-    if (!json.is_object()) throw HarnessError("a suite is a JSON object");
-    for (const auto& [key, value] : json.items()) set(suite, key, value);
-    check_suite(suite);
+    return suite_of(json);
   } catch (const HarnessError& error) {
     throw HarnessError(file.string() + ": " + error.what());
   }
-  return suite;
+}
+
+void to_json(Json& json, const Suite& suite) {
+  json = {{"solvers", suite.solvers},         {"corpus", suite.corpus},
+          {"meshes", suite.meshes},           {"sources", suite.sources},
+          {"repetitions", suite.repetitions}, {"seed", suite.seed},
+          {"min_time", suite.min_time},       {"vectors", suite.vectors},
+          {"time_limit", suite.time_limit},   {"expected", suite.expected}};
+  if (suite.reference) json["reference"] = *suite.reference;
+  if (suite.memory_limit) json["memory_limit"] = *suite.memory_limit;
 }
 
 void check_suite(const Suite& suite) {
@@ -73,6 +104,14 @@ void check_suite(const Suite& suite) {
   if (!(suite.min_time > 0) || !std::isfinite(suite.min_time)) {
     throw HarnessError("the least time of a repetition must be a positive number of seconds");
   }
+  if (!(suite.time_limit > 0)) {
+    throw HarnessError("the time limit of a cell must be a positive number of seconds");
+  }
+  if (suite.memory_limit && *suite.memory_limit < kLeastMemory) {
+    throw HarnessError("the memory limit of a cell must be at least " +
+                       std::to_string(kLeastMemory >> 20) + " MiB: the program itself takes that");
+  }
+  for (const auto& [cell, outcome] : suite.expected) check_expectation(cell, outcome);
   instruction_set_named(suite.vectors);
 }
 

@@ -3,9 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "harness/json.h"
 
 namespace geodesic::harness {
 
@@ -20,11 +23,22 @@ struct Suite {
   std::optional<std::string> reference =
       {};                        ///< solver to verify by; by default one of another kind
   std::string vectors = "auto";  ///< instructions that solvers are timed with (corpus/vectors.h)
+  double time_limit = 3600;      ///< seconds that the process of a cell may take
+  std::optional<std::uint64_t> memory_limit =
+      {};  ///< bytes that it may have; by default what the machine has to give
+  std::map<std::string, std::string> expected =
+      {};  ///< by "solver/mesh": an outcome that is no failure there
 };
 
 /// Reads a suite; keys that the file leaves out keep the values above.
 /// @throws HarnessError for an unknown key (listing the known ones) or a value out of range
 Suite read_suite(const std::filesystem::path& file);
+
+/// All keys, as a suite that read_suite takes.
+void to_json(Json& json, const Suite& suite);
+
+/// The reverse. @throws HarnessError as read_suite, without the name of a file
+Suite suite_of(const Json& json);
 
 /// @throws HarnessError naming the first value out of range
 void check_suite(const Suite& suite);

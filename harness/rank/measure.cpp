@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "harness/cells/context.h"
+#include "harness/cells/ending.h"
 #include "harness/cells/folder.h"
 #include "harness/cells/measure.h"
 #include "harness/cells/progress.h"
@@ -38,9 +39,9 @@ class Contest {
         context_(run_context(request.suite, plan, request.command)),
         cells_(cells_of_candidate(plan)),
         progress_(cells_),
-        references_(
-            folder_ / "references", request.suite.reference,
-            [this](const std::string& solver) { progress_.working("reference by " + solver); }) {
+        references_(folder_ / "references", request.suite, [this](const std::string& solver) {
+          progress_.working("reference by " + solver);
+        }) {
     measured_.candidate = plan.solvers.front()->name;
     for (const Description* solver : plan.solvers) {
       if (solver != plan.solvers.front()) measured_.rivals.push_back(solver->name);
@@ -73,7 +74,8 @@ Json Contest::time_cell(const Cell& cell, const std::string& what) {
   CellSpec spec = cell_spec(request_.suite, cell, folder_, request_.command);
   spec.counted = false;
   spec.output = folder_ / "pair.json";
-  Json rows = measure_cell(cell, spec, references_, [&] { progress_.working(what); });
+  Json rows = measure_cell(cell, spec, references_, limits_of(request_.suite),
+                           [&] { progress_.working(what); });
   fs::remove(spec.output);
   return std::move(rows.front());
 }
@@ -106,9 +108,9 @@ MeasuredSource Contest::measure(const PlannedMesh& mesh, Index source) {
   MeasuredSource measured{.source = source};
   for (const Description* solver : plan_.solvers) {
     const Cell cell{&mesh, source, solver};
-    const Json rows =
-        measure_cell(cell, cell_spec(request_.suite, cell, folder_, request_.command), references_,
-                     [&] { progress_.working("counting " + solver->name); });
+    const Json rows = measure_cell(cell, cell_spec(request_.suite, cell, folder_, request_.command),
+                                   references_, limits_of(request_.suite),
+                                   [&] { progress_.working("counting " + solver->name); });
     measured.rows.push_back(rows.front());
   }
   for (const std::string& rival : measured_.rivals) measured.pairs.push_back({.rival = rival});
@@ -169,7 +171,7 @@ RunResult Contest::run() {
     }
     write();
   }
-  const RunResult result = tell_failures(rows_, plan_);
+  const RunResult result = tell_failures(rows_, plan_, request_.suite);
   std::cout << as_markdown(rank(measured_), measured_) << std::flush;
   if (request_.figure) std::cerr << draw_rank_figure(folder_) << '\n';
   std::cerr << (folder_ / "rank.md").string() << " (also .tex, .json)\n";
@@ -178,11 +180,14 @@ RunResult Contest::run() {
 
 }  // namespace
 
-RunResult measure_ranking(const RankRequest& request) {
+RunResult measure_ranking(RankRequest request) {
   check_suite(request.suite);
+  set_memory_limit(request.suite, 1);
   const Plan plan = make_plan(request.suite, request.manifest);
   const std::string& candidate = plan.solvers.front()->name;
-  return Contest(request, plan, make_result_folder(request.out, "ranks", candidate)).run();
+  const ResultFolder folder = ResultFolder::make(request.out, "ranks", candidate);
+  folder.make_subfolders();
+  return Contest(request, plan, folder.path()).run();
 }
 
 }  // namespace geodesic::harness

@@ -24,6 +24,6 @@ struct RankRequest {
 /// and are written anew with each; a mesh that was not finished is not in them. Progress goes to
 /// standard error, rank.md to standard output.
 /// @throws HarnessError when the request makes no sense or the folder cannot be written
-RunResult measure_ranking(const RankRequest& request);
+RunResult measure_ranking(RankRequest request);
 
 }  // namespace geodesic::harness

@@ -19,6 +19,9 @@ inline constexpr Index kMostPictured = 250'000;  ///< files grow with the mesh
 /// "none", "auto" or "all". @throws HarnessError for any other word
 Pictured pictured_named(const std::string& word);
 
+/// The reverse.
+std::string name_of(Pictured wish);
+
 bool is_pictured(const Cell& cell, Pictured wish);
 
 }  // namespace geodesic::harness

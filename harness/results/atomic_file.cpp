@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 namespace {
 
 [[noreturn]] void cannot_write(const fs::path& path) {
-  throw HarnessError("cannot write '" + path.string() + "': " + std::strerror(errno));
+  throw CannotWrite("cannot write '" + path.string() + "': " + std::strerror(errno));
 }
 
 }  // namespace
@@ -20,17 +20,17 @@ namespace {
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), written_(path_) {
   std::error_code ignored;
   if (fs::is_directory(path_, ignored)) {
-    throw HarnessError("cannot write '" + path_.string() + "': it is a folder");
+    throw CannotWrite("cannot write '" + path_.string() + "': it is a folder");
   }
   if (!fs::exists(path_, ignored) || fs::is_regular_file(path_, ignored)) {
-    written_ += std::to_string(getpid()).insert(0, 1, '.') + ".part";
+    written_ += std::to_string(getpid()).insert(0, 1, '.') + kPartOfFile;
   }
   stream_.open(written_, std::ios::binary);
   if (!stream_) cannot_write(path_);
 }
 
 AtomicFile::~AtomicFile() {
-  if (!stream_.is_open() || written_ == path_) return;
+  if (committed_ || written_ == path_) return;
   stream_.close();
   std::error_code ignored;
   fs::remove(written_, ignored);
@@ -39,8 +39,12 @@ AtomicFile::~AtomicFile() {
 void AtomicFile::commit() {
   stream_.flush();
   if (!stream_) cannot_write(path_);
-  if (written_ != path_) fs::rename(written_, path_);
   stream_.close();
+  if (!stream_) cannot_write(path_);
+  std::error_code error;
+  if (written_ != path_) fs::rename(written_, path_, error);
+  if (error) throw CannotWrite("cannot write '" + path_.string() + "': " + error.message());
+  committed_ = true;
 }
 
 void write_bytes(const fs::path& path, std::string_view bytes) {
@@ -51,7 +55,7 @@ void write_bytes(const fs::path& path, std::string_view bytes) {
 
 void write_json(const fs::path& path, const Json& json) {
   AtomicFile file(path);
-  file.stream() << json.dump(2) << '\n';
+  file.stream() << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
   file.commit();
 }
 

@@ -4,34 +4,12 @@
 #include <map>
 #include <set>
 
-#include "tests/harness/program.h"
+#include "tests/harness/run_test.h"
 
 namespace geodesic::harness {
 namespace {
 
 using nlohmann::json;
-
-class RunTest : public ProgramTest {
- protected:
-  Output run_suite(const std::string& program, std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), "run");
-    arguments.insert(arguments.end(),
-                     {"--out", out_.string(), "--min-time", "0.0001", "--repetitions", "2"});
-    return run(program, arguments);
-  }
-  json rows() const { return read_json(out_ / "run.json").at("benchmarks"); }
-  // The first row of a cell.
-  json row(const std::string& name) const {
-    for (const json& each : rows()) {
-      if (each.at("name") == name) return each;
-    }
-    ADD_FAILURE() << "no row is named " << name;
-    return json::object();
-  }
-  static std::string message(const json& row) { return row.value("error_message", ""); }
-
-  const std::filesystem::path out_ = folder_ / "out";
-};
 
 void expect_no_time(const json& row) {
   EXPECT_EQ(row.at("error_occurred"), true) << row;
@@ -269,7 +247,7 @@ TEST_F(RunTest, ReferencesComputedInThreadsAreThoseOfARunWithout) {
 
 TEST_F(RunTest, FailedReferencesInThreadsHarmNoOtherCell) {
   const Output run = run_suite(
-      FAULTY_PROGRAM, {"--solvers", "crashing,dijkstra", "--meshes", "tetrahedron", "--sources",
+      kFaultyProgram, {"--solvers", "crashing,dijkstra", "--meshes", "tetrahedron", "--sources",
                        "3", "--reference", exact_solver(), "--threads", "2"});
   EXPECT_EQ(run.code, 1) << run.err;
   EXPECT_EQ(row("crashing/tetrahedron/src:0").at("outcome"), "crashed");
@@ -320,7 +298,7 @@ TEST_F(RunTest, ARunIsNeverOverwritten) {
 }
 
 TEST_F(RunTest, WrongAnswersGetNoTimeAndNameTheVertex) {
-  const Output run = run_suite(FAULTY_PROGRAM, {"--solvers", "wrong," + exact_solver(), "--meshes",
+  const Output run = run_suite(kFaultyProgram, {"--solvers", "wrong," + exact_solver(), "--meshes",
                                                 "hill", "--sources", "1"});
   EXPECT_EQ(run.code, 2) << run.err;
   const std::string source = rows()[0].at("source").dump();
@@ -334,7 +312,7 @@ TEST_F(RunTest, WrongAnswersGetNoTimeAndNameTheVertex) {
 }
 
 TEST_F(RunTest, ASolveThatDiffersFromTheVerifiedOneIsWrong) {
-  const Output run = run_suite(FAULTY_PROGRAM, {"--solvers", "forgetful,disturbed", "--meshes",
+  const Output run = run_suite(kFaultyProgram, {"--solvers", "forgetful,disturbed", "--meshes",
                                                 "tetrahedron", "--sources", "1"});
   EXPECT_EQ(run.code, 2) << run.err;
   for (const char* solver : {"forgetful", "disturbed"}) {
@@ -347,7 +325,7 @@ TEST_F(RunTest, ASolveThatDiffersFromTheVerifiedOneIsWrong) {
 
 TEST_F(RunTest, FailingCellsLeaveRowsAndHarmNoOther) {
   const Output run =
-      run_suite(FAULTY_PROGRAM, {"--solvers", "crashing,throwing,leaving,tiny,dijkstra", "--meshes",
+      run_suite(kFaultyProgram, {"--solvers", "crashing,throwing,leaving,tiny,dijkstra", "--meshes",
                                  "tetrahedron", "--sources", "1"});
   EXPECT_EQ(run.code, 1) << run.err;
   const std::map<std::string, std::pair<std::string, std::string>> expected{
@@ -366,12 +344,12 @@ TEST_F(RunTest, FailingCellsLeaveRowsAndHarmNoOther) {
 
 TEST_F(RunTest, UnsupportedMeshesAreExpected) {
   const Output run = run_suite(
-      FAULTY_PROGRAM, {"--solvers", "tiny,dijkstra", "--meshes", "tetrahedron", "--sources", "1"});
+      kFaultyProgram, {"--solvers", "tiny,dijkstra", "--meshes", "tetrahedron", "--sources", "1"});
   EXPECT_EQ(run.code, 0) << run.err;
 }
 
 TEST_F(RunTest, AReferenceThatFailsIsReplacedByTheNext) {
-  const Output run = run_suite(FAULTY_PROGRAM, {"--solvers", "dijkstra", "--meshes", "tetrahedron",
+  const Output run = run_suite(kFaultyProgram, {"--solvers", "dijkstra", "--meshes", "tetrahedron",
                                                 "--sources", "1", "--reference", "crashing"});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_NE(row("dijkstra/tetrahedron/src:0").at("reference"), "crashing");
@@ -409,7 +387,7 @@ TEST_F(RunOfABox, IsVerifiedByItsClosedForm) {
 }
 
 TEST_F(RunOfABox, CatchesWrongAnswersByItsClosedForm) {
-  const Output run = run_suite(FAULTY_PROGRAM, {"--solvers", "wrong", "--sources", "1"});
+  const Output run = run_suite(kFaultyProgram, {"--solvers", "wrong", "--sources", "1"});
   EXPECT_EQ(run.code, 2) << run.err;
   EXPECT_NE(message(row("wrong/box/src:0")).find("closed-form has"), std::string::npos) << rows();
 }
@@ -448,7 +426,7 @@ TEST_F(RunOfABox, WithAnInputHasNoClosedForm) {
 }
 
 TEST_F(RunOfABox, SolveSaysHowFarItIsFromTheTruth) {
-  const auto solve = [&](const std::string& program, std::vector<std::string> arguments) {
+  const auto solve = [&](const Program& program, std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {"solve", "box"});
     return run(program, arguments);
   };
@@ -463,7 +441,7 @@ TEST_F(RunOfABox, SolveSaysHowFarItIsFromTheTruth) {
   ASSERT_EQ(limited.code, 0) << limited.err;
   EXPECT_TRUE(json::parse(limited.out).at("reference").is_null());
 
-  const Output wrong = solve(FAULTY_PROGRAM, {"--solver", "wrong", "--source", "0"});
+  const Output wrong = solve(kFaultyProgram, {"--solver", "wrong", "--source", "0"});
   EXPECT_EQ(wrong.code, 2) << wrong.err;
   EXPECT_EQ(wrong.out, "");
   EXPECT_NE(wrong.err.find("closed-form has"), std::string::npos) << wrong.err;

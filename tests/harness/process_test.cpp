@@ -10,8 +10,7 @@ namespace {
 constexpr double kLong = 60;  // seconds
 
 Ended run_in_shell(const std::string& script, double time_limit) {
-  return run_program(
-      "/bin/sh", {"-c", script}, [] {}, time_limit);
+  return run_program("/bin/sh", {"-c", script}, [] {}, {.seconds = time_limit});
 }
 
 TEST(RunProgram, tells_how_the_process_ended_and_its_last_words) {

@@ -53,14 +53,16 @@ ProgramTest::ProgramTest() : manifest_(write("manifest.json", kManifest)) {
   write("tetrahedron.obj", kTetrahedron);
 }
 
-Output ProgramTest::run(const std::string& program, std::vector<std::string> arguments) const {
+Output ProgramTest::run(const Program& program, std::vector<std::string> arguments) const {
   arguments.insert(arguments.begin() + 1, {"--manifest", manifest_.string()});
   return run_plainly(program, arguments);
 }
 
-Output ProgramTest::run_plainly(const std::string& program,
+Output ProgramTest::run_plainly(const Program& program,
                                 const std::vector<std::string>& arguments) const {
-  std::string command = "GEODESIC_DATASETS=" + quoted(folder_.string()) + ' ' + quoted(program);
+  std::string command =
+      "GEODESIC_DATASETS=" + quoted(folder_.string()) + ' ' + quoted(program.file);
+  for (const std::string& word : program.words) command += ' ' + quoted(word);
   for (const std::string& argument : arguments) command += ' ' + quoted(argument);
   const auto out = folder_ / "stdout", err = folder_ / "stderr";
   command += " >" + quoted(out.string()) + " 2>" + quoted(err.string());

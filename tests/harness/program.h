@@ -9,6 +9,18 @@
 
 namespace geodesic::harness {
 
+/// The program, and words that come before all others.
+struct Program {
+  Program(const char* its_file, std::vector<std::string> its_words = {})
+      : file(its_file), words(std::move(its_words)) {}
+  std::string file;
+  std::vector<std::string> words;
+};
+
+/// With solvers that fail in every way that a run must survive (faulty_solvers.cpp,
+/// hostile_solvers.cpp), as a plug-in.
+inline const Program kFaultyProgram(PROGRAM, {"--plugin", FAULTY_SOLVERS});
+
 struct Output {
   int code;
   std::string out;
@@ -22,9 +34,9 @@ class ProgramTest : public TemporaryFolder {
   ProgramTest();
 
   /// @param arguments the manifest is added to them
-  Output run(const std::string& program, std::vector<std::string> arguments) const;
+  Output run(const Program& program, std::vector<std::string> arguments) const;
   /// As `run`, for arguments that take no manifest.
-  Output run_plainly(const std::string& program, const std::vector<std::string>& arguments) const;
+  Output run_plainly(const Program& program, const std::vector<std::string>& arguments) const;
 
   /// Any exact solver of the program without a limit of size.
   std::string exact_solver() const;

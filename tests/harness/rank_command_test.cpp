@@ -10,7 +10,7 @@ using nlohmann::json;
 
 class RankTest : public ProgramTest {
  protected:
-  Output rank(const std::string& program, std::vector<std::string> arguments) const {
+  Output rank(const Program& program, std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), "rank");
     arguments.insert(arguments.end(), {"--out", out_.string(), "--min-time", "0.0001", "--pairs",
                                        "3", "--no-figure"});
@@ -55,7 +55,7 @@ TEST_F(RankTest, WritesWhatItPrintsAndEveryPair) {
 TEST_F(RankTest, AWrongAnswerHasNoTimeAndExitCode2) {
   for (const std::string solver : {"wrong", "forgetful", "disturbed"}) {
     std::filesystem::remove_all(out_);
-    const Output ranked = rank(FAULTY_PROGRAM, {"--solver", solver, "--against", exact_solver(),
+    const Output ranked = rank(kFaultyProgram, {"--solver", solver, "--against", exact_solver(),
                                                 "--meshes", "tetrahedron"});
     EXPECT_EQ(ranked.code, 2) << ranked.err;
     expect_words(ranked.out, {"WRONG ANSWERS of " + solver, "right on 0 of 1 mesh"});
@@ -64,7 +64,7 @@ TEST_F(RankTest, AWrongAnswerHasNoTimeAndExitCode2) {
 }
 
 TEST_F(RankTest, ARivalThatFailsTakesNothingFromTheOthers) {
-  const Output ranked = rank(FAULTY_PROGRAM, {"--solver", exact_solver(), "--against",
+  const Output ranked = rank(kFaultyProgram, {"--solver", exact_solver(), "--against",
                                               "crashing,tiny,dijkstra", "--meshes", "tetrahedron"});
   EXPECT_EQ(ranked.code, 1) << "crashed";
   expect_words(ranked.out, {"crashing has no time on tetrahedron: crashed",

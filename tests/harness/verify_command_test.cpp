@@ -15,7 +15,7 @@ class VerifyCommand : public ProgramTest {
   Output verify(const std::string& solver, std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), {"verify", "--solver", solver});
     arguments.insert(arguments.end(), {"--out", out().string()});
-    return run(FAULTY_PROGRAM, arguments);
+    return run(kFaultyProgram, arguments);
   }
 
   /// What follows a word in a line of its own.
@@ -220,7 +220,7 @@ TEST_F(VerifyCommand, BadRequestsAreErrorsThatSayWhatToDo) {
   const auto expect_refused = [&](std::vector<std::string> arguments,
                                   const std::vector<std::string>& words) {
     arguments.insert(arguments.begin(), "verify");
-    const Output refused = run(FAULTY_PROGRAM, arguments);
+    const Output refused = run(kFaultyProgram, arguments);
     EXPECT_EQ(refused.code, 1) << refused.out;
     EXPECT_EQ(std::ranges::count(refused.err, '\n'), 1) << refused.err;
     expect_words(refused.err, words);
@@ -256,7 +256,7 @@ TEST_F(VerifyCommand, SolveComparesDistancesWhenAsked) {
     std::vector<std::string> arguments{"solve",    "hill", "--solver", solver,
                                        "--source", "1",    "--check"};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    return run(FAULTY_PROGRAM, arguments);
+    return run(kFaultyProgram, arguments);
   };
   const Output sound = check(exact_solver(), {});
   EXPECT_EQ(sound.code, 0) << sound.err;

@@ -1,0 +1,53 @@
+#include "harness/cells/kept.h"
+
+#include <iostream>
+
+#include "harness/cells/row.h"
+#include "harness/error.h"
+#include "harness/results/atomic_file.h"
+
+namespace geodesic::harness {
+namespace fs = std::filesystem;
+namespace {
+
+// @throws std::exception saying what is wrong with them
+Json sound_rows(const CellSpec& spec) {
+  const Json file = read_json(spec.output);
+  if (!is_intact(file)) throw HarnessError("is not as it was written");
+  const Json& rows = file.at("benchmarks");
+  for (const Json& row : rows) {
+    if (row.at("name") != row_name(spec.solver, spec.mesh, spec.source)) {
+      throw HarnessError("is of another cell");
+    }
+    if (row.contains("recordings") &&
+        !fs::exists(fs::path(spec.run_folder) / row.at("recordings").get<std::string>())) {
+      throw HarnessError("has lost its recordings");
+    }
+  }
+  if (rows.empty() || rows.front().at("repetitions") != rows.size()) {
+    throw HarnessError("has not all its repetitions");
+  }
+  return rows;
+}
+
+}  // namespace
+
+void remove_parts_of_files(const fs::path& folder) {
+  std::error_code ignored;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() == kPartOfFile) fs::remove(entry.path(), ignored);
+  }
+}
+
+std::optional<Json> kept_rows(const CellSpec& spec) {
+  if (!fs::exists(spec.output)) return std::nullopt;
+  try {
+    return sound_rows(spec);
+  } catch (const std::exception& error) {
+    std::cerr << spec.output << ' ' << error.what() << ": the cell is measured again\n";
+    fs::remove(spec.output);
+    return std::nullopt;
+  }
+}
+
+}  // namespace geodesic::harness

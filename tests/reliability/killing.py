@@ -1,0 +1,182 @@
+"""Runs that are killed at random moments and gone on with until they end.
+
+A run here is small and does everything that a run can do: several meshes, sources and solvers,
+repetitions, recordings.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import random
+import re
+import shutil
+import signal
+import subprocess
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+
+SOLVERS = "edge-based,ich,mmp,dijkstra"
+SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGKILL)
+
+VARYING = (
+    "real_time cpu_time iterations prepare_time mesh_time propagation trimming queue "
+    "timer_overhead process_peak_bytes date started finished checksum mhz_per_cpu executable "
+    "memory_limit"
+).split()
+"""Keys whose values are times, or follow from them, or from what else the machine does."""
+
+_VARYING_LINE = re.compile(r'^\s*"(' + "|".join(VARYING) + r')": .*$', re.MULTILINE)
+_LOAD = re.compile(r'"load_avg": \[[^\]]*\]')
+
+
+class Lost(Exception):
+    """What a kill destroyed, left running or changed."""
+
+
+def without_times(text: str) -> str:
+    return _VARYING_LINE.sub("", _LOAD.sub("", text))
+
+
+def contents(run: Path) -> dict[str, bytes]:
+    """Every file of a run by its path, times apart."""
+    files = {}
+    for file in sorted(run.rglob("*")):
+        if file.is_file():
+            data = file.read_bytes()
+            if file.suffix == ".json":
+                data = without_times(data.decode("utf-8")).encode("utf-8")
+            files[str(file.relative_to(run))] = data
+    return files
+
+
+def processes_of(folder: Path) -> list[int]:
+    """Processes whose command lines name the folder."""
+    found = []
+    for entry in Path("/proc").iterdir():
+        try:
+            if entry.name.isdigit() and str(folder).encode() in (entry / "cmdline").read_bytes():
+                found.append(int(entry.name))
+        except OSError:
+            continue  # it has ended meanwhile
+    return found
+
+
+@dataclass
+class Tally:
+    kills: dict[str, int] = field(default_factory=dict)
+    runs: int = 0
+    cells_kept: int = 0
+    """Cells that were saved when a kill came, summed over kills."""
+
+    @property
+    def total(self) -> int:
+        return sum(self.kills.values())
+
+
+class Killing:
+    def __init__(self, bench: Path, folder: Path, seed: int) -> None:
+        self.bench = bench.resolve()
+        self.folder = folder
+        self.random = random.Random(seed)
+        self.tally = Tally()
+        self.meshes = [self._mesh("box"), self._mesh("terrain")]
+        began = time.monotonic()
+        whole = self.folder / "uninterrupted"
+        ended = self._start(whole, resume=False).wait()
+        if ended != 0:
+            raise Lost(f"the uninterrupted run ended with {ended}")
+        self.seconds = time.monotonic() - began
+        self.expected = contents(whole / "run")
+
+    def _mesh(self, kind: str) -> Path:
+        sizes = {
+            "box": ["--x-cells", "6", "--y-cells", "5", "--z-cells", "4"],
+            "terrain": ["--columns", "12", "--rows", "9"],
+        }
+        file = self.folder / f"{kind}.ply"
+        subprocess.run([self.bench, "generate", kind, *sizes[kind], "-o", file], check=True)
+        return file
+
+    def _start(self, work: Path, resume: bool) -> subprocess.Popen[str]:
+        work.mkdir(exist_ok=True)
+        words = ["--resume", "run"]
+        if not resume:
+            meshes = ",".join(str(mesh) for mesh in self.meshes)
+            words = ["--meshes", meshes, "--solvers", SOLVERS, "--sources", "2", "--repetitions",
+                     "2", "--min-time", "0.001", "--recordings", "all", "--out", "run"]
+        with (work / "errors").open("w", encoding="utf-8") as errors:
+            return subprocess.Popen(
+                [str(self.bench), "run", *words], cwd=work, text=True, stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL, stderr=errors,
+            )  # fmt: skip
+
+    def until_killed(self, most: int) -> None:
+        """Runs from start to end, killed again and again, until there were `most` kills. Each must
+        end as if it had not been killed. Raises Lost where one does not."""
+        while self.tally.total < most:
+            self._one_run(most)
+            self.tally.runs += 1
+
+    def _one_run(self, most: int) -> None:
+        work = self.folder / f"killed-{self.tally.runs}"
+        saved: dict[Path, str] = {}
+        while True:
+            process = self._start(work, resume=(work / "run" / "request.json").exists())
+            if self.tally.total < most:
+                self._kill(process)
+            code = process.wait()
+            if code == 0:
+                break
+            self._look_after(work, code)
+            saved = self._cells_unchanged(work, saved)
+        self._cells_unchanged(work, saved)
+        self._same_as_uninterrupted(work)
+        shutil.rmtree(work)
+
+    def _kill(self, process: subprocess.Popen[str]) -> None:
+        """At a moment of the run, early ones more often: a resumed run has less to do."""
+        delay = self.seconds * self.random.random() ** 2
+        try:
+            process.wait(delay)
+        except subprocess.TimeoutExpired:
+            chosen = self.random.choice(SIGNALS)
+            process.send_signal(chosen)
+            name = chosen.name
+            self.tally.kills[name] = self.tally.kills.get(name, 0) + 1
+
+    def _look_after(self, work: Path, code: int) -> None:
+        """The killed process says what it owes, and nothing runs on."""
+        errors = (work / "errors").read_text("utf-8")
+        own = {130: signal.SIGINT, 143: signal.SIGTERM}
+        if code in own:
+            if "cells are saved in" not in errors or "--resume" not in errors:
+                raise Lost(f"{own[code].name}: does not say how to go on:\n{errors}")
+        elif code not in [-each for each in SIGNALS]:
+            raise Lost(f"exit code {code}:\n{errors}")
+        deadline = time.monotonic() + 5
+        while left := processes_of(work):
+            if time.monotonic() > deadline:
+                raise Lost(f"processes {left} run on after exit code {code}")
+            time.sleep(0.01)
+
+    def _cells_unchanged(self, work: Path, before: dict[Path, str]) -> dict[Path, str]:
+        cells = {
+            file: hashlib.sha256(file.read_bytes()).hexdigest()
+            for file in (work / "run" / "cells").glob("*.json")
+        }
+        for file, digest in before.items():
+            if cells.get(file) != digest:
+                raise Lost(f"{file} was saved and has been measured again or lost")
+        self.tally.cells_kept += len(cells)
+        return cells
+
+    def _same_as_uninterrupted(self, work: Path) -> None:
+        found = contents(work / "run")
+        if found.keys() != self.expected.keys():
+            raise Lost(f"other files: {sorted(found.keys() ^ self.expected.keys())}")
+        for name, data in self.expected.items():
+            if found[name] != data:
+                (self.folder / "expected").write_bytes(data)
+                (self.folder / "found").write_bytes(found[name])
+                raise Lost(f"{name} differs: compare {self.folder}/expected with found")
