@@ -82,12 +82,17 @@ class Killing:
         self.tally = Tally()
         self.meshes = [self._mesh("box"), self._mesh("terrain")]
         began = time.monotonic()
-        whole = self.folder / "uninterrupted"
+        whole = self._work()
         ended = self._start(whole, resume=False).wait()
         if ended != 0:
             raise Lost(f"the uninterrupted run ended with {ended}")
         self.seconds = time.monotonic() - began
         self.expected = contents(whole / "run")
+
+    def _work(self) -> Path:
+        """Of the same length for every run: where the heap has holes depends on the names that were
+        in it, and with them the peak of what malloc takes."""
+        return self.folder / f"run-{self.tally.runs:04}"
 
     def _mesh(self, kind: str) -> Path:
         sizes = {
@@ -115,11 +120,11 @@ class Killing:
         """Runs from start to end, killed again and again, until there were `most` kills. Each must
         end as if it had not been killed. Raises Lost where one does not."""
         while self.tally.total < most:
-            self._one_run(most)
             self.tally.runs += 1
+            self._one_run(most)
 
     def _one_run(self, most: int) -> None:
-        work = self.folder / f"killed-{self.tally.runs}"
+        work = self._work()
         saved: dict[Path, str] = {}
         while True:
             process = self._start(work, resume=(work / "run" / "request.json").exists())
