@@ -13,6 +13,7 @@ preset=release
 corpus=standard
 out=
 old_run=
+resumed=
 install=yes
 run_options=()
 steps=()
@@ -42,6 +43,7 @@ Options:
   --sources N          source vertices of each mesh
   --repetitions N      timed solves of each solver, mesh and source
   --out DIR            folder that run writes (default: results/runs/<UTC time>-<corpus>)
+  --resume DIR         go on with a run that was interrupted, by the options that it had
   --run DIR            folder of an old run, for check and plot (default: the newest)
   --preset NAME        the build to measure: release (default), or ci, the one that the tests
                        run on: the same with warnings as errors
@@ -65,14 +67,14 @@ parse_options() {
     case $1 in
       --help | -h) usage; exit 0 ;;
       --no-install) install=no; shift ;;
-      --preset | --corpus | --out | --run | --solvers | --meshes | --sources | --repetitions)
+      --preset | --corpus | --out | --run | --resume | --solvers | --meshes | --sources | --repetitions)
         value=$(value_of "$@")
         take_option "$1" "$value"
         shift 2
         ;;
       -*)
         die "unknown option $1; there are --corpus, --solvers, --meshes, --sources," \
-          "--repetitions, --out, --run, --preset, --no-install, --help"
+          "--repetitions, --out, --resume, --run, --preset, --no-install, --help"
         ;;
       *)
         [[ " ${all_steps[*]} " == *" $1 "* ]] ||
@@ -85,8 +87,12 @@ parse_options() {
   [[ ${#steps[@]} -gt 0 ]] || steps=("${all_steps[@]}")
   if wants run; then
     [[ -z $old_run ]] || die "--run names an old run, for check and plot; run writes to --out DIR"
+    if [[ -n $resumed ]]; then
+      [[ -z $out ]] || die "--resume names the folder of the run already; leave out --out"
+      out=$resumed
+    fi
   else
-    [[ -z $out ]] || die "--out is where run writes; check and plot take --run DIR"
+    [[ -z $out$resumed ]] || die "--out and --resume are for run; check and plot take --run DIR"
     out=$old_run
   fi
 }
@@ -97,6 +103,7 @@ take_option() {
     --corpus) corpus=$2 ;;
     --out) out=$(absolute "$2") ;;
     --run) old_run=$(absolute "$2") ;;
+    --resume) resumed=$(absolute "$2") ;;
     --sources | --repetitions)
       [[ $2 =~ ^[1-9][0-9]*$ ]] || die "$1: $2 is no positive number"
       run_options+=("$1" "$2")
@@ -130,10 +137,18 @@ step_fetch() {
 
 step_run() {
   need_bench
-  [[ ! -e $out/run.json ]] || die "$out holds a run already: remove it, or give another --out"
-  # Failed cells are results, and for check to report; only a run without results ends here.
-  (cd "$root" && logged "$bench" run --corpus "$corpus" "${run_options[@]}" --out "$out") ||
-    [[ -f $out/run.json ]] || return 1
+  local status=0 what=(--corpus "$corpus" --out "$out")
+  if [[ -n $resumed ]]; then
+    what=(--resume "$resumed")
+  elif [[ -e $out/run.json ]]; then
+    die "$out holds a run already: remove it, or give another --out"
+  fi
+  (cd "$root" && logged "$bench" run "${what[@]}" "${run_options[@]}") || status=$?
+  # Failed cells are results, and for check to report; only a run that did not end ends here.
+  if [[ $status -ge 128 || ! -f $out/run.json ]]; then
+    if [[ -f $out/request.json ]]; then say "To go on: $0 ${steps[*]} --preset $preset --resume '$out'"; fi
+    exit "$status"
+  fi
 }
 
 # A failure is remembered for the end: the tables show failed cells, so they are drawn anyway.

@@ -111,12 +111,13 @@ def _command(name: str, folder: str) -> str:
 def _summary(run: Run) -> str:
     passed = check.cells([row for row in run.rows if row.ok])
     failed = len(check.failures(run))
-    unsupported = check.cells([row for row in run.rows if row.outcome == check.ALLOWED])
+    without_a_time = check.cells(check.allowed(run))
     stand_ins = sum(mesh.stand_in for mesh in run.meshes.values())
     return (
         f"Solvers: {len(run.solvers)}. Meshes: {len(run.meshes)}, stand-ins among them: "
-        f"{stand_ins}. Cells: {passed} verified, {failed} failed or missing, {unsupported} not "
-        "supported by their solver. Every time is that of a solver whose distances were verified."
+        f"{stand_ins}. Cells: {passed} verified, {failed} failed or missing, "
+        f"{without_a_time} without a time, as declared or expected. Every time is that of a solver "
+        "whose distances were verified."
     )
 
 
@@ -157,11 +158,7 @@ def _table(item: Item, folder: str) -> str:
 
 def _cells(run: Run) -> str:
     failed = check.failures(run)
-    unsupported = [
-        f"{row.solver}/{row.mesh}/src:{row.source}: {row.message}"
-        for row in run.rows
-        if row.outcome == check.ALLOWED
-    ]
+    without_a_time = [check.line(row) for row in check.allowed(run)]
     skipped = [f"{skip.mesh}, {skip.solver or 'all solvers'}: {skip.why}" for skip in run.skipped]
     parts = [
         f"<p>{escape(check.checked_against_truth(run).capitalize())}.</p>",
@@ -170,7 +167,7 @@ def _cells(run: Run) -> str:
         "<h3>Largest relative error of each exact solver</h3>",
         _list(check.largest_errors(run)),
     ]
-    for title, lines in {"Not supported": unsupported, "Skipped": skipped}.items():
+    for title, lines in {"Without a time": without_a_time, "Skipped meshes": skipped}.items():
         if lines:
             parts += [f"<h3>{title}</h3>", _list(lines)]
     return "\n".join(parts)

@@ -20,11 +20,12 @@ start_log() {
 }
 
 say() {
-  printf '%s\n' "$*" | tee -a "$log"
+  printf '%s\n' "$*" | tee -ia "$log"
 }
 
+# Ctrl-C is for what is logged; what that still has to say is kept (tee -i).
 logged() {
-  "$@" 2>&1 | tee -a "$log"
+  "$@" 2>&1 | tee -ia "$log"
 }
 
 # split_options WORD...: fills the array `split` with the words, --option=value being two.

@@ -28,7 +28,7 @@ def test_failed_and_missing_cells_fail_and_are_listed(
     assert "FAILED: fwp-ch/flat-grid/src:0: wrong answer" in printed
     assert "FAILED: fwp-mmp/rocker-arm/src:7: missing" in printed
     assert "FAILED: ch/" not in printed
-    assert "unsupported: ch/rocker-arm/src:7" in printed
+    assert "without a time: ch/rocker-arm/src:7: unsupported" in printed
     assert printed.splitlines()[-1] == "cells: 28 verified, 3 failed"
 
 
