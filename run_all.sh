@@ -137,13 +137,14 @@ step_fetch() {
 
 step_run() {
   need_bench
-  local status=0 what=(--corpus "$corpus" --out "$out")
+  local status=0 what=(--corpus "$corpus") where=(--out "$out")
   if [[ -n $resumed ]]; then
-    what=(--resume "$resumed")
+    what=()
+    where=(--resume "$resumed")
   elif [[ -e $out/run.json ]]; then
     die "$out holds a run already: remove it, or give another --out"
   fi
-  (cd "$root" && logged "$bench" run "${what[@]}" "${run_options[@]}") || status=$?
+  (cd "$root" && logged "$bench" run "${what[@]}" "${run_options[@]}" "${where[@]}") || status=$?
   # Failed cells are results, and for check to report; only a run that did not end ends here.
   if [[ $status -ge 128 || ! -f $out/run.json ]]; then
     if [[ -f $out/request.json ]]; then say "To go on: $0 ${steps[*]} --preset $preset --resume '$out'"; fi

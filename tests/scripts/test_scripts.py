@@ -190,6 +190,8 @@ def test_an_old_run_is_redrawn_where_it_is_without_the_program(checkout: Path) -
     [
         (["plot", "--out", "x"], "check and plot take --run DIR"),
         (["run", "plot", "--run", "x"], "run writes to --out DIR"),
+        (["run", "--resume", "x", "--out", "y"], "--resume names the folder of the run already"),
+        (["plot", "--resume", "x"], "--out and --resume are for run"),
         (["plot", "--run", "x", "--no-install"], "no such folder"),
     ],
 )
@@ -208,6 +210,22 @@ def test_run_folder_that_holds_results_is_not_written_to(checkout: Path) -> None
     shutil.copytree(ROOT / "tests" / "plots" / "golden" / "run", checkout / "old")
     ended = run(checkout / "run_all.sh", "run", "--no-install", "--out", str(checkout / "old"))
     assert ended.returncode == 1 and "holds a run already" in ended.stderr
+
+
+def test_an_interrupted_run_says_how_to_go_on_and_goes_on(checkout: Path) -> None:
+    bench = checkout / "build" / "release" / "geodesic-bench"
+    bench.parent.mkdir(parents=True)
+    bench.write_text(
+        '#!/bin/bash\necho "asked: $*"\nmkdir -p "${@: -1}"; echo > "${@: -1}/request.json"\n'
+        "exit 130"
+    )
+    bench.chmod(0o755)
+    out = checkout / "a run"
+    ended = run(checkout / "run_all.sh", "run", "--no-install", "--out", str(out))
+    assert ended.returncode == 130
+    assert f"To go on: {checkout}/run_all.sh run --preset release --resume '{out}'" in ended.stdout
+    ended = run(checkout / "run_all.sh", "run", "--no-install", "--resume", str(out))
+    assert f"asked: run --resume {out}\n" in ended.stdout
 
 
 def test_options_reach_the_program(checkout: Path) -> None:
