@@ -57,7 +57,7 @@ Limits limits_of(const Suite& suite) {
 }
 
 void set_memory_limit(Suite& suite, unsigned processes) {
-  if (!suite.memory_limit) suite.memory_limit = available_memory_bytes() / 10 * 9 / processes;
+  if (!suite.memory_limit) suite.memory_limit = memory_to_give() / processes;
 }
 
 }  // namespace geodesic::harness

@@ -26,8 +26,7 @@ Failure failure_of(const Ended& ended, const Limits& limits);
 /// What the suite allows the process of a cell.
 Limits limits_of(const Suite& suite);
 
-/// Gives the suite a memory limit, unless it has one: nine tenths of what the machine has to give,
-/// in equal parts.
+/// Gives the suite a memory limit, unless it has one: what the machine has to give, in equal parts.
 /// @param processes that run at a time
 void set_memory_limit(Suite& suite, unsigned processes);
 

@@ -43,8 +43,8 @@ std::uint64_t available_in_system() {
 
 }  // namespace
 
-std::uint64_t available_memory_bytes() {
-  return std::min(available_in_system(), left_in_control_group());
+std::uint64_t memory_to_give() {
+  return std::min(available_in_system(), left_in_control_group()) / 10 * 9;
 }
 
 }  // namespace geodesic::harness

@@ -12,8 +12,8 @@ struct Limits {
       std::numeric_limits<std::uint64_t>::max();  ///< of address space; more is not granted
 };
 
-/// Memory that this machine can give to new processes without swapping, in bytes: what Linux calls
-/// available, and no more than what the control group of this process leaves.
-std::uint64_t available_memory_bytes();
+/// Memory that new processes may have together, in bytes: nine tenths of what Linux calls
+/// available, or of what the control group of this process leaves where that is less.
+std::uint64_t memory_to_give();
 
 }  // namespace geodesic::harness

@@ -128,7 +128,8 @@ Report Examiner::run(ExaminationSpec spec, double seconds) const {
   spec.report = file.string();
   seconds = std::min(seconds, time_limit_);
   const harness::Ended ended =
-      harness::run_this_program({"examine", Json(spec).dump()}, [] {}, {.seconds = seconds});
+      harness::run_this_program({"examine", Json(spec).dump()}, [] {},
+                                {.seconds = seconds, .memory_bytes = harness::memory_to_give()});
   Report report;
   if (std::filesystem::exists(file)) report = harness::read_json(file).get<Report>();
   if (report.outcome == Outcome::wrong) return report;  // whatever became of the explanation

@@ -67,7 +67,8 @@ class Reproduction {
   static constexpr int kFails = 2;  // exit code
 
   static harness::Ended run(const Words& words, double seconds) {
-    return harness::run_this_program(words, [] {}, {.seconds = seconds});
+    return harness::run_this_program(
+        words, [] {}, {.seconds = seconds, .memory_bytes = harness::memory_to_give()});
   }
 
   bool solves_wrongly(Smallest& smallest) const {
