@@ -88,7 +88,7 @@ SavedRequest saved_request(const fs::path& folder) {
     json.at("changes").get_to(saved.changes);
     const Json& options = saved.identity.at("options");
     RunRequest& request = saved.request;
-    request.suite = suite_of(options.at("suite"));
+    request.suite = parse_suite(options.at("suite"), "the suite");
     request.manifest = options.at("manifest").get<std::string>();
     options.at("benchmark_flags").get_to(request.benchmark_flags);
     request.pictured = pictured_named(options.at("recordings"));

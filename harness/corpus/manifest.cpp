@@ -40,18 +40,20 @@ MeshEntry parse_mesh(const Json& mesh, const fs::path& cache) {
 
 }  // namespace
 
-Manifest::Manifest(const fs::path& file, const fs::path& cache) {
-  const Json json = read_json(file);
+Manifest::Manifest(const fs::path& file, const fs::path& cache)
+    : Manifest(read_json(file), file.string(), cache) {}
+
+Manifest::Manifest(const Json& json, const std::string& name, const fs::path& cache) {
   try {
     for (const Json& mesh : json.at("meshes")) meshes_.push_back(parse_mesh(mesh, cache));
     json.at("corpora").get_to(corpora_);
-    for (const auto& [name, members] : corpora_) {
+    for (const auto& [corpus, members] : corpora_) {
       for (const std::string& member : members) mesh(member);
     }
   } catch (const Json::exception& error) {
-    throw HarnessError(file.string() + ": not a manifest of meshes: " + error.what());
+    throw HarnessError(name + ": not a manifest of meshes: " + error.what());
   } catch (const HarnessError& error) {
-    throw HarnessError(file.string() + ": in a corpus: " + error.what());
+    throw HarnessError(name + ": in a corpus: " + error.what());
   }
 }
 

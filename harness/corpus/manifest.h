@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "datasets/generators/parameters.h"
+#include "harness/json.h"
 
 namespace geodesic::harness {
 
@@ -35,6 +36,9 @@ class Manifest {
  public:
   /// @throws HarnessError when the file cannot be read or says something it must not
   Manifest(const std::filesystem::path& file, const std::filesystem::path& cache);
+  /// As the other one on a file's content.
+  /// @param name what messages call the file
+  Manifest(const Json& json, const std::string& name, const std::filesystem::path& cache);
 
   const std::vector<MeshEntry>& meshes() const { return meshes_; }
   const std::map<std::string, std::vector<std::string>>& corpora() const { return corpora_; }

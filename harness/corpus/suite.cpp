@@ -71,21 +71,20 @@ void check_expectation(const std::string& cell, const std::string& outcome) {
 
 }  // namespace
 
-Suite suite_of(const Json& json) {
-  if (!json.is_object()) throw HarnessError("a suite is a JSON object");
-  Suite suite;
-  for (const auto& [key, value] : json.items()) set(suite, key, value);
-  check_suite(suite);
-  return suite;
+Suite read_suite(const std::filesystem::path& file) {
+  return parse_suite(read_json(file), file.string());
 }
 
-Suite read_suite(const std::filesystem::path& file) {
-  const Json json = read_json(file);
+Suite parse_suite(const Json& json, const std::string& name) {
+  Suite suite;
   try {
-    return suite_of(json);
+    if (!json.is_object()) throw HarnessError("a suite is a JSON object");
+    for (const auto& [key, value] : json.items()) set(suite, key, value);
+    check_suite(suite);
   } catch (const HarnessError& error) {
-    throw HarnessError(file.string() + ": " + error.what());
+    throw HarnessError(name + ": " + error.what());
   }
+  return suite;
 }
 
 void to_json(Json& json, const Suite& suite) {

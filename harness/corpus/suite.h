@@ -34,11 +34,12 @@ struct Suite {
 /// @throws HarnessError for an unknown key (listing the known ones) or a value out of range
 Suite read_suite(const std::filesystem::path& file);
 
+/// As `read_suite` on a file's content.
+/// @param name what messages call the file
+Suite parse_suite(const Json& json, const std::string& name);
+
 /// All keys, as a suite that read_suite takes.
 void to_json(Json& json, const Suite& suite);
-
-/// The reverse. @throws HarnessError as read_suite, without the name of a file
-Suite suite_of(const Json& json);
 
 /// @throws HarnessError naming the first value out of range
 void check_suite(const Suite& suite);

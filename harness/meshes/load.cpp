@@ -28,13 +28,16 @@ void require_measurable(const TriangleSoup& soup, const DefectReport& defects,
 }
 
 LoadedMesh load_mesh(const std::filesystem::path& path, const LoadOptions& options) {
-  MeshFile file = read_mesh(path);
+  return load_mesh(read_mesh(path), path.string(), options);
+}
+
+LoadedMesh load_mesh(MeshFile file, const std::string& name, const LoadOptions& options) {
   LoadedMesh mesh;
   mesh.soup = std::move(file.soup);
   mesh.format = std::move(file.format);
   mesh.defects = find_defects(mesh.soup, file.lines);
   if (options.repair) mesh.repairs = repair(mesh.soup);
-  require_measurable(mesh.soup, mesh.defects, path.string(), options.repair);
+  require_measurable(mesh.soup, mesh.defects, name, options.repair);
   mesh.warnings = std::move(file.warnings);
   for (const Defect& defect : mesh.defects.defects) mesh.warnings.push_back(defect.text());
   for (const RepairAction& action : mesh.repairs) {

@@ -28,6 +28,10 @@ struct LoadedMesh {
 ///         not to be repaired, or has no face left after the repair
 LoadedMesh load_mesh(const std::filesystem::path& path, const LoadOptions& options = {});
 
+/// As `load_mesh` on a file that has been read.
+/// @param name what messages call the file
+LoadedMesh load_mesh(MeshFile file, const std::string& name, const LoadOptions& options);
+
 /// Refuses what solvers should not be given.
 /// @param soup after the repair, if any
 /// @param defects of the file, before it

@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <sstream>
 
 #include "harness/error.h"
 
@@ -61,11 +62,18 @@ void write_json(const fs::path& path, const Json& json) {
 
 Json read_json(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw HarnessError("cannot read '" + path.string() + "': " + std::strerror(errno));
+  std::ostringstream text;
+  if (file) text << file.rdbuf();
+  if (!file || text.bad())
+    throw HarnessError("cannot read '" + path.string() + "': " + std::strerror(errno));
+  return parse_json(text.view(), path.string());
+}
+
+Json parse_json(std::string_view text, const std::string& name) {
   try {
-    return Json::parse(file);
+    return Json::parse(text);
   } catch (const Json::parse_error& error) {
-    throw HarnessError(path.string() + ": not valid JSON: " + error.what());
+    throw HarnessError(name + ": not valid JSON: " + error.what());
   }
 }
 

@@ -45,7 +45,10 @@ std::vector<double> CellResult::values(const std::string& key) const {
 
 ResultFile read_result_file(const std::filesystem::path& path) {
   const std::filesystem::path file = std::filesystem::is_directory(path) ? path / "run.json" : path;
-  const Json json = read_json(file);
+  return parse_result_file(read_json(file), file);
+}
+
+ResultFile parse_result_file(const Json& json, const std::filesystem::path& file) {
   const std::string what = "'" + file.string() + "' is no result file of geodesic-bench";
   try {
     ResultFile result{.file = file, .context = json.at("context"), .cells = {}};

@@ -35,4 +35,8 @@ struct ResultFile {
 /// @throws HarnessError when it cannot be read or is no result file of this program
 ResultFile read_result_file(const std::filesystem::path& path);
 
+/// As `read_result_file` on a file's content.
+/// @param file what messages call it
+ResultFile parse_result_file(const Json& json, const std::filesystem::path& file);
+
 }  // namespace geodesic::harness

@@ -1,0 +1,9 @@
+// Suites.
+#include "harness/corpus/suite.h"
+
+#include "harness/results/atomic_file.h"
+#include "tests/fuzz/input.h"
+
+void geodesic::harness::fuzz::read_input(std::string_view bytes) {
+  parse_suite(parse_json(bytes, "suite.json"), "suite.json");
+}
