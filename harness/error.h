@@ -30,6 +30,9 @@ class WrongAnswer : public HarnessError {
 std::string unknown_name(std::string_view kind, std::string_view name,
                          const std::vector<std::string>& known);
 
+/// Foreign text as a part of a message: without control characters, and cut off after 200 bytes.
+std::string printable(std::string_view text);
+
 /// "a, b, c"
 std::string join(const std::vector<std::string>& words, std::string_view separator = ", ");
 

@@ -2,9 +2,18 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
 
 namespace geodesic::harness {
 
 using Json = nlohmann::ordered_json;
+
+/// The content of a file, which may be anybody's.
+/// @param name what messages call the file
+/// @throws HarnessError for what is not JSON (the message says where), is nested more than 50 deep
+/// or
+///         has an object of more than 1000 keys
+Json parse_json(std::string_view text, const std::string& name);
 
 }  // namespace geodesic::harness

@@ -1,7 +1,6 @@
 #include "harness/compare/compare.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 #include "harness/cells/row.h"
@@ -39,11 +38,9 @@ void check_same_meshes(const ResultFile& before, const ResultFile& after) {
   }
 }
 
-// Keys of the context without which times, or instructions, mean something else.
 std::vector<std::string> describe_differences(const ResultFile& before, const ResultFile& after) {
-  constexpr std::array kKeys{"processor", "compiler", "compiler_flags", "build_type"};
   std::vector<std::string> notes;
-  for (const char* key : kKeys) {
+  for (const char* key : kComparedKeys) {
     const std::string old_value = before.ours().at(key), new_value = after.ours().at(key);
     if (old_value != new_value) {
       notes.push_back("the " + std::string(key) + " differs: " + old_value + " / " + new_value);

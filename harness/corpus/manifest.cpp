@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "harness/corpus/names.h"
 #include "harness/error.h"
 #include "harness/folders.h"
 #include "harness/results/atomic_file.h"
@@ -26,9 +27,14 @@ std::optional<Recipe> parse_recipe(const Json& mesh) {
   return recipe;
 }
 
+std::string checked_name(const char* kind, const Json& name) {
+  check_name(kind, name.get<std::string>());
+  return name;
+}
+
 MeshEntry parse_mesh(const Json& mesh, const fs::path& cache) {
-  MeshEntry entry{.name = mesh.at("name").get<std::string>(),
-                  .file = cache / mesh.at("file").get<std::string>(),
+  MeshEntry entry{.name = checked_name("mesh", mesh.at("name")),
+                  .file = cache / checked_name("mesh file", mesh.at("file")),
                   .kind = mesh.at("kind").get<std::string>()};
   if (mesh.contains("thesis_model") && !mesh["thesis_model"].is_null()) {
     entry.thesis_model = mesh["thesis_model"].get<std::string>();
@@ -48,12 +54,13 @@ Manifest::Manifest(const Json& json, const std::string& name, const fs::path& ca
     for (const Json& mesh : json.at("meshes")) meshes_.push_back(parse_mesh(mesh, cache));
     json.at("corpora").get_to(corpora_);
     for (const auto& [corpus, members] : corpora_) {
+      check_name("corpus", corpus);
       for (const std::string& member : members) mesh(member);
     }
   } catch (const Json::exception& error) {
     throw HarnessError(name + ": not a manifest of meshes: " + error.what());
   } catch (const HarnessError& error) {
-    throw HarnessError(name + ": in a corpus: " + error.what());
+    throw HarnessError(name + ": " + error.what());
   }
 }
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "datasets/generators/parameters.h"
@@ -29,7 +30,10 @@ struct MeshEntry {
   bool stand_in = false;                         ///< stands for that model without being it
   std::optional<Recipe> recipe = {};  ///< of a generated mesh that is made from no other file
 
-  bool available() const { return std::filesystem::is_regular_file(file); }
+  bool available() const {
+    std::error_code unreadable;
+    return std::filesystem::is_regular_file(file, unreadable);
+  }
 };
 
 class Manifest {

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "harness/corpus/names.h"
 #include "harness/corpus/vectors.h"
 #include "harness/error.h"
 #include "harness/folders.h"
@@ -55,7 +56,7 @@ void set(Suite& suite, const std::string& key, const Json& value) {
   try {
     at->second(suite, value);
   } catch (const std::exception& error) {
-    throw HarnessError("\"" + key + "\": " + value.dump() + ' ' + error.what());
+    throw HarnessError("\"" + key + "\": " + printable(value.dump()) + ' ' + error.what());
   }
 }
 
@@ -111,6 +112,7 @@ void check_suite(const Suite& suite) {
                        std::to_string(kLeastMemory >> 20) + " MiB: the program itself takes that");
   }
   for (const auto& [cell, outcome] : suite.expected) check_expectation(cell, outcome);
+  check_name("corpus", suite.corpus);
   instruction_set_named(suite.vectors);
 }
 

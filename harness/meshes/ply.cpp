@@ -215,7 +215,9 @@ class HeaderParser {
 struct Row {
   std::string_view element;
   std::uint64_t number = 0;
-  std::string text() const { return std::string(element) + " " + std::to_string(number); }
+  std::string text() const {
+    return "element " + std::to_string(number) + " of " + in_quotes(element);
+  }
 };
 
 // The values of an ASCII file: a line a row.
@@ -338,8 +340,8 @@ class BodyParser {
     std::size_t row = 0;
     for (const Property& property : element.properties) row += Values::least_bytes(property);
     if (element.count * row > values_.bytes_left()) {
-      values_.fail("the header promises " + std::to_string(element.count) + " times '" +
-                   element.name + "', at least " + std::to_string(element.count * row) +
+      values_.fail("the header promises " + std::to_string(element.count) + " times " +
+                   in_quotes(element.name) + ", at least " + std::to_string(element.count * row) +
                    " bytes, but only " + std::to_string(values_.bytes_left()) +
                    " are left: the file is truncated; get a whole copy");
     }
@@ -380,7 +382,8 @@ class BodyParser {
     std::int64_t count = 1;
     if (property.count_type) {
       count = values_.integer(*property.count_type);
-      if (count < 0) values_.fail("the list '" + property.name + "' has a negative length");
+      if (count < 0)
+        values_.fail("the list " + in_quotes(property.name) + " has a negative length");
     }
     for (std::int64_t k = 0; k < count; ++k) values_.skip(property.type);
   }

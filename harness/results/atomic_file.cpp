@@ -69,12 +69,4 @@ Json read_json(const fs::path& path) {
   return parse_json(text.view(), path.string());
 }
 
-Json parse_json(std::string_view text, const std::string& name) {
-  try {
-    return Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    throw HarnessError(name + ": not valid JSON: " + error.what());
-  }
-}
-
 }  // namespace geodesic::harness

@@ -43,11 +43,7 @@ void write_bytes(const std::filesystem::path& path, std::string_view bytes);
 /// CannotWrite
 void write_json(const std::filesystem::path& path, const Json& json);
 
-/// @throws HarnessError when the file cannot be read or is not JSON; the message says where
+/// @throws HarnessError when the file cannot be read, and as `parse_json`
 Json read_json(const std::filesystem::path& path);
-
-/// As `read_json` on a file's bytes.
-/// @param name what messages call the file
-Json parse_json(std::string_view text, const std::string& name);
 
 }  // namespace geodesic::harness

@@ -1,6 +1,7 @@
 // Result files as they are compared and exported: by cells.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -19,13 +20,18 @@ struct CellResult {
   std::vector<Json> rows;  ///< at least one
 
   bool ok() const;
-  /// A number of every repetition, "cpu_time" (ms) for example; empty when the cell failed.
+  /// A number of every repetition; empty when the cell failed. Those of integer_counters,
+  /// "solver_peak_bytes" and, of every row, "cpu_time" (ms, above 0) are known to be numbers.
   std::vector<double> values(const std::string& key) const;
 };
 
+/// Keys of the context without which times, or instructions, mean something else.
+inline constexpr std::array kComparedKeys{"processor", "compiler", "compiler_flags", "build_type"};
+
 struct ResultFile {
   std::filesystem::path file;
-  Json context;  ///< Google Benchmark's keys, and ours in "geodesic_bench"
+  Json context;  ///< Google Benchmark's keys, and ours in "geodesic_bench": texts at kComparedKeys
+                 ///< and "corpus", and "meshes", each with a name and a sha256
   std::vector<CellResult> cells;
 
   const Json& ours() const { return context.at("geodesic_bench"); }

@@ -2,7 +2,6 @@
 // with itself.
 #include "harness/compare/limits.h"
 #include "harness/compare/report.h"
-#include "harness/results/atomic_file.h"
 #include "tests/fuzz/input.h"
 
 namespace geodesic::harness {

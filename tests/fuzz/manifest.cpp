@@ -1,7 +1,6 @@
 // Manifests of meshes, and what is asked of them.
 #include "harness/corpus/manifest.h"
 
-#include "harness/results/atomic_file.h"
 #include "tests/fuzz/input.h"
 
 namespace geodesic::harness {

@@ -1,6 +1,5 @@
 // Result files, and their exports.
 #include "harness/exports/exports.h"
-#include "harness/results/atomic_file.h"
 #include "tests/fuzz/input.h"
 
 namespace geodesic::harness {

@@ -1,7 +1,6 @@
 // Suites.
 #include "harness/corpus/suite.h"
 
-#include "harness/results/atomic_file.h"
 #include "tests/fuzz/input.h"
 
 void geodesic::harness::fuzz::read_input(std::string_view bytes) {

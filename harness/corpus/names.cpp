@@ -1,0 +1,31 @@
+#include "harness/corpus/names.h"
+
+#include <algorithm>
+
+#include "harness/error.h"
+
+namespace geodesic::harness {
+namespace {
+
+constexpr std::size_t kLongest = 100;
+
+// Of ASCII, whatever the locale.
+bool is_letter_or_digit(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+}  // namespace
+
+void check_name(std::string_view kind, std::string_view name) {
+  const bool fits = !name.empty() && name.size() <= kLongest && is_letter_or_digit(name[0]) &&
+                    std::all_of(name.begin(), name.end(), [](char c) {
+                      return is_letter_or_digit(c) || c == '.' || c == '_' || c == '-';
+                    });
+  if (fits) return;
+  throw HarnessError("no " + std::string(kind) + " can be named '" + printable(name) +
+                     "': names are of letters, digits, '.', '_' and '-', begin with one of the "
+                     "first two, and have at most " +
+                     std::to_string(kLongest) + " of them");
+}
+
+}  // namespace geodesic::harness
