@@ -1,6 +1,7 @@
 #include "harness/meshes/polygons.h"
 
 #include <algorithm>
+#include <numeric>
 #include <span>
 
 #include "harness/meshes/vectors.h"
@@ -49,11 +50,17 @@ bool fan_is_unfolded(std::span<const Point2> points) {
   return true;
 }
 
+// Takes the square of the number of corners in time: what has been ruled out as an obstacle of a
+// triangle stays so, and only the two triangles beside a lost ear change.
 class EarClipper {
  public:
   EarClipper(std::span<const Point2> points, std::span<const Index> corners)
-      : points_(points), corners_(corners) {
-    for (std::size_t i = 0; i < points.size(); ++i) left_.push_back(i);
+      : points_(points),
+        corners_(corners),
+        left_(points.size()),
+        lost_(points.size(), false),
+        ruled_out_(points.size(), 0) {
+    std::iota(left_.begin(), left_.end(), std::size_t{0});
   }
 
   // Appends the triangles; what has no ear left becomes a fan. Returns whether all were ears.
@@ -63,6 +70,8 @@ class EarClipper {
       while (ear < left_.size() && !is_ear(ear)) ++ear;
       if (ear == left_.size()) break;
       triangles.push_back(triangle(before(ear), left_[ear], after(ear)));
+      lost_[left_[ear]] = true;
+      ruled_out_[before(ear)] = ruled_out_[after(ear)] = 0;
       left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(ear));
     }
     const bool whole =
@@ -80,22 +89,27 @@ class EarClipper {
     return {corners_[a], corners_[b], corners_[c]};
   }
 
-  bool is_ear(std::size_t i) const {
+  bool is_ear(std::size_t i) {
     const Point2& a = points_[before(i)];
     const Point2& b = points_[left_[i]];
     const Point2& c = points_[after(i)];
     if (!(area2(a, b, c) > 0)) return false;
-    return std::none_of(left_.begin(), left_.end(), [&](std::size_t j) {
+    const auto is_obstacle = [&](std::size_t j) {
       const Point2& p = points_[j];
       // A corner of the same place is no obstacle: polygons with holes walk a slit twice.
-      if (p == a || p == b || p == c) return false;
+      if (lost_[j] || p == a || p == b || p == c) return false;
       return area2(a, b, p) >= 0 && area2(b, c, p) >= 0 && area2(c, a, p) >= 0;
-    });
+    };
+    std::size_t& j = ruled_out_[left_[i]];
+    while (j < points_.size() && !is_obstacle(j)) ++j;
+    return j == points_.size();
   }
 
   std::span<const Point2> points_;
   std::span<const Index> corners_;
   std::vector<std::size_t> left_;  // the polygon that remains, as positions in points_
+  std::vector<bool> lost_;
+  std::vector<std::size_t> ruled_out_;  // of each corner's triangle: so many points, as obstacles
 };
 
 void append_fan(std::span<const Index> corners, std::vector<Triangle>& triangles) {
