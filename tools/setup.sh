@@ -61,7 +61,7 @@ set_up() {
   fi
   if [[ " $* " == *" gate "* ]]; then want_optional "$install" optional-gate; fi
   mapfile -t modules < <(listed "$@" | sed -n 's/.* python://p')
-  find_python "${modules[@]}" || die "no python3 can import ${modules[*]}; Debian's packages of" \
+  [[ ${#modules[@]} -eq 0 ]] || find_python "${modules[@]}" || die "no python3 can import ${modules[*]}; Debian's packages of" \
     "them belong to /usr/bin/python3, which is tried first"
 }
 
