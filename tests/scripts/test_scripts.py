@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-SCRIPTS = ["run_all.sh", "run_tests.sh", "check_performance.sh"]
+SCRIPTS = ["run_all.sh", "run_tests.sh", "check_performance.sh", "tests/fuzz/fuzz.sh"]
 
 Ended = subprocess.CompletedProcess[str]
 
@@ -22,7 +22,8 @@ def checkout(tmp_path: Path) -> Path:
     copy = tmp_path / "a path with spaces"
     copy.mkdir()
     for name in SCRIPTS:
-        shutil.copy(ROOT / name, copy)
+        (copy / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / name, copy / name)
     for folder in ["tools", "plots", "results/published"]:
         shutil.copytree(ROOT / folder, copy / folder)
     shutil.copy(ROOT / "results" / "run.schema.json", copy / "results")
@@ -66,7 +67,7 @@ def test_help_lists_every_option_from_any_folder(checkout: Path, script: str) ->
     assert ended.returncode == 0 and ended.stderr == ""
     text = (checkout / script).read_text()
     steps = ["build", "fetch", "run", "check", "plot"] if script == "run_all.sh" else []
-    options = [word for word in ["--corpus", "--preset", "--out", "--run"] if f"{word})" in text]
+    options = [word for word in ["--corpus", "--preset", "--out", "--run", "--jobs"] if f"{word})" in text]
     for word in ["--no-install", "--help", *steps, *options]:
         assert word in ended.stdout
 
@@ -105,6 +106,17 @@ def test_option_without_value_is_an_error(checkout: Path, option: str) -> None:
 def test_counts_must_be_positive_numbers(checkout: Path, option: str, number: str) -> None:
     ended = run(checkout / "run_all.sh", option, number)
     assert ended.returncode == 1 and f"{option}: {number} is no positive number" in ended.stderr
+
+
+@pytest.mark.parametrize("number", ["0", "-1", "two", "99999999"])
+@pytest.mark.parametrize("option", ["--seconds", "--jobs"])
+def test_fuzzing_takes_positive_numbers_and_known_targets(
+    checkout: Path, option: str, number: str
+) -> None:
+    ended = run(checkout / "tests/fuzz/fuzz.sh", option, number)
+    assert ended.returncode == 1 and f"{option}: {number} is no positive number" in ended.stderr
+    ended = run(checkout / "tests/fuzz/fuzz.sh", "of")
+    assert ended.returncode == 1 and "unknown target of; there are comparison" in ended.stderr
 
 
 @pytest.mark.parametrize("script", SCRIPTS)
@@ -254,13 +266,13 @@ PYTEST = '<testsuites><testsuite name="pytest" errors="0" failures="0" skipped="
 
 
 @pytest.fixture
-def ci(checkout: Path) -> Callable[[str, str, str], Ended]:
-    """ci(ctest, tests, job) runs .ci/run with stand-ins for both scripts, which end with the exit
-    codes `tests` and `job`."""
+def ci(checkout: Path) -> Callable[..., Ended]:
+    """ci(ctest, tests, job, fuzzing) runs .ci/run with stand-ins for the scripts, which end with the
+    exit codes `tests`, `job` and `fuzzing`."""
     (checkout / ".ci").mkdir()
     shutil.copy(ROOT / ".ci" / "run", checkout / ".ci")
 
-    def start(ctest: str, tests: str, job: str) -> Ended:
+    def start(ctest: str, tests: str, job: str, fuzzing: str = "0") -> Ended:
         reports = checkout / "reports"
         reports.mkdir()
         (reports / "ctest.xml").write_text(ctest)
@@ -269,31 +281,36 @@ def ci(checkout: Path) -> Callable[[str, str, str], Ended]:
         copy = f'mkdir -p {logs}; cp "$(dirname "$0")"/reports/* {logs}'
         (checkout / "run_tests.sh").write_text(f"#!/bin/bash\n{copy}; exit {tests}\n")
         (checkout / "run_all.sh").write_text(f'#!/bin/bash\necho "asked: $*"; exit {job}\n')
+        (checkout / "tests/fuzz/fuzz.sh").write_text(f"#!/bin/bash\necho fuzzed; exit {fuzzing}\n")
         return run(checkout / ".ci" / "run")
 
     return start
 
 
-def test_ci_ends_with_the_number_of_tests(ci: Callable[[str, str, str], Ended]) -> None:
+def test_ci_ends_with_the_number_of_tests(ci: Callable[..., Ended]) -> None:
     ended = ci(CTEST.format(failures=0), "0", "0")
     assert ended.returncode == 0
     assert "3 tests skipped" in ended.stdout
-    assert ended.stdout.splitlines()[-1] == "12 passed, 0 failed"
+    assert ended.stdout.splitlines()[-1] == "13 passed, 0 failed"
     assert "asked: --preset ci --corpus tiny --repetitions 2" in ended.stdout
 
 
-def test_ci_fails_with_a_failed_test_and_still_runs_the_job(
-    ci: Callable[[str, str, str], Ended],
-) -> None:
+def test_ci_fails_with_a_failed_test_and_still_runs_the_job(ci: Callable[..., Ended]) -> None:
     ended = ci(CTEST.format(failures=1), "1", "0")
     assert ended.returncode == 1 and "asked:" in ended.stdout
-    assert ended.stdout.splitlines()[-1] == "10 passed, 2 failed"
+    assert ended.stdout.splitlines()[-1] == "11 passed, 2 failed"
 
 
-def test_ci_fails_with_a_failed_job(ci: Callable[[str, str, str], Ended]) -> None:
+def test_ci_fails_with_a_failed_job(ci: Callable[..., Ended]) -> None:
     ended = ci(CTEST.format(failures=0), "0", "1")
     assert ended.returncode == 1
-    assert ended.stdout.splitlines()[-1] == "11 passed, 1 failed"
+    assert ended.stdout.splitlines()[-1] == "12 passed, 1 failed"
+
+
+def test_ci_fails_with_a_finding_and_still_runs_the_job(ci: Callable[..., Ended]) -> None:
+    ended = ci(CTEST.format(failures=0), "0", "0", "1")
+    assert ended.returncode == 1 and "asked:" in ended.stdout
+    assert ended.stdout.splitlines()[-1] == "12 passed, 1 failed"
 
 
 def build_with_fake_cmake(checkout: Path, tmp_path: Path, version: str) -> Ended:
