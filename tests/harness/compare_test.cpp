@@ -76,6 +76,24 @@ TEST(MannWhitney, AgreesWithTablesAndCountsArrangements) {
   EXPECT_DOUBLE_EQ(mann_whitney_p({}, {1}), 1);
 }
 
+// 101 values against as many are too many to count: R's wilcox.test(exact = FALSE) and scipy's
+// mannwhitneyu(method="asymptotic") give the p-value below.
+TEST(MannWhitney, TakesManyValuesForNormal) {
+  Times a, b;
+  for (int i = 0; i < 101; ++i) {
+    a.push_back(2 * i);
+    b.push_back(2 * i + 31);
+  }
+  EXPECT_NEAR(mann_whitney_p(a, b), 0.0005042725954040361, 1e-15);
+  EXPECT_DOUBLE_EQ(mann_whitney_p(Times(100'000, 1), Times(100'000, 1)), 1);
+}
+
+TEST(GeometricMean, OfTimesAtTheEndsOfTheRangeIsNoNan) {
+  const Interval mean = geometric_mean_ratio(
+      {{{1e308, 1.7e308}, {5e-324, 1e-320}}, {{5e-324, 1e308}, {1.7e308, 1.7e308}}});
+  EXPECT_TRUE(mean.low <= mean.value && mean.value <= mean.high) << mean.low << ' ' << mean.high;
+}
+
 TEST(GeometricMean, IsOfRatiosOfMediansWithAnIntervalAroundIt) {
   const Interval mean = geometric_mean_ratio({{{1, 1, 1}, {2, 2, 9}}, {{4, 4, 4}, {2, 2, 2}}});
   EXPECT_DOUBLE_EQ(mean.value, 1);

@@ -108,5 +108,21 @@ TEST(Polygons, ManyCornersAreTriangulatedUnlessEarsWouldTakeTooLong) {
   EXPECT_THROW(parse(comb(6000)), MeshError);
 }
 
+// Corners that go round a triangle again and again, each of them blocked by the last but one, stand
+// before the ears. Looking at all corners for each blocked one for each ear took minutes.
+TEST(Polygons, CornersThatAreBlockedAreNotLookedAtAgainForEveryEar) {
+  constexpr int kRound = 3000, kArc = 3000;
+  Polygon polygon;
+  for (int i = 0; i < kRound; ++i) polygon.push_back({i % 3 / 2.0, i % 3 == 1 ? 2.0 : 0.0, 0});
+  std::reverse(polygon.begin(), polygon.end());  // counter-clockwise
+  for (int i = 0; i < kArc; ++i) {
+    const double angle = 2.5 * i / kArc - 1.5;
+    polygon.push_back({10 + 10 * std::cos(angle), 10 * std::sin(angle) - 5, 0});
+  }
+  polygon.push_back({0.5, 0.5, 0});
+  polygon.push_back(polygon[kRound - 1]);
+  EXPECT_EQ(parse(polygon).soup.triangles.size(), polygon.size() - 2);
+}
+
 }  // namespace
 }  // namespace geodesic::harness
