@@ -118,6 +118,10 @@ MeshFile parse_mesh(std::string_view bytes, const std::string& name) {
   if (file.soup.triangles.empty()) {
     throw MeshError(name + ": empty mesh: no faces, so no surface to measure on");
   }
+  if (file.soup.positions.size() >= kNone || file.soup.triangles.size() >= kNone / 3) {
+    throw MeshError(name +
+                    ": too large: vertices and sides of triangles are numbered with 32 bits");
+  }
   return file;
 }
 

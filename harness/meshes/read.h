@@ -35,9 +35,8 @@ struct MeshFile {
 std::string read_bytes(const std::filesystem::path& path);
 
 /// Reads a file; its format is recognised by its content, the extension is only a hint.
-/// @throws MeshError when the file cannot be read, is of no known format, is malformed or
-/// truncated,
-///         or holds no vertex or no face
+/// @throws MeshError when the file cannot be read, is of no known format, malformed or truncated,
+///         or holds no vertex or no face, or more than a Mesh can number
 MeshFile read_mesh(const std::filesystem::path& path);
 
 /// As `read_mesh` on a file's bytes.
