@@ -54,8 +54,8 @@ std::string failure(const CellResult& cell) {
 }
 
 // Numbers that are the same in every repetition are taken from the first.
-std::optional<NumberChange> number(const std::string& key, const CellResult& before,
-                                   const CellResult& after) {
+std::optional<NumberChange> number_change(const std::string& key, const CellResult& before,
+                                          const CellResult& after) {
   const std::vector<double> old_values = before.values(key), new_values = after.values(key);
   if (old_values.empty() || new_values.empty()) return std::nullopt;
   return NumberChange{key, old_values.front(), new_values.front()};
@@ -78,10 +78,10 @@ CellChange cell_change(const CellResult& before, const CellResult& after, bool t
                     .wrong_after = after.outcome == outcome::kWrongAnswer};
   if (times) change.time = time_change(before, after);
   for (const std::string& key : integer_counters()) {
-    const auto changed = number(key, before, after);
+    const auto changed = number_change(key, before, after);
     if (changed && changed->before != changed->after) change.counters.push_back(*changed);
   }
-  change.memory = number("solver_peak_bytes", before, after);
+  change.memory = number_change("solver_peak_bytes", before, after);
   return change;
 }
 
