@@ -40,7 +40,7 @@ Json parse_json(std::string_view text, const std::string& name) {
     check_bounds(text);
     return Json::parse(text);
   } catch (const Json::exception& error) {
-    throw HarnessError(name + ": not valid JSON: " + printable(error.what()));
+    throw HarnessError(name + ": not valid JSON: " + excerpt(error.what()));
   } catch (const HarnessError& error) {
     throw HarnessError(name + ": " + error.what());
   }

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 
+#include "harness/error.h"
 #include "harness/json.h"
 #include "harness/meshes/load.h"
 #include "harness/meshes/summary.h"
@@ -100,6 +101,11 @@ void print_row(std::string_view name, const Value& value) {
   std::cout << "  " << std::left << std::setw(20) << name << value << '\n';
 }
 
+// Words out of the file.
+void print_words(std::string_view name, const std::string& words) {
+  print_row(name, harmless(words));
+}
+
 void print_summary(const MeshSummary& s) {
   print_row("vertices", s.vertices);
   print_row("faces", s.faces);
@@ -120,16 +126,16 @@ void print_summary(const MeshSummary& s) {
 }
 
 void print_text(const Flags& flags, const Findings& findings) {
-  std::cout << flags.file << ": " << findings.format << '\n';
+  std::cout << harmless(flags.file) << ": " << findings.format << '\n';
   print_summary(findings.summary);
-  for (const std::string& warning : findings.warnings) print_row("warning", warning);
+  for (const std::string& warning : findings.warnings) print_words("warning", warning);
   for (const Defect& defect : findings.defects.defects) {
     const bool is_error = type_of(defect.kind).severity == Severity::error;
-    print_row(is_error ? "defect, error" : "defect, warning", defect.text());
+    print_words(is_error ? "defect, error" : "defect, warning", defect.text());
   }
   if (findings.defects.defects.empty()) print_row("defects", "none");
   for (const RepairAction& action : findings.repairs) {
-    print_row(action.changed ? "repaired" : "settled", action.summary());
+    print_words(action.changed ? "repaired" : "settled", action.summary());
   }
   if (flags.repair && findings.repairs.empty()) print_row("repaired", "nothing needed it");
 }

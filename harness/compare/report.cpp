@@ -157,7 +157,7 @@ std::string report(const Comparison& comparison, const std::vector<std::string>&
   const auto show = markdown ? as_markdown : as_text;
   std::string text;
   for (const std::string& line : verdict(comparison, failures)) {
-    text += (markdown ? "- " : "") + line + '\n';
+    text += (markdown ? "- " : "") + harmless(line) + '\n';
   }
   if (!comparison.overall.empty()) text += '\n' + show(overall_table(comparison));
   return text + '\n' + show(cell_table(comparison));

@@ -56,7 +56,7 @@ void set(Suite& suite, const std::string& key, const Json& value) {
   try {
     at->second(suite, value);
   } catch (const std::exception& error) {
-    throw HarnessError("\"" + key + "\": " + printable(value.dump()) + ' ' + error.what());
+    throw HarnessError("\"" + key + "\": " + excerpt(value.dump()) + ' ' + error.what());
   }
 }
 

@@ -24,7 +24,7 @@ std::string line_at(const Json& object, const char* key) {
 void check_context(const Json& ours) {
   const Json& version = ours.at("schema_version");
   if (version != kSchemaVersion) {
-    throw HarnessError("it has schema version " + printable(version.dump()) +
+    throw HarnessError("it has schema version " + excerpt(version.dump()) +
                        ", and this program reads " + std::to_string(kSchemaVersion));
   }
   for (const char* key : kComparedKeys) line_at(ours, key);

@@ -4,9 +4,24 @@
 #include <cstdio>
 #include <string_view>
 
+#include "harness/error.h"
+
 namespace geodesic::harness {
 
-std::string as_text(const TextTable& table) {
+namespace {
+
+// Names out of files, shown as they are only where they are harmless.
+TextTable to_show(TextTable table) {
+  for (auto& row : table) {
+    for (std::string& cell : row) cell = harmless(cell);
+  }
+  return table;
+}
+
+}  // namespace
+
+std::string as_text(const TextTable& given) {
+  const TextTable table = to_show(given);
   std::vector<std::size_t> widths;
   for (const auto& row : table) {
     widths.resize(std::max(widths.size(), row.size()));
@@ -23,7 +38,8 @@ std::string as_text(const TextTable& table) {
   return text;
 }
 
-std::string as_markdown(const TextTable& table) {
+std::string as_markdown(const TextTable& given) {
+  const TextTable table = to_show(given);
   std::string text;
   for (const auto& row : table) {
     text += "|";

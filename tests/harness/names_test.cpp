@@ -21,19 +21,19 @@ TEST(UnknownName, SaysWhenThereIsNothing) {
 TEST(UnknownName, ShowsALineWhateverTheNameIs) {
   const std::string huge = "\n\x1b[2J" + std::string(10'000'000, 'x');
   const std::string message = unknown_name("key", huge, {"corpus", "seed"});
-  EXPECT_TRUE(message.starts_with("no key named '??[2Jxxx")) << message.substr(0, 100);
+  EXPECT_TRUE(message.starts_with("no key named '\\x0a\\x1b[2Jxxx")) << message.substr(0, 100);
   EXPECT_TRUE(message.ends_with("xxx...'; there are: corpus, seed"));
   EXPECT_LT(message.size(), 300u);
 }
 
-TEST(Printable, NeverCutsACharacterOfUtf8) {
+TEST(Excerpt, NeverCutsACharacterOfUtf8) {
   const std::string umlauts = [] {
     std::string text = "a";
     for (int i = 0; i < 150; ++i) text += "\u00fc";
     return text;
   }();
-  EXPECT_EQ(printable(umlauts), umlauts.substr(0, 199) + "...");
-  EXPECT_EQ(printable("f\u00fcr"), "f\u00fcr");
+  EXPECT_EQ(excerpt(umlauts), umlauts.substr(0, 199) + "...");
+  EXPECT_EQ(excerpt("f\u00fcr"), "f\u00fcr");
 }
 
 TEST(CheckName, TakesWhatAFileInAFolderCanBeCalled) {
@@ -45,6 +45,32 @@ TEST(CheckName, TakesWhatAFileInAFolderCanBeCalled) {
                            "\u00fc", long_one.c_str()}) {
     expect_error([&] { check_name("mesh", name); }, {"no mesh can be named '"});
   }
+}
+
+TEST(Harmless, ShowsTextAsItIsAndEverythingElseAsItsBytes) {
+  for (const char* text :
+       {"", "plain", "Gr\u00fc\u00dfe", "\u30e1\u30c3\u30b7\u30e5", "\U0001f600"}) {
+    EXPECT_EQ(harmless(text), text);
+  }
+  EXPECT_EQ(harmless("\x1b[2J\n\t\x7f"), R"(\x1b[2J\x0a\x09\x7f)");
+  EXPECT_EQ(harmless(std::string_view("a\0b", 3)), R"(a\x00b)");
+  EXPECT_EQ(harmless("\xc2\x9b"), R"(\xc2\x9b)") << "ESC [ in one character";
+  EXPECT_EQ(harmless("\xc2\xa0"), "\xc2\xa0");
+}
+
+TEST(Harmless, LetsNoMalformedUtf8Pass) {
+  EXPECT_EQ(harmless("a\xff"
+                     "b\xc3"),
+            R"(a\xffb\xc3)");
+  EXPECT_EQ(harmless("\x80\xbf"), R"(\x80\xbf)");
+  EXPECT_EQ(harmless("\xc0\xaf"), R"(\xc0\xaf)") << "a slash in two bytes";
+  EXPECT_EQ(harmless("\xe0\x9f\xbf"), R"(\xe0\x9f\xbf)") << "too long";
+  EXPECT_EQ(harmless("\xed\xa0\x80"), R"(\xed\xa0\x80)") << "a surrogate";
+  EXPECT_EQ(harmless("\xf4\x90\x80\x80"), R"(\xf4\x90\x80\x80)") << "beyond Unicode";
+  EXPECT_EQ(harmless("\xe3\x83"
+                     "A"),
+            R"(\xe3\x83A)")
+      << "cut";
 }
 
 }  // namespace
