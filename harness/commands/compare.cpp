@@ -21,8 +21,8 @@ struct CompareFlags {
 int run_compare(const CompareFlags& flags) {
   const ReportFormat format = report_format_named(flags.format);
   const Limits limits = parse_limits(flags.fail_on);
-  const Comparison comparison =
-      compare(read_result_file(flags.before), read_result_file(flags.after));
+  const ResultFile before = read_result_file(flags.before);
+  const Comparison comparison = compare(before, read_result_file(flags.after));
   const std::vector<std::string> failures = exceeded(comparison, limits);
   std::cout << report(comparison, failures, format);
   if (comparison.count_wrong() > 0) return kWrongAnswer;

@@ -15,6 +15,7 @@ struct ExportFlags {
 };
 
 void run_export(const ExportFlags& flags) {
+  check_export_format(flags.format);  // before a file is read
   const ResultFile result = read_result_file(flags.file);
   std::cout << export_as(flags.format, result);
   const auto failed = std::count_if(result.cells.begin(), result.cells.end(),

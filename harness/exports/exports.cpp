@@ -99,7 +99,8 @@ std::string quoted(const Json& row, const std::string& key) {
   const Json& value = row.at(key);
   if (!value.is_string()) return value.dump();
   std::string text = "\"";
-  for (const char c : value.get<std::string>()) text += c == '"' ? "\"\"" : std::string(1, c);
+  for (const char c : harmless(value.get<std::string>()))
+    text += c == '"' ? "\"\"" : std::string(1, c);
   return text + '"';
 }
 
@@ -146,12 +147,14 @@ const std::vector<std::string>& export_formats() {
   return names;
 }
 
+void check_export_format(const std::string& format) {
+  if (exporters().contains(format)) return;
+  throw HarnessError(unknown_name("export format", format, export_formats()));
+}
+
 std::string export_as(const std::string& format, const ResultFile& result) {
-  const auto exporter = exporters().find(format);
-  if (exporter == exporters().end()) {
-    throw HarnessError(unknown_name("export format", format, export_formats()));
-  }
-  return exporter->second(result);
+  check_export_format(format);
+  return exporters().at(format)(result);
 }
 
 }  // namespace geodesic::harness

@@ -11,6 +11,9 @@ namespace geodesic::harness {
 /// Names of the formats that `export_as` knows.
 const std::vector<std::string>& export_formats();
 
+/// @throws HarnessError for an unknown format, listing the known ones
+void check_export_format(const std::string& format);
+
 /// One of:
 /// - "github-action-benchmark": an array of {name, unit, value, range}, for that tool's
 ///   `customSmallerIsBetter`: time, counters and memory of each cell;

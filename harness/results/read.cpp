@@ -12,57 +12,64 @@
 namespace geodesic::harness {
 namespace {
 
-// Text that is shown within a line.
-std::string line_at(const Json& object, const char* key) {
-  const std::string text = object.at(key);
-  const bool one_line = std::none_of(text.begin(), text.end(),
-                                     [](char c) { return static_cast<unsigned char>(c) < 0x20; });
-  if (!one_line) throw HarnessError('"' + std::string(key) + "\" has control characters");
-  return text;
+// Text that is shown within a line; anything else would be another type, or no text.
+std::string text_at(const Json& object, const char* key) {
+  return harmless(object.at(key).get<std::string>());
 }
 
 void check_context(const Json& ours) {
   const Json& version = ours.at("schema_version");
   if (version != kSchemaVersion) {
     throw HarnessError("it has schema version " + excerpt(version.dump()) +
-                       ", and this program reads " + std::to_string(kSchemaVersion));
+                       ", and this program reads " + std::to_string(kSchemaVersion) +
+                       ": run it again");
   }
-  for (const char* key : kComparedKeys) line_at(ours, key);
-  line_at(ours, "corpus");
+  for (const char* key : kComparedKeys) text_at(ours, key);
+  text_at(ours, "corpus");
   for (const Json& mesh : ours.at("meshes")) {
-    line_at(mesh, "name");
-    line_at(mesh, "sha256");
+    text_at(mesh, "name");
+    text_at(mesh, "sha256");
   }
 }
 
 // Whoever computes with the numbers of a cell that is ok does not look at them again.
 void check_numbers(const Json& row) {
   if (row.at("cpu_time").get<double>() <= 0) throw HarnessError("a \"cpu_time\" is not above 0");
-  const auto check = [&](const std::string& key) {
-    if (row.contains(key)) row.at(key).get<double>();
-  };
-  for (const std::string& key : integer_counters()) check(key);
-  check("solver_peak_bytes");
+  std::vector<std::string> keys = integer_counters();
+  keys.emplace_back("solver_peak_bytes");
+  for (const std::string& key : keys) {
+    if (row.contains(key) && !row.at(key).is_number()) {
+      throw HarnessError(key + " is no number but " + row.at(key).type_name());
+    }
+  }
 }
 
 CellResult cell_of(const Json& row) {
-  return {.name = line_at(row, "run_name"),
-          .solver = line_at(row, "solver"),
-          .mesh = line_at(row, "mesh"),
-          .outcome = line_at(row, "outcome"),
-          .message = row.contains("error_message") ? line_at(row, "error_message") : "",
+  return {.name = text_at(row, "run_name"),
+          .solver = text_at(row, "solver"),
+          .mesh = text_at(row, "mesh"),
+          .outcome = text_at(row, "outcome"),
+          .message = row.contains("error_message") ? text_at(row, "error_message") : "",
           .rows = {}};
 }
 
 std::vector<CellResult> cells_of(const Json& rows) {
+  if (!rows.is_array() || rows.empty()) throw HarnessError("benchmarks: no list of rows");
   std::vector<CellResult> cells;
   std::map<std::string, std::size_t> index;  // by name; cells stay in the file's order
-  for (const Json& row : rows) {
-    const auto [place, added] = index.emplace(row.at("run_name"), cells.size());
-    if (added) cells.push_back(cell_of(row));
-    CellResult& cell = cells[place->second];
-    if (cell.ok()) check_numbers(row);
-    cell.rows.push_back(row);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::string where = "benchmarks[" + std::to_string(i) + "]: ";
+    try {
+      const auto [place, added] = index.emplace(rows[i].at("run_name"), cells.size());
+      if (added) cells.push_back(cell_of(rows[i]));
+      CellResult& cell = cells[place->second];
+      if (cell.ok()) check_numbers(rows[i]);
+      cell.rows.push_back(rows[i]);
+    } catch (const Json::exception& error) {
+      throw HarnessError(where + reason_of(error));
+    } catch (const HarnessError& error) {
+      throw HarnessError(where + error.what());
+    }
   }
   return cells;
 }
@@ -82,11 +89,11 @@ std::vector<double> CellResult::values(const std::string& key) const {
 
 ResultFile read_result_file(const std::filesystem::path& path) {
   const std::filesystem::path file = std::filesystem::is_directory(path) ? path / "run.json" : path;
-  return parse_result_file(read_json(file), file);
+  return parse_result_file(read_json(file, "a run folder, or a result file in one"), file);
 }
 
 ResultFile parse_result_file(const Json& json, const std::filesystem::path& file) {
-  const auto refuse = [&](const std::string& why) {
+  const auto refused = [&](const std::string& why) {
     return HarnessError("'" + file.string() + "' is no result file of geodesic-bench: " + why);
   };
   try {
@@ -95,9 +102,9 @@ ResultFile parse_result_file(const Json& json, const std::filesystem::path& file
     result.cells = cells_of(json.at("benchmarks"));
     return result;
   } catch (const Json::exception& error) {
-    throw refuse(error.what());
+    throw refused(reason_of(error));
   } catch (const HarnessError& error) {
-    throw refuse(error.what());
+    throw refused(error.what());
   }
 }
 
