@@ -40,10 +40,16 @@ Json parse_json(std::string_view text, const std::string& name) {
     check_bounds(text);
     return Json::parse(text);
   } catch (const Json::exception& error) {
-    throw HarnessError(name + ": not valid JSON: " + excerpt(error.what()));
+    throw HarnessError(name + ": not valid JSON: " + reason_of(error) +
+                       "; correct it or get a whole copy");
   } catch (const HarnessError& error) {
     throw HarnessError(name + ": " + error.what());
   }
+}
+
+std::string reason_of(const Json::exception& error) {
+  const std::string_view text = error.what();
+  return excerpt(text.substr(text.find("] ") + 2));
 }
 
 }  // namespace geodesic::harness

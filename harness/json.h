@@ -11,9 +11,11 @@ using Json = nlohmann::ordered_json;
 
 /// The content of a file, which may be anybody's.
 /// @param name what messages call the file
-/// @throws HarnessError for what is not JSON (the message says where), is nested more than 50 deep
-/// or
-///         has an object of more than 1000 keys
+/// @throws HarnessError for what is not JSON (the message says where), is nested more than 50 deep,
+///         or has an object of more than 1000 keys
 Json parse_json(std::string_view text, const std::string& name);
+
+/// What the JSON library says, without its number: "type must be string, but is array".
+std::string reason_of(const Json::exception& error);
 
 }  // namespace geodesic::harness

@@ -1,5 +1,6 @@
 #include "harness/results/atomic_file.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -16,17 +17,29 @@ namespace {
   throw CannotWrite("cannot write '" + path.string() + "': " + std::strerror(errno));
 }
 
+// Makes a new file: a link that somebody else has put there is not followed.
+// @return whether it could
+bool create(const fs::path& path) {
+  constexpr mode_t kMode = 0666;  // less what the umask takes away
+  unlink(path.c_str());
+  const int file = open(path.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, kMode);
+  return file >= 0 && close(file) == 0;
+}
+
 }  // namespace
 
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), written_(path_) {
   std::error_code ignored;
+  auto mode = std::ios::out | std::ios::binary;
   if (fs::is_directory(path_, ignored)) {
     throw CannotWrite("cannot write '" + path_.string() + "': it is a folder");
   }
   if (!fs::exists(path_, ignored) || fs::is_regular_file(path_, ignored)) {
     written_ += std::to_string(getpid()).insert(0, 1, '.') + kPartOfFile;
+    if (!create(written_)) cannot_write(path_);
+    mode |= std::ios::in;  // opens what is there, and creates nothing
   }
-  stream_.open(written_, std::ios::binary);
+  stream_.open(written_, mode);
   if (!stream_) cannot_write(path_);
 }
 
@@ -60,12 +73,17 @@ void write_json(const fs::path& path, const Json& json) {
   file.commit();
 }
 
-Json read_json(const fs::path& path) {
+Json read_json(const fs::path& path, const std::string& wanted) {
+  const auto unreadable = [&](const char* why) {
+    return HarnessError("cannot read '" + path.string() + "': " + why +
+                        (wanted.empty() ? "" : "; name " + wanted));
+  };
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) throw unreadable("it is a folder");
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   if (file) text << file.rdbuf();
-  if (!file || text.bad())
-    throw HarnessError("cannot read '" + path.string() + "': " + std::strerror(errno));
+  if (!file || text.bad()) throw unreadable(std::strerror(errno));
   return parse_json(text.view(), path.string());
 }
 

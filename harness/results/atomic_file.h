@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <ostream>
+#include <string>
 #include <string_view>
 
 #include "harness/json.h"
@@ -43,7 +44,8 @@ void write_bytes(const std::filesystem::path& path, std::string_view bytes);
 /// CannotWrite
 void write_json(const std::filesystem::path& path, const Json& json);
 
+/// @param wanted what a user should have named, for the message when there is no such file
 /// @throws HarnessError when the file cannot be read, and as `parse_json`
-Json read_json(const std::filesystem::path& path);
+Json read_json(const std::filesystem::path& path, const std::string& wanted = "");
 
 }  // namespace geodesic::harness

@@ -1,6 +1,5 @@
 #include "harness/results/read.h"
 
-#include <algorithm>
 #include <map>
 
 #include "harness/cells/row.h"
