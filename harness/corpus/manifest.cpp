@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 
 #include "harness/corpus/names.h"
 #include "harness/error.h"
@@ -47,20 +48,38 @@ MeshEntry parse_mesh(const Json& mesh, const fs::path& cache) {
 }  // namespace
 
 Manifest::Manifest(const fs::path& file, const fs::path& cache)
-    : Manifest(read_json(file), file.string(), cache) {}
+    : Manifest(read_json(file, "a manifest, such as " + default_manifest().string()),
+               file.string(), cache) {}
 
 Manifest::Manifest(const Json& json, const std::string& name, const fs::path& cache) {
+  std::string place = "not a manifest of meshes: ";
   try {
-    for (const Json& mesh : json.at("meshes")) meshes_.push_back(parse_mesh(mesh, cache));
+    const Json& meshes = json.at("meshes");
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+      place = "meshes[" + std::to_string(i) + "]: ";
+      meshes_.push_back(parse_mesh(meshes.at(i), cache));
+    }
+    check_names();
+    place = "corpora: ";
     json.at("corpora").get_to(corpora_);
     for (const auto& [corpus, members] : corpora_) {
+      place = "corpora/" + excerpt(corpus) + ": ";
       check_name("corpus", corpus);
       for (const std::string& member : members) mesh(member);
     }
   } catch (const Json::exception& error) {
-    throw HarnessError(name + ": not a manifest of meshes: " + error.what());
+    throw HarnessError(name + ": " + place + reason_of(error));
   } catch (const HarnessError& error) {
-    throw HarnessError(name + ": " + error.what());
+    throw HarnessError(name + ": " + place + error.what());
+  }
+}
+
+void Manifest::check_names() const {
+  std::set<std::string> names;
+  for (const MeshEntry& mesh : meshes_) {
+    if (!names.insert(mesh.name).second) {
+      throw HarnessError("two meshes are named '" + mesh.name + "': rename one");
+    }
   }
 }
 
@@ -94,12 +113,16 @@ fs::path dataset_cache() {
 }
 
 MeshEntry find_mesh(const std::string& file_or_name, const fs::path& manifest) {
-  if (fs::is_regular_file(file_or_name)) {
-    const fs::path file = file_or_name;
-    return {.name = file.stem().string(), .file = file, .kind = "file"};
+  const fs::path file = file_or_name;
+  std::error_code unknown;
+  const fs::file_status status = fs::status(file, unknown);
+  if (fs::is_regular_file(status)) {
+    return {.name = harmless(file.stem().string()), .file = file, .kind = "file"};
   }
+  if (fs::exists(status)) throw HarnessError("'" + file_or_name + "' is no regular file");
   if (file_or_name.find('/') != std::string::npos) {
-    throw HarnessError("there is no file '" + file_or_name + "'");
+    throw HarnessError("there is no file '" + file_or_name +
+                       "': " + (unknown ? unknown.message() : "check the path"));
   }
   const MeshEntry entry = Manifest(manifest, dataset_cache()).mesh(file_or_name);
   if (!entry.available()) throw HarnessError(how_to_get(entry));

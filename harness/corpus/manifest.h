@@ -52,6 +52,8 @@ class Manifest {
   std::vector<MeshEntry> corpus(const std::string& name) const;
 
  private:
+  void check_names() const;
+
   std::vector<MeshEntry> meshes_;
   std::map<std::string, std::vector<std::string>> corpora_;  // names of meshes
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -20,11 +21,22 @@ constexpr std::uint64_t kLeastMemory = std::uint64_t{128} << 20;  // of address 
 
 using Setter = std::function<void(Suite&, const Json&)>;
 
+// As in the file, if it is short; what is nested could be so without end.
+std::string shown(const Json& value) {
+  if (value.is_structured()) return std::string("an ") + value.type_name();
+  constexpr std::size_t kLongest = 40;
+  const std::string text = harmless(value.dump());
+  return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
+}
+
 // A whole number that fits; nlohmann would turn 2.5 into 2 and -1 into a large one.
 template <class Integer>
 void set_integer(Integer& into, const Json& value) {
   if (!value.is_number_unsigned()) throw HarnessError("is no whole number of 0 or more");
-  if (!std::in_range<Integer>(value.get<std::uint64_t>())) throw HarnessError("is too large");
+  if (!std::in_range<Integer>(value.get<std::uint64_t>())) {
+    throw HarnessError("is too large: at most " +
+                       std::to_string(std::numeric_limits<Integer>::max()));
+  }
   into = value.get<Integer>();
 }
 
@@ -55,14 +67,16 @@ void set(Suite& suite, const std::string& key, const Json& value) {
   }
   try {
     at->second(suite, value);
-  } catch (const std::exception& error) {
-    throw HarnessError("\"" + key + "\": " + excerpt(value.dump()) + ' ' + error.what());
+  } catch (const Json::exception& error) {
+    throw HarnessError("\"" + key + "\": " + shown(value) + ": " + reason_of(error));
+  } catch (const HarnessError& error) {
+    throw HarnessError("\"" + key + "\": " + shown(value) + ' ' + error.what());
   }
 }
 
 void check_expectation(const std::string& cell, const std::string& outcome) {
   if (cell.find('/') == std::string::npos) {
-    throw HarnessError("\"expected\": '" + cell + "' names no solver and mesh (mmp/horse)");
+    throw HarnessError("expected: '" + cell + "' names no solver and mesh (mmp/horse)");
   }
   if (std::ranges::find(outcome::kExpectable, outcome) == outcome::kExpectable.end()) {
     throw HarnessError(unknown_name("outcome that can be expected", outcome,
@@ -73,7 +87,8 @@ void check_expectation(const std::string& cell, const std::string& outcome) {
 }  // namespace
 
 Suite read_suite(const std::filesystem::path& file) {
-  return parse_suite(read_json(file), file.string());
+  return parse_suite(read_json(file, "a suite, such as " + default_suite().string()),
+                     file.string());
 }
 
 Suite parse_suite(const Json& json, const std::string& name) {
@@ -99,18 +114,17 @@ void to_json(Json& json, const Suite& suite) {
 }
 
 void check_suite(const Suite& suite) {
-  if (suite.sources < 1) throw HarnessError("a suite needs at least one source a mesh");
-  if (suite.repetitions < 1) throw HarnessError("a suite needs at least one repetition");
-  if (!(suite.min_time > 0) || !std::isfinite(suite.min_time)) {
-    throw HarnessError("the least time of a repetition must be a positive number of seconds");
-  }
-  if (!(suite.time_limit > 0)) {
-    throw HarnessError("the time limit of a cell must be a positive number of seconds");
-  }
-  if (suite.memory_limit && *suite.memory_limit < kLeastMemory) {
-    throw HarnessError("the memory limit of a cell must be at least " +
-                       std::to_string(kLeastMemory >> 20) + " MiB: the program itself takes that");
-  }
+  const auto check = [](bool holds, const std::string& what) {
+    if (!holds) throw HarnessError(what);
+  };
+  check(suite.sources >= 1, "sources: a suite needs at least one source a mesh");
+  check(suite.repetitions >= 1, "repetitions: a suite needs at least one repetition");
+  check(suite.min_time > 0 && std::isfinite(suite.min_time),
+        "min_time: the least time of a repetition must be a positive number of seconds");
+  check(suite.time_limit > 0, "time_limit: a cell needs a positive number of seconds");
+  check(!suite.memory_limit || *suite.memory_limit >= kLeastMemory,
+        "memory_limit: a cell needs at least " + std::to_string(kLeastMemory >> 20) +
+            " MiB: the program itself takes that");
   for (const auto& [cell, outcome] : suite.expected) check_expectation(cell, outcome);
   check_name("corpus", suite.corpus);
   instruction_set_named(suite.vectors);
