@@ -5,6 +5,8 @@
 #include <iostream>
 #include <memory>
 
+#include "harness/cells/interruption.h"
+#include "harness/commands/values.h"
 #include "harness/conformance/examine.h"
 #include "harness/conformance/verification.h"
 #include "harness/corpus/manifest.h"
@@ -75,6 +77,7 @@ void run_verify(const VerifyFlags& flags) {
   VerifyRequest request = flags.request;
   for (const std::string& word : flags.sources) request.sources.push_back(source_of(word));
   check_request(request);
+  const InterruptionGuard guard;  // temporary files are removed
   if (!conformance::verify_solver(request)) throw CLI::RuntimeError(2);
 }
 
@@ -102,14 +105,14 @@ void add_verify_command(CLI::App& app) {
       ->allow_extra_args(false);
   command->add_flag("--each", request.each, "solve from each source by itself, in this order");
   command->add_option("--limit", request.limit, "on --meshes: a distance limit")
-      ->check(CLI::NonNegativeNumber);
+      ->check(zero_or_above());
   command->add_option("--time-limit", request.time_limit, "seconds that a property may take")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   command
       ->add_option("--shrink", request.shrink,
                    "seconds to spend on making a failing mesh smaller; 0 saves none")
-      ->check(CLI::NonNegativeNumber)
+      ->check(zero_or_above())
       ->capture_default_str();
   command->add_option("--out", request.out, "folder for failing meshes (failures-<solver>)");
   command->add_option("--vectors", request.vectors,

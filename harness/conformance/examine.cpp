@@ -109,8 +109,10 @@ void run_examination(const ExaminationSpec& spec) {
 
 Examiner::Examiner(const Description& solver, std::string vectors, double time_limit)
     : solver_(solver), vectors_(std::move(vectors)), time_limit_(time_limit) {
-  std::string name = (std::filesystem::temp_directory_path() / "geodesic-verify-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) {
+  std::error_code error;
+  const std::filesystem::path temporary = std::filesystem::temp_directory_path(error);
+  std::string name = (temporary / "geodesic-verify-XXXXXX").string();
+  if (error || mkdtemp(name.data()) == nullptr) {
     throw harness::HarnessError("cannot make a folder like '" + name +
                                 "' for temporary files; set TMPDIR to one that can be written to");
   }
