@@ -8,7 +8,9 @@
 #include "harness/commands/rank.h"
 #include "harness/commands/run.h"
 #include "harness/commands/solve.h"
+#include "harness/commands/values.h"
 #include "harness/commands/verify.h"
+#include "harness/error.h"
 #include "harness/plugins.h"
 
 namespace geodesic::harness {
@@ -26,6 +28,16 @@ void add_plugin_option(CLI::App& app) {
       ->type_name("FILE");
 }
 
+// Result files keep the command line, and names from it, as JSON.
+void require_text(CLI::App& command, const std::string& command_line) {
+  command.preparse_callback([command_line](std::size_t) {
+    if (harmless(command_line) == command_line) return;
+    throw HarnessError(
+        "a word of the command line has a control character in it, or bytes that are no UTF-8, "
+        "which no result file can hold: rename the file or folder");
+  });
+}
+
 }  // namespace
 
 void add_commands(CLI::App& app, const std::string& command_line) {
@@ -39,7 +51,14 @@ void add_commands(CLI::App& app, const std::string& command_line) {
   add_compare_command(app);
   add_export_command(app);
   add_plugin_option(app);
-  for (CLI::App* command : app.get_subcommands(nullptr)) add_plugin_option(*command);
+  for (CLI::App* command : app.get_subcommands(nullptr)) {
+    add_plugin_option(*command);
+    check_values(*command);
+  }
+  check_values(app);
+  for (const char* name : {"run", "rank", "verify"}) {
+    require_text(*app.get_subcommand(name), command_line);
+  }
   add_cell_commands(app);
   add_examine_command(app);
 }

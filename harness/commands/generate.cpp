@@ -68,6 +68,9 @@ generators::Parameters parse_parameters(const std::vector<std::string>& words) {
 
 void generate_file(const GenerateArguments& arguments, const std::vector<std::string>& words) {
   if (arguments.list) {
+    if (!arguments.name.empty() || !arguments.output.empty() || !words.empty()) {
+      throw HarnessError("generate: --list stands alone");
+    }
     std::cout << list_of_generators();
     return;
   }
@@ -76,7 +79,9 @@ void generate_file(const GenerateArguments& arguments, const std::vector<std::st
   }
   std::vector<std::string> remarks;
   const TriangleSoup soup = generators::generate(arguments.name, parse_parameters(words), &remarks);
-  for (const std::string& remark : remarks) std::cerr << arguments.name << ": " << remark << '\n';
+  for (const std::string& remark : remarks) {
+    std::cerr << arguments.name << ": " << harmless(remark) << '\n';
+  }
   write_mesh(arguments.output, soup);
 }
 

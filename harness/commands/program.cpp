@@ -1,6 +1,10 @@
 #include "harness/commands/program.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 
 #include "harness/build_info.h"
@@ -35,41 +39,63 @@ std::vector<std::string> commands_of(const CLI::App& app) {
 }
 
 // "no option of solve named '--sorce' (did you mean '--source'?); there are: --help, --solver"
-std::string what_exists(const CLI::App& app, const CLI::ParseError& error) {
-  const CLI::App& at = innermost(app);
+// Empty when every word means something.
+std::string unknown_word(const CLI::App& at) {
   const std::vector<std::string> extras = at.remaining();
   const std::vector<std::string> commands = commands_of(at);
-  if (!extras.empty() && extras.front().starts_with("-")) {
+  if (extras.empty() || at.get_allow_extras()) return {};
+  if (extras.front().starts_with("-")) {
     return unknown_name("option of " + at.get_name(), extras.front(), options_of(at));
   }
-  if (!extras.empty() && !commands.empty()) {
-    return unknown_name("command", extras.front(), commands);
+  if (!commands.empty()) return unknown_name("command", extras.front(), commands);
+  return at.get_name() + ": unexpected '" + extras.front() + "'";
+}
+
+// CLI11 says some things in words of its own.
+std::string in_our_words(const CLI::ParseError& error) {
+  const std::string said = error.what(), conversion = "Could not convert: ";
+  if (const std::size_t at = said.find(": 1 required"); at != std::string::npos) {
+    return said.substr(0, at) + " needs a value";
   }
-  if (!commands.empty()) return "which command? There are: " + join(commands);
-  return error.what();
+  // Whatever is no number was found before (values.h).
+  return said.starts_with(conversion) ? said.substr(conversion.size()) + " is too large" : said;
+}
+
+std::string explain(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& at = innermost(app);
+  std::string what = unknown_word(at);
+  if (what.empty()) {
+    const bool no_command = dynamic_cast<const CLI::RequiredError*>(&error) && &at == &app;
+    what = no_command ? "which command? There are: " + join(commands_of(app)) : in_our_words(error);
+  }
+  return what + " (see geodesic-bench " + (&at == &app ? "" : at.get_name() + ' ') + "--help)";
 }
 
 int complain(const std::string& message, int code) {
-  std::cerr << "geodesic-bench: " << message << '\n';
+  std::cerr << "geodesic-bench: " << harmless(message) << '\n';
   return code;
 }
 
-}  // namespace
+// The number of a closed stream would be that of the next file to be opened, and what is printed
+// would end up in there. Using these fails as before.
+void occupy_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) >= 0) continue;
+    if (open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;
+  }
+}
 
-int run_command_line(int argc, char** argv) {
-  CLI::App app("Exact geodesic distances on triangle meshes: solvers, and their benchmark",
-               "geodesic-bench");
-  app.set_version_flag("--version", build_info().version + " (" + build_info().revision + ")");
-  app.require_subcommand(1);
+int run(CLI::App& app, int argc, char** argv) {
   try {
     add_commands(app, join({argv, argv + argc}, " "));
     app.parse(argc, argv);
   } catch (const CLI::RuntimeError& finished) {  // said already why
     return finished.get_exit_code();
   } catch (const CLI::Success& help) {
-    return app.exit(help);
+    const std::string unknown = unknown_word(innermost(app));
+    return unknown.empty() ? app.exit(help) : complain(unknown, 1);
   } catch (const CLI::ParseError& error) {
-    return complain(what_exists(app, error) + " (see --help)", 1);
+    return complain(explain(app, error), 1);
   } catch (const Interrupted& error) {
     return complain(error.what(), error.exit_code());
   } catch (const WrongAnswer& error) {
@@ -78,6 +104,25 @@ int run_command_line(int argc, char** argv) {
     return complain(error.what(), 1);
   }
   return 0;
+}
+
+// What was printed must have arrived: on a full disk nothing went well.
+int finish(int code) {
+  if (std::cout.flush()) return code;
+  return complain(
+      "not all could be written to the standard output: is it closed, or its disk full?",
+      std::max(code, 1));
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  occupy_closed_streams();
+  CLI::App app("Exact geodesic distances on triangle meshes: solvers, and their benchmark",
+               "geodesic-bench");
+  app.set_version_flag("--version", build_info().version + " (" + build_info().revision + ")");
+  app.require_subcommand(1);
+  return finish(run(app, argc, argv));
 }
 
 }  // namespace geodesic::harness

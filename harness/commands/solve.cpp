@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <tuple>
 
+#include "harness/commands/values.h"
 #include "harness/conformance/trial.h"
 #include "harness/corpus/manifest.h"
 #include "harness/corpus/solvers.h"
@@ -48,7 +50,9 @@ std::string separated(std::span<const double> distances, char separator) {
   return text;
 }
 
-void warn(const std::string& warning) { std::cerr << "geodesic-bench: " << warning << '\n'; }
+void warn(const std::string& warning) {
+  std::cerr << "geodesic-bench: " << harmless(warning) << '\n';
+}
 
 TriangleSoup load(const SolveFlags& flags, const MeshEntry& entry) {
   LoadedMesh loaded = load_mesh(entry.file, {.repair = flags.repair});
@@ -191,6 +195,14 @@ Json solve_separately(const Problem& problem, std::ostream* output) {
           {"solves", solves}};
 }
 
+void check_output(const std::string& output, const std::filesystem::path& mesh) {
+  std::error_code other;
+  if (!output.empty() && std::filesystem::equivalent(output, mesh, other)) {
+    throw HarnessError("--output '" + output +
+                       "' is the mesh itself: distances go to a file of their own");
+  }
+}
+
 void run_solve(const SolveFlags& flags) {
   if (flags.threads > 1 && !flags.each) {
     throw HarnessError("--threads is for --each: a single solve takes one thread");
@@ -201,6 +213,7 @@ void run_solve(const SolveFlags& flags) {
   const Description& solver = solver_named(flags.solver);
   set_instruction_set(instruction_set_named(flags.vectors));
   const MeshEntry entry = find_mesh(flags.mesh, flags.manifest);
+  check_output(flags.output, entry.file);
   std::optional<AtomicFile> output;  // opened before the work: a bad path costs no solve
   if (!flags.output.empty()) output.emplace(flags.output);
   const TriangleSoup soup = load(flags, entry);
@@ -242,7 +255,8 @@ void add_solve_command(CLI::App& app) {
   command->add_flag("--check", flags->check,
                     "compare with brute force on up to 400 faces, else with another exact solver");
   command->add_flag("--repair", flags->repair, "mend defects of the mesh, and say which");
-  command->add_option("--limit", flags->limit, "vertices farther than this are unreachable");
+  command->add_option("--limit", flags->limit, "vertices farther than this are unreachable")
+      ->check(zero_or_above());
   command->add_option("--vectors", flags->vectors,
                       "instructions to solve with: auto, plain or avx2");
   command->add_option("--manifest", flags->manifest, "list of meshes and corpora");
