@@ -92,8 +92,9 @@ Recognised recognise(std::string_view bytes, const std::string& name) {
 std::string read_bytes(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) throw MeshError(path.string() + ": no such file");
-  if (!fs::is_regular_file(status)) throw MeshError(path.string() + ": not a regular file");
+  if (!fs::exists(status)) throw MeshError(path.string() + ": no such file; check the path");
+  if (!fs::is_regular_file(status))
+    throw MeshError(path.string() + ": not a regular file; name a mesh file");
   std::ifstream stream(path, std::ios::binary | std::ios::ate);
   if (!stream) throw MeshError(path.string() + ": cannot be opened: " + std::strerror(errno));
   std::string bytes(static_cast<std::size_t>(stream.tellg()), '\0');
@@ -105,7 +106,7 @@ std::string read_bytes(const fs::path& path) {
 }
 
 MeshFile parse_mesh(std::string_view bytes, const std::string& name) {
-  if (bytes.empty()) throw MeshError(name + ": the file is empty (0 bytes)");
+  if (bytes.empty()) throw MeshError(name + ": the file is empty (0 bytes); get a whole copy");
   const Recognised format = recognise(bytes, name);
   MeshFile file = format.parser(bytes, name);
   const std::string extension = lower_extension(name);

@@ -104,7 +104,7 @@ double TextReader::to_number(std::string_view word, std::string_view what) const
     }
   }
   if (error != std::errc())
-    fail("the " + std::string(what) + " " + in_quotes(word) + " is no number");
+    fail("the " + std::string(what) + " " + in_quotes(word) + " is no number, such as 0.5");
   return value;
 }
 
@@ -117,7 +117,7 @@ std::int64_t TextReader::integer(std::string_view what) {
 std::int64_t TextReader::to_integer(std::string_view word, std::string_view what) const {
   std::int64_t value = 0;
   if (parse(without_plus(word), value) != std::errc()) {
-    fail("the " + std::string(what) + " " + in_quotes(word) + " is no whole number");
+    fail("the " + std::string(what) + " " + in_quotes(word) + " is no whole number, such as 12");
   }
   return value;
 }

@@ -151,9 +151,11 @@ TEST(Hostile, WhatIsNoFileIsNamed) {
     }
     return "accepted";
   };
-  EXPECT_EQ(message(folder.file("none.obj")), folder.file("none.obj").string() + ": no such file");
-  EXPECT_EQ(message(folder.file("")), folder.file("").string() + ": not a regular file");
-  EXPECT_EQ(message("/dev/zero"), "/dev/zero: not a regular file");
+  EXPECT_EQ(message(folder.file("none.obj")),
+            folder.file("none.obj").string() + ": no such file; check the path");
+  EXPECT_EQ(message(folder.file("")),
+            folder.file("").string() + ": not a regular file; name a mesh file");
+  EXPECT_EQ(message("/dev/zero"), "/dev/zero: not a regular file; name a mesh file");
   EXPECT_EQ(message(folder.write("a.obj", kObj)), "accepted");
 }
 
