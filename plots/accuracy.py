@@ -5,8 +5,10 @@ from __future__ import annotations
 
 import sys
 
+import console  # noqa: F401  first: it tells what cannot be imported
+
 from matplotlib.lines import Line2D
-from matplotlib.ticker import LogFormatterSciNotation, LogLocator
+from matplotlib.ticker import FuncFormatter, LogLocator
 
 import style
 from command_line import draw
@@ -48,7 +50,7 @@ def figures(run: Run) -> list[Drawing]:
     axes = figure.axes[0]
     axes.set_xscale("log")
     axes.xaxis.set_major_locator(LogLocator(numticks=20))
-    axes.xaxis.set_major_formatter(LogFormatterSciNotation())
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.0e}"))
     axes.set_xlim(left=FLOOR / 2, right=max(axes.get_xlim()[1], 4 * BOUND))
     axes.axvline(BOUND, color=style.INK, linewidth=1, linestyle=(0, (4, 2)))
     return [

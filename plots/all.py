@@ -6,6 +6,8 @@ from __future__ import annotations
 import sys
 from dataclasses import dataclass
 
+import console  # noqa: F401  first: it tells what cannot be imported
+
 import accuracy
 import figure_5_7
 import figure_5_8

@@ -10,7 +10,10 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 
+import console  # noqa: F401  first: it tells what cannot be imported
+
 from command_line import run_folder_parser
+from console import complain
 from results import ResultError, Row, Run, newest_run, read_run
 
 ALLOWED = ("unsupported", "skipped")
@@ -81,8 +84,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         run = read_run(options.run or newest_run())
     except ResultError as error:
-        print(f"check: {error}", file=sys.stderr)
-        return 1
+        return complain(error)
     for skip in run.skipped:
         print(f"skipped: {skip.mesh}, {skip.solver or 'all solvers'}: {skip.why}")
     for row in allowed(run):

@@ -3,26 +3,34 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import NoReturn
 
 import drawing
 import table
+from console import complain, printable
 from drawing import Drawing
 from results import ResultError, Run, newest_run, read_run
 from table import Table
 
 
-def run_folder_parser(description: str | None) -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(description=description)
+class Parser(argparse.ArgumentParser):
+    """One line for a wrong word, and the exit code of every other error."""
+
+    def error(self, message: str) -> NoReturn:
+        self.exit(1, f"{self.prog}: {printable(message)}; see {self.prog} --help\n")
+
+
+def run_folder_parser(description: str | None) -> Parser:
+    parser = Parser(description=description)
     parser.add_argument(
         "--run", type=Path, metavar="DIR", help="run folder (default: the newest of results/runs)"
     )
     return parser
 
 
-def drawing_parser(description: str | None) -> argparse.ArgumentParser:
+def drawing_parser(description: str | None) -> Parser:
     parser = run_folder_parser(description)
     parser.add_argument(
         "--out", type=Path, metavar="DIR",
@@ -49,8 +57,7 @@ def draw_by(
         for drawn in of_run(read_run(folder)):
             write(drawn, folder, options.out)
     except (ResultError, OSError) as error:
-        print(f"{Path(sys.argv[0]).name}: {error}", file=sys.stderr)
-        return 1
+        return complain(error)
     return 0
 
 

@@ -7,6 +7,8 @@ import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import console  # noqa: F401  first: it tells what cannot be imported
+
 from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 

@@ -6,6 +6,8 @@ from __future__ import annotations
 import math
 import sys
 
+import console  # noqa: F401  first: it tells what cannot be imported
+
 import style
 from camera import Camera, framing
 from command_line import draw

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import sys
 
+import console  # noqa: F401  first: it tells what cannot be imported
+
 from command_line import draw
 from drawing import Drawing
 from results import Run

@@ -6,6 +6,8 @@ from __future__ import annotations
 import sys
 from collections import Counter
 
+import console  # noqa: F401  first: it tells what cannot be imported
+
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 

@@ -3,11 +3,14 @@
 
 from __future__ import annotations
 
-import argparse
 import sys
 from pathlib import Path
 
+import console  # noqa: F401  first: it tells what cannot be imported
+
 import style
+from command_line import Parser
+from console import complain
 from dots import SPREAD, solver_mark
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -96,7 +99,7 @@ def _scale(axes: Axes, candidate: str) -> None:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = Parser(description=__doc__)
     parser.add_argument(
         "--rank", type=Path, metavar="DIR", required=True,
         help="folder of a ranking; rank.pdf and rank.png are written to it",
@@ -107,8 +110,7 @@ def main(arguments: list[str] | None = None) -> int:
         for extension in (".pdf", ".png"):
             style.save(figure, folder / f"rank{extension}")
     except (ResultError, OSError) as error:
-        print(f"rank.py: {error}", file=sys.stderr)
-        return 1
+        return complain(error)
     print(f"{folder / 'rank.pdf'} (also .png)")
     return 0
 

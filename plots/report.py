@@ -10,11 +10,14 @@ from collections.abc import Iterable, Sequence
 from html import escape
 from pathlib import Path
 
+import console  # noqa: F401  first: it tells what cannot be imported
+
 import check
 import differences
 import published
 from all import Item, LeftOut, everything
 from command_line import run_folder_parser, write
+from console import complain
 from drawing import Drawing
 from html_table import to_html
 from results import ROOT, ResultError, Run, newest_run, read_run
@@ -224,8 +227,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         file.write_text(page(run, items, left_out, folder / "figures"), encoding="utf-8")
         print(file)
     except (ResultError, OSError) as error:
-        print(f"report.py: {error}", file=sys.stderr)
-        return 1
+        return complain(error)
     return 0
 
 

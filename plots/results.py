@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 import jsonschema
+from console import printable
 
 ROOT = Path(__file__).resolve().parent.parent
 SCHEMA = ROOT / "results" / "run.schema.json"
@@ -134,10 +135,22 @@ def run_of(file: Path, data: Any) -> Run:
 
 
 def load(file: Path) -> Any:
-    """JSON of finite numbers. @raises ResultError"""
-    data = _parsed(file)
-    _refuse_non_finite(file, data)
+    """JSON of finite numbers and harmless texts. @raises ResultError"""
+    try:
+        data = _harmless(_parsed(file))
+        _refuse_non_finite(file, data)
+    except RecursionError:
+        raise ResultError(f"{file}: nested far deeper than a result file is") from None
     return data
+
+
+def _harmless(data: Any) -> Any:
+    """The same with every text printable: names of files and solvers' last words are anybody's."""
+    if isinstance(data, str):
+        return printable(data)
+    if isinstance(data, dict):
+        return {printable(key): _harmless(value) for key, value in data.items()}
+    return [_harmless(value) for value in data] if isinstance(data, list) else data
 
 
 def newest_run() -> Path:

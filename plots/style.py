@@ -34,7 +34,7 @@ ISOLINE, WAVEFRONT = "#EE442F", "#08407F"
 matplotlib.rcParams.update(
     {
         "font.family": "STIXGeneral",
-        "mathtext.fontset": "stix",
+        "text.parse_math": False,  # names are shown as they are, dollars too
         "font.size": 10,
         "axes.titlesize": 10.5,
         "axes.edgecolor": INK,

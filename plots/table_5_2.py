@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import sys
 
+import console  # noqa: F401  first: it tells what cannot be imported
+
 import published
 from command_line import draw
 from measures import (

@@ -7,6 +7,8 @@ import math
 import sys
 from itertools import pairwise
 
+import console  # noqa: F401  first: it tells what cannot be imported
+
 import published
 from command_line import draw
 from estimates import geometric_mean

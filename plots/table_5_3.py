@@ -7,6 +7,8 @@ import re
 import sys
 from typing import Any
 
+import console  # noqa: F401  first: it tells what cannot be imported
+
 import published
 from command_line import draw
 from measures import ABSENT, columns

@@ -9,6 +9,8 @@ from __future__ import annotations
 import sys
 from dataclasses import dataclass
 
+import console  # noqa: F401  first: it tells what cannot be imported
+
 import numpy as np
 from scipy import stats
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import sys
 
+import console  # noqa: F401  first: it tells what cannot be imported
+
 import numpy as np
 from matplotlib.axis import Axis
 from matplotlib.lines import Line2D
