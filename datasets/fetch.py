@@ -8,31 +8,49 @@ client and from installed Python packages. Every file is checked before it appea
 what is there already is left alone.
 
 Exit codes: 0 all that was asked for is there, 3 something is missing but the rest was fetched,
-1 an error that concerns all, 130 interrupted.
+1 wrong use or an error that concerns all, 130 interrupted.
 """
 
 from __future__ import annotations
 
 import argparse
+import io
+import os
+import signal
 import sys
 from pathlib import Path
+from typing import NoReturn
 
-from fetching.cache import Cache, default_cache
-from fetching.download import Downloader
-from fetching.errors import FetchError, Unavailable
-from fetching.fetcher import Fetcher
-from fetching.generate import DEFAULT_BENCH
-from fetching.manifest import DEFAULT_MANIFEST, Entry, Manifest
-from fetching.origin import origin_from_environment
-from fetching.progress import Progress
+from fetching.errors import FetchError, Unavailable, printable, reason_of
+
+try:
+    from fetching.cache import Cache, default_cache
+    from fetching.download import Downloader
+    from fetching.fetcher import Fetcher
+    from fetching.generate import DEFAULT_BENCH
+    from fetching.manifest import DEFAULT_MANIFEST, Entry, Manifest
+    from fetching.origin import origin_from_environment
+    from fetching.progress import Progress
+except ImportError as error:
+    sys.exit(
+        f"fetch.py: {error}: it needs python3-jsonschema, python3-requests and python3-tqdm, as"
+        " Debian's /usr/bin/python3 has them"
+    )
 
 EXIT_ERROR = 1
 EXIT_MISSING = 3
 EXIT_INTERRUPTED = 130
 
 
+class Parser(argparse.ArgumentParser):
+    """One line for a wrong word."""
+
+    def error(self, message: str) -> NoReturn:
+        raise FetchError(f"{message}; see fetch.py --help")
+
+
 def parse_arguments(words: list[str] | None) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("names", nargs="*", metavar="NAME", help="a mesh of the manifest")
@@ -54,7 +72,11 @@ def parse_arguments(words: list[str] | None) -> argparse.Namespace:
 
 
 def say(line: str) -> None:
-    print(line, flush=True)
+    print(printable(line), flush=True)
+
+
+def complain(line: str) -> None:
+    print(printable(line), file=sys.stderr, flush=True)
 
 
 def fetch_all(fetcher: Fetcher, entries: list[Entry]) -> int:
@@ -65,7 +87,7 @@ def fetch_all(fetcher: Fetcher, entries: list[Entry]) -> int:
             fetched += fetcher.fetch(entry)
         except Unavailable as error:
             missing += 1
-            print(f"{entry['name']}: missing: {error}", file=sys.stderr, flush=True)
+            complain(f"{entry['name']}: missing: {error}")
     there = len(entries) - fetched - missing
     say(f"{len(entries)} meshes: {there} there already, {fetched} fetched, {missing} missing")
     return missing
@@ -83,19 +105,25 @@ def fetch(arguments: argparse.Namespace) -> int:
 
 
 def main(words: list[str] | None = None) -> int:
-    arguments = parse_arguments(words)
     try:
-        return EXIT_MISSING if fetch(arguments) else 0
+        return EXIT_MISSING if fetch(parse_arguments(words)) else 0
     except FetchError as error:
-        print(f"fetch.py: {error}", file=sys.stderr)
+        complain(f"fetch.py: {error}")
+        return EXIT_ERROR
+    except OSError as error:
+        complain(f"fetch.py: cannot write: {reason_of(error)}")
+        if sys.stdout is sys.__stdout__:  # what is left could not be written at the end either
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return EXIT_ERROR
     except KeyboardInterrupt:
-        print(
-            "fetch.py: interrupted; what is in the cache is whole, and a next fetch goes on",
-            file=sys.stderr,
-        )
+        complain("fetch.py: interrupted; what is in the cache is whole, and a next fetch goes on")
         return EXIT_INTERRUPTED
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # `| head` ends it silently
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            # By lines: what cannot be written is noticed while it can still be said.
+            stream.reconfigure(errors="backslashreplace", line_buffering=True)
     sys.exit(main())

@@ -34,8 +34,7 @@ def extract(archive: Path, member: str, target: Path) -> None:
     Raises Unavailable when the member's name points outside the archive, when it is missing or no
     plain file, when it unpacks to more than MAX_BYTES, or when the archive is damaged.
     """
-    path = PurePosixPath(member)
-    if path.is_absolute() or ".." in path.parts or "\\" in member:
+    if points_outside(member):
         raise Unavailable(f"'{member}' points outside {archive.name}: not unpacked")
     read = _zip_member if archive.suffix in (".zip", ".npz") else _tar_member
     what = f"{member} in {archive.name}"
@@ -46,6 +45,12 @@ def extract(archive: Path, member: str, target: Path) -> None:
         raise Unavailable(f"{archive.name} holds no {member}") from None
     except DAMAGE as error:
         raise Unavailable(f"{archive.name} cannot be unpacked: {error}") from error
+
+
+def points_outside(name: str) -> bool:
+    """Whether a path in an archive or package leads anywhere else."""
+    path = PurePosixPath(name)
+    return path.is_absolute() or ".." in path.parts or "\\" in name
 
 
 def gunzip(packed: Path, target: Path) -> None:

@@ -44,8 +44,14 @@ class Cache:
         than the start of the first solve, and no note can go stale.
         """
         path = self.folder / file
-        if not path.is_file() or sha256_of(path) != sha256:
-            return False
+        try:
+            if not path.is_file() or sha256_of(path) != sha256:
+                return False
+        except OSError as error:
+            raise CacheError(
+                f"cannot read the dataset cache {self.folder} ({reason_of(error)}): make it"
+                " readable, or name another with --cache or GEODESIC_DATASETS"
+            ) from error
         return recipe is None or self._recipe_of(file) == recipe
 
     @contextmanager
@@ -92,7 +98,7 @@ class Cache:
         folder = self.folder / WORK / "locks"
         self._make(folder)
         try:
-            file = (folder / f"{name}.lock").open("wb")
+            file = (folder / f"{name}.lock").open("ab")  # and no more: it may be a link
         except OSError as error:
             raise self._unwritable(error) from error
         with file:

@@ -34,6 +34,7 @@ class Manifest:
     def __init__(self, path: Path = DEFAULT_MANIFEST) -> None:
         self._path = path
         data = _read(path)
+        self._check_texts(data, [])
         self._check_schema(data)
         self.meshes: list[Entry] = data["meshes"]
         self.elevation_grids: list[Entry] = data["elevation_grids"]
@@ -64,6 +65,14 @@ class Manifest:
             wanted.update(dict.fromkeys(self.corpora[corpus]))
         wanted.update(dict.fromkeys(names))
         return [self.entry(name) for name in wanted]
+
+    def _check_texts(self, value: Any, place: list[str | int]) -> None:
+        """No text has control characters: names become those of files, and all is shown."""
+        if isinstance(value, str) and not value.isprintable():
+            self._refuse("/".join(map(str, place)), f"{value!r} has a control character in it")
+        elif isinstance(value, dict | list):
+            for key, part in value.items() if isinstance(value, dict) else enumerate(value):
+                self._check_texts(part, [*place, key])
 
     def _check_schema(self, data: Any) -> None:
         validator = jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text("utf-8")))
@@ -115,9 +124,14 @@ def _read(path: Path) -> Any:
     try:
         return json.loads(path.read_text("utf-8"))
     except OSError as error:
-        raise ManifestError(f"{path}: {error.strerror}") from error
+        raise ManifestError(
+            f"{path}: {error.strerror}: --manifest names a list of meshes such as"
+            f" {DEFAULT_MANIFEST}"
+        ) from error
     except ValueError as error:
         raise ManifestError(f"{path}: not JSON: {error}") from error
+    except RecursionError:
+        raise ManifestError(f"{path}: nested far deeper than a manifest is") from None
 
 
 def _place(data: Any, path: list[str | int]) -> str:

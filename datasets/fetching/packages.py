@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import importlib
+import importlib.util
 import json
 import shutil
 import subprocess
 from pathlib import Path
 from typing import Any
 
-from .archive import extract
+from .archive import extract, points_outside
 from .errors import Unavailable
 
 NPM_SECONDS = 600  # a package of 11 MB takes one
+WITH_DATA_PATH = ("matplotlib",)
+"""Python packages that say by get_data_path() where their data are: Debian keeps them elsewhere."""
 
 
 def file_of_package(package: dict[str, Any], scratch: Path) -> Path:
@@ -64,17 +67,22 @@ def _npm_reason(done: subprocess.CompletedProcess[str]) -> str:
 
 
 def _from_python(name: str, file: str) -> Path:
-    """Below the package's data folder: where its get_data_path() says, or else the package."""
-    try:
-        module = importlib.import_module(name)
-    except ImportError as error:
+    """Below the package's data folder, or else below the package.
+
+    A manifest is data: the package is found, but only one of WITH_DATA_PATH is imported for it.
+    """
+    spec = importlib.util.find_spec(name) if name.isidentifier() else None
+    folders = list(spec.submodule_search_locations or []) if spec else []
+    if not folders:
         raise Unavailable(
-            f"is in the Python package {name}, which cannot be imported ({error}): "
+            f"is in the Python package {name}, which is not installed: "
             f"install it (Debian: python3-{name})"
-        ) from error
-    path: Path = Path(
-        module.get_data_path() if hasattr(module, "get_data_path") else module.__path__[0]
-    ) / file
+        )
+    if name in WITH_DATA_PATH:
+        folders = [importlib.import_module(name).get_data_path()]
+    if points_outside(file):
+        raise Unavailable(f"'{file}' points outside the Python package {name}: not used")
+    path = Path(folders[0]) / file
     if not path.is_file():
         raise Unavailable(f"the Python package {name} has no {path}")
     return path

@@ -41,11 +41,12 @@ def tgz_of(members: dict[str, bytes]) -> bytes:
     return packed.getvalue()
 
 
-def tgz_with_link(name: str, target: str) -> bytes:
+def tgz_with_link(name: str, target: str, kind: bytes = tarfile.SYMTYPE) -> bytes:
+    """@param kind of the entry: a link, or what has no target, as a device"""
     packed = io.BytesIO()
     with tarfile.open(fileobj=packed, mode="w:gz") as opened:
         link = tarfile.TarInfo(name)
-        link.type = tarfile.SYMTYPE
+        link.type = kind
         link.linkname = target
         opened.addfile(link)
     return packed.getvalue()
@@ -107,6 +108,17 @@ def test_a_link_is_refused(
 ) -> None:
     put(world, file, pack("a.obj", "/etc/passwd"))
     assert refusal(world, capsys) == f"a.obj in {file} is a link or no plain file: not unpacked"
+
+
+@pytest.mark.parametrize(
+    "kind",
+    [tarfile.LNKTYPE, tarfile.CHRTYPE, tarfile.BLKTYPE, tarfile.FIFOTYPE, tarfile.DIRTYPE],
+)
+def test_a_device_a_pipe_a_folder_or_a_hard_link_is_refused(
+    world: World, kind: bytes, capsys: pytest.CaptureFixture[str]
+) -> None:
+    put(world, "a.tgz", tgz_with_link("a.obj", "/etc/passwd", kind))
+    assert refusal(world, capsys) == "a.obj in a.tgz is a link or no plain file: not unpacked"
 
 
 @pytest.mark.parametrize("file", PACK_OR_GZ)

@@ -7,6 +7,7 @@ import io
 import tarfile
 from pathlib import Path
 
+import fetching.packages
 import pytest
 from fetch_world import TRIANGLE, World, executable, packaged
 
@@ -103,24 +104,43 @@ def test_another_file_than_the_expected_is_not_used(
     assert line.startswith("models/a.obj.gz in the npm package shapes has sha256 ")
 
 
-@pytest.mark.parametrize("data_path", [True, False])
-def test_a_file_is_copied_out_of_a_python_package(
-    world: World, monkeypatch: pytest.MonkeyPatch, data_path: bool
-) -> None:
-    name = "geodesic_test_shapes" + "_with_data" * data_path
+def python_package(
+    world: World, monkeypatch: pytest.MonkeyPatch, name: str, data: Path | None = None
+) -> Path:
+    """The folder of data of an installed package, which says where that is or fails to import."""
     package = world.folder / "python" / name
-    data = world.folder / "data" if data_path else package
-    for folder in (package, data / "models"):
-        folder.mkdir(parents=True)
-    (data / "models" / "a.obj").write_bytes(TRIANGLE)
-    text = f"def get_data_path():\n    return {str(data)!r}\n" if data_path else ""
+    folder = data or package
+    for path in (package, folder / "models"):
+        path.mkdir(parents=True)
+    (folder / "models" / "a.obj").write_bytes(TRIANGLE)
+    text = f"def get_data_path():\n    return {str(data)!r}\n" if data else "raise SystemExit\n"
     (package / "__init__.py").write_text(text)
     monkeypatch.syspath_prepend(package.parent)
     place = {"manager": "python", "name": name, "file": "models/a.obj"}
     world.meshes = [packaged("a", TRIANGLE, TRIANGLE, place)]
+    return folder
+
+
+@pytest.mark.parametrize("data_path", [True, False])
+def test_a_file_is_copied_out_of_a_python_package_that_is_imported_only_if_it_is_known(
+    world: World, monkeypatch: pytest.MonkeyPatch, data_path: bool
+) -> None:
+    name = "geodesic_test_shapes" + "_with_data" * data_path
+    if data_path:
+        monkeypatch.setattr(fetching.packages, "WITH_DATA_PATH", (name,))
+    data = python_package(world, monkeypatch, name, world.folder / "data" if data_path else None)
     assert world.fetch() == 0
     assert (world.cache / "a.obj").read_bytes() == TRIANGLE
     assert (data / "models" / "a.obj").exists()
+
+
+@pytest.mark.parametrize("file", ["../../secret.obj", "/etc/passwd", "models/../../../a.obj"])
+def test_a_file_outside_of_a_python_package_is_not_read(
+    world: World, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], file: str
+) -> None:
+    python_package(world, monkeypatch, "geodesic_test_outside")
+    world.meshes[0]["package"]["file"] = file
+    assert missing(world, capsys).startswith(f"'{file}' points outside the Python package")
 
 
 def test_a_python_package_that_is_not_installed_is_named(
