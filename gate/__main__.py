@@ -29,22 +29,26 @@ class Parser(argparse.ArgumentParser):
 
 
 def _levels(text: str) -> tuple[int, ...]:
-    chosen = {int(word) for word in text.split(",")}
-    if not chosen <= set(check.ALL_LEVELS):
-        raise argparse.ArgumentTypeError("levels are 0, 1, 2, 3 and 4")
-    return tuple(sorted(chosen))
+    known = {str(level): level for level in check.ALL_LEVELS}
+    chosen = set(text.split(","))
+    if not chosen <= known.keys():
+        raise argparse.ArgumentTypeError(f"'{text}': levels are 0, 1, 2, 3 and 4, as in 0,1,2")
+    return tuple(sorted(known[word] for word in chosen))
 
 
 def _margin(text: str) -> float:
-    value = float(text)
+    try:
+        value = float(text)
+    except ValueError:
+        value = 0.0
     if not 1 < value < 10:
-        raise argparse.ArgumentTypeError("a margin is a ratio above 1, as 1.10")
+        raise argparse.ArgumentTypeError(f"'{text}': a margin is a ratio above 1, as 1.10")
     return value
 
 
 def _sessions(text: str) -> int:
-    if int(text) < 1:
-        raise argparse.ArgumentTypeError("at least one session")
+    if not text.isdecimal() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f"'{text}': at least one session, as 3")
     return int(text)
 
 
@@ -127,12 +131,19 @@ def judge(options: argparse.Namespace, out: Path) -> int:
     return verdict.exit_code
 
 
+def complain(line: str) -> int:
+    print(f"check_performance.sh: {line}", file=sys.stderr)
+    return ERROR
+
+
 def main(words: Sequence[str] | None = None) -> int:
     try:
         return gate(parse(words))
     except GateError as error:
-        print(f"check_performance.sh: {error}", file=sys.stderr)
-        return ERROR
+        return complain(str(error))
+    except OSError as error:
+        where = error.filename or "the standard output"
+        return complain(f"cannot write {where}: {error.strerror}; --out names another folder")
     except KeyboardInterrupt:
         print("check_performance.sh: interrupted", file=sys.stderr)
         return 130

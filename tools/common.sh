@@ -14,9 +14,9 @@ die() {
 
 # start_log NAME: from now on `say` and `logged` write to the terminal and to build/logs/NAME.log.
 start_log() {
-  mkdir -p "$logs"
   log="$logs/$1.log"
-  : >"$log"
+  { mkdir -p "$logs" && : >"$log"; } 2>/dev/null ||
+    die "cannot write $log: is the checkout yours, and is there room on its disk?"
 }
 
 say() {
