@@ -1,0 +1,130 @@
+"""Words on the command lines of all programs."""
+
+from __future__ import annotations
+
+from case import Case
+
+SOLVE = "geodesic-bench solve hill.obj --solver mmp --source 0"
+SEE = "(see geodesic-bench {} --help)"
+
+
+def flag(command: str, *says: str) -> Case:
+    return Case(command, command, list(says))
+
+
+def of(command: str, words: str, *says: str) -> Case:
+    """Words after a command, whose own help is named."""
+    return flag(f"geodesic-bench {command} {words}", *says, SEE.format(command))
+
+
+CASES = [
+    # geodesic-bench
+    flag("geodesic-bench", "which command?", "solve", "(see geodesic-bench --help)"),
+    flag("geodesic-bench slove", "no command named 'slove' (did you mean 'solve'?)"),
+    flag("geodesic-bench slove --help", "no command named 'slove' (did you mean 'solve'?)"),
+    flag("geodesic-bench --plugin", "--plugin needs a value", "(see geodesic-bench --help)"),
+    flag(r"geodesic-bench $'\e[31mred'", r"no command named '\x1b[31mred'"),
+    flag("geodesic-bench solve --sorce 1 --help", "'--sorce' (did you mean '--source'?)"),
+    # solve
+    of("solve", "", "mesh is required"),
+    of("solve", "hill.obj --source 0", "--solver is required"),
+    of("solve", "hill.obj --solver", "--solver needs a value"),
+    of("solve", "hill.obj --solver ''", "--solver: must not be empty"),
+    of("solve", "hill.obj more.obj --solver mmp --source 0", "solve: unexpected 'more.obj'"),
+    of("solve", "hill.obj --source -1", "--source: '-1' is no whole number of 0 or more"),
+    of("solve", "hill.obj --source 1.5", "--source: '1.5' is no whole number of 0 or more"),
+    of("solve", "hill.obj --source 0x1", "--source: '0x1' is no whole number of 0 or more"),
+    of("solve", "hill.obj --source 9999999999", "--source", "9999999999", "is too large"),
+    of("solve", "hill.obj --limit 0,5", "--limit: '0,5' is no number, such as 0.5"),
+    of("solve", "hill.obj --limit nan", "--limit: 'nan' is no number, such as 0.5"),
+    of("solve", "hill.obj --limit=-1", "--limit: '-1' is not 0 or above"),
+    of("solve", "hill.obj --threads 0", "--threads: Value 0 not in range 1 to 1024"),
+    flag("geodesic-bench solve hill.obj --solver mpp --source 0",
+         "no solver named 'mpp' (did you mean 'mmp'?)"),
+    flag("geodesic-bench solve hil --solver mmp --source 0", "no mesh named 'hil'", "horse"),
+    flag("geodesic-bench solve meshes/hil.obj --solver mmp --source 0",
+         "there is no file 'meshes/hil.obj'", "No such file or directory"),
+    flag("geodesic-bench solve horse --solver mmp --source 0",
+         "mesh 'horse' is not in the dataset cache", "run ", "fetch.py horse"),
+    flag("geodesic-bench solve hill.obj --solver mmp --source 99",
+         "source vertex 99 is not in the mesh of 4 vertices"),
+    flag(f"{SOLVE} --threads 2", "--threads is for --each"),
+    flag(f"{SOLVE} --vectors sse9", "no kind of vectors named 'sse9'", "auto, plain"),
+    flag(f"{SOLVE} --output hill.obj", "--output 'hill.obj' is the mesh itself"),
+    flag(f"{SOLVE} --output nowhere/d.txt", "cannot write 'nowhere/d.txt'", "No such file"),
+    flag(f"{SOLVE} --output .", "cannot write '.': it is a folder"),
+    # list, mesh, generate
+    of("list", "more", "list: unexpected 'more'"),
+    flag("geodesic-bench list --corpus quik", "no corpus named 'quik' (did you mean 'quick'?)"),
+    of("mesh", "", "FILE is required"),
+    flag("geodesic-bench mesh hill.obj --output hill.xyz",
+         "cannot write 'hill.xyz': a mesh is written as .obj, .off or .ply"),
+    flag("geodesic-bench generate", "needs the NAME of a generator and -o FILE, or --list"),
+    flag("geodesic-bench generate spher -o a.obj", "no generator 'spher'", "icosphere"),
+    flag("geodesic-bench generate icosphere --frequenzy 4 -o a.obj",
+         "icosphere: no parameter 'frequenzy'; it takes frequency, radius"),
+    flag("geodesic-bench generate icosphere --frequency 0,5 -o a.obj", "frequency", "'0,5'"),
+    flag("geodesic-bench generate icosphere --frequency -o a.obj", "--frequency has no value"),
+    flag("geodesic-bench generate icosphere more -o a.obj", "unexpected 'more'", "--name value"),
+    flag("geodesic-bench generate --list icosphere", "--list stands alone"),
+    # run
+    flag("geodesic-bench run --sources 0", "sources", "at least one"),
+    of("run", "--sources many", "--sources: 'many' is no whole number"),
+    of("run", "--seed -1", "--seed: '-1' is no whole number of 0 or more"),
+    of("run", "--corpus ''", "--corpus: must not be empty"),
+    flag("geodesic-bench run --min-time 0", "min_time", "a positive number of seconds"),
+    flag("geodesic-bench run --recordings sometimes",
+         "no choice of recordings named 'sometimes'; there are: none, auto, all"),
+    flag("geodesic-bench run a.json b.json", "a run takes one suite, not both 'a.json' and"),
+    flag("geodesic-bench run -- --benchmark_nope", "--benchmark_nope", "that make sense here"),
+    flag(r"geodesic-bench run --meshes $'\xff.obj'", "no UTF-8", "rename the file"),
+    # rank
+    of("rank", "--against mmp", "--solver is required"),
+    of("rank", "--solver mmp --against ''", "--against: must not be empty"),
+    flag("geodesic-bench rank --solver mmp --against mmp", "'mmp' cannot be ranked against itself"),
+    flag("geodesic-bench rank --solver mmp --against ich,ich", "--against names 'ich' twice"),
+    of("rank", "--solver mmp --against ich --pairs 0", "--pairs: Value 0 not in range 1 to 1000"),
+    # verify
+    flag("geodesic-bench verify", "--solver is required (geodesic-bench list)"),
+    flag("geodesic-bench verify --solver mmp --property nope", "no property named 'nope'"),
+    of("verify", "--solver mmp --time-limit 0", "--time-limit: '0' is not above 0"),
+    of("verify", "--solver mmp --shrink=-1", "--shrink: '-1' is not 0 or above"),
+    flag("geodesic-bench verify --solver mmp --source a --meshes hill.obj",
+         "--source a: not a vertex", "12:0.5"),
+    flag("geodesic-bench verify --solver mmp --source 0", "--source and --limit are for --meshes"),
+    flag("geodesic-bench verify --solver mmp --out hill.obj", "--out 'hill.obj' is a file"),
+    # compare, export
+    of("compare", "old", "new is required"),
+    flag("geodesic-bench compare old new", "cannot read 'old'", "name a run folder"),
+    flag("geodesic-bench compare old new --fail-on speed=1%", "no kind of limit named 'speed'"),
+    flag("geodesic-bench compare old new --fail-on time=ten", "'time=ten' should be like time=10%"),
+    flag("geodesic-bench compare old new --format xml", "no format named 'xml'", "markdown"),
+    of("export", "run", "--to is required"),
+    flag("geodesic-bench export --to xml run.json", "no export format named 'xml'", "bencher, csv"),
+    # scripts
+    flag("run_all.sh --fast", "run_all.sh: unknown option --fast; there are --corpus"),
+    flag("run_all.sh --corpus", "run_all.sh: --corpus needs a value; see run_all.sh --help"),
+    flag("run_all.sh biuld", "unknown step biuld; there are build fetch run check plot"),
+    flag("run_tests.sh --preset fast", "unknown preset fast; there are ci debug release"),
+    flag("new_solver.sh", "give the solver a name: ./new_solver.sh my-variant"),
+    flag("new_solver.sh Mine", "'Mine' is no name for a solver", "my-variant"),
+    flag("new_solver.sh my-one --from fast", "cannot start from 'fast'; there are template"),
+    flag("check_performance.sh", "against which base?", "check_performance.sh main"),
+    flag("check_performance.sh HEAD --levels 0,x", "'0,x': levels are 0, 1, 2, 3 and 4"),
+    flag("check_performance.sh HEAD --margin 1,1", "'1,1': a margin is a ratio above 1, as 1.10"),
+    flag("check_performance.sh --a-a x", "'x': at least one session, as 3"),
+    flag("check_performance.sh HEAD --out /dev/null", "cannot write /dev/null", "--out names"),
+    # Python programs
+    flag("fetch.py", "fetch.py: name a --corpus or meshes; see fetch.py --help"),
+    flag("fetch.py --corpsu tiny", "unrecognized arguments: --corpsu", "see fetch.py --help"),
+    flag("fetch.py --corpus tinny", "fetch.py: no corpus 'tinny'; there are: growth"),
+    flag(r"fetch.py $'\e[31mred'", r"fetch.py: no mesh '\x1b[31mred'; there are: beetle-alt"),
+    Case("no program to generate with", "fetch.py tiny-plate --bench nowhere",
+         ["tiny-plate: missing", "not at nowhere", "./run_all.sh build", "--bench"], code=3),
+    flag("check.py --runs x", "check.py: unrecognized arguments: --runs x; see check.py --help"),
+    flag("table_5_1.py --run nowhere", "table_5_1.py: nowhere: no such folder; ./run_all.sh run"),
+    flag("report.py --run", "report.py: argument --run: expected one argument; see report.py"),
+    flag("overview.py --out", "argument --out: expected one argument; see overview.py --help"),
+    flag("rank.py", "rank.py: the following arguments are required: --rank; see rank.py --help"),
+    flag("rank.py --rank nowhere", "rank.py: nowhere/rank.json: no such file"),
+]  # fmt: skip

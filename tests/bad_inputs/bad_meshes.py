@@ -1,0 +1,114 @@
+"""Mesh files that are cut, lie, or are something else."""
+
+from __future__ import annotations
+
+import struct
+
+from case import Case
+
+OBJ = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+OFF = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n"
+VERTICES = "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
+FACES = "element face {}\nproperty list uchar int vertex_indices\nend_header\n"
+CORNERS = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
+BILLIONS = 4_000_000_000
+MEANINGLESS = ["distances would be meaningless", "correct the file or use --repair"]
+WHOLE_COPY = "get a whole copy"
+UNKNOWN = ["wrong format", "the content is not OBJ, OFF, PLY or STL", "convert it to one of these"]
+
+
+def ply(body: str | bytes, vertices: int = 3, faces: int = 1, encoding: str = "ascii") -> bytes:
+    header = f"ply\nformat {encoding} 1.0\n" + VERTICES.format(vertices) + FACES.format(faces)
+    return header.encode() + (body.encode() if isinstance(body, str) else body)
+
+
+def stl(triangles: int, corners: bytes) -> bytes:
+    """Binary."""
+    return bytes(80) + struct.pack("<I", triangles) + bytes(12) + corners + bytes(2)
+
+
+def mesh(what: str, file: str, content: str | bytes, *says: str) -> Case:
+    return Case(
+        f"{file}: {what}", f"geodesic-bench solve {file} --solver mmp --source 0", list(says),
+        files={file: content},
+    )  # fmt: skip
+
+
+def not_there(what: str, file: str, place: str) -> Case:
+    return mesh(what, file, place, file, "a vertex that is not there", "line ", *MEANINGLESS)
+
+
+CASES = [
+    # OBJ
+    mesh("a coordinate that is no number", "a.obj", OBJ + "v 0 x 0\nf 1 2 3\n",
+         "a.obj, line 4: the y coordinate 'x' is no number, such as 0.5"),
+    mesh("a decimal comma", "a.obj", "v 0,5 0 0\n",
+         "a.obj, line 1: the x coordinate '0,5' is no number, such as 0.5"),
+    mesh("NaN", "a.obj", OBJ + "v 0 nan 0\nf 1 2 4\n",
+         "a.obj", "vertex 3 (line 4)", "not finite", *MEANINGLESS),
+    mesh("infinity", "a.obj", OBJ + "v 0 inf 0\nf 1 2 4\n",
+         "a.obj", "vertex 3 (line 4)", "not finite", *MEANINGLESS),
+    mesh("beyond all numbers", "a.obj", OBJ + "v 0 1e9999 0\nf 1 2 4\n",
+         "a.obj, line 4", "'1e9999' is beyond the range of numbers"),
+    mesh("a vertex of two coordinates", "a.obj", "v 0 0\n" + OBJ + "f 1 2 3\n",
+         "a.obj, line 1: the z coordinate is missing"),
+    mesh("a face of two corners", "a.obj", OBJ + "f 1 2\n",
+         "a.obj, line 4: a face has 2 corners and needs three; remove or complete the line"),
+    not_there("an index out of range", "a.obj", OBJ + "f 1 2 4\n"),
+    not_there("a negative index out of range", "a.obj", OBJ + "f 1 2 -4\n"),
+    not_there("the index 0", "a.obj", OBJ + "f 1 2 0\n"),
+    mesh("no vertices", "a.obj", "# nothing\n", "a.obj: empty mesh: no vertices"),
+    mesh("no faces", "a.obj", OBJ, "a.obj: empty mesh: no faces"),
+    mesh("a line of five million digits", "a.obj", "v " + 5_000_000 * "1" + " 0 0\n",
+         "a.obj, line 1", "is beyond the range of numbers"),
+    mesh("prose", "a.obj", "Dear Sir or Madam\n", "a.obj, line 1: unknown statement 'Dear'"),
+    mesh("escape sequences", "a.obj", b"v 0 0 0\nv 1 0 \x1b[2J\n", "a.obj: wrong format"),
+    # OFF
+    mesh("4 billion vertices in 24 bytes", "a.off", f"OFF\n{BILLIONS} 1 0\n0 0 0\n",
+         "a.off, line 2: the header promises 4000000000 vertices", WHOLE_COPY),
+    mesh("cut", "a.off", OFF, "a.off, line", "truncated", WHOLE_COPY),
+    not_there("an index out of range", "a.off", OFF + "3 0 1 7\n"),
+    not_there("a negative index", "a.off", OFF + "3 0 1 -2\n"),
+    mesh("counts that are none", "a.off", "OFF\n3 x 0\n0 0 0\n1 0 0\n",
+         "a.off, line 2: the number of faces 'x' is no whole number, such as 12"),
+    mesh("another word than OFF", "a.off", "OFX\n3 1 0\n", "a.off", *UNKNOWN),
+    # PLY
+    mesh("cut in the header", "a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n",
+         "a.ply, line 4: the file ends before 'end_header'", WHOLE_COPY),
+    mesh("cut in the vertices", "a.ply", ply("0 0 0\n1 0 0\n"),
+         "a.ply, line", "the file is truncated", WHOLE_COPY),
+    mesh("an unknown encoding", "a.ply", ply("", encoding="binary_middle_endian"),
+         "a.ply, line 2: unknown encoding 'binary_middle_endian'", "there are ascii"),
+    mesh("4 billion vertices", "a.ply", ply(CORNERS, BILLIONS, 1, "binary_little_endian"),
+         "a.ply", "4000000000", "truncated", WHOLE_COPY),
+    mesh("binary and cut in the faces", "a.ply",
+         ply(CORNERS + b"\x03", encoding="binary_little_endian"), "a.ply, byte", WHOLE_COPY),
+    mesh("another word than ply", "a.ply", "plx\nformat ascii 1.0\n", "a.ply", *UNKNOWN),
+    not_there("an index out of range", "a.ply", ply("0 0 0\n1 0 0\n0 1 0\n3 0 1 9\n").decode()),
+    # STL
+    mesh("cut", "a.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n",
+         "a.stl, line 5: the file ends before 'vertex'", WHOLE_COPY),
+    mesh("4 billion triangles", "a.stl", stl(BILLIONS, CORNERS),
+         "a.stl, byte 80", "promises 4000000000 triangles", WHOLE_COPY),
+    mesh("NaN", "a.stl", stl(1, struct.pack("<9f", *8 * [0.0], float("nan"))),
+         "a.stl", "not finite", *MEANINGLESS),
+    # Whatever the name
+    mesh("empty", "a.off", "", "a.off: the file is empty (0 bytes); get a whole copy"),
+    mesh("noise", "a.obj", bytes(range(256)), "a.obj", *UNKNOWN),
+    mesh("compressed", "a.ply", b"\x1f\x8b\x08\x00", "a.ply: a compressed file", "unpack it first"),
+    mesh("a program", "a.obj", b"\x7fELF\x02\x01\x01\x00", "a.obj", *UNKNOWN),
+    Case("a folder", "geodesic-bench solve folder --solver mmp --source 0",
+         ["'folder' is no regular file"], given="mkdir folder"),
+    Case("a pipe, which nobody waits for", "geodesic-bench mesh pipe",
+         ["pipe: not a regular file; name a mesh file"], given="mkfifo pipe"),
+    Case("an endless device", "geodesic-bench mesh /dev/zero", ["/dev/zero: not a regular file"]),
+    Case("nothing there", "geodesic-bench mesh nothing.obj",
+         ["nothing.obj: no such file; check the path"]),
+    Case("a link to itself", "geodesic-bench mesh loop.obj", ["loop.obj"],
+         given="ln -s loop.obj loop.obj"),
+    Case("unreadable", "unprivileged geodesic-bench mesh hill.obj",
+         ["hill.obj: cannot be opened: Permission denied"], given="chmod 000 hill.obj",
+         needs="unprivileged"),
+    Case("a name that would clear the screen", r"geodesic-bench mesh $'\e[2J\n.obj'",
+         [r"\x1b[2J\x0a.obj: no such file; check the path"]),
+]  # fmt: skip

@@ -1,0 +1,102 @@
+"""Result files, as geodesic-bench and the scripts of plots/ read them."""
+
+from __future__ import annotations
+
+import copy
+import json
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+from case import Case
+
+ROOT = Path(__file__).resolve().parents[2]
+GOLDEN = ROOT / "tests" / "plots" / "golden" / "run" / "run.json"
+GOOD: dict[str, Any] = json.loads(GOLDEN.read_text(encoding="utf-8"))
+
+Change = Callable[[dict[str, Any]], object]
+
+
+def changed(change: Change) -> str:
+    data = copy.deepcopy(GOOD)
+    change(data)
+    return json.dumps(data)
+
+
+def ours(data: dict[str, Any]) -> dict[str, Any]:
+    found: dict[str, Any] = data["context"]["geodesic_bench"]
+    return found
+
+
+def every_row(**values: object) -> Change:
+    return lambda data: [row.update(values) for row in data["benchmarks"]]
+
+
+FILES = {
+    "cut": GOLDEN.read_text(encoding="utf-8")[:5000],
+    "another JSON": '{"name": "geodesic"}',
+    "a list": "[]",
+    "of an older version": changed(lambda data: ours(data).update(schema_version=1)),
+    "without rows": changed(lambda data: data.update(benchmarks=[])),
+    "without times": changed(lambda data: [r.pop("cpu_time", None) for r in data["benchmarks"]]),
+    "with a word for a time": changed(every_row(cpu_time="fast")),
+    "of Google Benchmark alone": changed(lambda data: data["context"].pop("geodesic_bench")),
+    "nested 100,000 deep": 100_000 * "[" + 100_000 * "]",
+}
+SAYS = {
+    "cut": ("not valid JSON", "not JSON, perhaps cut off"),
+    "another JSON": ("key 'context' not found", "'context' is a required property"),
+    "a list": ("is no result file of geodesic-bench", "[] is not of type 'object'"),
+    "of an older version": ("schema version 1, and this program reads 2", "schema_version: 2 was"),
+    "without rows": ("benchmarks: no list of rows", "benchmarks: []"),
+    "without times": ("benchmarks[0]: key 'cpu_time' not found", "benchmarks[0]: 'cpu_time' is"),
+    "with a word for a time": ("benchmarks[0]: type must be number, but is string",
+                               "benchmarks[0].cpu_time: 'fast' is not of type 'number'"),
+    "of Google Benchmark alone": ("key 'geodesic_bench' not found", "'geodesic_bench' is a requi"),
+    "nested 100,000 deep": ("is no result file", "nested far deeper than a result file is"),
+}  # fmt: skip
+"""What geodesic-bench says, and what plots/ do."""
+
+
+def refused() -> Iterator[Case]:
+    for what, text in FILES.items():
+        files = {"run.json": text}
+        by_program, by_plots = (["run.json", words] for words in SAYS[what])
+        for command in ("compare . .", "export --to bencher run.json"):
+            yield Case(f"geodesic-bench {command}: {what}", f"geodesic-bench {command}", by_program,
+                       files=files)  # fmt: skip
+        yield Case(f"check.py: {what}", "check.py --run .", ["check.py: ", *by_plots], files=files)
+
+
+COMMON = "have no cell in common"
+LESS = changed(lambda data: data.update(benchmarks=data["benchmarks"][:1]))
+OTHER = changed(lambda data: data.update(benchmarks=data["benchmarks"][-1:]))
+OTHER_MESH = changed(lambda data: ours(data)["meshes"][0].update(sha256=64 * "f"))
+OTHER_CORPUS = changed(lambda data: ours(data).update(corpus="other"))
+UNKNOWN_MESH = changed(lambda data: data["benchmarks"][0].update(mesh="dale"))
+NOT_A_NUMBER = changed(lambda data: data["benchmarks"][0].update(cpu_time=float("nan")))
+
+CASES = [
+    *refused(),
+    Case("geodesic-bench compare: runs without a common cell", "geodesic-bench compare a b",
+         ["nothing to compare", COMMON], files={"a": LESS, "b": OTHER}),
+    Case("geodesic-bench compare: another mesh", f"geodesic-bench compare {GOLDEN} b",
+         ["is another file in 'b'"], files={"b": OTHER_MESH}),
+    Case("geodesic-bench compare: another corpus", f"geodesic-bench compare {GOLDEN} b",
+         ["different corpora cannot be compared", "'b' of other"], files={"b": OTHER_CORPUS}),
+    Case("geodesic-bench compare: a run that was interrupted", "geodesic-bench compare . .",
+         ["cannot read './run.json'", "name a run folder"]),
+    Case("check.py: a run that was interrupted", "check.py --run .",
+         ["run.json: no such file; was the run interrupted?"]),
+    Case("check.py: a row of an unknown mesh", "check.py --run .",
+         ["benchmarks[0].mesh: 'dale' is not among the context's meshes"],
+         files={"run.json": UNKNOWN_MESH}),
+    Case("check.py: NaN", "check.py --run .", ["benchmarks[0].cpu_time: nan is not a finite"],
+         files={"run.json": NOT_A_NUMBER}),
+    Case("table_5_1.py: cut", "table_5_1.py --run .", ["run.json: not JSON, perhaps cut off"],
+         files={"run.json": FILES["cut"]}),
+    Case("report.py: a file in place of its folder", f"report.py --run {GOLDEN}",
+         ["report.py: ", "run.json: no such folder"]),
+    Case("run_all.sh check: nothing there", "run_all.sh check --no-install --run nowhere",
+         ["run_all.sh: check failed"]),
+]  # fmt: skip

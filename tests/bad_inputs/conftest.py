@@ -1,0 +1,71 @@
+"""Makes the tables beside this file importable; an empty folder, and a PATH with every program."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from shell import BENCH, HERE, ROOT, SYSTEM_PATH, Bash, Ended  # noqa: E402  (needs the path above)
+
+SCRIPTS = ["run_all.sh", "run_tests.sh", "check_performance.sh", "new_solver.sh"]
+HILL = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
+SECONDS = 60
+"""That a command may take: none of them may wait for anybody."""
+
+
+@pytest.fixture(scope="session")
+def checkout(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What the scripts need of one, without the program; they write their logs to it."""
+    copy = tmp_path_factory.mktemp("checkout")
+    for name in SCRIPTS:
+        shutil.copy(ROOT / name, copy)
+    for folder in ("tools", "gate", "plots", "results/published", "solvers/template"):
+        shutil.copytree(ROOT / folder, copy / folder, ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copy(ROOT / "results" / "run.schema.json", copy / "results")
+    return copy
+
+
+@pytest.fixture(scope="session")
+def programs(checkout: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder for the PATH: every program by its name, and the words of bin/."""
+    if not BENCH.exists():
+        pytest.skip(f"no program at {BENCH}")
+    folder = tmp_path_factory.mktemp("bin")
+    scripts = [checkout / name for name in SCRIPTS]
+    drawing = [path for path in (ROOT / "plots").glob("*.py") if os.access(path, os.X_OK)]
+    for program in [*scripts, *drawing, *(HERE / "bin").iterdir(), ROOT / "datasets" / "fetch.py"]:
+        # By a script of its own: the shell scripts look for the checkout beside themselves.
+        (folder / program.name).write_text(f'#!/bin/sh\nexec "{program}" "$@"\n')
+        (folder / program.name).chmod(0o755)
+    (folder / "geodesic-bench").symlink_to(BENCH.resolve())
+    return folder
+
+
+@pytest.fixture
+def bash(tmp_path: Path, programs: Path, checkout: Path) -> Bash:
+    """bash(command) runs it in a folder that holds a good mesh only."""
+    folder = tmp_path / "here"
+    folder.mkdir()
+    (folder / "hill.obj").write_text(HILL)
+    environment = {
+        "PATH": f"{programs}:{SYSTEM_PATH}",
+        "HOME": str(tmp_path),
+        "LC_ALL": "C.UTF-8",
+        "GEODESIC_DATASETS": str(tmp_path / "cache"),
+        "CHECKOUT": str(checkout),
+    }
+
+    def run(command: str) -> Ended:
+        return subprocess.run(
+            ["bash", "-c", command], cwd=folder, env=environment, stdin=subprocess.DEVNULL,
+            capture_output=True, text=True, errors="replace", timeout=SECONDS,
+        )  # fmt: skip
+
+    return run

@@ -1,0 +1,33 @@
+"""What rows are typed into, and whether the machine lets them do what they need."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import tempfile
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+BENCH = Path(os.environ.get("GEODESIC_BENCH") or ROOT / "build" / "release" / "geodesic-bench")
+SYSTEM_PATH = "/usr/sbin:/usr/bin:/sbin:/bin"
+
+Ended = subprocess.CompletedProcess[str]
+Bash = Callable[..., Ended]
+
+
+@cache
+def permitted(word: str) -> bool:
+    """Whether the machine lets a word of bin/ do what it does."""
+    probes = {
+        "unprivileged": "touch f; chmod 000 f; ! unprivileged cat f && unprivileged true",
+        "with-disk": "with-disk size=8k true",
+        "without-python": "without-python true",
+    }
+    with tempfile.TemporaryDirectory() as folder:
+        path = f"{HERE / 'bin'}:{SYSTEM_PATH}"
+        probe = ["bash", "-c", probes[word]]
+        ended = subprocess.run(probe, cwd=folder, env={"PATH": path}, capture_output=True)
+    return ended.returncode == 0

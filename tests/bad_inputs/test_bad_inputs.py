@@ -1,0 +1,59 @@
+"""Every row of the tables: its exit code, and one line that names the thing and what to do."""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from pathlib import Path
+
+import bad_environments
+import bad_flags
+import bad_manifests
+import bad_meshes
+import bad_plugins
+import bad_results
+import bad_suites
+import pytest
+from case import Case
+from shell import ROOT, Bash, permitted
+
+TABLES = [bad_meshes, bad_flags, bad_suites, bad_manifests, bad_results, bad_plugins,
+          bad_environments]  # fmt: skip
+CASES = {
+    f"{table.__name__.removeprefix('bad_')}: {case.name}": case
+    for table in TABLES
+    for case in table.CASES
+}
+NEVER_SAID = ["Traceback", "terminate called", "json.exception", "Assertion", "[Errno", "\x1b"]
+
+
+def test_no_case_hides_another() -> None:
+    assert len(CASES) == sum(len(table.CASES) for table in TABLES)
+
+
+def test_every_command_of_plots_can_tell_what_is_missing() -> None:
+    commands = [file for file in (ROOT / "plots").glob("*.py") if os.access(file, os.X_OK)]
+    assert len(commands) > 20
+    for file in commands:
+        imports = re.findall(r"^(?:import|from) (\w+)", file.read_text("utf-8"), re.MULTILINE)
+        others = [name for name in imports if name not in {"__future__", *sys.stdlib_module_names}]
+        assert others[0] == "console", f"{file.name} imports {others[0]} before console"
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_a_bad_input_ends_in_one_line(name: str, bash: Bash, tmp_path: Path) -> None:
+    case: Case = CASES[name]
+    if case.needs and not permitted(case.needs):
+        pytest.skip(f"this machine does not permit what tests/bad_inputs/bin/{case.needs} does")
+    for file, content in case.files.items():
+        data = content.encode("utf-8") if isinstance(content, str) else content
+        (tmp_path / "here" / file).write_bytes(data)
+    if case.given:
+        assert bash(case.given).returncode == 0
+    ended = bash(case.command)
+    assert (ended.returncode, len(ended.stderr.splitlines())) == (case.code, case.lines), ended
+    for words in case.says:
+        assert words in ended.stderr
+    for words in NEVER_SAID:
+        assert words not in ended.stderr

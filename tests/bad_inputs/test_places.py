@@ -1,0 +1,138 @@
+"""What must work wherever it happens: locales, names, terminals, and missing variables."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+from bad_results import GOLDEN
+from shell import Bash, permitted
+
+SOLVE = "geodesic-bench solve {} --solver mmp --source 0 --output {}"
+NAMES = ["hill with spaces.obj", "Grüße.obj", "メッシュ.obj", "-hill.obj", "$(touch x);'\".obj"]
+ENVIRONMENTS = {
+    "a decimal comma": "LOCPATH=$PWD LC_ALL=de_DE.UTF-8",
+    "no UTF-8": "LC_ALL=C PYTHONIOENCODING=ascii",
+    "an unknown locale": "LC_ALL=xx_YY",
+    "no HOME": "env -u HOME",
+    "no such HOME": "HOME=/nowhere",
+    "a TMPDIR that is not there": "TMPDIR=/nowhere",
+    "no variable but the PATH": 'env -i PATH="$PATH"',
+    "a dumb terminal": "TERM=dumb COLUMNS=1",
+}
+
+
+@pytest.fixture
+def german(tmp_path: Path) -> None:
+    """The locale of the first environment, compiled into the folder."""
+    target = tmp_path / "here" / "de_DE.UTF-8"
+    if shutil.which("localedef") is None:
+        pytest.skip("there is no localedef to compile a locale with")
+    command = ["localedef", "-i", "de_DE", "-f", "UTF-8", str(target)]
+    if subprocess.run(command, capture_output=True).returncode not in (0, 1) or not target.exists():
+        pytest.skip("localedef has no sources of de_DE")
+
+
+@pytest.mark.parametrize("name", ENVIRONMENTS)
+def test_answers_do_not_depend_on_the_environment(
+    name: str, bash: Bash, tmp_path: Path, request: pytest.FixtureRequest
+) -> None:
+    if name == "a decimal comma":
+        request.getfixturevalue("german")
+        comma = bash(f"{ENVIRONMENTS[name]} bash -c 'printf %.1f 0,5'")
+        assert comma.stdout == "0,5", comma
+    here = tmp_path / "here"
+    generate = "geodesic-bench generate terrain --columns 8 --rows 8 --gain 0.4 -o {}.off"
+    table = f"table_5_1.py --run {GOLDEN.parent} --out {{}}"
+    commands = [generate, SOLVE.format("{}.off", "{}.txt"), table]
+    for where, before in (("plain", ""), ("other", ENVIRONMENTS[name])):
+        for command in commands:
+            ended = bash(f"{before} {command.format(*3 * [where])}")
+            assert ended.returncode == 0, ended
+    for suffix in (".off", ".txt"):
+        assert (here / f"plain{suffix}").read_bytes() == (here / f"other{suffix}").read_bytes()
+    for file in (here / "plain").iterdir():
+        assert file.read_bytes() == (here / "other" / file.name).read_bytes()
+    assert "." in (here / "other.txt").read_text() and "," not in (here / "other.txt").read_text()
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_any_name_of_a_file_or_folder_will_do(name: str, bash: Bash, tmp_path: Path) -> None:
+    here = tmp_path / "here"
+    folder = here / name.removesuffix(".obj").strip("-")
+    folder.mkdir()
+    mesh = here / name
+    shutil.copy(here / "hill.obj", mesh)
+    environment = "LC_ALL=C PYTHONIOENCODING=ascii"
+    quoted = "'" + str(mesh).replace("'", "'\\''") + "'"
+    out = "'" + str(folder).replace("'", "'\\''") + "'"
+    assert bash(SOLVE.format("hill.obj", "plain.txt")).returncode == 0
+    ended = bash(f"{environment} {SOLVE.format(quoted, out + '/d.txt')}")
+    assert ended.returncode == 0, ended
+    assert (folder / "d.txt").read_bytes() == (here / "plain.txt").read_bytes()
+    run = f"geodesic-bench run --meshes {quoted} --solvers mmp --sources 1 --min-time 0.00001"
+    for command in (f"{run} --repetitions 1 --out {out}", f"check.py --run {out}",
+                    f"table_5_2.py --run {out}", f"geodesic-bench export --to csv {out}"):  # fmt: skip
+        ended = bash(f"{environment} {command}")
+        assert ended.returncode == 0, ended
+    assert not (here / "x").exists()
+
+
+def test_a_name_that_is_no_text_can_be_solved(bash: Bash, tmp_path: Path) -> None:
+    solve = SOLVE.format(r"$'h\xff.obj'", "d.txt")
+    ended = bash(rf"cp hill.obj $'h\xff.obj'; {solve}")
+    assert ended.returncode == 0 and r'"mesh": "h\\xff"' in ended.stdout, ended
+
+
+def golden_run_with(mesh: str) -> str:
+    """The golden run with another name, as JSON has it, for a mesh of another file."""
+    text = GOLDEN.read_text(encoding="utf-8")
+    return text.replace('"rocker-arm.obj"', '"a.obj"').replace("rocker-arm", mesh)
+
+
+def test_names_in_a_run_are_drawn_as_they_are(bash: Bash, tmp_path: Path) -> None:
+    text = golden_run_with(r"$\\frac$_{\\x")
+    (tmp_path / "here" / "run.json").write_text(text, encoding="utf-8")
+    ended = bash("all.py --run .")
+    assert ended.returncode == 0, ended
+    assert (tmp_path / "here" / "figures" / "accuracy.pdf").exists()
+
+
+def test_escape_sequences_of_a_run_do_not_reach_the_terminal(bash: Bash, tmp_path: Path) -> None:
+    text = golden_run_with(r"\u001b[2J\u0007")
+    (tmp_path / "here" / "run.json").write_text(text, encoding="utf-8")
+    for command in (
+        "check.py --run .",
+        "table_5_2.py --run .",
+        "geodesic-bench compare . .",
+        "geodesic-bench compare --format markdown . .",
+        "geodesic-bench export --to csv .",
+    ):
+        ended = bash(command)
+        assert r"\x1b[2J" in ended.stdout or "table_5_2" in command, ended
+        assert not set(ended.stdout + ended.stderr) & {"\x1b", "\x07"}, ended
+
+
+def test_a_reader_that_leaves_early_ends_a_command_silently(bash: Bash) -> None:
+    for command in ("geodesic-bench generate --list", f"check.py --run {GOLDEN.parent}"):
+        ended = bash(f"{command} | head -n 1")
+        assert (len(ended.stdout.splitlines()), ended.stderr) == (1, ""), ended
+
+
+def test_closed_streams_are_not_taken_for_files(bash: Bash, tmp_path: Path) -> None:
+    bash(SOLVE.format("hill.obj", "plain.txt"))
+    for streams in (">&-", "2>&-", "<&-", "<&- >&- 2>&-"):
+        bash(f"{SOLVE.format('hill.obj', 'd.txt')} --repair {streams}")
+        here = tmp_path / "here"
+        assert (here / "d.txt").read_bytes() == (here / "plain.txt").read_bytes(), streams
+        (here / "d.txt").unlink()
+
+
+def test_without_python_a_ranking_has_its_tables(bash: Bash, tmp_path: Path) -> None:
+    if not permitted("without-python"):
+        pytest.skip("this machine does not permit what tests/bad_inputs/bin/without-python does")
+    rank = "geodesic-bench rank --solver mmp --against ich --meshes hill.obj --pairs 1"
+    ended = bash(f"without-python {rank} --min-time 0.00001 --out r")
+    assert ended.returncode == 0 and (tmp_path / "here" / "r" / "rank.md").exists(), ended
