@@ -25,6 +25,7 @@
 #include "solvers/core/prefetch.h"
 #include "solvers/core/tolerance.h"
 #include "solvers/core/upcoming.h"
+#include "solvers/core/window_bound.h"
 #include "solvers/solver.h"
 
 namespace geodesic::chen_han {
@@ -37,6 +38,7 @@ class Propagation {
   explicit Propagation(const Mesh& mesh, Recorder recorder = {})
       : mesh_(mesh),
         recorder_(recorder),
+        budget_(mesh),
         queue_(Policy::make_queue(mesh)),
         corners_(mesh.half_edge_count()),
         unreliable_(find_unreliable_vertices(mesh)) {}
@@ -46,6 +48,7 @@ class Propagation {
     start(query, distances);
     while (!queue_.empty()) {
       const Stored w = pop();
+      budget_.spend(1);
       fetch_ahead();
       if (w.is_pseudo_source()) {
         if (!is_outdated(w)) emit(w.root, {w.half_edge, w.x, w.y});
@@ -77,6 +80,7 @@ class Propagation {
   void start(const Query& query, std::span<double> distances) {
     distances_ = distances;
     limit_ = query.limit;
+    budget_.start();
     pool_.clear();
     queue_.clear();
     upcoming_.clear();
@@ -293,6 +297,7 @@ class Propagation {
 
   const Mesh& mesh_;
   Recorder recorder_;
+  WindowBudget budget_;
   typename Policy::Queue queue_;  // of slots in pool_
   Pool<Stored> pool_;
   Corners corners_;

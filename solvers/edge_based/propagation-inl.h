@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "solvers/core/prefetch.h"
+#include "solvers/core/window_bound.h"
 #include "solvers/edge_based/kernels-inl.h"
 #include "solvers/edge_based/propagation.h"
 
@@ -27,7 +28,8 @@ class Propagation final : public Propagator {
         lists_(mesh.half_edge_count()),
         front_(Policy::make_queue(mesh)),
         vertex_state_(mesh.vertex_count()),
-        queued_(mesh.half_edge_count()) {
+        queued_(mesh.half_edge_count()),
+        budget_(mesh) {
     for (Index h = 0; h < mesh.half_edge_count(); ++h) {
       longest_edge_ = std::max(longest_edge_, mesh.half_edge(h).length);
     }
@@ -54,8 +56,7 @@ class Propagation final : public Propagator {
 
   void run(const Query& query, std::span<double> distances, Recorder recorder) {
     const auto timed = recorder.enter(Phase::propagation);
-    distances_ = distances;
-    std::fill(vertex_state_.begin(), vertex_state_.end(), std::uint8_t{0});
+    start(distances);
     if constexpr (Recorder::kRecords) sweep_.start(mesh_, query);
     for (const Source& source : query.sources) {
       if (source.distance < distances_[source.vertex])
@@ -80,8 +81,17 @@ class Propagation final : public Propagator {
         if (sweep_.made_step()) sample(recorder);
       }
     }
+  }
+
+  /// Forgets the last solve, however it ended.
+  void start(std::span<double> distances) {
+    distances_ = distances;
+    std::fill(vertex_state_.begin(), vertex_state_.end(), std::uint8_t{0});
+    std::fill(queued_.begin(), queued_.end(), std::uint8_t{0});
+    fifo_.clear();
     front_.clear();
     lists_.clear();
+    budget_.start();
   }
 
   Index pop(Recorder& recorder) {
@@ -168,6 +178,7 @@ class Propagation final : public Propagator {
     const EndPaths ends(edge.length, distances_[edge.origin], distances_[mesh_.head(h)]);
     gather_and_trim(h, ends, recorder);
     if (batch_.count == 0) return;
+    budget_.spend(batch_.count);
 
     const FaceFrame face = face_frame(mesh_, h);
     const Separator separator = classify(batch_, face, seen_left_.data(), seen_right_.data());
@@ -332,6 +343,7 @@ class Propagation final : public Propagator {
   std::vector<std::uint8_t> queued_;  // half-edges in fifo_
   std::vector<Index> fifo_;
   double longest_edge_ = 0;
+  WindowBudget budget_;
   [[no_unique_address]] typename Recorder::Sweep sweep_;
   // Scratch of one list. Masks hold the bits of kLanes windows a byte.
   Batch batch_;

@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "solvers/core/window_bound.h"
 #include "solvers/mmp/wavefront.h"
 #include "solvers/solver.h"
 
@@ -27,6 +28,7 @@ class Propagation {
   explicit Propagation(const Mesh& mesh, Recorder recorder = {})
       : mesh_(mesh),
         recorder_(recorder),
+        budget_(mesh),
         wavefront_(mesh.half_edge_count(), Policy::make_queue(mesh), recorder_) {}
   Propagation(const Propagation&) = delete;
   Propagation& operator=(const Propagation&) = delete;
@@ -35,6 +37,7 @@ class Propagation {
     const auto timed = recorder_.enter(Phase::propagation);
     start(query, distances);
     while (!wavefront_.empty()) {
+      budget_.spend(1);
       if (const auto taken = wavefront_.take(mesh_)) {
         if (taken->vertex != kNone) {
           emit(taken->vertex);
@@ -71,6 +74,7 @@ class Propagation {
     distances_ = distances;
     emitted_.assign(distances.size(), kInfinity);
     wavefront_.start(query.limit);
+    budget_.start();
     if constexpr (Recorder::kRecords) sweep_.start(mesh_, query);
     for (const Source& source : query.sources) {
       if (!(source.distance < distances_[source.vertex])) continue;
@@ -191,6 +195,7 @@ class Propagation {
 
   const Mesh& mesh_;
   Recorder recorder_;
+  WindowBudget budget_;
   Front wavefront_;
   std::span<double> distances_;
   std::vector<double> emitted_;  // distance of the windows that each vertex sent out last

@@ -13,6 +13,7 @@
 
 #include "solvers/core/tolerance.h"
 #include "solvers/core/window.h"
+#include "solvers/core/window_bound.h"
 #include "solvers/registry.h"
 
 namespace geodesic {
@@ -20,7 +21,8 @@ namespace {
 
 class Unfolding final : public Solver {
  public:
-  Unfolding(const Mesh& mesh, const Description& description) : Solver(mesh, description) {}
+  Unfolding(const Mesh& mesh, const Description& description)
+      : Solver(mesh, description), budget_(mesh) {}
 
  private:
   struct Waiting {
@@ -30,6 +32,9 @@ class Unfolding final : public Solver {
 
   void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
     distances_ = distances;
+    sources_.clear();
+    windows_.clear();
+    budget_.start();
     for (const Source& source : query.sources) {
       distances_[source.vertex] = std::min(distances_[source.vertex], source.distance);
       sources_.push_back(source);
@@ -42,6 +47,7 @@ class Unfolding final : public Solver {
       } else {
         const auto [half_edge, window] = windows_.front();
         windows_.pop_front();
+        budget_.spend(1);
         const bool is_too_far = least_distance(window) > query.limit;
         if (!is_too_far && !is_beaten(half_edge, window)) cross_face(half_edge, window);
       }
@@ -102,6 +108,7 @@ class Unfolding final : public Solver {
     }
   }
 
+  WindowBudget budget_;
   std::span<double> distances_;
   std::deque<Source> sources_;   // that have not sent out windows of their distance yet
   std::deque<Waiting> windows_;  // that have not crossed a face yet

@@ -1,0 +1,34 @@
+#include "solvers/core/window_bound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace geodesic {
+namespace {
+
+constexpr double kPerRoot = 1024;  // times H sqrt(H)
+constexpr std::uint64_t kFloor = std::uint64_t{1} << 20;
+constexpr std::uint64_t kNotLowered = std::numeric_limits<std::int64_t>::max();
+
+constinit thread_local std::uint64_t lowered_to = kNotLowered;
+
+}  // namespace
+
+std::uint64_t window_bound(const Mesh& mesh) {
+  const double half_edges = mesh.half_edge_count();  // below 2^32: the bound is below 2^59
+  const auto bound = static_cast<std::uint64_t>(kPerRoot * half_edges * std::sqrt(half_edges));
+  return std::min(lowered_to, bound + kFloor);
+}
+
+void WindowBudget::report() const {
+  throw EndlessPropagation("endless propagation: more than " + std::to_string(bound_) +
+                           " windows on a mesh of " + std::to_string(faces_) +
+                           " faces; please report this mesh");
+}
+
+LoweredWindowBound::LoweredWindowBound(std::uint64_t most) { lowered_to = most; }
+LoweredWindowBound::~LoweredWindowBound() { lowered_to = kNotLowered; }
+
+}  // namespace geodesic

@@ -1,0 +1,64 @@
+// How many windows a solve may propagate before it counts as endless.
+//
+// No mesh is known on which a solver of this project propagates without end; rounding on degenerate
+// faces is where it could happen. The bound turns that into an error that names the mesh's size.
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+
+#include "solvers/core/mesh.h"
+
+namespace geodesic {
+
+/// What a solve throws that exceeds its bound. The object can be asked again.
+class EndlessPropagation : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// 1024 H sqrt(H) + 2^20 windows on a mesh of H half-edges.
+///
+/// Real meshes need about H sqrt(H) / 10, the worst solver of the project on rough small ones
+/// H sqrt(H): a thousandth of the bound (docs/contract.md has the measurements). Chen and Han 1990
+/// bound their windows by H^2, which meshes made for it need; up to H = 2^20, 350,000 faces, that is
+/// below this bound too.
+std::uint64_t window_bound(const Mesh& mesh);
+
+/// What is left of the bound in a solve.
+class WindowBudget {
+ public:
+  explicit WindowBudget(const Mesh& mesh)
+      : faces_(mesh.face_count()), bound_(static_cast<std::int64_t>(window_bound(mesh))) {}
+
+  /// At the beginning of every solve.
+  void start() { left_ = bound_; }
+
+  /// Before so many windows are propagated across a face. A window or pseudo-source that a queue
+  /// gives back may count before it is known whether it goes on.
+  /// @throws EndlessPropagation when the bound is exceeded
+  void spend(std::size_t windows) {
+    left_ -= static_cast<std::int64_t>(windows);
+    if (left_ < 0) [[unlikely]] {
+      report();
+    }
+  }
+
+ private:
+  [[noreturn]] void report() const;
+
+  Index faces_;
+  std::int64_t bound_;
+  std::int64_t left_ = 0;
+};
+
+/// For tests: as long as it lives, the bound of solvers that its thread prepares is at most `most`.
+class LoweredWindowBound {
+ public:
+  explicit LoweredWindowBound(std::uint64_t most);
+  ~LoweredWindowBound();
+  LoweredWindowBound(const LoweredWindowBound&) = delete;
+  LoweredWindowBound& operator=(const LoweredWindowBound&) = delete;
+};
+
+}  // namespace geodesic
