@@ -70,18 +70,19 @@ double relative_error(double got, double want) {
   return comparable ? (got - want) / want : kInfinity;
 }
 
-Finding agree(const Query& query, std::span<const double> got, std::span<const double> want) {
+Finding agree(const Query& query, std::span<const double> got, std::span<const double> want,
+              double tolerance) {
   const auto error = [](double g, double w) { return std::abs(relative_error(g, w)); };
-  return compare(query, got, want, error, kExactTolerance);
+  return compare(query, got, want, error, tolerance);
 }
 
 Finding bound_from_above(const Query& query, std::span<const double> got,
-                         std::span<const double> want) {
+                         std::span<const double> want, double tolerance) {
   const auto error = [](double g, double w) {
     const double e = relative_error(g, w);
     return std::isinf(e) ? e : -e;
   };
-  return compare(query, got, want, error, kExactTolerance);
+  return compare(query, got, want, error, tolerance);
 }
 
 Finding identical(const Query& query, std::span<const double> got, std::span<const double> want) {
@@ -94,11 +95,12 @@ Finding identical(const Query& query, std::span<const double> got, std::span<con
   return finding;
 }
 
-Finding satisfies_edges(const Mesh& mesh, const Query& query, std::span<const double> distances) {
+Finding satisfies_edges(const Mesh& mesh, const Query& query, std::span<const double> distances,
+                        double tolerance) {
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const double a = distances[mesh.origin(h)], b = distances[mesh.head(h)];
     const double length = mesh.half_edge(h).length;
-    if (a == b || std::abs(a - b) <= length + kExactTolerance * std::max(a, b)) continue;
+    if (a == b || std::abs(a - b) <= length + tolerance * std::max(a, b)) continue;
     Failure failure = wrong_distances(
         query, distances,
         "edge " + std::to_string(mesh.origin(h)) + " - " + std::to_string(mesh.head(h)) +

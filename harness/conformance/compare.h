@@ -15,20 +15,21 @@ using harness::kExactTolerance;  // what "exact" means throughout: the largest r
 /// either is not a number, and when something else than 0 was got for 0.
 double relative_error(double got, double want);
 
-/// Every distance equals the expected one up to kExactTolerance relative; infinities in the same
-/// places.
+/// Every distance equals the expected one; infinities in the same places.
 /// @param query that the distances answer, for the failure; so in all of these
-Finding agree(const Query& query, std::span<const double> got, std::span<const double> want);
+/// @param tolerance relative; so in all of these
+Finding agree(const Query& query, std::span<const double> got, std::span<const double> want,
+              double tolerance = kExactTolerance);
 
-/// No distance is below the expected one (up to kExactTolerance relative); infinities in the same
-/// places.
+/// No distance is below the expected one; infinities in the same places.
 Finding bound_from_above(const Query& query, std::span<const double> got,
-                         std::span<const double> want);
+                         std::span<const double> want, double tolerance = kExactTolerance);
 
 /// The same bits, entry by entry.
 Finding identical(const Query& query, std::span<const double> got, std::span<const double> want);
 
-/// |d(u) - d(v)| <= |uv| along every edge, up to kExactTolerance of the distances.
-Finding satisfies_edges(const Mesh& mesh, const Query& query, std::span<const double> distances);
+/// |d(u) - d(v)| <= |uv| along every edge, up to the tolerance times the distances.
+Finding satisfies_edges(const Mesh& mesh, const Query& query, std::span<const double> distances,
+                        double tolerance = kExactTolerance);
 
 }  // namespace geodesic::conformance

@@ -24,7 +24,10 @@ Case compact(const Case& given) {
     for (const Index v : t) needed[v] = true;
   }
   std::vector<Index> number(needed.size(), kNone);
-  Case small{.mesh = given.mesh, .soup = {{}, given.soup.triangles}, .queries = given.queries};
+  Case small{.mesh = given.mesh,
+             .soup = {{}, given.soup.triangles},
+             .queries = given.queries,
+             .tolerance = given.tolerance};
   for (Index v = 0; v < needed.size(); ++v) {
     if (!needed[v]) continue;
     number[v] = static_cast<Index>(small.soup.positions.size());

@@ -53,7 +53,8 @@ std::vector<double> Trial::expected(const Query& query) const {
 
 Finding Trial::correct(const Query& query, std::span<const double> got,
                        std::span<const double> want) const {
-  return (solver_.exactness == Exactness::exact ? agree : bound_from_above)(query, got, want);
+  return (solver_.exactness == Exactness::exact ? agree : bound_from_above)(query, got, want,
+                                                                            given_.tolerance);
 }
 
 std::vector<double> ask(Solver& solver, const Mesh& mesh, const Query& query,

@@ -21,6 +21,8 @@ struct Case {
   std::vector<Query> queries;
   /// Distances that are known; empty: those of the reference.
   std::function<std::vector<double>(const Query&)> known = {};
+  /// Relative; larger where the mesh's own numbers allow no better, which the property explains.
+  double tolerance = kExactTolerance;
 };
 
 /// A reference: brute force on meshes of up to so many faces, else the best other exact solver
@@ -81,6 +83,8 @@ class Trial {
   /// Equal up to rounding for an exact solver, not below for an upper bound.
   Finding correct(const Query& query, std::span<const double> got,
                   std::span<const double> want) const;
+
+  double tolerance() const { return given_.tolerance; }
 
  private:
   const Description& solver_;

@@ -144,6 +144,31 @@ TriangleSoup with_missing_faces(TriangleSoup soup, std::uint64_t seed, std::uint
   return soup;
 }
 
+TriangleSoup with_collapsed_edges(TriangleSoup soup, std::uint64_t seed, std::uint32_t one_in) {
+  Random random(seed);
+  for (const Triangle& t : soup.triangles) {
+    if (random.below(one_in) == 0) soup.positions[t[0]] = soup.positions[t[1]];
+  }
+  return soup;
+}
+
+TriangleSoup with_flat_caps(TriangleSoup soup, std::uint64_t seed, std::uint32_t one_in) {
+  Random random(seed);
+  const std::size_t faces = soup.triangles.size();
+  for (std::size_t f = 0; f < faces; ++f) {
+    if (random.below(one_in) != 0) continue;
+    const auto [a, b, c] = soup.triangles[f];
+    const Vec3 &p = soup.positions[a], &q = soup.positions[b];
+    const Vec3 middle = {(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2};
+    const Index m = static_cast<Index>(soup.positions.size());
+    soup.positions.push_back(middle);
+    soup.triangles[f] = {a, m, c};
+    soup.triangles.push_back({m, b, c});
+    soup.triangles.push_back({a, b, m});
+  }
+  return soup;
+}
+
 TriangleSoup side_by_side(TriangleSoup first, const TriangleSoup& second) {
   const Index offset = static_cast<Index>(first.positions.size());
   first.positions.insert(first.positions.end(), second.positions.begin(), second.positions.end());

@@ -31,6 +31,13 @@ TriangleSoup with_holes(TriangleSoup soup, std::uint64_t seed, Index holes);
 /// Takes out one face in `one_in`, at random: ragged borders and vertices with several fans.
 TriangleSoup with_missing_faces(TriangleSoup soup, std::uint64_t seed, std::uint32_t one_in);
 
+/// Moves one end of an edge in `one_in` onto the other.
+TriangleSoup with_collapsed_edges(TriangleSoup soup, std::uint64_t seed, std::uint32_t one_in);
+
+/// Splits faces in `one_in` at the middle of their first edge, on that face's side only, and fills
+/// the slit with a face of no area.
+TriangleSoup with_flat_caps(TriangleSoup soup, std::uint64_t seed, std::uint32_t one_in);
+
 /// Two meshes side by side as two components, the second after the first.
 TriangleSoup side_by_side(TriangleSoup first, const TriangleSoup& second);
 

@@ -47,14 +47,16 @@ Real nearest(const PlanePoint& a, const PlanePoint& b) {
 class View {
  public:
   View(const Mesh& mesh, Real reach, const std::function<void(const Sight&)>& see)
-      : mesh_(mesh), reach_(reach), see_(see) {}
+      : mesh_(mesh), reach_(reach), see_(see), entered_(mesh.face_count()) {}
 
   void look_from(Index v) {
     for (const Index h : mesh_.outgoing(v)) {
       const PlanePoint right = {straight_distance(mesh_, v, mesh_.head(h)), 0};
       if (right.x == 0) continue;  // a bend at the other end sees all that lies beyond
       const PlanePoint left = lay_out_apex(mesh_, h, {0, 0}, right);
+      entered_[h / 3] = true;
       enter(mesh_.twin(Mesh::next(h)), left, right, left, right);
+      entered_[h / 3] = false;
     }
   }
 
@@ -65,7 +67,8 @@ class View {
   void enter(Index h, const PlanePoint& left, const PlanePoint& right, const PlanePoint& l,
              const PlanePoint& r) {
     if (h == kNone || !opens(r, l) || nearest(left, right) > reach_) return;
-    if (mesh_.half_edge(h).length == 0) return;
+    if (entered_[h / 3] || mesh_.half_edge(h).length == 0) return;
+    entered_[h / 3] = true;
     strip_.push_back({h, left, right});
     const PlanePoint apex = lay_out_apex(mesh_, h, left, right);
     const bool right_of_l = cross(apex, l) > 0, left_of_r = cross(r, apex) > 0;
@@ -78,12 +81,14 @@ class View {
     if (right_of_l) enter(left_edge, left, apex, l, left_of_r ? apex : r);
     if (left_of_r) enter(right_edge, apex, right, right_of_l ? apex : l, r);
     strip_.pop_back();
+    entered_[h / 3] = false;
   }
 
   const Mesh& mesh_;
   Real reach_;
   const std::function<void(const Sight&)>& see_;
   std::vector<EdgeInView> strip_;
+  std::vector<bool> entered_;  // faces of the strip: a shortest path crosses none twice
 };
 
 }  // namespace

@@ -33,9 +33,10 @@ struct Sight {
 Real straight_distance(const Mesh& mesh, Index a, Index b);
 
 /// Unfolds every strip of faces that can be seen from vertex v, as long as it lies nearer than
-/// `reach`; nothing else is pruned. Lengths are taken from the positions; only the topology (twins)
-/// is the mesh's. A line that runs through a vertex ends there, and neighbours along edges are not
-/// seen across a strip: neither is handed over.
+/// `reach` and enters no face twice, which a shortest path never does; nothing else is pruned.
+/// However degenerate the faces are, it ends. Lengths are taken from the positions; only the
+/// topology (twins) is the mesh's. A line that runs through a vertex ends there, and neighbours
+/// along edges are not seen across a strip: neither is handed over.
 void view_from(const Mesh& mesh, Index v, Real reach, const std::function<void(const Sight&)>& see);
 
 }  // namespace geodesic::oracles

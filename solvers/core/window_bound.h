@@ -21,8 +21,8 @@ class EndlessPropagation : public std::runtime_error {
 ///
 /// Real meshes need about H sqrt(H) / 10, the worst solver of the project on rough small ones
 /// H sqrt(H): a thousandth of the bound (docs/contract.md has the measurements). Chen and Han 1990
-/// bound their windows by H^2, which meshes made for it need; up to H = 2^20, 350,000 faces, that is
-/// below this bound too.
+/// bound their windows by H^2, which meshes made for it need; up to H = 2^20, 350,000 faces, that
+/// is below this bound too.
 std::uint64_t window_bound(const Mesh& mesh);
 
 /// What is left of the bound in a solve.

@@ -4,7 +4,6 @@
 
 #include "datasets/generators/generators.h"
 #include "harness/conformance/properties/properties.h"
-#include "harness/oracles/random.h"
 
 namespace geodesic::conformance {
 namespace {
@@ -23,34 +22,6 @@ TriangleSoup flat_grid(Index columns, Index rows, const char* diagonal = "altern
                               {{"columns", columns}, {"rows", rows}, {"diagonal", diagonal}});
 }
 
-// Moves one end of an edge in `one_in` onto the other.
-TriangleSoup with_collapsed_edges(TriangleSoup soup, std::uint64_t seed, std::uint32_t one_in) {
-  oracles::Random random(seed);
-  for (const Triangle& t : soup.triangles) {
-    if (random.below(one_in) == 0) soup.positions[t[0]] = soup.positions[t[1]];
-  }
-  return soup;
-}
-
-// Splits faces in `one_in` at the middle of their first edge, on that face's side only, and fills
-// the slit with a face of no area.
-TriangleSoup with_flat_caps(TriangleSoup soup, std::uint64_t seed, std::uint32_t one_in) {
-  oracles::Random random(seed);
-  const std::size_t faces = soup.triangles.size();
-  for (std::size_t f = 0; f < faces; ++f) {
-    if (random.below(one_in) != 0) continue;
-    const auto [a, b, c] = soup.triangles[f];
-    const Vec3 &p = soup.positions[a], &q = soup.positions[b];
-    const Vec3 middle = {(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2};
-    const Index m = static_cast<Index>(soup.positions.size());
-    soup.positions.push_back(middle);
-    soup.triangles[f] = {a, m, c};
-    soup.triangles.push_back({m, b, c});
-    soup.triangles.push_back({a, b, m});
-  }
-  return soup;
-}
-
 Case from_some_sources(const std::string& name, const TriangleSoup& soup) {
   return {name, soup, some_sources(soup)};
 }
@@ -59,7 +30,7 @@ std::vector<Case> collapsed_edges_on_rough_surfaces() {
   std::vector<Case> cases;
   for (std::uint64_t seed = 2; seed < 6; ++seed) {
     const auto collapsed = [&](const TriangleSoup& soup) {
-      return with_collapsed_edges(soup, seed, 12);
+      return oracles::with_collapsed_edges(soup, seed, 12);
     };
     const std::string number = std::to_string(seed);
     cases.push_back(
@@ -142,13 +113,16 @@ std::vector<Property> degenerate_properties() {
        "in a plane with zero-length edges distances are exact, and 0 along those",
        {},
        [] {
-         return Cases{from_some_sources("grid", with_collapsed_edges(flat_grid(8, 8), 1, 12))};
+         return Cases{
+             from_some_sources("grid", oracles::with_collapsed_edges(flat_grid(8, 8), 1, 12))};
        },
        distances_are_right},
       {"degenerate-zero-area-faces-in-a-plane",
        "in a plane with zero-area faces distances are exact",
        {},
-       [] { return Cases{from_some_sources("grid", with_flat_caps(flat_grid(8, 8), 6, 5))}; },
+       [] {
+         return Cases{from_some_sources("grid", oracles::with_flat_caps(flat_grid(8, 8), 6, 5))};
+       },
        distances_are_right},
       {"degenerate-zero-length-edges-on-a-rough-surface",
        "on a rough surface with zero-length edges distances are exact, and 0 along those",

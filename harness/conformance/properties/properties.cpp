@@ -8,7 +8,7 @@ Finding distances_are_right(const Trial& trial) {
     const auto got = ask(*solver, trial.mesh(), query);
     if (auto wrong = trial.correct(query, got, trial.expected(query))) return wrong;
     if (query.limit < kInfinity) continue;  // beyond it, distances become infinite
-    if (auto wrong = satisfies_edges(trial.mesh(), query, got)) return wrong;
+    if (auto wrong = satisfies_edges(trial.mesh(), query, got, trial.tolerance())) return wrong;
   }
   return {};
 }

@@ -1,0 +1,263 @@
+#include "tests/differential/differential.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <iomanip>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <tuple>
+
+#include "harness/conformance/property.h"
+#include "harness/conformance/shrink.h"
+#include "harness/conformance/smallest.h"
+#include "harness/corpus/solvers.h"
+#include "harness/measure/process.h"
+#include "harness/meshes/write.h"
+#include "harness/number.h"
+#include "harness/verify/choose.h"
+
+namespace geodesic::differential {
+namespace {
+
+using conformance::ask;
+using conformance::Case;
+using conformance::Finding;
+using harness::significant;
+
+constexpr const char* kBruteForce = "brute force";
+// Brute force takes a second for so many faces; beyond, an independent oracle judges.
+constexpr Index kBruteForceFaces = 250;
+
+/// Largest relative error that is no disagreement. Non-manifold and degenerate places cost no
+/// exactness elsewhere.
+double tolerance(Kind) { return conformance::kExactTolerance; }
+
+struct Answer {
+  std::string by;
+  std::vector<double> distances;
+};
+
+/// How far one solver is from another on one kind of mesh.
+struct Distance {
+  std::uint64_t comparisons = 0;
+  double largest = 0;    ///< relative error over all vertices
+  std::uint64_t at = 0;  ///< number of the mesh
+};
+
+struct Disagreement {
+  std::uint64_t number;
+  const Description* solver;
+  std::string what;
+};
+
+double largest_error(const std::vector<double>& got, const std::vector<double>& want) {
+  double largest = 0;
+  for (std::size_t v = 0; v < got.size(); ++v) {
+    largest = std::max(largest, std::abs(conformance::relative_error(got[v], want[v])));
+  }
+  return largest;
+}
+
+// A folder for the calling thread, removed with it.
+class Scratch {
+ public:
+  Scratch() {
+    std::string name =
+        (std::filesystem::temp_directory_path() / "geodesic-differential-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
+    folder_ = name;
+  }
+  ~Scratch() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+std::vector<const Description*> solvers_of(const Request& request) {
+  std::vector<const Description*> chosen;
+  for (const std::string& name : request.solvers) chosen.push_back(&harness::solver_named(name));
+  if (!chosen.empty()) return chosen;
+  for (const Description* solver : registered_solvers()) {
+    if (solver->exactness == Exactness::exact) chosen.push_back(solver);
+  }
+  return chosen;
+}
+
+class Differential {
+ public:
+  Differential(const Request& request, std::ostream& report)
+      : request_(request), report_(report), solvers_(solvers_of(request)) {}
+
+  bool run() {
+    if (request_.only) {
+      examine(*request_.only, Scratch().folder());
+    } else {
+      std::vector<std::jthread> jobs;
+      for (unsigned j = 0; j < request_.jobs; ++j) jobs.emplace_back([this] { work(); });
+    }
+    print();
+    std::ranges::sort(disagreements_, {}, &Disagreement::number);
+    for (const Disagreement& each : disagreements_) show(each);
+    return disagreements_.empty();
+  }
+
+ private:
+  void work() {
+    const Scratch scratch;
+    for (std::uint64_t number = next_++; number < request_.meshes; number = next_++) {
+      examine(number, scratch.folder());
+    }
+  }
+
+  void examine(std::uint64_t number, const std::filesystem::path& scratch) {
+    const Case given = random_case(request_.seed, number, scratch);
+    const Mesh mesh(given.soup);
+    const Kind kind = kind_of(mesh);
+    const Query& query = given.queries.front();
+    // What judges first, what is judged only behind.
+    std::vector<Answer> judges;
+    if (mesh.face_count() <= kBruteForceFaces) {
+      judges.push_back(
+          {kBruteForce, cut_off(oracles::BruteForce(mesh).distances(query.sources), query.limit)});
+    }
+    for (const Description* solver : by_independence(mesh)) {
+      Answer answer{solver->name, {}};
+      try {
+        answer.distances = ask(*make_solver(solver->name, mesh), mesh, query);
+      } catch (const std::exception& error) {
+        note(number, *solver, given, std::string("threw: ") + error.what());
+        continue;
+      }
+      for (const Answer& judge : judges) {
+        const double error = compare(number, kind, answer, judge);
+        // The first judge decides; an independent oracle is not ours to repair.
+        const bool right = error <= tolerance(kind) || &judge != &judges.front();
+        if (right || solver->independent_oracle) continue;
+        note(number, *solver, given, "differs from " + judge.by + " by " + significant(error, 3));
+      }
+      if (judges.empty() || solver->independent_oracle) judges.push_back(std::move(answer));
+    }
+    const std::lock_guard lock(mutex_);
+    ++meshes_[kind];
+  }
+
+  static std::vector<double> cut_off(std::vector<double> distances, double limit) {
+    for (double& d : distances) d = d > limit ? kInfinity : d;
+    return distances;
+  }
+
+  std::vector<const Description*> by_independence(const Mesh& mesh) const {
+    std::vector<const Description*> fit;
+    for (const Description* solver : solvers_) {
+      if (harness::unsupported(*solver, mesh).empty()) fit.push_back(solver);
+    }
+    std::ranges::stable_sort(fit, std::ranges::greater(), &Description::independent_oracle);
+    return fit;
+  }
+
+  double compare(std::uint64_t number, Kind kind, const Answer& got, const Answer& want) {
+    const double error = largest_error(got.distances, want.distances);
+    const std::lock_guard lock(mutex_);
+    Distance& apart = distances_[{kind, got.by, want.by}];
+    ++apart.comparisons;
+    if (error > apart.largest) {
+      apart.largest = error;
+      apart.at = number;
+    }
+    return error;
+  }
+
+  void note(std::uint64_t number, const Description& solver, const Case& given,
+            const std::string& what) {
+    const std::lock_guard lock(mutex_);
+    report_ << "seed " << request_.seed << ", mesh " << number << " (" << given.mesh << ", "
+            << given.soup.triangles.size() << " faces): " << solver.name << ' ' << what << '\n';
+    report_.flush();
+    const bool first = std::ranges::none_of(
+        disagreements_, [&](const Disagreement& each) { return each.solver == &solver; });
+    if (first) disagreements_.push_back({number, &solver, what});
+  }
+
+  void print() const {
+    std::uint64_t meshes = 0, comparisons = 0;
+    for (const auto& [kind, count] : meshes_) meshes += count;
+    for (const auto& [pair, apart] : distances_) comparisons += apart.comparisons;
+    report_ << "seed " << request_.seed << ": " << meshes << " meshes, " << comparisons
+            << " comparisons\n";
+    for (const auto& [kind, count] : meshes_) report_ << "  " << name_of(kind) << ' ' << count;
+    report_ << '\n' << std::left;
+    for (const auto& [pair, apart] : distances_) {
+      const auto& [kind, solver, judge] = pair;
+      report_ << "  " << std::setw(13) << name_of(kind) << std::setw(18) << solver << std::setw(18)
+              << judge << std::setw(8) << apart.comparisons << "largest relative error "
+              << significant(apart.largest, 2) << " at mesh " << apart.at << '\n';
+    }
+  }
+
+  void show(const Disagreement& each) const {
+    const conformance::Property& property =
+        *conformance::find_property(conformance::kDistancesProperty);
+    const Case given = random_case(request_.seed, each.number, Scratch().folder());
+    const Finding failed = conformance::check_case(property, *each.solver, given);
+    const std::string stem = each.solver->name + "-seed-" + std::to_string(request_.seed) +
+                             "-mesh-" + std::to_string(each.number);
+    const std::filesystem::path file = request_.out / (stem + ".obj");
+    Case small = given;
+    if (failed) {
+      const auto still_fails = [&](const Case& smaller) {
+        const Finding finding = conformance::check_case(property, *each.solver, smaller);
+        return finding && finding->kind == failed->kind;
+      };
+      small = conformance::shrink(given, given.queries.front(), still_fails, request_.shrink);
+    }
+    std::filesystem::create_directories(request_.out);
+    harness::write_mesh(file, small.soup);
+    report_ << '\n'
+            << each.solver->name << ' ' << each.what << " at mesh " << each.number << " of seed "
+            << request_.seed << ", " << given.mesh << '\n'
+            << "  smallest case  " << file.string() << ": " << small.soup.triangles.size()
+            << " faces of " << given.soup.triangles.size() << '\n'
+            << "  reproduce it   geodesic-bench verify --solver " << each.solver->name
+            << " --property " << property.name << " --meshes " << file.string()
+            << words_of(small.queries.front()) << '\n'
+            << "  the whole      differential --seed " << request_.seed << " --only " << each.number
+            << " --solvers " << each.solver->name << '\n';
+  }
+
+  static std::string words_of(const Query& query) {
+    std::string words;
+    for (const Source& source : query.sources) {
+      words += " --source " + std::to_string(source.vertex);
+      if (source.distance > 0) words += ':' + significant(source.distance);
+    }
+    if (query.limit < kInfinity) words += " --limit " + significant(query.limit);
+    return words;
+  }
+
+  const Request& request_;
+  std::ostream& report_;
+  const std::vector<const Description*> solvers_;
+  std::atomic<std::uint64_t> next_ = 0;
+  std::mutex mutex_;  // of all below
+  std::map<Kind, std::uint64_t> meshes_;
+  std::map<std::tuple<Kind, std::string, std::string>, Distance> distances_;
+  std::vector<Disagreement> disagreements_;  // the first one of each solver
+};
+
+}  // namespace
+
+bool run_differential(const Request& request, std::ostream& report) {
+  return Differential(request, report).run();
+}
+
+}  // namespace geodesic::differential

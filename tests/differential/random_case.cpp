@@ -1,0 +1,401 @@
+#include "tests/differential/random_case.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "datasets/generators/generators.h"
+#include "datasets/generators/random.h"
+#include "harness/meshes/write.h"
+#include "harness/oracles/random.h"
+#include "harness/oracles/random_meshes.h"
+#include "harness/results/npy.h"
+
+namespace geodesic::differential {
+namespace {
+
+using conformance::Case;
+using generators::generate;
+using generators::Parameters;
+using oracles::Random;
+
+// Above so many faces nothing makes a mesh larger, and brute force gives way to another solver.
+constexpr double kManyFaces = 150;
+
+// One in so many meshes is larger: what needs room shows there.
+constexpr std::uint32_t kLargeOneIn = 50;
+
+// Its functions draw the next numbers: no two of them in the arguments of one call, whose order is
+// the compiler's.
+struct Scene {
+  Random& random;
+  const std::filesystem::path& scratch;
+  double size;  ///< factor on counts of cells
+
+  /// In {least, ..., most times size}.
+  Index cells(Index least, Index most) const {
+    const auto end = static_cast<Index>(size * most) + 1;
+    return least + random.below(std::max(end, least + 1) - least);
+  }
+  double real(double least, double most) const { return random.between(least, most); }
+  std::uint32_t seed() const { return random.below(1u << 31); }
+  const char* diagonal() const {
+    constexpr const char* kDiagonals[] = {"alternating", "forward", "backward"};
+    return kDiagonals[random.below(3)];
+  }
+};
+
+struct Surface {
+  const char* name;
+  TriangleSoup (*make)(const Scene& s);
+};
+
+TriangleSoup elevation(const Scene& s) {
+  const Index columns = s.cells(4, 8);
+  std::vector<double> heights(std::size_t{columns} * s.cells(4, 8));
+  for (double& z : heights) z = s.real(0, 3);
+  const std::filesystem::path file = s.scratch / "heights.npy";
+  harness::write_npy<double>(file, heights, columns);
+  return generate("elevation", {{"input", file.string()},
+                                {"columns", s.cells(2, 7)},
+                                {"rows", s.cells(2, 7)},
+                                {"diagonal", s.diagonal()}});
+}
+
+constexpr Surface kSurfaces[] = {
+    {"rough-terrain",
+     [](const Scene& s) {
+       const Index columns = s.cells(1, 9), rows = s.cells(1, 9);
+       const double relief = s.real(0, 4);
+       return oracles::rough_terrain(s.seed(), columns, rows, relief);
+     }},
+    {"hardly-rough-terrain",
+     [](const Scene& s) {
+       const Index columns = s.cells(1, 9), rows = s.cells(1, 9);
+       const double relief = std::pow(10, s.real(-14, -1));
+       return oracles::rough_terrain(s.seed(), columns, rows, relief);
+     }},
+    {"rough-sphere",
+     [](const Scene& s) {
+       const Index levels = s.cells(0, 1);
+       const double noise = s.real(0, 0.7);
+       return oracles::rough_sphere(s.seed(), static_cast<int>(levels), noise);
+     }},
+    {"rough-torus",
+     [](const Scene& s) {
+       const Index around = s.cells(3, 11), across = s.cells(3, 6);
+       const double noise = s.real(0, 0.5);
+       return oracles::rough_torus(s.seed(), around, across, noise);
+     }},
+    {"box",
+     [](const Scene& s) {
+       return generate("box", {{"x-cells", s.cells(1, 3)},
+                               {"y-cells", s.cells(1, 3)},
+                               {"z-cells", s.cells(1, 3)},
+                               {"diagonal", s.diagonal()}});
+     }},
+    {"cone",
+     [](const Scene& s) {
+       return generate(
+           "cone",
+           {{"sectors", s.cells(3, 9)}, {"angle", s.real(2, 359)}, {"rings", s.cells(1, 4)}});
+     }},
+    {"saddle-cone",
+     [](const Scene& s) {
+       return generate("saddle-cone", {{"sectors", 2 * s.cells(2, 5)},
+                                       {"sector-angle", s.real(91, 119)},
+                                       {"rings", s.cells(1, 4)}});
+     }},
+    {"cylinder",
+     [](const Scene& s) {
+       return generate("cylinder", {{"sides", s.cells(3, 10)},
+                                    {"rows", s.cells(1, 6)},
+                                    {"height", s.real(0.1, 9)},
+                                    {"diagonal", s.diagonal()}});
+     }},
+    {"egg-carton",
+     [](const Scene& s) {
+       return generate("egg-carton", {{"cells", s.cells(2, 8)},
+                                      {"bumps", s.real(0.5, 3)},
+                                      {"height", s.real(0, 3)},
+                                      {"diagonal", s.diagonal()}});
+     }},
+    {"elevation", elevation},
+    {"grid",
+     [](const Scene& s) {
+       return generate(
+           "grid",
+           {{"columns", s.cells(1, 9)}, {"rows", s.cells(1, 9)}, {"diagonal", s.diagonal()}});
+     }},
+    {"holed-plate",
+     [](const Scene& s) {
+       return generate("holed-plate", {{"holes", s.cells(1, 2)},
+                                       {"pitch", 4},
+                                       {"bulge", s.real(-1, 1)},
+                                       {"diagonal", s.diagonal()}});
+     }},
+    {"icosphere",
+     [](const Scene& s) {
+       return generate("icosphere", {{"frequency", s.cells(1, 2)}});
+     }},
+    {"needles",
+     [](const Scene& s) {
+       return generate("needles", {{"sides", s.cells(3, 10)},
+                                   {"rows", s.cells(1, 5)},
+                                   {"aspect", std::pow(10, s.real(0, 6))},
+                                   {"waist", s.real(0, 0.9)},
+                                   {"diagonal", s.diagonal()}});
+     }},
+    {"square-with-hole",
+     [](const Scene& s) {
+       return generate(
+           "square-with-hole",
+           {{"hole", s.cells(1, 4)}, {"rim", s.cells(1, 2)}, {"diagonal", s.diagonal()}});
+     }},
+    {"terrain",
+     [](const Scene& s) {
+       return generate("terrain", {{"columns", s.cells(1, 9)},
+                                   {"rows", s.cells(1, 9)},
+                                   {"seed", s.seed()},
+                                   {"height", s.real(0, 5)},
+                                   {"diagonal", s.diagonal()}});
+     }},
+    {"torus",
+     [](const Scene& s) {
+       return generate("torus", {{"rings", s.cells(3, 11)},
+                                 {"sides", s.cells(3, 6)},
+                                 {"tube-radius", s.real(0.05, 0.95)},
+                                 {"diagonal", s.diagonal()}});
+     }},
+    {"torus-knot",
+     [](const Scene& s) {
+       const Index p = s.cells(1, 3);  // has no divisor in common with p + 1
+       return generate("torus-knot", {{"p", p},
+                                      {"q", p + 1},
+                                      {"rings", s.cells(8, 18)},
+                                      {"sides", s.cells(3, 4)},
+                                      {"diagonal", s.diagonal()}});
+     }},
+    {"two-components",
+     [](const Scene& s) {
+       return generate("two-components", {{"frequency", s.cells(1, 2)}, {"cells", s.cells(1, 2)}});
+     }},
+};
+
+std::pair<const char*, TriangleSoup> random_surface(const Scene& s) {
+  const Surface& surface = kSurfaces[s.random.below(std::size(kSurfaces))];
+  return {surface.name, surface.make(s)};
+}
+
+// By a generator that reads a mesh.
+TriangleSoup changed_by(const char* generator, const Scene& s, const TriangleSoup& soup,
+                        Parameters parameters) {
+  const std::filesystem::path file = s.scratch / "mesh.ply";
+  harness::write_mesh(file, soup);
+  parameters.emplace("input", file.string());
+  return generate(generator, parameters);
+}
+
+// Cuts faces at a point inside, anywhere: the nearer to a side, the thinner the new ones.
+TriangleSoup with_points_in_faces(TriangleSoup soup, const Scene& s) {
+  const std::size_t cuts = 1 + s.random.below(20);
+  for (std::size_t cut = 0; cut < cuts; ++cut) {
+    const std::size_t f = s.random.below(static_cast<std::uint32_t>(soup.triangles.size()));
+    const auto [a, b, c] = soup.triangles[f];
+    const double u = s.real(0.02, 0.98), v = s.real(0.02, 0.98) * (1 - u);
+    Vec3 p;
+    for (std::size_t k = 0; k < 3; ++k) {
+      p[k] =
+          u * soup.positions[a][k] + v * soup.positions[b][k] + (1 - u - v) * soup.positions[c][k];
+    }
+    const Index m = static_cast<Index>(soup.positions.size());
+    soup.positions.push_back(p);
+    soup.triangles[f] = {a, b, m};
+    soup.triangles.push_back({b, c, m});
+    soup.triangles.push_back({c, a, m});
+  }
+  return soup;
+}
+
+TriangleSoup with_vertices_moved_anywhere(TriangleSoup soup, const Scene& s) {
+  const double most = std::pow(10, s.real(-9, -0.5));
+  for (Vec3& p : soup.positions) {
+    for (double& x : p) x += most * s.real(-1, 1);
+  }
+  return soup;
+}
+
+// Makes one vertex of two that share no neighbour: several fans around it.
+TriangleSoup with_joined_vertices(TriangleSoup soup, const Scene& s) {
+  const Index count = static_cast<Index>(soup.positions.size());
+  const Index kept = s.random.below(count), gone = s.random.below(count);
+  const auto has = [](const Triangle& t, Index v) { return std::ranges::find(t, v) != t.end(); };
+  std::vector<bool> beside(count);
+  for (const Triangle& t : soup.triangles) {
+    for (const Index v : t) beside[v] = beside[v] || has(t, kept);
+  }
+  const bool too_near = std::ranges::any_of(soup.triangles, [&](const Triangle& t) {
+    return has(t, gone) && std::ranges::any_of(t, [&](Index v) { return beside[v]; });
+  });
+  if (too_near) return soup;
+  for (Triangle& t : soup.triangles) std::ranges::replace(t, gone, kept);
+  return soup;
+}
+
+TriangleSoup with_turned_faces(TriangleSoup soup, const Scene& s) {
+  for (Triangle& t : soup.triangles) {
+    if (s.random.below(30) == 0) std::swap(t[0], t[1]);
+  }
+  return soup;
+}
+
+TriangleSoup stretched(TriangleSoup soup, const Scene& s) {
+  const double factor = std::pow(10, s.real(-2, 2));
+  for (Vec3& p : soup.positions) p[0] *= factor;
+  return soup;
+}
+
+struct Change {
+  const char* name;
+  bool makes_larger;
+  TriangleSoup (*make)(const TriangleSoup& soup, const Scene& s);
+};
+
+constexpr Change kChanges[] = {
+    {"noise", false,
+     [](const TriangleSoup& soup, const Scene& s) {
+       return changed_by("noise", s, soup, {{"amplitude", s.real(0, 1)}, {"seed", s.seed()}});
+     }},
+    {"moved", false,
+     [](const TriangleSoup& soup, const Scene& s) {
+       return with_vertices_moved_anywhere(soup, s);
+     }},
+    {"stretched", false,
+     [](const TriangleSoup& soup, const Scene& s) { return stretched(soup, s); }},
+    {"refined", true,
+     [](const TriangleSoup& soup, const Scene& s) {
+       const auto count = static_cast<Index>(soup.positions.size());
+       return changed_by("refine", s, soup, {{"vertices", count + s.random.below(count / 2 + 1)}});
+     }},
+    {"subdivided", true,
+     [](const TriangleSoup& soup, const Scene& s) {
+       constexpr const char* kSteps[] = {"midpoint", "loop", "barycentric"};
+       if (soup.triangles.size() > 50) return soup;
+       return changed_by("subdivide", s, soup, {{"steps", kSteps[s.random.below(3)]}});
+     }},
+    {"points in faces", true,
+     [](const TriangleSoup& soup, const Scene& s) { return with_points_in_faces(soup, s); }},
+    {"missing faces", false,
+     [](const TriangleSoup& soup, const Scene& s) {
+       const std::uint32_t one_in = 2 + s.random.below(20);
+       return oracles::with_missing_faces(soup, s.seed(), one_in);
+     }},
+    {"holes", false,
+     [](const TriangleSoup& soup, const Scene& s) {
+       const Index holes = 1 + s.random.below(4);
+       return oracles::with_holes(soup, s.seed(), holes);
+     }},
+    {"joined vertices", false,
+     [](const TriangleSoup& soup, const Scene& s) { return with_joined_vertices(soup, s); }},
+    {"turned faces", false,
+     [](const TriangleSoup& soup, const Scene& s) { return with_turned_faces(soup, s); }},
+    {"another component", true,
+     [](const TriangleSoup& soup, const Scene& s) {
+       return oracles::side_by_side(soup, random_surface(s).second);
+     }},
+    {"cleaned", false,
+     [](const TriangleSoup& soup, const Scene& s) {
+       return changed_by("clean", s, soup, {{"parts", "all"}});
+     }},
+    {"collapsed edges", false,
+     [](const TriangleSoup& soup, const Scene& s) {
+       const std::uint32_t one_in = 8 + s.random.below(30);
+       return oracles::with_collapsed_edges(soup, s.seed(), one_in);
+     }},
+    {"flat caps", false,
+     [](const TriangleSoup& soup, const Scene& s) {
+       const std::uint32_t one_in = 4 + s.random.below(30);
+       return oracles::with_flat_caps(soup, s.seed(), one_in);
+     }},
+};
+
+void apply_changes(Case& made, const Scene& s) {
+  for (std::uint32_t left = s.random.below(4); left > 0; --left) {
+    const Change& change = kChanges[s.random.below(std::size(kChanges))];
+    if (made.soup.triangles.empty()) return;
+    if (change.makes_larger &&
+        static_cast<double>(made.soup.triangles.size()) > kManyFaces * s.size)
+      continue;
+    TriangleSoup changed;
+    try {
+      changed = change.make(made.soup, s);
+    } catch (const std::exception&) {
+      continue;  // a generator that takes no such mesh
+    }
+    made.soup = std::move(changed);
+    made.mesh += std::string(", ") + change.name;
+  }
+}
+
+// One source most often; at times several, with and without initial distances, and a limit.
+Query random_query(const TriangleSoup& soup, Random& random) {
+  const auto count = static_cast<Index>(soup.positions.size());
+  Query query;
+  const std::uint32_t sources = random.below(4) > 0 ? 1 : 2 + random.below(3);
+  const double latest = random.below(2) == 0 ? 0 : random.between(0, 3);
+  for (std::uint32_t i = 0; i < sources; ++i) {
+    query.sources.push_back({random.below(count), sources > 1 ? random.between(0, latest) : 0});
+  }
+  if (random.below(6) == 0) query.limit = random.between(0.1, 5);
+  return query;
+}
+
+// Relative heights of faces over their longest edges: the least.
+double least_height(const Mesh& mesh) {
+  double least = 1;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    double longest = 0, area = 0;
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      const HalfEdge& e = mesh.half_edge(h);
+      if (e.length > longest) {
+        longest = e.length;
+        area = e.length * e.apex_y;
+      }
+    }
+    if (longest > 0) least = std::min(least, area / (longest * longest));
+  }
+  return least;
+}
+
+}  // namespace
+
+const char* name_of(Kind kind) {
+  switch (kind) {
+    case Kind::clean:
+      return "clean";
+    case Kind::non_manifold:
+      return "non-manifold";
+    case Kind::thin:
+      return "thin";
+    case Kind::degenerate:
+      return "degenerate";
+  }
+  return "";
+}
+
+Kind kind_of(const Mesh& mesh) {
+  if (mesh.has_degenerate_faces()) return Kind::degenerate;
+  if (least_height(mesh) < kThin) return Kind::thin;
+  return mesh.has_non_manifold_vertices() ? Kind::non_manifold : Kind::clean;
+}
+
+Case random_case(std::uint64_t seed, std::uint64_t number, const std::filesystem::path& scratch) {
+  Random random(generators::split_mix(generators::split_mix(seed) ^ number));
+  const Scene scene{random, scratch, random.below(kLargeOneIn) == 0 ? 3.0 : 1.0};
+  auto [name, soup] = random_surface(scene);
+  Case made{.mesh = name, .soup = std::move(soup), .queries = {}};
+  apply_changes(made, scene);
+  made.queries = {random_query(made.soup, random)};
+  return made;
+}
+
+}  // namespace geodesic::differential

@@ -1,0 +1,34 @@
+// Meshes of all kinds, from a seed and a number.
+#pragma once
+
+#include <filesystem>
+
+#include "harness/conformance/trial.h"
+
+namespace geodesic::differential {
+
+/// What may be expected of distances on a mesh.
+enum class Kind {
+  clean,         ///< manifold, every face with an area
+  non_manifold,  ///< besides, edges and vertices that no manifold has
+  thin,          ///< faces thinner than kThin
+  degenerate,    ///< zero-length edges or zero-area faces
+};
+inline constexpr int kKinds = 4;
+const char* name_of(Kind kind);
+
+/// Least height of a face by its longest edge from which on it is not thin.
+inline constexpr double kThin = 1e-6;
+
+/// The kind of a mesh, from its geometry and topology alone.
+Kind kind_of(const Mesh& mesh);
+
+/// A mesh with a query, by chance: a surface of oracles/random_meshes.h or of a generator with
+/// random parameters, then up to three changes (noise, refinement, missing faces, holes, joined
+/// vertices, another component, ...), sources and, at times, initial distances and a limit. The
+/// same seed and number give the same bits. Case::mesh is the recipe: "torus, noise, holes".
+/// @param scratch a folder for the meshes that generators read; one for each thread
+conformance::Case random_case(std::uint64_t seed, std::uint64_t number,
+                              const std::filesystem::path& scratch);
+
+}  // namespace geodesic::differential
