@@ -64,25 +64,28 @@ Finding compare(const Query& query, std::span<const double> got, std::span<const
 
 }  // namespace
 
-double relative_error(double got, double want) {
+double relative_error(double got, double want, double least) {
   if (got == want) return 0;
-  const bool comparable = std::isfinite(got) && std::isfinite(want) && want > 0;
-  return comparable ? (got - want) / want : kInfinity;
+  const double unit = std::max(want, least);
+  const bool comparable = std::isfinite(got) && std::isfinite(want) && unit > 0;
+  return comparable ? (got - want) / unit : kInfinity;
 }
 
 Finding agree(const Query& query, std::span<const double> got, std::span<const double> want,
-              double tolerance) {
-  const auto error = [](double g, double w) { return std::abs(relative_error(g, w)); };
-  return compare(query, got, want, error, tolerance);
+              const Tolerance& tolerance) {
+  const auto error = [&](double g, double w) {
+    return std::abs(relative_error(g, w, tolerance.least));
+  };
+  return compare(query, got, want, error, tolerance.relative);
 }
 
 Finding bound_from_above(const Query& query, std::span<const double> got,
-                         std::span<const double> want, double tolerance) {
-  const auto error = [](double g, double w) {
-    const double e = relative_error(g, w);
+                         std::span<const double> want, const Tolerance& tolerance) {
+  const auto error = [&](double g, double w) {
+    const double e = relative_error(g, w, tolerance.least);
     return std::isinf(e) ? e : -e;
   };
-  return compare(query, got, want, error, tolerance);
+  return compare(query, got, want, error, tolerance.relative);
 }
 
 Finding identical(const Query& query, std::span<const double> got, std::span<const double> want) {
@@ -96,11 +99,13 @@ Finding identical(const Query& query, std::span<const double> got, std::span<con
 }
 
 Finding satisfies_edges(const Mesh& mesh, const Query& query, std::span<const double> distances,
-                        double tolerance) {
+                        const Tolerance& tolerance) {
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const double a = distances[mesh.origin(h)], b = distances[mesh.head(h)];
     const double length = mesh.half_edge(h).length;
-    if (a == b || std::abs(a - b) <= length + tolerance * std::max(a, b)) continue;
+    if (a == b ||
+        std::abs(a - b) <= length + tolerance.relative * std::max({a, b, tolerance.least}))
+      continue;
     Failure failure = wrong_distances(
         query, distances,
         "edge " + std::to_string(mesh.origin(h)) + " - " + std::to_string(mesh.head(h)) +

@@ -21,8 +21,8 @@ struct Case {
   std::vector<Query> queries;
   /// Distances that are known; empty: those of the reference.
   std::function<std::vector<double>(const Query&)> known = {};
-  /// Relative; larger where the mesh's own numbers allow no better, which the property explains.
-  double tolerance = kExactTolerance;
+  /// Another one where the mesh's own numbers allow no better, which the property explains.
+  Tolerance tolerance = {};
 };
 
 /// A reference: brute force on meshes of up to so many faces, else the best other exact solver
@@ -84,7 +84,7 @@ class Trial {
   Finding correct(const Query& query, std::span<const double> got,
                   std::span<const double> want) const;
 
-  double tolerance() const { return given_.tolerance; }
+  const Tolerance& tolerance() const { return given_.tolerance; }
 
  private:
   const Description& solver_;

@@ -71,9 +71,12 @@ class View {
     entered_[h / 3] = true;
     strip_.push_back({h, left, right});
     const PlanePoint apex = lay_out_apex(mesh_, h, left, right);
-    const bool right_of_l = cross(apex, l) > 0, left_of_r = cross(r, apex) > 0;
+    const Real from_l = cross(apex, l), from_r = cross(r, apex);
+    const bool right_of_l = from_l > 0, left_of_r = from_r > 0;
     if (right_of_l && left_of_r) {
       see_({mesh_.apex(h), apex, std::hypot(apex.x, apex.y), strip_});
+    } else if (from_l == 0 && from_r == 0) {  // a face without area: all lie on one line
+      see_({mesh_.apex(h), apex, std::hypot(apex.x, apex.y), {}});
     }
     // The apex splits what is seen; a line through it exactly is continued by the bend there.
     const Index left_edge = mesh_.twin(Mesh::previous(h));

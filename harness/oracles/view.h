@@ -26,7 +26,9 @@ struct Sight {
   Index vertex;
   PlanePoint at;
   Real length;
-  std::span<const EdgeInView> strip;  ///< valid as long as the call that hands it over
+  /// Valid as long as the call that hands it over; empty when the line runs along edges, as it does
+  /// in a face without area.
+  std::span<const EdgeInView> strip;
 };
 
 /// Distance of two vertices in space.

@@ -21,8 +21,14 @@ using oracles::Random;
 // Above so many faces nothing makes a mesh larger, and brute force gives way to another solver.
 constexpr double kManyFaces = 150;
 
-// One in so many meshes is larger: what needs room shows there.
-constexpr std::uint32_t kLargeOneIn = 50;
+// Factors on counts of cells, one of them for each mesh: what needs room shows on the larger ones.
+constexpr double kSizes[] = {1, 1, 1, 1, 1.5, 1.5, 1.5, 2, 2, 3};
+
+// Errors are relative to the distance, or to this part of the longest edge where that is more.
+// Positions on an edge are rounded relative to its length, as the coordinates of its ends are to
+// theirs: moving those by half a unit in the last place changes a distance as much. Of the longest
+// edge, 1e-12 of this part is 18 times its last place.
+constexpr double kEdgePart = 1.0 / 256;
 
 // Its functions draw the next numbers: no two of them in the arguments of one call, whose order is
 // the compiler's.
@@ -349,6 +355,14 @@ Query random_query(const TriangleSoup& soup, Random& random) {
   return query;
 }
 
+double longest_edge(const Mesh& mesh) {
+  double longest = 0;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    longest = std::max(longest, mesh.half_edge(h).length);
+  }
+  return longest;
+}
+
 // Relative heights of faces over their longest edges: the least.
 double least_height(const Mesh& mesh) {
   double least = 1;
@@ -390,11 +404,12 @@ Kind kind_of(const Mesh& mesh) {
 
 Case random_case(std::uint64_t seed, std::uint64_t number, const std::filesystem::path& scratch) {
   Random random(generators::split_mix(generators::split_mix(seed) ^ number));
-  const Scene scene{random, scratch, random.below(kLargeOneIn) == 0 ? 3.0 : 1.0};
+  const Scene scene{random, scratch, kSizes[random.below(std::size(kSizes))]};
   auto [name, soup] = random_surface(scene);
   Case made{.mesh = name, .soup = std::move(soup), .queries = {}};
   apply_changes(made, scene);
   made.queries = {random_query(made.soup, random)};
+  made.tolerance.least = kEdgePart * longest_edge(Mesh(made.soup));
   return made;
 }
 
