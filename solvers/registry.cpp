@@ -3,6 +3,9 @@
 #include <map>
 #include <stdexcept>
 
+#include "solvers/core/unit.h"
+#include "solvers/rescaled.h"
+
 namespace geodesic {
 namespace {
 
@@ -63,7 +66,10 @@ std::unique_ptr<Solver> make_solver(std::string_view name, const Mesh& mesh) {
     for (const auto& [other, entry] : entries()) known += (known.empty() ? "" : ", ") + other;
     throw std::invalid_argument("no solver named '" + std::string(name) + "'; there are: " + known);
   }
-  return at->second.factory(mesh, at->second.description);
+  const auto& [description, factory] = at->second;
+  const int exponent = unit_exponent(mesh.positions());
+  if (exponent != 0) return make_rescaled(mesh, description, factory, exponent);
+  return factory(mesh, description);
 }
 
 }  // namespace geodesic

@@ -47,7 +47,9 @@ std::vector<const Description*> registered_solvers();
 /// @return null when no solver has that name
 const Description* find_solver(std::string_view name);
 
-/// Prepares a solver for a mesh, which must outlive it.
+/// Prepares a solver for a mesh, which must outlive it. Whatever the mesh's unit of length is, the
+/// solver works in one in which squares and fourth powers of lengths stay within range
+/// (core/unit.h).
 /// @throws std::invalid_argument for an unknown name, listing the known ones
 std::unique_ptr<Solver> make_solver(std::string_view name, const Mesh& mesh);
 

@@ -28,7 +28,7 @@ const std::vector<Property>& all_properties() {
          {query_properties(), component_properties(), repetition_properties(),
           recording_properties(), invariance_properties(), instruction_set_properties(),
           closed_form_properties(), non_manifold_properties(), degenerate_properties(),
-          random_mesh_properties(), rival_properties()}) {
+          extreme_properties(), random_mesh_properties(), rival_properties()}) {
       properties.insert(properties.end(), group.begin(), group.end());
     }
     return properties;

@@ -71,18 +71,23 @@ class View {
     entered_[h / 3] = true;
     strip_.push_back({h, left, right});
     const PlanePoint apex = lay_out_apex(mesh_, h, left, right);
-    const Real from_l = cross(apex, l), from_r = cross(r, apex);
-    const bool right_of_l = from_l > 0, left_of_r = from_r > 0;
-    if (right_of_l && left_of_r) {
-      see_({mesh_.apex(h), apex, std::hypot(apex.x, apex.y), strip_});
-    } else if (from_l == 0 && from_r == 0) {  // a face without area: all lie on one line
-      see_({mesh_.apex(h), apex, std::hypot(apex.x, apex.y), {}});
-    }
     // The apex splits what is seen; a line through it exactly is continued by the bend there.
     const Index left_edge = mesh_.twin(Mesh::previous(h));
     const Index right_edge = mesh_.twin(Mesh::next(h));
-    if (right_of_l) enter(left_edge, left, apex, l, left_of_r ? apex : r);
-    if (left_of_r) enter(right_edge, apex, right, right_of_l ? apex : l, r);
+    const Real from_l = cross(apex, l), from_r = cross(r, apex);
+    if (from_l == 0 && from_r == 0) {
+      // A face without area, seen from a point of its line: one of its edges has the half-plane.
+      see_({mesh_.apex(h), apex, std::hypot(apex.x, apex.y), {}});
+      enter(left_edge, left, apex, left, apex);
+      enter(right_edge, apex, right, apex, right);
+    } else {
+      const bool right_of_l = from_l > 0, left_of_r = from_r > 0;
+      if (right_of_l && left_of_r) {
+        see_({mesh_.apex(h), apex, std::hypot(apex.x, apex.y), strip_});
+      }
+      if (right_of_l) enter(left_edge, left, apex, l, left_of_r ? apex : r);
+      if (left_of_r) enter(right_edge, apex, right, right_of_l ? apex : l, r);
+    }
     strip_.pop_back();
     entered_[h / 3] = false;
   }

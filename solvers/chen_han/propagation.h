@@ -164,9 +164,8 @@ class Propagation {
     }
     find_shadow(mesh_, v, unreliable_[v] ? Arrival{} : arrival, shadow_);
     for (const ShadowedEdge& edge : shadow_) {
-      const HalfEdge& e = mesh_.half_edge(edge.across);
       const Stored parent{{0, 0, 0, 0, distance}, kNone, v & kMaxVertices, 0, {}};
-      const Point2 source{e.length - e.apex_x, -e.apex_y};
+      const Point2 source = apex_from_beyond(mesh_.half_edge(edge.across));
       offer(parent, edge.across, edge.begin, edge.end, source, Entry::at_origin, source, v);
     }
   }
@@ -278,8 +277,7 @@ class Propagation {
     const auto timed = recorder_.enter(Phase::trimming);
     if constexpr (Filter::filters) {
       const Index across = mesh_.twin(w.half_edge);
-      const HalfEdge& e = mesh_.half_edge(across);
-      const Point2 third{e.length - e.apex_x, -e.apex_y};
+      const Point2 third = apex_from_beyond(mesh_.half_edge(across));
       return Filter::is_useless(w, static_cast<Entry>(w.entry),
                                 passed_face(across, third, mesh_.apex(across)));
     } else {

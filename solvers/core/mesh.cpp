@@ -7,6 +7,7 @@
 #include <string>
 
 #include "solvers/core/tolerance.h"
+#include "solvers/core/unit.h"
 #include "solvers/core/vertex_order.h"
 
 namespace geodesic {
@@ -134,14 +135,18 @@ void Mesh::link_twins() {
 }
 
 void Mesh::lay_out_faces() {
+  // In a unit in which products of lengths stay within range: most often the mesh's own.
+  const int unit = unit_exponent(positions_);
+  const std::vector<Vec3> elsewhere = unit == 0 ? std::vector<Vec3>() : scaled(positions_, -unit);
+  const std::span<const Vec3> at = unit == 0 ? std::span<const Vec3>(positions_) : elsewhere;
   double sum = 0;
   for (Index h = 0; h < half_edge_count(); ++h) {
     HalfEdge& e = half_edges_[h];
-    const Vec3& a = positions_[e.origin];
+    const Vec3& a = at[e.origin];
     // The difference is taken from the smaller index: both sides of an edge get the same bits.
-    const Vec3 ab = e.origin < head(h) ? positions_[head(h)] - a : a - positions_[head(h)];
+    const Vec3 ab = e.origin < head(h) ? at[head(h)] - a : a - at[head(h)];
     const double sign = e.origin < head(h) ? 1.0 : -1.0;
-    const Vec3 ac = positions_[apex(h)] - a;
+    const Vec3 ac = at[apex(h)] - a;
     e.length = norm(ab);
     if (e.length > 0) {
       e.apex_x = sign * dot(ac, ab) / e.length;
@@ -151,8 +156,10 @@ void Mesh::lay_out_faces() {
       e.apex_y = norm(ac);
     }
     if (e.twin == kNone || e.twin > h) sum += e.length;
+    if (unit == 0) continue;
+    for (double* length : {&e.length, &e.apex_x, &e.apex_y}) *length = std::ldexp(*length, unit);
   }
-  mean_edge_length_ = edge_count_ > 0 ? sum / edge_count_ : 0;
+  mean_edge_length_ = edge_count_ > 0 ? std::ldexp(sum / edge_count_, unit) : 0;
 }
 
 double Mesh::total_angle(Index v) const {

@@ -41,7 +41,8 @@ class Mesh {
   /// faces; paths cross it only at its end vertices. Vertices may be isolated, and several fans of
   /// faces may share one vertex.
   /// @throws std::invalid_argument for an index out of range, a triangle that names a vertex twice,
-  ///         a coordinate that is not finite, or more elements than an Index can number.
+  ///         a coordinate that is not finite, an extent that is not 0 and beyond 1e-289 or 1e289,
+  ///         or more elements than an Index can number.
   Mesh(std::span<const Vec3> positions, std::span<const Triangle> triangles,
        Numbering numbering = Numbering::as_given);
   explicit Mesh(const TriangleSoup& soup, Numbering numbering = Numbering::as_given)

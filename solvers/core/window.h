@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "solvers/core/mesh.h"
+#include "solvers/core/tolerance.h"
 
 namespace geodesic {
 
@@ -119,6 +120,13 @@ inline FaceFrame face_frame(const Mesh& mesh, Index h) {
           // of length and apex_x has no digits left when the right edge is very short.
           .right_x = e.length > 0 ? next.apex_x / e.length : 0,
           .right_y = -e.apex_y * per_right};
+}
+
+/// Where the apex of a half-edge's face lies as seen from beyond: in the frame of the twin. In a
+/// face without area it is taken to lie off the edge by next to nothing, so that its lines have a
+/// side.
+inline Point2 apex_from_beyond(const HalfEdge& e) {
+  return {e.length - e.apex_x, -std::max(e.apex_y, kTouchingHeight * e.length)};
 }
 
 /// Signed side of the apex as seen by the ray from the source through point t of the edge:

@@ -157,8 +157,9 @@ class Propagation final : public Propagator {
     segment->count = 1;
     segment->array(kBegin)[0] = 0;
     segment->array(kEnd)[0] = e.length;
-    segment->array(kX)[0] = e.length - e.apex_x;
-    segment->array(kY)[0] = -e.apex_y;
+    const Point2 source = apex_from_beyond(e);
+    segment->array(kX)[0] = source.x;
+    segment->array(kY)[0] = source.y;
     segment->array(kSigma)[0] = distances_[v];
     if constexpr (Recorder::kRecords) segment->array(kDepth)[0] = 1;
     land(e.twin, segment, Place::back);

@@ -68,8 +68,7 @@ class Unfolding final : public Solver {
       reach(mesh().head(h), source.distance + mesh().half_edge(h).length);
       reach(mesh().origin(into), source.distance + mesh().half_edge(into).length);
       const HalfEdge& edge = mesh().half_edge(far);
-      const Point2 seen_from_beyond{edge.length - edge.apex_x, -edge.apex_y};
-      land(far, 0, edge.length, seen_from_beyond, source.distance);
+      land(far, 0, edge.length, apex_from_beyond(edge), source.distance);
     }
   }
 

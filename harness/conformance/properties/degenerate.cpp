@@ -41,6 +41,39 @@ std::vector<Case> collapsed_edges_on_rough_surfaces() {
   return cases;
 }
 
+std::vector<Case> flat_caps_on_rough_surfaces() {
+  std::vector<Case> cases;
+  for (std::uint64_t seed = 12; seed < 16; ++seed) {
+    const auto capped = [&](const TriangleSoup& soup) {
+      return oracles::with_flat_caps(soup, seed, 6);
+    };
+    const std::string number = std::to_string(seed);
+    cases.push_back(
+        from_some_sources("terrain " + number, capped(oracles::rough_terrain(seed, 7, 7, 1))));
+    cases.push_back(
+        from_some_sources("sphere " + number, capped(oracles::rough_sphere(seed, 1, 0.2))));
+  }
+  return cases;
+}
+
+// From a vertex in the middle of an edge, lines cross faces without area before they come to one
+// that has any.
+TriangleSoup flat_faces_in_a_row() {
+  return {
+      {{0.10019145557185018, 4, 0},
+       {0.042939195245078651, 5, 0},
+       {0.057252260326771533, 5, 0},
+       {0.071565325408464414, 5, 0},
+       {0.085878390490157303, 5, 0},
+       {0.10019145557185018, 5, 0},
+       {0.028626130163385766, 6, 0},
+       {0.042939195245078651, 6, 0},
+       {0.057252260326771533, 6, 0},
+       {0.014313065081692883, 7, 0},
+       {0.028626130163385766, 7, 0}},
+      {{1, 4, 3}, {1, 0, 5}, {1, 5, 4}, {1, 7, 6}, {1, 2, 8}, {1, 8, 7}, {2, 3, 8}, {6, 10, 9}}};
+}
+
 std::vector<Case> a_point() {
   TriangleSoup soup = oracles::rough_sphere(7, 1, 0.2);
   for (Vec3& p : soup.positions) p = {1, 2, 3};
@@ -123,6 +156,16 @@ std::vector<Property> degenerate_properties() {
        [] {
          return Cases{from_some_sources("grid", oracles::with_flat_caps(flat_grid(8, 8), 6, 5))};
        },
+       distances_are_right},
+      {"degenerate-zero-area-faces-in-a-row-let-lines-through",
+       "a mesh on which some solvers were once wrong, cut down from a larger one",
+       {},
+       [] { return Cases{from_some_sources("flat faces", flat_faces_in_a_row())}; },
+       distances_are_right},
+      {"degenerate-zero-area-faces-on-a-rough-surface",
+       "on a rough surface with zero-area faces distances are exact",
+       {},
+       flat_caps_on_rough_surfaces,
        distances_are_right},
       {"degenerate-zero-length-edges-on-a-rough-surface",
        "on a rough surface with zero-length edges distances are exact, and 0 along those",

@@ -17,6 +17,7 @@ std::vector<Property> instruction_set_properties();
 std::vector<Property> closed_form_properties();
 std::vector<Property> non_manifold_properties();
 std::vector<Property> degenerate_properties();
+std::vector<Property> extreme_properties();
 std::vector<Property> random_mesh_properties();
 std::vector<Property> rival_properties();
 
