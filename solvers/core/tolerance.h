@@ -26,7 +26,8 @@ inline constexpr double kApexReach = 1e-6;
 /// rounding.
 inline constexpr double kTouchingHeight = 1e-100;
 
-/// Chen-Han: a face lower than this times its base has no angles to argue with.
+/// A face lower than this times its base has no angles to argue with, and its apex lies on its base
+/// as good as.
 inline constexpr double kFlatFace = 1e-9;
 
 /// A window narrower than this times the length of its edge is dropped.

@@ -116,7 +116,25 @@ class Propagation {
       const double height = std::max(e.apex_y, kTouchingHeight * e.length);
       const Window across{0, e.length, e.apex_x, height, d};
       if (!beaten_by_ends(opposite, across)) land(opposite, across, beyond);
+      cross_at_once(opposite, across, beyond);
+      row_ = 0;
     }
+  }
+
+  /// Where a pseudo-source lies on an edge, the apex of a face as good as without area, all its
+  /// lines pass the edge in one point. Whatever came there by other ways may own the edge on both
+  /// sides of that point and still not see what lies beyond: the window loses, and its children
+  /// must not be lost with it. They may come to another such edge.
+  /// @param w in the frame of h, whose face it leaves
+  void cross_at_once(Index h, const Window& w, const Beam& beam) {
+    const HalfEdge& e = mesh_.half_edge(h);
+    const bool on_edge = w.y > 0 && w.y <= kFlatFace * e.length && w.begin < w.x && w.x < w.end;
+    if (!on_edge || e.twin == kNone || row_ == kMostInRow) return;
+    ++row_;
+    budget_.spend(1);
+    const Beam beyond{beam.source, beam.depth.next()};
+    recorder_.propagated(1, beyond.depth);
+    cross_face(e.twin, turned(w, e.length), beyond);
   }
 
   /// True when the paths along the edge from its ends beat a pseudo-source's window everywhere, as
@@ -171,8 +189,10 @@ class Propagation {
   void land_child(Index h, Interval on, const Point2& source, double length, double sigma,
                   const Beam& beam) {
     // Rounding must not move the source across the edge.
-    const Window child{on.begin, on.end, source.x, std::min(source.y, 0.0), sigma};
-    land(h, turned(child, length), beam);
+    const Window child =
+        turned({on.begin, on.end, source.x, std::min(source.y, 0.0), sigma}, length);
+    land(h, child, beam);
+    if (row_ > 0) cross_at_once(h, child, beam);
   }
 
   /// @param w in the frame of h, whose face it leaves; y >= 0
@@ -193,12 +213,16 @@ class Propagation {
     return {length - w.end, length - w.begin, length - w.x, -w.y, w.sigma};
   }
 
+  // Rows of faces without area are short, but on meshes that lie on a line.
+  static constexpr int kMostInRow = 32;
+
   const Mesh& mesh_;
   Recorder recorder_;
   WindowBudget budget_;
   Front wavefront_;
   std::span<double> distances_;
   std::vector<double> emitted_;  // distance of the windows that each vertex sent out last
+  int row_ = 0;                  // faces crossed at once by the window being sent out
   [[no_unique_address]] typename Recorder::Sweep sweep_;
 };
 

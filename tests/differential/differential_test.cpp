@@ -1,0 +1,97 @@
+// The differential test finds a faulty solver, makes its mesh small and saves it.
+#include "tests/differential/differential.h"
+
+#include <set>
+#include <sstream>
+
+#include "harness/conformance/property.h"
+#include "harness/meshes/read.h"
+#include "tests/harness/temporary_folder.h"
+
+namespace geodesic::differential {
+namespace {
+
+using conformance::Case;
+
+class Differential : public harness::TemporaryFolder {
+ protected:
+  Request request(const std::string& solver, std::uint64_t meshes) const {
+    return {.meshes = meshes, .only = {}, .solvers = {solver}, .out = folder_ / "failures"};
+  }
+
+  /// @param solver registered; it agrees on `meshes` meshes or not
+  bool agrees(const std::string& solver, std::uint64_t meshes) {
+    std::ostringstream report;
+    const bool agreed = run_differential(request(solver, meshes), report);
+    report_ = report.str();
+    return agreed;
+  }
+
+  /// The one that was saved.
+  Case saved() const {
+    for (const auto& entry : std::filesystem::directory_iterator(folder_ / "failures")) {
+      return {.mesh = entry.path().string(),
+              .soup = harness::read_mesh(entry.path()).soup,
+              .queries = {}};
+    }
+    ADD_FAILURE() << "no mesh was saved\n" << report_;
+    return {};
+  }
+
+  bool fails_on(const Case& given, const std::string& solver) const {
+    const auto& property = *conformance::find_property(conformance::kDistancesProperty);
+    return conformance::check_case(property, *find_solver(solver), given).has_value();
+  }
+
+  std::string report_;
+};
+
+TEST_F(Differential, finds_shrinks_and_saves_where_a_solver_knows_no_bends_at_boundaries) {
+  ASSERT_FALSE(agrees("boundary-blind", 20));
+  Case small = saved();
+  EXPECT_LE(small.soup.triangles.size(), 4u) << report_;
+  bool fails = false;
+  for (Index v = 0; v < small.soup.positions.size(); ++v) {
+    small.queries = {conformance::from(v)};
+    fails |= fails_on(small, "boundary-blind");
+  }
+  EXPECT_TRUE(fails) << report_;
+  EXPECT_NE(report_.find("geodesic-bench verify --solver boundary-blind"), std::string::npos);
+  EXPECT_NE(report_.find("--meshes " + small.mesh), std::string::npos) << report_;
+  EXPECT_NE(report_.find("differential --seed 1 --only "), std::string::npos) << report_;
+}
+
+TEST_F(Differential, reports_a_solver_that_throws) {
+  ASSERT_FALSE(agrees("throwing", 3));
+  EXPECT_NE(report_.find("threw: ran out of luck"), std::string::npos) << report_;
+  EXPECT_EQ(saved().soup.triangles.size(), 1u);
+}
+
+TEST_F(Differential, saves_nothing_where_solvers_agree) {
+  for (const Description* solver : registered_solvers()) {
+    if (solver->family == "test-only" || solver->exactness != Exactness::exact) continue;
+    EXPECT_TRUE(agrees(solver->name, 3)) << report_;
+    break;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "failures"));
+}
+
+TEST_F(Differential, makes_the_same_mesh_of_a_seed_and_a_number_every_time) {
+  for (std::uint64_t number = 0; number < 40; ++number) {
+    const Case one = random_case(7, number, folder_), other = random_case(7, number, folder_);
+    EXPECT_EQ(one.mesh, other.mesh);
+    EXPECT_EQ(one.soup.positions, other.soup.positions) << one.mesh;
+    EXPECT_EQ(one.soup.triangles, other.soup.triangles) << one.mesh;
+  }
+}
+
+TEST_F(Differential, makes_meshes_of_every_kind) {
+  std::set<Kind> kinds;
+  for (std::uint64_t number = 0; number < 200; ++number) {
+    kinds.insert(kind_of(Mesh(random_case(8, number, folder_).soup)));
+  }
+  EXPECT_EQ(kinds.size(), static_cast<std::size_t>(kKinds));
+}
+
+}  // namespace
+}  // namespace geodesic::differential
