@@ -26,8 +26,7 @@ inline constexpr double kApexReach = 1e-6;
 /// rounding.
 inline constexpr double kTouchingHeight = 1e-100;
 
-/// A face lower than this times its base has no angles to argue with, and its apex lies on its base
-/// as good as.
+/// Chen-Han: a face lower than this times its base has no angles to argue with.
 inline constexpr double kFlatFace = 1e-9;
 
 /// A window narrower than this times the length of its edge is dropped.
