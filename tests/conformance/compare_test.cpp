@@ -24,7 +24,14 @@ TEST(Compare, bounds_may_be_farther_and_not_nearer) {
 }
 
 TEST(Compare, infinities_belong_in_the_same_places_and_everything_is_a_number) {
-  for (const auto compare : {agree, bound_from_above, identical}) {
+  using Compare = Finding(const Query&, std::span<const double>, std::span<const double>);
+  Compare* const agreeing = [](auto& query, auto got, auto want) {
+    return agree(query, got, want);
+  };
+  Compare* const above = [](auto& query, auto got, auto want) {
+    return bound_from_above(query, got, want);
+  };
+  for (Compare* const compare : {agreeing, above, &identical}) {
     for (const double got : {kInfinity, std::nan("")}) {
       EXPECT_FALSE(nothing(compare(kFromZero, Values{0, got}, Values{0, 1}))) << got;
     }
@@ -32,6 +39,14 @@ TEST(Compare, infinities_belong_in_the_same_places_and_everything_is_a_number) {
     EXPECT_FALSE(nothing(compare(kFromZero, Values{1e-300}, Values{0})));
     EXPECT_FALSE(nothing(compare(kFromZero, Values{0}, Values{0, 1})));
   }
+}
+
+TEST(Compare, short_distances_may_be_off_as_much_as_the_least) {
+  const Tolerance tolerance{.relative = 1e-3, .least = 10};
+  EXPECT_TRUE(nothing(agree(kFromZero, Values{0, 1.009}, Values{0, 1}, tolerance)));
+  EXPECT_FALSE(nothing(agree(kFromZero, Values{0, 1.011}, Values{0, 1}, tolerance)));
+  EXPECT_TRUE(nothing(bound_from_above(kFromZero, Values{0, 0.991}, Values{0, 1}, tolerance)));
+  EXPECT_FALSE(nothing(bound_from_above(kFromZero, Values{0, 0.989}, Values{0, 1}, tolerance)));
 }
 
 TEST(Compare, identical_means_to_the_last_bit) {
