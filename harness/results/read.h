@@ -20,8 +20,9 @@ struct CellResult {
   std::vector<Json> rows;  ///< at least one
 
   bool ok() const;
-  /// A number of every repetition; empty when the cell failed. Those of integer_counters,
-  /// "solver_peak_bytes" and, of every row, "cpu_time" (ms, above 0) are known to be numbers.
+  /// A number of every repetition; empty when the cell failed. "cpu_time" (ms, above 0) is in every
+  /// row of a cell that is ok; it, integer_counters and "solver_peak_bytes" are known to be
+  /// numbers.
   std::vector<double> values(const std::string& key) const;
 };
 

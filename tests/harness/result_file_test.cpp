@@ -73,6 +73,9 @@ TEST(ResultFile, ACellThatFailedNeedsNoNumbers) {
   json["benchmarks"][0].erase("cpu_time");
   const ResultFile result = parse_result_file(json, "run.json");
   EXPECT_TRUE(result.cells.front().values("cpu_time").empty());
+
+  json["benchmarks"][0]["cpu_time"] = "fast";  // but what it has, exports order its rows by
+  expect_error([&] { parse_result_file(json, "run.json"); }, {"must be number"});
 }
 
 }  // namespace
