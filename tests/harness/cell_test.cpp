@@ -170,7 +170,8 @@ TEST_F(RunTest, PicturedCellsLeaveTheWavefrontTheDistancesAndTheMesh) {
 // By whichever solver of the run keeps its windows: the one that knows how many they are.
 TEST_F(RunTest, PicturedSourcesGetIsolinesFromASolverThatKeepsItsWindows) {
   std::string solvers;
-  for (const json& solver : json::parse(run(PROGRAM, {"list", "--json"}).out).at("solvers")) {
+  const json list = json::parse(run(PROGRAM, {"list", "--json"}).out);
+  for (const json& solver : list.at("solvers")) {
     solvers += (solvers.empty() ? "" : ",") + solver.at("name").get<std::string>();
   }
   for (const std::string& each : {solvers, std::string("dijkstra")}) {
