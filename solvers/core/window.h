@@ -123,10 +123,14 @@ inline FaceFrame face_frame(const Mesh& mesh, Index h) {
 }
 
 /// Where the apex of a half-edge's face lies as seen from beyond: in the frame of the twin. In a
-/// face without area it is taken to lie off the edge by next to nothing, so that its lines have a
-/// side.
+/// face without area it may lie on the edge; between the edge's ends it is then taken to lie off it
+/// by next to nothing, so that its lines have a side. An apex that coincides with an end has none:
+/// the windows of a collapsed edge's two ends would go round it without end.
 inline Point2 apex_from_beyond(const HalfEdge& e) {
-  return {e.length - e.apex_x, -std::max(e.apex_y, kTouchingHeight * e.length)};
+  const double margin = kWindowWidth * e.length;
+  const bool between = e.apex_x > margin && e.apex_x < e.length - margin;
+  const double height = between ? std::max(e.apex_y, kTouchingHeight * e.length) : e.apex_y;
+  return {e.length - e.apex_x, -height};
 }
 
 /// Signed side of the apex as seen by the ray from the source through point t of the edge:
