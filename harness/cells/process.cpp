@@ -22,7 +22,7 @@ std::string last_lines(const std::string& text) {
   std::vector<std::string> lines;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
-    if (end > at) lines.push_back(text.substr(at, end - at));
+    if (end > at) lines.push_back(harmless(std::string_view(text).substr(at, end - at)));
     at = end + 1;
   }
   if (lines.size() > kKeptLines) lines.erase(lines.begin(), lines.end() - kKeptLines);

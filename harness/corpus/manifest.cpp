@@ -48,8 +48,8 @@ MeshEntry parse_mesh(const Json& mesh, const fs::path& cache) {
 }  // namespace
 
 Manifest::Manifest(const fs::path& file, const fs::path& cache)
-    : Manifest(read_json(file, "a manifest, such as " + default_manifest().string()),
-               file.string(), cache) {}
+    : Manifest(read_json(file, "a manifest, such as " + default_manifest().string()), file.string(),
+               cache) {}
 
 Manifest::Manifest(const Json& json, const std::string& name, const fs::path& cache) {
   std::string place = "not a manifest of meshes: ";

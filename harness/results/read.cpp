@@ -11,9 +11,13 @@
 namespace geodesic::harness {
 namespace {
 
-// Text that is shown within a line; anything else would be another type, or no text.
+// Text that is shown within a line.
 std::string text_at(const Json& object, const char* key) {
-  return harmless(object.at(key).get<std::string>());
+  const std::string text = object.at(key);
+  if (text != harmless(text)) {
+    throw HarnessError('"' + std::string(key) + "\" has control characters");
+  }
+  return text;
 }
 
 void check_context(const Json& ours) {

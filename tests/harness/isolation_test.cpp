@@ -42,7 +42,7 @@ class IsolationTest : public RunTest {
 
 TEST_F(IsolationTest, a_crash_is_a_row_with_the_signal_and_the_last_words) {
   expect_outcome("stack-overflow", {}, "crashed", "killed by signal 11");
-  expect_outcome("talkative", {}, "crashed", "words");
+  expect_outcome("talkative", {}, "crashed", R"(the \x1b[31mlast\xff words)");
   expect_outcome("parent", {}, "crashed", "killed by signal 6");
 }
 
