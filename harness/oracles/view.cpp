@@ -75,7 +75,8 @@ class View {
     const Index left_edge = mesh_.twin(Mesh::previous(h));
     const Index right_edge = mesh_.twin(Mesh::next(h));
     const Real from_l = cross(apex, l), from_r = cross(r, apex);
-    if (from_l == 0 && from_r == 0) {
+    const bool half_plane = cross(r, l) == 0;  // no narrow cone, whose lines both round to the apex
+    if (half_plane && from_l == 0 && from_r == 0) {
       // A face without area, seen from a point of its line: one of its edges has the half-plane.
       see_({mesh_.apex(h), apex, std::hypot(apex.x, apex.y), {}});
       enter(left_edge, left, apex, left, apex);
