@@ -89,8 +89,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"skipped: {skip.mesh}, {skip.solver or 'all solvers'}: {skip.why}")
     for row in allowed(run):
         print(f"without a time: {line(row)}")
-    for error in largest_errors(run):
-        print(f"largest relative error: {error}")
+    for largest in largest_errors(run):
+        print(f"largest relative error: {largest}")
     failed = failures(run)
     for failure in failed:
         print(f"FAILED: {failure}")

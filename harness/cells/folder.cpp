@@ -46,8 +46,7 @@ ResultFolder ResultFolder::make(const std::optional<fs::path>& out, const std::s
 }
 
 ResultFolder::ResultFolder(fs::path path)
-    : path_(fs::absolute(path).lexically_normal()),
-      lock_(open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    : path_(std::move(path)), lock_(open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
   if (lock_ < 0) {
     throw HarnessError("cannot open the folder '" + path_.string() + "': " + std::strerror(errno));
   }

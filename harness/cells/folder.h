@@ -30,8 +30,8 @@ class ResultFolder {
   void make_subfolders() const;
 
  private:
-  std::filesystem::path path_;  // absolute
-  int lock_;                    // descriptor of the folder; -1: moved away
+  std::filesystem::path path_;
+  int lock_;  // descriptor of the folder; -1: moved away
 };
 
 }  // namespace geodesic::harness

@@ -74,7 +74,7 @@ void save_request(const SavedRequest& saved, const fs::path& folder) {
 }
 
 SavedRequest saved_request(const fs::path& folder) {
-  const fs::path file = fs::absolute(folder) / kFile;
+  const fs::path file = folder / kFile;
   if (!fs::exists(file)) {
     throw HarnessError("'" + folder.string() + "' holds no run to go on with (it has no " + kFile +
                        "): give the folder of one, or start one without --resume");
@@ -93,7 +93,7 @@ SavedRequest saved_request(const fs::path& folder) {
     options.at("benchmark_flags").get_to(request.benchmark_flags);
     request.pictured = pictured_named(options.at("recordings"));
     json.at("command").get_to(request.command);
-    request.resume = fs::absolute(folder);
+    request.resume = folder;
     return saved;
   } catch (const std::exception& error) {
     throw HarnessError("cannot go on with the run: " + file.string() + ": " + error.what());

@@ -155,10 +155,11 @@ void Run::measure() {
 }
 
 void Run::tell_how_to_go_on() const {
+  const std::string folder = fs::absolute(folder_).string();
   std::cerr << "\n"
             << kept_.size() + measured_ << " of " << cells_.size() << " cells are saved in "
-            << folder_.string() << "; to measure the others:\n  "
-            << as_command_line({"run", "--resume", folder_.string()}) << std::endl;
+            << folder << "; to measure the others:\n  "
+            << as_command_line({"run", "--resume", folder}) << std::endl;
 }
 
 void Run::assemble() const {

@@ -20,10 +20,10 @@ inline constexpr double kApexTolerance = 1e-10;
 /// so below t = 1e-8 it is chance which of two windows is dropped.
 inline constexpr double kApexReach = 1e-6;
 
-/// A pseudo-source in the interior of an edge, the apex of a zero-area face, is taken to lie off the
-/// edge by this times the edge's length, on its own side, so that unfolding across the next face has
-/// a direction, whether or not that has an area. No distance notices: its square is far below any
-/// rounding.
+/// A pseudo-source in the interior of an edge, the apex of a zero-area face, is taken to lie off
+/// the edge by this times the edge's length, on its own side, so that unfolding across the next
+/// face has a direction, whether or not that has an area. No distance notices: its square is far
+/// below any rounding.
 inline constexpr double kTouchingHeight = 1e-100;
 
 /// Chen-Han: a face lower than this times its base has no angles to argue with.

@@ -47,7 +47,7 @@ CASES = [
          "unprivileged geodesic-bench rank --solver mmp --against ich --meshes hill.obj"
          " --out closed/r", ["cannot make the folder 'closed/r'", "Permission denied"],
          given="mkdir -m 555 closed", needs="unprivileged"),
-    Case("verify: no TMPDIR", "TMPDIR=/nowhere geodesic-bench verify --solver mmp",
+    Case("verify: no TMPDIR", "TMPDIR=/proc/nowhere geodesic-bench verify --solver mmp",
          ["TMPDIR"]),
     Case("fetch.py: a file in place of the cache", "fetch.py tiny-plate --cache hill.obj",
          ["cannot write to the dataset cache hill.obj", "name another with --cache"]),

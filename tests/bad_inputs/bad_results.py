@@ -50,10 +50,10 @@ SAYS = {
     "of an older version": ("schema version 1, and this program reads 2", "schema_version: 2 was"),
     "without rows": ("benchmarks: no list of rows", "benchmarks: []"),
     "without times": ("benchmarks[0]: key 'cpu_time' not found", "benchmarks[0]: 'cpu_time' is"),
-    "with a word for a time": ("benchmarks[0]: type must be number, but is string",
+    "with a word for a time": ("benchmarks[0]: cpu_time is no number but string",
                                "benchmarks[0].cpu_time: 'fast' is not of type 'number'"),
     "of Google Benchmark alone": ("key 'geodesic_bench' not found", "'geodesic_bench' is a requi"),
-    "nested 100,000 deep": ("is no result file", "nested far deeper than a result file is"),
+    "nested 100,000 deep": ("nested more than 50 deep", "nested far deeper than a result file is"),
 }  # fmt: skip
 """What geodesic-bench says, and what plots/ do."""
 

@@ -160,7 +160,7 @@ class Killing:
         elif code not in [-each for each in SIGNALS]:
             raise Lost(f"exit code {code}:\n{errors}")
         deadline = time.monotonic() + 5
-        while left := processes_of(work):
+        while left := processes_of(self.folder):  # the meshes lie there
             if time.monotonic() > deadline:
                 raise Lost(f"processes {left} run on after exit code {code}")
             time.sleep(0.01)

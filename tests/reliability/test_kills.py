@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
-from killing import Killing, Lost
+from killing import Killing, Lost, processes_of
 
 
 @pytest.mark.parametrize("seed", [1, 2])
@@ -23,3 +25,13 @@ def test_a_loss_is_found(bench: Path, tmp_path: Path) -> None:
     killing.expected[lost] += b"x"
     with pytest.raises(Lost, match="differs"):
         killing.until_killed(1)
+
+
+def test_a_process_that_runs_on_is_found(tmp_path: Path) -> None:
+    waits = "input()"
+    with subprocess.Popen(
+        [sys.executable, "-c", waits, tmp_path / "mesh"], stdin=subprocess.PIPE
+    ) as process:
+        assert processes_of(tmp_path) == [process.pid]
+        process.kill()
+    assert processes_of(tmp_path) == []
