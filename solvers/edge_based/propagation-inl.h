@@ -33,6 +33,7 @@ class Propagation final : public Propagator {
     for (Index h = 0; h < mesh.half_edge_count(); ++h) {
       longest_edge_ = std::max(longest_edge_, mesh.half_edge(h).length);
     }
+    rounding_ = coordinate_rounding(longest_edge_);
   }
 
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
@@ -229,7 +230,7 @@ class Propagation final : public Propagator {
       gather<kFields>(segment, ends, batch_);
     });
     reserve_masks();
-    if (batch_.count > 1) trim(crossed_face(mesh_, h));
+    if (batch_.count > 1) trim(crossed_face(mesh_, h, rounding_));
   }
 
   void reserve_masks() {
@@ -306,7 +307,7 @@ class Propagation final : public Propagator {
       const bool left = bit(to_left_, i), right = bit(to_right_, i);
       if (!left && !right) continue;  // struck out
       const Side seen = left && right ? Side::both : left ? Side::left : Side::right;
-      const Side side = sides_kept(batch_.window(i), seen, separator, best, face);
+      const Side side = sides_kept(batch_.window(i), seen, separator, best, face, rounding_);
       if (side == Side::none || side == Side::right) clear_bit(kept_left_.data(), i);
       if (side == Side::none || side == Side::left) clear_bit(kept_right_.data(), i);
     }
@@ -344,6 +345,7 @@ class Propagation final : public Propagator {
   std::vector<std::uint8_t> queued_;  // half-edges in fifo_
   std::vector<Index> fifo_;
   double longest_edge_ = 0;
+  double rounding_ = 0;  // of coordinates
   WindowBudget budget_;
   [[no_unique_address]] typename Recorder::Sweep sweep_;
   // Scratch of one list. Masks hold the bits of kLanes windows a byte.

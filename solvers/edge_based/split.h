@@ -34,8 +34,9 @@ inline double crossing(const Window& w, const FaceFrame& face);
 /// What remains of a window that is not the separator's own.
 /// @param seen its `sides_seen`
 /// @param best the separator's window
+/// @param rounding of coordinates (trim.h)
 inline Side sides_kept(const Window& w, Side seen, const Separator& separator, const Window& best,
-                       const FaceFrame& face);
+                       const FaceFrame& face, double rounding);
 
 inline double bent_distance(const Window& w, Side side, const FaceFrame& face) {
   const double bend = side == Side::left ? w.end : w.begin;
@@ -49,24 +50,28 @@ inline double crossing(const Window& w, const FaceFrame& face) {
 }
 
 inline Side sides_kept(const Window& w, Side seen, const Separator& separator, const Window& best,
-                       const FaceFrame& face) {
+                       const FaceFrame& face, double rounding) {
   if (seen == Side::both) {
     // Windows that meet in the line to the apex both see it: a tie leaves both whole.
-    if (!is_shorter(separator.distance, distance_through(w, face.apex_x, face.apex_y))) return seen;
+    const double distance = distance_through(w, face.apex_x, face.apex_y);
+    if (!is_shorter(separator.distance, distance, rounding)) return seen;
+    if (touches_edge(w, face.length)) return seen;
     // Its line to the apex is the longer one: lines between that and the separator's source are
     // beaten, which is one whole side unless the source lies inside the pencil.
     const double t = crossing(w, face);
-    if (!is_left_of_line(w, t, best.x, best.y)) {
+    if (!is_left_of_line(w, t, best.x, best.y, rounding)) {
       return is_right_of_line(w, w.end, best.x, best.y) ? Side::left : Side::both;
     }
-    if (!is_right_of_line(w, t, best.x, best.y)) {
+    if (!is_right_of_line(w, t, best.x, best.y, rounding)) {
       return is_left_of_line(w, w.begin, best.x, best.y) ? Side::right : Side::both;
     }
     return Side::both;
   }
   const bool crosses =
       seen == Side::left ? w.begin >= separator.crossing : w.end <= separator.crossing;
-  if (crosses && is_shorter(separator.distance, bent_distance(w, seen, face))) return Side::none;
+  if (crosses && is_shorter(separator.distance, bent_distance(w, seen, face), rounding)) {
+    return Side::none;
+  }
   return seen;
 }
 

@@ -22,13 +22,22 @@ inline constexpr double kOnLine = 1e-11;
 struct Crossed {
   double length;            ///< of the edge
   double below_x, below_y;  ///< third vertex of the face below, below_y <= 0
+  double rounding = 0;      ///< of coordinates, see `coordinate_rounding`
 };
 
+/// What rounding may add to a distance that is far shorter than the edges whose frames its window
+/// came through: a source near to a long edge still has coordinates along that edge. Two windows of
+/// one source then differ by that much, and which of them is the shorter one is chance.
+/// @param longest_edge of the mesh
+inline double coordinate_rounding(double longest_edge) { return kPathMargin * longest_edge; }
+
 /// @param h the half-edge that carries the windows; it must have a twin
-inline Crossed crossed_face(const Mesh& mesh, Index h);
+/// @param rounding of coordinates
+inline Crossed crossed_face(const Mesh& mesh, Index h, double rounding);
 
 /// True when a path of length a beats one of length b by more than rounding.
-inline bool is_shorter(double a, double b);
+/// @param rounding of coordinates
+inline bool is_shorter(double a, double b, double rounding);
 
 /// True when the windows follow one another so that neither can beat more of the other than the
 /// part of their overlap behind the bisector, which is not worth trimming: their ends are in order,
@@ -40,14 +49,22 @@ inline bool is_void(const Window& w, double length);
 
 /// Compares two windows of one edge and trims what one beats of the other; a window that is beaten
 /// wholly becomes void. Looks at their overlap on the edge, or, when they are apart, at the place
-/// inside the face below where the lines that bound them cross.
+/// inside the face below where the lines that bound them cross. A window whose source touches the
+/// edge is left as it is, and so is the other.
 inline void trim_pair(Window& first, Window& second, const Crossed& face);
+
+/// True when the window's source lies on the edge as good as, inside the interval: the apex of a
+/// face without area. All its lines, whatever their directions, pass the edge in one point, so that
+/// an interval that stops there says nothing of which of them are left.
+inline bool touches_edge(const Window& w, double length);
 
 /// True when the point (px, py) lies to the right of the window's line through t of the edge, or on
 /// it within rounding.
-inline bool is_right_of_line(const Window& w, double t, double px, double py);
+/// @param rounding of coordinates, where what lies on the line by no more must not be taken to lie
+/// on one side of it for certain
+inline bool is_right_of_line(const Window& w, double t, double px, double py, double rounding = 0);
 /// The same for the left.
-inline bool is_left_of_line(const Window& w, double t, double px, double py);
+inline bool is_left_of_line(const Window& w, double t, double px, double py, double rounding = 0);
 
 // What follows is inline because one window in five comes through here: out of line, a solve takes
 // a tenth more instructions.
@@ -63,8 +80,9 @@ inline double right_of(const Window& w, double t, double px, double py) {
   return (px - w.x) * -w.y - (t - w.x) * (py - w.y);
 }
 
-inline double right_of_scale(const Window& w, double t, double px, double py) {
-  return kOnLine * (std::abs(px - w.x) * -w.y + std::abs(t - w.x) * std::abs(py - w.y));
+inline double right_of_scale(const Window& w, double t, double px, double py, double rounding) {
+  const double dx = std::abs(px - w.x), dy = std::abs(py - w.y), drift = std::abs(t - w.x);
+  return kOnLine * (dx * -w.y + drift * dy) + rounding * (dx + dy + drift - w.y);
 }
 
 /// Where the line from the source of w through (px, py) meets the edge; w.y < py.
@@ -75,14 +93,14 @@ inline double hit(const Window& w, double px, double py) {
 /// `winner` is the shorter one at a point that the loser's line through position `p` passes.
 /// Removes the lines of the loser between p and the direction of the winner's source. Nothing is
 /// removed when that source lies on the line itself: it has no side then.
-inline void beat(const Window& winner, Window& loser, double p) {
-  if (!is_left_of_line(loser, p, winner.x, winner.y)) {
+inline void beat(const Window& winner, Window& loser, double p, double rounding) {
+  if (!is_left_of_line(loser, p, winner.x, winner.y, rounding)) {
     if (is_right_of_line(loser, loser.end, winner.x, winner.y)) {
       loser.end = std::max(loser.begin, std::min(loser.end, p));
     } else if (p <= loser.begin) {
       loser.begin = std::clamp(hit(loser, winner.x, winner.y), loser.begin, loser.end);
     }
-  } else if (!is_right_of_line(loser, p, winner.x, winner.y)) {
+  } else if (!is_right_of_line(loser, p, winner.x, winner.y, rounding)) {
     if (is_left_of_line(loser, loser.begin, winner.x, winner.y)) {
       loser.begin = std::min(loser.end, std::max(loser.begin, p));
     } else if (p >= loser.end) {
@@ -93,13 +111,14 @@ inline void beat(const Window& winner, Window& loser, double p) {
 
 /// Decides at the point (px, py), which the line of `a` through `pa` and that of `b` through `pb`
 /// pass, which window is beaten.
-inline void decide(Window& a, double pa, Window& b, double pb, double px, double py) {
+inline void decide(Window& a, double pa, Window& b, double pb, double px, double py,
+                   double rounding) {
   const double da = distance_through(a, px, py);
   const double db = distance_through(b, px, py);
-  if (is_shorter(da, db)) {
-    beat(a, b, pb);
-  } else if (is_shorter(db, da)) {
-    beat(b, a, pa);
+  if (is_shorter(da, db, rounding)) {
+    beat(a, b, pb, rounding);
+  } else if (is_shorter(db, da, rounding)) {
+    beat(b, a, pa, rounding);
   }
 }
 
@@ -118,7 +137,7 @@ inline void trim_apart(Window& left, Window& right, const Crossed& face) {
   // Inside the face below: between its two other edges at this depth.
   const double share = face.below_y < 0 ? depth / -face.below_y : 0;
   if (x < face.below_x * share || x > face.length + (face.below_x - face.length) * share) return;
-  decide(left, left.end, right, right.begin, x, -depth);
+  decide(left, left.end, right, right.begin, x, -depth, face.rounding);
 }
 
 /// The distances that two windows give to a point of the edge.
@@ -130,11 +149,11 @@ inline Pair pair_at(const Window& first, const Window& second, double t) {
 }
 
 /// As `decide` for a point of the edge, both windows' lines through it passing at the point itself.
-inline void decide_at(const Pair& at, Window& first, Window& second) {
-  if (is_shorter(at.first, at.second)) {
-    beat(first, second, at.t);
-  } else if (is_shorter(at.second, at.first)) {
-    beat(second, first, at.t);
+inline void decide_at(const Pair& at, Window& first, Window& second, double rounding) {
+  if (is_shorter(at.first, at.second, rounding)) {
+    beat(first, second, at.t, rounding);
+  } else if (is_shorter(at.second, at.first, rounding)) {
+    beat(second, first, at.t, rounding);
   }
 }
 
@@ -152,9 +171,10 @@ inline bool is_to_one_side(const Window& lines, const Window& of, double begin, 
 /// Along the edge the difference of the two distances changes by the difference of the cosines of
 /// their lines' angles, which keeps its sign while the loser's source stays on one side of the
 /// winner's lines: then its two ends decide for the whole overlap.
-inline void settle_overlap(Window& first, Window& second, const Pair& begin, const Pair& end) {
-  const bool first_wins =
-      !is_shorter(begin.second, begin.first) && !is_shorter(end.second, end.first);
+inline void settle_overlap(Window& first, Window& second, const Pair& begin, const Pair& end,
+                           double rounding) {
+  const bool first_wins = !is_shorter(begin.second, begin.first, rounding) &&
+                          !is_shorter(end.second, end.first, rounding);
   const auto shorten = [&](Window& loser) {
     if (begin.t == loser.begin) {
       loser.begin = end.t;
@@ -163,26 +183,28 @@ inline void settle_overlap(Window& first, Window& second, const Pair& begin, con
     }
   };
   if (first_wins && is_to_one_side(first, second, begin.t, end.t)) return shorten(second);
-  const bool second_wins =
-      !is_shorter(begin.first, begin.second) && !is_shorter(end.first, end.second);
+  const bool second_wins = !is_shorter(begin.first, begin.second, rounding) &&
+                           !is_shorter(end.first, end.second, rounding);
   if (second_wins && is_to_one_side(second, first, begin.t, end.t)) shorten(first);
 }
 
 }  // namespace internal
 
-inline bool is_shorter(double a, double b) { return a < b * (1 - kPathMargin); }
+inline bool is_shorter(double a, double b, double rounding) {
+  return a < b * (1 - kPathMargin) - rounding;
+}
 
-inline Crossed crossed_face(const Mesh& mesh, Index h) {
+inline Crossed crossed_face(const Mesh& mesh, Index h, double rounding) {
   const HalfEdge& below = mesh.half_edge(mesh.twin(h));
-  return {mesh.half_edge(h).length, below.length - below.apex_x, -below.apex_y};
+  return {mesh.half_edge(h).length, below.length - below.apex_x, -below.apex_y, rounding};
 }
 
-inline bool is_right_of_line(const Window& w, double t, double px, double py) {
-  return internal::right_of(w, t, px, py) > -internal::right_of_scale(w, t, px, py);
+inline bool is_right_of_line(const Window& w, double t, double px, double py, double rounding) {
+  return internal::right_of(w, t, px, py) > -internal::right_of_scale(w, t, px, py, rounding);
 }
 
-inline bool is_left_of_line(const Window& w, double t, double px, double py) {
-  return internal::right_of(w, t, px, py) < internal::right_of_scale(w, t, px, py);
+inline bool is_left_of_line(const Window& w, double t, double px, double py, double rounding) {
+  return internal::right_of(w, t, px, py) < internal::right_of_scale(w, t, px, py, rounding);
 }
 
 inline bool in_order(const Window& first, const Window& second) {
@@ -195,24 +217,29 @@ inline bool is_void(const Window& w, double length) {
   return !(w.end - w.begin > kWindowWidth * length);
 }
 
+inline bool touches_edge(const Window& w, double length) {
+  return w.y > -kFlatFace * length && w.begin <= w.x && w.x <= w.end;
+}
+
 inline void trim_pair(Window& first, Window& second, const Crossed& face) {
   if (in_order(first, second)) return;
+  if (touches_edge(first, face.length) || touches_edge(second, face.length)) return;
   if (first.end <= second.begin) return internal::trim_apart(first, second, face);
   if (second.end <= first.begin) return internal::trim_apart(second, first, face);
   const double begin = std::max(first.begin, second.begin);
   internal::Pair at_begin = internal::pair_at(first, second, begin);
-  internal::decide_at(at_begin, first, second);
+  internal::decide_at(at_begin, first, second, face.rounding);
   const double end = std::min(first.end, second.end);
   const double still = std::max(first.begin, second.begin);
   if (end <= still) return;
   internal::Pair at_end = internal::pair_at(first, second, end);
-  internal::decide_at(at_end, first, second);
+  internal::decide_at(at_end, first, second, face.rounding);
   const double left_begin = std::max(first.begin, second.begin);
   const double left_end = std::min(first.end, second.end);
   if (!(left_begin < left_end)) return;
   if (left_begin != begin) at_begin = internal::pair_at(first, second, left_begin);
   if (left_end != end) at_end = internal::pair_at(first, second, left_end);
-  internal::settle_overlap(first, second, at_begin, at_end);
+  internal::settle_overlap(first, second, at_begin, at_end, face.rounding);
 }
 
 }  // namespace geodesic::edge_based
