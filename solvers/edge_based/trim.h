@@ -82,7 +82,10 @@ inline double right_of(const Window& w, double t, double px, double py) {
 
 inline double right_of_scale(const Window& w, double t, double px, double py, double rounding) {
   const double dx = std::abs(px - w.x), dy = std::abs(py - w.y), drift = std::abs(t - w.x);
-  return kOnLine * (dx * -w.y + drift * dy) + rounding * (dx + dy + drift - w.y);
+  const double scale = kOnLine * (dx * -w.y + drift * dy);
+  // Without the question, callers that pass none would pay for the sum: x + 0 is no x to a
+  // compiler.
+  return rounding > 0 ? scale + rounding * (dx + dy + drift - w.y) : scale;
 }
 
 /// Where the line from the source of w through (px, py) meets the edge; w.y < py.
@@ -226,6 +229,9 @@ inline void trim_pair(Window& first, Window& second, const Crossed& face) {
   if (touches_edge(first, face.length) || touches_edge(second, face.length)) return;
   if (first.end <= second.begin) return internal::trim_apart(first, second, face);
   if (second.end <= first.begin) return internal::trim_apart(second, first, face);
+  // Windows that a vertex has cut apart may overlap by rounding.
+  if (first.end - second.begin <= face.rounding || second.end - first.begin <= face.rounding)
+    return;
   const double begin = std::max(first.begin, second.begin);
   internal::Pair at_begin = internal::pair_at(first, second, begin);
   internal::decide_at(at_begin, first, second, face.rounding);
