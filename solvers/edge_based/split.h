@@ -55,14 +55,14 @@ inline Side sides_kept(const Window& w, Side seen, const Separator& separator, c
     // Windows that meet in the line to the apex both see it: a tie leaves both whole.
     const double distance = distance_through(w, face.apex_x, face.apex_y);
     if (!is_shorter(separator.distance, distance, rounding)) return seen;
-    if (touches_edge(w, face.length)) return seen;
     // Its line to the apex is the longer one: lines between that and the separator's source are
     // beaten, which is one whole side unless the source lies inside the pencil.
     const double t = crossing(w, face);
-    if (!is_left_of_line(w, t, best.x, best.y, rounding)) {
+    if (touches_edge(w, face.length) || has_no_side(w, t, best.x, best.y, rounding)) return seen;
+    if (!is_left_of_line(w, t, best.x, best.y)) {
       return is_right_of_line(w, w.end, best.x, best.y) ? Side::left : Side::both;
     }
-    if (!is_right_of_line(w, t, best.x, best.y, rounding)) {
+    if (!is_right_of_line(w, t, best.x, best.y)) {
       return is_left_of_line(w, w.begin, best.x, best.y) ? Side::right : Side::both;
     }
     return Side::both;

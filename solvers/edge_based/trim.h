@@ -60,11 +60,11 @@ inline bool touches_edge(const Window& w, double length);
 
 /// True when the point (px, py) lies to the right of the window's line through t of the edge, or on
 /// it within rounding.
-/// @param rounding of coordinates, where what lies on the line by no more must not be taken to lie
-/// on one side of it for certain
-inline bool is_right_of_line(const Window& w, double t, double px, double py, double rounding = 0);
+inline bool is_right_of_line(const Window& w, double t, double px, double py);
 /// The same for the left.
-inline bool is_left_of_line(const Window& w, double t, double px, double py, double rounding = 0);
+inline bool is_left_of_line(const Window& w, double t, double px, double py);
+/// True when rounding of coordinates alone may decide the side of that line.
+inline bool has_no_side(const Window& w, double t, double px, double py, double rounding);
 
 // What follows is inline because one window in five comes through here: out of line, a solve takes
 // a tenth more instructions.
@@ -80,12 +80,8 @@ inline double right_of(const Window& w, double t, double px, double py) {
   return (px - w.x) * -w.y - (t - w.x) * (py - w.y);
 }
 
-inline double right_of_scale(const Window& w, double t, double px, double py, double rounding) {
-  const double dx = std::abs(px - w.x), dy = std::abs(py - w.y), drift = std::abs(t - w.x);
-  const double scale = kOnLine * (dx * -w.y + drift * dy);
-  // Without the question, callers that pass none would pay for the sum: x + 0 is no x to a
-  // compiler.
-  return rounding > 0 ? scale + rounding * (dx + dy + drift - w.y) : scale;
+inline double right_of_scale(const Window& w, double t, double px, double py) {
+  return kOnLine * (std::abs(px - w.x) * -w.y + std::abs(t - w.x) * std::abs(py - w.y));
 }
 
 /// Where the line from the source of w through (px, py) meets the edge; w.y < py.
@@ -97,13 +93,14 @@ inline double hit(const Window& w, double px, double py) {
 /// Removes the lines of the loser between p and the direction of the winner's source. Nothing is
 /// removed when that source lies on the line itself: it has no side then.
 inline void beat(const Window& winner, Window& loser, double p, double rounding) {
-  if (!is_left_of_line(loser, p, winner.x, winner.y, rounding)) {
+  if (has_no_side(loser, p, winner.x, winner.y, rounding)) return;
+  if (!is_left_of_line(loser, p, winner.x, winner.y)) {
     if (is_right_of_line(loser, loser.end, winner.x, winner.y)) {
       loser.end = std::max(loser.begin, std::min(loser.end, p));
     } else if (p <= loser.begin) {
       loser.begin = std::clamp(hit(loser, winner.x, winner.y), loser.begin, loser.end);
     }
-  } else if (!is_right_of_line(loser, p, winner.x, winner.y, rounding)) {
+  } else if (!is_right_of_line(loser, p, winner.x, winner.y)) {
     if (is_left_of_line(loser, loser.begin, winner.x, winner.y)) {
       loser.begin = std::min(loser.end, std::max(loser.begin, p));
     } else if (p >= loser.end) {
@@ -202,12 +199,17 @@ inline Crossed crossed_face(const Mesh& mesh, Index h, double rounding) {
   return {mesh.half_edge(h).length, below.length - below.apex_x, -below.apex_y, rounding};
 }
 
-inline bool is_right_of_line(const Window& w, double t, double px, double py, double rounding) {
-  return internal::right_of(w, t, px, py) > -internal::right_of_scale(w, t, px, py, rounding);
+inline bool is_right_of_line(const Window& w, double t, double px, double py) {
+  return internal::right_of(w, t, px, py) > -internal::right_of_scale(w, t, px, py);
 }
 
-inline bool is_left_of_line(const Window& w, double t, double px, double py, double rounding) {
-  return internal::right_of(w, t, px, py) < internal::right_of_scale(w, t, px, py, rounding);
+inline bool is_left_of_line(const Window& w, double t, double px, double py) {
+  return internal::right_of(w, t, px, py) < internal::right_of_scale(w, t, px, py);
+}
+
+inline bool has_no_side(const Window& w, double t, double px, double py, double rounding) {
+  const double lengths = std::abs(px - w.x) + std::abs(py - w.y) + std::abs(t - w.x) - w.y;
+  return std::abs(internal::right_of(w, t, px, py)) <= rounding * lengths;
 }
 
 inline bool in_order(const Window& first, const Window& second) {
