@@ -45,7 +45,7 @@ def test_answers_do_not_depend_on_the_environment(
         assert comma.stdout == "0,5", comma
     here = tmp_path / "here"
     generate = "geodesic-bench generate terrain --columns 8 --rows 8 --gain 0.4 -o {}.off"
-    table = f"table_5_1.py --run {GOLDEN.parent} --out {{}}"
+    table = f"table_5_1.py --run '{GOLDEN.parent}' --out {{}}"
     commands = [generate, SOLVE.format("{}.off", "{}.txt"), table]
     for where, before in (("plain", ""), ("other", ENVIRONMENTS[name])):
         for command in commands:
@@ -117,7 +117,7 @@ def test_escape_sequences_of_a_run_do_not_reach_the_terminal(bash: Bash, tmp_pat
 
 
 def test_a_reader_that_leaves_early_ends_a_command_silently(bash: Bash) -> None:
-    for command in ("geodesic-bench generate --list", f"check.py --run {GOLDEN.parent}"):
+    for command in ("geodesic-bench generate --list", f"check.py --run '{GOLDEN.parent}'"):
         ended = bash(f"{command} | head -n 1")
         assert (len(ended.stdout.splitlines()), ended.stderr) == (1, ""), ended
 
