@@ -1,6 +1,9 @@
 #include "harness/meshes/load.h"
 
+#include <stdexcept>
 #include <utility>
+
+#include "solvers/core/unit.h"
 
 namespace geodesic::harness {
 namespace {
@@ -24,6 +27,11 @@ void require_measurable(const TriangleSoup& soup, const DefectReport& defects,
   }
   if (soup.triangles.empty()) {
     throw MeshError(name + ": no usable face is left: " + list_errors(defects));
+  }
+  try {
+    unit_exponent(soup.positions);
+  } catch (const std::invalid_argument& error) {
+    throw MeshError(name + ": " + error.what() + "; scale it");
   }
 }
 
