@@ -8,15 +8,6 @@
 namespace geodesic::conformance {
 namespace {
 
-std::vector<double> straight_lines(const TriangleSoup& soup, const Query& query) {
-  const Vec3& s = soup.positions[query.sources.front().vertex];
-  std::vector<double> lines;
-  for (const Vec3& p : soup.positions) {
-    lines.push_back(std::hypot(p[0] - s[0], p[1] - s[1], p[2] - s[2]));
-  }
-  return lines;
-}
-
 TriangleSoup flat_grid(Index columns, Index rows, const char* diagonal = "alternating") {
   return generators::generate("grid",
                               {{"columns", columns}, {"rows", rows}, {"diagonal", diagonal}});

@@ -47,15 +47,6 @@ std::vector<Case> thousand_sectors() {
   };
 }
 
-std::vector<double> straight_lines(const TriangleSoup& soup, const Query& query) {
-  const Vec3& s = soup.positions[query.sources.front().vertex];
-  std::vector<double> lines;
-  for (const Vec3& p : soup.positions) {
-    lines.push_back(std::hypot(p[0] - s[0], p[1] - s[1], p[2] - s[2]));
-  }
-  return lines;
-}
-
 Case flat(const std::string& name, const TriangleSoup& soup) {
   return {name, soup, some_sources(soup),
           [soup](const Query& query) { return straight_lines(soup, query); }};

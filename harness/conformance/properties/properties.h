@@ -58,4 +58,7 @@ std::vector<Case> random_mesh_cases(const std::vector<Query>& queries);
 /// Vertex 0, one in the middle, the last one.
 std::vector<Query> some_sources(const TriangleSoup& soup);
 
+/// From the first source to every vertex, through space.
+std::vector<double> straight_lines(const TriangleSoup& soup, const Query& query);
+
 }  // namespace geodesic::conformance
