@@ -28,10 +28,14 @@ def test_a_loss_is_found(bench: Path, tmp_path: Path) -> None:
 
 
 def test_a_process_that_runs_on_is_found(tmp_path: Path) -> None:
-    waits = "input()"
+    waits = "print('runs', flush=True); input()"
     with subprocess.Popen(
-        [sys.executable, "-c", waits, tmp_path / "mesh"], stdin=subprocess.PIPE
+        [sys.executable, "-c", waits, tmp_path / "mesh"],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
     ) as process:
+        assert process.stdout is not None
+        process.stdout.readline()  # a process that is still being set up shows no command line
         assert processes_of(tmp_path) == [process.pid]
         process.kill()
     assert processes_of(tmp_path) == []
