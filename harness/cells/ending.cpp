@@ -34,7 +34,7 @@ int exit_code_of(const std::function<void()>& work) {
   }
 }
 
-Failure failure_of(const Ended& ended, const Limits& limits) {
+Failure failure_of(const Ended& ended, const ProcessLimits& limits) {
   const std::string words = ended.last_words.empty() ? "" : ": " + ended.last_words;
   if (ended.timed_out) {
     return {outcome::kTimeOut,
@@ -42,7 +42,7 @@ Failure failure_of(const Ended& ended, const Limits& limits) {
   }
   if (!ended.crashed && ended.code == kCannotWrite) throw CannotWrite(ended.last_words);
   if (ended.out_of_memory || (!ended.crashed && ended.code == kOutOfMemory)) {
-    const std::string limit = limits.memory_bytes == Limits().memory_bytes
+    const std::string limit = limits.memory_bytes == ProcessLimits().memory_bytes
                                   ? "no memory left"
                                   : "memory limit " + in_mib(limits.memory_bytes);
     return {outcome::kOutOfMemory, ended.crashed ? limit + ", " + ended.describe() : limit};
@@ -50,8 +50,8 @@ Failure failure_of(const Ended& ended, const Limits& limits) {
   return {ended.crashed ? outcome::kCrashed : outcome::kError, ended.describe()};
 }
 
-Limits limits_of(const Suite& suite) {
-  Limits limits{.seconds = suite.time_limit};
+ProcessLimits limits_of(const Suite& suite) {
+  ProcessLimits limits{.seconds = suite.time_limit};
   if (suite.memory_limit) limits.memory_bytes = *suite.memory_limit;
   return limits;
 }

@@ -21,10 +21,10 @@ struct Failure {
 /// @param ended has not succeeded
 /// @throws CannotWrite when that was its reason: whatever it computed is lost, and what comes after
 ///         it would be too
-Failure failure_of(const Ended& ended, const Limits& limits);
+Failure failure_of(const Ended& ended, const ProcessLimits& limits);
 
 /// What the suite allows the process of a cell.
-Limits limits_of(const Suite& suite);
+ProcessLimits limits_of(const Suite& suite);
 
 /// Gives the suite a memory limit, unless it has one: what the machine has to give, in equal parts.
 /// @param processes that run at a time

@@ -6,7 +6,7 @@
 
 namespace geodesic::harness {
 
-struct Limits {
+struct ProcessLimits {
   double seconds = std::numeric_limits<double>::infinity();  ///< then the process is killed
   std::uint64_t memory_bytes =
       std::numeric_limits<std::uint64_t>::max();  ///< of address space; more is not granted

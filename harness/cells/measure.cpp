@@ -11,7 +11,7 @@ namespace geodesic::harness {
 namespace {
 
 // Makes sure that the cell's file exists afterwards.
-void start(const Cell& cell, CellSpec& spec, References& references, const Limits& limits,
+void start(const Cell& cell, CellSpec& spec, References& references, const ProcessLimits& limits,
            const std::function<void()>& waiting) {
   const auto unable = cell.mesh->unsupported.find(spec.solver);
   if (unable != cell.mesh->unsupported.end()) {
@@ -60,8 +60,8 @@ void write_failure(const CellSpec& spec, const char* outcome, const std::string&
                     {error_row(spec.solver, spec.mesh, spec.source, outcome, why)});
 }
 
-Json measure_cell(const Cell& cell, CellSpec spec, References& references, const Limits& limits,
-                  const std::function<void()>& waiting) {
+Json measure_cell(const Cell& cell, CellSpec spec, References& references,
+                  const ProcessLimits& limits, const std::function<void()>& waiting) {
   start(cell, spec, references, limits, waiting);
   return read_json(spec.output).at("benchmarks");
 }

@@ -27,8 +27,8 @@ CellSpec cell_spec(const Suite& suite, const Cell& cell, const std::filesystem::
 /// @return the rows of the result file, at least one
 /// @throws CannotWrite when the result file cannot be written
 /// @throws Interrupted (interruption.h); then there is no result file
-Json measure_cell(const Cell& cell, CellSpec spec, References& references, const Limits& limits,
-                  const std::function<void()>& waiting);
+Json measure_cell(const Cell& cell, CellSpec spec, References& references,
+                  const ProcessLimits& limits, const std::function<void()>& waiting);
 
 /// Writes the result file of a cell that has no time.
 void write_failure(const CellSpec& spec, const char* outcome, const std::string& why);

@@ -48,7 +48,7 @@ std::string Ended::describe() const {
 }
 
 Ended run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
-                  const std::function<void()>& waiting, const Limits& limits) {
+                  const std::function<void()>& waiting, const ProcessLimits& limits) {
   const Stopwatch watch;
   Child child(program.string(), arguments, limits.memory_bytes);
   Ended ended;
@@ -75,7 +75,7 @@ Ended run_program(const std::filesystem::path& program, const std::vector<std::s
 }
 
 Ended run_this_program(const std::vector<std::string>& arguments,
-                       const std::function<void()>& waiting, const Limits& limits) {
+                       const std::function<void()>& waiting, const ProcessLimits& limits) {
   std::vector<std::string> words = plugin_arguments();
   words.insert(words.end(), arguments.begin(), arguments.end());
   return run_program("/proc/self/exe", words, waiting, limits);

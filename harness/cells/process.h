@@ -29,10 +29,10 @@ struct Ended {
 /// @throws HarnessError when the program cannot be started
 /// @throws Interrupted (interruption.h), after the process has been killed
 Ended run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
-                  const std::function<void()>& waiting, const Limits& limits = {});
+                  const std::function<void()>& waiting, const ProcessLimits& limits = {});
 
 /// Runs this very program with other arguments and the same plug-ins. As run_program.
 Ended run_this_program(const std::vector<std::string>& arguments,
-                       const std::function<void()>& waiting, const Limits& limits = {});
+                       const std::function<void()>& waiting, const ProcessLimits& limits = {});
 
 }  // namespace geodesic::harness

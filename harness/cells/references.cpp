@@ -40,7 +40,7 @@ std::string References::solve(const Cell& cell, const std::string& solver,
                            .mesh_file = cell.mesh->entry.file.string(),
                            .source = cell.source,
                            .output = file.string()};
-  const Limits limits = limits_of(suite_);
+  const ProcessLimits limits = limits_of(suite_);
   const auto waiting = [&] {
     const std::lock_guard lock(mutex_);
     waiting_(solver);
