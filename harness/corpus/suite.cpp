@@ -21,12 +21,10 @@ constexpr std::uint64_t kLeastMemory = std::uint64_t{128} << 20;  // of address 
 
 using Setter = std::function<void(Suite&, const Json&)>;
 
-// As in the file, if it is short; what is nested could be so without end.
+// As in the file; what is nested could be so without end.
 std::string shown(const Json& value) {
   if (value.is_structured()) return std::string("an ") + value.type_name();
-  constexpr std::size_t kLongest = 40;
-  const std::string text = harmless(value.dump());
-  return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
+  return excerpt(value.dump());
 }
 
 // A whole number that fits; nlohmann would turn 2.5 into 2 and -1 into a large one.

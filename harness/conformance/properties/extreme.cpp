@@ -148,7 +148,7 @@ std::vector<Case> ties() {
 // Every other column is 10^8 times narrower than its neighbour. Beside the long sides of a needle
 // its width has half as many digits: positions that a coordinate's last place moves by 10^-16 move
 // the bend of a path by 10^-16 times the aspect, and its length by the square of that.
-std::vector<Case> needles() {
+std::vector<Case> thin_needles() {
   TriangleSoup soup = generate("grid", {{"columns", 10}, {"rows", 6}, {"diagonal", "backward"}});
   for (Vec3& p : soup.positions) {
     const double column = std::floor(p[0] / 2);
@@ -256,7 +256,7 @@ std::vector<Property> extreme_properties() {
       {"needles-of-aspect-1e8-keep-euclid",
        "faces 10^8 times longer than wide leave the distances of a plane Euclid's",
        {kOwnKernel},
-       needles,
+       thin_needles,
        distances_are_known_in_few_windows},
       {"components-by-the-hundred-thousand-are-apart",
        "of 10^5 components those of the sources are reached, and no other",
