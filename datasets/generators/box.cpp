@@ -66,7 +66,7 @@ void add_side(TriangleSoup& soup, const BoxSurface& box, std::size_t axis, bool 
     soup.triangles.push_back({vertex_of(face[0]), vertex_of(face[1]), vertex_of(face[2])});
 }
 
-TriangleSoup make(const CheckedParameters& parameters) {
+TriangleSoup make_box(const CheckedParameters& parameters) {
   const BoxSurface box(parameters.integer("x-cells"), parameters.integer("y-cells"),
                        parameters.integer("z-cells"));
   const double spacing = parameters.real("spacing");
@@ -94,7 +94,7 @@ Family box() {
                           integer_parameter("z-cells", 16, 1, 10000, "cells along z"),
                           real_parameter("spacing", 1, 1e-6, 1e6, "side of a cell"),
                           diagonal_parameter()}},
-          make,
+          make_box,
           box_distances};
 }
 

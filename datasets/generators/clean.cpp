@@ -65,7 +65,7 @@ void take_steps(TriangleSoup& soup, const std::string& file, Log& log) {
                            std::to_string(kMostRounds) + " rounds of cleaning");
 }
 
-Made make(const CheckedParameters& parameters) {
+Made make_clean(const CheckedParameters& parameters) {
   const std::string& file = parameters.file("input");
   TriangleSoup soup = harness::read_mesh(file).soup;
   Log log;
@@ -93,7 +93,7 @@ Family clean() {
            .parameters = {input_parameter(),
                           choice_parameter("parts", {"largest", "all"},
                                            "the connected parts to keep; largest by faces")}},
-          make};
+          make_clean};
 }
 
 }  // namespace geodesic::generators

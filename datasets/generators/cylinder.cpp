@@ -8,7 +8,7 @@
 namespace geodesic::generators {
 namespace {
 
-TriangleSoup make(const CheckedParameters& parameters) {
+TriangleSoup make_cylinder(const CheckedParameters& parameters) {
   const Sheet sheet{.columns = parameters.integer("sides"),
                     .rows = parameters.integer("rows"),
                     .columns_wrap = true,
@@ -34,7 +34,7 @@ Family cylinder() {
                       integer_parameter("rows", 24, 1, 40000, "cells along the axis"),
                       real_parameter("radius", 1, 1e-6, 1e6, "of the corners"),
                       real_parameter("height", 3, 1e-6, 1e6, "of the tube"), diagonal_parameter()}},
-      make,
+      make_cylinder,
       cylinder_distances};
 }
 

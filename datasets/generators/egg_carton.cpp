@@ -14,7 +14,7 @@ std::vector<double> waves(double bumps, Index cells) {
   return sines;
 }
 
-TriangleSoup make(const CheckedParameters& parameters) {
+TriangleSoup make_egg_carton(const CheckedParameters& parameters) {
   const Index cells = parameters.integer("cells");
   const double bumps = parameters.real("bumps");
   const double amplitude = parameters.real("height") / bumps;
@@ -36,7 +36,7 @@ Family egg_carton() {
                           real_parameter("bumps", 4, 0.5, 10000, "periods along x and along y"),
                           real_parameter("height", 0.3, 0, 10, "of a bump by its period"),
                           diagonal_parameter("forward")}},
-          make};
+          make_egg_carton};
 }
 
 }  // namespace geodesic::generators

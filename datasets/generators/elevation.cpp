@@ -24,7 +24,7 @@ Array resample_rows(const Array& array, std::size_t count) {
   return result;
 }
 
-TriangleSoup make(const CheckedParameters& parameters) {
+TriangleSoup make_elevation(const CheckedParameters& parameters) {
   const Sheet sheet{.columns = parameters.integer("columns"),
                     .rows = parameters.integer("rows"),
                     .diagonal = diagonal_of(parameters)};
@@ -57,7 +57,7 @@ Family elevation() {
                       real_parameter("spacing-x", 1, 1e-6, 1e6, "metres from sample to sample"),
                       real_parameter("spacing-y", 1, 1e-6, 1e6, "metres from sample to sample"),
                       diagonal_parameter()}},
-      make};
+      make_elevation};
 }
 
 }  // namespace geodesic::generators

@@ -5,7 +5,7 @@
 namespace geodesic::generators {
 namespace {
 
-TriangleSoup make(const CheckedParameters& parameters) {
+TriangleSoup make_grid(const CheckedParameters& parameters) {
   const Sheet sheet{.columns = parameters.integer("columns"),
                     .rows = parameters.integer("rows"),
                     .diagonal = diagonal_of(parameters)};
@@ -23,7 +23,7 @@ Family grid() {
                           integer_parameter("rows", 32, 1, 40000, "cells along y"),
                           real_parameter("spacing", 1, 1e-6, 1e6, "side of a cell"),
                           diagonal_parameter()}},
-          make,
+          make_grid,
           plane_distances};
 }
 

@@ -7,7 +7,7 @@ namespace {
 /// From the middle of the hole in its period of `pitch` cells to the middle of cell k, in cells.
 double from_hole_centre(Index k, Index pitch) { return k % pitch + 0.5 - 0.5 * pitch; }
 
-TriangleSoup make(const CheckedParameters& parameters) {
+TriangleSoup make_holed_plate(const CheckedParameters& parameters) {
   const Index holes = parameters.integer("holes");
   const Index pitch = parameters.integer("pitch");
   const Index cells = holes * pitch;
@@ -40,7 +40,7 @@ Family holed_plate() {
                           real_parameter("hole-radius", 0.25, 0.15, 0.45, "by the pitch"),
                           real_parameter("bulge", 0, -10, 10, "height of the plate's middle"),
                           diagonal_parameter()}},
-          make};
+          make_holed_plate};
 }
 
 }  // namespace geodesic::generators

@@ -97,7 +97,7 @@ class Icosphere {
   std::map<std::array<Index, 2>, Index> first_on_edge_;
 };
 
-TriangleSoup make(const CheckedParameters& parameters) {
+TriangleSoup make_icosphere(const CheckedParameters& parameters) {
   return Icosphere(parameters.integer("frequency"), parameters.real("radius")).take();
 }
 
@@ -111,7 +111,7 @@ Family icosphere() {
        .closed_form = "",
        .parameters = {integer_parameter("frequency", 16, 1, 8000, "parts of an edge"),
                       real_parameter("radius", 1, 1e-6, 1e6, "of the sphere")}},
-      make};
+      make_icosphere};
 }
 
 }  // namespace geodesic::generators

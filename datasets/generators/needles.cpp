@@ -7,7 +7,7 @@
 namespace geodesic::generators {
 namespace {
 
-TriangleSoup make(const CheckedParameters& parameters) {
+TriangleSoup make_needles(const CheckedParameters& parameters) {
   const Sheet sheet{.columns = parameters.integer("sides"),
                     .rows = parameters.integer("rows"),
                     .columns_wrap = true,
@@ -35,7 +35,7 @@ Family needles() {
                       real_parameter("aspect", 100, 1, 1e6, "length of a needle by its width"),
                       real_parameter("waist", 0.25, 0, 0.9, "depth of the narrow rings"),
                       diagonal_parameter()}},
-      make};
+      make_needles};
 }
 
 }  // namespace geodesic::generators

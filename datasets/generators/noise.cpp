@@ -42,7 +42,7 @@ std::vector<Vec3> vertex_normals(const TriangleSoup& soup) {
   return normals;
 }
 
-TriangleSoup make(const CheckedParameters& parameters) {
+TriangleSoup make_noise(const CheckedParameters& parameters) {
   TriangleSoup soup = read_input(parameters);
   const double amplitude = parameters.real("amplitude") * mean_edge_length(soup);
   const std::uint64_t seed = split_mix(parameters.integer("seed"));
@@ -69,7 +69,7 @@ Family noise() {
                           real_parameter("amplitude", 0.1, 0, 1000,
                                          "farthest move by the mean edge length"),
                           integer_parameter("seed", 1, 0, kNone - 1, "of the random moves")}},
-          make};
+          make_noise};
 }
 
 }  // namespace geodesic::generators

@@ -139,7 +139,7 @@ class Refiner {
   std::vector<Index> sides_, sides_at_low_, sides_at_high_;  // of the edge that is being split
 };
 
-TriangleSoup make(const CheckedParameters& parameters) {
+TriangleSoup make_refine(const CheckedParameters& parameters) {
   TriangleSoup soup = read_input(parameters);
   drop_isolated_vertices(soup);
   const Index vertices = parameters.integer("vertices");
@@ -162,7 +162,7 @@ Family refine() {
            .closed_form = "",
            .parameters = {input_parameter(), integer_parameter("vertices", 100000, 3, 500000000,
                                                                "of the refined mesh")}},
-          make};
+          make_refine};
 }
 
 }  // namespace geodesic::generators

@@ -5,7 +5,7 @@
 namespace geodesic::generators {
 namespace {
 
-TriangleSoup make(const CheckedParameters& parameters) {
+TriangleSoup make_square_with_hole(const CheckedParameters& parameters) {
   const Index hole = parameters.integer("hole");
   const Index rim = parameters.integer("rim");
   const Index end = rim + hole;
@@ -28,7 +28,7 @@ Family square_with_hole() {
            .parameters = {integer_parameter("hole", 10, 1, 20000, "side of the hole in cells"),
                           integer_parameter("rim", 10, 1, 10000, "cells from hole to border"),
                           diagonal_parameter()}},
-          make,
+          make_square_with_hole,
           square_with_hole_distances};
 }
 

@@ -5,7 +5,7 @@
 namespace geodesic::generators {
 namespace {
 
-TriangleSoup make(const CheckedParameters& parameters) {
+TriangleSoup make_subdivide(const CheckedParameters& parameters) {
   TriangleSoup soup = read_input(parameters);
   for (const std::string& step : parameters.words("steps")) {
     if (step == "midpoint") soup = subdivide_midpoint(soup);
@@ -27,7 +27,7 @@ Family subdivide() {
        .parameters = {input_parameter(),
                       words_parameter("steps", {"midpoint", "loop", "barycentric"},
                                       "what to do, in this order")}},
-      make};
+      make_subdivide};
 }
 
 }  // namespace geodesic::generators

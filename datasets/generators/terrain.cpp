@@ -64,7 +64,7 @@ std::vector<Octave> make_octaves(const CheckedParameters& parameters) {
   return octaves;
 }
 
-TriangleSoup make(const CheckedParameters& parameters) {
+TriangleSoup make_terrain(const CheckedParameters& parameters) {
   const Sheet sheet{.columns = parameters.integer("columns"),
                     .rows = parameters.integer("rows"),
                     .diagonal = diagonal_of(parameters)};
@@ -97,7 +97,7 @@ Family terrain() {
                 real_parameter("height", 0.6, 0, 100, "of the first layer by its lattice cell"),
                 real_parameter("gain", 0.5, 0, 1, "height of a layer by that of the one before"),
                 diagonal_parameter()}},
-          make};
+          make_terrain};
 }
 
 }  // namespace geodesic::generators

@@ -7,7 +7,7 @@
 namespace geodesic::generators {
 namespace {
 
-TriangleSoup make(const CheckedParameters& parameters) {
+TriangleSoup make_torus(const CheckedParameters& parameters) {
   const Sheet sheet{.columns = parameters.integer("rings"),
                     .rows = parameters.integer("sides"),
                     .columns_wrap = true,
@@ -33,7 +33,7 @@ Family torus() {
                           integer_parameter("sides", 32, 3, 100000, "cells around the tube"),
                           real_parameter("tube-radius", 0.4, 0.001, 0.99, "of the tube"),
                           diagonal_parameter()}},
-          make};
+          make_torus};
 }
 
 }  // namespace geodesic::generators

@@ -88,7 +88,7 @@ double whole_twist(const std::vector<Station>& stations) {
   return std::floor(twist / kTwoPi + 0.5);
 }
 
-TriangleSoup make(const CheckedParameters& parameters) {
+TriangleSoup make_torus_knot(const CheckedParameters& parameters) {
   const Index p = parameters.integer("p"), q = parameters.integer("q");
   if (std::gcd(p, q) != 1)
     throw std::invalid_argument("torus-knot: p and q must have no common divisor; " +
@@ -126,7 +126,7 @@ Family torus_knot() {
                           integer_parameter("sides", 50, 3, 10000, "cells around the tube"),
                           real_parameter("tube-radius", 0.36, 0.001, 0.9, "of the tube"),
                           diagonal_parameter()}},
-          make};
+          make_torus_knot};
 }
 
 }  // namespace geodesic::generators

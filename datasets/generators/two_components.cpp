@@ -12,7 +12,7 @@ void append(TriangleSoup& soup, const TriangleSoup& part, double x_shift) {
     soup.triangles.push_back({first + a, first + b, first + c});
 }
 
-TriangleSoup make(const CheckedParameters& parameters) {
+TriangleSoup make_two_components(const CheckedParameters& parameters) {
   TriangleSoup soup = generate("icosphere", {{"frequency", parameters.integer("frequency")}});
   soup.positions.push_back({2, 2, 2});
   const Index cells = parameters.integer("cells");
@@ -34,7 +34,7 @@ Family two_components() {
            .closed_form = "",
            .parameters = {integer_parameter("frequency", 10, 1, 4000, "of the icosphere"),
                           integer_parameter("cells", 8, 1, 4000, "along a side of the cube")}},
-          make};
+          make_two_components};
 }
 
 }  // namespace geodesic::generators
