@@ -13,9 +13,6 @@ namespace geodesic::edge_based {
 /// Arrays of equal room; vectors may read and write up to kLaneRoom doubles behind the last window.
 class Batch {
  public:
-  /// One array a Field, and where each window's line to the apex crosses the edge.
-  static constexpr unsigned kCrossing = kDepth + 1;
-
   std::size_t count = 0;
 
   double* array(unsigned field) { return arrays_.get() + field * room_; }
@@ -40,7 +37,7 @@ class Batch {
   bool is_struck_out(std::size_t i) const { return array(kBegin)[i] == kInfinity; }
 
  private:
-  static constexpr unsigned kArrays = kCrossing + 1;
+  static constexpr unsigned kArrays = kDepth + 1;  // one a Field
   std::unique_ptr<double[]> arrays_;
   std::size_t room_ = 0;
 };

@@ -187,21 +187,21 @@ HWY_INLINE bool find_suspects(const Batch& batch, std::uint8_t* suspects) {
 }
 
 /// Which sides of the apex the windows' lines pass, in groups of kLanes bits; both bits are set for
-/// a window that sees the apex. Also fills the batch's crossings.
+/// a window that sees the apex.
 /// @return the window that gives the least distance to the apex
-HWY_INLINE Separator classify(Batch& batch, const FaceFrame& face, std::uint8_t* left,
+HWY_INLINE Separator classify(const Batch& batch, const FaceFrame& face, std::uint8_t* left,
                               std::uint8_t* right) {
   const Vec apex_x = all(face.apex_x), apex_y = all(face.apex_y);
   const Vec slack = all(kApexTolerance * face.length);
+  const Vec least_height = all(kLeastHeight);
   Separator best;
   std::size_t seeing = 0;
   unsigned any_left = 0, any_right = 0;
   HWY_ALIGN double distance[kLaneRoom];
   for (std::size_t i = 0; i < batch.count; i += kLanes) {
     const Vec x = hn::LoadU(kTag, batch.array(kX) + i), y = hn::LoadU(kTag, batch.array(kY) + i);
-    const Vec across = hn::Sub(apex_x, x), up = hn::Sub(apex_y, y);
+    const Vec across = hn::Sub(apex_x, x), up = hn::Max(hn::Sub(apex_y, y), least_height);
     const Vec crossing = hn::Add(x, hn::Mul(across, hn::Div(hn::Neg(y), up)));
-    hn::StoreU(crossing, kTag, batch.array(Batch::kCrossing) + i);
     const Vec begin = hn::LoadU(kTag, batch.array(kBegin) + i);
     const Vec end = hn::LoadU(kTag, batch.array(kEnd) + i);
     const Mask inside = hn::FirstN(kTag, batch.count - i);
@@ -222,7 +222,8 @@ HWY_INLINE Separator classify(Batch& batch, const FaceFrame& face, std::uint8_t*
       if ((straddling & 1) == 0) continue;
       ++seeing;
       if (distance[lane] < best.distance) {
-        best = {i + lane, distance[lane], batch.array(Batch::kCrossing)[i + lane], 0};
+        best.window = i + lane;
+        best.distance = distance[lane];
       }
     }
   }

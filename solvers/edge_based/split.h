@@ -5,7 +5,7 @@
 // right of it to the right edge, and only the window that gives it goes to both.
 #pragma once
 
-#include <span>
+#include <limits>
 
 #include "solvers/core/window.h"
 #include "solvers/edge_based/trim.h"
@@ -24,6 +24,11 @@ struct Separator {
   bool any_left = false;          ///< some line of the list leads to the left edge
   bool any_right = false;
 };
+
+/// Of the apex above the source. Where both lie on the edge's line, their line crosses the edge
+/// everywhere and nowhere; with this it crosses in the source, which sees the apex when it lies
+/// inside the interval, along the edge, and passes it on the interval's side when it does not.
+inline constexpr double kLeastHeight = std::numeric_limits<double>::min();
 
 /// Length of the shortest path to the apex over one end of a window whose lines all pass on `side`.
 inline double bent_distance(const Window& w, Side side, const FaceFrame& face);
@@ -45,7 +50,8 @@ inline double bent_distance(const Window& w, Side side, const FaceFrame& face) {
 }
 
 inline double crossing(const Window& w, const FaceFrame& face) {
-  const double t = w.x + (face.apex_x - w.x) * (-w.y / (face.apex_y - w.y));
+  const double up = std::max(face.apex_y - w.y, kLeastHeight);
+  const double t = w.x + (face.apex_x - w.x) * (-w.y / up);
   return std::clamp(t, w.begin, w.end);
 }
 
