@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "solvers/core/box.h"
+
 namespace geodesic {
 namespace {
 
@@ -24,22 +26,14 @@ struct Keyed {
 
 /// The place of every vertex's cell on the curve.
 std::vector<Keyed> curve_keys(std::span<const Vec3> positions) {
-  Vec3 low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
-  for (const Vec3& p : positions) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], p[k]);
-      high[k] = std::max(high[k], p[k]);
-    }
-  }
-  // Halved, so that the extent of any finite box is finite.
-  double extent = 0;
-  for (std::size_t k = 0; k < 3; ++k) extent = std::max(extent, high[k] / 2 - low[k] / 2);
+  const Box box = box_around(positions);
+  const double extent = box.half_extent();
   const double greatest = (1u << kBits) - 1;
   std::vector<Keyed> keys(positions.size());
   for (Index v = 0; v < positions.size(); ++v) {
     std::uint32_t key = 0;
     for (std::size_t k = 0; extent > 0 && k < 3; ++k) {
-      const double share = (positions[v][k] / 2 - low[k] / 2) / extent;
+      const double share = (positions[v][k] / 2 - box.low[k] / 2) / extent;
       key |= spread(static_cast<std::uint32_t>(share * greatest)) << k;
     }
     keys[v] = {key, v};
