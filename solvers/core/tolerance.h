@@ -22,9 +22,9 @@ inline constexpr double kApexReach = 1e-6;
 
 /// A pseudo-source in the interior of an edge, the apex of a zero-area face, is taken to lie off
 /// the edge by this times the edge's length, on its own side, so that unfolding across the next
-/// face has a direction, whether or not that has an area. No distance notices: its square is far
-/// below any rounding.
-inline constexpr double kTouchingHeight = 1e-100;
+/// face has a direction, whether or not that has an area. No distance notices: its square is zero,
+/// in units in which a mesh is of ordinary extent (unit.h).
+inline constexpr double kTouchingHeight = 1e-200;
 
 /// Chen-Han: a face lower than this times its base has no angles to argue with.
 inline constexpr double kFlatFace = 1e-9;
