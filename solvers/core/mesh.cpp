@@ -1,6 +1,7 @@
 #include "solvers/core/mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -140,26 +141,45 @@ void Mesh::lay_out_faces() {
   const std::vector<Vec3> elsewhere = unit == 0 ? std::vector<Vec3>() : scaled(positions_, -unit);
   const std::span<const Vec3> at = unit == 0 ? std::span<const Vec3>(positions_) : elsewhere;
   double sum = 0;
-  for (Index h = 0; h < half_edge_count(); ++h) {
-    HalfEdge& e = half_edges_[h];
-    const Vec3& a = at[e.origin];
-    // The difference is taken from the smaller index: both sides of an edge get the same bits.
-    const Vec3 ab = e.origin < head(h) ? at[head(h)] - a : a - at[head(h)];
-    const double sign = e.origin < head(h) ? 1.0 : -1.0;
-    const Vec3 ac = at[apex(h)] - a;
-    e.length = norm(ab);
-    if (e.length > 0) {
-      e.apex_x = sign * dot(ac, ab) / e.length;
-      e.apex_y = norm(cross(ab, ac)) / e.length;
-    } else {  // the direction of a zero-length edge is free: upright keeps the other two lengths
-      e.apex_x = 0;
-      e.apex_y = norm(ac);
+  for (Index first = 0; first < half_edge_count(); first += 3) {
+    lay_out_face(first, at);
+    for (Index h = first; h < first + 3; ++h) {
+      HalfEdge& e = half_edges_[h];
+      if (e.twin == kNone || e.twin > h) sum += e.length;
+      if (unit == 0) continue;
+      for (double* length : {&e.length, &e.apex_x, &e.apex_y}) *length = std::ldexp(*length, unit);
     }
-    if (e.twin == kNone || e.twin > h) sum += e.length;
-    if (unit == 0) continue;
-    for (double* length : {&e.length, &e.apex_x, &e.apex_y}) *length = std::ldexp(*length, unit);
   }
   mean_edge_length_ = edge_count_ > 0 ? std::ldexp(sum / edge_count_, unit) : 0;
+}
+
+// Sets the frames of the face whose half-edges start with `first`. Both sides of an edge get the
+// same bits: a difference and its negative differ in nothing but signs.
+void Mesh::lay_out_face(Index first, std::span<const Vec3> at) {
+  const std::span<HalfEdge, 3> sides(&half_edges_[first], 3);
+  std::array<Vec3, 3> along;
+  std::size_t longest = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    along[k] = at[sides[(k + 1) % 3].origin] - at[sides[k].origin];
+    sides[k].length = norm(along[k]);
+    if (sides[k].length > sides[longest].length) longest = k;
+  }
+  // Of any two sides the product is the same, but not its rounding, which is relative to the
+  // product of their lengths. That of the two shorter ones leaves every height its digits, in
+  // relation to each side it belongs to: unfolding across a short side between two long ones
+  // divides a height by it, and must neither stretch nor shrink a path.
+  const double twice_area = norm(cross(along[(longest + 1) % 3], along[(longest + 2) % 3]));
+  for (std::size_t k = 0; k < 3; ++k) {
+    HalfEdge& e = sides[k];
+    const std::size_t previous = (k + 2) % 3;
+    if (e.length > 0) {
+      e.apex_x = dot(at[sides[previous].origin] - at[e.origin], along[k]) / e.length;
+      e.apex_y = twice_area / e.length;
+    } else {  // the direction of a zero-length edge is free: upright keeps the other two lengths
+      e.apex_x = 0;
+      e.apex_y = sides[previous].length;
+    }
+  }
 }
 
 double Mesh::total_angle(Index v) const {

@@ -111,6 +111,7 @@ class Mesh {
   void link_twins();
   void index_outgoing();
   void lay_out_faces();
+  void lay_out_face(Index first, std::span<const Vec3> at);
   void classify_vertices();
   Index fan_size(Index v) const;
 

@@ -116,6 +116,20 @@ TEST(Unfolding, moves_points_rigidly_with_the_edge_onto_the_x_axis) {
   }
 }
 
+// A path neither stretches nor shrinks where it crosses a short side between two long ones.
+TEST(Unfolding, over_a_short_side_of_a_needle_keeps_lengths) {
+  for (double width = 1e-3; width > 1e-15; width /= 7) {
+    const Vec3 tip = {-0.7, 0.9, 0.4}, end = {0, 0, 0};
+    const Mesh mesh(TriangleSoup{{tip, end, {0.8 * width, 0.1 * width, 0.5 * width}}, {{0, 1, 2}}});
+    for (Index h = 0; h < 3; ++h) {
+      const FaceFrame f = face_frame(mesh, h);
+      for (const Point2& along : {Point2{f.left_x, f.left_y}, Point2{f.right_x, f.right_y}}) {
+        EXPECT_NEAR(norm(along), 1, 1e-15) << "side " << h << ", width " << width;
+      }
+    }
+  }
+}
+
 TEST(Unfolding, leaves_the_face_below_the_edge_it_came_through) {
   for (const Triangle2& t : kTriangles) {
     const FaceFrame f = t.frame();
