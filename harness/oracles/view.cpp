@@ -1,6 +1,7 @@
 #include "harness/oracles/view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -10,22 +11,41 @@ namespace {
 // Twice the signed area of (0, a, b): positive when b lies to the left of the ray through a.
 Real cross(const PlanePoint& a, const PlanePoint& b) { return a.x * b.y - a.y * b.x; }
 
-// The apex of half-edge h's face when h is laid from p to q with the face on its left.
-PlanePoint lay_out_apex(const Mesh& mesh, Index h, const PlanePoint& p, const PlanePoint& q) {
-  const Real base = straight_distance(mesh, mesh.origin(h), mesh.head(h));
-  const Vec3& a = mesh.position(mesh.origin(h));
-  const Vec3& b = mesh.position(mesh.head(h));
-  const Vec3& c = mesh.position(mesh.apex(h));
-  Real u[3], v[3];
+using Vector = std::array<Real, 3>;
+
+Vector vector_between(const Mesh& mesh, Index a, Index b) {
+  Vector v;
   for (std::size_t k = 0; k < 3; ++k) {
-    u[k] = static_cast<Real>(b[k]) - static_cast<Real>(a[k]);
-    v[k] = static_cast<Real>(c[k]) - static_cast<Real>(a[k]);
+    v[k] = static_cast<Real>(mesh.position(b)[k]) - static_cast<Real>(mesh.position(a)[k]);
   }
-  const Real n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                     u[0] * v[1] - u[1] * v[0]};
-  const Real along = (u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) / base;
-  const Real across = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / base;
-  const PlanePoint e = {(q.x - p.x) / base, (q.y - p.y) / base};
+  return v;
+}
+
+Real dot(const Vector& u, const Vector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
+
+// Twice the area of a triangle by two of its sides.
+Real twice_area(const Vector& u, const Vector& v) {
+  const Vector n = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                    u[0] * v[1] - u[1] * v[0]};
+  return std::sqrt(dot(n, n));
+}
+
+// The apex of half-edge h's face when h is laid from p to q, which differ, with the face on its
+// left. Needles cost digits in two places. The area is that of the two shorter sides: of two long
+// ones it is a difference of products as large as their squares. And the direction from p to q,
+// which rounding turns where they are close, is made a unit vector by what they are apart in the
+// plane: a turn changes no length of a line that runs through there, another unit would.
+PlanePoint lay_out_apex(const Mesh& mesh, Index h, const PlanePoint& p, const PlanePoint& q) {
+  const Vector base = vector_between(mesh, mesh.origin(h), mesh.head(h));
+  const Vector left = vector_between(mesh, mesh.origin(h), mesh.apex(h));
+  const Vector right = vector_between(mesh, mesh.head(h), mesh.apex(h));
+  const Real longest = std::max({dot(base, base), dot(left, left), dot(right, right)});
+  const Real area = dot(base, base) == longest   ? twice_area(left, right)
+                    : dot(left, left) == longest ? twice_area(base, right)
+                                                 : twice_area(base, left);
+  const Real length = std::sqrt(dot(base, base)), laid = std::hypot(q.x - p.x, q.y - p.y);
+  const Real along = dot(base, left) / length, across = area / length;
+  const PlanePoint e = {(q.x - p.x) / laid, (q.y - p.y) / laid};
   return {p.x + along * e.x - across * e.y, p.y + along * e.y + across * e.x};
 }
 
@@ -68,6 +88,7 @@ class View {
              const PlanePoint& r) {
     if (h == kNone || !opens(r, l) || nearest(left, right) > reach_) return;
     if (entered_[h / 3] || mesh_.half_edge(h).length == 0) return;
+    if (left.x == right.x && left.y == right.y) return;  // a bend at its ends sees as much
     entered_[h / 3] = true;
     strip_.push_back({h, left, right});
     const PlanePoint apex = lay_out_apex(mesh_, h, left, right);
@@ -103,12 +124,8 @@ class View {
 }  // namespace
 
 Real straight_distance(const Mesh& mesh, Index a, Index b) {
-  Real sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Real d = static_cast<Real>(mesh.position(a)[k]) - static_cast<Real>(mesh.position(b)[k]);
-    sum += d * d;
-  }
-  return std::sqrt(sum);
+  const Vector v = vector_between(mesh, a, b);
+  return std::sqrt(dot(v, v));
 }
 
 void view_from(const Mesh& mesh, Index v, Real reach,
