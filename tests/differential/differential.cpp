@@ -21,6 +21,7 @@
 #include "harness/meshes/write.h"
 #include "harness/number.h"
 #include "harness/verify/choose.h"
+#include "tests/differential/scratch.h"
 
 namespace geodesic::differential {
 namespace {
@@ -61,27 +62,6 @@ double largest_error(const std::vector<double>& got, const std::vector<double>& 
   }
   return largest;
 }
-
-// A folder for the calling thread, removed with it.
-class Scratch {
- public:
-  Scratch() {
-    std::string name =
-        (std::filesystem::temp_directory_path() / "geodesic-differential-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
-    folder_ = name;
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  const std::filesystem::path& folder() const { return folder_; }
-
- private:
-  std::filesystem::path folder_;
-};
 
 /// Distances by a solver that is not ours, and may crash or never end: then none.
 /// @throws std::runtime_error in these cases

@@ -2,7 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "tests/differential/differential.h"
+#include "tests/differential/perturb.h"
 
 int main(int argc, char** argv) {
   geodesic::differential::Request request;
@@ -20,9 +20,21 @@ int main(int argc, char** argv) {
   app.add_option("--out", request.out, "folder for failing meshes")->capture_default_str();
   app.add_option("--shrink", request.shrink, "seconds spent on making one smaller")
       ->capture_default_str();
+  unsigned times = 0;
+  app.add_option("--perturb", times,
+                 "compare no solvers, but move coordinates so many times by their rounding and say "
+                 "how far the right distances move")
+      ->check(CLI::Range(1, 10000))
+      ->excludes(app.get_option("--only"))
+      ->excludes(app.get_option("--jobs"))
+      ->excludes(app.get_option("--solvers"));
   constexpr int kDisagree = 1, kBadRequest = 2;
   try {
     app.parse(argc, argv);
+    if (times > 0) {
+      geodesic::differential::perturb(request, times, std::cout);
+      return 0;
+    }
     return geodesic::differential::run_differential(request, std::cout) ? 0 : kDisagree;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kBadRequest;

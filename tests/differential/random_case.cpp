@@ -24,12 +24,6 @@ constexpr double kManyFaces = 150;
 // Factors on counts of cells, one of them for each mesh: what needs room shows on the larger ones.
 constexpr double kSizes[] = {1, 1, 1, 1, 1.5, 1.5, 1.5, 2, 2, 3};
 
-// Errors are relative to the distance, or to this part of the longest edge where that is more.
-// Positions on an edge are rounded relative to its length, as the coordinates of its ends are to
-// theirs: moving those by half a unit in the last place changes a distance as much. Of the longest
-// edge, 1e-12 of this part is 18 times its last place.
-constexpr double kEdgePart = 1.0 / 256;
-
 // Its functions draw the next numbers: no two of them in the arguments of one call, whose order is
 // the compiler's.
 struct Scene {

@@ -20,6 +20,12 @@ const char* name_of(Kind kind);
 /// Least height of a face by its longest edge from which on it is not thin.
 inline constexpr double kThin = 1e-6;
 
+/// Errors are relative to the distance, or to this part of the longest edge where that is more:
+/// positions are rounded relative to the lengths that they lie among. Half a unit in the last place
+/// of the largest coordinate, which a change of the origin costs, moves right distances by 1e-12 of
+/// up to 1/350 of the longest edge (perturb.h).
+inline constexpr double kEdgePart = 1.0 / 256;
+
 /// The kind of a mesh, from its geometry and topology alone.
 Kind kind_of(const Mesh& mesh);
 
