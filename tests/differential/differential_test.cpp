@@ -1,5 +1,5 @@
 // The differential test finds a faulty solver, makes its mesh small and saves it.
-#include "tests/differential/differential.h"
+#include "tests/differential/perturb.h"
 
 #include <set>
 #include <sstream>
@@ -74,6 +74,15 @@ TEST_F(Differential, saves_nothing_where_solvers_agree) {
     break;
   }
   EXPECT_FALSE(std::filesystem::exists(folder_ / "failures"));
+}
+
+TEST_F(Differential, right_distances_move_less_than_the_bound_when_coordinates_are_rounded) {
+  std::ostringstream report;
+  perturb({.meshes = 5, .seed = 5, .only = {}, .solvers = {}, .out = {}}, 2, report);
+  EXPECT_NE(report.str().find("seed 5: 3 meshes, moved 2 times"), std::string::npos)
+      << report.str();
+  EXPECT_NE(report.str().find("0 on 0 meshes by more than 1e-12"), std::string::npos)
+      << report.str();
 }
 
 TEST_F(Differential, makes_the_same_mesh_of_a_seed_and_a_number_every_time) {
