@@ -23,7 +23,7 @@ inline constexpr double kThin = 1e-6;
 /// Errors are relative to the distance, or to this part of the longest edge where that is more:
 /// positions are rounded relative to the lengths that they lie among. Half a unit in the last place
 /// of the largest coordinate, which a change of the origin costs, moves right distances by 1e-12 of
-/// up to 1/350 of the longest edge (perturb.h).
+/// up to 1/349 of the longest edge (differential --seed 5 --meshes 420 --perturb 16).
 inline constexpr double kEdgePart = 1.0 / 256;
 
 /// The kind of a mesh, from its geometry and topology alone.
