@@ -21,15 +21,6 @@ namespace {
 constexpr std::size_t kKeptBytes = 4096;  // of standard error
 constexpr int kMostNapMs = 50;            // a process that ends closes its standard error at once
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kReservesMemory = true;  // far more address space than any machine has memory
-#elif defined(__has_feature)
-constexpr bool kReservesMemory =
-    __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
-#else
-constexpr bool kReservesMemory = false;
-#endif
-
 [[noreturn]] void cannot_start(const std::string& program, int error) {
   throw HarnessError("cannot start " + program + ": " + std::strerror(error));
 }
@@ -55,7 +46,7 @@ void limit(__rlimit_resource resource, std::uint64_t most) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(1);  // it died before that took effect
   limit(RLIMIT_CORE, 0);
-  if (!kReservesMemory && memory_bytes != RLIM_INFINITY) limit(RLIMIT_AS, memory_bytes);
+  if (kLimitsMemory && memory_bytes != RLIM_INFINITY) limit(RLIMIT_AS, memory_bytes);
   const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
   if (nothing >= 0 && dup2(nothing, STDIN_FILENO) >= 0 && dup2(nothing, STDOUT_FILENO) >= 0 &&
       dup2(standard_error, STDERR_FILENO) >= 0) {

@@ -9,9 +9,20 @@
 
 namespace geodesic::harness {
 
+/// False in builds with sanitizers, which reserve far more address space than any machine has
+/// memory, answer some signals themselves, and take their time.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool kLimitsMemory = false;
+#elif defined(__has_feature)
+inline constexpr bool kLimitsMemory =
+    !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
+#else
+inline constexpr bool kLimitsMemory = true;
+#endif
+
 class Child {
  public:
-  /// @param memory_bytes of address space that it may have
+  /// @param memory_bytes of address space that it may have, if `kLimitsMemory`
   /// @throws HarnessError when the program cannot be started
   Child(const std::string& program, const std::vector<std::string>& arguments,
         std::uint64_t memory_bytes);

@@ -1,6 +1,7 @@
 // What a solver may do to its own cell, and not to any other: limits, and what is told of them.
 #include <map>
 
+#include "harness/cells/child.h"
 #include "tests/harness/run_test.h"
 
 namespace geodesic::harness {
@@ -21,6 +22,10 @@ int processes_with(const std::string& words) {
 
 class IsolationTest : public RunTest {
  protected:
+  void SetUp() override {
+    if (!kLimitsMemory) GTEST_SKIP() << "sanitizers take signals, memory and time themselves";
+    RunTest::SetUp();
+  }
   // The hostile solver first, so that everything it leaves could hit the sound one.
   Output run_beside_a_sound_one(const std::string& hostile, std::vector<std::string> limits) const {
     limits.insert(limits.end(), {"--solvers", hostile + ",dijkstra", "--meshes", "tetrahedron",

@@ -44,7 +44,8 @@ TEST_F(RankTest, WritesWhatItPrintsAndEveryPair) {
     EXPECT_EQ(pair.at("rival_ms").size(), 3u);
   }
   EXPECT_EQ(ranking().at("unfinished"), json::array());
-  for (const json& row : result().at("benchmarks")) {
+  const json benchmarks = result().at("benchmarks");
+  for (const json& row : benchmarks) {
     EXPECT_EQ(row.at("outcome"), "ok");
     EXPECT_TRUE(row.contains("solver_peak_bytes"));
   }

@@ -56,7 +56,7 @@ struct Fault {
   std::size_t faces;                    ///< that the saved mesh may have
   std::string command;                  ///< that the printed line starts with
   std::vector<std::string> words = {};  ///< of the output
-  std::string seconds = "10";           ///< to shrink it
+  std::string seconds = "60";           ///< to shrink it
 };
 
 std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << fault.solver; }
