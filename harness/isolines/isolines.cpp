@@ -213,8 +213,7 @@ std::vector<double> isoline_levels(std::span<const double> distances,
     if (between > 0) levels.push_back(between);
   }
   std::ranges::sort(levels);
-  const auto twice = std::ranges::unique(levels);
-  levels.erase(twice.begin(), twice.end());
+  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
   return levels;
 }
 

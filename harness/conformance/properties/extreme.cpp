@@ -61,10 +61,11 @@ TriangleSoup cut_at_centroids() {
     soup.triangles.clear();
     for (const auto& [a, b, c] : faces) {
       const Index m = static_cast<Index>(soup.positions.size());
-      const auto middle = [&](std::size_t k) {
-        return (soup.positions[a][k] + soup.positions[b][k] + soup.positions[c][k]) / 3;
-      };
-      soup.positions.push_back({middle(0), middle(1), middle(2)});
+      Vec3 middle;
+      for (std::size_t k = 0; k < 3; ++k) {
+        middle[k] = (soup.positions[a][k] + soup.positions[b][k] + soup.positions[c][k]) / 3;
+      }
+      soup.positions.push_back(middle);
       soup.triangles.insert(soup.triangles.end(), {{a, b, m}, {b, c, m}, {c, a, m}});
     }
   }
