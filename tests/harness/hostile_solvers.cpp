@@ -46,7 +46,10 @@ class Hungry final : public Hostile {
 class HungryAndBlind final : public Hostile {
   using Hostile::Hostile;
   void run(const Query&, std::span<double>, Recording*) override {
-    for (;;) std::memset(std::malloc(kBlock), 'x', kBlock);
+    for (;;) {
+      void* volatile block = std::malloc(kBlock);  // volatile: or nobody would miss it
+      std::memset(block, 'x', kBlock);
+    }
   }
 };
 
