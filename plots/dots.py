@@ -176,7 +176,7 @@ def _scale(axes: Axes, values: list[float], left: float) -> None:
     if least and max(values) > WIDE * least:
         style.plain_logarithmic(axes.xaxis)
     else:
-        axes.set_xlim(left=min(left, *values))
+        axes.set_xlim(left=left if min(values) >= left else axes.get_xlim()[0])  # with a margin
 
 
 def without_value(run: Run, solvers: Sequence[str]) -> str:
