@@ -2,9 +2,9 @@
 //   Queue              of vertices that wait for the wavefront, with the functions of VertexHeap
 //   make_queue(mesh)   an empty one
 //   Lists<fields>      in which windows wait on half-edges, with the functions of WindowLists;
-//   where
-//                      its kCarries is true, also with carry, land_carried and for_each_carried
-//                      (propagation-inl.h), for windows that cross a face without being unfolded
+//                      where its kCarries is true, also with carry, land_carried and
+//                      for_each_carried (propagation-inl.h), for windows that cross a face without
+//                      being unfolded
 // Any order of vertices is correct; one by distance keeps late arrivals rare.
 #pragma once
 

@@ -27,7 +27,9 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 10000))
       ->excludes(app.get_option("--only"))
       ->excludes(app.get_option("--jobs"))
-      ->excludes(app.get_option("--solvers"));
+      ->excludes(app.get_option("--solvers"))
+      ->excludes(app.get_option("--out"))
+      ->excludes(app.get_option("--shrink"));
   constexpr int kDisagree = 1, kBadRequest = 2;
   try {
     app.parse(argc, argv);
