@@ -36,4 +36,8 @@ inline constexpr double kWindowWidth = 1e-14;
 /// is discarded: equal paths (symmetric meshes, a window's own generating vertex) keep both.
 inline constexpr double kPathMargin = 1e-14;
 
+/// MMP forgets the windows of an edge that the wavefront has passed by this, relative to distances:
+/// far above what rounding does to them, far below a step of the wavefront.
+inline constexpr double kPassedMargin = 1e-6;
+
 }  // namespace geodesic

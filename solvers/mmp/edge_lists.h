@@ -15,7 +15,8 @@
 namespace geodesic::mmp {
 
 /// Lists by the half-edges they go by (list_layout.h). A list is empty until something reaches its
-/// edge; from then on its windows partition the edge.
+/// edge; from then on its windows partition the edge, until the list is closed: it is empty again,
+/// for good.
 template <class W>
 class EdgeLists {
   static_assert(std::is_trivially_copyable_v<W>);
@@ -30,6 +31,8 @@ class EdgeLists {
 
   std::span<W> windows(Index edge) { return {lists_[edge].windows, lists_[edge].size}; }
   std::span<const W> windows(Index edge) const { return {lists_[edge].windows, lists_[edge].size}; }
+
+  bool is_closed(Index edge) const { return lists_[edge].capacity == kClosed; }
 
   /// Starts to bring near where an edge's list is, and, once that is near, the list itself: its
   /// ends, where most windows land, and its middle, where a search begins.
@@ -58,7 +61,16 @@ class EdgeLists {
     list.size = static_cast<std::uint32_t>(size);
   }
 
+  /// Closes a list that holds windows.
+  void close(Index edge) {
+    List& list = lists_[edge];
+    pool_.give_back(list.windows, list.capacity);
+    list = {.capacity = kClosed};
+  }
+
  private:
+  static constexpr std::uint32_t kClosed = ~0u;  // in place of a capacity
+
   struct List {
     W* windows = nullptr;
     std::uint32_t size = 0, capacity = 0;

@@ -15,7 +15,9 @@ namespace geodesic::mmp {
 struct ByDistance {
   using Queue = PriorityQueue<Index>;
   using Layout = ListPerEdge;
-  static Queue make_queue(const Mesh& mesh) { return Queue(priority_bucket_width(mesh)); }
+  static Queue make_queue(const Mesh& mesh) {
+    return Queue(priority_bucket_width(mesh), priority_bucket_count(mesh));
+  }
 };
 
 /// Buckets of the published width, in phases.

@@ -21,6 +21,9 @@
 
 namespace geodesic::mmp {
 
+/// Which windows stay in memory until the end of a solve.
+enum class Keep : std::uint8_t { all, wavefront };
+
 /// The state of one solve, reusable. @tparam Policy as in policies.h
 template <class Policy, class Recorder>
 class Propagation {
@@ -33,11 +36,16 @@ class Propagation {
   Propagation(const Propagation&) = delete;
   Propagation& operator=(const Propagation&) = delete;
 
-  void run(const Query& query, std::span<double> distances) {
+  /// @param keep what becomes of windows that the wavefront has passed
+  void run(const Query& query, std::span<double> distances, Keep keep = Keep::wavefront) {
     const auto timed = recorder_.enter(Phase::propagation);
     start(query, distances);
     while (!wavefront_.empty()) {
       budget_.spend(1);
+      // Lists of one side accept what comes behind the other side's: that work is to be seen.
+      if constexpr (Layout::kBothSides) {
+        if (keep == Keep::wavefront) wavefront_.release_passed(mesh_, distances_);
+      }
       if (const auto taken = wavefront_.take(mesh_)) {
         if (taken->vertex != kNone) {
           emit(taken->vertex);
@@ -52,7 +60,7 @@ class Propagation {
     if constexpr (Recorder::kRecords) recorder_.recording.window_limit = wavefront_.windows_left();
   }
 
-  /// The windows that the last solve left on an edge (core/final_windows.h).
+  /// The windows that the last solve left on an edge (core/final_windows.h); it kept all.
   void copy_windows(Index half_edge, std::vector<Window>& windows) const {
     static_assert(Policy::Layout::kBothSides, "two lists of an edge overlap");
     const Index edge = Layout::list(half_edge, mesh_.twin(half_edge));

@@ -19,7 +19,7 @@ class Mmp final : public Solver {
     if (recording != nullptr && recording->what != Record::windows) {
       return Recorded<Policy>::solve(mesh(), query, distances, *recording);
     }
-    propagation_.run(query, distances);
+    propagation_.run(query, distances, recording != nullptr ? Keep::all : Keep::wavefront);
     if constexpr (Policy::Layout::kBothSides) {
       if (recording != nullptr) hand_over_windows(*recording->read_windows);
     }

@@ -6,6 +6,8 @@
 // moves to its new place only when its turn by the old one comes.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "solvers/core/geometry.h"
@@ -22,6 +24,11 @@ struct Ticket {
   static constexpr double kVertex = -1;
   bool is_void() const { return id == kNone; }
   bool is_window() const { return id != kNone && begin >= 0; }
+
+  /// Where the window lies about now, in its list of `windows`, at least one.
+  std::size_t likely_index(std::size_t windows) const {
+    return std::min<std::size_t>(index, windows - 1);
+  }
 };
 
 /// A ticket lasts until its entry leaves the queue; its number is used again then.

@@ -15,6 +15,7 @@
 #include "solvers/mmp/edge_lists.h"
 #include "solvers/mmp/edge_window.h"
 #include "solvers/mmp/overlay.h"
+#include "solvers/mmp/reached_edges.h"
 #include "solvers/mmp/tickets.h"
 
 namespace geodesic::mmp {
@@ -42,6 +43,8 @@ class Wavefront {
   /// Forgets everything.
   void start(double limit) {
     lists_.clear();
+    reached_.clear();
+    windows_released_ = {};
     queue_.clear();
     tickets_.clear();
     upcoming_.clear();
@@ -95,8 +98,10 @@ class Wavefront {
   void lay(Index edge, double length, const Window& w, Index source, Depth depth, bool goes_on) {
     const auto timed = recorder_.enter(Phase::trimming);
     if (lists_.windows(edge).empty()) {
+      if (lists_.is_closed(edge)) return;
       const W gap = W::gap(0);
       lists_.replace(edge, 0, 0, {&gap, 1});
+      reached_.add(edge);
     }
     const std::span<const W> list = lists_.windows(edge);
     const W challenger{w.begin, w.x, w.y, source, kNoTicketYet, depth};
@@ -114,10 +119,11 @@ class Wavefront {
       W& piece = pieces[k];
       if (!piece.waits()) continue;
       const double end = overlay_.piece_end(k);
+      const auto index = static_cast<Index>(overlay_.first + k);
       if (piece.ticket == kNoTicketYet) {
-        accept(edge, static_cast<Index>(overlay_.first + k), piece, end, w.sigma, goes_on);
+        accept(edge, index, piece, end, w.sigma, goes_on);
       } else {
-        keep_queued(edge, static_cast<Index>(overlay_.first + k), piece, end);
+        keep_queued(edge, index, piece, end);
       }
     }
     if constexpr (Recorder::kRecords) {
@@ -125,6 +131,28 @@ class Wavefront {
       recorder_.wavefront_size(waiting_);
     }
     lists_.replace(edge, overlay_.first, overlay_.last, pieces);
+  }
+
+  /// Now and then, closes the lists that the wavefront has passed, and frees their memory. What is
+  /// still to come is at least as long as the least key that waits, and every point of an edge is
+  /// at least as near as the ways along the edge from its ends: where those are shorter, no window
+  /// to come carries a shortest path, and the list would reject it.
+  /// @param distances of vertices, lengths of paths that exist
+  void release_passed(const Mesh& mesh, std::span<const double> distances) {
+    if (!reached_.is_due()) return;
+    const double to_come = queue_.least_key() * (1 - kPassedMargin);
+    reached_.look_through([&](Index edge) {
+      const double length = mesh.half_edge(edge).length;
+      const double at_origin = distances[mesh.origin(edge)], at_head = distances[mesh.head(edge)];
+      const double farthest =
+          std::min(0.5 * (at_origin + at_head + length), std::min(at_origin, at_head) + length);
+      if (!(farthest < to_come)) return false;
+      const std::span<const W> list = lists_.windows(edge);
+      if (!std::all_of(list.begin(), list.end(), is_propagated)) return false;
+      if constexpr (Recorder::kRecords) windows_released_ += list.size();
+      lists_.close(edge);
+      return true;
+    });
   }
 
   /// Hands the windows that wait to the recorder.
@@ -151,9 +179,9 @@ class Wavefront {
     }
   }
 
-  /// Windows on all edges.
+  /// Windows on all edges, with those of lists that were closed. Only of recorded solves.
   std::uint64_t windows_left() const {
-    std::uint64_t left = 0;
+    std::uint64_t left = windows_released_;
     for (Index edge = 0; edge < lists_.edge_bound(); ++edge) {
       for (const W& w : lists_.windows(edge)) left += w.is_gap() ? 0u : 1u;
     }
@@ -164,7 +192,8 @@ class Wavefront {
   using W = EdgeWindow<Depth>;
 
   /// Has the memory fetched that the next takes will read, each address of which lies behind the
-  /// one before: ticket, list, window and faces, and the lists that its children are laid over.
+  /// one before: ticket, list, window and faces, its sigma and the lists that its children are laid
+  /// over.
   void fetch_ahead(const Mesh& mesh) {
     const Index* told = queue_.upcoming();
     upcoming_.advance(told ? *told : kNone);
@@ -174,14 +203,19 @@ class Wavefront {
       lists_.fetch(ticket->id);
     }
     if (const Ticket* ticket = upcoming_ticket(2)) {
-      prefetch(lists_.windows(ticket->id).data() + ticket->index);
+      prefetch(likely_window(*ticket));
       mesh.fetch_face(mesh.twin(ticket->id));
     }
     if (const Ticket* ticket = upcoming_ticket(3)) {
-      for_each_target(mesh, *ticket, [&](Index edge) { lists_.fetch(edge); });
+      if (const W* w = likely_window(*ticket)) {
+        prefetch(sigmas_.data() + w->source);
+        for_each_target(mesh, ticket->id, *w, [&](Index edge) { lists_.fetch(edge); });
+      }
     }
     if (const Ticket* ticket = upcoming_ticket(4)) {
-      for_each_target(mesh, *ticket, [&](Index edge) { lists_.fetch_windows(edge); });
+      if (const W* w = likely_window(*ticket)) {
+        for_each_target(mesh, ticket->id, *w, [&](Index edge) { lists_.fetch_windows(edge); });
+      }
     }
   }
 
@@ -191,13 +225,18 @@ class Wavefront {
     return number == kNone || !tickets_[number].is_window() ? nullptr : &tickets_[number];
   }
 
-  /// Calls visit(edge) for the two edges that a window's children will be laid over. By then
-  /// another window may lie at its index: a hint is enough here.
-  template <class Visit>
-  void for_each_target(const Mesh& mesh, const Ticket& ticket, Visit&& visit) {
+  /// The window that holds a ticket or, as its list changes, one near it; null when the list has
+  /// been closed, which fetch_ahead may come too late to know.
+  const W* likely_window(const Ticket& ticket) const {
     const std::span<const W> list = lists_.windows(ticket.id);
-    const W& w = list[std::min<std::size_t>(ticket.index, list.size() - 1)];
-    const Index into = w.y < 0 ? ticket.id : mesh.twin(ticket.id);
+    return list.empty() ? nullptr : &list[ticket.likely_index(list.size())];
+  }
+
+  /// Calls visit(edge) for the two edges that the children of a window, given by its list, will be
+  /// laid over.
+  template <class Visit>
+  void for_each_target(const Mesh& mesh, Index edge, const W& w, Visit&& visit) {
+    const Index into = w.y < 0 ? edge : mesh.twin(edge);
     if (into == kNone) return;
     for (const Index h : {Mesh::next(into), Mesh::previous(into)}) {
       visit(Layout::list(h, mesh.twin(h)));
@@ -206,7 +245,7 @@ class Wavefront {
 
   /// Index in its list of the window that holds a ticket.
   static std::size_t find(std::span<const W> list, const Ticket& ticket) {
-    std::size_t i = std::min<std::size_t>(ticket.index, list.size() - 1);
+    std::size_t i = ticket.likely_index(list.size());
     while (list[i].begin > ticket.begin) --i;
     while (list[i].begin < ticket.begin) ++i;
     return i;
@@ -259,15 +298,20 @@ class Wavefront {
         std::count_if(windows.begin(), windows.end(), [](const W& w) { return w.waits(); }));
   }
 
+  // False of slivers too that rounding leaves behind.
+  static bool is_propagated(const W& w) { return !w.waits() && !w.is_gap(); }
+
   EdgeLists<W> lists_;
+  ReachedEdges reached_;
   Queue queue_;
   Tickets tickets_;
   Upcoming<5> upcoming_;        // tickets on the way through fetch_ahead
   std::vector<double> sigmas_;  // by number of source
   double limit_ = kInfinity;
   Recorder& recorder_;
-  [[no_unique_address]] typename Recorder::Count waiting_{};  // windows that wait
-  Overlay<W> overlay_;                                        // scratch of lay
+  [[no_unique_address]] typename Recorder::Count waiting_{};           // windows that wait
+  [[no_unique_address]] typename Recorder::Count windows_released_{};  // of closed lists
+  Overlay<W> overlay_;                                                 // scratch of lay
 };
 
 }  // namespace geodesic::mmp

@@ -58,6 +58,25 @@ TEST(BucketQueue, what_the_phase_covers_is_due) {
   EXPECT_FALSE(queue.is_due(8.1));
 }
 
+// As a wavefront does: what is pushed lies ahead of what was popped.
+TEST(BucketQueue, knows_a_key_below_all_to_come) {
+  oracles::Random random(1);
+  BucketQueue<double> queue(0.1);
+  queue.push(1, 1);
+  double bound = queue.least_key();
+  for (int i = 0; i < 3000; ++i) {
+    const double key = queue.pop();
+    ASSERT_LE(bound, key);
+    ASSERT_GE(queue.least_key(), bound);
+    bound = queue.least_key();
+    for (int k = 0; k < 2; ++k) {
+      const double ahead = key + random.below(100) / 40.0;
+      queue.push(ahead, ahead);
+    }
+  }
+  EXPECT_GT(bound, 1);
+}
+
 TEST(BucketQueue, shows_the_items_of_a_phase_before_their_turn) {
   BucketQueue<int> queue(1);
   for (int i = 0; i < 20; ++i) queue.push(5.5, i);

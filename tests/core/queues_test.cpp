@@ -63,6 +63,25 @@ TEST(PriorityQueue, an_item_is_due_when_no_other_has_a_smaller_key) {
     EXPECT_FALSE(queue.is_due(3)) << "width " << width;
   }
 }
+// As a wavefront does: what is pushed lies ahead of what was popped.
+TEST(PriorityQueue, knows_a_key_below_all_to_come_and_less_than_a_bucket_behind) {
+  for (const double width : {3.0, 0.1}) {
+    oracles::Random random(1);
+    PriorityQueue<double> queue(width);
+    queue.push(1, 1);
+    for (int i = 0; i < 3000 && !queue.empty(); ++i) {
+      const double bound = queue.least_key();
+      const double key = queue.pop();
+      ASSERT_LE(bound, key);
+      ASSERT_GT(queue.least_key(), key - 1.001 * width);  // rounding
+      for (int k = 0; k < 2; ++k) {
+        const double ahead = key + random.below(100) / 40.0;
+        queue.push(ahead, ahead);
+      }
+    }
+  }
+}
+
 TEST(PriorityQueue, shows_items_before_their_turn_each_once) {
   PriorityQueue<int> queue(1);
   for (int i = 0; i < 400; ++i) queue.push(i / 4.0, i);

@@ -64,6 +64,9 @@ class BucketQueue {
   /// True when the running phase takes items of this key, so that one need not be queued.
   bool is_due(double key) const { return numbers_.of(key) - base_ < phase_span_; }
 
+  /// As of PriorityQueue: the lower end of the running phase.
+  double least_key() const { return base_ < 0 ? 0 : numbers_.least_key(base_); }
+
   /// An item that a few others precede, for its data to be fetched meanwhile; null when none is
   /// known. Valid until the next push.
   const Item* upcoming() const { return ahead_.count > 0 ? &nodes_[ahead_.first].item : nullptr; }

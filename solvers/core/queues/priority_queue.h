@@ -25,7 +25,9 @@ class PriorityQueue {
  public:
   /// @param width keys covered by one bucket, in the keys' unit; best when a bucket holds but a
   ///        few items. Not positive: one heap takes everything.
-  explicit PriorityQueue(double width) : numbers_(width), ring_(kRing, kEnd) {}
+  /// @param buckets of the ring, a power of two; best when few items lie beyond
+  explicit PriorityQueue(double width, std::size_t buckets = 1u << 14)
+      : numbers_(width), ring_(buckets, kEnd), mask_(buckets - 1) {}
 
   bool empty() const { return size_ == 0; }
   std::size_t size() const { return size_; }
@@ -49,8 +51,8 @@ class PriorityQueue {
     ++size_;
     if (bucket <= current_) {
       near_.push(entry);
-    } else if (bucket - current_ < kRing) {
-      put(ring_[bucket % kRing], entry);
+    } else if (bucket - current_ <= mask_) {
+      put(ring_[bucket & mask_], entry);
     } else {
       far_.push(entry);
     }
@@ -63,16 +65,21 @@ class PriorityQueue {
     return entry.key <= near_.least().key;
   }
 
+  /// No item has a smaller key, nor one pushed from now on unless it lies behind the item popped
+  /// last. Cheap rather than tight.
+  double least_key() const { return numbers_.least_key(static_cast<std::int64_t>(current_)); }
+
   /// Some item that will be popped soon but not next, another one at each call, for its data to be
   /// fetched meanwhile; null when none is known. Valid until the next push.
   const Item* upcoming() {
     if (preview_bucket_ <= current_) {
       preview_bucket_ = current_ + 1;
-      preview_ = ring_[preview_bucket_ % kRing];
+      preview_ = ring_[preview_bucket_ & mask_];
     }
     while (preview_ == kEnd) {
       if (preview_bucket_ - current_ >= kPreview) return nullptr;
-      preview_ = ring_[++preview_bucket_ % kRing];
+      preview_ = ring_[++preview_bucket_ & mask_];
+      prefetch(nodes_.data() + ring_[(preview_bucket_ + 1) & mask_]);
     }
     const Node& node = nodes_[preview_];
     preview_ = node.next;
@@ -89,9 +96,8 @@ class PriorityQueue {
 
  private:
   using Entry = KeyedItem<Item>;
-  static constexpr std::size_t kRing = 1u << 14;  // buckets
-  static constexpr std::uint64_t kPreview = 4;    // buckets that `upcoming` looks into
-  static constexpr std::uint32_t kEnd = ~0u;      // no node
+  static constexpr std::uint64_t kPreview = 4;  // buckets that `upcoming` looks into
+  static constexpr std::uint32_t kEnd = ~0u;    // no node
 
   struct Node {
     Entry entry;
@@ -133,17 +139,18 @@ class PriorityQueue {
     std::uint64_t next = far_.empty() ? UINT64_MAX : number(far_.least());
     if (in_ring_ > 0) {
       std::uint64_t nearest = current_ + 1;
-      while (ring_[nearest % kRing] == kEnd) ++nearest;
+      while (ring_[nearest & mask_] == kEnd) ++nearest;
       next = std::min(next, nearest);
     }
     current_ = next;
-    take(ring_[current_ % kRing]);
+    take(ring_[current_ & mask_]);
     while (!far_.empty() && number(far_.least()) == current_) near_.push(far_.pop());
   }
 
   BucketNumbers numbers_;
   KeyHeap<Item> near_;               // buckets up to current_
-  std::vector<std::uint32_t> ring_;  // first node of buckets current_ + 1 ... current_ + kRing - 1
+  std::vector<std::uint32_t> ring_;  // first node of buckets current_ + 1 ... current_ + mask_
+  std::size_t mask_;                 // of a bucket's number: its place in the ring
   KeyHeap<Item> far_;                // what lay beyond the ring when it was pushed
   std::vector<Node> nodes_;
   std::uint32_t free_ = kEnd;  // first of the unused nodes
