@@ -9,8 +9,8 @@
 
 namespace geodesic::mmp {
 
-/// The lists that hold windows, to be looked through whenever their number has doubled since the
-/// last time: a constant number of looks a list, however many stay.
+/// The lists that hold windows, to be looked through whenever their number has grown by a quarter
+/// since the last time: at most five looks a list, however many stay.
 class ReachedEdges {
  public:
   void clear() {
@@ -27,7 +27,7 @@ class ReachedEdges {
   template <class IsDone>
   void look_through(IsDone&& is_done) {
     std::erase_if(lists_, is_done);
-    due_ = std::max(2 * lists_.size(), kFirst);
+    due_ = std::max(lists_.size() + lists_.size() / 4, kFirst);
   }
 
  private:

@@ -66,7 +66,7 @@ TYPED_TEST(PassedLists, change_nothing_among_collapsed_edges) {
       oracles::with_collapsed_edges(oracles::rough_terrain(4, 50, 50, 0.7), 3, 40), {{{1275, 0}}});
 }
 
-TEST(ReachedEdges, are_looked_through_a_constant_number_of_times_each) {
+TEST(ReachedEdges, are_looked_through_five_times_each_at_most) {
   ReachedEdges reached;
   constexpr Index kLists = 100000;
   std::size_t looks = 0;
@@ -76,7 +76,7 @@ TEST(ReachedEdges, are_looked_through_a_constant_number_of_times_each) {
     if (reached.is_due()) reached.look_through([&](Index) { return ++looks == 0; });
   }
   EXPECT_GT(looks, 0u);
-  EXPECT_LT(looks, 2 * kLists);
+  EXPECT_LE(looks, 5 * kLists);
 }
 
 TEST(ReachedEdges, are_shown_again_until_they_are_done) {
