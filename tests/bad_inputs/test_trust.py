@@ -134,7 +134,6 @@ def verifying(folder: Path) -> subprocess.Popen[bytes]:
     process = subprocess.Popen(
         [BENCH, "verify", "--solver", "template"], cwd=folder, start_new_session=True,
         env={"TMPDIR": str(folder)}, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
-        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )  # fmt: skip
     until(lambda: len(members(process)) == 2)
     return process

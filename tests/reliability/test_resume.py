@@ -184,7 +184,8 @@ def test_a_run_whose_folder_is_removed_ends_with_a_line(world: World) -> None:
         shutil.rmtree(world.out)
         _, errors = process.communicate(timeout=60)
     assert process.returncode == 1
-    assert "cannot write" in errors.splitlines()[-1]
+    # Whichever the run had to do next: take up what a cell's process left, or write itself.
+    assert re.search(r"cannot (read|write) '", errors.splitlines()[-1])
 
 
 FULL_DISK = """
