@@ -48,7 +48,7 @@ void pop_and_push(benchmark::State& state, Queue queue) {
 }
 
 void priority_queue(benchmark::State& state) {
-  pop_and_push(state, PriorityQueue<Index>(kEdge / std::sqrt(kVertices) / 16));
+  pop_and_push(state, PriorityQueue<Index>({kEdge / std::sqrt(kVertices) / 16, 1 << 14}));
 }
 void bucket_queue(benchmark::State& state) {
   pop_and_push(state, BucketQueue<Index>(kEdge / std::sqrt(kVertices)));

@@ -21,9 +21,7 @@ struct Ch {
 struct Ich {
   using Filter = XinWangFilter;
   using Queue = PriorityQueue<Index>;
-  static Queue make_queue(const Mesh& mesh) {
-    return Queue(priority_bucket_width(mesh), priority_bucket_count(mesh));
-  }
+  static Queue make_queue(const Mesh& mesh) { return Queue(priority_buckets(mesh)); }
 };
 
 struct FwpCh {

@@ -1,7 +1,7 @@
 // What the solvers of the family differ in. A policy has
-//   Queue              of tickets (core/queues): in which order windows are propagated
-//   make_queue(mesh)   an empty one
-//   Layout             which windows share a list (list_layout.h)
+//   Queue              of tickets, as PriorityQueue (core/queues): in which order windows are
+//   propagated make_queue(mesh)   an empty one Layout             which windows share a list
+//   (list_layout.h)
 #pragma once
 
 #include "solvers/core/queues/bucket_queue.h"
@@ -15,9 +15,7 @@ namespace geodesic::mmp {
 struct ByDistance {
   using Queue = PriorityQueue<Index>;
   using Layout = ListPerEdge;
-  static Queue make_queue(const Mesh& mesh) {
-    return Queue(priority_bucket_width(mesh), priority_bucket_count(mesh));
-  }
+  static Queue make_queue(const Mesh& mesh) { return Queue(priority_buckets(mesh)); }
 };
 
 /// Buckets of the published width, in phases.

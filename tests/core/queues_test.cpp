@@ -20,13 +20,13 @@ std::vector<int> drain(Queue& queue) {
 }
 
 TEST(PriorityQueue, pops_in_order_of_keys) {
-  PriorityQueue<int> queue(1);
+  PriorityQueue<int> queue({1, 16});
   for (const int i : {5, 1, 4, 2, 3}) queue.push(i, i);
   EXPECT_EQ(drain(queue), (std::vector{1, 2, 3, 4, 5}));
 }
 
 TEST(PriorityQueue, pops_equal_keys_in_order_of_insertion) {
-  PriorityQueue<int> queue(2);
+  PriorityQueue<int> queue({2, 16});
   for (int i = 0; i < 100; ++i) queue.push(i % 3, i);
   const std::vector<int> items = drain(queue);
   for (std::size_t i = 1; i < items.size(); ++i) {
@@ -38,7 +38,7 @@ TEST(PriorityQueue, pops_equal_keys_in_order_of_insertion) {
 TEST(PriorityQueue, equals_a_stable_sort_whatever_the_width_while_items_come_and_go) {
   for (const double width : {0.0, 1e9, 3.0, 0.1, 1e-3, 1e-300}) {
     oracles::Random random(1);
-    PriorityQueue<int> queue(width);
+    PriorityQueue<int> queue({width, 16});
     std::vector<std::pair<double, int>> model;  // key, item: kept in order
     for (int i = 0; i < 5000; ++i) {
       if (random.below(3) != 0 || model.empty()) {
@@ -56,18 +56,19 @@ TEST(PriorityQueue, equals_a_stable_sort_whatever_the_width_while_items_come_and
 
 TEST(PriorityQueue, an_item_is_due_when_no_other_has_a_smaller_key) {
   for (const double width : {0.0, 1e9, 3.0, 0.1}) {
-    PriorityQueue<int> queue(width);
+    PriorityQueue<int> queue({width, 16});
     for (const double key : {1.0, 2.0, 4.0}) queue.push(key, 0);
     queue.pop();
     EXPECT_TRUE(queue.is_due(1)) << "width " << width;
     EXPECT_FALSE(queue.is_due(3)) << "width " << width;
   }
 }
+
 // As a wavefront does: what is pushed lies ahead of what was popped.
 TEST(PriorityQueue, knows_a_key_below_all_to_come_and_less_than_a_bucket_behind) {
   for (const double width : {3.0, 0.1}) {
     oracles::Random random(1);
-    PriorityQueue<double> queue(width);
+    PriorityQueue<double> queue({width, 16});
     queue.push(1, 1);
     for (int i = 0; i < 3000 && !queue.empty(); ++i) {
       const double bound = queue.least_key();
@@ -83,7 +84,7 @@ TEST(PriorityQueue, knows_a_key_below_all_to_come_and_less_than_a_bucket_behind)
 }
 
 TEST(PriorityQueue, shows_items_before_their_turn_each_once) {
-  PriorityQueue<int> queue(1);
+  PriorityQueue<int> queue({1, 128});
   for (int i = 0; i < 400; ++i) queue.push(i / 4.0, i);
   std::vector<int> shown;
   for (int popped = 0; popped < 400; ++popped) {
@@ -98,7 +99,7 @@ TEST(PriorityQueue, shows_items_before_their_turn_each_once) {
   EXPECT_EQ(std::adjacent_find(shown.begin(), shown.end()), shown.end());
 }
 TEST(PriorityQueue, is_as_new_when_cleared) {
-  PriorityQueue<int> queue(1e-3);
+  PriorityQueue<int> queue({1e-3, 16});
   queue.push(1, 1);
   queue.push(1e6, 2);
   queue.clear();

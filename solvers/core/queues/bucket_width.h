@@ -1,4 +1,4 @@
-// How wide the buckets of queues are.
+// How wide the buckets of queues are, and how many.
 #pragma once
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "solvers/core/mesh.h"
+#include "solvers/core/queues/priority_queue.h"
 
 namespace geodesic {
 
@@ -16,14 +17,14 @@ inline double published_bucket_width(const Mesh& mesh) {
 }
 
 /// For a PriorityQueue. Measured: ICH is fastest at a sixteenth of the published width, within 5%
-/// from an eighth to a thirty-second.
-inline double priority_bucket_width(const Mesh& mesh) { return published_bucket_width(mesh) / 16; }
-
-/// For a PriorityQueue of that width: from two to four mean edge lengths, since a child's key lies
-/// up to about one edge ahead of its parent's. The buckets become narrower as meshes become finer.
-inline std::size_t priority_bucket_count(const Mesh& mesh) {
-  const double an_edge = 16 * std::sqrt(static_cast<double>(mesh.vertex_count()));
-  return std::bit_ceil(static_cast<std::size_t>(std::max(2 * an_edge, 1024.0)));
+/// from an eighth to a thirty-second. A child's key lies up to about one edge ahead of its
+/// parent's, which is ever more buckets as meshes become finer: there are enough for two to four
+/// mean edge lengths.
+inline PriorityBuckets priority_buckets(const Mesh& mesh) {
+  constexpr double kFiner = 16;
+  const double an_edge = kFiner * std::sqrt(static_cast<double>(mesh.vertex_count()));
+  return {.width = published_bucket_width(mesh) / kFiner,
+          .count = std::bit_ceil(static_cast<std::size_t>(std::max(2 * an_edge, 1024.0)))};
 }
 
 }  // namespace geodesic

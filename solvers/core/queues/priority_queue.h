@@ -19,15 +19,19 @@
 
 namespace geodesic {
 
+/// How keys are sorted into buckets.
+struct PriorityBuckets {
+  double width;  ///< keys covered by one, in the keys' unit; best when a bucket holds but a few
+                 ///< items. Not positive: one heap takes everything.
+  std::size_t count;  ///< of the ring, a power of two from 8 on; best when few items lie beyond
+};
+
 /// Queue policy of MMP and ICH. Items are small and trivially copyable (an index).
 template <class Item>
 class PriorityQueue {
  public:
-  /// @param width keys covered by one bucket, in the keys' unit; best when a bucket holds but a
-  ///        few items. Not positive: one heap takes everything.
-  /// @param buckets of the ring, a power of two; best when few items lie beyond
-  explicit PriorityQueue(double width, std::size_t buckets = 1u << 14)
-      : numbers_(width), ring_(buckets, kEnd), mask_(buckets - 1) {}
+  explicit PriorityQueue(const PriorityBuckets& buckets)
+      : numbers_(buckets.width), ring_(buckets.count, kEnd), mask_(buckets.count - 1) {}
 
   bool empty() const { return size_ == 0; }
   std::size_t size() const { return size_; }
