@@ -1,7 +1,7 @@
 // What the solvers of the family differ in. A policy has
-//   Queue              of tickets, as PriorityQueue (core/queues): in which order windows are
-//   propagated make_queue(mesh)   an empty one Layout             which windows share a list
-//   (list_layout.h)
+//   Queue              of tickets, with the functions of PriorityQueue: the order of propagation
+//   make_queue(mesh)   an empty one
+//   Layout             which windows share a list (list_layout.h)
 #pragma once
 
 #include "solvers/core/queues/bucket_queue.h"
