@@ -89,7 +89,7 @@ instance_of() {
 
 # In the template's files the word is its name and nothing else.
 write_template() {
-  local start="$root/solvers/template"
+  local start="$root/solvers/variants/template"
   sed "s/\<template\>/$name/g" "$start/template.cpp" >"$folder/$folder_name.cpp"
   sed "s/\<template\>/$folder_name/g" "$start/CMakeLists.txt" >"$folder/CMakeLists.txt"
   sed -e "s/\<template\.cpp\>/$folder_name.cpp/g" -e "s/\<template\>/$name/g" "$start/README.md" \

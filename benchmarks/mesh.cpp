@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "benchmarks/per_item.h"
-#include "datasets/generators/generators.h"
+#include "meshes/generators/generators.h"
 
 namespace geodesic {
 namespace {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "solvers/registry.h"
+#include "solvers/core/registry.h"
 
 int main() {
   using namespace geodesic;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "solvers/core/queues/vertex_heap.h"
-#include "solvers/registry.h"
+#include "solvers/core/registry.h"
 
 namespace {
 

@@ -2,19 +2,19 @@
 
 #include <memory>
 
-#include "harness/cells/row.h"
+#include "harness/base/clock.h"
 #include "harness/corpus/vectors.h"
-#include "harness/isolines/solve.h"
 #include "harness/measure/benchmark.h"
-#include "harness/measure/process.h"
 #include "harness/measure/recorded_solve.h"
-#include "harness/meshes/load.h"
 #include "harness/recordings/files.h"
 #include "harness/recordings/folders.h"
+#include "harness/recordings/isolines/solve.h"
+#include "harness/results/row.h"
 #include "harness/verify/choose.h"
 #include "harness/verify/distance_file.h"
 #include "harness/verify/verify.h"
-#include "solvers/registry.h"
+#include "meshes/load.h"
+#include "solvers/core/registry.h"
 
 namespace geodesic::harness {
 namespace {

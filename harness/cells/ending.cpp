@@ -3,8 +3,8 @@
 #include <iostream>
 #include <new>
 
-#include "harness/error.h"
-#include "harness/number.h"
+#include "harness/base/error.h"
+#include "harness/base/number.h"
 #include "harness/results/outcome.h"
 
 namespace geodesic::harness {

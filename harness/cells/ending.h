@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "harness/cells/process.h"
+#include "harness/base/process.h"
 #include "harness/corpus/suite.h"
 
 namespace geodesic::harness {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "harness/cells/row.h"
+#include "harness/results/row.h"
 
 namespace geodesic::harness {
 namespace {

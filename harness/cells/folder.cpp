@@ -10,8 +10,8 @@
 #include <cstring>
 #include <utility>
 
-#include "harness/error.h"
-#include "harness/folders.h"
+#include "harness/base/error.h"
+#include "harness/base/folders.h"
 #include "harness/results/context.h"
 
 namespace geodesic::harness {

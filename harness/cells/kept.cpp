@@ -2,9 +2,9 @@
 
 #include <iostream>
 
-#include "harness/cells/row.h"
-#include "harness/error.h"
-#include "harness/results/atomic_file.h"
+#include "harness/base/atomic_file.h"
+#include "harness/base/error.h"
+#include "harness/results/row.h"
 
 namespace geodesic::harness {
 namespace fs = std::filesystem;

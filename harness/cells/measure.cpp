@@ -1,11 +1,11 @@
 #include "harness/cells/measure.h"
 
+#include "harness/base/atomic_file.h"
+#include "harness/base/error.h"
 #include "harness/cells/context.h"
 #include "harness/cells/ending.h"
-#include "harness/cells/row.h"
-#include "harness/error.h"
 #include "harness/measure/benchmark.h"
-#include "harness/results/atomic_file.h"
+#include "harness/results/row.h"
 
 namespace geodesic::harness {
 namespace {

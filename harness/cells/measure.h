@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "harness/cells/limits.h"
+#include "harness/base/limits.h"
 #include "harness/cells/plan.h"
 #include "harness/cells/references.h"
 #include "harness/cells/spec.h"

@@ -2,12 +2,12 @@
 
 #include <set>
 
+#include "harness/base/error.h"
 #include "harness/corpus/solvers.h"
 #include "harness/corpus/sources.h"
-#include "harness/error.h"
-#include "harness/meshes/load.h"
 #include "harness/results/context.h"
-#include "solvers/registry.h"
+#include "meshes/load.h"
+#include "solvers/core/registry.h"
 
 namespace geodesic::harness {
 namespace {

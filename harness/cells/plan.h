@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "harness/base/json.h"
 #include "harness/corpus/manifest.h"
 #include "harness/corpus/suite.h"
-#include "harness/json.h"
-#include "solvers/solver.h"
+#include "solvers/core/solver.h"
 
 namespace geodesic::harness {
 

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <iostream>
 
-#include "harness/cells/row.h"
+#include "harness/results/row.h"
 
 namespace geodesic::harness {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "harness/base/clock.h"
 #include "harness/cells/plan.h"
-#include "harness/measure/process.h"
 
 namespace geodesic::harness {
 

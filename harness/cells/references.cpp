@@ -2,16 +2,16 @@
 
 #include <iostream>
 
+#include "harness/base/error.h"
+#include "harness/base/process.h"
+#include "harness/base/threads.h"
 #include "harness/cells/ending.h"
-#include "harness/cells/process.h"
 #include "harness/cells/spec.h"
-#include "harness/error.h"
-#include "harness/measure/threads.h"
-#include "harness/meshes/load.h"
 #include "harness/verify/choose.h"
 #include "harness/verify/closed_form.h"
 #include "harness/verify/distance_file.h"
-#include "solvers/registry.h"
+#include "meshes/load.h"
+#include "solvers/core/registry.h"
 
 namespace geodesic::harness {
 namespace {

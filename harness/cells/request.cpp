@@ -4,11 +4,11 @@
 
 #include <map>
 
-#include "harness/error.h"
-#include "harness/results/atomic_file.h"
+#include "harness/base/atomic_file.h"
+#include "harness/base/error.h"
+#include "harness/base/sha256.h"
 #include "harness/results/context.h"
-#include "harness/sha256.h"
-#include "solvers/registry.h"
+#include "solvers/core/registry.h"
 
 namespace geodesic::harness {
 namespace fs = std::filesystem;

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "harness/cells/pictured.h"
 #include "harness/cells/plan.h"
 #include "harness/corpus/suite.h"
-#include "harness/recordings/pictured.h"
 
 namespace geodesic::harness {
 

@@ -5,24 +5,24 @@
 #include <map>
 #include <optional>
 
+#include "harness/base/atomic_file.h"
+#include "harness/base/command_line.h"
+#include "harness/base/error.h"
+#include "harness/base/interruption.h"
 #include "harness/cells/context.h"
 #include "harness/cells/ending.h"
 #include "harness/cells/failures.h"
 #include "harness/cells/folder.h"
-#include "harness/cells/interruption.h"
 #include "harness/cells/kept.h"
 #include "harness/cells/measure.h"
 #include "harness/cells/plan.h"
 #include "harness/cells/progress.h"
 #include "harness/cells/references.h"
-#include "harness/cells/row.h"
 #include "harness/cells/spec.h"
-#include "harness/command_line.h"
 #include "harness/compare/statistics.h"
-#include "harness/error.h"
 #include "harness/measure/benchmark.h"
-#include "harness/results/atomic_file.h"
 #include "harness/results/context.h"
+#include "harness/results/row.h"
 #include "harness/results/text_table.h"
 
 namespace geodesic::harness {

@@ -1,5 +1,7 @@
 #include "harness/commands/commands.h"
 
+#include "harness/base/error.h"
+#include "harness/base/plugins.h"
 #include "harness/commands/compare.h"
 #include "harness/commands/export.h"
 #include "harness/commands/generate.h"
@@ -10,8 +12,6 @@
 #include "harness/commands/solve.h"
 #include "harness/commands/values.h"
 #include "harness/commands/verify.h"
-#include "harness/error.h"
-#include "harness/plugins.h"
 
 namespace geodesic::harness {
 namespace {

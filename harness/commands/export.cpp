@@ -4,7 +4,7 @@
 #include <iostream>
 #include <memory>
 
-#include "harness/error.h"
+#include "harness/base/error.h"
 #include "harness/exports/exports.h"
 
 namespace geodesic::harness {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "datasets/generators/generators.h"
-#include "harness/error.h"
-#include "harness/meshes/write.h"
+#include "harness/base/error.h"
+#include "meshes/formats/write.h"
+#include "meshes/generators/generators.h"
 
 namespace geodesic::harness {
 namespace {

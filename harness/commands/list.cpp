@@ -4,12 +4,12 @@
 #include <iostream>
 #include <memory>
 
+#include "harness/base/error.h"
 #include "harness/corpus/manifest.h"
-#include "harness/error.h"
 #include "harness/results/context.h"
 #include "harness/results/text_table.h"
 #include "harness/verify/closed_form.h"
-#include "solvers/registry.h"
+#include "solvers/core/registry.h"
 
 namespace geodesic::harness {
 namespace {

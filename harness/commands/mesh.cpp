@@ -7,11 +7,11 @@
 #include <sstream>
 #include <string>
 
-#include "harness/error.h"
-#include "harness/json.h"
-#include "harness/meshes/load.h"
-#include "harness/meshes/summary.h"
-#include "harness/meshes/write.h"
+#include "harness/base/error.h"
+#include "harness/base/json.h"
+#include "meshes/formats/write.h"
+#include "meshes/load.h"
+#include "meshes/summary.h"
 
 namespace geodesic::harness {
 namespace {

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <iostream>
 
-#include "harness/build_info.h"
-#include "harness/cells/interruption.h"
+#include "harness/base/build_info.h"
+#include "harness/base/error.h"
+#include "harness/base/interruption.h"
 #include "harness/commands/commands.h"
-#include "harness/error.h"
 
 namespace geodesic::harness {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "harness/base/error.h"
 #include "harness/corpus/manifest.h"
-#include "harness/error.h"
 #include "harness/rank/measure.h"
 
 namespace geodesic::harness {

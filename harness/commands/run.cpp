@@ -2,11 +2,11 @@
 
 #include <memory>
 
+#include "harness/base/error.h"
 #include "harness/cells/cell.h"
 #include "harness/cells/ending.h"
 #include "harness/cells/run.h"
 #include "harness/corpus/manifest.h"
-#include "harness/error.h"
 
 namespace geodesic::harness {
 namespace {

@@ -8,21 +8,21 @@
 #include <memory>
 #include <tuple>
 
+#include "harness/base/atomic_file.h"
+#include "harness/base/clock.h"
+#include "harness/base/error.h"
 #include "harness/commands/values.h"
-#include "harness/conformance/trial.h"
 #include "harness/corpus/manifest.h"
 #include "harness/corpus/solvers.h"
 #include "harness/corpus/vectors.h"
-#include "harness/error.h"
-#include "harness/measure/process.h"
 #include "harness/measure/recorded_solve.h"
 #include "harness/measure/solve_each.h"
-#include "harness/meshes/load.h"
-#include "harness/results/atomic_file.h"
 #include "harness/results/counters.h"
 #include "harness/verify/closed_form.h"
+#include "harness/verify/trial.h"
 #include "harness/verify/verify.h"
-#include "solvers/registry.h"
+#include "meshes/load.h"
+#include "solvers/core/registry.h"
 
 namespace geodesic::harness {
 namespace {

@@ -5,13 +5,13 @@
 #include <iostream>
 #include <memory>
 
-#include "harness/cells/interruption.h"
+#include "harness/base/error.h"
+#include "harness/base/interruption.h"
 #include "harness/commands/values.h"
-#include "harness/conformance/examine.h"
-#include "harness/conformance/verification.h"
 #include "harness/corpus/manifest.h"
 #include "harness/corpus/vectors.h"
-#include "harness/error.h"
+#include "harness/verify/examine.h"
+#include "harness/verify/verification.h"
 
 namespace geodesic::harness {
 namespace {

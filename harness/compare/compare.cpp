@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <map>
 
-#include "harness/cells/row.h"
-#include "harness/error.h"
+#include "harness/base/error.h"
 #include "harness/results/counters.h"
+#include "harness/results/row.h"
 
 namespace geodesic::harness {
 namespace {

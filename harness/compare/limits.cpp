@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "harness/error.h"
+#include "harness/base/error.h"
 
 namespace geodesic::harness {
 namespace {

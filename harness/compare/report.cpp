@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "harness/error.h"
-#include "harness/json.h"
+#include "harness/base/error.h"
+#include "harness/base/json.h"
 #include "harness/results/text_table.h"
 
 namespace geodesic::harness {

@@ -4,10 +4,10 @@
 #include <cstdlib>
 #include <set>
 
+#include "harness/base/atomic_file.h"
+#include "harness/base/error.h"
+#include "harness/base/folders.h"
 #include "harness/corpus/names.h"
-#include "harness/error.h"
-#include "harness/folders.h"
-#include "harness/results/atomic_file.h"
 
 namespace geodesic::harness {
 namespace fs = std::filesystem;

@@ -11,8 +11,8 @@
 #include <system_error>
 #include <vector>
 
-#include "datasets/generators/parameters.h"
-#include "harness/json.h"
+#include "harness/base/json.h"
+#include "meshes/generators/parameters.h"
 
 namespace geodesic::harness {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "harness/error.h"
+#include "harness/base/error.h"
 
 namespace geodesic::harness {
 namespace {

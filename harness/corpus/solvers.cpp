@@ -1,7 +1,7 @@
 #include "harness/corpus/solvers.h"
 
-#include "harness/error.h"
-#include "solvers/registry.h"
+#include "harness/base/error.h"
+#include "solvers/core/registry.h"
 
 namespace geodesic::harness {
 

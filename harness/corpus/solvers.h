@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "solvers/solver.h"
+#include "solvers/core/solver.h"
 
 namespace geodesic::harness {
 

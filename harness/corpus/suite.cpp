@@ -7,11 +7,11 @@
 #include <map>
 #include <utility>
 
+#include "harness/base/atomic_file.h"
+#include "harness/base/error.h"
+#include "harness/base/folders.h"
 #include "harness/corpus/names.h"
 #include "harness/corpus/vectors.h"
-#include "harness/error.h"
-#include "harness/folders.h"
-#include "harness/results/atomic_file.h"
 #include "harness/results/outcome.h"
 
 namespace geodesic::harness {

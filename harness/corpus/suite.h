@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/json.h"
+#include "harness/base/json.h"
 
 namespace geodesic::harness {
 

@@ -1,6 +1,6 @@
 #include "harness/corpus/vectors.h"
 
-#include "harness/error.h"
+#include "harness/base/error.h"
 
 namespace geodesic::harness {
 

@@ -4,8 +4,8 @@
 #include <functional>
 #include <map>
 
+#include "harness/base/error.h"
 #include "harness/compare/statistics.h"
-#include "harness/error.h"
 #include "harness/results/counters.h"
 
 namespace geodesic::harness {

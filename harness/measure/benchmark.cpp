@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "harness/error.h"
+#include "harness/base/error.h"
 
 namespace geodesic::harness {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "harness/measure/process.h"
-#include "solvers/registry.h"
+#include "harness/base/clock.h"
+#include "solvers/core/registry.h"
 
 namespace geodesic::harness {
 namespace {

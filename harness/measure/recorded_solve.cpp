@@ -8,7 +8,7 @@
 #include "harness/measure/allocation_meter.h"
 #include "harness/measure/phases.h"
 #include "harness/results/counters.h"
-#include "solvers/registry.h"
+#include "solvers/core/registry.h"
 
 namespace geodesic::harness {
 Json record_solve(const std::string& solver, const Mesh& mesh, const Query& query,

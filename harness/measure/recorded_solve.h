@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
-#include "harness/json.h"
-#include "solvers/solver.h"
+#include "harness/base/json.h"
+#include "solvers/core/solver.h"
 
 namespace geodesic::harness {
 

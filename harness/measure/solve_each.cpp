@@ -4,9 +4,9 @@
 #include <memory>
 #include <mutex>
 
-#include "harness/measure/process.h"
-#include "harness/measure/threads.h"
-#include "solvers/registry.h"
+#include "harness/base/clock.h"
+#include "harness/base/threads.h"
+#include "solvers/core/registry.h"
 
 namespace geodesic::harness {
 namespace {

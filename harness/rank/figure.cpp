@@ -1,8 +1,8 @@
 #include "harness/rank/figure.h"
 
-#include "harness/cells/process.h"
-#include "harness/error.h"
-#include "harness/folders.h"
+#include "harness/base/error.h"
+#include "harness/base/folders.h"
+#include "harness/base/process.h"
 
 namespace geodesic::harness {
 namespace {

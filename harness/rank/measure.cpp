@@ -4,17 +4,17 @@
 #include <array>
 #include <iostream>
 
+#include "harness/base/atomic_file.h"
+#include "harness/base/error.h"
 #include "harness/cells/context.h"
 #include "harness/cells/ending.h"
 #include "harness/cells/folder.h"
 #include "harness/cells/measure.h"
 #include "harness/cells/progress.h"
-#include "harness/cells/row.h"
-#include "harness/error.h"
 #include "harness/measure/benchmark.h"
 #include "harness/rank/figure.h"
 #include "harness/rank/report.h"
-#include "harness/results/atomic_file.h"
+#include "harness/results/row.h"
 #include "harness/results/text_table.h"
 
 namespace geodesic::harness {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "harness/cells/row.h"
+#include "harness/results/row.h"
 
 namespace geodesic::harness {
 namespace {

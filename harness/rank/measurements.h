@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/json.h"
+#include "harness/base/json.h"
 #include "solvers/core/geometry.h"
 
 namespace geodesic::harness {

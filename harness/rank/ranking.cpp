@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "harness/cells/row.h"
-#include "harness/error.h"
+#include "harness/base/error.h"
+#include "harness/results/row.h"
 
 namespace geodesic::harness {
 namespace {

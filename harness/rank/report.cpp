@@ -2,20 +2,20 @@
 
 #include <algorithm>
 
-#include "harness/cells/row.h"
-#include "harness/error.h"
+#include "harness/base/error.h"
+#include "harness/results/row.h"
 #include "harness/results/text_table.h"
 
 namespace geodesic::harness {
 namespace {
 
-constexpr const char* kAbsent = "-";
-constexpr const char* kUnresolved = "~";
+constexpr const char* kNothing = "-";
+constexpr const char* kUndecided = "~";
 
 std::string show_ratio(double value) { return number(value, value < 10 ? "%.3f" : "%.1f"); }
 
 std::string show(const TimeRatio& time) {
-  return time.resolved() ? show_ratio(time.ratio.value) : kUnresolved;
+  return time.resolved() ? show_ratio(time.ratio.value) : kUndecided;
 }
 
 std::string range(double low, double high) { return show_ratio(low) + " to " + show_ratio(high); }
@@ -25,7 +25,7 @@ std::string with_interval(const TimeRatio& time) {
 }
 
 std::string show_error(const std::optional<double>& error) {
-  return error ? number(*error, "%.1e") : kAbsent;
+  return error ? number(*error, "%.1e") : kNothing;
 }
 
 std::string count(std::size_t n, const std::string& what, const std::string& plural) {
@@ -68,12 +68,12 @@ TextTable overall_table(const Ranking& ranking) {
   std::size_t place = 0;
   for (const Standing& standing : ranking.standings) {
     const bool candidate = standing.solver == ranking.candidate && standing.right > 0;
-    const std::string itself = candidate ? "1" : kAbsent;
+    const std::string itself = candidate ? "1" : kNothing;
     const bool ranked = candidate || standing.time;
     table.push_back(
-        {standing.solver, ranked ? std::to_string(++place) : kAbsent,
+        {standing.solver, ranked ? std::to_string(++place) : kNothing,
          standing.time ? show(*standing.time) : itself,
-         standing.time ? range(standing.time->ratio.low, standing.time->ratio.high) : kAbsent,
+         standing.time ? range(standing.time->ratio.low, standing.time->ratio.high) : kNothing,
          standing.windows ? show_ratio(*standing.windows) : itself,
          standing.memory ? show_ratio(*standing.memory) : itself,
          show_error(standing.max_relative_error),
@@ -92,7 +92,7 @@ const MeshRatios* ratios_on(const Standing& standing, const MeasuredMesh& mesh) 
 std::string typical(const MeasuredMesh& mesh, const std::string& solver, const std::string& key,
                     double unit, const char* pattern) {
   const std::vector<double> values = mesh.numbers(solver, key);
-  return values.empty() ? kAbsent : number(median(values) / unit, pattern);
+  return values.empty() ? kNothing : number(median(values) / unit, pattern);
 }
 
 std::string milliseconds(const Standing& standing, const MeasuredMesh& mesh,
@@ -104,7 +104,7 @@ std::string milliseconds(const Standing& standing, const MeasuredMesh& mesh,
       times.insert(times.end(), pairs.candidate_ms.begin(), pairs.candidate_ms.end());
     }
   }
-  return standing.solver != candidate || times.empty() ? kAbsent : number(median(times));
+  return standing.solver != candidate || times.empty() ? kNothing : number(median(times));
 }
 
 TextTable mesh_table(const MeasuredMesh& mesh, const Ranking& ranking) {
@@ -112,20 +112,20 @@ TextTable mesh_table(const MeasuredMesh& mesh, const Ranking& ranking) {
       {"solver", "ms", "time", "95% interval", "range", "windows", "peak MB", "largest error"}};
   for (const Standing& standing : ranking.standings) {
     if (const Json* failed = mesh.failure(standing.solver)) {
-      table.push_back({standing.solver, failed->at("outcome"), kAbsent, kAbsent, kAbsent, kAbsent,
-                       kAbsent, kAbsent});
+      table.push_back({standing.solver, failed->at("outcome"), kNothing, kNothing, kNothing, kNothing,
+                       kNothing, kNothing});
       continue;
     }
     const MeshRatios* ratios = ratios_on(standing, mesh);
     const std::vector<double> errors = mesh.numbers(standing.solver, "max_relative_error");
     table.push_back(
         {standing.solver, milliseconds(standing, mesh, ranking.candidate),
-         ratios ? show(ratios->time) : kAbsent,
-         ratios ? range(ratios->time.ratio.low, ratios->time.ratio.high) : kAbsent,
-         ratios ? range(ratios->least, ratios->most) : kAbsent,
+         ratios ? show(ratios->time) : kNothing,
+         ratios ? range(ratios->time.ratio.low, ratios->time.ratio.high) : kNothing,
+         ratios ? range(ratios->least, ratios->most) : kNothing,
          typical(mesh, standing.solver, "window_propagations", 1, "%.0f"),
          typical(mesh, standing.solver, "solver_peak_bytes", 1e6, "%.2f"),
-         errors.empty() ? kAbsent : show_error(*std::max_element(errors.begin(), errors.end()))});
+         errors.empty() ? kNothing : show_error(*std::max_element(errors.begin(), errors.end()))});
   }
   return table;
 }
@@ -143,7 +143,7 @@ TextTable ratio_table(const Ranking& ranking, const Measurements& measurements) 
     std::vector<std::string> row{mesh.mesh, std::to_string(mesh.vertices)};
     for (const Standing* rival : rivals) {
       const MeshRatios* ratios = ratios_on(*rival, mesh);
-      row.push_back(ratios ? with_interval(ratios->time) : kAbsent);
+      row.push_back(ratios ? with_interval(ratios->time) : kNothing);
     }
     table.push_back(row);
   }

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/error.h"
-#include "harness/results/npy.h"
+#include "harness/base/error.h"
+#include "harness/base/npy.h"
 
 namespace geodesic::harness {
 namespace fs = std::filesystem;

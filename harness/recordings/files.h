@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <span>
 
-#include "harness/isolines/isolines.h"
-#include "solvers/solver.h"
+#include "harness/recordings/isolines/isolines.h"
+#include "solvers/core/solver.h"
 
 namespace geodesic::harness {
 

@@ -3,10 +3,10 @@
 #include <ctime>
 #include <fstream>
 
-#include "harness/build_info.h"
-#include "harness/meshes/summary.h"
-#include "harness/plugins.h"
-#include "harness/sha256.h"
+#include "harness/base/build_info.h"
+#include "harness/base/plugins.h"
+#include "harness/base/sha256.h"
+#include "meshes/summary.h"
 
 namespace geodesic::harness {
 

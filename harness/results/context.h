@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "harness/base/json.h"
 #include "harness/corpus/manifest.h"
-#include "harness/json.h"
-#include "solvers/solver.h"
+#include "solvers/core/solver.h"
 
 namespace geodesic::harness {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/json.h"
-#include "solvers/solver.h"
+#include "harness/base/json.h"
+#include "solvers/core/solver.h"
 
 namespace geodesic::harness {
 

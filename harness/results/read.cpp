@@ -2,11 +2,11 @@
 
 #include <map>
 
-#include "harness/cells/row.h"
-#include "harness/error.h"
-#include "harness/results/atomic_file.h"
+#include "harness/base/atomic_file.h"
+#include "harness/base/error.h"
 #include "harness/results/context.h"
 #include "harness/results/counters.h"
+#include "harness/results/row.h"
 
 namespace geodesic::harness {
 namespace {

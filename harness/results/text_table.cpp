@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string_view>
 
-#include "harness/error.h"
+#include "harness/base/error.h"
 
 namespace geodesic::harness {
 

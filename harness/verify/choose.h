@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "solvers/solver.h"
+#include "solvers/core/solver.h"
 
 namespace geodesic::harness {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "datasets/generators/generators.h"
-#include "harness/error.h"
+#include "harness/base/error.h"
+#include "meshes/generators/generators.h"
 
 namespace geodesic::harness {
 

@@ -2,8 +2,8 @@
 
 #include <fstream>
 
-#include "harness/error.h"
-#include "harness/results/atomic_file.h"
+#include "harness/base/atomic_file.h"
+#include "harness/base/error.h"
 
 namespace geodesic::harness {
 

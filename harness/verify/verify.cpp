@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/number.h"
+#include "harness/base/number.h"
 
 namespace geodesic::harness {
 namespace {

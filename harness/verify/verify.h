@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "solvers/solver.h"
+#include "solvers/core/solver.h"
 
 namespace geodesic::harness {
 

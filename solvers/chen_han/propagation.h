@@ -23,10 +23,10 @@
 #include "solvers/chen_han/stored_window.h"
 #include "solvers/chen_han/unreliable.h"
 #include "solvers/core/prefetch.h"
+#include "solvers/core/solver.h"
 #include "solvers/core/tolerance.h"
 #include "solvers/core/upcoming.h"
 #include "solvers/core/window_bound.h"
-#include "solvers/solver.h"
 
 namespace geodesic::chen_han {
 

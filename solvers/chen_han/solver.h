@@ -6,7 +6,7 @@
 
 #include "solvers/chen_han/propagation.h"
 #include "solvers/chen_han/recorded.h"
-#include "solvers/solver.h"
+#include "solvers/core/solver.h"
 
 namespace geodesic::chen_han {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "solvers/solver.h"
+#include "solvers/core/solver.h"
 
 namespace geodesic {
 namespace {

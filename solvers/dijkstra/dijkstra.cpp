@@ -3,7 +3,7 @@
 //
 // Dijkstra 1959, "A note on two problems in connexion with graphs".
 #include "solvers/core/queues/vertex_heap.h"
-#include "solvers/registry.h"
+#include "solvers/core/registry.h"
 
 namespace geodesic {
 namespace {

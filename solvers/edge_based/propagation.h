@@ -4,7 +4,7 @@
 #include <span>
 
 #include "solvers/core/recording.h"
-#include "solvers/solver.h"
+#include "solvers/core/solver.h"
 
 namespace geodesic::edge_based {
 

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "solvers/core/instruction_set.h"
+#include "solvers/core/solver.h"
 #include "solvers/edge_based/loops.h"
 #include "solvers/edge_based/recorded.h"
-#include "solvers/solver.h"
 
 namespace geodesic::edge_based {
 

@@ -15,9 +15,9 @@
 #include <span>
 #include <vector>
 
+#include "solvers/core/solver.h"
 #include "solvers/core/window_bound.h"
 #include "solvers/mmp/wavefront.h"
-#include "solvers/solver.h"
 
 namespace geodesic::mmp {
 

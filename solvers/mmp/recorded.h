@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "solvers/solver.h"
+#include "solvers/core/solver.h"
 
 namespace geodesic::mmp {
 

@@ -1,9 +1,9 @@
 // The family MMP as a solver; what its members differ in is a policy (policies.h).
 #pragma once
 
+#include "solvers/core/solver.h"
 #include "solvers/mmp/propagation.h"
 #include "solvers/mmp/recorded.h"
-#include "solvers/solver.h"
 
 namespace geodesic::mmp {
 

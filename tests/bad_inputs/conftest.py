@@ -26,7 +26,7 @@ def checkout(tmp_path_factory: pytest.TempPathFactory) -> Path:
     copy = tmp_path_factory.mktemp("checkout")
     for name in SCRIPTS:
         shutil.copy(ROOT / name, copy)
-    for folder in ("tools", "gate", "plots", "results/published", "solvers/template"):
+    for folder in ("tools", "gate", "plots", "results/published", "solvers/variants/template"):
         shutil.copytree(ROOT / folder, copy / folder, ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copy(ROOT / "results" / "run.schema.json", copy / "results")
     return copy

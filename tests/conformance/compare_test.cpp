@@ -1,4 +1,4 @@
-#include "harness/conformance/compare.h"
+#include "harness/verify/compare.h"
 
 #include <cmath>
 

@@ -1,12 +1,12 @@
 // What a failure is explained by: the first wrong vertex, its path, and the windows on it.
-#include "harness/conformance/explain.h"
+#include "harness/verify/explain.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "datasets/generators/generators.h"
-#include "harness/error.h"
+#include "harness/base/error.h"
+#include "meshes/generators/generators.h"
 
 namespace geodesic::conformance {
 namespace {

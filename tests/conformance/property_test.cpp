@@ -1,5 +1,5 @@
 // Every property on every registered solver.
-#include "harness/conformance/property.h"
+#include "harness/verify/property.h"
 
 #include <algorithm>
 

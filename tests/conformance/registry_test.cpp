@@ -1,5 +1,5 @@
 // The registry: no solver is lost by the linker, none is hidden by another.
-#include "solvers/registry.h"
+#include "solvers/core/registry.h"
 
 #include <gtest/gtest.h>
 

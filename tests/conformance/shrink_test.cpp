@@ -1,12 +1,12 @@
 // Shrinking, with failures that are known: what remains is what they need.
-#include "harness/conformance/shrink.h"
+#include "harness/verify/shrink.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "harness/oracles/random_meshes.h"
+#include "meshes/oracles/random_meshes.h"
 
 namespace geodesic::conformance {
 namespace {

@@ -1,4 +1,4 @@
-// What tests of solvers share that are no properties (harness/conformance): each is run for every
+// What tests of solvers share that are no properties (harness/verify): each is run for every
 // registered solver, by name; no test names one.
 #pragma once
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/conformance/trial.h"
+#include "harness/verify/trial.h"
 
 namespace geodesic::conformance {
 

@@ -1,8 +1,8 @@
 // Samples and snapshots of the wavefront: windows on edges, at distances that can be.
 #include <numeric>
 
-#include "datasets/generators/generators.h"
-#include "harness/oracles/random_meshes.h"
+#include "meshes/generators/generators.h"
+#include "meshes/oracles/random_meshes.h"
 #include "tests/conformance/solver_test.h"
 
 namespace geodesic::conformance {

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-#include "harness/oracles/random.h"
+#include "meshes/oracles/random.h"
 
 namespace geodesic {
 namespace {

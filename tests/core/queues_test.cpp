@@ -7,7 +7,7 @@
 #include "solvers/core/queues/fifo_queue.h"
 #include "solvers/core/queues/priority_queue.h"
 
-#include "harness/oracles/random.h"
+#include "meshes/oracles/random.h"
 
 namespace geodesic {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solvers/solver.h"
+#include "solvers/core/solver.h"
 
 namespace geodesic {
 namespace {

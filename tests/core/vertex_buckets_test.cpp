@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "harness/oracles/random.h"
+#include "meshes/oracles/random.h"
 
 namespace geodesic {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "harness/oracles/random.h"
+#include "meshes/oracles/random.h"
 
 namespace geodesic {
 namespace {

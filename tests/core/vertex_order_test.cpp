@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "harness/oracles/random.h"
+#include "meshes/oracles/random.h"
 
 namespace geodesic {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "harness/meshes/defects.h"
-#include "harness/meshes/summary.h"
+#include "meshes/defects.h"
+#include "meshes/summary.h"
 #include "solvers/core/mesh.h"
 #include "tests/datasets/input_files.h"
 #include "tests/harness/expect_error.h"

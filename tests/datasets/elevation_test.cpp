@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "datasets/generators/natural_spline.h"
-#include "datasets/generators/npy.h"
+#include "meshes/generators/natural_spline.h"
+#include "meshes/generators/npy.h"
 #include "tests/datasets/input_files.h"
 #include "tests/datasets/soup_hash.h"
 #include "tests/datasets/soup_topology.h"

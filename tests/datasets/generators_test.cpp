@@ -1,5 +1,5 @@
 // The generators: shape and counts, the same bits always, one clear line for wrong parameters.
-#include "datasets/generators/generators.h"
+#include "meshes/generators/generators.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "datasets/generators/circle.h"
+#include "meshes/generators/circle.h"
 #include "tests/datasets/soup_hash.h"
 #include "tests/datasets/soup_topology.h"
 

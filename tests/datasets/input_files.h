@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "datasets/generators/generators.h"
-#include "harness/meshes/vectors.h"
+#include "meshes/generators/generators.h"
+#include "meshes/vectors.h"
 #include "tests/harness/temporary_folder.h"
 
 namespace geodesic::generators {

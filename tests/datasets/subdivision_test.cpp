@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "harness/meshes/vectors.h"
+#include "meshes/vectors.h"
 #include "tests/datasets/input_files.h"
 #include "tests/datasets/soup_hash.h"
 #include "tests/datasets/soup_topology.h"

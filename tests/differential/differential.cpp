@@ -13,14 +13,14 @@
 #include <thread>
 #include <tuple>
 
-#include "harness/conformance/property.h"
-#include "harness/conformance/shrink.h"
-#include "harness/conformance/smallest.h"
+#include "harness/base/clock.h"
+#include "harness/base/number.h"
 #include "harness/corpus/solvers.h"
-#include "harness/measure/process.h"
-#include "harness/meshes/write.h"
-#include "harness/number.h"
 #include "harness/verify/choose.h"
+#include "harness/verify/property.h"
+#include "harness/verify/shrink.h"
+#include "harness/verify/smallest.h"
+#include "meshes/formats/write.h"
 #include "tests/differential/scratch.h"
 
 namespace geodesic::differential {

@@ -4,8 +4,8 @@
 #include <set>
 #include <sstream>
 
-#include "harness/conformance/property.h"
-#include "harness/meshes/read.h"
+#include "harness/verify/property.h"
+#include "meshes/formats/read.h"
 #include "tests/harness/temporary_folder.h"
 
 namespace geodesic::differential {

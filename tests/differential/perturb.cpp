@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/number.h"
-#include "harness/oracles/brute_force.h"
-#include "harness/oracles/random.h"
+#include "harness/base/number.h"
+#include "meshes/oracles/brute_force.h"
+#include "meshes/oracles/random.h"
 #include "tests/differential/scratch.h"
 
 namespace geodesic::differential {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <set>
 
-#include "harness/conformance/trial.h"
 #include "harness/corpus/solvers.h"
-#include "harness/meshes/read.h"
+#include "harness/verify/trial.h"
+#include "meshes/formats/read.h"
 
 namespace geodesic::differential {
 namespace {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "datasets/generators/generators.h"
-#include "datasets/generators/random.h"
-#include "harness/meshes/write.h"
-#include "harness/oracles/random.h"
-#include "harness/oracles/random_meshes.h"
-#include "harness/results/npy.h"
+#include "harness/base/npy.h"
+#include "meshes/formats/write.h"
+#include "meshes/generators/generators.h"
+#include "meshes/generators/random.h"
+#include "meshes/oracles/random.h"
+#include "meshes/oracles/random_meshes.h"
 
 namespace geodesic::differential {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "harness/conformance/trial.h"
+#include "harness/verify/trial.h"
 
 namespace geodesic::differential {
 

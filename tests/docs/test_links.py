@@ -66,7 +66,7 @@ def test_dead_links_and_paths_are_found(tmp_path: Path) -> None:
         "# One `two`, three\n## Again\n## Again\n"
         "[here](#one-two-three) [twice](#again-1) [file](page.md#again) [site](https://x.org/y)\n"
         "[no anchor](#one) [no file](gone.md) [no anchor there](page.md#again-2)\n"
-        "`solvers/solver.h` `solvers/gone.h` `build/release/x` `solvers/my_variant` `a/b`\n"
+        "`solvers/core/solver.h` `solvers/gone.h` `build/release/x` `solvers/my_variant` `a/b`\n"
         "```sh\n[not a link](in-code.md)\n```\n"
     )
     assert dead_links(page) == ["#one", "gone.md", "page.md#again-2"]

@@ -1,5 +1,5 @@
 // Lists keep their windows, and the order of windows, whether chunks are carried or not.
-#include "solvers/edge_based_lazy/chunk_lists.h"
+#include "solvers/variants/edge_based_lazy/chunk_lists.h"
 
 #include <gtest/gtest.h>
 

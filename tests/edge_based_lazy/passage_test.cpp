@@ -1,12 +1,12 @@
 // Windows carried across a strip of faces lie where unfolding them face by face puts them.
-#include "solvers/edge_based_lazy/passage.h"
+#include "solvers/variants/edge_based_lazy/passage.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <vector>
 
-#include "harness/oracles/random.h"
+#include "meshes/oracles/random.h"
 
 namespace geodesic::edge_based_lazy {
 namespace {

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "harness/error.h"
+#include "harness/base/error.h"
 #include "harness/measure/allocation_meter.h"
 
 namespace geodesic::harness::fuzz {

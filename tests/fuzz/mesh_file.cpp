@@ -1,7 +1,7 @@
 #include "tests/fuzz/mesh_file.h"
 
-#include "harness/meshes/load.h"
-#include "harness/meshes/summary.h"
+#include "meshes/load.h"
+#include "meshes/summary.h"
 #include "solvers/core/mesh.h"
 
 namespace geodesic::harness::fuzz {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <iostream>
 
-#include "harness/meshes/read.h"
+#include "meshes/formats/read.h"
 #include "tests/fuzz/input.h"
 
 namespace fs = std::filesystem;

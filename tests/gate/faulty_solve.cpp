@@ -5,7 +5,7 @@
 #include <ctime>
 #include <vector>
 
-#include "solvers/solver.h"
+#include "solvers/core/solver.h"
 
 #if __has_include(<valgrind/valgrind.h>)
 #include <valgrind/valgrind.h>
@@ -67,4 +67,4 @@ void run_with_fault(const Run& run, const geodesic::Description& solver,
 // A macro is not expanded again inside of itself: the inner `run` is the solver's.
 #define run(query, distances, recording) \
   run_with_fault([&] { run(query, distances, recording); }, description_, distances, recording)
-#include "solvers/solver.cpp"
+#include "solvers/core/solver.cpp"

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "harness/measure/process.h"
+#include "harness/base/clock.h"
 
 namespace geodesic::harness {
 namespace {

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "harness/oracles/path.h"
-#include "solvers/registry.h"
+#include "meshes/oracles/path.h"
+#include "solvers/core/registry.h"
 
 namespace geodesic {
 namespace {

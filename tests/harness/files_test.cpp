@@ -1,8 +1,8 @@
 #include <filesystem>
 
+#include "harness/base/atomic_file.h"
+#include "harness/base/sha256.h"
 #include "harness/corpus/manifest.h"
-#include "harness/results/atomic_file.h"
-#include "harness/sha256.h"
 #include "harness/verify/distance_file.h"
 #include "solvers/core/geometry.h"
 #include "tests/harness/expect_error.h"

@@ -8,7 +8,7 @@
 #include <list>
 #include <vector>
 
-#include "solvers/registry.h"
+#include "solvers/core/registry.h"
 
 namespace geodesic {
 namespace {

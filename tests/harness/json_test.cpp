@@ -1,5 +1,5 @@
 // JSON of anybody: what is refused, and with what words.
-#include "harness/json.h"
+#include "harness/base/json.h"
 
 #include "tests/harness/expect_error.h"
 

@@ -1,5 +1,5 @@
 // .npy files, down to the byte, as numpy writes them.
-#include "harness/results/npy.h"
+#include "harness/base/npy.h"
 
 #include "tests/harness/expect_error.h"
 #include "tests/harness/temporary_folder.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/cells/row.h"
+#include "harness/results/row.h"
 
 namespace geodesic::harness {
 namespace {

@@ -1,5 +1,5 @@
 // How other processes end, and that none runs on after its time.
-#include "harness/cells/process.h"
+#include "harness/base/process.h"
 
 #include <gtest/gtest.h>
 #include <signal.h>

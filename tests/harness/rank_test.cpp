@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "harness/cells/row.h"
 #include "harness/rank/report.h"
+#include "harness/results/row.h"
 
 namespace geodesic::harness {
 namespace {

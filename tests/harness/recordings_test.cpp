@@ -1,5 +1,5 @@
 // Recordings: which cells leave them, and in which folders.
-#include "harness/recordings/pictured.h"
+#include "harness/cells/pictured.h"
 
 #include <algorithm>
 #include <set>

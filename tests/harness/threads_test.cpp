@@ -1,4 +1,4 @@
-#include "harness/measure/threads.h"
+#include "harness/base/threads.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Isolines against truths that know nothing of windows.
-#include "harness/isolines/isolines.h"
+#include "harness/recordings/isolines/isolines.h"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +9,11 @@
 #include <numbers>
 #include <set>
 
-#include "datasets/generators/generators.h"
-#include "harness/isolines/crossings.h"
-#include "harness/oracles/brute_force.h"
-#include "harness/oracles/random.h"
-#include "harness/oracles/random_meshes.h"
+#include "harness/recordings/isolines/crossings.h"
+#include "meshes/generators/generators.h"
+#include "meshes/oracles/brute_force.h"
+#include "meshes/oracles/random.h"
+#include "meshes/oracles/random_meshes.h"
 #include "tests/isolines/traced.h"
 
 namespace geodesic::harness {

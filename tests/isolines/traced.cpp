@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solvers/registry.h"
+#include "solvers/core/registry.h"
 
 namespace geodesic::harness {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/isolines/isolines.h"
+#include "harness/recordings/isolines/isolines.h"
 
 namespace geodesic::harness {
 

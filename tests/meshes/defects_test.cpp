@@ -1,5 +1,5 @@
 // Every defect is found, counted, and its first example named.
-#include "harness/meshes/defects.h"
+#include "meshes/defects.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include "harness/meshes/defects.h"
-#include "harness/meshes/read.h"
+#include "meshes/defects.h"
+#include "meshes/formats/read.h"
 #include "tests/meshes/mesh_samples.h"
 
 namespace geodesic::harness {

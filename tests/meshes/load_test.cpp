@@ -1,9 +1,9 @@
 // From file to file: loading refuses, warns or repairs, and writing loses nothing.
-#include "harness/meshes/load.h"
+#include "meshes/load.h"
 
 #include <gtest/gtest.h>
 
-#include "harness/meshes/write.h"
+#include "meshes/formats/write.h"
 #include "solvers/core/mesh.h"
 #include "tests/meshes/mesh_samples.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/json.h"
+#include "harness/base/json.h"
 #include "tests/meshes/mesh_samples.h"
 
 namespace geodesic::harness {

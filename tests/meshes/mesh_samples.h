@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "harness/meshes/bytes.h"
-#include "harness/meshes/read.h"
+#include "meshes/formats/bytes.h"
+#include "meshes/formats/read.h"
 
 namespace geodesic::harness {
 

@@ -2,7 +2,7 @@
 
 #include <clocale>
 
-#include "harness/meshes/read.h"
+#include "meshes/formats/read.h"
 #include "tests/meshes/mesh_samples.h"
 
 namespace geodesic::harness {

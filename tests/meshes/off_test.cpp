@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "harness/meshes/read.h"
+#include "meshes/formats/read.h"
 #include "tests/meshes/mesh_samples.h"
 
 namespace geodesic::harness {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/meshes/read.h"
-#include "harness/meshes/vectors.h"
+#include "meshes/formats/read.h"
+#include "meshes/vectors.h"
 #include "tests/meshes/mesh_samples.h"
 
 namespace geodesic::harness {

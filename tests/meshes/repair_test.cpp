@@ -1,11 +1,11 @@
-#include "harness/meshes/repair.h"
+#include "meshes/repair.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <random>
 
-#include "harness/meshes/defects.h"
+#include "meshes/defects.h"
 #include "solvers/core/mesh.h"
 #include "tests/meshes/mesh_samples.h"
 

@@ -1,4 +1,4 @@
-#include "harness/meshes/summary.h"
+#include "meshes/summary.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "harness/meshes/topology.h"
+#include "meshes/topology.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <set>
 
-#include "harness/meshes/defects.h"
-#include "harness/meshes/repair.h"
+#include "meshes/defects.h"
+#include "meshes/repair.h"
 #include "solvers/core/mesh.h"
 #include "tests/meshes/mesh_samples.h"
 

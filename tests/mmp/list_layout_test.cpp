@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/oracles/random_meshes.h"
-#include "solvers/registry.h"
+#include "meshes/oracles/random_meshes.h"
+#include "solvers/core/registry.h"
 
 namespace geodesic::mmp {
 namespace {

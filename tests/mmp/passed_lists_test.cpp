@@ -4,7 +4,7 @@
 #include <bit>
 #include <set>
 
-#include "harness/oracles/random_meshes.h"
+#include "meshes/oracles/random_meshes.h"
 #include "solvers/mmp/policies.h"
 #include "solvers/mmp/propagation.h"
 #include "solvers/mmp/reached_edges.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <iomanip>
 
-#include "datasets/generators/generators.h"
-#include "harness/oracles/brute_force.h"
+#include "meshes/generators/generators.h"
+#include "meshes/oracles/brute_force.h"
 
 namespace geodesic::oracles {
 namespace {

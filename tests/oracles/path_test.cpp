@@ -1,5 +1,5 @@
 // Shortest paths traced back from distances: as long as these, over the edges that they cross.
-#include "harness/oracles/path.h"
+#include "meshes/oracles/path.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <utility>
 
-#include "datasets/generators/generators.h"
-#include "harness/oracles/brute_force.h"
-#include "harness/oracles/random_meshes.h"
+#include "meshes/generators/generators.h"
+#include "meshes/oracles/brute_force.h"
+#include "meshes/oracles/random_meshes.h"
 
 namespace geodesic::oracles {
 namespace {

@@ -1,7 +1,7 @@
 // Brute force where its own digits are short.
 #include <gtest/gtest.h>
 
-#include "harness/oracles/brute_force.h"
+#include "meshes/oracles/brute_force.h"
 
 namespace geodesic::oracles {
 namespace {

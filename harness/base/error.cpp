@@ -1,0 +1,102 @@
+#include "harness/base/error.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace geodesic::harness {
+namespace {
+
+// Levenshtein 1966: insertions, deletions and substitutions that turn one word into the other.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({substituted, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+// Bytes of the character that begins the text, when it is one to show: well-formed UTF-8 (The
+// Unicode Standard, table 3-7) and no control character. Otherwise 0.
+std::size_t bytes_to_show(std::string_view text) {
+  const auto byte = [&](std::size_t i) -> unsigned {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0;
+  };
+  const unsigned lead = byte(0);
+  if (lead < 0x80) return lead >= 0x20 && lead != 0x7f ? 1 : 0;
+  if (lead < 0xc2 || lead > 0xf4) return 0;
+  unsigned least = 0x80, most = 0xbf;  // of the second byte
+  if (lead == 0xc2) least = 0xa0;      // below are control characters
+  if (lead == 0xe0) least = 0xa0;      // below are characters of two bytes
+  if (lead == 0xed) most = 0x9f;       // above are surrogates
+  if (lead == 0xf0) least = 0x90;      // below are characters of three bytes
+  if (lead == 0xf4) most = 0x8f;       // above is the end of Unicode
+  if (byte(1) < least || byte(1) > most) return 0;
+  const std::size_t size = lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
+  for (std::size_t i = 2; i < size; ++i) {
+    if (byte(i) < 0x80 || byte(i) > 0xbf) return 0;
+  }
+  return size;
+}
+
+}  // namespace
+
+std::string harmless(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string shown;
+  while (!text.empty()) {
+    const std::size_t size = bytes_to_show(text);
+    if (size > 0) {
+      shown += text.substr(0, size);
+    } else {
+      const auto byte = static_cast<unsigned char>(text.front());
+      shown += {'\\', 'x', kDigits[byte / 16], kDigits[byte % 16]};
+    }
+    text.remove_prefix(std::max<std::size_t>(size, 1));
+  }
+  return shown;
+}
+
+std::string unknown_name(std::string_view kind, std::string_view name,
+                         const std::vector<std::string>& known) {
+  std::string message = "no " + std::string(kind) + " named '" + excerpt(name) + "'";
+  const std::size_t tolerated = 1 + name.size() / 4;
+  std::size_t least = tolerated + 1;
+  std::string_view nearest;
+  for (const std::string& candidate : known) {
+    // The distance is no less than that of the lengths, and not looked for in vain.
+    if (candidate.size() > name.size() + tolerated || name.size() > candidate.size() + tolerated) {
+      continue;
+    }
+    const std::size_t distance = edit_distance(name, candidate);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = candidate;
+  }
+  if (least <= tolerated) message += " (did you mean '" + std::string(nearest) + "'?)";
+  return message + "; there are: " + (known.empty() ? "none" : join(known));
+}
+
+std::string excerpt(std::string_view text) {
+  constexpr std::size_t kLongest = 200;
+  std::size_t end = std::min(text.size(), kLongest);
+  const auto continues = [&] { return (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80; };
+  while (end < text.size() && end > 0 && continues()) --end;  // not inside a character of UTF-8
+  return harmless(text.substr(0, end)) + (end < text.size() ? "..." : "");
+}
+
+std::string join(const std::vector<std::string>& words, std::string_view separator) {
+  std::string all;
+  for (const std::string& word : words) {
+    if (!all.empty()) all += separator;
+    all += word;
+  }
+  return all;
+}
+
+}  // namespace geodesic::harness

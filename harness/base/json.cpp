@@ -1,0 +1,55 @@
+#include "harness/base/json.h"
+
+#include <vector>
+
+#include "harness/base/error.h"
+
+namespace geodesic::harness {
+namespace {
+
+constexpr std::size_t kDeepest = 50;
+constexpr std::size_t kMostKeys = 1000;
+
+// Values are copied and written by recursion, and the keys of an object searched one after another:
+// what no file of ours comes near would overflow the stack, or take the square of its size in time.
+void check_bounds(std::string_view text) {
+  std::vector<std::size_t> keys{0};  // of every list and object that is open; a list has none
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_string && c == '\\') ++i;  // an escaped quote ends no string
+    if (c == '"') in_string = !in_string;
+    if (in_string) continue;
+    if (c == '{' || c == '[') keys.push_back(0);
+    if ((c == '}' || c == ']') && keys.size() > 1) keys.pop_back();
+    if (c == ':') ++keys.back();
+    if (keys.size() > kDeepest + 1) {
+      throw HarnessError("lists and objects are nested more than " + std::to_string(kDeepest) +
+                         " deep");
+    }
+    if (keys.back() > kMostKeys) {
+      throw HarnessError("an object has more than " + std::to_string(kMostKeys) + " keys");
+    }
+  }
+}
+
+}  // namespace
+
+Json parse_json(std::string_view text, const std::string& name) {
+  try {
+    check_bounds(text);
+    return Json::parse(text);
+  } catch (const Json::exception& error) {
+    throw HarnessError(name + ": not valid JSON: " + reason_of(error) +
+                       "; correct it or get a whole copy");
+  } catch (const HarnessError& error) {
+    throw HarnessError(name + ": " + error.what());
+  }
+}
+
+std::string reason_of(const Json::exception& error) {
+  const std::string_view text = error.what();
+  return excerpt(text.substr(text.find("] ") + 2));
+}
+
+}  // namespace geodesic::harness

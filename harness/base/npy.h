@@ -1,0 +1,85 @@
+// Arrays in numpy's .npy files, format version 1.0, little-endian.
+//
+// `numpy.load(file)` gives back an array of numbers, in rows, or a structured array: a table whose
+// columns have names and types of their own.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/base/atomic_file.h"
+#include "meshes/formats/bytes.h"
+
+namespace geodesic::harness {
+
+inline constexpr std::string_view kNpyMagic = "\x93NUMPY";
+inline constexpr std::size_t kNpyPreamble = 10;  // bytes: magic, version, length of the header
+
+/// numpy's word for a type of numbers: "<f8".
+template <class T>
+constexpr std::string_view npy_type() {
+  if constexpr (std::same_as<T, std::int16_t>) return "<i2";
+  if constexpr (std::same_as<T, std::int32_t>) return "<i4";
+  if constexpr (std::same_as<T, std::uint32_t>) return "<u4";
+  if constexpr (std::same_as<T, std::uint64_t>) return "<u8";
+  if constexpr (std::same_as<T, float>) return "<f4";
+  if constexpr (std::same_as<T, double>) return "<f8";
+}
+
+/// What comes before an array's numbers.
+/// @param description numpy's of an entry: "'<f8'", "[('face', '<u4'), ('level', '<f4')]"
+/// @param shape "(7,)", "(7, 3)"
+std::string npy_header(std::string_view description, std::string_view shape);
+
+/// Writes numbers: an array of one dimension, or, with `columns`, rows of that many, one row after
+/// the other. Whole or not at all. @throws HarnessError when the file cannot be written
+template <class T>
+void write_npy(const std::filesystem::path& path, std::span<const T> numbers,
+               std::size_t columns = 0) {
+  const std::string shape =
+      columns == 0 ? std::to_string(numbers.size()) + ","
+                   : std::to_string(numbers.size() / columns) + ", " + std::to_string(columns);
+  std::string bytes = npy_header("'" + std::string(npy_type<T>()) + "'", "(" + shape + ")");
+  for (const T number : numbers) append_little_endian(bytes, number);
+  write_bytes(path, bytes);
+}
+
+/// One column of a table: a member of its rows, under a name of its own, stored as type T.
+template <class T, class Row, class Member>
+struct NpyColumn {
+  using Type = T;
+  std::string_view name;
+  Member Row::*member;
+};
+
+/// `npy_column<float>("level", &Row::level)`
+template <class T, class Row, class Member>
+NpyColumn<T, Row, Member> npy_column(std::string_view name, Member Row::*member) {
+  return {name, member};
+}
+
+/// Writes a table as a structured array, whole or not at all.
+/// @throws HarnessError when the file cannot be written
+template <class Row, class... Columns>
+void write_npy_table(const std::filesystem::path& path, const std::vector<Row>& rows,
+                     const Columns&... columns) {
+  std::string description;
+  const auto describe = [&](std::string_view name, std::string_view type) {
+    description += description.empty() ? "[" : ", ";
+    description.append("('").append(name).append("', '").append(type).append("')");
+  };
+  (describe(columns.name, npy_type<typename Columns::Type>()), ...);
+  std::string bytes = npy_header(description + "]", "(" + std::to_string(rows.size()) + ",)");
+  for (const Row& row : rows) {
+    (append_little_endian(bytes, static_cast<typename Columns::Type>(row.*columns.member)), ...);
+  }
+  write_bytes(path, bytes);
+}
+
+}  // namespace geodesic::harness

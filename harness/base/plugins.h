@@ -1,0 +1,28 @@
+// Plug-ins: shared libraries from outside of this program, which bring solvers.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace geodesic::harness {
+
+struct Plugin {
+  std::filesystem::path file;  ///< absolute, without links
+  std::string sha256;
+  std::vector<std::string> solvers;  ///< names, as they were registered
+};
+
+/// Loads the library, whose solvers are from now on as those of the program. Nothing unloads it.
+/// @throws HarnessError when there is no such file, it is loaded already, it is no shared library
+///         or lacks a symbol, or it registers no solver, one of another version of the contract
+///         (solvers/core/solver.h), or one whose name is taken
+void load_plugin(const std::filesystem::path& file);
+
+/// The arguments that make another process of this program load the same plug-ins.
+std::vector<std::string> plugin_arguments();
+
+/// In the order of loading.
+const std::vector<Plugin>& loaded_plugins();
+
+}  // namespace geodesic::harness

@@ -1,0 +1,38 @@
+// Other processes: above all this program, started again.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "harness/base/limits.h"
+
+namespace geodesic::harness {
+
+struct Ended {
+  bool crashed = false;        ///< by a signal
+  bool timed_out = false;      ///< and was killed for it
+  bool out_of_memory = false;  ///< crashed, and its memory had come to its limit or the machine's
+  int code = 0;                ///< exit code, or the signal's number
+  std::string last_words;      ///< the last lines of its standard error, joined by " | "
+
+  bool succeeded() const { return !crashed && code == 0; }
+  /// "killed by signal 11 (Segmentation fault): ...", "exit code 1: ..."
+  std::string describe() const;
+};
+
+/// Runs a program and waits for it. Standard input and output are closed to it. It is the head of a
+/// process group of its own: what it started and left behind is killed when it has ended, and it is
+/// killed when this process dies, by whatever.
+/// @param waiting called about once a second until the process has ended
+/// @throws HarnessError when the program cannot be started
+/// @throws Interrupted (interruption.h), after the process has been killed
+Ended run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                  const std::function<void()>& waiting, const ProcessLimits& limits = {});
+
+/// Runs this very program with other arguments and the same plug-ins. As run_program.
+Ended run_this_program(const std::vector<std::string>& arguments,
+                       const std::function<void()>& waiting, const ProcessLimits& limits = {});
+
+}  // namespace geodesic::harness

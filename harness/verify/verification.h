@@ -1,0 +1,36 @@
+// A solver asked for all that the contract promises, with a line for each property.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "harness/verify/property.h"
+
+namespace geodesic::conformance {
+
+struct VerifyRequest {
+  std::string solver;
+  std::string property;             ///< this one alone; empty: all
+  std::string corpus;               ///< on its meshes the distances too; empty: none
+  std::vector<std::string> meshes;  ///< names or files, on which likewise
+  std::vector<Source> sources;      ///< on those; empty: some of each
+  bool each = false;                ///< every source is a query of its own
+  double limit = kInfinity;
+  double time_limit = 60;     ///< seconds that a property may take
+  double shrink = 20;         ///< seconds spent on making a failing mesh smaller; 0 saves none
+  std::filesystem::path out;  ///< folder for failing meshes; empty: failures-NAME, of the solver
+  std::string vectors;        ///< corpus/vectors.h
+  std::filesystem::path manifest;
+};
+
+/// @throws HarnessError naming the known ones
+const Property& property_named(const std::string& name);
+
+/// Prints to standard output what holds and what fails, the smallest case of the first failures,
+/// and what explains them.
+/// @return whether nothing fails
+/// @throws HarnessError when nothing fails, but something could not be examined
+bool verify_solver(const VerifyRequest& request);
+
+}  // namespace geodesic::conformance

@@ -1,0 +1,300 @@
+#include "meshes/defects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "meshes/disjoint_sets.h"
+#include "meshes/vectors.h"
+
+namespace geodesic::harness {
+namespace {
+
+constexpr std::array<DefectType, kDefectKinds> kTypes = {{
+    {"index_out_of_range", "face that names a vertex that is not there",
+     "faces that name a vertex that is not there", Severity::error},
+    {"repeated_vertex", "face that names a vertex twice", "faces that name a vertex twice",
+     Severity::error},
+    {"non_finite_coordinate", "vertex with a coordinate that is not finite or above 1e150",
+     "vertices with a coordinate that is not finite or above 1e150", Severity::error},
+    {"repeated_face", "repeated face", "repeated faces", Severity::error},
+    {"non_manifold_edge", "non-manifold edge", "non-manifold edges", Severity::error},
+    {"inconsistent_orientation", "edge between inconsistently oriented faces",
+     "edges between inconsistently oriented faces", Severity::error},
+    {"non_manifold_vertex", "non-manifold vertex", "non-manifold vertices", Severity::warning},
+    {"zero_area_face", "degenerate face of zero area", "degenerate faces of zero area",
+     Severity::warning},
+    {"zero_length_edge", "zero-length edge", "zero-length edges", Severity::warning},
+    {"isolated_vertex", "isolated vertex", "isolated vertices", Severity::warning},
+    {"several_components", "component", "components that no path connects", Severity::warning},
+}};
+
+bool is_usable_position(const Vec3& p) {
+  return std::all_of(p.begin(), p.end(), [](double c) {
+    return std::abs(c) <= kLargestCoordinate;  // false for a NaN
+  });
+}
+
+// The triangles that have the same three vertices as an earlier usable one, in ascending order.
+std::vector<Index> find_repeats(std::span<const Triangle> triangles, const EdgeTable& edges) {
+  struct Face {
+    Index third;
+    Index triangle;
+  };
+  std::vector<Index> repeats;
+  std::vector<Face> faces;
+  edges.for_each_edge([&](std::span<const EdgeSide> sides) {
+    if (sides.size() < 2) return;
+    faces.clear();
+    for (const EdgeSide& side : sides) {
+      const Index third = origin_of(triangles, previous_in_face(side.half_edge));
+      // Every face is looked at from one of its edges only: that of its two smaller vertices.
+      if (third > side.high) faces.push_back({third, side.half_edge / 3});
+    }
+    std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {
+      return a.third != b.third ? a.third < b.third : a.triangle < b.triangle;
+    });
+    for (std::size_t i = 1; i < faces.size(); ++i) {
+      if (faces[i].third == faces[i - 1].third) repeats.push_back(faces[i].triangle);
+    }
+  });
+  std::sort(repeats.begin(), repeats.end());
+  return repeats;
+}
+
+class Finder {
+ public:
+  Finder(const TriangleSoup& soup, const FileLines& lines)
+      : positions_(soup.positions),
+        triangles_(soup.triangles),
+        lines_(lines),
+        census_(take_census(soup)),
+        edges_(soup.triangles, census_.usable, soup.positions.size()) {}
+
+  DefectReport find() {
+    report_unusable_faces();
+    report_edges();
+    report_vertices();
+    report_flat_faces();
+    report_components();
+    std::sort(report_.defects.begin(), report_.defects.end(),
+              [](const Defect& a, const Defect& b) { return a.kind < b.kind; });
+    return std::move(report_);
+  }
+
+ private:
+  // Counts defects of one kind and keeps the first.
+  struct Tally {
+    std::size_t count = 0;
+    Index first = kNone;
+    void add(Index which) {
+      if (count++ == 0) first = which;
+    }
+  };
+
+  void report(DefectKind kind, std::size_t count, std::string example) {
+    report_.defects.push_back({kind, count, std::move(example)});
+  }
+
+  std::string line(const std::vector<std::uint32_t>& of, Index which) const {
+    return which < of.size() ? " (line " + std::to_string(of[which]) + ")" : "";
+  }
+  std::string vertex(Index v) const {
+    return "vertex " + std::to_string(v) + line(lines_.vertices, v);
+  }
+  std::string face(Index f) const {
+    return "face " + std::to_string(f) + line(lines_.triangles, f);
+  }
+  std::string face_with_vertices(Index f) const {
+    const Triangle& t = triangles_[f];
+    const auto id = [](Index v) { return v == kNone ? "?" : std::to_string(v); };
+    return face(f) + " of vertices " + id(t[0]) + ", " + id(t[1]) + ", " + id(t[2]);
+  }
+  // "edge 3-5 of face 1 (line 7) and face 2 (line 8)"
+  std::string edge(std::span<const EdgeSide> sides) const {
+    std::string text =
+        "edge " + std::to_string(sides[0].low) + "-" + std::to_string(sides[0].high) + " of ";
+    constexpr std::size_t kMostFaces = 6;
+    const std::size_t shown = std::min(sides.size(), kMostFaces);
+    for (std::size_t i = 0; i < shown; ++i) {
+      text += (i == 0 ? "" : ", ") + face(sides[i].half_edge / 3);
+    }
+    return text + (shown < sides.size() ? ", ..." : "");
+  }
+
+  void report_unusable_faces() {
+    const auto report_faces = [&](DefectKind kind, const std::vector<Index>& faces,
+                                  const std::string& remark) {
+      if (!faces.empty()) report(kind, faces.size(), face_with_vertices(faces.front()) + remark);
+    };
+    report_faces(
+        DefectKind::index_out_of_range, census_.index_out_of_range,
+        "; the file has " + std::to_string(positions_.size()) + " vertices, counted here from 0");
+    report_faces(DefectKind::repeated_vertex, census_.repeated_vertex, "");
+    report_faces(DefectKind::repeated_face, census_.repeated_face, "");
+    Tally not_finite;
+    for (Index v = 0; v < positions_.size(); ++v) {
+      if (!census_.finite_vertices[v]) not_finite.add(v);
+    }
+    if (not_finite.count > 0) {
+      report(DefectKind::non_finite_coordinate, not_finite.count, vertex(not_finite.first));
+    }
+  }
+
+  void report_edges() {
+    std::array<std::size_t, kDefectKinds> counts = {};
+    std::array<std::string, kDefectKinds> examples;
+    edges_.for_each_edge([&](std::span<const EdgeSide> sides) {
+      const auto found = [&](DefectKind kind) {
+        const auto k = static_cast<std::size_t>(kind);
+        if (counts[k]++ == 0) examples[k] = edge(sides);
+      };
+      if (sides.size() > 2) found(DefectKind::non_manifold_edge);
+      if (sides.size() == 2 &&
+          origin_of(triangles_, sides[0].half_edge) == origin_of(triangles_, sides[1].half_edge)) {
+        found(DefectKind::inconsistent_orientation);
+      }
+      const Vec3 along = difference(positions_[sides[0].low], positions_[sides[0].high]);
+      if (norm(along) == 0) found(DefectKind::zero_length_edge);
+    });
+    for (std::size_t k = 0; k < kDefectKinds; ++k) {
+      if (counts[k] > 0) report(static_cast<DefectKind>(k), counts[k], examples[k]);
+    }
+  }
+
+  // Corners are numbered as the half-edges that start at them. Those at one vertex belong together
+  // when their faces share an edge there.
+  void report_vertices() {
+    DisjointSets groups(3 * triangles_.size());
+    edges_.for_each_edge([&](std::span<const EdgeSide> sides) {
+      const auto corner_at = [&](const EdgeSide& side, Index v) {
+        const Index h = side.half_edge;
+        return origin_of(triangles_, h) == v ? h : next_in_face(h);
+      };
+      for (std::size_t i = 1; i < sides.size(); ++i) {
+        groups.join(corner_at(sides[0], sides[0].low), corner_at(sides[i], sides[0].low));
+        groups.join(corner_at(sides[0], sides[0].high), corner_at(sides[i], sides[0].high));
+      }
+    });
+    std::vector<std::uint8_t> groups_at(positions_.size(), 0);  // 0, 1 or more
+    for (Index h = 0; h < 3 * triangles_.size(); ++h) {
+      std::uint8_t& count = groups_at[census_.usable[h / 3] ? origin_of(triangles_, h) : 0];
+      if (census_.usable[h / 3] && groups.find(h) == h && count < 2) ++count;
+    }
+    Tally isolated;
+    Tally shared;
+    for (Index v = 0; v < positions_.size(); ++v) {
+      if (groups_at[v] == 0) isolated.add(v);
+      if (groups_at[v] > 1) shared.add(v);
+    }
+    if (shared.count > 0) {
+      report(DefectKind::non_manifold_vertex, shared.count, vertex(shared.first));
+    }
+    if (isolated.count > 0) {
+      report(DefectKind::isolated_vertex, isolated.count, vertex(isolated.first));
+    }
+  }
+
+  void report_flat_faces() {
+    Tally flat;
+    for (Index f = 0; f < triangles_.size(); ++f) {
+      if (census_.usable[f] && has_zero_area(positions_, triangles_[f])) flat.add(f);
+    }
+    if (flat.count > 0) {
+      report(DefectKind::zero_area_face, flat.count, face_with_vertices(flat.first));
+    }
+  }
+
+  void report_components() {
+    DisjointSets components(positions_.size());
+    for (Index f = 0; f < triangles_.size(); ++f) {
+      if (!census_.usable[f]) continue;
+      components.join(triangles_[f][0], triangles_[f][1]);
+      components.join(triangles_[f][0], triangles_[f][2]);
+    }
+    std::vector<bool> seen(positions_.size(), false);
+    std::vector<Index> first_faces;
+    for (Index f = 0; f < triangles_.size(); ++f) {
+      if (!census_.usable[f]) continue;
+      const Index root = components.find(triangles_[f][0]);
+      if (!seen[root]) first_faces.push_back(f);
+      seen[root] = true;
+    }
+    if (first_faces.size() < 2) return;
+    report(DefectKind::several_components, first_faces.size(),
+           "the second holds " + face(first_faces[1]));
+  }
+
+  std::span<const Vec3> positions_;
+  std::span<const Triangle> triangles_;
+  const FileLines& lines_;
+  FaceCensus census_;
+  EdgeTable edges_;
+  DefectReport report_;
+};
+
+}  // namespace
+
+DefectReport find_defects(const TriangleSoup& soup, const FileLines& lines) {
+  return Finder(soup, lines).find();
+}
+
+const DefectType& type_of(DefectKind kind) { return kTypes[static_cast<std::size_t>(kind)]; }
+
+std::string Defect::text() const {
+  const DefectType& type = type_of(kind);
+  return std::to_string(count) + " " + std::string(count == 1 ? type.singular : type.plural) +
+         " (first: " + example + ")";
+}
+
+std::size_t DefectReport::count(DefectKind kind) const {
+  for (const Defect& defect : defects) {
+    if (defect.kind == kind) return defect.count;
+  }
+  return 0;
+}
+
+bool DefectReport::has_errors() const {
+  return std::any_of(defects.begin(), defects.end(), [](const Defect& defect) {
+    return type_of(defect.kind).severity == Severity::error;
+  });
+}
+
+bool has_zero_area(std::span<const Vec3> positions, const Triangle& triangle) {
+  const auto& [a, b, c] = triangle;
+  const Vec3 ab = difference(positions[b], positions[a]);
+  const Vec3 ac = difference(positions[c], positions[a]);
+  const Vec3 bc = difference(positions[c], positions[b]);
+  const double longest = std::max({norm(ab), norm(ac), norm(bc)});
+  // Divided before it is multiplied: the product of tiny sides would underflow.
+  const auto scaled = [&](const Vec3& v) {
+    return Vec3{v[0] / longest, v[1] / longest, v[2] / longest};
+  };
+  return longest == 0 || norm(cross(scaled(ab), scaled(ac))) <= kFlatHeight;
+}
+
+FaceCensus take_census(const TriangleSoup& soup) {
+  FaceCensus census;
+  for (const Vec3& p : soup.positions) census.finite_vertices.push_back(is_usable_position(p));
+  for (Index f = 0; f < soup.triangles.size(); ++f) {
+    const auto& [a, b, c] = soup.triangles[f];
+    bool usable = false;
+    if (std::max({a, b, c}) >= soup.positions.size()) {
+      census.index_out_of_range.push_back(f);
+    } else if (a == b || b == c || c == a) {
+      census.repeated_vertex.push_back(f);
+    } else if (!census.finite_vertices[a] || !census.finite_vertices[b] ||
+               !census.finite_vertices[c]) {
+      census.at_non_finite_vertex.push_back(f);
+    } else {
+      usable = true;
+    }
+    census.usable.push_back(usable);
+  }
+  const EdgeTable edges(soup.triangles, census.usable, soup.positions.size());
+  census.repeated_face = find_repeats(soup.triangles, edges);
+  for (const Index f : census.repeated_face) census.usable[f] = false;
+  return census;
+}
+
+}  // namespace geodesic::harness

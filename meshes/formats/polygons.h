@@ -1,0 +1,41 @@
+// Polygons as files hold them, and their triangulation.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "meshes/formats/read.h"
+
+namespace geodesic::harness {
+
+/// Faces of any number of corners. `add_corner` for each corner of a face, then `end_polygon`.
+class Polygons {
+ public:
+  void reserve(std::size_t polygons);
+  void add_corner(Index vertex) { corners_.push_back(vertex); }
+  /// Corners of the polygon that has not been ended yet.
+  std::size_t open_corners() const { return corners_.size() - (ends_.empty() ? 0 : ends_.back()); }
+  /// @param line of the file that holds it; 0 in a binary file
+  void end_polygon(std::uint32_t line);
+  std::size_t size() const { return ends_.size(); }
+
+  /// Fills file.soup.triangles (and file.lines.triangles) from the polygons, in their order; needs
+  /// file.soup.positions.
+  ///
+  /// A polygon that is seen whole from its first corner becomes the fan around that corner. Others
+  /// lose one ear after another (Meisters 1975), in the projection along the coordinate in which
+  /// their normal is longest. A polygon that crosses itself or has no area has no triangulation: it
+  /// becomes a fan, and file.warnings says how many did.
+  /// @throws MeshError for a polygon that needs ears and has more than kMostCornersWithEars corners
+  void triangulate(MeshFile& file, const std::string& name);
+
+  static constexpr std::size_t kMostCornersWithEars = 10'000;
+
+ private:
+  std::vector<Index> corners_;
+  std::vector<std::size_t> ends_;  // one behind the last corner of each polygon
+  std::vector<std::uint32_t> lines_;
+};
+
+}  // namespace geodesic::harness

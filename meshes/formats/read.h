@@ -1,0 +1,46 @@
+// Reading a mesh file: OBJ, OFF, PLY (ASCII, both binary orders) and STL (ASCII, binary).
+//
+// Vertex ids are the order of the vertices in the file, from 0, and isolated vertices stay; an STL
+// file has no vertices of its own, so equal corners are joined and numbered by first appearance.
+// Polygons become triangles in the order of the file. Coordinates are the doubles nearest to the
+// decimal numbers of the file, whatever the locale. Topology is not looked at: see defects.h.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "meshes/mesh_error.h"
+#include "solvers/core/geometry.h"
+
+namespace geodesic::harness {
+
+/// Where the elements of a text file stand, lines counted from 1; both empty for a binary file.
+struct FileLines {
+  std::vector<std::uint32_t> vertices;   ///< one a vertex
+  std::vector<std::uint32_t> triangles;  ///< one a triangle
+};
+
+struct MeshFile {
+  TriangleSoup soup;   ///< indices out of range and non-finite coordinates are kept as they are
+  std::string format;  ///< "OBJ", "OFF", "PLY ASCII", "PLY binary big-endian", "STL binary", ...
+  FileLines lines;
+  std::vector<std::string> warnings;  ///< one line each, without the file's name
+};
+
+/// All bytes of a regular file.
+/// @throws MeshError when it cannot be read
+std::string read_bytes(const std::filesystem::path& path);
+
+/// Reads a file; its format is recognised by its content, the extension is only a hint.
+/// @throws MeshError when the file cannot be read, is of no known format, malformed or truncated,
+///         or holds no vertex or no face, or more than a Mesh can number
+MeshFile read_mesh(const std::filesystem::path& path);
+
+/// As `read_mesh` on a file's bytes.
+/// @param name what messages call the file; its extension is the hint
+MeshFile parse_mesh(std::string_view bytes, const std::string& name);
+
+}  // namespace geodesic::harness

@@ -1,0 +1,75 @@
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "meshes/edges.h"
+#include "meshes/generators/families.h"
+#include "meshes/generators/input.h"
+#include "meshes/generators/random.h"
+#include "meshes/vectors.h"
+
+namespace geodesic::generators {
+namespace {
+
+using harness::EdgeSide;
+using harness::EdgeTable;
+
+/// Over undirected edges, whatever the number of their faces.
+double mean_edge_length(const TriangleSoup& soup) {
+  const EdgeTable edges(soup.triangles, std::vector<bool>(soup.triangles.size(), true),
+                        soup.positions.size());
+  double sum = 0;
+  double count = 0;
+  edges.for_each_edge([&](std::span<const EdgeSide> sides) {
+    sum += harness::norm(
+        harness::difference(soup.positions[sides[0].high], soup.positions[sides[0].low]));
+    ++count;
+  });
+  return sum / count;
+}
+
+/// The sum of the normals of a vertex's faces, each as long as twice the face's area.
+std::vector<Vec3> vertex_normals(const TriangleSoup& soup) {
+  std::vector<Vec3> normals(soup.positions.size(), Vec3{});
+  for (const Triangle& face : soup.triangles) {
+    const Vec3& corner = soup.positions[face[0]];
+    const Vec3 normal = harness::cross(harness::difference(soup.positions[face[1]], corner),
+                                       harness::difference(soup.positions[face[2]], corner));
+    for (const Index v : face) {
+      for (std::size_t axis = 0; axis < 3; ++axis) normals[v][axis] += normal[axis];
+    }
+  }
+  return normals;
+}
+
+TriangleSoup make_noise(const CheckedParameters& parameters) {
+  TriangleSoup soup = read_input(parameters);
+  const double amplitude = parameters.real("amplitude") * mean_edge_length(soup);
+  const std::uint64_t seed = split_mix(parameters.integer("seed"));
+  const std::vector<Vec3> normals = vertex_normals(soup);
+  for (std::size_t v = 0; v < soup.positions.size(); ++v) {
+    const double length = harness::norm(normals[v]);
+    if (!(length > 0)) continue;
+    const double step = amplitude * to_signed_unit(split_mix(seed ^ v));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      soup.positions[v][axis] += step * (normals[v][axis] / length);
+    }
+  }
+  return soup;
+}
+
+}  // namespace
+
+Family noise() {
+  return {{.name = "noise",
+           .description = "a mesh whose vertices are moved at random along their normals; isolated "
+                          "ones stay",
+           .closed_form = "",
+           .parameters = {input_parameter(),
+                          real_parameter("amplitude", 0.1, 0, 1000,
+                                         "farthest move by the mean edge length"),
+                          integer_parameter("seed", 1, 0, kNone - 1, "of the random moves")}},
+          make_noise};
+}
+
+}  // namespace geodesic::generators

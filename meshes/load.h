@@ -1,0 +1,43 @@
+// From a file to a mesh that solvers can take: reading, finding defects, refusing or repairing.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "meshes/defects.h"
+#include "meshes/formats/read.h"
+#include "meshes/repair.h"
+
+namespace geodesic::harness {
+
+struct LoadOptions {
+  bool repair = false;  ///< repair what would be refused (see repair.h)
+};
+
+struct LoadedMesh {
+  TriangleSoup soup;  ///< fit for the constructor of Mesh
+  std::string format;
+  DefectReport defects;               ///< of the file, before any repair
+  std::vector<RepairAction> repairs;  ///< empty without LoadOptions::repair
+  std::vector<std::string> warnings;  ///< one line each, without the file's name: whatever a user
+                                      ///< should know, defects and repairs included
+};
+
+/// @throws MeshError when the file cannot be read, and when it has errors among its defects and is
+///         not to be repaired, or has no face left after the repair
+LoadedMesh load_mesh(const std::filesystem::path& path, const LoadOptions& options = {});
+
+/// As `load_mesh` on a file that has been read.
+/// @param name what messages call the file
+LoadedMesh load_mesh(MeshFile file, const std::string& name, const LoadOptions& options);
+
+/// Refuses what solvers should not be given.
+/// @param soup after the repair, if any
+/// @param defects of the file, before it
+/// @param name what messages call the file
+/// @throws MeshError as `load_mesh`
+void require_measurable(const TriangleSoup& soup, const DefectReport& defects,
+                        const std::string& name, bool repaired);
+
+}  // namespace geodesic::harness

@@ -1,0 +1,67 @@
+#include "meshes/oracles/brute_force.h"
+
+#include <algorithm>
+#include <functional>
+#include <queue>
+
+namespace geodesic::oracles {
+namespace {
+
+using Graph = std::vector<std::vector<std::pair<Index, Real>>>;  // per vertex: neighbour, length
+
+std::vector<Real> shortest_chains(const Graph& graph, std::span<const Source> sources) {
+  std::vector<Real> reached(graph.size(), kInfinity);
+  using Entry = std::pair<Real, Index>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+  const auto reach = [&](Index v, Real d) {
+    if (d >= reached[v]) return;
+    reached[v] = d;
+    front.push({d, v});
+  };
+  for (const Source& source : sources) reach(source.vertex, source.distance);
+  while (!front.empty()) {
+    const auto [d, v] = front.top();
+    front.pop();
+    if (d > reached[v]) continue;
+    for (const auto& [w, length] : graph[v]) reach(w, d + length);
+  }
+  return reached;
+}
+
+Graph edge_graph(const Mesh& mesh) {
+  Graph graph(mesh.vertex_count());
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    const Real length = straight_distance(mesh, mesh.origin(h), mesh.head(h));
+    graph[mesh.origin(h)].push_back({mesh.head(h), length});
+    graph[mesh.head(h)].push_back({mesh.origin(h), length});
+  }
+  return graph;
+}
+
+}  // namespace
+
+BruteForce::BruteForce(const Mesh& mesh) {
+  const Graph edges = edge_graph(mesh);
+  lines_ = edges;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    Real reach = 0;
+    for (const Real d : shortest_chains(edges, std::vector<Source>{{.vertex = v}})) {
+      if (d < kInfinity) reach = std::max(reach, d);
+    }
+    view_from(mesh, v, reach, [&](const Sight& sight) {
+      lines_[v].push_back({sight.vertex, sight.length});
+    });
+  }
+}
+
+std::vector<double> BruteForce::distances(std::span<const Source> sources) const {
+  std::vector<double> distances;
+  for (const Real d : shortest_chains(lines_, sources)) distances.push_back(static_cast<double>(d));
+  return distances;
+}
+
+std::vector<double> brute_force_distances(const Mesh& mesh, Index source) {
+  return BruteForce(mesh).distances(std::vector<Source>{{.vertex = source}});
+}
+
+}  // namespace geodesic::oracles

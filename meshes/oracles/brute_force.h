@@ -1,0 +1,34 @@
+// A slow and plain solver: the third opinion where two solvers differ.
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "meshes/oracles/view.h"
+#include "solvers/core/solver.h"
+
+namespace geodesic::oracles {
+
+/// For meshes of up to some hundred faces.
+///
+/// A geodesic is a chain of straight segments that bend at vertices. All straight segments between
+/// vertices are found by unfolding every strip of faces that can be seen from a vertex (view.h), as
+/// long as it lies nearer than the farthest vertex along edges; every vertex may be a bend. The
+/// result is the shortest chain. Lengths are kept in `long double`.
+class BruteForce {
+ public:
+  /// Finds the segments: all the work. The mesh must outlive this.
+  explicit BruteForce(const Mesh& mesh);
+
+  /// Distances to all vertices from the nearest source, +infinity where no path leads.
+  std::vector<double> distances(std::span<const Source> sources) const;
+
+ private:
+  std::vector<std::vector<std::pair<Index, Real>>> lines_;  // per vertex: to which, and its length
+};
+
+/// Distances from one vertex.
+std::vector<double> brute_force_distances(const Mesh& mesh, Index source);
+
+}  // namespace geodesic::oracles

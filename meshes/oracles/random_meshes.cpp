@@ -1,0 +1,194 @@
+#include "meshes/oracles/random_meshes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "meshes/oracles/random.h"
+
+namespace geodesic::oracles {
+namespace {
+
+void add_cell(TriangleSoup& soup, Index a, Index b, Index c, Index d, Random& random) {
+  if (random.below(2) == 0) {
+    soup.triangles.insert(soup.triangles.end(), {{a, b, c}, {a, c, d}});
+  } else {
+    soup.triangles.insert(soup.triangles.end(), {{a, b, d}, {b, c, d}});
+  }
+}
+
+TriangleSoup icosahedron() {
+  const double g = std::numbers::phi;
+  TriangleSoup soup;
+  soup.positions = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+                    {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
+  soup.triangles = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                    {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                    {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                    {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
+  return soup;
+}
+
+TriangleSoup subdivide(const TriangleSoup& coarse) {
+  TriangleSoup fine{coarse.positions, {}};
+  std::map<std::pair<Index, Index>, Index> middles;
+  const auto middle = [&](Index a, Index b) {
+    const auto [entry, added] =
+        middles.try_emplace(std::minmax(a, b), static_cast<Index>(fine.positions.size()));
+    if (added) {
+      Vec3 m;
+      for (std::size_t k = 0; k < 3; ++k) {
+        m[k] = (coarse.positions[a][k] + coarse.positions[b][k]) / 2;
+      }
+      fine.positions.push_back(m);
+    }
+    return entry->second;
+  };
+  for (const auto& [a, b, c] : coarse.triangles) {
+    const Index ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+    fine.triangles.insert(fine.triangles.end(),
+                          {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+  }
+  return fine;
+}
+
+// True for the ends of edges that only one face has.
+std::vector<bool> border_vertices(const TriangleSoup& soup) {
+  std::set<std::pair<Index, Index>> sides;
+  for (const auto& [a, b, c] : soup.triangles) sides.insert({{a, b}, {b, c}, {c, a}});
+  std::vector<bool> at_border(soup.positions.size(), false);
+  for (const auto& [a, b] : sides) {
+    if (!sides.contains({b, a})) at_border[a] = at_border[b] = true;
+  }
+  return at_border;
+}
+
+}  // namespace
+
+TriangleSoup rough_terrain(std::uint64_t seed, Index columns, Index rows, double relief) {
+  Random random(seed);
+  TriangleSoup soup;
+  for (Index j = 0; j <= rows; ++j) {
+    for (Index i = 0; i <= columns; ++i) {
+      const double x = i + random.between(-0.3, 0.3), y = j + random.between(-0.3, 0.3);
+      soup.positions.push_back({x, y, random.between(0, relief)});
+    }
+  }
+  const Index row = columns + 1;
+  for (Index j = 0; j < rows; ++j) {
+    for (Index i = 0; i < columns; ++i) {
+      const Index a = j * row + i;
+      add_cell(soup, a, a + 1, a + row + 1, a + row, random);
+    }
+  }
+  return soup;
+}
+
+TriangleSoup rough_sphere(std::uint64_t seed, int levels, double noise) {
+  Random random(seed);
+  TriangleSoup soup = icosahedron();
+  for (int level = 0; level < levels; ++level) soup = subdivide(soup);
+  for (Vec3& p : soup.positions) {
+    const double scale = random.between(1 - noise, 1 + noise) / std::hypot(p[0], p[1], p[2]);
+    for (double& c : p) c *= scale;
+  }
+  return soup;
+}
+
+TriangleSoup rough_torus(std::uint64_t seed, Index around, Index across, double noise) {
+  Random random(seed);
+  TriangleSoup soup;
+  for (Index j = 0; j < across; ++j) {
+    for (Index i = 0; i < around; ++i) {
+      const double u = 2 * std::numbers::pi * i / around, v = 2 * std::numbers::pi * j / across;
+      const double tube = random.between(1 - noise, 1 + noise), r = 2.5 + tube * std::cos(v);
+      soup.positions.push_back({r * std::cos(u), r * std::sin(u), tube * std::sin(v)});
+    }
+  }
+  for (Index j = 0; j < across; ++j) {
+    for (Index i = 0; i < around; ++i) {
+      const Index right = (i + 1) % around, up = (j + 1) % across * around;
+      add_cell(soup, j * around + i, j * around + right, up + right, up + i, random);
+    }
+  }
+  return soup;
+}
+
+TriangleSoup with_holes(TriangleSoup soup, std::uint64_t seed, Index holes) {
+  Random random(seed);
+  std::vector<bool> taken = border_vertices(soup);  // those at or beside a hole follow
+  const auto touches = [](const Triangle& t, Index v) { return std::ranges::count(t, v) > 0; };
+  for (Index made = 0, tries = 0; made < holes && tries < 1000; ++tries) {
+    const Index centre = random.below(static_cast<Index>(soup.positions.size()));
+    const auto star_is_free = std::ranges::all_of(soup.triangles, [&](const Triangle& t) {
+      return !touches(t, centre) || std::ranges::none_of(t, [&](Index v) { return taken[v]; });
+    });
+    if (taken[centre] || !star_is_free) continue;
+    for (const Triangle& t : soup.triangles) {
+      if (touches(t, centre)) {
+        for (const Index v : t) taken[v] = true;
+      }
+    }
+    std::erase_if(soup.triangles, [&](const Triangle& t) { return touches(t, centre); });
+    ++made;
+  }
+  return soup;
+}
+
+TriangleSoup with_missing_faces(TriangleSoup soup, std::uint64_t seed, std::uint32_t one_in) {
+  Random random(seed);
+  std::erase_if(soup.triangles, [&](const Triangle&) { return random.below(one_in) == 0; });
+  return soup;
+}
+
+TriangleSoup with_collapsed_edges(TriangleSoup soup, std::uint64_t seed, std::uint32_t one_in) {
+  Random random(seed);
+  for (const Triangle& t : soup.triangles) {
+    if (random.below(one_in) == 0) soup.positions[t[0]] = soup.positions[t[1]];
+  }
+  return soup;
+}
+
+TriangleSoup with_flat_caps(TriangleSoup soup, std::uint64_t seed, std::uint32_t one_in) {
+  Random random(seed);
+  const std::size_t faces = soup.triangles.size();
+  for (std::size_t f = 0; f < faces; ++f) {
+    if (random.below(one_in) != 0) continue;
+    const auto [a, b, c] = soup.triangles[f];
+    const Vec3 &p = soup.positions[a], &q = soup.positions[b];
+    const Vec3 middle = {(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2};
+    const Index m = static_cast<Index>(soup.positions.size());
+    soup.positions.push_back(middle);
+    soup.triangles[f] = {a, m, c};
+    soup.triangles.push_back({m, b, c});
+    soup.triangles.push_back({a, b, m});
+  }
+  return soup;
+}
+
+TriangleSoup side_by_side(TriangleSoup first, const TriangleSoup& second) {
+  const Index offset = static_cast<Index>(first.positions.size());
+  first.positions.insert(first.positions.end(), second.positions.begin(), second.positions.end());
+  for (const auto& [a, b, c] : second.triangles) {
+    first.triangles.push_back({a + offset, b + offset, c + offset});
+  }
+  return first;
+}
+
+std::vector<NamedMesh> random_meshes() {
+  return {
+      {"rough_terrain", rough_terrain(1, 9, 9, 1.5)},
+      {"steep_terrain", rough_terrain(2, 8, 8, 6)},
+      {"terrain_with_holes", with_holes(rough_terrain(3, 9, 9, 1), 3, 3)},
+      {"rough_sphere", rough_sphere(4, 1, 0.3)},
+      {"spiky_sphere", rough_sphere(5, 1, 0.7)},
+      {"sphere_with_holes", with_holes(rough_sphere(6, 2, 0.1), 6, 4)},
+      {"rough_torus", rough_torus(7, 12, 7, 0.4)},
+      {"smooth_torus", rough_torus(8, 10, 8, 0.01)},
+  };
+}
+
+}  // namespace geodesic::oracles

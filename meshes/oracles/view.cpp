@@ -1,0 +1,136 @@
+#include "meshes/oracles/view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace geodesic::oracles {
+namespace {
+
+// Twice the signed area of (0, a, b): positive when b lies to the left of the ray through a.
+Real cross(const PlanePoint& a, const PlanePoint& b) { return a.x * b.y - a.y * b.x; }
+
+using Vector = std::array<Real, 3>;
+
+Vector vector_between(const Mesh& mesh, Index a, Index b) {
+  Vector v;
+  for (std::size_t k = 0; k < 3; ++k) {
+    v[k] = static_cast<Real>(mesh.position(b)[k]) - static_cast<Real>(mesh.position(a)[k]);
+  }
+  return v;
+}
+
+Real dot(const Vector& u, const Vector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
+
+// Twice the area of a triangle by two of its sides.
+Real twice_area(const Vector& u, const Vector& v) {
+  const Vector n = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                    u[0] * v[1] - u[1] * v[0]};
+  return std::sqrt(dot(n, n));
+}
+
+// The apex of half-edge h's face when h is laid from p to q, which differ, with the face on its
+// left. Needles cost digits in two places. The area is that of the two shorter sides: of two long
+// ones it is a difference of products as large as their squares. And the direction from p to q,
+// which rounding turns where they are close, is made a unit vector by what they are apart in the
+// plane: a turn changes no length of a line that runs through there, another unit would.
+PlanePoint lay_out_apex(const Mesh& mesh, Index h, const PlanePoint& p, const PlanePoint& q) {
+  const Vector base = vector_between(mesh, mesh.origin(h), mesh.head(h));
+  const Vector left = vector_between(mesh, mesh.origin(h), mesh.apex(h));
+  const Vector right = vector_between(mesh, mesh.head(h), mesh.apex(h));
+  const Real longest = std::max({dot(base, base), dot(left, left), dot(right, right)});
+  const Real area = dot(base, base) == longest   ? twice_area(left, right)
+                    : dot(left, left) == longest ? twice_area(base, right)
+                                                 : twice_area(base, left);
+  const Real length = std::sqrt(dot(base, base)), laid = std::hypot(q.x - p.x, q.y - p.y);
+  const Real along = dot(base, left) / length, across = area / length;
+  const PlanePoint e = {(q.x - p.x) / laid, (q.y - p.y) / laid};
+  return {p.x + along * e.x - across * e.y, p.y + along * e.y + across * e.x};
+}
+
+// True when the rays through r and l enclose something, up to a half-plane: what a vertex in the
+// middle of an edge (of a face without area) sees across it.
+bool opens(const PlanePoint& r, const PlanePoint& l) {
+  const Real turn = cross(r, l);
+  return turn > 0 || (turn == 0 && r.x * l.x + r.y * l.y < 0);
+}
+
+Real nearest(const PlanePoint& a, const PlanePoint& b) {
+  const PlanePoint d = {b.x - a.x, b.y - a.y};
+  const Real square = d.x * d.x + d.y * d.y;
+  Real t = square > 0 ? -(a.x * d.x + a.y * d.y) / square : 0;
+  t = std::min(Real{1}, std::max(Real{0}, t));
+  return std::hypot(a.x + t * d.x, a.y + t * d.y);
+}
+
+class View {
+ public:
+  View(const Mesh& mesh, Real reach, const std::function<void(const Sight&)>& see)
+      : mesh_(mesh), reach_(reach), see_(see), entered_(mesh.face_count()) {}
+
+  void look_from(Index v) {
+    for (const Index h : mesh_.outgoing(v)) {
+      const PlanePoint right = {straight_distance(mesh_, v, mesh_.head(h)), 0};
+      if (right.x == 0) continue;  // a bend at the other end sees all that lies beyond
+      const PlanePoint left = lay_out_apex(mesh_, h, {0, 0}, right);
+      entered_[h / 3] = true;
+      enter(mesh_.twin(Mesh::next(h)), left, right, left, right);
+      entered_[h / 3] = false;
+    }
+  }
+
+ private:
+  // Enters the face of h, seen from below between the rays through `l` and `r`. The edge lies with
+  // its origin at `left` and its head at `right` as its own face sees it from outside: h is the
+  // twin, so it runs from left to right with its face above.
+  void enter(Index h, const PlanePoint& left, const PlanePoint& right, const PlanePoint& l,
+             const PlanePoint& r) {
+    if (h == kNone || !opens(r, l) || nearest(left, right) > reach_) return;
+    if (entered_[h / 3] || mesh_.half_edge(h).length == 0) return;
+    if (left.x == right.x && left.y == right.y) return;  // a bend at its ends sees as much
+    entered_[h / 3] = true;
+    strip_.push_back({h, left, right});
+    const PlanePoint apex = lay_out_apex(mesh_, h, left, right);
+    // The apex splits what is seen; a line through it exactly is continued by the bend there.
+    const Index left_edge = mesh_.twin(Mesh::previous(h));
+    const Index right_edge = mesh_.twin(Mesh::next(h));
+    const Real from_l = cross(apex, l), from_r = cross(r, apex);
+    const bool half_plane = cross(r, l) == 0;  // no narrow cone, whose lines both round to the apex
+    if (half_plane && from_l == 0 && from_r == 0) {
+      // A face without area, seen from a point of its line: one of its edges has the half-plane.
+      see_({mesh_.apex(h), apex, std::hypot(apex.x, apex.y), {}});
+      enter(left_edge, left, apex, left, apex);
+      enter(right_edge, apex, right, apex, right);
+    } else {
+      const bool right_of_l = from_l > 0, left_of_r = from_r > 0;
+      if (right_of_l && left_of_r) {
+        see_({mesh_.apex(h), apex, std::hypot(apex.x, apex.y), strip_});
+      }
+      if (right_of_l) enter(left_edge, left, apex, l, left_of_r ? apex : r);
+      if (left_of_r) enter(right_edge, apex, right, right_of_l ? apex : l, r);
+    }
+    strip_.pop_back();
+    entered_[h / 3] = false;
+  }
+
+  const Mesh& mesh_;
+  Real reach_;
+  const std::function<void(const Sight&)>& see_;
+  std::vector<EdgeInView> strip_;
+  std::vector<bool> entered_;  // faces of the strip: a shortest path crosses none twice
+};
+
+}  // namespace
+
+Real straight_distance(const Mesh& mesh, Index a, Index b) {
+  const Vector v = vector_between(mesh, a, b);
+  return std::sqrt(dot(v, v));
+}
+
+void view_from(const Mesh& mesh, Index v, Real reach,
+               const std::function<void(const Sight&)>& see) {
+  View(mesh, reach, see).look_from(v);
+}
+
+}  // namespace geodesic::oracles

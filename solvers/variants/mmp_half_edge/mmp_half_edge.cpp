@@ -1,0 +1,22 @@
+// `mmp-half-edge`: MMP with two lists of windows an edge, to measure what one list is worth.
+#include "solvers/core/registry.h"
+#include "solvers/mmp/solver.h"
+#include "solvers/variants/mmp_half_edge/policies.h"
+
+namespace geodesic::mmp_half_edge {
+namespace {
+
+const RegisterSolver<mmp::Mmp<HalfEdge>> registered{{
+    .name = "mmp-half-edge",
+    .family = "MMP",
+    .paper = "Surazhsky et al. 2005, Fast exact and approximate geodesics on meshes",
+    .data_structure = "priority queue",
+    .time_complexity = "O(n^2 log n)",
+    .space_complexity = "O(n^2)",
+    .propagation = "window",
+    .by_name_only = true,
+    .remarks = "windows of the two sides of an edge are not trimmed against each other",
+}};
+
+}  // namespace
+}  // namespace geodesic::mmp_half_edge
