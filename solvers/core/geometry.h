@@ -1,9 +1,13 @@
-// Points and triangles as plain data: what a mesh is built from.
+// Points, vectors and triangles as plain data: what a mesh is built from.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace geodesic {
@@ -19,6 +23,23 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// A point or vector in space, in the unit of length of the file it came from.
 using Vec3 = std::array<double, 3>;
 
+inline Vec3 add(const Vec3& a, const Vec3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+inline Vec3 subtract(const Vec3& a, const Vec3& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+inline Vec3 scale(double factor, const Vec3& a) {
+  return {factor * a[0], factor * a[1], factor * a[2]};
+}
+inline double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+/// Euclidean length.
+inline double norm(const Vec3& a) { return std::sqrt(dot(a, a)); }
+inline bool is_finite(const Vec3& a) {
+  return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
+}
+
 /// Three vertex indices in counter-clockwise order seen from outside.
 using Triangle = std::array<Index, 3>;
 
@@ -27,5 +48,29 @@ struct TriangleSoup {
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
 };
+
+/// The smallest box along the axes around some points; low is above high when there are none.
+struct Box {
+  Vec3 low{kInfinity, kInfinity, kInfinity};
+  Vec3 high{-kInfinity, -kInfinity, -kInfinity};
+
+  /// Half the longest side, 0 without points. Half, since the side of a finite box may overflow.
+  double half_extent() const {
+    double extent = 0;
+    for (std::size_t k = 0; k < 3; ++k) extent = std::max(extent, high[k] / 2 - low[k] / 2);
+    return extent;
+  }
+};
+
+inline Box box_around(std::span<const Vec3> positions) {
+  Box box;
+  for (const Vec3& p : positions) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.low[k] = std::min(box.low[k], p[k]);
+      box.high[k] = std::max(box.high[k], p[k]);
+    }
+  }
+  return box;
+}
 
 }  // namespace geodesic

@@ -14,25 +14,13 @@
 namespace geodesic {
 namespace {
 
-Vec3 operator-(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-
-double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-double norm(const Vec3& a) { return std::sqrt(dot(a, a)); }
-
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 void check_input(std::span<const Vec3> positions, std::span<const Triangle> triangles) {
   if (positions.size() >= kNone || triangles.size() >= kNone / 3) {
     throw std::invalid_argument("mesh too large: indices have 32 bits");
   }
   for (std::size_t v = 0; v < positions.size(); ++v) {
-    for (const double c : positions[v]) {
-      if (!std::isfinite(c)) {
-        throw std::invalid_argument("vertex " + std::to_string(v) + " has a non-finite coordinate");
-      }
+    if (!is_finite(positions[v])) {
+      throw std::invalid_argument("vertex " + std::to_string(v) + " has a non-finite coordinate");
     }
   }
   for (std::size_t f = 0; f < triangles.size(); ++f) {
@@ -160,7 +148,7 @@ void Mesh::lay_out_face(Index first, std::span<const Vec3> at) {
   std::array<Vec3, 3> along;
   std::size_t longest = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    along[k] = at[sides[(k + 1) % 3].origin] - at[sides[k].origin];
+    along[k] = subtract(at[sides[(k + 1) % 3].origin], at[sides[k].origin]);
     sides[k].length = norm(along[k]);
     if (sides[k].length > sides[longest].length) longest = k;
   }
@@ -173,7 +161,7 @@ void Mesh::lay_out_face(Index first, std::span<const Vec3> at) {
     HalfEdge& e = sides[k];
     const std::size_t previous = (k + 2) % 3;
     if (e.length > 0) {
-      e.apex_x = dot(at[sides[previous].origin] - at[e.origin], along[k]) / e.length;
+      e.apex_x = dot(subtract(at[sides[previous].origin], at[e.origin]), along[k]) / e.length;
       e.apex_y = twice_area / e.length;
     } else {  // the direction of a zero-length edge is free: upright keeps the other two lengths
       e.apex_x = 0;

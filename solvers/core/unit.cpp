@@ -5,8 +5,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "solvers/core/box.h"
-
 namespace geodesic {
 namespace {
 

@@ -4,8 +4,6 @@
 #include <array>
 #include <cstdint>
 
-#include "solvers/core/box.h"
-
 namespace geodesic {
 namespace {
 
