@@ -9,6 +9,7 @@
 #include "harness/commands/mesh.h"
 #include "harness/commands/rank.h"
 #include "harness/commands/run.h"
+#include "harness/commands/scripts.h"
 #include "harness/commands/solve.h"
 #include "harness/commands/values.h"
 #include "harness/commands/verify.h"
@@ -56,6 +57,7 @@ void add_commands(CLI::App& app, const std::string& command_line) {
     check_values(*command);
   }
   check_values(app);
+  add_script_commands(app);
   for (const char* name : {"run", "rank", "verify"}) {
     require_text(*app.get_subcommand(name), command_line);
   }

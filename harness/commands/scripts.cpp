@@ -1,0 +1,101 @@
+#include "harness/commands/scripts.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <sstream>
+
+#include "harness/base/error.h"
+#include "harness/base/folders.h"
+#include "harness/base/plugins.h"
+#include "harness/base/process.h"
+
+namespace geodesic::harness {
+namespace fs = std::filesystem;
+namespace {
+
+// A command that is a Python module below the data folder, as git's commands are programs.
+struct Script {
+  const char* name;
+  const char* module;
+  const char* help;
+};
+
+constexpr Script kScripts[] = {
+    {"compare", "gate.compare", "Compare two finished runs, cell by cell and overall"},
+    {"rank", "gate.rank", "Rank a solver against others by interleaved times"},
+    {"export", "gate.export", "Convert a run to the format of another tool"},
+    {"report", "plots.report", "Draw the tables, figures and the HTML report of a run"},
+    {"check", "plots.check", "Check a run: verified cells, complete counters, known failures"},
+};
+
+constexpr const char* kHasPackages =
+    "import importlib.util as u, sys; "
+    "sys.exit(sys.version_info < (3, 11) or not all(map(u.find_spec, "
+    "('numpy', 'scipy', 'matplotlib'))))";
+
+bool has_packages(const fs::path& python) {
+  std::error_code unreadable;
+  if (!fs::exists(python, unreadable)) return false;
+  return run_program(python, {"-c", kHasPackages}, [] {}).succeeded();
+}
+
+// Debian's own interpreter first: its packages are those that the documentation names, and another
+// python3 on the PATH may lack them.
+fs::path find_python() {
+  std::string folders = "/usr/bin";
+  if (const char* path = std::getenv("PATH")) folders += std::string(":") + path;
+  std::istringstream list(folders);
+  for (std::string folder; std::getline(list, folder, ':');) {
+    const fs::path python = fs::path(folder) / "python3";
+    if (has_packages(python)) return python;
+  }
+  throw HarnessError(
+      "no python3 (3.11 or newer) with numpy, scipy and matplotlib was found: install Debian's "
+      "packages python3-numpy, python3-scipy and python3-matplotlib");
+}
+
+void set_environment() {
+  std::string path = data_folder().string();
+  if (const char* others = std::getenv("PYTHONPATH"); others != nullptr && *others != '\0') {
+    path += std::string(":") + others;
+  }
+  setenv("PYTHONPATH", path.c_str(), 1);
+  setenv("GEODESIC_BENCH", fs::read_symlink("/proc/self/exe").c_str(), 1);
+}
+
+// Replaces this process: the exit code and signals are the script's.
+[[noreturn]] void run_script(const Script& script, const std::vector<std::string>& arguments) {
+  const std::string python = find_python();
+  // -P: modules of the current folder do not take the place of ours.
+  std::vector<std::string> words{python, "-P", "-m", script.module};
+  for (const auto& more : {plugin_arguments(), arguments}) {
+    words.insert(words.end(), more.begin(), more.end());
+  }
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  set_environment();
+  std::cout.flush();
+  execv(python.c_str(), argv.data());
+  throw HarnessError("cannot start " + python + ": " + std::strerror(errno));
+}
+
+}  // namespace
+
+void add_script_commands(CLI::App& app) {
+  for (const Script& script : kScripts) {
+    const auto is_taken = [&](const CLI::App* other) { return other->get_name() == script.name; };
+    if (std::ranges::any_of(app.get_subcommands(nullptr), is_taken)) continue;
+    CLI::App* command = app.add_subcommand(script.name, script.help);
+    command->prefix_command()->set_help_flag();  // all words are the script's, --help too
+    command->callback([command, &script] { run_script(script, command->remaining()); });
+  }
+}
+
+}  // namespace geodesic::harness
