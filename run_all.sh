@@ -154,11 +154,11 @@ step_run() {
 
 # A failure is remembered for the end: the tables show failed cells, so they are drawn anyway.
 step_check() {
-  logged "$python" "$root/plots/check.py" --run "$out" || check_failed=yes
+  PYTHONPATH=${PYTHONPATH:+$PYTHONPATH:}$root logged "$python" -m plots.check --run "$out" || check_failed=yes
 }
 
 step_plot() {
-  logged "$python" "$root/plots/report.py" --run "$out"
+  PYTHONPATH=${PYTHONPATH:+$PYTHONPATH:}$root logged "$python" -m plots.report --run "$out"
 }
 
 # choose_out: the folder that `run` writes and that check and plot read.

@@ -23,5 +23,8 @@ install(DIRECTORY datasets/fetching DESTINATION ${GEODESIC_DATA_FOLDER}/datasets
         FILES_MATCHING PATTERN "*.py" PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY harness/suites DESTINATION ${GEODESIC_DATA_FOLDER}/harness)
 install(DIRECTORY results/published DESTINATION ${GEODESIC_DATA_FOLDER}/results)
+install(FILES results/__init__.py results/console.py results/published.py results/reader.py
+              results/statistics.py results/table.py
+        DESTINATION ${GEODESIC_DATA_FOLDER}/results)
 install(DIRECTORY plots docs examples DESTINATION ${GEODESIC_DATA_FOLDER}
         USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE PATTERN build EXCLUDE)

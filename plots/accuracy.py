@@ -1,21 +1,16 @@
-#!/usr/bin/python3
 """Largest relative error per exact solver and mesh, against closed forms or another solver."""
 
 from __future__ import annotations
 
-import sys
-
-import console  # noqa: F401  first: it tells what cannot be imported
 
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, LogLocator
 
-import style
-from command_line import draw
-from dots import Dot, Dots, draw_dots, sentences, without_value
-from drawing import Drawing
-from measures import ERROR, columns
-from results import Run
+from plots import style
+from plots.dots import Dot, Dots, draw_dots, sentences, without_value
+from plots.drawing import Drawing
+from plots.measures import ERROR, columns
+from results.reader import Run
 
 BOUND = 1e-12
 """What an exact solver must keep to on clean meshes."""
@@ -68,7 +63,3 @@ def figures(run: Run) -> list[Drawing]:
             figure=figure,
         )
     ]
-
-
-if __name__ == "__main__":
-    sys.exit(draw(__doc__, figures))

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Whether every cell of a run is there and verified; exit code 1 and a list of what is not.
 
 A solver that declares that it does not support a mesh, an outcome that the suite expects, and a
@@ -10,11 +9,12 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 
-import console  # noqa: F401  first: it tells what cannot be imported
+from results import console
 
-from command_line import run_folder_parser
-from console import complain
-from results import ResultError, Row, Run, newest_run, read_run
+if __name__ == "__main__":
+    console.prepare()  # before imports that may fail
+
+from results.reader import ResultError, Row, Run, newest_run, read_run
 
 ALLOWED = ("unsupported", "skipped")
 
@@ -30,7 +30,7 @@ def allowed(run: Run) -> list[Row]:
 
 
 def line(row: Row) -> str:
-    return f"{row.solver}/{row.mesh}/src:{row.source}: {row.outcome}: {row.message}"
+    return f"{row.cell}: {row.outcome}: {row.message}"
 
 
 def failures(run: Run) -> list[str]:
@@ -80,11 +80,11 @@ def checked_against_truth(run: Run) -> str:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    options = run_folder_parser(__doc__).parse_args(arguments)
+    options = console.run_parser(__doc__).parse_args(arguments)
     try:
         run = read_run(options.run or newest_run())
     except ResultError as error:
-        return complain(error)
+        return console.complain(error)
     for skip in run.skipped:
         print(f"skipped: {skip.mesh}, {skip.solver or 'all solvers'}: {skip.why}")
     for row in allowed(run):

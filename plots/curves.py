@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import style
-from camera import Floats
-from dots import two_lines
+from plots import style
+from plots.camera import Floats
+from plots.dots import two_lines
 from matplotlib.axes import Axes
-from measures import columns
-from recordings import Recording, recordings
-from results import Mesh, Run
+from plots.measures import columns
+from plots.recordings import Recording, recordings
+from results.reader import Mesh, Run
 
 MODELS = 2
 BETWEEN_MARKS = 8

@@ -8,12 +8,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from statistics import geometric_mean
 
-import estimates
-from measures import EDGE_BASED
-from models import Model, models
-from published import THESIS_SOLVERS
-from ratios import BY_KEY, Ratio
-from results import Run
+from results import statistics as estimates
+from plots.measures import EDGE_BASED
+from plots.models import Model, models
+from results.published import THESIS_SOLVERS
+from plots.ratios import BY_KEY, Ratio
+from results.reader import Run
 
 SPEED = BY_KEY["speed-up"]
 WINDOWS = BY_KEY["propagations over the limit"]

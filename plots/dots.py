@@ -11,13 +11,13 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-import style
-from estimates import Estimate
-from measures import failure
-from models import models
-from published import THESIS_SOLVERS
-from results import Mesh, ResultError, Run
-from style import SolverStyle
+from plots import style
+from results.statistics import Estimate
+from plots.measures import failure
+from plots.models import models
+from results.published import THESIS_SOLVERS
+from results.reader import Mesh, ResultError, Run
+from plots.style import SolverStyle
 
 DOT_INCHES = 0.07
 LEAST_ROW_INCHES = 0.36

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from matplotlib.figure import Figure
 
-import style
+from plots import style
 
 
 @dataclass(frozen=True)

@@ -1,18 +1,13 @@
-#!/usr/bin/python3
 """Figure 5.10: how far apart the windows on the wavefront are, per solver and model."""
 
 from __future__ import annotations
 
-import sys
 
-import console  # noqa: F401  first: it tells what cannot be imported
-
-from command_line import draw
-from dots import AT_THE_EDGE, Dot, Dots, draw_dots, sentences, without_value
-from drawing import Drawing
-from estimates import median
-from measures import Measure, by_source, columns, values
-from results import Run
+from plots.dots import AT_THE_EDGE, Dot, Dots, draw_dots, sentences, without_value
+from plots.drawing import Drawing
+from results.statistics import median
+from plots.measures import Measure, by_source, columns, values
+from results.reader import Run
 
 SD = Measure("wavefront_sd_edges", "wavefront SD (mean edge lengths)", lambda value: f"{value:.3f}")
 
@@ -40,7 +35,3 @@ def figures(run: Run) -> list[Drawing]:
             figure=figure,
         )
     ]
-
-
-if __name__ == "__main__":
-    sys.exit(draw(__doc__, figures))

@@ -1,23 +1,18 @@
-#!/usr/bin/python3
 """Figure 5.10 over progress: how far apart the windows on the wavefront are, sample by sample."""
 
 from __future__ import annotations
 
-import sys
-
-import console  # noqa: F401  first: it tells what cannot be imported
 
 import numpy as np
-import style
-from camera import Floats
-from command_line import draw
-from curves import draw_curve, legend, models, solvers_of, title
-from dots import sentences
-from drawing import Drawing
+from plots import style
+from plots.camera import Floats
+from plots.curves import draw_curve, legend, models, solvers_of, title
+from plots.dots import sentences
+from plots.drawing import Drawing
 from matplotlib.ticker import PercentFormatter
-from published import THESIS_SOLVERS
-from recordings import Recording
-from results import Run
+from results.published import THESIS_SOLVERS
+from plots.recordings import Recording
+from results.reader import Run
 
 SMOOTHEST = {"mmp", "ich"}
 """By the thesis."""
@@ -77,7 +72,3 @@ def _claim(recording: Recording) -> str:
         f"Means on {recording.mesh.name}, from the smoothest: {listed}, which {agrees} the "
         "thesis, where mmp and ich have the smallest."
     )
-
-
-if __name__ == "__main__":
-    sys.exit(draw(__doc__, figures))

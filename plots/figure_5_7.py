@@ -1,21 +1,16 @@
-#!/usr/bin/python3
 """Figure 5.7: the edge-based solver's wavefront against an isoline of the distance field."""
 
 from __future__ import annotations
 
-import sys
-
-import console  # noqa: F401  first: it tells what cannot be imported
 
 import numpy as np
-import style
-from command_line import draw
-from dots import sentences
-from drawing import Drawing
-from measures import EDGE_BASED
-from recordings import MOMENTS, Recording, recordings
-from results import Run
-from wavefronts import Lines, draw_wavefront
+from plots import style
+from plots.dots import sentences
+from plots.drawing import Drawing
+from plots.measures import EDGE_BASED
+from plots.recordings import MOMENTS, Recording, recordings
+from results.reader import Run
+from plots.wavefronts import Lines, draw_wavefront
 
 NEAR = 2
 """Mean edge lengths; where 95% of the windows are within, the wavefront follows the isoline."""
@@ -71,7 +66,3 @@ def _claim(recording: Recording, moment: int, level: float) -> str:
         f"the windows, and 95% of the windows are within {far:.2f} mean edge lengths of that "
         f"mean, {agrees} the thesis's claim that the wavefront is an approximate isoline."
     )
-
-
-if __name__ == "__main__":
-    sys.exit(draw(__doc__, figures))

@@ -1,23 +1,18 @@
-#!/usr/bin/python3
 """Figure 5.8: windows on the wavefront over the geodesic level, edge-based against FWP-MMP."""
 
 from __future__ import annotations
 
-import sys
-
-import console  # noqa: F401  first: it tells what cannot be imported
 
 import numpy as np
-import style
-from camera import Floats
-from command_line import draw
-from curves import draw_curve, legend, models, solvers_of, title
-from dots import sentences
-from drawing import Drawing
+from plots import style
+from plots.camera import Floats
+from plots.curves import draw_curve, legend, models, solvers_of, title
+from plots.dots import sentences
+from plots.drawing import Drawing
 from matplotlib.ticker import FuncFormatter, PercentFormatter
-from measures import EDGE_BASED, count
-from recordings import Recording
-from results import Run
+from plots.measures import EDGE_BASED, count
+from plots.recordings import Recording
+from results.reader import Run
 
 RIVAL = "fwp-mmp"
 
@@ -79,7 +74,3 @@ def _claim(recording: Recording) -> str:
         f"{np.count_nonzero(both)} levels, and {ratio:.2f} times as many on average, which "
         f"{agrees} the thesis."
     )
-
-
-if __name__ == "__main__":
-    sys.exit(draw(__doc__, figures))

@@ -1,25 +1,19 @@
-#!/usr/bin/python3
 """Figure 5.9: running time split into window propagation, trimming and queue maintenance."""
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Sequence
 from dataclasses import dataclass
-
-import console  # noqa: F401  first: it tells what cannot be imported
 
 from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 
-import style
-from command_line import draw_by, drawing_parser
-from dots import ordered_meshes, sentences
-from drawing import Drawing
-from estimates import median
-from measures import TIME, Measure, by_source, failure, seconds, values
-from published import THESIS_SOLVERS
-from results import Mesh, ResultError, Run
+from plots import style
+from plots.dots import ordered_meshes, sentences
+from plots.drawing import Drawing
+from results.statistics import median
+from plots.measures import TIME, Measure, by_source, failure, seconds, values
+from results.published import THESIS_SOLVERS
+from results.reader import Mesh, ResultError, Run
 
 MODELS = 2
 PHASES = {
@@ -86,7 +80,7 @@ def splits(run: Run, mesh: str) -> list[Split]:
     return [one for one in found if one]
 
 
-def default_meshes(run: Run) -> list[Mesh]:
+def chosen_meshes(run: Run) -> list[Mesh]:
     """The largest on which the most solvers have phase times, the thesis's models first."""
 
     def merit(mesh: Mesh) -> tuple[bool, int, int]:
@@ -96,13 +90,9 @@ def default_meshes(run: Run) -> list[Mesh]:
     return sorted(with_phases, key=merit, reverse=True)[:MODELS]
 
 
-def figures(run: Run, meshes: Sequence[str] = ()) -> list[Drawing]:
-    """@param meshes names, instead of the default ones
-    @raises ResultError when there are no phase times, or not on a mesh that was asked for"""
-    for name in meshes:
-        if name not in run.meshes or not splits(run, name):
-            raise ResultError(f"{run.file}: no verified cell of {name!r} has phase_seconds")
-    chosen = [run.meshes[name] for name in meshes] or default_meshes(run)
+def figures(run: Run) -> list[Drawing]:
+    """@raises ResultError when there are no phase times"""
+    chosen = chosen_meshes(run)
     if not chosen:
         raise ResultError(f"{run.file}: no verified cell has phase_seconds")
     all_splits = {mesh.name: splits(run, mesh.name) for mesh in chosen}
@@ -177,17 +167,3 @@ def _caption(run: Run, all_splits: dict[str, list[Split]]) -> str:
         else "",
         f"Without phases: {', '.join(absent)}." if absent else "",
     )
-
-
-def main() -> int:
-    parser = drawing_parser(__doc__)
-    parser.add_argument(
-        "--meshes", type=lambda text: text.split(","), default=[], metavar="A,B",
-        help=f"meshes of the run (default: the {MODELS} largest of the thesis's models in it)",
-    )  # fmt: skip
-    options = parser.parse_args()
-    return draw_by(options, lambda run: figures(run, options.meshes))
-
-
-if __name__ == "__main__":
-    sys.exit(main())

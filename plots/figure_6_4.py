@@ -1,27 +1,22 @@
-#!/usr/bin/python3
 """Figure 6.4: isolines of the distance field on several models."""
 
 from __future__ import annotations
 
 import math
-import sys
 
-import console  # noqa: F401  first: it tells what cannot be imported
-
-import style
-from camera import Camera, framing
-from command_line import draw
-from curves import title
-from drawing import Drawing
+from plots import style
+from plots.camera import Camera, framing
+from plots.curves import title
+from plots.drawing import Drawing
 from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
 from matplotlib.lines import Line2D
-from recordings import Recording, recordings
-from results import Run
-from surface import draw_lines, draw_surface
-from views import best_axes
-from wavefronts import SOURCE, draw_source
+from plots.recordings import Recording, recordings
+from results.reader import Run
+from plots.surface import draw_lines, draw_surface
+from plots.views import best_axes
+from plots.wavefronts import SOURCE, draw_source
 
 MODELS = 6
 COLUMNS = 3
@@ -94,7 +89,3 @@ def _caption(found: list[Recording], hidden: list[str]) -> str:
         "to green. Hidden lines are left out."
     )
     return words + (f" The source is hidden on {', '.join(hidden)}." if hidden else "")
-
-
-if __name__ == "__main__":
-    sys.exit(draw(__doc__, figures))

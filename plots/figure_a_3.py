@@ -1,21 +1,12 @@
-#!/usr/bin/python3
 """Figure A.3: shape of the wavefront of fwp-mmp."""
 
 from __future__ import annotations
 
-import sys
 
-import console  # noqa: F401  first: it tells what cannot be imported
-
-from command_line import draw
-from drawing import Drawing
-from results import Run
-from wavefront_shape import shape
+from plots.drawing import Drawing
+from results.reader import Run
+from plots.wavefront_shape import shape
 
 
 def figures(run: Run) -> list[Drawing]:
     return [shape(run, 3, "fwp-mmp")]
-
-
-if __name__ == "__main__":
-    sys.exit(draw(__doc__, figures))

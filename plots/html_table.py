@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from html import escape
 
-from table import Cell, Table, mark
+from results.table import Cell, Table, mark
 
 LONG = 48
 """Longer texts are broken into lines."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from estimates import Estimate, median
-from published import THESIS_SOLVERS, Published
-from results import Row, Run
-from table import Cell, estimate_cell
+from results.statistics import Estimate, median
+from results.published import THESIS_SOLVERS, Published
+from results.reader import Row, Run
+from results.table import Cell, estimate_cell
 
 EDGE_BASED = "edge-based"
 LIMIT_SOLVER = "mmp"

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import published
-from results import Mesh, Run
+from results import published
+from results.reader import Mesh, Run
 
 
 @dataclass(frozen=True)

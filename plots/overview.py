@@ -1,23 +1,18 @@
-#!/usr/bin/python3
 """One picture of a run: each solver's time over that of the edge-based one, and its windows."""
 
 from __future__ import annotations
 
-import sys
 from collections import Counter
-
-import console  # noqa: F401  first: it tells what cannot be imported
 
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-import style
-from command_line import draw
-from drawing import Drawing
-from estimates import geometric_mean
-from published import THESIS_SOLVERS
-from ratios import BY_KEY, Ratio
-from results import Mesh, ResultError, Run
+from plots import style
+from plots.drawing import Drawing
+from results.statistics import geometric_mean
+from results.published import THESIS_SOLVERS
+from plots.ratios import BY_KEY, Ratio
+from results.reader import Mesh, ResultError, Run
 
 RATIOS = [
     (BY_KEY["speed-up"], "time / time of edge-based"),
@@ -101,7 +96,3 @@ def figures(run: Run) -> list[Drawing]:
             figure=figure,
         )
     ]
-
-
-if __name__ == "__main__":
-    sys.exit(draw(__doc__, figures))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from camera import Floats
+from plots.camera import Floats
 
 Place = tuple[int, ...]
 

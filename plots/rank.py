@@ -1,24 +1,24 @@
-#!/usr/bin/python3
-"""The figure of a ranking: the candidate's time over each rival's, per mesh and on the mean."""
+"""The figure of a ranking: each solver's time relative to the candidate's, per mesh and on the mean.
+
+The data come from gate/rank.py; this module only draws them.
+"""
 
 from __future__ import annotations
 
-import sys
+from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 
-import console  # noqa: F401  first: it tells what cannot be imported
-
-import style
-from command_line import Parser
-from console import complain
-from dots import SPREAD, solver_mark
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, MaxNLocator, NullLocator
-from rankings import Ranking, Ratio, read_ranking
-from results import ResultError
-from style import SolverStyle
+
+from plots import style
+from plots.dots import SPREAD, solver_mark
+from plots.style import SolverStyle
+from results.reader import ResultError
+from results.statistics import Estimate
 
 WIDTH = 3.35
 """Inches: a column of a page with two."""
@@ -30,29 +30,39 @@ NARROW = 4.0
 MEAN = "geometric mean"
 
 
-def draw(ranking: Ranking) -> Figure:
-    """@raises ResultError when the candidate could be timed against nobody"""
-    rivals = ranking.rivals
-    if not rivals:
-        raise ResultError(f"{ranking.run.file}: {ranking.candidate} has no time beside a rival's")
-    meshes = [mesh for mesh in ranking.run.meshes if any(one.on(mesh) for one in rivals)]
-    rows = [*meshes, MEAN] if len(meshes) > 1 else meshes
-    row_inches = max(LEAST_ROW_INCHES, DOT_INCHES * (len(rivals) + 1))
+@dataclass(frozen=True)
+class Mark:
+    ratio: Estimate
+    """Time of the solver / time of the candidate."""
+    resolved: bool
+    """Whether the measurement decides which of the two is faster; drawn hollow otherwise."""
+
+
+def draw(
+    candidate: str, meshes: Mapping[str, Mapping[str, Mark]], means: Mapping[str, Mark]
+) -> Figure:
+    """@param meshes the rows, by mesh: the marks by solver, without the candidate's own
+    @param means the geometric means over meshes, by solver; a row of its own where there are
+           several meshes
+    @raises ResultError when there is no mark"""
+    meshes = {mesh: marks for mesh, marks in meshes.items() if marks}
+    solvers = list(dict.fromkeys(solver for marks in meshes.values() for solver in marks))
+    if not solvers:
+        raise ResultError(f"{candidate} was timed against no other solver")
+    rows = meshes | ({MEAN: means} if len(meshes) > 1 else {})
+    row_inches = max(LEAST_ROW_INCHES, DOT_INCHES * (len(solvers) + 1))
     figure = style.new_figure(0.9 + row_inches * max(len(rows), 2), WIDTH)
     axes = figure.subplots()
-    styles = style.solver_styles(ranking.run.solvers)
-    for index, rival in enumerate(rivals):
-        look, shift = styles[rival.solver], SPREAD * ((index + 0.5) / len(rivals) - 0.5)
-        for row, mesh in enumerate(meshes):
-            if one := rival.on(mesh):
-                axes.plot([one.least, one.most], [row + shift] * 2, color=look.color, lw=0.5)
-                _mark(axes, row + shift, one.time, look)
-        if rival.time and MEAN in rows:
-            _mark(axes, len(meshes) + shift, rival.time, look)
-    _rows(axes, rows)
-    _scale(axes, ranking.candidate)
-    handles = [solver_mark(rival.solver, styles[rival.solver]) for rival in rivals]
-    if not all(one.time.resolved for rival in rivals for one in rival.meshes):
+    styles = style.solver_styles(solvers)
+    for row, marks in enumerate(rows.values()):
+        for index, solver in enumerate(solvers):
+            if solver in marks:
+                y = row + SPREAD * ((index + 0.5) / len(solvers) - 0.5)
+                _mark(axes, y, marks[solver], styles[solver])
+    _rows(axes, list(rows))
+    _scale(axes, candidate)
+    handles = [solver_mark(solver, styles[solver]) for solver in solvers]
+    if not all(mark.resolved for marks in rows.values() for mark in marks.values()):
         handles.append(_hollow())
     for handle in handles:
         handle.set_markersize(4)
@@ -60,16 +70,26 @@ def draw(ranking: Ranking) -> Figure:
     return figure
 
 
-def _mark(axes: Axes, y: float, ratio: Ratio, look: SolverStyle) -> None:
+def write(figure: Figure, folder: Path) -> list[Path]:
+    """Writes rank.pdf and rank.png; returns the files."""
+    files = [folder / "rank.pdf", folder / "rank.png"]
+    for file in files:
+        style.save(figure, file)
+    return files
+
+
+def _mark(axes: Axes, y: float, mark: Mark, look: SolverStyle) -> None:
+    ratio = mark.ratio
+    axes.plot([ratio.least, ratio.most], [y, y], color=look.color, linewidth=0.5)
     axes.plot([ratio.low, ratio.high], [y, y], color=look.color, linewidth=1.8)
     axes.plot(
         [ratio.value], [y], marker=look.marker, markersize=4, linestyle="", color=look.color,
-        markerfacecolor=look.color if ratio.resolved else "white", markeredgewidth=0.8, zorder=3,
+        markerfacecolor=look.color if mark.resolved else "white", markeredgewidth=0.8, zorder=3,
     )  # fmt: skip
 
 
 def _hollow() -> Line2D:
-    return Line2D([], [], label="not resolved", marker="o", linestyle="", color=style.PALE,
+    return Line2D([], [], label="undecided", marker="o", linestyle="", color=style.PALE,
                   markerfacecolor="white", markeredgewidth=0.8)  # fmt: skip
 
 
@@ -95,25 +115,4 @@ def _scale(axes: Axes, candidate: str) -> None:
     axes.axvline(1, color=style.INK, linewidth=0.8, zorder=1)
     axes.grid(axis="x")
     axes.tick_params(labelsize=SMALL)
-    axes.set_xlabel(f"time of {candidate} / time of the other", fontsize=SMALL + 0.5)
-
-
-def main(arguments: list[str] | None = None) -> int:
-    parser = Parser(description=__doc__)
-    parser.add_argument(
-        "--rank", type=Path, metavar="DIR", required=True,
-        help="folder of a ranking; rank.pdf and rank.png are written to it",
-    )  # fmt: skip
-    folder = parser.parse_args(arguments).rank
-    try:
-        figure = draw(read_ranking(folder))
-        for extension in (".pdf", ".png"):
-            style.save(figure, folder / f"rank{extension}")
-    except (ResultError, OSError) as error:
-        return complain(error)
-    print(f"{folder / 'rank.pdf'} (also .png)")
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+    axes.set_xlabel(f"time / time of {candidate}", fontsize=SMALL + 0.5)

@@ -8,13 +8,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-import published
-from estimates import Estimate, Sample, geometric_mean
-from measures import (
+from results import published
+from results.statistics import Estimate, Sample, geometric_mean
+from plots.measures import (
     CREATED, EDGE_BASED, LIMIT, LIMIT_SOLVER, PEAK, PEAK_BYTES, PROPAGATIONS, REINSERTIONS, SPACE,
     TIME, VALID, Measure, by_source, values,
 )  # fmt: skip
-from results import Run
+from results.reader import Run
 
 RIVAL = "the solver in the column"
 

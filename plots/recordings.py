@@ -13,11 +13,11 @@ from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
-from camera import Floats
+from plots.camera import Floats
 from numpy.typing import NDArray
-from published import THESIS_SOLVERS
-from results import Mesh, ResultError, Run
-from surface import Surface
+from results.published import THESIS_SOLVERS
+from results.reader import Mesh, ResultError, Run
+from plots.surface import Surface
 
 MOMENTS = (25, 50, 75)
 """Per cent of the vertices reached at which the wavefront is recorded."""
@@ -180,7 +180,7 @@ def _load(file: Path, kind: np.dtype[Any], shape: Sequence[int | None]) -> Table
     except FileNotFoundError:
         raise ResultError(f"{file}: no such file; was the run interrupted?") from None
     except (OSError, ValueError, EOFError) as error:
-        raise ResultError(f"{file}: not a .npy file, perhaps cut off: {error}") from None
+        raise ResultError(f"{file}: not a .npy file, perhaps truncated: {error}") from None
     _require(data.dtype == kind, file, f"holds {data.dtype}, not {kind}")
     fits = data.ndim == len(shape) and all(
         has > 0 if wanted is None else has == wanted

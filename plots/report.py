@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Draws everything of a run and shows it on one page that needs nothing else: RUN/report.html."""
 
 from __future__ import annotations
@@ -10,19 +9,19 @@ from collections.abc import Iterable, Sequence
 from html import escape
 from pathlib import Path
 
-import console  # noqa: F401  first: it tells what cannot be imported
+from results import console
 
-import check
-import differences
-import published
-from all import Item, LeftOut, everything
-from command_line import run_folder_parser, write
-from console import complain
-from drawing import Drawing
-from html_table import to_html
-from results import ROOT, ResultError, Run, newest_run, read_run
-from style import DPI
-from table import Table
+if __name__ == "__main__":
+    console.prepare()  # before imports that may fail
+
+from plots import check, differences
+from plots.catalogue import Item, LeftOut, draw, write
+from plots.drawing import Drawing
+from plots.html_table import to_html
+from plots.style import DPI
+from results import published
+from results.reader import ResultError, Run, newest_run, read_run
+from results.table import Table
 
 HERE = Path(__file__).resolve().parent
 CSS_DPI = 96
@@ -95,7 +94,7 @@ def _ours(run: Run, key: str) -> str:
 def _folder(run: Run) -> str:
     """As one would type it in the checkout."""
     folder = run.file.parent.resolve()
-    return shlex.quote(str(folder.relative_to(ROOT) if folder.is_relative_to(ROOT) else folder))
+    return shlex.quote(str(folder.relative_to(console.ROOT) if folder.is_relative_to(console.ROOT) else folder))
 
 
 def _list(lines: Iterable[str], style: str = "") -> str:
@@ -108,7 +107,7 @@ def _paragraphs(lines: Iterable[str]) -> str:
 
 
 def _command(name: str, folder: str) -> str:
-    return f'<p class="command">Drawn by <code>plots/{name} --run {escape(folder)}</code></p>'
+    return f'<p class="command">Drawn by <code>python3 -m plots {name} --run {escape(folder)}</code></p>'
 
 
 def _summary(run: Run) -> str:
@@ -146,7 +145,7 @@ def _figure(item: Item, folder: str, pictures: Path) -> str:
 <img src="data:image/png;base64,{data}" alt="{alternative}" \
 width="{width * CSS_DPI // DPI}" height="{height * CSS_DPI // DPI}"></button>
 <figcaption><h3>{title}</h3><p>{escape(drawing.caption)}</p>
-{_command(item.command, folder)}</figcaption>
+{_command(item.name, folder)}</figcaption>
 </figure>"""
 
 
@@ -155,7 +154,7 @@ def _table(item: Item, folder: str) -> str:
     assert isinstance(table, Table)
     return (
         f'<article id="{table.name}"><h3 id="{table.name}-title">{escape(table.title)}</h3>\n'
-        f"{to_html(table)}\n{_command(item.command, folder)}</article>"
+        f"{to_html(table)}\n{_command(item.name, folder)}</article>"
     )
 
 
@@ -197,14 +196,14 @@ def _reproduce(run: Run, folder: str, left_out: Sequence[LeftOut]) -> str:
     """The commands, from the checkout's root; what this run could not show."""
     steps = {
         "The run itself, that is run.json and cells/": _ours(run, "command"),
-        "Every table and figure, and this page": f"plots/report.py --run {folder}",
-        "Whether every cell is there and verified": f"plots/check.py --run {folder}",
+        "Every table and figure, and this page": f"python3 -m plots.report --run {folder}",
+        "Whether every cell is there and verified": f"python3 -m plots.check --run {folder}",
     }
     listed = "".join(
         f"<dt>{key}</dt><dd><code>{escape(command)}</code></dd>" for key, command in steps.items()
     )
     why = {one: one.why.removeprefix(f"{run.file}: ") for one in left_out}
-    absent = _list(f"plots/{one.command}: {why[one]}" for one in left_out)
+    absent = _list(f"{one.name}: {why[one]}" for one in left_out)
     return (
         "<p>From the root of a checkout of the revision above. The command under each table and "
         "figure draws it alone.</p>\n"
@@ -214,20 +213,20 @@ def _reproduce(run: Run, folder: str, left_out: Sequence[LeftOut]) -> str:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    options = run_folder_parser(__doc__).parse_args(arguments)
+    options = console.run_parser(__doc__).parse_args(arguments)
     try:
         folder = options.run or newest_run()
         run = read_run(folder)
-        items, left_out = everything(run)
+        items, left_out = draw(run)
         for one in left_out:
-            print(f"left out: {one.command}: {one.why}")
+            print(f"left out: {one.name}: {one.why}")
         for item in items:
-            write(item.drawn, folder, None)
+            write(item.drawn, folder)
         file = folder / "report.html"
         file.write_text(page(run, items, left_out, folder / "figures"), encoding="utf-8")
         print(file)
     except (ResultError, OSError) as error:
-        return complain(error)
+        return console.complain(error)
     return 0
 
 

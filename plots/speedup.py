@@ -1,30 +1,25 @@
-#!/usr/bin/python3
 """How many times as fast as MMP each exact solver is, per mesh; published beside ours."""
 
 from __future__ import annotations
 
-import sys
 from dataclasses import dataclass
 from typing import Any
-
-import console  # noqa: F401  first: it tells what cannot be imported
 
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-import published
-import style
-from command_line import draw
-from dots import (
+from results import published
+from plots import style
+from plots.dots import (
     ordered_meshes, published_marks, sentences, two_lines, without_value,
 )  # fmt: skip
-from drawing import Drawing
-from estimates import Estimate, geometric_mean
-from measures import LIMIT_SOLVER, TIME, columns
-from ratios import RIVAL, Ratio, over_meshes
-from results import ResultError, Run
-from style import SolverStyle
+from plots.drawing import Drawing
+from results.statistics import Estimate, geometric_mean
+from plots.measures import LIMIT_SOLVER, TIME, columns
+from plots.ratios import RIVAL, Ratio, over_meshes
+from results.reader import ResultError, Run
+from plots.style import SolverStyle
 
 BASE = LIMIT_SOLVER
 SPEEDUP = Ratio(
@@ -196,7 +191,3 @@ def _interval_mark(found: list[Group]) -> list[Line2D]:
     if all(estimate.low == estimate.high for estimate in estimates):
         return []
     return [Line2D([], [], color=style.INK, linewidth=1, label="95% interval")]
-
-
-if __name__ == "__main__":
-    sys.exit(draw(__doc__, figures))

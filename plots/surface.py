@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from camera import Camera, Floats
+from plots.camera import Camera, Floats
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
-from polylines import joined
-from zbuffer import NOTHING, Integers, ZBuffer, z_buffer
+from plots.polylines import joined
+from plots.zbuffer import NOTHING, Integers, ZBuffer, z_buffer
 
 PIXELS_PER_INCH = 400
 """Twice the resolution of a saved figure, which smooths the outline."""

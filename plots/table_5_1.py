@@ -1,18 +1,13 @@
-#!/usr/bin/python3
 """Table 5.1: strip depth log_b n of the edge-based solver, and b; ours and published."""
 
 from __future__ import annotations
 
-import sys
 
-import console  # noqa: F401  first: it tells what cannot be imported
-
-import published
-from command_line import draw
-from measures import EDGE_BASED, Measure, count, our_cell
-from models import Model, left_out, models
-from results import Run
-from table import BLANK, Cell, Table
+from results import published
+from plots.measures import EDGE_BASED, Measure, count, our_cell
+from plots.models import Model, left_out, models
+from results.reader import Run
+from results.table import BLANK, Cell, Table
 
 DEPTH = Measure("strip_depth", "log_b n", count, spread=True)
 BASE = Measure("strip_b", "b", lambda value: f"{value:.4f}", spread=True)
@@ -59,7 +54,3 @@ def _published(model: Model) -> list[Cell]:
     row = published.table_5_1(model.thesis)
     n, depth, b = row["vertices"], row["log_b_n"], row["b"]
     return [Cell(count(n), n), Cell(count(depth), depth), Cell(BASE.show(b), b)]
-
-
-if __name__ == "__main__":
-    sys.exit(draw(__doc__, tables))

@@ -1,21 +1,16 @@
-#!/usr/bin/python3
 """Table 5.2: time, space and windows of every solver on every mesh; ours and published."""
 
 from __future__ import annotations
 
-import sys
 
-import console  # noqa: F401  first: it tells what cannot be imported
-
-import published
-from command_line import draw
-from measures import (
+from results import published
+from plots.measures import (
     LIMIT, LIMIT_SOLVER, MEASURES, PROPAGATIONS, Measure, columns, count, our_cell,
     published_cell,
 )  # fmt: skip
-from models import Model, left_out, models
-from results import Run
-from table import BLANK, Cell, Table
+from plots.models import Model, left_out, models
+from results.reader import Run
+from results.table import BLANK, Cell, Table
 
 REMARKS = [
     "Ours: medians over sources and repetitions; times are CPU times of one solve without "
@@ -82,7 +77,3 @@ def _published_row(run: Run, model: str, measure: Measure, of: str) -> list[Cell
     limit = cell(LIMIT_SOLVER, LIMIT.published) if measure is PROPAGATIONS else BLANK
     cells = [cell(solver, measure.published) for solver in columns(run)]
     return [Cell(f"{measure.label}, published{of}"), *cells, limit]
-
-
-if __name__ == "__main__":
-    sys.exit(draw(__doc__, tables))

@@ -1,23 +1,18 @@
-#!/usr/bin/python3
 """What the thesis's text claims from Table 5.2: its ratios mesh by mesh, and claim by claim."""
 
 from __future__ import annotations
 
 import math
-import sys
 from itertools import pairwise
 
-import console  # noqa: F401  first: it tells what cannot be imported
-
-import published
-from command_line import draw
-from estimates import geometric_mean
-from measures import ABSENT, columns, failure, partial_failure
-from models import Model, left_out, models
-from published import Claim
-from ratios import BY_KEY, RATIOS, Mean, Ratio, over_meshes
-from results import Run
-from table import BLANK, Cell, Table, estimate_cell
+from results import published
+from results.statistics import geometric_mean
+from plots.measures import ABSENT, columns, failure, partial_failure
+from plots.models import Model, left_out, models
+from results.published import Claim
+from plots.ratios import BY_KEY, RATIOS, Mean, Ratio, over_meshes
+from results.reader import Run
+from results.table import BLANK, Cell, Table, estimate_cell
 
 REMARKS = [
     "Ours: geometric means of ratios paired by source and repetition, with 95% bootstrap intervals "
@@ -175,7 +170,3 @@ def _no_ratio(run: Run, solver: str, meshes: list[str]) -> Cell:
 
 def _listed(run: Run, meshes: list[str]) -> str:
     return ", ".join(run.meshes[name].label for name in meshes) or "none"
-
-
-if __name__ == "__main__":
-    sys.exit(draw(__doc__, tables))

@@ -1,19 +1,14 @@
-#!/usr/bin/python3
 """Table 5.3: the solvers by their own descriptions in the run file; published beside them."""
 
 from __future__ import annotations
 
 import re
-import sys
 from typing import Any
 
-import console  # noqa: F401  first: it tells what cannot be imported
-
-import published
-from command_line import draw
-from measures import ABSENT, columns
-from results import Run, Solver
-from table import BLANK, Cell, Table
+from results import published
+from plots.measures import ABSENT, columns
+from results.reader import Run, Solver
+from results.table import BLANK, Cell, Table
 
 HEADER = [
     "Solver", "From", "Family", "Data structure", "Time", "Space", "Propagation",
@@ -85,7 +80,3 @@ def _complexity(text: str) -> Cell:
     if not re.fullmatch(r"O\([\w^+ ]+\)", text):
         return Cell(text)
     return Cell(text, latex=f"${text.replace('log', chr(92) + 'log')}$")
-
-
-if __name__ == "__main__":
-    sys.exit(draw(__doc__, tables))

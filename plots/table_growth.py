@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """How time and windows grow with the number of vertices: per mesh, and fitted exponents.
 
 Meant for a series of meshes of one surface (the corpus growth); needs three meshes at least.
@@ -6,19 +5,15 @@ Meant for a series of meshes of one surface (the corpus growth); needs three mes
 
 from __future__ import annotations
 
-import sys
 from dataclasses import dataclass
-
-import console  # noqa: F401  first: it tells what cannot be imported
 
 import numpy as np
 from scipy import stats
 
-from command_line import draw
-from estimates import median
-from measures import PROPAGATIONS, TIME, Measure, by_source, count, seconds, values
-from results import Mesh, ResultError, Run
-from table import Cell, Table
+from results.statistics import median
+from plots.measures import PROPAGATIONS, TIME, Measure, by_source, count, seconds, values
+from results.reader import Mesh, ResultError, Run
+from results.table import Cell, Table
 
 LEAST_MESHES = 3
 LEAST_SPAN = 4
@@ -141,7 +136,3 @@ def _fit(solver: str, points: list[Point]) -> list[Cell]:
         exponent(points, [point.time for point in points]),
         exponent(points, [point.windows for point in points]),
     ]
-
-
-if __name__ == "__main__":
-    sys.exit(draw(__doc__, tables))

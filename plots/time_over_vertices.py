@@ -1,23 +1,18 @@
-#!/usr/bin/python3
 """Time against vertices, both logarithmic, with the fitted exponents of table_growth."""
 
 from __future__ import annotations
 
-import sys
-
-import console  # noqa: F401  first: it tells what cannot be imported
 
 import numpy as np
 from matplotlib.axis import Axis
 from matplotlib.lines import Line2D
 
-import style
-from command_line import draw
-from dots import sentences
-from drawing import Drawing
-from measures import columns
-from results import Run
-from table_growth import LEAST_MESHES, Point, exponent, grown
+from plots import style
+from plots.dots import sentences
+from plots.drawing import Drawing
+from plots.measures import columns
+from results.reader import Run
+from plots.table_growth import LEAST_MESHES, Point, exponent, grown
 
 PLAIN = 1000
 """An axis with more than this between its ends shows powers of ten."""
@@ -83,7 +78,3 @@ def _line(points: list[Point], slope: float) -> tuple[list[float], list[float]]:
     times = np.log([point.time for point in points])
     ends = np.array([vertices.min(), vertices.max()])
     return list(np.exp(ends)), list(np.exp(times.mean() + slope * (ends - vertices.mean())))
-
-
-if __name__ == "__main__":
-    sys.exit(draw(__doc__, figures))

@@ -4,10 +4,10 @@ that the picture is about."""
 from __future__ import annotations
 
 import numpy as np
-from camera import Floats, framing, looking
-from results import Mesh
-from surface import Surface
-from zbuffer import z_buffer
+from plots.camera import Floats, framing, looking
+from results.reader import Mesh
+from plots.surface import Surface
+from plots.zbuffer import z_buffer
 
 UPRIGHT = {"horse": 2}
 """Axis that points up in the file, by thesis's model; y in most others."""

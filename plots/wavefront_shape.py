@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import style
-from dots import sentences
-from drawing import Drawing
-from published import THESIS_SOLVERS
-from recordings import Recording, recordings
-from results import ResultError, Run
-from wavefronts import Lines, draw_wavefront
+from plots import style
+from plots.dots import sentences
+from plots.drawing import Drawing
+from results.published import THESIS_SOLVERS
+from plots.recordings import Recording, recordings
+from results.reader import ResultError, Run
+from plots.wavefronts import Lines, draw_wavefront
 
 MOMENT = 50
 """Per cent of the vertices reached."""

@@ -6,18 +6,18 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import style
-from camera import Camera, Floats, close_up, framing
-from curves import title
+from plots import style
+from plots.camera import Camera, Floats, close_up, framing
+from plots.curves import title
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
-from recordings import Recording
+from plots.recordings import Recording
 from scipy.ndimage import uniform_filter
-from surface import draw_lines, draw_surface
-from views import best_axes
-from zbuffer import NOTHING, ZBuffer
+from plots.surface import draw_lines, draw_surface
+from plots.views import best_axes
+from plots.zbuffer import NOTHING, ZBuffer
 
 CLOSE_UP_EDGES = 24
 """Width of the close-up in mean edge lengths."""

@@ -1,20 +1,15 @@
-#!/usr/bin/python3
 """Window propagations over the window limit, per solver and mesh; published beside ours."""
 
 from __future__ import annotations
 
-import sys
 
-import console  # noqa: F401  first: it tells what cannot be imported
-
-import published
-from command_line import draw
-from dots import AT_THE_EDGE, Dot, Dots, draw_dots, sentences, without_value
-from drawing import Drawing
-from estimates import geometric_mean
-from measures import columns
-from ratios import BY_KEY
-from results import Run
+from results import published
+from plots.dots import AT_THE_EDGE, Dot, Dots, draw_dots, sentences, without_value
+from plots.drawing import Drawing
+from results.statistics import geometric_mean
+from plots.measures import columns
+from plots.ratios import BY_KEY
+from results.reader import Run
 
 RATIO = BY_KEY["propagations over the limit"]
 
@@ -43,7 +38,3 @@ def figures(run: Run) -> list[Drawing]:
             figure=figure,
         )
     ]
-
-
-if __name__ == "__main__":
-    sys.exit(draw(__doc__, figures))

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from camera import Camera, Floats
+from plots.camera import Camera, Floats
 from numpy.typing import NDArray
 
 Integers = NDArray[np.int64]

@@ -122,9 +122,7 @@ CASES = [
     Case("no program to generate with", "fetch.py tiny-plate --bench nowhere",
          ["tiny-plate: missing", "not at nowhere", "./run_all.sh build", "--bench"], code=3),
     flag("check.py --runs x", "check.py: unrecognized arguments: --runs x; see check.py --help"),
-    flag("table_5_1.py --run nowhere", "table_5_1.py: nowhere: no such folder; ./run_all.sh run"),
+    flag("plots table_5_1 --run nowhere", "plots: nowhere: no such folder; ./run_all.sh run"),
     flag("report.py --run", "report.py: argument --run: expected one argument; see report.py"),
-    flag("overview.py --out", "argument --out: expected one argument; see overview.py --help"),
-    flag("rank.py", "rank.py: the following arguments are required: --rank; see rank.py --help"),
-    flag("rank.py --rank nowhere", "rank.py: nowhere/rank.json: no such file"),
+    flag("plots overview --out", "argument --out: expected one argument; see plots --help"),
 ]  # fmt: skip

@@ -44,7 +44,7 @@ FILES = {
     "nested 100,000 deep": 100_000 * "[" + 100_000 * "]",
 }
 SAYS = {
-    "cut": ("not valid JSON", "not JSON, perhaps cut off"),
+    "cut": ("not valid JSON", "not JSON, perhaps truncated"),
     "another JSON": ("key 'context' not found", "'context' is a required property"),
     "a list": ("is no result file of geodesic-bench", "[] is not of type 'object'"),
     "of an older version": ("schema version 1, and this program reads 2", "schema_version: 2 was"),
@@ -53,7 +53,7 @@ SAYS = {
     "with a word for a time": ("benchmarks[0]: cpu_time is no number but string",
                                "benchmarks[0].cpu_time: 'fast' is not of type 'number'"),
     "of Google Benchmark alone": ("key 'geodesic_bench' not found", "'geodesic_bench' is a requi"),
-    "nested 100,000 deep": ("nested more than 50 deep", "nested far deeper than a result file is"),
+    "nested 100,000 deep": ("nested more than 50 deep", "nested too deep for a result file"),
 }  # fmt: skip
 """What geodesic-bench says, and what plots/ do."""
 
@@ -93,7 +93,7 @@ CASES = [
          files={"run.json": UNKNOWN_MESH}),
     Case("check.py: NaN", "check.py --run .", ["benchmarks[0].cpu_time: nan is not a finite"],
          files={"run.json": NOT_A_NUMBER}),
-    Case("table_5_1.py: cut", "table_5_1.py --run .", ["run.json: not JSON, perhaps cut off"],
+    Case("plots table_5_1: cut", "plots table_5_1 --run .", ["run.json: not JSON, perhaps truncated"],
          files={"run.json": FILES["cut"]}),
     Case("report.py: a file in place of its folder", f"report.py --run '{GOLDEN}'",
          ["report.py: ", "run.json: no such folder"]),

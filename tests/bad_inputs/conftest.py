@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 import subprocess
 import sys
@@ -15,6 +14,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 from shell import BENCH, HERE, ROOT, SYSTEM_PATH, Bash, Ended  # noqa: E402  (needs the path above)
 
 SCRIPTS = ["run_all.sh", "run_tests.sh", "check_performance.sh", "new_solver.sh"]
+MODULES = {"plots": "plots", "check.py": "plots.check", "report.py": "plots.report"}
+"""Commands of Python packages, by the name that their messages begin with."""
 HILL = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
 SECONDS = 300
 """That a command may take on a busy machine: none of them waits for anybody."""
@@ -28,7 +29,8 @@ def checkout(tmp_path_factory: pytest.TempPathFactory) -> Path:
         shutil.copy(ROOT / name, copy)
     for folder in ("tools", "gate", "plots", "results/published", "solvers/variants/template"):
         shutil.copytree(ROOT / folder, copy / folder, ignore=shutil.ignore_patterns("__pycache__"))
-    shutil.copy(ROOT / "results" / "run.schema.json", copy / "results")
+    for file in [ROOT / "results" / "run.schema.json", *(ROOT / "results").glob("*.py")]:
+        shutil.copy(file, copy / "results")
     return copy
 
 
@@ -39,11 +41,14 @@ def programs(checkout: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
         pytest.skip(f"no program at {BENCH}")
     folder = tmp_path_factory.mktemp("bin")
     scripts = [checkout / name for name in SCRIPTS]
-    drawing = [path for path in (ROOT / "plots").glob("*.py") if os.access(path, os.X_OK)]
-    for program in [*scripts, *drawing, *(HERE / "bin").iterdir(), ROOT / "datasets" / "fetch.py"]:
+    for program in [*scripts, *(HERE / "bin").iterdir(), ROOT / "datasets" / "fetch.py"]:
         # By a script of its own: the shell scripts look for the checkout beside themselves.
         (folder / program.name).write_text(f'#!/bin/sh\nexec "{program}" "$@"\n')
         (folder / program.name).chmod(0o755)
+    for name, module in MODULES.items():
+        call = f'PYTHONPATH="$PYTHONPATH:{ROOT}" exec /usr/bin/python3 -m {module} "$@"'
+        (folder / name).write_text(f"#!/bin/sh\n{call}\n")
+        (folder / name).chmod(0o755)
     (folder / "geodesic-bench").symlink_to(BENCH.resolve())
     return folder
 

@@ -45,7 +45,7 @@ def test_answers_do_not_depend_on_the_environment(
         assert comma.stdout == "0,5", comma
     here = tmp_path / "here"
     generate = "geodesic-bench generate terrain --columns 8 --rows 8 --gain 0.4 -o {}.off"
-    table = f"table_5_1.py --run '{GOLDEN.parent}' --out {{}}"
+    table = f"plots table_5_1 --run '{GOLDEN.parent}' --out {{}}"
     commands = [generate, SOLVE.format("{}.off", "{}.txt"), table]
     for where, before in (("plain", ""), ("other", ENVIRONMENTS[name])):
         for command in commands:
@@ -74,7 +74,7 @@ def test_any_name_of_a_file_or_folder_will_do(name: str, bash: Bash, tmp_path: P
     assert (folder / "d.txt").read_bytes() == (here / "plain.txt").read_bytes()
     run = f"geodesic-bench run --meshes {quoted} --solvers mmp --sources 1 --min-time 0.00001"
     for command in (f"{run} --repetitions 1 --out {out}", f"check.py --run {out}",
-                    f"table_5_2.py --run {out}", f"geodesic-bench export --to csv {out}"):  # fmt: skip
+                    f"plots table_5_2 --run {out}", f"geodesic-bench export --to csv {out}"):  # fmt: skip
         ended = bash(f"{environment} {command}")
         assert ended.returncode == 0, ended
     assert not (here / "x").exists()
@@ -95,7 +95,7 @@ def golden_run_with(mesh: str) -> str:
 def test_names_in_a_run_are_drawn_as_they_are(bash: Bash, tmp_path: Path) -> None:
     text = golden_run_with(r"$\\frac$_{\\x")
     (tmp_path / "here" / "run.json").write_text(text, encoding="utf-8")
-    ended = bash("all.py --run .")
+    ended = bash("plots --run .")
     assert ended.returncode == 0, ended
     assert (tmp_path / "here" / "figures" / "accuracy.pdf").exists()
 
@@ -105,7 +105,7 @@ def test_escape_sequences_of_a_run_do_not_reach_the_terminal(bash: Bash, tmp_pat
     (tmp_path / "here" / "run.json").write_text(text, encoding="utf-8")
     for command in (
         "check.py --run .",
-        "table_5_2.py --run .",
+        "plots table_5_2 --run .",
         "geodesic-bench compare . .",
         "geodesic-bench export --to csv .",
     ):

@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-import surface
-from published import THESIS_SOLVERS
-from results import Run, read_run
+from plots import surface
+from results.published import THESIS_SOLVERS
+from results.reader import Run, read_run
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))

@@ -10,10 +10,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from camera import Floats
-from published import THESIS_SOLVERS
-from recordings import CURVE, MOMENTS, PIECES, SNAPSHOT
-from zbuffer import Integers
+from plots.camera import Floats
+from results.published import THESIS_SOLVERS
+from plots.recordings import CURVE, MOMENTS, PIECES, SNAPSHOT
+from plots.zbuffer import Integers
 
 LEVELS = 40
 SAMPLES = 64

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import check
+from plots import check
 import pytest
 
 Changed = Callable[[Callable[[dict[str, Any]], object]], Path]

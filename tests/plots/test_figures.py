@@ -12,50 +12,39 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-import accuracy
-import drawing
-import figure_5_7
-import figure_5_9
-import figure_5_10
-import figure_6_4
-import figure_a_1
-import figure_a_2
-import figure_a_3
-import figure_a_4
-import figure_a_5
 import numpy as np
-import overview
 import pytest
-import speedup
-import style
-import table_growth
-import time_over_vertices
-import windows_over_limit
-from all import FIGURES, everything
-from dots import BEYOND
 from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 from matplotlib.text import Text
-from published import THESIS_SOLVERS
-from results import ROOT, ResultError, Row, Run
+
+from plots import (
+    accuracy, catalogue, drawing, figure_5_9, speedup, style, table_growth, time_over_vertices,
+)  # fmt: skip
+from plots.catalogue import FIGURES
+from plots.dots import BEYOND
+from results.published import THESIS_SOLVERS
+from results.reader import ROOT, ResultError, Row, Run
 
 NEEDS = {
-    accuracy: ["max_relative_error"],
-    figure_5_9: ["phase_seconds.queue"],
-    figure_5_10: ["wavefront_sd_edges"],
-    overview: ["window_limit"],
-    speedup: ["cpu_time"],
-    time_over_vertices: ["cpu_time"],
-    windows_over_limit: ["window_propagations"],
+    "accuracy": ["max_relative_error"],
+    "figure_5_9": ["phase_seconds.queue"],
+    "figure_5_10": ["wavefront_sd_edges"],
+    "overview": ["window_limit"],
+    "speedup": ["cpu_time"],
+    "time_over_vertices": ["cpu_time"],
+    "windows_over_limit": ["window_propagations"],
 }
 """Numbers of a row without which there is no figure. The others are drawn from recordings."""
-ONLY: dict[Any, set[str]] = {
-    figure_5_7: {"edge-based"}, figure_6_4: set(), figure_a_1: {"edge-based"}, figure_a_2: {"mmp"},
-    figure_a_3: {"fwp-mmp"}, figure_a_4: {"ich"}, figure_a_5: {"fwp-ch"},
+SHOWN: dict[str, set[str]] = {
+    "figure_5_7": {"edge-based"}, "figure_6_4": set(), "figure_a_1": {"edge-based"},
+    "figure_a_2": {"mmp"}, "figure_a_3": {"fwp-mmp"}, "figure_a_4": {"ich"},
+    "figure_a_5": {"fwp-ch"}, "speedup": set(THESIS_SOLVERS) - {speedup.BASE},
+    "time_over_vertices": set(THESIS_SOLVERS) - {"fwp-ch"},
 }  # fmt: skip
-"""Figures that do not compare solvers, and those they show."""
+"""Figures that do not show all of the thesis's solvers, and those they show."""
 
 
 def without_recordings(row: Row) -> Row:
@@ -75,8 +64,8 @@ def with_number(run: Run, solver: str, mesh: str, key: str, value: float) -> Run
     return changed_rows(run, change)
 
 
-def figure_of(module: Any, run: Run) -> Figure:
-    (drawn,) = module.figures(run)
+def figure_of(name: str, run: Run) -> Figure:
+    (drawn,) = FIGURES[name](run)
     assert isinstance(drawn, drawing.Drawing)
     return drawn.figure
 
@@ -134,25 +123,21 @@ def dots_of(figure: Figure, marker: str) -> list[Line2D]:
     return [line for line in figure.axes[0].lines if line.get_marker() == marker]
 
 
-@pytest.mark.parametrize("module", FIGURES, ids=[module.__name__ for module in FIGURES])
+@pytest.mark.parametrize("name", FIGURES)
 class TestEveryFigure:
-    def test_no_text_is_cut_and_nothing_drawn_is_infinite(self, module: Any, run: Run) -> None:
-        figure = figure_of(module, run)
+    def test_no_text_is_cut_and_nothing_drawn_is_infinite(self, name: str, run: Run) -> None:
+        figure = figure_of(name, run)
         assert cut_texts(figure) == []
         assert all(map(math.isfinite, drawn_numbers(figure)))
         assert all(axes.lines or axes.patches or axes.collections for axes in figure.axes)
 
-    def test_it_has_a_series_for_each_of_the_thesis_s_solvers(self, module: Any, run: Run) -> None:
-        figure = figure_of(module, run)
+    def test_it_has_a_series_for_each_of_the_thesis_s_solvers(self, name: str, run: Run) -> None:
+        figure = figure_of(name, run)
         ticks = {label.get_text() for axes in figure.axes for label in axes.get_yticklabels()}
         found = {text.split(":")[0].split()[-1] for text in legend(figure)} | ticks
-        wanted = {
-            speedup: set(THESIS_SOLVERS) - {speedup.BASE},
-            time_over_vertices: set(THESIS_SOLVERS) - {"fwp-ch"},
-        } | ONLY
-        assert wanted.get(module, set(THESIS_SOLVERS)) <= found
+        assert SHOWN.get(name, set(THESIS_SOLVERS)) <= found
 
-    def test_many_solvers_and_long_names_still_fit(self, module: Any, run: Run) -> None:
+    def test_many_solvers_and_long_names_still_fit(self, name: str, run: Run) -> None:
         long = "a-model-with-a-long-name-of-forty-letters"
         names = {"horse": long, "rocker-arm": long[::-1]}
         meshes = {name: replace(mesh, name=names.get(name, name))
@@ -172,37 +157,38 @@ class TestEveryFigure:
             solvers=run.solvers | more,
             sources={meshes[name].name: sources for name, sources in run.sources.items()},
         )  # fmt: skip
-        assert cut_texts(figure_of(module, grown)) == []
+        assert cut_texts(figure_of(name, grown)) == []
 
-    def test_without_its_numbers_it_is_refused_in_one_line(self, module: Any, run: Run) -> None:
+    def test_without_its_numbers_it_is_refused_in_one_line(self, name: str, run: Run) -> None:
         def drop(row: Row) -> Row:
-            kept = {k: v for k, v in row.numbers.items() if k not in NEEDS.get(module, [])}
+            kept = {k: v for k, v in row.numbers.items() if k not in NEEDS.get(name, [])}
             return without_recordings(replace(row, numbers=kept))
 
         with pytest.raises(ResultError, match=r"run\.json: no [^\n]*$"):
-            module.figures(changed_rows(run, drop))
+            FIGURES[name](changed_rows(run, drop))
 
-    def test_a_run_in_which_everything_failed_is_refused(self, module: Any, run: Run) -> None:
+    def test_a_run_in_which_everything_failed_is_refused(self, name: str, run: Run) -> None:
         def fail(row: Row) -> Row:
             return without_recordings(
                 replace(row, outcome="crashed", message="signal 11", numbers={})
             )
 
         with pytest.raises(ResultError):
-            module.figures(changed_rows(run, fail))
+            FIGURES[name](changed_rows(run, fail))
 
-    def test_it_says_what_it_shows(self, module: Any, run: Run) -> None:
-        (drawn,) = module.figures(run)
+    def test_it_says_what_it_shows(self, name: str, run: Run) -> None:
+        (drawn,) = FIGURES[name](run)
         assert drawn.caption.endswith(".") and "  " not in drawn.caption
-        assert drawn.name == module.__name__
+        assert drawn.name == name
 
 
 def test_the_same_run_gives_the_same_bytes_in_any_process(run: Run, tmp_path: Path) -> None:
     for seed in ["1", "2"]:
         subprocess.run(
-            [sys.executable, str(ROOT / "plots" / "speedup.py"), "--run", str(run.file.parent),
+            [sys.executable, "-m", "plots", "speedup", "--run", str(run.file.parent),
              "--out", str(tmp_path / seed)],
-            check=True, capture_output=True, env=os.environ | {"PYTHONHASHSEED": seed},
+            check=True, capture_output=True, cwd=ROOT,
+            env=os.environ | {"PYTHONHASHSEED": seed},
         )  # fmt: skip
     for extension in [".png", ".pdf", ".md"]:
         first, second = (tmp_path / seed / f"speedup{extension}" for seed in ["1", "2"])
@@ -210,15 +196,15 @@ def test_the_same_run_gives_the_same_bytes_in_any_process(run: Run, tmp_path: Pa
 
 
 def test_all_draws_what_it_can_and_says_what_it_leaves_out(golden_run: Run) -> None:
-    items, left_out = everything(golden_run)
-    why = {one.command: one.why for one in left_out}
-    assert "phase_seconds" in why.pop("figure_5_9.py") and why.pop("figure_5_10.py")
+    items, left_out = catalogue.draw(golden_run)
+    why = {one.name: one.why for one in left_out}
+    assert "phase_seconds" in why.pop("figure_5_9") and why.pop("figure_5_10")
     assert list(why) == [
-        "figure_5_7.py", "figure_5_8.py", "figure_5_10_curve.py", "figure_6_4.py",
-        *(f"figure_a_{number}.py" for number in range(1, 6)),
+        "figure_5_7", "figure_5_8", "figure_5_10_curve", "figure_6_4",
+        *(f"figure_a_{number}" for number in range(1, 6)),
     ]  # fmt: skip
     assert all("no recordings" in words for words in why.values())
-    assert {"table_5_2.py", "speedup.py", "overview.py"} <= {item.command for item in items}
+    assert {"table_5_2", "speedup", "overview"} <= {item.name for item in items}
 
 
 def test_solvers_differ_in_colour_mark_hatch_and_most_of_all_in_grey() -> None:
@@ -248,7 +234,7 @@ def test_phases_and_rest_make_up_the_timed_solve(run: Run) -> None:
         {"window propagation": 0.4, "window trimming": 0.2, "queue maintenance": 0.3, "rest": 0.1},
         rel=0.02,
     )
-    axes = figure_of(figure_5_9, run).axes[0]
+    axes = figure_of("figure_5_9", run).axes[0]
     row = [bar for bar in axes.patches if round(bar.get_y() + bar.get_height() / 2) == 2]
     assert sum(bar.get_width() for bar in row) == pytest.approx(one.time)
 
@@ -264,14 +250,14 @@ def test_phases_longer_than_the_timed_solve_are_scaled_and_the_caption_says_so(r
 
 
 def test_the_split_is_shown_for_two_models_of_the_thesis_or_those_asked_for(run: Run) -> None:
-    titles = [axes.get_title("left") for axes in figure_of(figure_5_9, run).axes]
+    titles = [axes.get_title("left") for axes in figure_of("figure_5_9", run).axes]
     assert titles == [
         "horse, 48,485 vertices", "rocker-arm (stand-in for rocker arm), 10,044 vertices",
     ]  # fmt: skip
-    (drawn,) = figure_5_9.figures(run, ["flat-grid"])
+    (drawn,) = figure_5_9.figures(run.of_meshes(["flat-grid"]))
     assert [axes.get_title("left")[:9] for axes in drawn.figure.axes] == ["flat-grid"]
     with pytest.raises(ResultError, match="'dragon'"):
-        figure_5_9.figures(run, ["dragon"])
+        run.of_meshes(["dragon"])
 
 
 def test_a_solver_without_phases_is_named(run: Run) -> None:
@@ -284,20 +270,20 @@ def test_a_solver_without_phases_is_named(run: Run) -> None:
 
 
 def test_wavefront_quality_is_drawn_where_it_is(run: Run) -> None:
-    marks = dots_of(figure_of(figure_5_10, run), "^")
+    marks = dots_of(figure_of("figure_5_10", run), "^")
     assert [float(mark.get_xdata()[0]) for mark in marks] == pytest.approx([0.4] * 3)
 
 
 def test_a_solver_far_beyond_the_thesis_s_is_written_at_the_edge(run: Run) -> None:
     far = with_number(run, "ch", "flat-grid", "wavefront_sd_edges", 1000 * BEYOND)
-    figure = figure_of(figure_5_10, far)
+    figure = figure_of("figure_5_10", far)
     assert figure.axes[0].get_xlim()[1] < 2
     assert [text.get_text()[:5] for text in figure.axes[0].texts] == ["2,500"]
     assert cut_texts(figure) == []
 
 
 def test_bars_are_ratios_and_stand_ins_are_white(run: Run) -> None:
-    axes = figure_of(speedup, run).axes[0]
+    axes = figure_of("speedup", run).axes[0]
     groups = speedup.groups(run, ["edge-based"])
     assert [group.stand_in for group in groups][:2] == [False, True]
     colours = {to_hex(bar.get_facecolor()) for bar in axes.patches}
@@ -314,13 +300,13 @@ def test_bars_are_ratios_and_stand_ins_are_white(run: Run) -> None:
 
 def test_a_solver_much_slower_than_the_base_has_a_cut_bar_with_its_number(run: Run) -> None:
     slow = with_number(run, "ch", "flat-grid", "cpu_time", 1e6)
-    figure = figure_of(speedup, slow)
+    figure = figure_of("speedup", slow)
     assert figure.axes[0].get_xlim()[0] > 0.1
     assert any("\N{LEFTWARDS ARROW}" in text.get_text() for text in figure.axes[0].texts)
 
 
 def test_published_marks_are_filled_for_models_and_hollow_for_stand_ins(run: Run) -> None:
-    marks = dots_of(figure_of(windows_over_limit, run), "d")
+    marks = dots_of(figure_of("windows_over_limit", run), "d")
     by_row: dict[int, set[str]] = {}
     for mark in marks:
         row = round(float(mark.get_ydata()[0]))
@@ -333,7 +319,7 @@ def test_truth_is_filled_and_the_word_of_a_solver_hollow(run: Run) -> None:
     def on_truth(row: Row) -> Row:
         return replace(row, reference="closed-form") if row.mesh == "flat-grid" else row
 
-    figure = figure_of(accuracy, changed_rows(run, on_truth))
+    figure = figure_of("accuracy", changed_rows(run, on_truth))
     faces = [to_hex(mark.get_markerfacecolor()) for mark in dots_of(figure, "D")]
     assert faces == ["#ffffff", "#ffffff", "#000000"]
 
@@ -342,7 +328,7 @@ def test_no_error_at_all_is_drawn_at_the_floor_and_the_bound_is_always_in_sight(
     for row in run.rows:
         if "max_relative_error" in row.numbers:
             row.numbers["max_relative_error"] = 0
-    axes = figure_of(accuracy, run).axes[0]
+    axes = figure_of("accuracy", run).axes[0]
     assert {float(mark.get_xdata()[0]) for mark in axes.lines if mark.get_marker() == "D"} == {
         accuracy.FLOOR
     }
@@ -358,7 +344,7 @@ def test_a_solver_with_too_few_sizes_for_a_fit_is_named(run: Run) -> None:
 def test_the_legend_has_the_exponents_of_the_growth_table(run: Run) -> None:
     fits = table_growth.tables(run)[1]
     exponents = {row[0].text: row[-2].value for row in fits.rows}
-    labels = dict(text.split(": ") for text in legend(figure_of(time_over_vertices, run)))
+    labels = dict(text.split(": ") for text in legend(figure_of("time_over_vertices", run)))
     assert set(labels) == set(exponents)
     for solver, value in exponents.items():
         assert labels[solver].startswith(f"$n^{{{value:.2f}}}$")

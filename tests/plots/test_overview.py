@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import overview
+from plots import overview
 import pytest
-from results import ResultError, Run
+from results.reader import ResultError, Run
 
 
 def test_a_solver_takes_its_own_time(golden_run: Run) -> None:

@@ -8,25 +8,25 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import figure_5_7
-import figure_5_8
-import figure_5_10_curve
-import figure_6_4
-import figure_a_1
-import figure_a_2
-import figure_a_3
-import figure_a_4
-import figure_a_5
+from plots import figure_5_7
+from plots import figure_5_8
+from plots import figure_5_10_curve
+from plots import figure_6_4
+from plots import figure_a_1
+from plots import figure_a_2
+from plots import figure_a_3
+from plots import figure_a_4
+from plots import figure_a_5
 import numpy as np
 import pytest
-import report
-import style
-from drawing import Drawing
+from plots import report
+from plots import style
+from plots.drawing import Drawing
 from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
-from published import THESIS_SOLVERS
-from recordings import recordings
-from results import ResultError, Run
+from results.published import THESIS_SOLVERS
+from plots.recordings import recordings
+from results.reader import ResultError, Run
 from synthetic import LEVELS, SPREAD
 
 WAVEFRONTS = {
@@ -84,7 +84,7 @@ def colors(axes: Axes) -> set[str]:
 def test_a_file_that_is_missing_or_cut_off_is_named(module: Any, name: str, run: Run) -> None:
     file = own_recordings(run) / name
     file.write_bytes(file.read_bytes()[:-40])
-    for why in ["perhaps cut off", "no such file"]:
+    for why in ["perhaps truncated", "no such file"]:
         with pytest.raises(ResultError, match=why) as caught:
             module.figures(run)
         assert file.name in str(caught.value)
@@ -239,5 +239,6 @@ def test_the_report_shows_every_figure_of_a_run_with_recordings(run: Run) -> Non
     assert report.main(["--run", str(run.file.parent)]) == 0
     page = (run.file.parent / "report.html").read_text(encoding="utf-8")
     for module in NEEDS:
-        assert f'<figure id="{module.__name__}">' in page
+        name = module.__name__.removeprefix("plots.")
+        assert f'<figure id="{name}">' in page
     assert set(WAVEFRONTS.values()) == set(THESIS_SOLVERS)

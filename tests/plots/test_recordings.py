@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from recordings import CURVE, Recording, recordings
-from results import Mesh, ResultError, Row, Run
+from plots.recordings import CURVE, Recording, recordings
+from results.reader import Mesh, ResultError, Row, Run
 from synthetic import LEVELS, mean_edge_length, plane, record
 
 SIDE = 21
@@ -21,7 +21,7 @@ def recording(tmp_path: Path) -> Recording:
     """Of a square from a corner of it, whose distances are known."""
     vertices, faces = plane(SIDE, SIDE)
     paths = record(tmp_path, "square", 0, (vertices, faces), np.linalg.norm(vertices, axis=1))
-    mesh = Mesh("square", len(vertices), len(faces), mean_edge_length(vertices, faces), None, False)
+    mesh = Mesh("square", "", len(vertices), len(faces), mean_edge_length(vertices, faces), None, False)
     folders = {solver: tmp_path / path for solver, path in paths.items()}
     return Recording(mesh, 0, tmp_path / "recordings" / "square" / "src0", folders)
 
@@ -74,7 +74,7 @@ class TestEveryFile:
         file = recording.folder / name
         whole = file.read_bytes()
         file.write_bytes(whole[: int(kept if kept >= 1 else kept * len(whole))])
-        self.refused(recording, name, "perhaps cut off")
+        self.refused(recording, name, "perhaps truncated")
 
     def test_of_another_kind_it_is_refused(self, recording: Recording, name: str) -> None:
         np.save(recording.folder / name, np.zeros((3, 3), ">i2"))

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import report
+from plots import report
 
 pytest.importorskip("selenium", reason="python3-selenium is not installed")
 from selenium import webdriver

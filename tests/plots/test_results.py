@@ -12,8 +12,8 @@ from typing import Any
 import jsonschema
 import numpy as np
 import pytest
-from recordings import CURVE, SNAPSHOT
-from results import SCHEMA, ResultError, Run, newest_run, read_file, read_run
+from plots.recordings import CURVE, SNAPSHOT
+from results.reader import SCHEMA, ResultError, Run, newest_run, read_file, read_run
 
 Changed = Callable[[Callable[[dict[str, Any]], object]], Path]
 
@@ -144,7 +144,7 @@ def test_row_about_something_unknown_is_named(changed: Changed, key: str, value:
 
 
 def test_newest_run_is_the_last_by_time(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("results.RUNS", tmp_path)
+    monkeypatch.setattr("results.reader.RUNS", tmp_path)
     with pytest.raises(ResultError, match="no run there yet"):
         newest_run()
     for name in ["20260102T000000Z-b", "20260101T000000Z-z"]:

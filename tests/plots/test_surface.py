@@ -6,13 +6,13 @@ from itertools import product
 
 import numpy as np
 import pytest
-import style
-import surface
-from camera import Camera, Floats, close_up, framing, looking
-from polylines import joined
-from surface import Surface, draw_lines, draw_surface, shade
+from plots import style
+from plots import surface
+from plots.camera import Camera, Floats, close_up, framing, looking
+from plots.polylines import joined
+from plots.surface import Surface, draw_lines, draw_surface, shade
 from synthetic import Geometry, edges_of, plane, sphere, torus
-from zbuffer import NOTHING, ZBuffer, expand, z_buffer
+from plots.zbuffer import NOTHING, ZBuffer, expand, z_buffer
 
 FRONT = np.eye(3)
 """Looks down the z axis: x is right, y up."""

@@ -6,15 +6,15 @@ from pathlib import Path
 
 import pytest
 
-import table_growth
-from results import Mesh, ResultError, Row, Run, Solver
+from plots import table_growth
+from results.reader import Mesh, ResultError, Row, Run, Solver
 
 SOLVER = Solver("fast", "F", "", "", "", "", "", False, True, False, "")
 
 
 def run_of(sizes: list[int], exponent: float) -> Run:
     """A run in which time (ns) and windows are n to the exponent: a nanosecond a window."""
-    meshes = {f"m{n}": Mesh(f"m{n}", n, 2 * n, 1.0, None, False) for n in sizes}
+    meshes = {f"m{n}": Mesh(f"m{n}", "", n, 2 * n, 1.0, None, False) for n in sizes}
     rows = [
         Row(
             "fast", mesh.name, 0, 0, "ok", "", None,

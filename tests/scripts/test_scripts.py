@@ -26,7 +26,8 @@ def checkout(tmp_path: Path) -> Path:
         shutil.copy(ROOT / name, copy / name)
     for folder in ["tools", "plots", "results/published"]:
         shutil.copytree(ROOT / folder, copy / folder)
-    shutil.copy(ROOT / "results" / "run.schema.json", copy / "results")
+    for file in [ROOT / "results" / "run.schema.json", *(ROOT / "results").glob("*.py")]:
+        shutil.copy(file, copy / "results")
     return copy
 
 

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from results import ROOT, ResultError
+from results.console import ROOT
+from results.reader import ResultError
 
 FILE = ROOT / "results" / "published" / "thesis.json"
 
@@ -15,7 +16,7 @@ THESIS_SOLVERS = ["mmp", "fwp-mmp", "ich", "fwp-ch", "edge-based"]
 """The columns of Table 5.2, in its order."""
 
 Published = float | str | None
-"""A number; words such as "out of memory" in its place; None where the thesis has nothing."""
+"""A number; a text such as "out of memory" instead of one; None where the thesis has neither."""
 
 
 @cache
@@ -62,7 +63,7 @@ def table_5_3() -> dict[str, dict[str, Any]]:
 
 @dataclass(frozen=True)
 class Claim:
-    """What the thesis's text says of a ratio (see ratios.py)."""
+    """What the thesis's text states about a ratio (see plots/ratios.py)."""
 
     claim: str
     where: str
@@ -79,4 +80,4 @@ def _of_model(table: str, model: str) -> dict[str, Any]:
     for row in _tables()[table]:
         if row["model"] == model:
             return dict(row)
-    raise ResultError(f"{model!r} is no model of the thesis; its models: {', '.join(models())}")
+    raise ResultError(f"{model!r} is not a model of the thesis; its models: {', '.join(models())}")

@@ -1,29 +1,29 @@
 """The one reader of result files: validates them and gives typed rows.
 
-Draws nothing; reads run.json (or one file of cells/) as described by results/README.md.
-Whatever is wrong with a file ends in a ResultError of one line that names the file and the key.
+Reads run.json, or one file of cells/, as described by results/README.md, of ordinary and of
+interleaved runs. Every fault of a file is a ResultError of one line with the file and the key.
 """
 
 from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass, fields
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, fields, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 import jsonschema
-from console import printable
 
-ROOT = Path(__file__).resolve().parent.parent
+from results.console import ROOT, printable
+
 SCHEMA = ROOT / "results" / "run.schema.json"
 RUNS = ROOT / "results" / "runs"
 
 OK = "ok"
 CLOSED_FORM = "closed-form"
-"""The reference of rows that were compared with truth and not with another solver."""
+"""The reference of rows whose distances were compared with a formula, not with another solver."""
 
 
 class ResultError(Exception):
@@ -33,6 +33,7 @@ class ResultError(Exception):
 @dataclass(frozen=True)
 class Mesh:
     name: str
+    sha256: str
     vertices: int
     faces: int
     mean_edge_length: float
@@ -41,7 +42,7 @@ class Mesh:
 
     @property
     def label(self) -> str:
-        """As what it is: "dragon-res2 (stand-in for lucy)"."""
+        """The name, and what it stands for: "dragon-res2 (stand-in for lucy)"."""
         return f"{self.name} (stand-in for {self.thesis_model})" if self.stand_in else self.name
 
 
@@ -60,6 +61,18 @@ class Solver:
     remarks: str
 
 
+@dataclass(frozen=True, order=True)
+class Cell:
+    """A solver on a mesh from a source vertex."""
+
+    solver: str
+    mesh: str
+    source: int
+
+    def __str__(self) -> str:
+        return f"{self.solver}/{self.mesh}/src:{self.source}"
+
+
 @dataclass(frozen=True)
 class Row:
     """One repetition of one cell, or the one row of a cell that failed."""
@@ -72,14 +85,22 @@ class Row:
     message: str
     reference: str | None
     numbers: dict[str, float]
-    """Every number the row has under its name in the file, those of an object as
-    "phase_seconds.queue"; empty unless the outcome is ok."""
+    """Every number of the row by its key in the file, those of an object as
+    "phase_seconds.queue"; empty unless the outcome is ok. "cpu_time" is in milliseconds."""
     recordings: str | None = None
-    """Folder of the solver's recordings, seen from the run folder."""
+    """Folder of the solver's recordings, relative to the run folder."""
+    program: str | None = None
+    """Of an interleaved run with several programs: the label of the one that was timed."""
+    data: dict[str, Any] = field(default_factory=dict, repr=False, compare=False)
+    """The row as it is in the file."""
 
     @property
     def ok(self) -> bool:
         return self.outcome == OK
+
+    @property
+    def cell(self) -> Cell:
+        return Cell(self.solver, self.mesh, self.source)
 
     @property
     def against_truth(self) -> bool:
@@ -103,49 +124,93 @@ class Run:
     skipped: list[Skip]
     rows: list[Row]
 
+    @property
+    def ours(self) -> dict[str, Any]:
+        """The part of the context that is geodesic-bench's own."""
+        found: dict[str, Any] = self.context["geodesic_bench"]
+        return found
+
+    @property
+    def interleaved(self) -> bool:
+        """Whether rows of one mesh, source and repetition are neighbours in time."""
+        return bool(self.ours.get("interleaved", False))
+
     def cell(self, mesh: str, solver: str) -> list[Row]:
         """The rows of one solver on one mesh, over all sources, in the file's order."""
         return [row for row in self.rows if row.mesh == mesh and row.solver == solver]
 
+    def cells(self, program: str | None = None) -> dict[Cell, list[Row]]:
+        """The rows by cell, in the file's order.
+
+        @param program its rows only; None: those of every program"""
+        found: dict[Cell, list[Row]] = {}
+        for row in self.rows:
+            if program is None or row.program == program:
+                found.setdefault(row.cell, []).append(row)
+        return found
+
+    def of_meshes(self, names: Sequence[str]) -> Run:
+        """The same run with these meshes only. @raises ResultError for one that it does not have"""
+        for name in names:
+            if name not in self.meshes:
+                raise ResultError(f"{self.file}: no mesh {name!r}; it has {', '.join(self.meshes)}")
+        return replace(
+            self,
+            meshes={name: mesh for name, mesh in self.meshes.items() if name in names},
+            skipped=[skip for skip in self.skipped if skip.mesh in names],
+            rows=[row for row in self.rows if row.mesh in names],
+        )
+
     def skip(self, mesh: str, solver: str) -> Skip | None:
-        """Why the run left this solver out on this mesh, if it did."""
+        """The reason if the run skipped this solver on this mesh."""
         return next(
             (s for s in self.skipped if s.mesh == mesh and s.solver in (None, solver)), None
         )
 
 
-def read_run(folder: Path) -> Run:
-    """The assembled file of a run folder."""
-    if not folder.is_dir():
-        raise ResultError(f"{folder}: no such folder; ./run_all.sh run makes one")
-    return read_file(folder / "run.json")
+def read_run(path: Path) -> Run:
+    """@param path a run folder with a run.json in it, or a result file
+    @raises ResultError as read_file does"""
+    if path.is_file():
+        return read_file(path)
+    if not path.is_dir():
+        raise ResultError(f"{path}: no such folder; ./run_all.sh run makes one")
+    return read_file(path / "run.json")
 
 
-def read_file(file: Path) -> Run:
-    """A result file. @raises ResultError when it is missing, broken or not to the schema."""
-    return run_of(file, load(file))
+def read_file(file: Path, *, of_any_revision: bool = False) -> Run:
+    """A result file.
+
+    @param of_any_revision accept keys that this revision's schema does not have; those that a Run
+           needs must be there
+    @raises ResultError when the file is missing, broken or not to the schema"""
+    return run_of(file, load(file), of_any_revision=of_any_revision)
 
 
-def run_of(file: Path, data: Any) -> Run:
-    """What `load` gave, as a run. @raises ResultError when it is not to the schema."""
-    validate(file, data, SCHEMA)
-    run = _typed(file, data)
+def run_of(file: Path, data: Any, *, of_any_revision: bool = False) -> Run:
+    """What `load` returned, as a run. @raises ResultError as read_file does"""
+    if not of_any_revision:
+        validate(file, data)
+    try:
+        run = _typed(file, data)
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        raise ResultError(f"{file}: not a result file of geodesic-bench: {error}") from None
     _check_names(run)
     return run
 
 
 def load(file: Path) -> Any:
-    """JSON of finite numbers and harmless texts. @raises ResultError"""
+    """JSON with finite numbers, control characters escaped. @raises ResultError"""
     try:
         data = _harmless(_parsed(file))
         _refuse_non_finite(file, data)
     except RecursionError:
-        raise ResultError(f"{file}: nested far deeper than a result file is") from None
+        raise ResultError(f"{file}: nested too deep for a result file") from None
     return data
 
 
 def _harmless(data: Any) -> Any:
-    """The same with every text printable: names of files and solvers' last words are anybody's."""
+    """The same with every text printable: file names and error messages may hold anything."""
     if isinstance(data, str):
         return printable(data)
     if isinstance(data, dict):
@@ -154,7 +219,7 @@ def _harmless(data: Any) -> Any:
 
 
 def newest_run() -> Path:
-    """The last run folder of results/runs; their names begin with the time they were started."""
+    """The last run folder of results/runs, whose names begin with the time of their start."""
     folders = sorted(file.parent for file in RUNS.glob("*/run.json"))
     if not folders:
         raise ResultError(f"{RUNS}: no run there yet; ./run_all.sh run makes one")
@@ -169,7 +234,7 @@ def _parsed(file: Path) -> Any:
     except OSError as error:
         raise ResultError(f"{file}: cannot be read: {error.strerror}") from None
     except ValueError as error:  # of JSON or of UTF-8
-        raise ResultError(f"{file}: not JSON, perhaps cut off: {error}") from None
+        raise ResultError(f"{file}: not JSON, perhaps truncated: {error}") from None
 
 
 def _refuse_non_finite(file: Path, data: Any) -> None:
@@ -196,13 +261,13 @@ def _key(path: list[str | int]) -> str:
 
 
 @cache
-def _validator(schema: Path) -> Any:
-    return jsonschema.Draft202012Validator(json.loads(schema.read_text(encoding="utf-8")))
+def _validator() -> Any:
+    return jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text(encoding="utf-8")))
 
 
-def validate(file: Path, data: Any, schema: Path) -> None:
+def validate(file: Path, data: Any) -> None:
     """@raises ResultError with the first key of the file that is not to the schema"""
-    error = next(_validator(schema).iter_errors(data), None)
+    error = next(_validator().iter_errors(data), None)
     if error is not None:
         line = " ".join(error.message.split())
         if len(line) > 200:
@@ -215,6 +280,7 @@ def _typed(file: Path, data: Any) -> Run:
     meshes = [
         Mesh(
             name=mesh["name"],
+            sha256=mesh["sha256"],
             vertices=int(mesh["vertices"]),
             faces=int(mesh["faces"]),
             mean_edge_length=mesh["mean_edge_length"],
@@ -235,7 +301,7 @@ def _typed(file: Path, data: Any) -> Run:
 
 
 def _solver(solver: dict[str, Any]) -> Solver:
-    copied = {field.name: solver[field.name] for field in fields(Solver) if field.name in solver}
+    copied = {one.name: solver[one.name] for one in fields(Solver) if one.name in solver}
     return Solver(**copied, exact=solver["exactness"] == "exact")
 
 
@@ -251,6 +317,8 @@ def _row(row: dict[str, Any]) -> Row:
         reference=row.get("reference"),
         numbers=_numbers(row) if ok else {},
         recordings=row.get("recordings"),
+        program=row.get("program"),
+        data=row,
     )
 
 
@@ -260,7 +328,7 @@ def _numbers(row: dict[str, Any]) -> dict[str, float]:
 
 
 def _check_names(run: Run) -> None:
-    """Rows and context must speak of the same meshes, solvers and sources."""
+    """The meshes, solvers and sources of the rows must be in the context."""
     for index, row in enumerate(run.rows):
         where = f"{run.file}: benchmarks[{index}]"
         if row.mesh not in run.meshes:

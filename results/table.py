@@ -1,21 +1,23 @@
-"""One table, three formats: Markdown to read, LaTeX to print, CSV (unrounded) to reuse."""
+"""The one table, in four formats: Markdown and aligned text to read, LaTeX to print, CSV
+(unrounded) to reuse; and the escapes that LaTeX and Markdown need."""
 
 from __future__ import annotations
 
 import csv
 import io
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from estimates import Estimate
+from results.console import printable
+from results.statistics import Estimate
 
 
 @dataclass(frozen=True)
 class Cell:
     text: str
-    """As printed in Markdown and, escaped, in LaTeX."""
+    """As printed; each format escapes it."""
     value: float | int | str | None = None
     """As written to CSV; None: the text."""
     low: float | None = None
@@ -33,14 +35,19 @@ def estimate_cell(estimate: Estimate, text: str, note: str = "") -> Cell:
     return Cell(text, estimate.value, estimate.low, estimate.high, note)
 
 
+def text_cells(texts: Iterable[str]) -> list[Cell]:
+    return [Cell(text) for text in texts]
+
+
 @dataclass(frozen=True)
 class Table:
     name: str
     """Of its files."""
     title: str
+    """Empty for a table without a heading."""
     header: list[str]
     text_columns: int
-    """So many columns from the left are words, the rest numbers, set to the right."""
+    """How many columns from the left are texts; the others are numbers, aligned to the right."""
     rows: list[list[Cell]]
     remarks: list[str] = field(default_factory=list)
     """Sentences under the table."""
@@ -60,20 +67,40 @@ def to_markdown(table: Table) -> str:
     notes = table.notes()
 
     def shown(cell: Cell) -> str:
-        text = cell.text.replace("|", "\\|")
+        text = escape_markdown(cell.text)
         return f"{text} <sup>{mark(notes.index(cell.note))}</sup>" if cell.note else text
 
-    lines = [f"## {table.title}", ""]
-    lines.append(_markdown_row(table.header))
+    lines = [f"## {escape_markdown(table.title)}", ""] if table.title else []
+    lines.append(_markdown_row([escape_markdown(name) for name in table.header]))
     lines.append(
-        _markdown_row(
-            [":--" if i < table.text_columns else "--:" for i in range(len(table.header))]
-        )
+        _markdown_row([":--" if i < table.text_columns else "--:" for i in _columns(table)])
     )
     lines += [_markdown_row([shown(cell) for cell in row]) for row in table.rows]
-    lines += ["", *(f"{remark}\n" for remark in table.remarks)]
-    lines += [f"<sup>{mark(index)}</sup> {note}\n" for index, note in enumerate(notes)]
+    lines += ["", *(f"{escape_markdown(remark)}\n" for remark in table.remarks)]
+    lines += [
+        f"<sup>{mark(index)}</sup> {escape_markdown(note)}\n" for index, note in enumerate(notes)
+    ]
     return "\n".join(lines).rstrip("\n") + "\n"
+
+
+def to_text(table: Table) -> str:
+    """For a terminal: aligned columns, indented by two spaces under the title."""
+    notes = table.notes()
+
+    def shown(cell: Cell) -> str:
+        return f"{cell.text} {mark(notes.index(cell.note))}" if cell.note else cell.text
+
+    rows = [table.header, *([shown(cell) for cell in row] for row in table.rows)]
+    widths = [max(len(row[i]) for row in rows) for i in _columns(table)]
+    lines = [table.title] if table.title else []
+    for row in rows:
+        padded = (
+            text.ljust(width) if i < table.text_columns else text.rjust(width)
+            for i, (text, width) in enumerate(zip(row, widths, strict=True))
+        )
+        lines.append(("  " + "  ".join(padded)).rstrip())
+    lines += table.remarks + [f"{mark(index)}: {note}" for index, note in enumerate(notes)]
+    return "".join(f"{printable(line)}\n" for line in lines)
 
 
 def to_csv(table: Table) -> str:
@@ -100,16 +127,16 @@ def to_latex(table: Table) -> str:
     notes = table.notes()
 
     def shown(cell: Cell) -> str:
-        text = escape(cell.text) if cell.latex is None else cell.latex
+        text = escape_latex(cell.text) if cell.latex is None else cell.latex
         return f"{text}\\textsuperscript{{{mark(notes.index(cell.note))}}}" if cell.note else text
 
     columns = "".join("l" if i < table.text_columns else "r" for i in _columns(table))
-    head = " & ".join(escape(name) for name in table.header) + r" \\"
+    head = " & ".join(escape_latex(name) for name in table.header) + r" \\"
     lines = [
         r"% needs \usepackage{booktabs,longtable}",
         r"\begingroup\footnotesize",
         rf"\begin{{longtable}}{{{columns}}}",
-        rf"\caption{{{escape(table.title)}}}\label{{tab:{table.name.replace('_', '-')}}}\\",
+        rf"\caption{{{escape_latex(table.title)}}}\label{{tab:{table.name.replace('_', '-')}}}\\",
         rf"\toprule {head} \midrule \endfirsthead",
         rf"\toprule {head} \midrule \endhead",
         r"\bottomrule \endfoot",
@@ -121,12 +148,23 @@ def to_latex(table: Table) -> str:
         group = row[0].value
         lines.append(" & ".join(shown(cell) for cell in row) + r" \\")
     lines.append(r"\end{longtable}")
-    lines += [rf"\noindent {escape(remark)}\par" for remark in table.remarks]
+    lines += [rf"\noindent {escape_latex(remark)}\par" for remark in table.remarks]
     lines += [
-        rf"\noindent \textsuperscript{{{mark(index)}}} {escape(note)}\par"
+        rf"\noindent \textsuperscript{{{mark(index)}}} {escape_latex(note)}\par"
         for index, note in enumerate(notes)
     ]
     return "\n".join([*lines, r"\endgroup"]) + "\n"
+
+
+def to_tabular(table: Table) -> str:
+    """The rows alone as a LaTeX tabular, to be put into a table of one's own."""
+    columns = "".join("l" if i < table.text_columns else "r" for i in _columns(table))
+    lines = [" & ".join(escape_latex(cell.text) for cell in row) + r" \\" for row in table.rows]
+    head = " & ".join(escape_latex(name) for name in table.header) + r" \\"
+    return "\n".join([
+        r"% needs \usepackage{booktabs}", rf"\begin{{tabular}}{{{columns}}}", r"\toprule", head,
+        r"\midrule", *lines, r"\bottomrule", r"\end{tabular}", "",
+    ])  # fmt: skip
 
 
 FORMATS: dict[str, Callable[[Table], str]] = {
@@ -166,8 +204,14 @@ _LATEX = {
 }
 
 
-def escape(text: str) -> str:
-    return re.sub(r".", lambda match: _LATEX.get(match[0], match[0]), text)
+def escape_latex(text: str) -> str:
+    """Text in which no character has a meaning to LaTeX."""
+    return "".join(_LATEX.get(character, character) for character in text)
+
+
+def escape_markdown(text: str) -> str:
+    """Text of one line in which no character has a meaning to Markdown, tables included."""
+    return re.sub(r"[\\|`*<$]", r"\\\g<0>", text)
 
 
 def _markdown_row(cells: list[str]) -> str:

@@ -1,0 +1,52 @@
+"""Draws tables and figures of a run: all that it has the data for, or those that are named."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from results import console
+
+if __name__ == "__main__":
+    console.prepare()  # before imports that may fail
+
+from plots.catalogue import EVERYTHING, draw, write
+from results.reader import ResultError, newest_run, read_run
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = console.run_parser(__doc__)
+    parser.add_argument(
+        "names", nargs="*", metavar="NAME", help=f"what to draw: {', '.join(EVERYTHING)}"
+    )
+    parser.add_argument(
+        "--meshes", type=lambda text: text.split(","), metavar="A,B",
+        help="meshes of the run that are drawn (default: all)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--out", type=Path, metavar="DIR",
+        help="folder for what is drawn (default: tables to RUN/tables, figures to RUN/figures)",
+    )  # fmt: skip
+    options = parser.parse_args(arguments)
+    if unknown := [name for name in options.names if name not in EVERYTHING]:
+        parser.error(f"unknown table or figure: {', '.join(unknown)}")
+    try:
+        folder = options.run or newest_run()
+        run = read_run(folder)
+        if options.meshes:
+            run = run.of_meshes(options.meshes)
+        items, left_out = draw(run, options.names)
+        for item in items:
+            write(item.drawn, folder, options.out)
+        if options.names and left_out:
+            raise ResultError(left_out[0].why)
+        for one in left_out:
+            print(f"left out: {one.name}: {one.why}")
+    except (ResultError, OSError) as error:
+        return console.complain(error)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

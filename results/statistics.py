@@ -1,0 +1,240 @@
+"""The one module of statistics: estimates with intervals, tests, fits, and the decision rule.
+
+**Samples.** A sample is a list of groups, one a source vertex, each with its repetitions. Intervals
+of samples are 95% percentile bootstrap intervals that resample sources, and repetitions inside each
+resampled source, so that many repetitions of few sources do not look like many sources. They are
+seeded: the same sample always gives the same interval.
+
+**Paired measurements and their decision rule.** Two sides, "base" and "head", are timed in turn in
+pairs (base head, head base, ...), and what is judged is the ratio head/base of each pair, so that a
+drift of the machine cancels out. The interval of the median ratio is exact whatever the
+distribution: it reaches from the k-th smallest to the k-th largest ratio, k by the binomial
+distribution (`median_interval`). With a margin m >= 1, `decide` gives one of four answers:
+
+    slower      the lower end is above m
+    faster      the upper end is below 1/m
+    same        the upper end is below m: not slower by the margin, and perhaps faster by less
+    undecided   otherwise, or too few pairs for an interval
+
+So a median above the margin, or an interval that contains it, is never called the same. At 99% a
+pair of equals is called slower with a probability of at most 0.5%. With m = 1 the rule says which
+of two solvers is faster.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import stats
+
+Sample = Sequence[Sequence[float]]
+Array = NDArray[np.float64]
+
+RESAMPLES = 2000
+CONFIDENCE = 0.95
+DECISION_CONFIDENCE = 0.99
+SEED = 20160101
+
+
+@dataclass(frozen=True)
+class Estimate:
+    value: float
+    low: float
+    high: float
+    least: float
+    most: float
+    """low, high: the interval; least, most: the range of what was measured."""
+
+    @property
+    def excludes_one(self) -> bool:
+        """Of a ratio: whether the interval shows a difference."""
+        return self.low > 1 or self.high < 1
+
+
+class Decision(StrEnum):
+    """What a paired measurement shows of head against base; see the module's text."""
+
+    SLOWER = "slower"
+    FASTER = "faster"
+    SAME = "same"
+    UNDECIDED = "undecided"
+
+
+@dataclass(frozen=True)
+class Judgement:
+    decision: Decision
+    ratio: Estimate
+    """The median of head/base with the interval that was judged."""
+
+
+def median(sample: Sample) -> Estimate:
+    """The median over sources of each source's median over repetitions.
+
+    @raises ValueError for an empty sample or source"""
+    values = _padded(sample)
+
+    def reduce(array: Array) -> Array:
+        return np.asarray(np.median(np.nanmedian(array, axis=-1), axis=-1))
+
+    return _estimate(float(reduce(values)), reduce(_resample(values)), values)
+
+
+def geometric_mean(samples: Sequence[Sample]) -> Estimate:
+    """The geometric mean over samples (one a mesh) of their geometric means, all values > 0.
+
+    Meshes are a choice and not a random sample: they are not resampled. The range is that of the
+    meshes' own means when there are several, else that of the values.
+
+    @raises ValueError for an empty sample or source"""
+    logs = [np.log(_padded(sample)) for sample in samples]
+
+    def reduce(array: Array) -> Array:
+        return np.asarray(np.mean(np.nanmean(array, axis=-1), axis=-1))
+
+    means = np.array([float(reduce(array)) for array in logs])
+    draws = np.mean([reduce(_resample(array)) for array in logs], axis=0)
+    spread = np.exp(means if len(means) > 1 else logs[0])
+    return _estimate(float(np.exp(np.mean(means))), np.exp(draws), spread)
+
+
+def geometric_mean_of_ratios(cells: Sequence[tuple[Sequence[float], Sequence[float]]]) -> Estimate:
+    """The geometric mean over cells of median(after) / median(before).
+
+    The interval resamples cells, and the repetitions of each side inside each resampled cell; the
+    range is that of the cells' ratios. For two runs that were not interleaved.
+
+    @param cells (before, after): the repetitions of each side, all > 0; at least one cell"""
+    before = np.log(_padded([each[0] for each in cells]))
+    after = np.log(_padded([each[1] for each in cells]))
+    random = np.random.default_rng(SEED)
+    chosen = random.integers(len(cells), size=(RESAMPLES, len(cells)))
+
+    def ratio(above: Array, below: Array) -> Array:
+        return np.asarray(np.nanmedian(above, axis=-1) - np.nanmedian(below, axis=-1))
+
+    draws = ratio(_redraw(after, chosen, random), _redraw(before, chosen, random)).mean(axis=-1)
+    ratios = ratio(after, before)
+    return _estimate(float(np.exp(ratios.mean())), np.exp(draws), np.exp(ratios))
+
+
+def geometric_mean_of_medians(samples: Sequence[Sequence[float]]) -> Estimate:
+    """The geometric mean over samples (one a mesh) of their medians, all values > 0.
+
+    Of one sample: its `median_interval`. Of several: the interval resamples the values of each
+    sample, not the samples; the range is that of the medians."""
+    if len(samples) == 1:
+        return median_interval(samples[0])
+    logs = np.log(_padded(samples))
+    random = np.random.default_rng(SEED)
+    drawn = _redraw(logs, np.tile(np.arange(len(samples)), (RESAMPLES, 1)), random)
+    medians = np.nanmedian(logs, axis=-1)
+    draws = np.exp(np.nanmedian(drawn, axis=-1).mean(axis=-1))
+    return _estimate(float(np.exp(medians.mean())), draws, np.exp(medians))
+
+
+def least_for_interval(confidence: float = CONFIDENCE) -> int:
+    """How many values give a median an interval: 6 at 95%, 8 at 99%."""
+    return math.ceil(round(1 - math.log2(1 - confidence), 9))
+
+
+def median_interval(values: Sequence[float], confidence: float = CONFIDENCE) -> Estimate:
+    """The median with its exact interval, whatever the distribution: the innermost two values, as
+    far from either end, between which it lies with that probability (15 values at 99%: the 3rd
+    smallest and the 3rd largest). With fewer than `least_for_interval` values, their range.
+
+    @raises ValueError for no values"""
+    if not values:
+        raise ValueError("a median needs at least one value")
+    ordered = sorted(values)
+    outside = np.arange(len(ordered) // 2)
+    cut = int(np.sum(2 * stats.binom.cdf(outside, len(ordered), 0.5) <= 1 - confidence))
+    k = max(cut - 1, 0)
+    return Estimate(
+        float(np.median(ordered)), ordered[k], ordered[-1 - k], ordered[0], ordered[-1]
+    )
+
+
+def decide(
+    ratios: Sequence[float], margin: float, confidence: float = DECISION_CONFIDENCE
+) -> Judgement:
+    """The decision rule of the module's text.
+
+    @param ratios head/base of each pair, at least one
+    @param margin at least 1"""
+    ratio = median_interval(ratios, confidence)
+    if len(ratios) < least_for_interval(confidence):
+        decision = Decision.UNDECIDED
+    elif ratio.low > margin:
+        decision = Decision.SLOWER
+    elif ratio.high < 1 / margin:
+        decision = Decision.FASTER
+    else:
+        decision = Decision.SAME if ratio.high < margin else Decision.UNDECIDED
+    return Judgement(decision, ratio)
+
+
+def rank_test(a: Sequence[float], b: Sequence[float]) -> float:
+    """Two-sided p-value of the Mann-Whitney U test: the probability of samples at least as
+    different in rank when both come from one distribution. 1 when a sample is empty."""
+    if not a or not b:
+        return 1.0
+    return float(stats.mannwhitneyu(a, b, alternative="two-sided").pvalue)
+
+
+@dataclass(frozen=True)
+class PowerLaw:
+    """y = factor x^exponent, with the 95% interval of the exponent (Student's t)."""
+
+    factor: float
+    exponent: float
+    low: float
+    high: float
+
+    def at(self, x: float) -> float:
+        return float(self.factor * x**self.exponent)
+
+
+def power_law(x: Sequence[float], y: Sequence[float]) -> PowerLaw:
+    """Least squares of log y on log x.
+
+    @param x at least three values, all > 0 and not all the same; y as many, all > 0"""
+    fit = stats.linregress(np.log(x), np.log(y))
+    half = float(stats.t.ppf(0.5 + CONFIDENCE / 2, len(x) - 2)) * float(fit.stderr)
+    slope = float(fit.slope)
+    return PowerLaw(math.exp(fit.intercept), slope, slope - half, slope + half)
+
+
+def _estimate(value: float, draws: Array, values: Array) -> Estimate:
+    tail = (1 - CONFIDENCE) / 2
+    low, high = (float(x) for x in np.quantile(draws, [tail, 1 - tail]))
+    return Estimate(value, low, high, float(np.nanmin(values)), float(np.nanmax(values)))
+
+
+def _padded(sample: Sample) -> Array:
+    """Shape (sources, most repetitions of a source), NaN where a source has fewer."""
+    if not sample or not all(sample):
+        raise ValueError("a sample needs at least one source, and each source a repetition")
+    values = np.full((len(sample), max(map(len, sample))), np.nan)
+    for row, repetitions in zip(values, sample, strict=True):
+        row[: len(repetitions)] = repetitions
+    return values
+
+
+def _resample(values: Array) -> Array:
+    """Shape (RESAMPLES, sources, repetitions), padded as `values` is."""
+    random = np.random.default_rng(SEED)
+    chosen = random.integers(len(values), size=(RESAMPLES, len(values)))
+    return _redraw(values, chosen, random)
+
+
+def _redraw(values: Array, chosen: NDArray[np.int64], random: np.random.Generator) -> Array:
+    """The repetitions of the chosen sources, drawn anew; SciPy's bootstrap has one level only."""
+    counts = np.sum(~np.isnan(values), axis=1)[chosen][..., None]
+    picks = (random.random((*chosen.shape, values.shape[1])) * counts).astype(np.intp)
+    drawn = values[chosen[..., None], picks]
+    return np.where(np.arange(values.shape[1]) < counts, drawn, np.nan)

@@ -1,0 +1,132 @@
+"""Estimates and their intervals, tests, fits, and the decision rule of paired measurements."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from results.statistics import (
+    Decision, decide, geometric_mean, geometric_mean_of_medians, geometric_mean_of_ratios,
+    least_for_interval, median, median_interval, power_law, rank_test,
+)  # fmt: skip
+
+
+def test_median_counts_every_source_once() -> None:
+    assert median([[1.0], [2.0, 2.0, 2.0, 2.0, 2.0], [9.0]]).value == 2.0
+    assert median([[1.0, 5.0, 3.0]]).value == 3.0
+
+
+def test_geometric_mean_of_reciprocals_is_reciprocal() -> None:
+    there = geometric_mean([[[2.0, 4.0], [8.0]], [[3.0]]])
+    back = geometric_mean([[[0.5, 0.25], [0.125]], [[1 / 3]]])
+    assert there.value * back.value == pytest.approx(1, rel=1e-12)
+    assert there.low * back.high == pytest.approx(1, rel=1e-12)
+
+
+def test_geometric_mean_over_meshes_ranges_over_their_means() -> None:
+    estimate = geometric_mean([[[2.0, 8.0]], [[9.0]]])
+    assert estimate.value == pytest.approx(6)
+    assert [estimate.least, estimate.most] == pytest.approx([4, 9])
+
+
+def test_same_sample_gives_the_same_interval() -> None:
+    sample = [[1.0, 1.1, 1.3], [1.2, 1.25], [0.9, 1.0, 0.95]]
+    assert median(sample) == median(sample)
+
+
+def test_interval_holds_the_value_and_lies_within_the_range() -> None:
+    estimate = median([[1.0, 1.1, 1.3], [1.2, 1.25], [0.9, 1.0, 0.95]])
+    assert estimate.least <= estimate.low <= estimate.value <= estimate.high <= estimate.most
+
+
+def test_constant_sample_has_no_spread() -> None:
+    estimate = median([[3.0, 3.0], [3.0]])
+    assert (estimate.low, estimate.high) == (3.0, 3.0)
+
+
+def test_spread_between_sources_is_not_hidden_by_many_repetitions() -> None:
+    estimate = median([[1.0] * 50, [2.0] * 50, [3.0] * 50])
+    assert (estimate.low, estimate.high) == (1.0, 3.0)
+
+
+@pytest.mark.parametrize("sample", [[], [[]], [[1.0], []]])
+def test_empty_samples_are_refused(sample: list[list[float]]) -> None:
+    with pytest.raises(ValueError, match="at least one source"):
+        median(sample)
+
+
+@pytest.mark.parametrize(
+    ("count", "confidence", "low", "high"),
+    [(15, 0.99, 3, 13), (9, 0.95, 2, 8), (6, 0.95, 1, 6), (8, 0.99, 1, 8), (5, 0.95, 1, 5)],
+)
+def test_interval_of_a_median_is_by_order_statistics(
+    count: int, confidence: float, low: int, high: int
+) -> None:
+    estimate = median_interval(range(count, 0, -1), confidence)
+    assert (estimate.low, estimate.high) == (low, high)
+    assert (estimate.least, estimate.most) == (1, count)
+
+
+def test_an_interval_needs_so_many_values() -> None:
+    assert [least_for_interval(confidence) for confidence in (0.95, 0.99)] == [6, 8]
+    with pytest.raises(ValueError, match="at least one value"):
+        median_interval([])
+
+
+@pytest.mark.parametrize(
+    ("ratios", "margin", "decision"),
+    [
+        ([1.15] * 15, 1.1, Decision.SLOWER),
+        ([0.85] * 15, 1.1, Decision.FASTER),
+        ([1.02] * 15, 1.1, Decision.SAME),
+        ([0.95] * 15, 1.1, Decision.SAME),
+        ([1.02] * 12 + [1.2] * 3, 1.1, Decision.UNDECIDED),  # the 3rd largest is above the margin
+        ([1.02] * 13 + [1.2] * 2, 1.1, Decision.SAME),
+        ([1.2] * 12 + [1.02] * 3, 1.1, Decision.UNDECIDED),
+        ([1.2] * 13 + [1.02] * 2, 1.1, Decision.SLOWER),
+        ([1.5] * 7, 1.1, Decision.UNDECIDED),  # too few pairs
+        ([1.01] * 15, 1, Decision.SLOWER),
+        ([0.99] * 15, 1, Decision.FASTER),
+        ([1.0] * 15, 1, Decision.UNDECIDED),
+    ],
+)
+def test_the_decision_rule(ratios: list[float], margin: float, decision: Decision) -> None:
+    judgement = decide(ratios, margin)
+    assert judgement.decision == decision
+    if decision == Decision.SAME:
+        assert judgement.ratio.value < margin
+
+
+def test_equals_are_called_slower_as_rarely_as_promised() -> None:
+    random = np.random.default_rng(1)
+    ratios = np.exp(random.normal(0, 0.02, (4000, 15)))
+    slower = sum(decide(list(row), 1).decision == Decision.SLOWER for row in ratios)
+    assert slower / len(ratios) <= 0.0075
+
+
+def test_rank_test_is_exact_for_small_samples_and_1_for_none() -> None:
+    assert rank_test([1, 2, 3, 4, 5], [6, 7, 8, 9, 10]) == pytest.approx(2 / 252)
+    assert rank_test([], [1.0]) == 1
+    assert rank_test([1.0, 2.0, 3.0], [1.0, 2.0, 3.0]) > 0.9
+
+
+def test_power_law_is_found() -> None:
+    law = power_law([10, 100, 1000], [3 * n**1.5 for n in (10, 100, 1000)])
+    assert (law.factor, law.exponent) == pytest.approx((3, 1.5))
+    assert law.low <= law.exponent <= law.high
+    assert law.at(400) == pytest.approx(3 * 400**1.5)
+
+
+def test_ratios_of_two_runs_have_a_mean_over_cells() -> None:
+    cells = [([1.0, 1.1, 1.2], [2.0, 2.2, 2.4]), ([5.0], [2.5])]
+    estimate = geometric_mean_of_ratios(cells)
+    assert estimate.value == pytest.approx(1)
+    assert (estimate.least, estimate.most) == pytest.approx((0.5, 2))
+    assert estimate.low < 1 < estimate.high and not estimate.excludes_one
+
+
+def test_mean_of_medians_resamples_the_values_and_not_the_meshes() -> None:
+    estimate = geometric_mean_of_medians([[1.0] * 9, [4.0] * 9])
+    assert (estimate.low, estimate.value, estimate.high) == pytest.approx((2, 2, 2))
+    assert (estimate.least, estimate.most) == pytest.approx((1, 4))
+    assert geometric_mean_of_medians([[1, 2, 3]]) == median_interval([1, 2, 3])
