@@ -34,6 +34,10 @@ struct Pipe {
   }
 };
 
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
 void limit(__rlimit_resource resource, std::uint64_t most) {
   const rlimit both{most, most};
   setrlimit(resource, &both);
@@ -140,6 +144,8 @@ Child::Exit Child::finish() {
   if (pipe_ >= 0) close(pipe_);
   pipe_ = -1;
   exit.peak_resident_bytes = std::int64_t{1024} * usage.ru_maxrss;
+  exit.cpu_seconds = seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
+  exit.involuntary_switches = usage.ru_nivcsw;
   exit.last_words = std::move(tail_);
   return exit;
 }

@@ -39,6 +39,8 @@ class Child {
   struct Exit {
     int status;  ///< as waitpid gives it
     std::int64_t peak_resident_bytes;
+    double cpu_seconds;
+    std::int64_t involuntary_switches;
     std::string last_words;  ///< the end of what it said
   };
   /// Kills its process group, itself included where it still runs. Once.

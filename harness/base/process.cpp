@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 
 #include "harness/base/child.h"
 #include "harness/base/clock.h"
@@ -38,6 +39,39 @@ bool ran_out_of_memory(const Ended& ended, std::int64_t peak_bytes, std::uint64_
          ended.last_words.find("std::bad_alloc") != std::string::npos;
 }
 
+// Of all processors since the start of the machine; 0 where there is no /proc.
+struct Ticks {
+  std::uint64_t stolen = 0, total = 0;
+  static Ticks now() {
+    constexpr int kStolen = 7;  // user nice system idle iowait irq softirq steal
+    Ticks ticks;
+    std::ifstream stat("/proc/stat");
+    std::string cpu;
+    stat >> cpu;
+    for (int column = 0; column <= kStolen; ++column) {
+      std::uint64_t count = 0;
+      stat >> count;
+      ticks.total += count;
+      if (column == kStolen) ticks.stolen = count;
+    }
+    return ticks;
+  }
+};
+
+Disturbance disturbance_since(const Ticks& before, const Child::Exit& exit) {
+  constexpr double kLeastCpuSeconds = 0.05;
+  const Ticks after = Ticks::now();
+  Disturbance disturbance{.involuntary_switches_per_s =
+                              static_cast<double>(exit.involuntary_switches) /
+                              std::max(exit.cpu_seconds, kLeastCpuSeconds)};
+  const std::uint64_t stolen = after.stolen - before.stolen;
+  if (stolen > 1) {
+    disturbance.stolen_share =
+        static_cast<double>(stolen) / static_cast<double>(after.total - before.total);
+  }
+  return disturbance;
+}
+
 }  // namespace
 
 std::string Ended::describe() const {
@@ -50,6 +84,7 @@ std::string Ended::describe() const {
 Ended run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                   const std::function<void()>& waiting, const ProcessLimits& limits) {
   const Stopwatch watch;
+  const Ticks before = Ticks::now();
   Child child(program.string(), arguments, limits.memory_bytes);
   Ended ended;
   double told_seconds = 0;
@@ -69,6 +104,7 @@ Ended run_program(const std::filesystem::path& program, const std::vector<std::s
   const Child::Exit exit = child.finish();
   ended.crashed = WIFSIGNALED(exit.status);
   ended.code = ended.crashed ? WTERMSIG(exit.status) : WEXITSTATUS(exit.status);
+  ended.disturbance = disturbance_since(before, exit);
   ended.last_words = last_lines(exit.last_words);
   ended.out_of_memory = ran_out_of_memory(ended, exit.peak_resident_bytes, limits.memory_bytes);
   return ended;

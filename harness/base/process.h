@@ -10,12 +10,23 @@
 
 namespace geodesic::harness {
 
+/// What else the machine did while a process ran.
+struct Disturbance {
+  /// Of all processors' time, 0 to 1, taken by the hypervisor; 0 where /proc/stat has counted no
+  /// more than one tick (10 ms of one processor), which may have been any part of one.
+  double stolen_share = 0;
+  /// Involuntary context switches of the process for each second of its CPU time; less than 0.05 s
+  /// count as 0.05 s.
+  double involuntary_switches_per_s = 0;
+};
+
 struct Ended {
   bool crashed = false;        ///< by a signal
   bool timed_out = false;      ///< and was killed for it
   bool out_of_memory = false;  ///< crashed, and its memory had come to its limit or the machine's
   int code = 0;                ///< exit code, or the signal's number
-  std::string last_words;      ///< the last lines of its standard error, joined by " | "
+  Disturbance disturbance = {};
+  std::string last_words;  ///< the last lines of its standard error, joined by " | "
 
   bool succeeded() const { return !crashed && code == 0; }
   /// "killed by signal 11 (Segmentation fault): ...", "exit code 1: ..."

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // @throws std::exception saying what is wrong with them
-Json sound_rows(const CellSpec& spec) {
+Json sound_rows(const Cell& cell, const CellSpec& spec) {
   const Json file = read_json(spec.output);
   if (!is_intact(file)) throw HarnessError("is not as it was written");
   const Json& rows = file.at("benchmarks");
@@ -24,8 +24,14 @@ Json sound_rows(const CellSpec& spec) {
       throw HarnessError("has lost its recordings");
     }
   }
-  if (rows.empty() || rows.front().at("repetitions") != rows.size()) {
+  if (rows.empty()) throw HarnessError("has no row");
+  const Json& first = rows.front();
+  if (cell.repetition < 0 ? first.at("repetitions") != rows.size()
+                          : first.at("repetition_index") != cell.repetition) {
     throw HarnessError("has not all its repetitions");
+  }
+  if (first.value("program", "") != (cell.program == nullptr ? "" : cell.program->name)) {
+    throw HarnessError("is of another program");
   }
   return rows;
 }
@@ -39,10 +45,10 @@ void remove_parts_of_files(const fs::path& folder) {
   }
 }
 
-std::optional<Json> kept_rows(const CellSpec& spec) {
+std::optional<Json> kept_rows(const Cell& cell, const CellSpec& spec) {
   if (!fs::exists(spec.output)) return std::nullopt;
   try {
-    return sound_rows(spec);
+    return sound_rows(cell, spec);
   } catch (const std::exception& error) {
     std::cerr << spec.output << ' ' << error.what() << ": the cell is measured again\n";
     fs::remove(spec.output);

@@ -13,6 +13,6 @@ void remove_parts_of_files(const std::filesystem::path& folder);
 
 /// The rows of the cell's result file; nothing where there is none. A file that is damaged or
 /// belongs to another cell, or whose recordings are missing, is told on standard error and removed.
-std::optional<Json> kept_rows(const CellSpec& spec);
+std::optional<Json> kept_rows(const Cell& cell, const CellSpec& spec);
 
 }  // namespace geodesic::harness

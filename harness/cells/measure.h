@@ -31,6 +31,7 @@ Json measure_cell(const Cell& cell, CellSpec spec, References& references,
                   const ProcessLimits& limits, const std::function<void()>& waiting);
 
 /// Writes the result file of a cell that has no time.
-void write_failure(const CellSpec& spec, const char* outcome, const std::string& why);
+void write_failure(const Cell& cell, const CellSpec& spec, const char* outcome,
+                   const std::string& why);
 
 }  // namespace geodesic::harness

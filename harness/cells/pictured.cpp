@@ -28,6 +28,7 @@ std::string name_of(Pictured wish) {
 }
 
 bool is_pictured(const Cell& cell, Pictured wish) {
+  if (!cell.is_first()) return false;
   if (wish != Pictured::automatic) return wish == Pictured::all;
   const PlannedMesh& mesh = *cell.mesh;
   return cell.solver->exactness == Exactness::exact && cell.source == mesh.sources.front() &&

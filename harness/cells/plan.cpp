@@ -1,11 +1,13 @@
 #include "harness/cells/plan.h"
 
+#include <algorithm>
 #include <set>
 
 #include "harness/base/error.h"
 #include "harness/corpus/solvers.h"
 #include "harness/corpus/sources.h"
 #include "harness/results/context.h"
+#include "harness/results/row.h"
 #include "meshes/load.h"
 #include "solvers/core/registry.h"
 
@@ -58,11 +60,23 @@ PlannedMesh plan_mesh(const MeshEntry& entry, const Suite& suite) {
 
 }  // namespace
 
-Plan make_plan(const Suite& suite, const std::filesystem::path& manifest) {
-  Plan plan{.solvers = chosen_solvers(suite), .meshes = {}, .skipped = {}};
-  const std::vector<MeshEntry> entries = chosen_meshes(suite, manifest);
+Plan make_plan(const Suite& suite, const std::filesystem::path& manifest,
+               const std::vector<std::string>& only) {
+  Plan plan{.solvers = chosen_solvers(suite), .only = only};
+  std::vector<MeshEntry> entries = chosen_meshes(suite, manifest);
   check_no_repetition("solvers", plan.solvers, [](const auto* solver) { return solver->name; });
   check_no_repetition("meshes", entries, [](const auto& entry) { return entry.name; });
+  if (!only.empty()) {
+    std::erase_if(plan.solvers, [&](const Description* solver) {
+      return std::ranges::none_of(
+          only, [&](const std::string& cell) { return cell.starts_with(solver->name + '/'); });
+    });
+    std::erase_if(entries, [&](const MeshEntry& entry) {
+      return std::ranges::none_of(only, [&](const std::string& cell) {
+        return cell.find('/' + entry.name + "/src:") != std::string::npos;
+      });
+    });
+  }
   std::vector<MeshEntry> absent;
   for (const MeshEntry& entry : entries) {
     if (!entry.available()) {
@@ -86,17 +100,55 @@ Plan make_plan(const Suite& suite, const std::filesystem::path& manifest) {
     }
     throw HarnessError(why);
   }
+  std::set<std::string> known;
+  for (const Cell& cell : plan.cells()) known.insert(cell.name());
+  for (const std::string& name : only) {
+    if (!known.contains(name)) throw HarnessError("the run has no cell '" + name + "'");
+  }
   return plan;
+}
+
+std::string Cell::name() const { return row_name(solver->name, mesh->entry.name, source); }
+
+std::vector<Cell> Plan::chosen(std::vector<Cell> cells) const {
+  if (!only.empty()) {
+    const std::set<std::string> names(only.begin(), only.end());
+    std::erase_if(cells, [&](const Cell& cell) { return !names.contains(cell.name()); });
+  }
+  return cells;
 }
 
 std::vector<Cell> Plan::cells() const {
   std::vector<Cell> all;
   for (const PlannedMesh& mesh : meshes) {
     for (const Index source : mesh.sources) {
-      for (const Description* solver : solvers) all.push_back({&mesh, source, solver});
+      for (const Description* solver : solvers) {
+        all.push_back({.mesh = &mesh, .source = source, .solver = solver});
+      }
     }
   }
-  return all;
+  return chosen(std::move(all));
+}
+
+std::vector<Cell> Plan::interleaved_cells(int repetitions) const {
+  std::vector<const MeasuredProgram*> measured;
+  for (const MeasuredProgram& program : programs) measured.push_back(&program);
+  if (measured.empty()) measured.push_back(nullptr);
+  std::vector<Cell> all;
+  for (const PlannedMesh& mesh : meshes) {
+    for (const Index source : mesh.sources) {
+      for (int repetition = 0; repetition < repetitions; ++repetition) {
+        const auto first = static_cast<std::ptrdiff_t>(all.size());
+        for (const Description* solver : solvers) {
+          for (const MeasuredProgram* program : measured) {
+            all.push_back({&mesh, source, solver, program, repetition, repetitions});
+          }
+        }
+        if (repetition % 2 == 1) std::reverse(all.begin() + first, all.end());
+      }
+    }
+  }
+  return chosen(std::move(all));
 }
 
 }  // namespace geodesic::harness

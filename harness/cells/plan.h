@@ -1,6 +1,7 @@
 // A run before it runs: its meshes, what is known about them, and its cells in order.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -20,10 +21,25 @@ struct PlannedMesh {
   std::map<std::string, std::string> unsupported = {};  ///< by solver: why it cannot do this mesh
 };
 
+/// Another build of geodesic-bench that is measured in place of this one.
+struct MeasuredProgram {
+  std::string name;
+  std::filesystem::path file;
+  Json facts = {};  ///< for context.geodesic_bench.programs
+};
+
+/// What one process measures.
 struct Cell {
   const PlannedMesh* mesh;
   Index source;
   const Description* solver;
+  const MeasuredProgram* program = nullptr;  ///< null: this one
+  int repetition = -1;                       ///< the only one, from 0; -1: all of them
+  int repetitions = 1;                       ///< in all, where it is one of several
+
+  /// "<solver>/<mesh>/src:<vertex>"
+  std::string name() const;
+  bool is_first() const { return repetition <= 0; }
 };
 
 struct SkippedMesh {
@@ -36,16 +52,27 @@ struct Plan {
   std::vector<const Description*> solvers = {};
   std::vector<PlannedMesh> meshes = {};
   std::vector<SkippedMesh> skipped = {};
+  std::vector<MeasuredProgram> programs = {};  ///< empty: this one alone
+  std::vector<std::string> only = {};          ///< names of cells; empty: all
 
   /// For each mesh, for each source, for each solver: a drift of the machine hits all solvers of a
   /// mesh alike. The cells point into this plan.
   std::vector<Cell> cells() const;
+
+  /// For each mesh and source, each repetition by itself: for each solver, for each program, and in
+  /// the opposite order for odd repetitions, so that none always comes first.
+  std::vector<Cell> interleaved_cells(int repetitions) const;
+
+ private:
+  std::vector<Cell> chosen(std::vector<Cell> cells) const;
 };
 
 /// Reads every mesh of the suite and chooses its sources. Meshes of a corpus that are not in the
 /// cache, and meshes that cannot be read, are skipped.
+/// @param only names of cells: those that the plan is restricted to; empty: all
 /// @throws HarnessError for an unknown name, for a mesh that the suite names itself and that is not
 ///         there, or when no mesh is left
-Plan make_plan(const Suite& suite, const std::filesystem::path& manifest);
+Plan make_plan(const Suite& suite, const std::filesystem::path& manifest,
+               const std::vector<std::string>& only = {});
 
 }  // namespace geodesic::harness

@@ -50,8 +50,11 @@ double Progress::seconds_left() const {
 // "[3/40] mmp/horse/src:0  "
 std::string Progress::heading() const {
   const Cell& cell = cells_[done_];
-  return "[" + std::to_string(done_ + 1) + "/" + std::to_string(cells_.size()) + "] " +
-         row_name(cell.solver->name, cell.mesh->entry.name, cell.source) + "  ";
+  std::string text =
+      "[" + std::to_string(done_ + 1) + "/" + std::to_string(cells_.size()) + "] " + cell.name();
+  if (cell.repetition >= 0) text += " repetition " + std::to_string(cell.repetition);
+  if (cell.program != nullptr) text += " by " + cell.program->name;
+  return text + "  ";
 }
 
 void Progress::working(const std::string& work) {

@@ -23,6 +23,9 @@ class Progress {
   /// The next cell, in the order of the constructor's, has its result from an earlier start.
   void kept() { ++done_; }
 
+  /// The next cell is not measured.
+  void left_out() { ++done_; }
+
   /// The next cell has ended.
   /// @param result its outcome, and its time or what went wrong
   void ended(const std::string& result);

@@ -14,14 +14,19 @@ namespace geodesic::harness {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int kVersion = 1;  // of request.json
+constexpr int kVersion = 2;  // of request.json
 constexpr const char* kFile = "request.json";
 
 Json options_of(const RunRequest& request) {
+  Json programs = Json::object();
+  for (const auto& [name, file] : request.programs) programs[name] = file.string();
   return {{"suite", request.suite},
           {"manifest", request.manifest.string()},
           {"recordings", name_of(request.pictured)},
-          {"benchmark_flags", request.benchmark_flags}};
+          {"benchmark_flags", request.benchmark_flags},
+          {"interleave", request.interleave},
+          {"programs", programs},
+          {"cells", request.cells}};
 }
 
 // A revision does not say what was changed since, so the files count that hold the code.
@@ -59,7 +64,10 @@ Json identity(const RunRequest& request, const Plan& plan) {
   for (const PlannedMesh& mesh : plan.meshes) {
     meshes[mesh.entry.name] = {{"sha256", mesh.facts.at("sha256")}, {"sources", mesh.sources}};
   }
+  Json programs = Json::object();
+  for (const auto& [name, file] : request.programs) programs[name] = sha256_of_file(file);
   return {{"program", program_identity()},
+          {"programs", std::move(programs)},
           {"options", options_of(request)},
           {"solvers", std::move(solvers)},
           {"meshes", std::move(meshes)}};
@@ -92,6 +100,11 @@ SavedRequest saved_request(const fs::path& folder) {
     request.manifest = options.at("manifest").get<std::string>();
     options.at("benchmark_flags").get_to(request.benchmark_flags);
     request.pictured = pictured_named(options.at("recordings"));
+    options.at("interleave").get_to(request.interleave);
+    for (const auto& [name, path] : options.at("programs").items()) {
+      request.programs.push_back({name, path.get<std::string>()});
+    }
+    options.at("cells").get_to(request.cells);
     json.at("command").get_to(request.command);
     request.resume = folder;
     return saved;

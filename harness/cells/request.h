@@ -13,12 +13,21 @@
 
 namespace geodesic::harness {
 
+/// Another build of geodesic-bench, whose solvers a run measures.
+struct ProgramFile {
+  std::string name;
+  std::filesystem::path file;
+};
+
 struct RunRequest {
   Suite suite;
   std::filesystem::path manifest;
   std::optional<std::filesystem::path> out;  ///< by default `results/runs/<UTC time>-<corpus>`
   std::vector<std::string> benchmark_flags;
   Pictured pictured = Pictured::automatic;
+  bool interleave = false;            ///< every repetition a process of its own (Plan::cells)
+  std::vector<ProgramFile> programs;  ///< measured in place of this one; none, or two or more
+  std::vector<std::string> cells;     ///< names of rows: only these; empty: all
   unsigned threads = 1;  ///< reference distances computed at a time; nothing is timed meanwhile
   std::string command;   ///< the command line, for the record
   std::optional<std::filesystem::path> resume = {};  ///< folder of the run to go on with

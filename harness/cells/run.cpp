@@ -4,6 +4,8 @@
 #include <iostream>
 #include <map>
 #include <optional>
+#include <set>
+#include <tuple>
 
 #include "harness/base/atomic_file.h"
 #include "harness/base/command_line.h"
@@ -16,6 +18,7 @@
 #include "harness/cells/kept.h"
 #include "harness/cells/measure.h"
 #include "harness/cells/plan.h"
+#include "harness/cells/programs.h"
 #include "harness/cells/progress.h"
 #include "harness/cells/references.h"
 #include "harness/cells/spec.h"
@@ -35,7 +38,8 @@ class Run {
       : saved_(saved),
         request_(saved.request),
         plan_(plan),
-        cells_(plan.cells()),
+        cells_(request_.interleave ? plan.interleaved_cells(request_.suite.repetitions)
+                                   : plan.cells()),
         folder_(std::move(folder)),
         progress_(cells_),
         references_(folder_ / "references", request_.suite, [this](const std::string& solver) {
@@ -67,13 +71,17 @@ class Run {
   std::map<std::size_t, Json> kept_;  // rows by cell
   std::size_t measured_ = 0;          // cells
   std::vector<Json> rows_;            // of all cells so far
-  // By solver and mesh: the first source that took all its memory or time, and what that was.
-  std::map<std::pair<std::string, std::string>, std::string> exhausted_;
+  std::size_t ok_ = 0;                // cells
+  // The first source that took all its memory or time, and what that was.
+  std::map<std::tuple<const MeasuredProgram*, const Description*, const PlannedMesh*>, std::string>
+      exhausted_;
+  std::set<std::pair<const MeasuredProgram*, std::string>> failed_;  // names of cells
 };
 
 CellSpec Run::spec_of(const Cell& cell) const {
   CellSpec spec = cell_spec(request_.suite, cell, folder_, request_.command);
-  spec.pictured = is_pictured(cell, request_.pictured);
+  spec.pictured = is_pictured(cell, request_.pictured) &&
+                  (cell.program == nullptr || cell.program == &plan_.programs.front());
   // Google Benchmark takes the last of several.
   spec.benchmark_flags.insert(spec.benchmark_flags.end(), request_.benchmark_flags.begin(),
                               request_.benchmark_flags.end());
@@ -83,7 +91,8 @@ CellSpec Run::spec_of(const Cell& cell) const {
 void Run::keep() {
   remove_parts_of_files(folder_);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    if (std::optional<Json> rows = kept_rows(spec_of(cells_[i]))) kept_[i] = std::move(*rows);
+    if (std::optional<Json> rows = kept_rows(cells_[i], spec_of(cells_[i])))
+      kept_[i] = std::move(*rows);
   }
   std::cerr << kept_.size() << " of " << cells_.size() << " cells are kept from "
             << folder_.string() << '\n';
@@ -91,20 +100,21 @@ void Run::keep() {
 
 Json Run::run_cell(const Cell& cell) {
   const CellSpec spec = spec_of(cell);
-  const auto exhausted = exhausted_.find({spec.solver, spec.mesh});
+  const auto exhausted = exhausted_.find({cell.program, cell.solver, cell.mesh});
   if (exhausted != exhausted_.end()) {
-    write_failure(spec, outcome::kSkipped, exhausted->second);
+    write_failure(cell, spec, outcome::kSkipped, exhausted->second);
     return read_json(spec.output).at("benchmarks");
   }
   return measure_cell(cell, spec, references_, limits_of(request_.suite),
                       [this] { progress_.working("measuring"); });
 }
 
-// Other sources of the mesh would take all memory or time as well.
+// Other repetitions would fail as well, and other sources of the mesh take all memory or time.
 void Run::note_failure(const Cell& cell, const Json& row) {
   const std::string outcome = row.at("outcome");
+  if (outcome != outcome::kOk) failed_.insert({cell.program, cell.name()});
   if (outcome != outcome::kOutOfMemory && outcome != outcome::kTimeOut) return;
-  exhausted_.try_emplace({cell.solver->name, cell.mesh->entry.name},
+  exhausted_.try_emplace({cell.program, cell.solver, cell.mesh},
                          outcome + " from source " + std::to_string(cell.source));
 }
 
@@ -145,8 +155,13 @@ Json Run::rows_of(std::size_t cell) {
 void Run::measure() {
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     throw_if_interrupted();
+    if (failed_.contains({cells_[i].program, cells_[i].name()})) {
+      progress_.left_out();
+      continue;
+    }
     Json rows = rows_of(i);
     note_failure(cells_[i], rows.front());
+    if (rows.front().at("outcome") == outcome::kOk) ++ok_;
     for (Json& row : rows) {
       row["family_index"] = i;  // every cell's own file says 0
       rows_.push_back(std::move(row));
@@ -165,16 +180,15 @@ void Run::tell_how_to_go_on() const {
 void Run::assemble() const {
   Json whole = run_context(request_.suite, plan_, request_.command);
   whole["started"] = saved_.started;
+  if (request_.interleave) whole["interleaved"] = true;
+  for (const MeasuredProgram& program : plan_.programs) whole["programs"].push_back(program.facts);
   if (!saved_.changes.empty()) whole["changes"] = saved_.changes;
   write_result_file(folder_ / "run.json", benchmark_context(), whole, rows_);
 }
 
 RunResult Run::conclude() const {
   const RunResult result = tell_failures(rows_, plan_, request_.suite);
-  const auto ok = std::count_if(rows_.begin(), rows_.end(), [](const Json& row) {
-    return row.at("outcome") == outcome::kOk && row.at("repetition_index") == 0;
-  });
-  std::cerr << ok << " of " << cells_.size() << " cells ok\n";
+  std::cerr << ok_ << " of " << cells_.size() << " cells ok\n";
   std::cout << (folder_ / "run.json").string() << std::endl;
   return result;
 }
@@ -210,8 +224,10 @@ SavedRequest saved_now(const RunRequest& request, const Plan& plan) {
 RunResult run(RunRequest request) {
   check_suite(request.suite);
   check_benchmark_flags(request.benchmark_flags);
+  check_programs(request.programs);
+  if (!request.programs.empty()) request.interleave = true;
   set_memory_limit(request.suite, request.threads);
-  const Plan plan = make_plan(request.suite, request.manifest);
+  Plan plan = make_plan(request.suite, request.manifest, request.cells);
   const ResultFolder folder = request.resume
                                   ? ResultFolder(*request.resume)
                                   : ResultFolder::make(request.out, "runs", request.suite.corpus);
@@ -219,10 +235,11 @@ RunResult run(RunRequest request) {
   save_request(saved, folder.path());
   folder.make_subfolders();
 
+  const InterruptionGuard guard;
+  plan.programs = measured_programs(request.programs, folder.path());
   Run run(saved, plan, folder.path());
   if (request.resume) run.keep();
   try {
-    const InterruptionGuard guard;
     run.measure();
     run.assemble();
   } catch (const std::exception&) {

@@ -1,5 +1,9 @@
-// What a cell's process is told, as JSON in its argument. A cell is one solver on one mesh from one
-// source.
+// The arguments of the processes that a run starts, as JSON: `geodesic-bench cell SPEC` and
+// `geodesic-bench reference SPEC`. A cell is one solver on one mesh from one source.
+//
+// A run may measure older builds (run --program), so this is an interface between revisions:
+// members keep their names and meanings, and new ones are optional, with the old behaviour as
+// default.
 #pragma once
 
 #include <string>

@@ -23,8 +23,16 @@ struct RunFlags {
   std::optional<std::string> recordings;
   unsigned threads = 1;
   std::optional<std::string> reference, vectors, out, manifest, resume;
-  bool accept_changes = false;
+  bool accept_changes = false, interleave = false;
+  std::vector<std::string> programs, cells;
 };
+
+// "head=build/release/geodesic-bench"
+ProgramFile program_of(const std::string& word) {
+  const std::size_t equals = word.find('=');
+  if (equals == std::string::npos) throw HarnessError("--program " + word + ": not NAME=PATH");
+  return {word.substr(0, equals), std::filesystem::absolute(word.substr(equals + 1))};
+}
 
 template <class T>
 void override_with(const std::optional<T>& flag, T& value) {
@@ -88,6 +96,12 @@ RunRequest request_of(const RunFlags& flags, const std::string& command) {
   override_with(flags.time_limit, suite.time_limit);
   if (flags.memory_limit) suite.memory_limit = flags.memory_limit;
   if (flags.reference) suite.reference = flags.reference;
+  request.interleave |= flags.interleave;
+  if (!flags.programs.empty()) {
+    request.programs.clear();
+    for (const std::string& word : flags.programs) request.programs.push_back(program_of(word));
+  }
+  if (!flags.cells.empty()) request.cells = flags.cells;
   make_absolute(request);
   return request;
 }
@@ -127,6 +141,18 @@ void add_run_command(CLI::App& app, const std::string& command_line) {
   option("--threads", flags->threads,
          "reference distances to compute at a time; solvers are timed one by one")
       ->check(CLI::Range(1, 1024));
+  run_command->add_flag("--interleave", flags->interleave,
+                        "run every repetition in a process of its own, and alternate the solvers "
+                        "of a mesh and source, so that their times can be compared in pairs");
+  option("--program", flags->programs,
+         "measure the solvers of this build of geodesic-bench; given two times or more, the "
+         "builds alternate as solvers do (implies --interleave)")
+      ->allow_extra_args(false)
+      ->type_name("NAME=PATH");
+  option("--cells", flags->cells,
+         "only these cells, by the names of their rows: mmp/horse/src:0,ich/horse/src:0")
+      ->delimiter(',')
+      ->type_name("NAMES");
   option("--vectors", flags->vectors, "instructions to solve with: auto, plain or avx2");
   option("--out", flags->out, "folder of the run (results/runs/<UTC time>-<corpus>)");
   option("--resume", flags->resume,

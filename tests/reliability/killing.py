@@ -22,7 +22,7 @@ SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGKILL)
 VARYING = (
     "real_time cpu_time iterations prepare_time mesh_time propagation trimming queue "
     "timer_overhead process_peak_bytes date started finished checksum mhz_per_cpu executable "
-    "memory_limit"
+    "memory_limit stolen_share involuntary_switches_per_s"
 ).split()
 """Keys whose values are times, or follow from them, or from what else the machine does."""
 
