@@ -11,8 +11,8 @@ namespace {
 
 /// A terrain of range(0) by range(0) cells.
 void mesh_construction(benchmark::State& state) {
-  const generators::Value cells = state.range(0);
-  const TriangleSoup soup = generators::generate("terrain", {{"columns", cells}, {"rows", cells}});
+  const ParameterValue cells = state.range(0);
+  const TriangleSoup soup = generate("terrain", {{"columns", cells}, {"rows", cells}});
   for (auto _ : state) {
     const Mesh mesh(soup);
     benchmark::DoNotOptimize(&mesh);

@@ -7,7 +7,7 @@
 #include "meshes/disjoint_sets.h"
 #include "meshes/vectors.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 constexpr std::array<DefectType, kDefectKinds> kTypes = {{
@@ -297,4 +297,4 @@ FaceCensus take_census(const TriangleSoup& soup) {
   return census;
 }
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

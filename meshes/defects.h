@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "meshes/edges.h"
-#include "meshes/formats/read.h"
+#include "meshes/mesh_file.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 
 /// What can be wrong; the order of reports. The first six are errors: a solver would measure on
 /// another surface than the file's author meant, or cannot measure at all. The rest are warnings.
@@ -82,4 +82,4 @@ DefectReport find_defects(const TriangleSoup& soup, const FileLines& lines = {})
 /// True for a triangle of zero area in the sense of kFlatHeight; its vertices must be finite.
 bool has_zero_area(std::span<const Vec3> positions, const Triangle& triangle);
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

@@ -7,7 +7,7 @@
 
 #include "solvers/core/geometry.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 
 class DisjointSets {
  public:
@@ -35,4 +35,4 @@ class DisjointSets {
   std::vector<Index> parent_;
 };
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace geodesic::harness {
+namespace geodesic {
 
 EdgeTable::EdgeTable(std::span<const Triangle> triangles, const std::vector<bool>& usable,
                      std::size_t vertex_count) {
@@ -30,4 +30,4 @@ EdgeTable::EdgeTable(std::span<const Triangle> triangles, const std::vector<bool
   }
 }
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

@@ -7,7 +7,7 @@
 
 #include "solvers/core/geometry.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 
 /// A side of a face, seen from its undirected edge.
 struct EdgeSide {
@@ -50,4 +50,4 @@ class EdgeTable {
   std::vector<EdgeSide> sides_;
 };
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

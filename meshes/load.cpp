@@ -5,7 +5,7 @@
 
 #include "solvers/core/unit.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 std::string list_errors(const DefectReport& report) {
@@ -54,4 +54,4 @@ LoadedMesh load_mesh(MeshFile file, const std::string& name, const LoadOptions& 
   return mesh;
 }
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "meshes/defects.h"
-#include "meshes/formats/read.h"
+#include "meshes/mesh_file.h"
 #include "meshes/repair.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 
 struct LoadOptions {
   bool repair = false;  ///< repair what would be refused (see repair.h)
@@ -40,4 +40,4 @@ LoadedMesh load_mesh(MeshFile file, const std::string& name, const LoadOptions& 
 void require_measurable(const TriangleSoup& soup, const DefectReport& defects,
                         const std::string& name, bool repaired);
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

@@ -1,6 +1,6 @@
 #include "meshes/orientation.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 // Across an edge of exactly two faces: the other face's half-edge; kNone elsewhere.
@@ -49,4 +49,4 @@ Orientation orient(std::span<const Triangle> triangles, const EdgeTable& edges) 
   return result;
 }
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

@@ -6,7 +6,7 @@
 
 #include "meshes/edges.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 
 /// What it takes to orient the faces that are connected across edges of exactly two faces.
 struct Orientation {
@@ -24,4 +24,4 @@ Orientation orient(std::span<const Triangle> triangles, const EdgeTable& edges);
 /// The triangle the other way round, from the same first vertex.
 inline Triangle flip(const Triangle& t) { return {t[0], t[2], t[1]}; }
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

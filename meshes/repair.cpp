@@ -3,7 +3,7 @@
 #include "meshes/defects.h"
 #include "meshes/orientation.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 class Repairer {
@@ -85,4 +85,4 @@ class Repairer {
 
 std::vector<RepairAction> repair(TriangleSoup& soup) { return Repairer(soup).repair(); }
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

@@ -7,7 +7,7 @@
 
 #include "solvers/core/geometry.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 
 /// One thing that a repair did.
 struct RepairAction {
@@ -35,4 +35,4 @@ struct RepairAction {
 /// @return what was done, empty for a mesh without errors
 std::vector<RepairAction> repair(TriangleSoup& soup);
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

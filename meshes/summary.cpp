@@ -8,7 +8,7 @@
 #include "meshes/topology.h"
 #include "solvers/core/tolerance.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 // Angle at the corner from which the half-edge starts, in radians. By the tangent: the cosine
@@ -100,4 +100,4 @@ MeshSummary summarize(const TriangleSoup& soup) {
   return summary;
 }
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

@@ -6,7 +6,7 @@
 
 #include "solvers/core/geometry.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 
 /// Lengths in the mesh's unit.
 struct EdgeLengths {
@@ -42,4 +42,4 @@ struct MeshSummary {
 /// @throws MeshError for more half-edges than OpenMesh can number (2^31)
 MeshSummary summarize(const TriangleSoup& soup);
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

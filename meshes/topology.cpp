@@ -6,7 +6,7 @@
 #include "meshes/disjoint_sets.h"
 #include "meshes/orientation.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 using OpenMesh::FaceHandle;
@@ -214,4 +214,4 @@ std::size_t count_components(const Topology& topology) {
   return count_sets_with_faces(surface, sets);
 }
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

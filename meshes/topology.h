@@ -10,10 +10,10 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <vector>
 
-#include "meshes/mesh_error.h"
+#include "meshes/messages.h"
 #include "solvers/core/geometry.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 
 struct SurfaceTraits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
@@ -52,4 +52,4 @@ std::size_t count_pieces(const Surface& surface);
 /// reach. Without isolated vertices.
 std::size_t count_components(const Topology& topology);
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

@@ -5,7 +5,7 @@
 
 #include "solvers/core/geometry.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 
 inline Vec3 difference(const Vec3& a, const Vec3& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -23,4 +23,4 @@ inline bool is_finite(const Vec3& a) {
   return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
 }
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

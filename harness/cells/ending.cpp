@@ -4,8 +4,8 @@
 #include <new>
 
 #include "harness/base/error.h"
-#include "harness/base/number.h"
 #include "harness/results/outcome.h"
+#include "meshes/messages.h"
 
 namespace geodesic::harness {
 namespace {

@@ -8,9 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "harness/base/atomic_file.h"
 #include "harness/base/error.h"
-#include "meshes/formats/write.h"
 #include "meshes/generators/generators.h"
+#include "meshes/mesh_file.h"
 
 namespace geodesic::harness {
 namespace {
@@ -21,11 +22,11 @@ struct GenerateArguments {
   bool list = false;
 };
 
-std::string usage(const generators::GeneratorDescription& generator) {
+std::string usage(const GeneratorDescription& generator) {
   std::ostringstream text;
   text << generator.name << "\n  " << generator.description << '\n';
   if (!generator.closed_form.empty()) text << "  distances: " << generator.closed_form << '\n';
-  for (const generators::ParameterDescription& parameter : generator.parameters) {
+  for (const ParameterDescription& parameter : generator.parameters) {
     text << "    --" << std::left << std::setw(14) << parameter.name << ' ' << parameter.description
          << "; "
          << (parameter.is_required()
@@ -38,15 +39,15 @@ std::string usage(const generators::GeneratorDescription& generator) {
 
 std::string list_of_generators() {
   std::string text;
-  for (const auto& generator : generators::generator_descriptions()) {
+  for (const auto& generator : generator_descriptions()) {
     text += (text.empty() ? "" : "\n") + usage(generator);
   }
   return text;
 }
 
 /// Arguments that CLI11 left over, as `--name value` or `--name=value`.
-generators::Parameters parse_parameters(const std::vector<std::string>& words) {
-  generators::Parameters parameters;
+GeneratorParameters parse_parameters(const std::vector<std::string>& words) {
+  GeneratorParameters parameters;
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (words[i].rfind("--", 0) != 0) {
       throw HarnessError("generate: unexpected '" + words[i] +
@@ -78,11 +79,11 @@ void generate_file(const GenerateArguments& arguments, const std::vector<std::st
     throw HarnessError("generate: needs the NAME of a generator and -o FILE, or --list");
   }
   std::vector<std::string> remarks;
-  const TriangleSoup soup = generators::generate(arguments.name, parse_parameters(words), &remarks);
+  const TriangleSoup soup = generate(arguments.name, parse_parameters(words), &remarks);
   for (const std::string& remark : remarks) {
     std::cerr << arguments.name << ": " << harmless(remark) << '\n';
   }
-  write_mesh(arguments.output, soup);
+  write_bytes(arguments.output, mesh_bytes(soup, arguments.output));
 }
 
 }  // namespace

@@ -7,10 +7,11 @@
 #include <sstream>
 #include <string>
 
+#include "harness/base/atomic_file.h"
 #include "harness/base/error.h"
 #include "harness/base/json.h"
-#include "meshes/formats/write.h"
 #include "meshes/load.h"
+#include "meshes/mesh_file.h"
 #include "meshes/summary.h"
 
 namespace geodesic::harness {
@@ -155,7 +156,7 @@ void inspect(const Flags& flags) {
     print_text(flags, findings);
   }
   require_measurable(file.soup, findings.defects, flags.file, flags.repair);
-  if (!flags.output.empty()) write_mesh(flags.output, file.soup);
+  if (!flags.output.empty()) write_bytes(flags.output, mesh_bytes(file.soup, flags.output));
 }
 
 }  // namespace

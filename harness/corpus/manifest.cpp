@@ -13,7 +13,7 @@ namespace geodesic::harness {
 namespace fs = std::filesystem;
 namespace {
 
-generators::Value parse_value(const Json& value) {
+ParameterValue parse_value(const Json& value) {
   if (value.is_number()) return value.get<double>();
   return value.get<std::string>();
 }

@@ -19,7 +19,7 @@ namespace geodesic::harness {
 /// What makes a mesh out of nothing but numbers.
 struct Recipe {
   std::string generator;
-  generators::Parameters parameters;
+  GeneratorParameters parameters;
 };
 
 struct MeshEntry {

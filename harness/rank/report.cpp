@@ -112,8 +112,8 @@ TextTable mesh_table(const MeasuredMesh& mesh, const Ranking& ranking) {
       {"solver", "ms", "time", "95% interval", "range", "windows", "peak MB", "largest error"}};
   for (const Standing& standing : ranking.standings) {
     if (const Json* failed = mesh.failure(standing.solver)) {
-      table.push_back({standing.solver, failed->at("outcome"), kNothing, kNothing, kNothing, kNothing,
-                       kNothing, kNothing});
+      table.push_back({standing.solver, failed->at("outcome"), kNothing, kNothing, kNothing,
+                       kNothing, kNothing, kNothing});
       continue;
     }
     const MeshRatios* ratios = ratios_on(standing, mesh);

@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "harness/base/atomic_file.h"
 #include "harness/base/error.h"
-#include "harness/base/npy.h"
+#include "meshes/formats/npy.h"
 
 namespace geodesic::harness {
 namespace fs = std::filesystem;
@@ -69,34 +70,37 @@ void write_surface(const fs::path& folder, const TriangleSoup& soup) {
   make_folder(folder);
   const fs::path vertices = folder / "vertices.npy", faces = folder / "faces.npy";
   if (!fs::exists(vertices)) {
-    write_npy<float>(vertices, flattened<float>(soup.positions), 3);
+    write_bytes(vertices, npy_bytes<float>(flattened<float>(soup.positions), 3));
   }
   if (!fs::exists(faces))
-    write_npy<std::uint32_t>(faces, flattened<std::uint32_t>(soup.triangles), 3);
+    write_bytes(faces, npy_bytes<std::uint32_t>(flattened<std::uint32_t>(soup.triangles), 3));
 }
 
 void write_vertex_distances(const fs::path& folder, std::span<const double> distances) {
   make_folder(folder);
   const fs::path file = folder / "distances.npy";
-  if (!fs::exists(file)) write_npy(file, distances);
+  if (!fs::exists(file)) write_bytes(file, npy_bytes(distances));
 }
 
 void write_wavefront(const fs::path& folder, const Mesh& mesh, const Recording& recording) {
   make_folder(folder);
   using Sample = WavefrontSample;
-  write_npy_table(folder / "curve.npy", recording.curve,
-                  npy_column<std::uint32_t>("reached", &Sample::reached),
-                  npy_column<std::uint64_t>("windows", &Sample::windows),
-                  npy_column<double>("least", &Sample::least),
-                  npy_column<double>("mean", &Sample::mean), npy_column<double>("sd", &Sample::sd));
+  write_bytes(
+      folder / "curve.npy",
+      npy_table_bytes(recording.curve, npy_column<std::uint32_t>("reached", &Sample::reached),
+                      npy_column<std::uint64_t>("windows", &Sample::windows),
+                      npy_column<double>("least", &Sample::least),
+                      npy_column<double>("mean", &Sample::mean),
+                      npy_column<double>("sd", &Sample::sd)));
   for (std::size_t i = 0; i < recording.snapshots.size(); ++i) {
     using W = WindowOfFile;
-    write_npy_table(folder / ("snapshot-" + std::to_string(kMoments[i]) + ".npy"),
-                    as_in_file(recording.snapshots[i].windows, mesh),
-                    npy_column<std::uint32_t>("origin", &W::origin),
-                    npy_column<std::uint32_t>("head", &W::head),
-                    npy_column<float>("begin", &W::begin), npy_column<float>("end", &W::end),
-                    npy_column<double>("distance", &W::distance));
+    write_bytes(
+        folder / ("snapshot-" + std::to_string(kMoments[i]) + ".npy"),
+        npy_table_bytes(as_in_file(recording.snapshots[i].windows, mesh),
+                        npy_column<std::uint32_t>("origin", &W::origin),
+                        npy_column<std::uint32_t>("head", &W::head),
+                        npy_column<float>("begin", &W::begin), npy_column<float>("end", &W::end),
+                        npy_column<double>("distance", &W::distance)));
   }
 }
 
@@ -105,10 +109,12 @@ bool has_isolines(const fs::path& folder) { return fs::exists(folder / kPieces);
 void write_isolines(const fs::path& folder, const Isolines& isolines) {
   make_folder(folder);
   using Piece = Isolines::Piece;
-  write_npy<float>(folder / "isoline_points.npy", flattened<float>(isolines.points), 3);
-  write_npy_table(
-      folder / kPieces, isolines.pieces, npy_column<std::uint32_t>("face", &Piece::face),
-      npy_column<float>("level", &Piece::level), npy_column<std::uint32_t>("first", &Piece::first));
+  write_bytes(folder / "isoline_points.npy",
+              npy_bytes<float>(flattened<float>(isolines.points), 3));
+  write_bytes(folder / kPieces,
+              npy_table_bytes(isolines.pieces, npy_column<std::uint32_t>("face", &Piece::face),
+                              npy_column<float>("level", &Piece::level),
+                              npy_column<std::uint32_t>("first", &Piece::first)));
 }
 
 }  // namespace geodesic::harness

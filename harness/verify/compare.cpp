@@ -5,12 +5,10 @@
 #include <cstring>
 #include <functional>
 
-#include "harness/base/number.h"
+#include "meshes/messages.h"
 
 namespace geodesic::conformance {
 namespace {
-
-using harness::significant;
 
 std::string sources_of(const Query& query) {
   constexpr std::size_t kShown = 4;

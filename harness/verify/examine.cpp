@@ -5,19 +5,17 @@
 
 #include "harness/base/atomic_file.h"
 #include "harness/base/error.h"
-#include "harness/base/number.h"
 #include "harness/base/process.h"
 #include "harness/corpus/solvers.h"
 #include "harness/corpus/vectors.h"
 #include "harness/verify/explain.h"
-#include "meshes/formats/read.h"
-#include "meshes/formats/write.h"
+#include "meshes/mesh_file.h"
+#include "meshes/messages.h"
 
 namespace geodesic::conformance {
 namespace {
 
 using harness::Json;
-using harness::significant;
 
 // The process's side: checks case by case, and writes down before each step what it is to be called
 // when it does not come back from it.
@@ -43,7 +41,7 @@ class Examination {
   std::vector<Case> all_cases() const {
     if (spec_.mesh_file.empty()) return property_.cases();
     return {{.mesh = spec_.mesh_file,
-             .soup = harness::read_mesh(spec_.mesh_file).soup,
+             .soup = read_mesh(spec_.mesh_file).soup,
              .queries = spec_.queries}};
   }
 
@@ -172,7 +170,7 @@ ExaminationSpec Examiner::on_file(const Property& property, const std::filesyste
 
 ExaminationSpec Examiner::on_case(const Property& property, const Case& given) const {
   const std::filesystem::path mesh = folder_ / "case.obj";
-  harness::write_mesh(mesh, given.soup);
+  harness::write_bytes(mesh, mesh_bytes(given.soup, mesh));
   return on_file(property, mesh, given.queries);
 }
 

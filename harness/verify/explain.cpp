@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/base/number.h"
 #include "harness/corpus/solvers.h"
+#include "meshes/messages.h"
 #include "meshes/oracles/path.h"
 
 namespace geodesic::conformance {
 namespace {
-
-using harness::significant;
-using oracles::EdgeCrossing;
-using oracles::StraightPiece;
 
 // Enough to tell windows apart; distances get all.
 std::string rounded(double x) { return significant(x, 12); }
@@ -125,7 +121,7 @@ class Explanation {
   }
 
   void explain_path(Index target) {
-    const auto path = oracles::shortest_path(mesh_, query_.sources, right_, target);
+    const auto path = shortest_path(mesh_, query_.sources, right_, target);
     if (path.empty()) return;
     std::vector<WindowsAlong> windows;
     if (const Description* other = another_with_windows(solver_, mesh_)) {

@@ -46,7 +46,7 @@ std::string unclaimed(const Property& property, const Description& solver) {
   for (const Claim& claim : property.needs) {
     if (!claim.made_by(solver)) missing.emplace_back(claim.words);
   }
-  return missing.empty() ? "" : "does not claim: " + harness::join(missing);
+  return missing.empty() ? "" : "does not claim: " + join(missing);
 }
 
 bool too_large(const Case& given, const Description& solver) {

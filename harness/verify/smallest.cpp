@@ -5,18 +5,16 @@
 #include <algorithm>
 #include <cctype>
 
+#include "harness/base/atomic_file.h"
 #include "harness/base/error.h"
-#include "harness/base/number.h"
 #include "harness/base/plugins.h"
 #include "harness/base/process.h"
 #include "harness/corpus/vectors.h"
 #include "harness/verify/shrink.h"
-#include "meshes/formats/write.h"
+#include "meshes/mesh_file.h"
 
 namespace geodesic::conformance {
 namespace {
-
-using harness::significant;
 
 using Words = std::vector<std::string>;
 
@@ -144,7 +142,7 @@ void save(const Case& given, const std::filesystem::path& file) {
                                 "' for failing meshes: " + error.message() +
                                 "; --out names another");
   }
-  harness::write_mesh(file, given.soup);
+  harness::write_bytes(file, mesh_bytes(given.soup, file));
 }
 
 }  // namespace

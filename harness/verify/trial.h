@@ -49,7 +49,7 @@ class Reference {
  private:
   const Description& verified_;
   const Mesh& mesh_;
-  std::optional<oracles::BruteForce> brute_force_;
+  std::optional<BruteForce> brute_force_;
 };
 
 class Trial {

@@ -10,7 +10,7 @@
 #include "harness/corpus/solvers.h"
 #include "harness/corpus/sources.h"
 #include "harness/verify/smallest.h"
-#include "meshes/formats/read.h"
+#include "meshes/mesh_file.h"
 
 namespace geodesic::conformance {
 namespace {
@@ -44,7 +44,7 @@ std::vector<Query> queries_of(const VerifyRequest& request, const harness::MeshE
 }
 
 Case case_of(const VerifyRequest& request, const harness::MeshEntry& entry) {
-  TriangleSoup soup = harness::read_mesh(entry.file).soup;
+  TriangleSoup soup = read_mesh(entry.file).soup;
   try {
     const Mesh buildable(soup);
   } catch (const std::invalid_argument& error) {
@@ -244,7 +244,7 @@ const Property& property_named(const std::string& name) {
   if (const Property* property = find_property(name)) return *property;
   std::vector<std::string> known;
   for (const Property& property : all_properties()) known.push_back(property.name);
-  throw harness::HarnessError(harness::unknown_name("property", name, known));
+  throw harness::HarnessError(unknown_name("property", name, known));
 }
 
 bool verify_solver(const VerifyRequest& request) { return Verification(request).run(); }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/base/number.h"
+#include "meshes/messages.h"
 
 namespace geodesic::harness {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <string>
 
-namespace geodesic::harness {
+namespace geodesic {
 
 /// The number of type T stored at `bytes` in the given byte order.
 template <class T>
@@ -34,4 +34,4 @@ void append_little_endian(std::string& bytes, T number) {
   bytes.append(raw.data(), raw.size());
 }
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

@@ -10,7 +10,7 @@
 #include "meshes/formats/polygons.h"
 #include "meshes/formats/text.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 using namespace std::string_view_literals;
@@ -124,4 +124,4 @@ MeshFile parse_obj(std::string_view text, const std::string& name) {
   return ObjParser(text, name).parse();
 }
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

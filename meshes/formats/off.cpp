@@ -7,7 +7,7 @@
 #include "meshes/formats/polygons.h"
 #include "meshes/formats/text.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 bool remove_prefix(std::string_view& word, std::string_view prefix) {
@@ -143,4 +143,4 @@ MeshFile parse_off(std::string_view text, const std::string& name) {
   return OffParser(text, name).parse();
 }
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "meshes/formats/read.h"
+#include "meshes/mesh_file.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 
 MeshFile parse_obj(std::string_view text, const std::string& name);
 MeshFile parse_off(std::string_view text, const std::string& name);
@@ -18,4 +18,4 @@ MeshFile parse_stl_binary(std::string_view bytes, const std::string& name);
 /// True when the size of the file is what a binary STL file's own count asks for.
 bool has_size_of_binary_stl(std::string_view bytes);
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

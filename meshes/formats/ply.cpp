@@ -11,7 +11,7 @@
 #include "meshes/formats/polygons.h"
 #include "meshes/formats/text.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
@@ -426,4 +426,4 @@ MeshFile parse_ply(std::string_view bytes, const std::string& name) {
   return file;
 }
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

@@ -6,7 +6,7 @@
 
 #include "meshes/vectors.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 using Point2 = std::array<double, 2>;
@@ -184,4 +184,4 @@ void Polygons::triangulate(MeshFile& file, const std::string& name) {
   }
 }
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

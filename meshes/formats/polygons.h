@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "meshes/formats/read.h"
+#include "meshes/mesh_file.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 
 /// Faces of any number of corners. `add_corner` for each corner of a face, then `end_polygon`.
 class Polygons {
@@ -38,4 +38,4 @@ class Polygons {
   std::vector<std::uint32_t> lines_;
 };
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

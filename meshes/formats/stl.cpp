@@ -11,7 +11,7 @@
 #include "meshes/formats/parsers.h"
 #include "meshes/formats/text.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 // Binary: 80 bytes of anything, a count, and 50 bytes a triangle (normal, three corners,
@@ -191,4 +191,4 @@ MeshFile parse_stl_binary(std::string_view bytes, const std::string& name) {
   return file;
 }
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

@@ -4,9 +4,9 @@
 #include <charconv>
 #include <utility>
 
-#include "meshes/mesh_error.h"
+#include "meshes/messages.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
@@ -145,4 +145,4 @@ std::string in_quotes(std::string_view word) {
   return "'" + shown + (word.size() > kLongest ? "...'" : "'");
 }
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

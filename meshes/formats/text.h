@@ -7,7 +7,7 @@
 
 #include "solvers/core/geometry.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 
 struct TextRules {
   char comment = '\0';         ///< what follows it on a line is skipped; none when '\0'
@@ -75,4 +75,4 @@ inline Index to_index(std::int64_t index) {
   return index < 0 || index >= static_cast<std::int64_t>(kNone) ? kNone : static_cast<Index>(index);
 }
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

@@ -4,7 +4,7 @@
 #include "meshes/generators/known_distances.h"
 #include "meshes/generators/sheet.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 /// The lattice points on the surface of a box of a x b x c unit cells, numbered layer by layer in
@@ -98,4 +98,4 @@ Family box() {
           box_distances};
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

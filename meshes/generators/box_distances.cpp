@@ -2,12 +2,10 @@
 #include <array>
 
 #include "meshes/generators/known_distances.h"
-#include "meshes/generators/plane.h"
+#include "meshes/plane.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
-
-using Real = long double;
 
 /// A side of the box: its plane is at coordinate 0 or at the box's size along `axis`.
 struct Side {
@@ -135,4 +133,4 @@ std::vector<double> box_distances(const CheckedParameters& /*parameters*/, const
   return distances;
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

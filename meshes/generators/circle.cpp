@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 /// 1 - x^2 / (k (k+1)) * (1 - x^2 / ((k+2) (k+3)) * (...)): the Taylor series of the cosine for
@@ -40,4 +40,4 @@ std::vector<CirclePoint> regular_polygon(Index n) {
   return corners;
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

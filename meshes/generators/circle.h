@@ -9,7 +9,7 @@
 
 #include "solvers/core/geometry.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 
 struct CirclePoint {
   double cosine;
@@ -25,4 +25,4 @@ CirclePoint circle_point(double turns);
 /// The corners of the regular n-gon: entry i at i / n turns.
 std::vector<CirclePoint> regular_polygon(Index n);
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

@@ -4,19 +4,19 @@
 #include <string>
 #include <vector>
 
-#include "meshes/formats/read.h"
 #include "meshes/generators/cleaning/steps.h"
 #include "meshes/generators/families.h"
 #include "meshes/generators/input.h"
 #include "meshes/generators/sheet.h"
+#include "meshes/mesh_file.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 using Step = std::vector<RepairAction> (*)(TriangleSoup& soup);
 
 // Welding and flips can make faces meet that did not before, which the next round separates.
-constexpr Step kSteps[] = {cancel_opposite_faces, harness::repair, weld_edges, separate_sheets,
+constexpr Step kSteps[] = {cancel_opposite_faces, repair, weld_edges, separate_sheets,
                            remove_flat_faces};
 
 /// Far more than any scan takes; each round but the last removes something.
@@ -61,13 +61,13 @@ void take_steps(TriangleSoup& soup, const std::string& file, Log& log) {
     for (const Step step : kSteps) changed |= log.add(step(soup));
     if (!changed) return;
   }
-  throw harness::MeshError(file + ": still not a measurable mesh after " +
-                           std::to_string(kMostRounds) + " rounds of cleaning");
+  throw MeshError(file + ": still not a measurable mesh after " + std::to_string(kMostRounds) +
+                  " rounds of cleaning");
 }
 
 Made make_clean(const CheckedParameters& parameters) {
   const std::string& file = parameters.file("input");
-  TriangleSoup soup = harness::read_mesh(file).soup;
+  TriangleSoup soup = read_mesh(file).soup;
   Log log;
   take_steps(soup, file, log);
   if (parameters.choice("parts") == "largest") log.add(keep_largest_component(soup));
@@ -77,7 +77,7 @@ Made make_clean(const CheckedParameters& parameters) {
     log.add({{"dropped_vertices", "vertices without a face dropped", dropped}});
   }
   if (soup.triangles.empty()) {
-    throw harness::MeshError(file + ": no face with an area is left; is it the right file?");
+    throw MeshError(file + ": no face with an area is left; is it the right file?");
   }
   return {std::move(soup), log.lines()};
 }
@@ -96,4 +96,4 @@ Family clean() {
           make_clean};
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

@@ -9,7 +9,7 @@
 #include "meshes/generators/known_distances.h"
 #include "meshes/generators/sectors.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 constexpr const char* kFanDistances =
@@ -49,7 +49,7 @@ TriangleSoup make_saddle(const CheckedParameters& parameters) {
     throw std::invalid_argument(
         "saddle-cone: sectors must be even and sectors x sector-angle "
         "above 360 degrees; " +
-        Value(sectors).text() + " x " + Value(angle).text() + " is not");
+        ParameterValue(sectors).text() + " x " + ParameterValue(angle).text() + " is not");
   return sector_fan(ring_of_directions(sectors, angle / 360, true), parameters.integer("rings"));
 }
 
@@ -81,4 +81,4 @@ Family saddle_cone() {
       fan_distances};
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

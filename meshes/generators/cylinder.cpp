@@ -5,7 +5,7 @@
 #include "meshes/generators/known_distances.h"
 #include "meshes/generators/sheet.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 TriangleSoup make_cylinder(const CheckedParameters& parameters) {
@@ -38,4 +38,4 @@ Family cylinder() {
       cylinder_distances};
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

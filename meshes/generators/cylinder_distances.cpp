@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "meshes/generators/known_distances.h"
-#include "meshes/generators/plane.h"
+#include "meshes/plane.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 
 std::vector<double> cylinder_distances(const CheckedParameters& parameters,
                                        const TriangleSoup& soup, Index source) {
@@ -30,4 +30,4 @@ std::vector<double> cylinder_distances(const CheckedParameters& parameters,
   return distances;
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

@@ -4,7 +4,7 @@
 #include "meshes/generators/families.h"
 #include "meshes/generators/sheet.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 /// sin(2 pi bumps k / cells) for k = 0 ... cells.
@@ -39,4 +39,4 @@ Family egg_carton() {
           make_egg_carton};
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

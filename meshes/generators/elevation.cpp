@@ -2,13 +2,13 @@
 // north, its first column in the west. x runs east along a row, y north against the order of rows.
 #include <vector>
 
-#include "meshes/formats/read.h"
+#include "meshes/formats/npy.h"
 #include "meshes/generators/families.h"
 #include "meshes/generators/natural_spline.h"
-#include "meshes/generators/npy.h"
 #include "meshes/generators/sheet.h"
+#include "meshes/mesh_file.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 /// Every row resampled at `count` + 1 points, as the columns of a transposed array.
@@ -30,7 +30,7 @@ TriangleSoup make_elevation(const CheckedParameters& parameters) {
                     .diagonal = diagonal_of(parameters)};
   check_face_count(2.0 * sheet.columns * sheet.rows);
   const std::string& file = parameters.file("input");
-  const Array samples = parse_npy(harness::read_bytes(file), file);
+  const Array samples = parse_npy(read_bytes(file), file);
   // Metres from vertex to vertex.
   const double dx =
       parameters.real("spacing-x") * (static_cast<double>(samples.columns - 1) / sheet.columns);
@@ -60,4 +60,4 @@ Family elevation() {
       make_elevation};
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

@@ -6,7 +6,7 @@
 
 #include "meshes/generators/generators.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 
 /// A mesh, and one line for each thing that was done to the input that it is made from.
 struct Made {
@@ -45,4 +45,4 @@ Family torus();
 Family torus_knot();
 Family two_components();
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

@@ -4,10 +4,8 @@
 
 #include "meshes/generators/known_distances.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
-
-using Real = long double;
 
 struct Polar {
   Real radius = 0;
@@ -72,4 +70,4 @@ std::vector<double> fan_distances(const CheckedParameters& parameters, const Tri
   return distances;
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

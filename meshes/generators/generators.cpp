@@ -5,7 +5,7 @@
 
 #include "meshes/generators/families.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 const std::vector<Family>& families() {
@@ -44,7 +44,7 @@ const std::vector<GeneratorDescription>& generator_descriptions() {
   return descriptions;
 }
 
-TriangleSoup generate(std::string_view name, const Parameters& parameters,
+TriangleSoup generate(std::string_view name, const GeneratorParameters& parameters,
                       std::vector<std::string>* remarks) {
   const Family& family = find_family(name);
   Made made = family.make(CheckedParameters(name, family.description.parameters, parameters));
@@ -53,7 +53,7 @@ TriangleSoup generate(std::string_view name, const Parameters& parameters,
 }
 
 std::optional<std::vector<double>> known_distances(std::string_view name,
-                                                   const Parameters& parameters,
+                                                   const GeneratorParameters& parameters,
                                                    const TriangleSoup& soup, Index source) {
   const Family& family = find_family(name);
   if (family.known_distances == nullptr) return std::nullopt;
@@ -63,8 +63,9 @@ std::optional<std::vector<double>> known_distances(std::string_view name,
     throw std::invalid_argument("the mesh is not what " + std::string(name) +
                                 " makes with these parameters: its distances are not known");
   if (source >= soup.positions.size())
-    throw std::invalid_argument("source vertex " + Value(source).text() + " is not in the mesh");
+    throw std::invalid_argument("source vertex " + ParameterValue(source).text() +
+                                " is not in the mesh");
   return family.known_distances(checked, soup, source);
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

@@ -15,7 +15,7 @@
 #include "meshes/generators/parameters.h"
 #include "solvers/core/geometry.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 
 /// A generator as data: what `geodesic-bench generate --list` prints.
 struct GeneratorDescription {
@@ -35,8 +35,8 @@ const std::vector<GeneratorDescription>& generator_descriptions();
 /// @throws std::invalid_argument with one line, listing what exists, for an unknown generator, an
 ///         unknown parameter, a value out of range, or a mesh with more elements than an Index
 ///         can number
-/// @throws harness::HarnessError with one line for an input file that is missing or not usable
-TriangleSoup generate(std::string_view name, const Parameters& parameters = {},
+/// @throws HarnessError with one line for an input file that is missing or not usable
+TriangleSoup generate(std::string_view name, const GeneratorParameters& parameters = {},
                       std::vector<std::string>* remarks = nullptr);
 
 /// Geodesic distances from a vertex to all vertices, in the unit of the positions, to the last bit
@@ -46,7 +46,7 @@ TriangleSoup generate(std::string_view name, const Parameters& parameters = {},
 /// @throws std::invalid_argument as `generate`, and when `soup` is another mesh or has no such
 ///         source vertex
 std::optional<std::vector<double>> known_distances(std::string_view name,
-                                                   const Parameters& parameters,
+                                                   const GeneratorParameters& parameters,
                                                    const TriangleSoup& soup, Index source);
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

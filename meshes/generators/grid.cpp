@@ -2,7 +2,7 @@
 #include "meshes/generators/known_distances.h"
 #include "meshes/generators/sheet.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 TriangleSoup make_grid(const CheckedParameters& parameters) {
@@ -27,4 +27,4 @@ Family grid() {
           plane_distances};
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

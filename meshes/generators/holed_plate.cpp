@@ -1,7 +1,7 @@
 #include "meshes/generators/families.h"
 #include "meshes/generators/sheet.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 /// From the middle of the hole in its period of `pitch` cells to the middle of cell k, in cells.
@@ -43,4 +43,4 @@ Family holed_plate() {
           make_holed_plate};
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

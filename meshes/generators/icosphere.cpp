@@ -6,7 +6,7 @@
 #include "meshes/generators/families.h"
 #include "meshes/generators/sheet.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 // Corners (0, +-1, +-golden) and their rotations; faces counter-clockwise seen from outside.
@@ -114,4 +114,4 @@ Family icosphere() {
       make_icosphere};
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <string>
 
-#include "meshes/formats/read.h"
+#include "meshes/mesh_file.h"
 #include "meshes/vectors.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
-
-using harness::MeshError;
 
 [[noreturn]] void refuse(const std::string& file, const std::string& what) {
   throw MeshError(file + ": " + what + "; make a usable mesh of it first: generate clean --input " +
@@ -27,7 +25,7 @@ void require_usable(const TriangleSoup& soup, const std::string& file) {
     }
   }
   for (Index v = 0; v < soup.positions.size(); ++v) {
-    if (!harness::is_finite(soup.positions[v])) {
+    if (!is_finite(soup.positions[v])) {
       refuse(file, "vertex " + std::to_string(v) + " is not finite");
     }
   }
@@ -41,9 +39,9 @@ ParameterDescription input_parameter() {
 
 TriangleSoup read_input(const CheckedParameters& parameters) {
   const std::string& file = parameters.file("input");
-  TriangleSoup soup = harness::read_mesh(file).soup;
+  TriangleSoup soup = read_mesh(file).soup;
   require_usable(soup, file);
   return soup;
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

@@ -13,7 +13,7 @@
 #include "meshes/generators/parameters.h"
 #include "solvers/core/geometry.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 
 /// A convex piece of a plane: the straight line.
 std::vector<double> plane_distances(const CheckedParameters& parameters, const TriangleSoup& soup,
@@ -39,4 +39,4 @@ std::vector<double> fan_distances(const CheckedParameters& parameters, const Tri
 std::vector<double> cylinder_distances(const CheckedParameters& parameters,
                                        const TriangleSoup& soup, Index source);
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

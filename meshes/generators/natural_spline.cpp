@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 /// Second derivatives m of the spline: m[i-1] + 4 m[i] + m[i+1] = 6 (y[i-1] - 2 y[i] + y[i+1]) at
@@ -44,4 +44,4 @@ std::vector<double> NaturalSpline::resampled(std::size_t count) const {
   return values;
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

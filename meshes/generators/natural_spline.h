@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace geodesic::generators {
+namespace geodesic {
 
 /// The interpolating curve of least bending: twice continuously differentiable, without curvature
 /// at its ends. Reproduces straight lines.
@@ -26,4 +26,4 @@ class NaturalSpline {
   std::vector<double> curvature_;  // second derivative at each sample
 };
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

@@ -4,7 +4,7 @@
 #include "meshes/generators/families.h"
 #include "meshes/generators/sheet.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 TriangleSoup make_needles(const CheckedParameters& parameters) {
@@ -38,4 +38,4 @@ Family needles() {
       make_needles};
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

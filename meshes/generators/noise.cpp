@@ -5,14 +5,11 @@
 #include "meshes/edges.h"
 #include "meshes/generators/families.h"
 #include "meshes/generators/input.h"
-#include "meshes/generators/random.h"
+#include "meshes/random.h"
 #include "meshes/vectors.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
-
-using harness::EdgeSide;
-using harness::EdgeTable;
 
 /// Over undirected edges, whatever the number of their faces.
 double mean_edge_length(const TriangleSoup& soup) {
@@ -21,8 +18,7 @@ double mean_edge_length(const TriangleSoup& soup) {
   double sum = 0;
   double count = 0;
   edges.for_each_edge([&](std::span<const EdgeSide> sides) {
-    sum += harness::norm(
-        harness::difference(soup.positions[sides[0].high], soup.positions[sides[0].low]));
+    sum += norm(difference(soup.positions[sides[0].high], soup.positions[sides[0].low]));
     ++count;
   });
   return sum / count;
@@ -33,8 +29,8 @@ std::vector<Vec3> vertex_normals(const TriangleSoup& soup) {
   std::vector<Vec3> normals(soup.positions.size(), Vec3{});
   for (const Triangle& face : soup.triangles) {
     const Vec3& corner = soup.positions[face[0]];
-    const Vec3 normal = harness::cross(harness::difference(soup.positions[face[1]], corner),
-                                       harness::difference(soup.positions[face[2]], corner));
+    const Vec3 normal = cross(difference(soup.positions[face[1]], corner),
+                              difference(soup.positions[face[2]], corner));
     for (const Index v : face) {
       for (std::size_t axis = 0; axis < 3; ++axis) normals[v][axis] += normal[axis];
     }
@@ -48,7 +44,7 @@ TriangleSoup make_noise(const CheckedParameters& parameters) {
   const std::uint64_t seed = split_mix(parameters.integer("seed"));
   const std::vector<Vec3> normals = vertex_normals(soup);
   for (std::size_t v = 0; v < soup.positions.size(); ++v) {
-    const double length = harness::norm(normals[v]);
+    const double length = norm(normals[v]);
     if (!(length > 0)) continue;
     const double step = amplitude * to_signed_unit(split_mix(seed ^ v));
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -72,4 +68,4 @@ Family noise() {
           make_noise};
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

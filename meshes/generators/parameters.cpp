@@ -6,7 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 /// The fewest digits that bring back the number; whole numbers without an exponent.
@@ -50,7 +50,8 @@ bool is_acceptable(const ParameterDescription& parameter, const std::string& tex
 }
 
 std::variant<double, std::string> check(std::string_view owner,
-                                        const ParameterDescription& parameter, const Value& value) {
+                                        const ParameterDescription& parameter,
+                                        const ParameterValue& value) {
   if (is_acceptable(parameter, value.text())) {
     if (parameter.is_number()) return *parse_number(value.text());
     return value.text();
@@ -61,7 +62,7 @@ std::variant<double, std::string> check(std::string_view owner,
 
 }  // namespace
 
-std::string Value::shortest_text(double number) { return number_text(number); }
+std::string ParameterValue::shortest_text(double number) { return number_text(number); }
 
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
@@ -136,14 +137,14 @@ ParameterDescription file_parameter(std::string name, std::string description) {
 
 CheckedParameters::CheckedParameters(std::string_view owner,
                                      const std::vector<ParameterDescription>& descriptions,
-                                     const Parameters& given) {
+                                     const GeneratorParameters& given) {
   std::vector<std::string> names;
   for (const ParameterDescription& parameter : descriptions) {
     const auto found = given.find(parameter.name);
     if (found == given.end() && parameter.is_required())
       throw std::invalid_argument(std::string(owner) + ": needs --" + parameter.name + ", " +
                                   parameter.description);
-    const Value& value = found == given.end() ? parameter.default_value : found->second;
+    const ParameterValue& value = found == given.end() ? parameter.default_value : found->second;
     values_.emplace(parameter.name, check(owner, parameter, value));
     names.push_back(parameter.name);
   }
@@ -168,4 +169,4 @@ const std::string& CheckedParameters::text(std::string_view name) const {
   return std::get<std::string>(found->second);
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

@@ -10,15 +10,15 @@
 
 #include "solvers/core/geometry.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 
 /// A parameter's value as it is written on a command line; numbers convert without loss.
-class Value {
+class ParameterValue {
  public:
-  Value(const char* text) : text_(text) {}
-  Value(std::string text) : text_(std::move(text)) {}
+  ParameterValue(const char* text) : text_(text) {}
+  ParameterValue(std::string text) : text_(std::move(text)) {}
   template <typename Number>
-  requires(std::integral<Number> || std::floating_point<Number>) Value(Number number)
+  requires(std::integral<Number> || std::floating_point<Number>) ParameterValue(Number number)
       : text_(shortest_text(static_cast<double>(number))) {}
 
   const std::string& text() const { return text_; }
@@ -28,7 +28,7 @@ class Value {
   std::string text_;
 };
 
-using Parameters = std::map<std::string, Value, std::less<>>;
+using GeneratorParameters = std::map<std::string, ParameterValue, std::less<>>;
 
 /// `words` is one or more of the choices, separated by commas; `file` a path, without a default.
 enum class ParameterKind { integer, real, choice, words, file };
@@ -37,7 +37,7 @@ struct ParameterDescription {
   std::string name;  ///< lower case with hyphens: "tube-radius"
   std::string description;
   ParameterKind kind = ParameterKind::integer;
-  Value default_value = 0;
+  ParameterValue default_value = 0;
   double least = 0;  ///< closed range of a number
   double greatest = 0;
   std::vector<std::string> choices = {};  ///< the words that a choice may be
@@ -71,7 +71,7 @@ class CheckedParameters {
   /// @throws std::invalid_argument for an unknown parameter, a required one that is not given or
   ///         a value out of range
   CheckedParameters(std::string_view owner, const std::vector<ParameterDescription>& descriptions,
-                    const Parameters& given);
+                    const GeneratorParameters& given);
 
   /// Values by name; asking for a name or kind that was not described is a programming error
   /// (std::logic_error).
@@ -87,4 +87,4 @@ class CheckedParameters {
   std::map<std::string, std::variant<double, std::string>, std::less<>> values_;
 };
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

@@ -2,9 +2,9 @@
 #include <array>
 
 #include "meshes/generators/known_distances.h"
-#include "meshes/generators/plane.h"
+#include "meshes/plane.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 /// The open square (low, high) x (low, high) that no path may enter.
@@ -78,4 +78,4 @@ std::vector<double> square_with_hole_distances(const CheckedParameters& paramete
   return distances;
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

@@ -13,11 +13,8 @@
 #include "meshes/generators/sheet.h"
 #include "meshes/vectors.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
-
-using harness::next_in_face;
-using harness::previous_in_face;
 
 class Refiner {
  public:
@@ -47,11 +44,11 @@ class Refiner {
 
   void find_edges() {
     const std::vector<bool> all(soup_.triangles.size(), true);
-    const harness::EdgeTable edges(soup_.triangles, all, soup_.positions.size());
+    const EdgeTable edges(soup_.triangles, all, soup_.positions.size());
     next_side_.resize(3 * soup_.triangles.size());
     edge_of_.resize(next_side_.size());
     std::vector<Edge> queue;
-    edges.for_each_edge([&](std::span<const harness::EdgeSide> sides) {
+    edges.for_each_edge([&](std::span<const EdgeSide> sides) {
       for (std::size_t i = 0; i < sides.size(); ++i) {
         next_side_[sides[i].half_edge] = sides[(i + 1) % sides.size()].half_edge;
         edge_of_[sides[i].half_edge] = static_cast<Index>(a_side_.size());
@@ -61,14 +58,14 @@ class Refiner {
     longest_ = std::priority_queue<Edge>({}, std::move(queue));
   }
 
-  Index origin(Index h) const { return harness::origin_of(soup_.triangles, h); }
+  Index origin(Index h) const { return origin_of(soup_.triangles, h); }
 
   /// Numbers the edge that `side` is a side of.
   Edge new_edge(Index side) {
     const auto [low, high] = std::minmax({origin(side), origin(next_in_face(side))});
-    const Vec3 along = harness::difference(soup_.positions[high], soup_.positions[low]);
+    const Vec3 along = difference(soup_.positions[high], soup_.positions[low]);
     a_side_.push_back(side);
-    return {harness::dot(along, along), low, high, static_cast<Index>(a_side_.size() - 1)};
+    return {dot(along, along), low, high, static_cast<Index>(a_side_.size() - 1)};
   }
 
   /// Links sides to one edge and puts it into the queue.
@@ -144,9 +141,9 @@ TriangleSoup make_refine(const CheckedParameters& parameters) {
   drop_isolated_vertices(soup);
   const Index vertices = parameters.integer("vertices");
   if (vertices < soup.positions.size()) {
-    throw std::invalid_argument("refine: parameter vertices is " + Value(vertices).text() +
+    throw std::invalid_argument("refine: parameter vertices is " + ParameterValue(vertices).text() +
                                 ", but the mesh of " + parameters.file("input") + " has " +
-                                Value(soup.positions.size()).text() +
+                                ParameterValue(soup.positions.size()).text() +
                                 " without the isolated ones; ask for more");
   }
   Refiner(soup).refine_to(vertices);
@@ -165,4 +162,4 @@ Family refine() {
           make_refine};
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

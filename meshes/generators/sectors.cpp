@@ -2,7 +2,7 @@
 
 #include "meshes/generators/sheet.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 /// Id of the first vertex of ring r >= 1.
@@ -41,4 +41,4 @@ TriangleSoup sector_fan(const std::vector<Vec3>& directions, Index rings) {
   return soup;
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

@@ -5,7 +5,7 @@
 
 #include "solvers/core/geometry.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 
 /// A closed fan: sector i is the planar triangle from the origin between directions i and i + 1
 /// (the last one between the last and the first), cut into `rings`^2 similar triangles.
@@ -14,4 +14,4 @@ namespace geodesic::generators {
 /// i r + k lies k / r of the way from r / rings * directions[i] to r / rings * directions[i + 1].
 TriangleSoup sector_fan(const std::vector<Vec3>& directions, Index rings);
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

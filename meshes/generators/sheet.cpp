@@ -2,9 +2,9 @@
 
 #include <stdexcept>
 
-namespace geodesic::generators {
+namespace geodesic {
 
-ParameterDescription diagonal_parameter(Value default_value) {
+ParameterDescription diagonal_parameter(ParameterValue default_value) {
   ParameterDescription parameter =
       choice_parameter("diagonal", {"alternating", "forward", "backward"},
                        "which way each square cell is split into two triangles");
@@ -20,7 +20,7 @@ Diagonal diagonal_of(const CheckedParameters& parameters) {
 
 void check_face_count(double faces) {
   if (3 * faces >= static_cast<double>(kNone))
-    throw std::invalid_argument("mesh of " + Value(faces).text() +
+    throw std::invalid_argument("mesh of " + ParameterValue(faces).text() +
                                 " faces is too large, at most 1431655764 can be numbered");
 }
 
@@ -60,4 +60,4 @@ void drop_isolated_vertices(TriangleSoup& soup) {
     for (Index& v : face) v = renumbered[v];
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

@@ -7,13 +7,13 @@
 
 #include "meshes/generators/parameters.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 
 /// Which way a cell is split: forward from its corner (i, j) to (i+1, j+1), backward from (i+1, j)
 /// to (i, j+1), alternating forward where i + j is even.
 enum class Diagonal { forward, backward, alternating };
 
-ParameterDescription diagonal_parameter(Value default_value = "alternating");
+ParameterDescription diagonal_parameter(ParameterValue default_value = "alternating");
 Diagonal diagonal_of(const CheckedParameters& parameters);
 
 /// Refuses what does not fit 32-bit indices before memory is spent on it.
@@ -53,4 +53,4 @@ TriangleSoup make_sheet(const Sheet& sheet, Position position, const CellFilter&
 /// Removes vertices without a face and renumbers the rest in their order.
 void drop_isolated_vertices(TriangleSoup& soup);
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

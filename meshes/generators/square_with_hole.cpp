@@ -2,7 +2,7 @@
 #include "meshes/generators/known_distances.h"
 #include "meshes/generators/sheet.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 TriangleSoup make_square_with_hole(const CheckedParameters& parameters) {
@@ -32,4 +32,4 @@ Family square_with_hole() {
           square_with_hole_distances};
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

@@ -2,7 +2,7 @@
 #include "meshes/generators/input.h"
 #include "meshes/generators/subdivision.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 TriangleSoup make_subdivide(const CheckedParameters& parameters) {
@@ -30,4 +30,4 @@ Family subdivide() {
       make_subdivide};
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

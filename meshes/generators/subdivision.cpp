@@ -8,11 +8,8 @@
 #include "meshes/generators/circle.h"
 #include "meshes/generators/sheet.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
-
-using harness::EdgeSide;
-using harness::EdgeTable;
 
 EdgeTable edges_of(const TriangleSoup& soup) {
   return {soup.triangles, std::vector<bool>(soup.triangles.size(), true), soup.positions.size()};
@@ -135,8 +132,8 @@ TriangleSoup subdivide_loop(const TriangleSoup& soup) {
     add_scaled(point, 0.375, soup.positions[sides[0].low]);
     add_scaled(point, 0.375, soup.positions[sides[0].high]);
     for (const EdgeSide& side : sides) {
-      const Index across = harness::previous_in_face(side.half_edge);
-      add_scaled(point, 0.125, soup.positions[harness::origin_of(soup.triangles, across)]);
+      const Index across = previous_in_face(side.half_edge);
+      add_scaled(point, 0.125, soup.positions[origin_of(soup.triangles, across)]);
     }
     return point;
   });
@@ -169,4 +166,4 @@ TriangleSoup subdivide_barycentric(const TriangleSoup& soup) {
   return result;
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

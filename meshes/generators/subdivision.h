@@ -6,7 +6,7 @@
 
 #include "solvers/core/geometry.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 
 /// Four faces from one, with a new vertex in the middle of every edge; the surface stays the same.
 /// Face f becomes the faces 4 f to 4 f + 3, at its three corners and in its middle; the new
@@ -24,4 +24,4 @@ TriangleSoup subdivide_loop(const TriangleSoup& soup);
 /// the surface stays the same. Face f becomes the faces 6 f to 6 f + 5, around its centroid.
 TriangleSoup subdivide_barycentric(const TriangleSoup& soup);
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

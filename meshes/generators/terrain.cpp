@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "meshes/generators/families.h"
-#include "meshes/generators/random.h"
 #include "meshes/generators/sheet.h"
+#include "meshes/random.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 /// 0 at 0, 1 at 1, with first and second derivatives of 0 at both.
@@ -100,4 +100,4 @@ Family terrain() {
           make_terrain};
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

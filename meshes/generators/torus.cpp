@@ -4,7 +4,7 @@
 #include "meshes/generators/families.h"
 #include "meshes/generators/sheet.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 TriangleSoup make_torus(const CheckedParameters& parameters) {
@@ -36,4 +36,4 @@ Family torus() {
           make_torus};
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

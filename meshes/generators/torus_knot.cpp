@@ -8,7 +8,7 @@
 #include "meshes/generators/families.h"
 #include "meshes/generators/sheet.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 constexpr double kRingRadius = 2;  // of the torus that the knot lies on
@@ -92,7 +92,8 @@ TriangleSoup make_torus_knot(const CheckedParameters& parameters) {
   const Index p = parameters.integer("p"), q = parameters.integer("q");
   if (std::gcd(p, q) != 1)
     throw std::invalid_argument("torus-knot: p and q must have no common divisor; " +
-                                Value(p).text() + " and " + Value(q).text() + " have");
+                                ParameterValue(p).text() + " and " + ParameterValue(q).text() +
+                                " have");
   const Sheet sheet{.columns = parameters.integer("rings"),
                     .rows = parameters.integer("sides"),
                     .columns_wrap = true,
@@ -129,4 +130,4 @@ Family torus_knot() {
           make_torus_knot};
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

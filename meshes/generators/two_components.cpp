@@ -1,7 +1,7 @@
 #include "meshes/generators/families.h"
 #include "meshes/generators/generators.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 /// Adds `part` moved along x, its ids after those that are there.
@@ -37,4 +37,4 @@ Family two_components() {
           make_two_components};
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

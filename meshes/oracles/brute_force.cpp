@@ -4,7 +4,7 @@
 #include <functional>
 #include <queue>
 
-namespace geodesic::oracles {
+namespace geodesic {
 namespace {
 
 using Graph = std::vector<std::vector<std::pair<Index, Real>>>;  // per vertex: neighbour, length
@@ -64,4 +64,4 @@ std::vector<double> brute_force_distances(const Mesh& mesh, Index source) {
   return BruteForce(mesh).distances(std::vector<Source>{{.vertex = source}});
 }
 
-}  // namespace geodesic::oracles
+}  // namespace geodesic

@@ -8,7 +8,7 @@
 #include "meshes/oracles/view.h"
 #include "solvers/core/solver.h"
 
-namespace geodesic::oracles {
+namespace geodesic {
 
 /// For meshes of up to some hundred faces.
 ///
@@ -31,4 +31,4 @@ class BruteForce {
 /// Distances from one vertex.
 std::vector<double> brute_force_distances(const Mesh& mesh, Index source);
 
-}  // namespace geodesic::oracles
+}  // namespace geodesic

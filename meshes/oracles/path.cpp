@@ -5,7 +5,7 @@
 
 #include "meshes/oracles/view.h"
 
-namespace geodesic::oracles {
+namespace geodesic {
 namespace {
 
 // Paths that differ by less, relative to their length, are equally short.
@@ -101,4 +101,4 @@ std::vector<StraightPiece> shortest_path(const Mesh& mesh, std::span<const Sourc
   return path;
 }
 
-}  // namespace geodesic::oracles
+}  // namespace geodesic

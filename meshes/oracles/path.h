@@ -6,7 +6,7 @@
 
 #include "solvers/core/solver.h"
 
-namespace geodesic::oracles {
+namespace geodesic {
 
 /// Where a path crosses an edge.
 struct EdgeCrossing {
@@ -31,4 +31,4 @@ struct StraightPiece {
 std::vector<StraightPiece> shortest_path(const Mesh& mesh, std::span<const Source> sources,
                                          std::span<const double> distances, Index target);
 
-}  // namespace geodesic::oracles
+}  // namespace geodesic

@@ -7,9 +7,9 @@
 #include <set>
 #include <utility>
 
-#include "meshes/oracles/random.h"
+#include "meshes/random.h"
 
-namespace geodesic::oracles {
+namespace geodesic {
 namespace {
 
 void add_cell(TriangleSoup& soup, Index a, Index b, Index c, Index d, Random& random) {
@@ -191,4 +191,4 @@ std::vector<NamedMesh> random_meshes() {
   };
 }
 
-}  // namespace geodesic::oracles
+}  // namespace geodesic

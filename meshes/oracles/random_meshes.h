@@ -7,7 +7,7 @@
 
 #include "solvers/core/geometry.h"
 
-namespace geodesic::oracles {
+namespace geodesic {
 
 struct NamedMesh {
   std::string name;
@@ -44,4 +44,4 @@ TriangleSoup side_by_side(TriangleSoup first, const TriangleSoup& second);
 /// Clean manifold meshes of up to 200 faces, with and without boundary, for every solver.
 std::vector<NamedMesh> random_meshes();
 
-}  // namespace geodesic::oracles
+}  // namespace geodesic

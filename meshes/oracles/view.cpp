@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace geodesic::oracles {
+namespace geodesic {
 namespace {
 
 // Twice the signed area of (0, a, b): positive when b lies to the left of the ray through a.
@@ -133,4 +133,4 @@ void view_from(const Mesh& mesh, Index v, Real reach,
   View(mesh, reach, see).look_from(v);
 }
 
-}  // namespace geodesic::oracles
+}  // namespace geodesic

@@ -1,19 +1,14 @@
-// What a vertex sees along straight lines on the surface.
+// What a vertex sees along straight lines on the surface. The strip of faces is unfolded into a
+// plane in which the vertex that looks lies at (0, 0).
 #pragma once
 
 #include <functional>
 #include <span>
 
+#include "meshes/plane.h"
 #include "solvers/core/mesh.h"
 
-namespace geodesic::oracles {
-
-using Real = long double;
-
-/// In the plane that the strip of faces is unfolded into; the vertex that looks is at (0, 0).
-struct PlanePoint {
-  Real x, y;
-};
+namespace geodesic {
 
 /// An edge that a line crosses, unfolded. The half-edge is the one whose face lies beyond.
 struct EdgeInView {
@@ -41,4 +36,4 @@ Real straight_distance(const Mesh& mesh, Index a, Index b);
 /// along edges are not seen across a strip: neither is handed over.
 void view_from(const Mesh& mesh, Index v, Real reach, const std::function<void(const Sight&)>& see);
 
-}  // namespace geodesic::oracles
+}  // namespace geodesic

@@ -24,8 +24,8 @@ class Explain : public ::testing::Test {
   }
 
   std::string explain(const std::vector<double>& got) const {
-    return harness::join(
-        explain_failure(solver(), given_, {.what = "wrong", .query = kQuery, .got = got}), "\n");
+    return join(explain_failure(solver(), given_, {.what = "wrong", .query = kQuery, .got = got}),
+                "\n");
   }
 
   std::vector<double> off_at(std::vector<Index> vertices) const {
@@ -39,9 +39,8 @@ class Explain : public ::testing::Test {
   }
 
   static inline const Query kQuery = from(0);
-  const Case given_{"box",
-                    generators::generate("box", {{"x-cells", 5}, {"y-cells", 2}, {"z-cells", 2}}),
-                    {kQuery}};
+  const Case given_{
+      "box", generate("box", {{"x-cells", 5}, {"y-cells", 2}, {"z-cells", 2}}), {kQuery}};
   const Mesh mesh_;
   const std::vector<double> right_;
 };

@@ -14,7 +14,7 @@ namespace {
 constexpr double kLong = 60;  // seconds
 
 Case terrain(const std::vector<Query>& queries) {
-  return {"terrain", oracles::rough_terrain(1, 8, 8, 1), queries};
+  return {"terrain", rough_terrain(1, 8, 8, 1), queries};
 }
 
 std::set<Vec3> places(const Case& given, const std::vector<Index>& vertices) {
@@ -94,7 +94,7 @@ TEST(Shrink, keeps_vertices_without_faces_where_they_are_what_fails) {
 }
 
 TEST(Shrink, asks_few_faces_near_the_source_before_any_large_mesh) {
-  const Case given{"terrain", oracles::rough_terrain(2, 60, 60, 1), {from(30), from(1800)}};
+  const Case given{"terrain", rough_terrain(2, 60, 60, 1), {from(30), from(1800)}};
   std::size_t most = 0;
   const Case small = shrink(
       given, from(1800),

@@ -36,10 +36,10 @@ class Wavefronts : public SolverTest {
   mutable std::vector<double> distances_;  // of the solve that was recorded last
 };
 
-std::vector<oracles::NamedMesh> meshes() {
-  std::vector<oracles::NamedMesh> all = oracles::random_meshes();
-  all.push_back({"two components", oracles::side_by_side(oracles::rough_sphere(61, 2, 0.3),
-                                                         oracles::rough_sphere(62, 3, 0.3))});
+std::vector<NamedMesh> meshes() {
+  std::vector<NamedMesh> all = random_meshes();
+  all.push_back(
+      {"two components", side_by_side(rough_sphere(61, 2, 0.3), rough_sphere(62, 3, 0.3))});
   return all;
 }
 
@@ -132,7 +132,7 @@ TEST_P(Wavefronts, lie_on_edges_no_nearer_than_the_truth) {
   }
 }
 
-TriangleSoup plane() { return generators::generate("grid", {{"columns", 32}, {"rows", 32}}); }
+TriangleSoup plane() { return generate("grid", {{"columns", 32}, {"rows", 32}}); }
 
 // A quarter of a circle around the corner. Least distance first leaves the wavefront as wide as an
 // edge is long; in the plane, where windows cross as many faces as they go far, FIFO order does

@@ -11,8 +11,7 @@ constexpr std::uint64_t kFew = 20;  // windows; a triangle needs less, a sphere 
 
 // A sphere of 80 faces, and a triangle: vertices 42 to 44.
 TriangleSoup sphere_and_triangle() {
-  return oracles::side_by_side(oracles::rough_sphere(1, 1, 0.3),
-                               {{{9, 0, 0}, {12, 0, 0}, {9, 4, 0}}, {{0, 1, 2}}});
+  return side_by_side(rough_sphere(1, 1, 0.3), {{{9, 0, 0}, {12, 0, 0}, {9, 4, 0}}, {{0, 1, 2}}});
 }
 
 class WindowBound : public SolverTest {
@@ -58,7 +57,7 @@ FOR_EVERY_SOLVER(WindowBound);
 
 TEST(WindowBound, is_above_the_square_of_half_edges_up_to_three_hundred_thousand_faces) {
   for (const Index cells : {1u, 10u, 100u}) {
-    const Mesh mesh(oracles::rough_terrain(1, cells, cells, 1));
+    const Mesh mesh(rough_terrain(1, cells, cells, 1));
     const std::uint64_t half_edges = mesh.half_edge_count();
     EXPECT_GT(window_bound(mesh), half_edges * half_edges);
   }

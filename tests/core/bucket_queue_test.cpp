@@ -7,13 +7,13 @@
 #include <numeric>
 #include <vector>
 
-#include "meshes/oracles/random.h"
+#include "meshes/random.h"
 
 namespace geodesic {
 namespace {
 
 std::vector<double> random_keys(std::size_t count) {
-  oracles::Random random(3);
+  Random random(3);
   std::vector<double> keys;
   for (std::size_t i = 0; i < count; ++i) keys.push_back(random.below(100000) / 1000.0);
   return keys;
@@ -60,7 +60,7 @@ TEST(BucketQueue, what_the_phase_covers_is_due) {
 
 // As a wavefront does: what is pushed lies ahead of what was popped.
 TEST(BucketQueue, knows_a_key_below_all_to_come) {
-  oracles::Random random(1);
+  Random random(1);
   BucketQueue<double> queue(0.1);
   queue.push(1, 1);
   double bound = queue.least_key();
@@ -98,7 +98,7 @@ TEST(BucketQueue, shows_the_items_of_a_phase_before_their_turn) {
 
 // A propagation as solvers do it: an item bears others with larger keys.
 std::vector<int> propagate(BucketQueue<int>& queue, double unit) {
-  oracles::Random random(4);
+  Random random(4);
   std::vector<double> key = {0};
   std::vector<int> order;
   queue.push(0, 0);

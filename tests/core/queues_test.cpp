@@ -7,7 +7,7 @@
 #include "solvers/core/queues/fifo_queue.h"
 #include "solvers/core/queues/priority_queue.h"
 
-#include "meshes/oracles/random.h"
+#include "meshes/random.h"
 
 namespace geodesic {
 namespace {
@@ -37,7 +37,7 @@ TEST(PriorityQueue, pops_equal_keys_in_order_of_insertion) {
 // Widths from "all in one bucket" to "most beyond the ring".
 TEST(PriorityQueue, equals_a_stable_sort_whatever_the_width_while_items_come_and_go) {
   for (const double width : {0.0, 1e9, 3.0, 0.1, 1e-3, 1e-300}) {
-    oracles::Random random(1);
+    Random random(1);
     PriorityQueue<int> queue({width, 16});
     std::vector<std::pair<double, int>> model;  // key, item: kept in order
     for (int i = 0; i < 5000; ++i) {
@@ -67,7 +67,7 @@ TEST(PriorityQueue, an_item_is_due_when_no_other_has_a_smaller_key) {
 // As a wavefront does: what is pushed lies ahead of what was popped.
 TEST(PriorityQueue, knows_a_key_below_all_to_come_and_less_than_a_bucket_behind) {
   for (const double width : {3.0, 0.1}) {
-    oracles::Random random(1);
+    Random random(1);
     PriorityQueue<double> queue({width, 16});
     queue.push(1, 1);
     for (int i = 0; i < 3000 && !queue.empty(); ++i) {

@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "meshes/oracles/random.h"
+#include "meshes/random.h"
 
 namespace geodesic {
 namespace {
@@ -73,7 +73,7 @@ TEST(VertexBuckets, are_as_new_when_cleared) {
 
 TEST(VertexBuckets, differ_from_a_search_for_the_least_by_a_bucket_at_most_while_keys_decrease) {
   for (const double width : {1e9, 7.0, 0.3, 1e-3}) {
-    oracles::Random random(2);
+    Random random(2);
     VertexBuckets buckets(200, width);
     std::map<Index, double> model;
     double last = 0;  // the greatest key popped

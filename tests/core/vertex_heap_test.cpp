@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "meshes/oracles/random.h"
+#include "meshes/random.h"
 
 namespace geodesic {
 namespace {
@@ -55,7 +55,7 @@ TEST(VertexHeap, is_as_new_when_cleared) {
 }
 
 TEST(VertexHeap, equals_a_search_for_the_least_while_keys_decrease) {
-  oracles::Random random(2);
+  Random random(2);
   VertexHeap heap(200);
   std::map<Index, double> model;
   for (int i = 0; i < 20000; ++i) {

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <numeric>
 
-#include "meshes/oracles/random.h"
+#include "meshes/random.h"
 
 namespace geodesic {
 namespace {
 
 std::vector<Vec3> random_points(Index count, double size) {
-  oracles::Random random(5);
+  Random random(5);
   std::vector<Vec3> points(count);
   for (Vec3& p : points) {
     for (double& c : p) c = random.between(-size, size);

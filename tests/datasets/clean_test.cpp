@@ -11,10 +11,8 @@
 #include "tests/datasets/input_files.h"
 #include "tests/harness/expect_error.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
-
-using harness::find_defects;
 
 void append(TriangleSoup& soup, const TriangleSoup& more) {
   const auto first = static_cast<Index>(soup.positions.size());
@@ -89,8 +87,8 @@ class Clean : public InputFiles {
   /// What every cleaned mesh must be: without any defect, in the eyes of the harness and of the
   /// solvers, and the same after another cleaning.
   void expect_measurable(const TriangleSoup& soup) {
-    for (const harness::Defect& defect : find_defects(soup).defects) {
-      EXPECT_EQ(defect.kind, harness::DefectKind::several_components) << defect.text();
+    for (const Defect& defect : find_defects(soup).defects) {
+      EXPECT_EQ(defect.kind, DefectKind::several_components) << defect.text();
     }
     const Mesh mesh(soup);
     EXPECT_FALSE(mesh.has_degenerate_faces());
@@ -144,7 +142,7 @@ TEST_F(Clean, CutsTheFaceBeyondAFlatFaceAtItsVertex) {
   EXPECT_EQ(result.positions.size(), plate_.positions.size() + 1);
   EXPECT_EQ(result.triangles.size(), plate_.triangles.size() + 2);
   EXPECT_NEAR(area_of(result), 64, 1e-12);
-  EXPECT_EQ(harness::summarize(result).boundary_loops, 1u);
+  EXPECT_EQ(summarize(result).boundary_loops, 1u);
 }
 
 TEST_F(Clean, DropsAFlatFaceOnTheBoundary) {
@@ -154,7 +152,7 @@ TEST_F(Clean, DropsAFlatFaceOnTheBoundary) {
   expect_measurable(result);
   EXPECT_EQ(result.triangles.size(), plate_.triangles.size() + 1);
   EXPECT_NEAR(area_of(result), 64, 1e-12);
-  EXPECT_EQ(harness::summarize(result).boundary_edges, 33u);
+  EXPECT_EQ(summarize(result).boundary_edges, 33u);
 }
 
 /// Fills the side between two places of a row on a line with random faces without area.
@@ -191,7 +189,7 @@ TEST_F(Clean, UnfoldsPilesOfFlatFaces) {
       expect_measurable(result);
       EXPECT_EQ(result.triangles.size(), 3 * n + 1 + 3 * (n - 1)) << n << ' ' << seed;
       EXPECT_NEAR(area_of(result), area, 1e-12 * area);
-      EXPECT_EQ(harness::summarize(result).boundary_edges, 6u);
+      EXPECT_EQ(summarize(result).boundary_edges, 6u);
     }
   }
 }
@@ -208,7 +206,7 @@ TEST_F(Clean, RemovesAFoldThatAFlipUncovers) {
   const TriangleSoup result = cleaned(soup);
   expect_measurable(result);
   EXPECT_NEAR(area_of(result), 64, 1e-12);
-  EXPECT_EQ(harness::summarize(result).boundary_loops, 1u);
+  EXPECT_EQ(summarize(result).boundary_loops, 1u);
 }
 
 TEST_F(Clean, TakesAFinOff) {
@@ -243,7 +241,7 @@ TEST_F(Clean, SplitsTwoSpheresThatShareAVertex) {
   const TriangleSoup result = cleaned(soup);
   expect_measurable(result);
   EXPECT_EQ(result.positions.size(), 2 * sphere_.positions.size());
-  EXPECT_EQ(harness::summarize(result).components, 2u);
+  EXPECT_EQ(summarize(result).components, 2u);
 }
 
 TEST_F(Clean, SplitsTwoTubesThatTouchAlongAnEdge) {
@@ -256,10 +254,10 @@ TEST_F(Clean, SplitsTwoTubesThatTouchAlongAnEdge) {
     std::replace(face.begin(), face.end(), first + 24, 24u);
     std::replace(face.begin(), face.end(), first + 36, 36u);
   }
-  ASSERT_EQ(find_defects(soup).count(harness::DefectKind::non_manifold_edge), 1u);
+  ASSERT_EQ(find_defects(soup).count(DefectKind::non_manifold_edge), 1u);
   const TriangleSoup result = cleaned(soup);
   expect_measurable(result);
-  EXPECT_EQ(harness::summarize(result).boundary_loops, 4u) << "no slit";
+  EXPECT_EQ(summarize(result).boundary_loops, 4u) << "no slit";
 }
 
 TEST_F(Clean, CutsASurfaceOfOneSide) {
@@ -278,12 +276,12 @@ TEST_F(Clean, CutsASurfaceOfOneSide) {
     const Index high = 2 * ((i + 1) % n) + (turns ? 0 : 1);
     soup.triangles.insert(soup.triangles.end(), {{2 * i, low, high}, {2 * i, high, 2 * i + 1}});
   }
-  ASSERT_FALSE(harness::summarize(soup).orientable);
+  ASSERT_FALSE(summarize(soup).orientable);
   const TriangleSoup result = cleaned(soup);
   expect_measurable(result);
   EXPECT_EQ(result.triangles.size(), 2 * n);
   EXPECT_EQ(result.positions.size(), 2 * n + 2);
-  EXPECT_TRUE(harness::summarize(result).orientable);
+  EXPECT_TRUE(summarize(result).orientable);
 }
 
 TEST_F(Clean, KeepsTheComponentOfMostFaces) {
@@ -292,7 +290,7 @@ TEST_F(Clean, KeepsTheComponentOfMostFaces) {
   append(soup, generate("icosphere", {{"frequency", 3}}));
   expect_same(cleaned(soup, "largest"), sphere_);
   expect_remark("smaller components dropped: 2");
-  EXPECT_EQ(harness::summarize(cleaned(soup)).components, 3u);
+  EXPECT_EQ(summarize(cleaned(soup)).components, 3u);
 }
 
 TEST_F(Clean, CleansEverythingAtOnce) {
@@ -312,7 +310,7 @@ TEST_F(Clean, CleansEverythingAtOnce) {
   const TriangleSoup largest = cleaned(soup, "largest");
   expect_measurable(largest);
   EXPECT_NEAR(area_of(largest), 64, 1e-12);
-  EXPECT_EQ(harness::summarize(largest).boundary_loops, 1u);
+  EXPECT_EQ(summarize(largest).boundary_loops, 1u);
 }
 
 // Random triangles on a small lattice: vertices at one place, on one line, many faces at an edge.
@@ -331,7 +329,7 @@ TEST_F(Clean, MakesAnyTrianglesMeasurableOrRefusesThem) {
     }
     try {
       expect_measurable(cleaned(soup));
-    } catch (const harness::MeshError& error) {
+    } catch (const MeshError& error) {
       EXPECT_NE(std::string(error.what()).find("no face with an area is left"), std::string::npos)
           << error.what();
       ++refused;
@@ -370,4 +368,4 @@ TEST_F(Clean, RefusesAMeshWithoutAnyArea) {
 }
 
 }  // namespace
-}  // namespace geodesic::generators
+}  // namespace geodesic

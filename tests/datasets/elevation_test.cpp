@@ -11,7 +11,7 @@
 #include "tests/datasets/soup_topology.h"
 #include "tests/harness/expect_error.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 using harness::expect_error;
@@ -140,7 +140,7 @@ TEST(Npy, RefusesHeightsThatAreNotFiniteWithTheirPlace) {
 
 class Elevation : public InputFiles {
  protected:
-  TriangleSoup terrain(const std::string& bytes, Parameters parameters) {
+  TriangleSoup terrain(const std::string& bytes, GeneratorParameters parameters) {
     parameters.insert_or_assign("input", write("heights.npy", bytes).string());
     return generate("elevation", parameters);
   }
@@ -187,7 +187,7 @@ TEST_F(Elevation, InterpolatesTheSamplesAndReproducesBilinearHeights) {
       bilinear.push_back(2 + 3.0 * row - 0.5 * column + 0.25 * row * column);
     }
   }
-  const Parameters finer = {{"columns", 8 * 3}, {"rows", 6 * 3}};
+  const GeneratorParameters finer = {{"columns", 8 * 3}, {"rows", 6 * 3}};
   const TriangleSoup soup = terrain(npy("<f8", "(7, 9)", rough), finer);
   for (Index row = 0; row < 7; ++row) {
     for (Index column = 0; column < 9; ++column) {
@@ -236,4 +236,4 @@ TEST_F(Elevation, NamesTheFileThatIsWrong) {
 }
 
 }  // namespace
-}  // namespace geodesic::generators
+}  // namespace geodesic

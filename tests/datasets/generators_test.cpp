@@ -11,7 +11,7 @@
 #include "tests/datasets/soup_hash.h"
 #include "tests/datasets/soup_topology.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 using geodesic::testing::hash_of;
@@ -22,7 +22,7 @@ using geodesic::testing::topology_of;
 struct Expected {
   std::string test_name;
   std::string generator;
-  Parameters parameters;
+  GeneratorParameters parameters;
   std::size_t vertices;
   std::size_t faces;
   long euler_characteristic;
@@ -145,7 +145,7 @@ TEST(Generators, DescribeThemselvesInFull) {
 TEST(Generators, AcceptTheirDefaultsWrittenOut) {
   for (const GeneratorDescription& generator : generator_descriptions()) {
     if (starts_from_a_file(generator)) continue;
-    Parameters defaults;
+    GeneratorParameters defaults;
     for (const ParameterDescription& parameter : generator.parameters) {
       defaults.insert_or_assign(parameter.name, parameter.default_value);
     }
@@ -220,7 +220,7 @@ TEST(Circle, AgreesWithTheLibraryAndHasExactSymmetries) {
 
 // Wrong input: one line that says what exists.
 
-std::string message_of(std::string_view generator, const Parameters& parameters) {
+std::string message_of(std::string_view generator, const GeneratorParameters& parameters) {
   try {
     generate(generator, parameters);
   } catch (const std::invalid_argument& error) {
@@ -264,4 +264,4 @@ TEST(GeneratorErrors, MoreFacesThanCanBeNumberedAreRefusedAtOnce) {
 }
 
 }  // namespace
-}  // namespace geodesic::generators
+}  // namespace geodesic

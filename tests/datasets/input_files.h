@@ -9,7 +9,7 @@
 #include "meshes/vectors.h"
 #include "tests/harness/temporary_folder.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 
 /// An OFF file with the exact coordinates; unlike the writer, it takes any index and any number.
 inline std::string off_text(const TriangleSoup& soup) {
@@ -28,7 +28,7 @@ inline std::string off_text(const TriangleSoup& soup) {
 class InputFiles : public harness::TemporaryFolder {
  protected:
   TriangleSoup made(const std::string& generator, const TriangleSoup& input,
-                    Parameters parameters = {}) {
+                    GeneratorParameters parameters = {}) {
     parameters.insert_or_assign("input", write("input.off", off_text(input)).string());
     remarks_.clear();
     return generate(generator, parameters, &remarks_);
@@ -41,8 +41,8 @@ inline double area_of(const TriangleSoup& soup) {
   double sum = 0;
   for (const auto& [a, b, c] : soup.triangles) {
     const Vec3& corner = soup.positions[a];
-    sum += harness::norm(harness::cross(harness::difference(soup.positions[b], corner),
-                                        harness::difference(soup.positions[c], corner))) /
+    sum += norm(harness::cross(difference(soup.positions[b], corner),
+                               difference(soup.positions[c], corner))) /
            2;
   }
   return sum;
@@ -53,4 +53,4 @@ inline void expect_same(const TriangleSoup& made, const TriangleSoup& expected) 
   EXPECT_EQ(made.triangles, expected.triangles);
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

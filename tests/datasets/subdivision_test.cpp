@@ -12,7 +12,7 @@
 #include "tests/datasets/soup_topology.h"
 #include "tests/harness/expect_error.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 using geodesic::testing::hash_of;
@@ -26,13 +26,13 @@ const TriangleSoup kBook = {
 
 Vec3 unit_normal(const TriangleSoup& soup, const Triangle& face) {
   const Vec3& corner = soup.positions[face[0]];
-  const Vec3 normal = harness::cross(harness::difference(soup.positions[face[1]], corner),
-                                     harness::difference(soup.positions[face[2]], corner));
-  const double length = harness::norm(normal);
+  const Vec3 normal = harness::cross(difference(soup.positions[face[1]], corner),
+                                     difference(soup.positions[face[2]], corner));
+  const double length = norm(normal);
   return {normal[0] / length, normal[1] / length, normal[2] / length};
 }
 
-double distance(const Vec3& a, const Vec3& b) { return harness::norm(harness::difference(a, b)); }
+double distance(const Vec3& a, const Vec3& b) { return norm(difference(a, b)); }
 
 TriangleSoup transformed(TriangleSoup soup) {
   for (auto& [x, y, z] : soup.positions) {
@@ -259,7 +259,7 @@ TEST_F(Derived, RefineRefusesFewerVerticesThanThereAre) {
 
 TEST_F(Derived, HasTheCommittedBits) {
   const TriangleSoup soup = generate("holed-plate", {{"bulge", 0.3}, {"holes", 2}, {"pitch", 6}});
-  const auto expect_hash = [&](const char* generator, const Parameters& parameters,
+  const auto expect_hash = [&](const char* generator, const GeneratorParameters& parameters,
                                std::uint64_t expected) {
     const std::uint64_t hash = hash_of(made(generator, soup, parameters));
     EXPECT_EQ(hash, expected) << generator << std::hex << " 0x" << hash;
@@ -292,7 +292,8 @@ TEST_F(Derived, UnusableInputIsRefusedInOneLine) {
 }
 
 TEST(DerivedErrors, MissingAndWrongParametersSayWhatIsWanted) {
-  const auto message_of = [](const char* generator, const Parameters& parameters) -> std::string {
+  const auto message_of = [](const char* generator,
+                             const GeneratorParameters& parameters) -> std::string {
     try {
       generate(generator, parameters);
     } catch (const std::invalid_argument& error) {
@@ -312,4 +313,4 @@ TEST(DerivedErrors, MissingAndWrongParametersSayWhatIsWanted) {
 }
 
 }  // namespace
-}  // namespace geodesic::generators
+}  // namespace geodesic

@@ -13,14 +13,15 @@
 #include <thread>
 #include <tuple>
 
+#include "harness/base/atomic_file.h"
 #include "harness/base/clock.h"
-#include "harness/base/number.h"
 #include "harness/corpus/solvers.h"
 #include "harness/verify/choose.h"
 #include "harness/verify/property.h"
 #include "harness/verify/shrink.h"
 #include "harness/verify/smallest.h"
-#include "meshes/formats/write.h"
+#include "meshes/mesh_file.h"
+#include "meshes/messages.h"
 #include "tests/differential/scratch.h"
 
 namespace geodesic::differential {
@@ -29,7 +30,6 @@ namespace {
 using conformance::ask;
 using conformance::Case;
 using conformance::Finding;
-using harness::significant;
 
 constexpr const char* kBruteForce = "brute force";
 // Brute force takes a second for so many faces; beyond, an independent oracle judges.
@@ -135,7 +135,7 @@ class Differential {
     std::vector<Answer> judges;
     if (mesh.face_count() <= kBruteForceFaces) {
       judges.push_back(
-          {kBruteForce, cut_off(oracles::BruteForce(mesh).distances(query.sources), query.limit)});
+          {kBruteForce, cut_off(BruteForce(mesh).distances(query.sources), query.limit)});
     }
     for (const Description* solver : by_independence(mesh)) {
       Answer answer{solver->name, {}};
@@ -239,7 +239,7 @@ class Differential {
       small = conformance::shrink(given, given.queries.front(), still_fails, request_.shrink);
     }
     std::filesystem::create_directories(request_.out);
-    harness::write_mesh(file, small.soup);
+    harness::write_bytes(file, mesh_bytes(small.soup, file));
     report_ << '\n'
             << each.solver->name << ' ' << each.what << " at mesh " << each.number << " of seed "
             << request_.seed << ", " << given.mesh << '\n'

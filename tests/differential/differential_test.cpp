@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "harness/verify/property.h"
-#include "meshes/formats/read.h"
+#include "meshes/mesh_file.h"
 #include "tests/harness/temporary_folder.h"
 
 namespace geodesic::differential {
@@ -30,9 +30,7 @@ class Differential : public harness::TemporaryFolder {
   /// The one that was saved.
   Case saved() const {
     for (const auto& entry : std::filesystem::directory_iterator(folder_ / "failures")) {
-      return {.mesh = entry.path().string(),
-              .soup = harness::read_mesh(entry.path()).soup,
-              .queries = {}};
+      return {.mesh = entry.path().string(), .soup = read_mesh(entry.path()).soup, .queries = {}};
     }
     ADD_FAILURE() << "no mesh was saved\n" << report_;
     return {};

@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/base/number.h"
+#include "meshes/messages.h"
 #include "meshes/oracles/brute_force.h"
-#include "meshes/oracles/random.h"
+#include "meshes/random.h"
 #include "tests/differential/scratch.h"
 
 namespace geodesic::differential {
 namespace {
 
 using conformance::Case;
-using harness::significant;
 
 // Brute force takes a tenth of a second for so many faces.
 constexpr std::size_t kMostFaces = 300;
@@ -43,7 +42,7 @@ double half_a_unit_in_the_last_place(const TriangleSoup& soup) {
   return (std::nextafter(largest, kInfinity) - largest) / 2;
 }
 
-TriangleSoup moved(TriangleSoup soup, double most, oracles::Random& random) {
+TriangleSoup moved(TriangleSoup soup, double most, Random& random) {
   for (Vec3& p : soup.positions) {
     for (double& x : p) x += most * random.between(-1, 1);
   }
@@ -52,11 +51,11 @@ TriangleSoup moved(TriangleSoup soup, double most, oracles::Random& random) {
 
 std::vector<double> right_distances(const TriangleSoup& soup, const Query& query) {
   const Mesh mesh(soup);
-  return oracles::BruteForce(mesh).distances(query.sources);
+  return BruteForce(mesh).distances(query.sources);
 }
 
 void measure(const Case& given, std::uint64_t number, unsigned times, Movement& sum) {
-  oracles::Random random(number);
+  Random random(number);
   const double most = half_a_unit_in_the_last_place(given.soup);
   const Query& query = given.queries.front();
   const std::vector<double> right = right_distances(given.soup, query);

@@ -6,7 +6,7 @@
 
 #include "harness/corpus/solvers.h"
 #include "harness/verify/trial.h"
-#include "meshes/formats/read.h"
+#include "meshes/mesh_file.h"
 
 namespace geodesic::differential {
 namespace {
@@ -49,9 +49,9 @@ class PinnedMesh : public ::testing::TestWithParam<Pin> {};
 TEST_P(PinnedMesh, is_right_by_every_exact_solver_and_instruction_set) {
   const Pin& pin = GetParam();
   const std::string file = std::string(PINNED_MESHES) + "/" + pin.mesh + ".obj";
-  const Mesh mesh(harness::read_mesh(file).soup);
+  const Mesh mesh(read_mesh(file).soup);
   const Query query = conformance::from(pin.source);
-  const auto expected = oracles::BruteForce(mesh).distances(query.sources);
+  const auto expected = BruteForce(mesh).distances(query.sources);
   for (const Description* solver : registered_solvers()) {
     // An independent oracle is not ours to repair.
     if (solver->exactness != Exactness::exact || solver->independent_oracle) continue;

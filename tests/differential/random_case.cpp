@@ -3,20 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/base/npy.h"
-#include "meshes/formats/write.h"
+#include "harness/base/atomic_file.h"
+#include "meshes/formats/npy.h"
 #include "meshes/generators/generators.h"
-#include "meshes/generators/random.h"
-#include "meshes/oracles/random.h"
+#include "meshes/mesh_file.h"
 #include "meshes/oracles/random_meshes.h"
+#include "meshes/random.h"
 
 namespace geodesic::differential {
 namespace {
 
 using conformance::Case;
-using generators::generate;
-using generators::Parameters;
-using oracles::Random;
 
 // Above so many faces nothing makes a mesh larger, and brute force gives way to another solver.
 constexpr double kManyFaces = 150;
@@ -54,7 +51,7 @@ TriangleSoup elevation(const Scene& s) {
   std::vector<double> heights(std::size_t{columns} * s.cells(4, 8));
   for (double& z : heights) z = s.real(0, 3);
   const std::filesystem::path file = s.scratch / "heights.npy";
-  harness::write_npy<double>(file, heights, columns);
+  harness::write_bytes(file, npy_bytes<double>(heights, columns));
   return generate("elevation", {{"input", file.string()},
                                 {"columns", s.cells(2, 7)},
                                 {"rows", s.cells(2, 7)},
@@ -66,25 +63,25 @@ constexpr Surface kSurfaces[] = {
      [](const Scene& s) {
        const Index columns = s.cells(1, 9), rows = s.cells(1, 9);
        const double relief = s.real(0, 4);
-       return oracles::rough_terrain(s.seed(), columns, rows, relief);
+       return rough_terrain(s.seed(), columns, rows, relief);
      }},
     {"hardly-rough-terrain",
      [](const Scene& s) {
        const Index columns = s.cells(1, 9), rows = s.cells(1, 9);
        const double relief = std::pow(10, s.real(-14, -1));
-       return oracles::rough_terrain(s.seed(), columns, rows, relief);
+       return rough_terrain(s.seed(), columns, rows, relief);
      }},
     {"rough-sphere",
      [](const Scene& s) {
        const Index levels = s.cells(0, 1);
        const double noise = s.real(0, 0.7);
-       return oracles::rough_sphere(s.seed(), static_cast<int>(levels), noise);
+       return rough_sphere(s.seed(), static_cast<int>(levels), noise);
      }},
     {"rough-torus",
      [](const Scene& s) {
        const Index around = s.cells(3, 11), across = s.cells(3, 6);
        const double noise = s.real(0, 0.5);
-       return oracles::rough_torus(s.seed(), around, across, noise);
+       return rough_torus(s.seed(), around, across, noise);
      }},
     {"box",
      [](const Scene& s) {
@@ -188,9 +185,9 @@ std::pair<const char*, TriangleSoup> random_surface(const Scene& s) {
 
 // By a generator that reads a mesh.
 TriangleSoup changed_by(const char* generator, const Scene& s, const TriangleSoup& soup,
-                        Parameters parameters) {
+                        GeneratorParameters parameters) {
   const std::filesystem::path file = s.scratch / "mesh.ply";
-  harness::write_mesh(file, soup);
+  harness::write_bytes(file, mesh_bytes(soup, file));
   parameters.emplace("input", file.string());
   return generate(generator, parameters);
 }
@@ -287,12 +284,12 @@ constexpr Change kChanges[] = {
     {"missing faces", false,
      [](const TriangleSoup& soup, const Scene& s) {
        const std::uint32_t one_in = 2 + s.random.below(20);
-       return oracles::with_missing_faces(soup, s.seed(), one_in);
+       return with_missing_faces(soup, s.seed(), one_in);
      }},
     {"holes", false,
      [](const TriangleSoup& soup, const Scene& s) {
        const Index holes = 1 + s.random.below(4);
-       return oracles::with_holes(soup, s.seed(), holes);
+       return with_holes(soup, s.seed(), holes);
      }},
     {"joined vertices", false,
      [](const TriangleSoup& soup, const Scene& s) { return with_joined_vertices(soup, s); }},
@@ -300,7 +297,7 @@ constexpr Change kChanges[] = {
      [](const TriangleSoup& soup, const Scene& s) { return with_turned_faces(soup, s); }},
     {"another component", true,
      [](const TriangleSoup& soup, const Scene& s) {
-       return oracles::side_by_side(soup, random_surface(s).second);
+       return side_by_side(soup, random_surface(s).second);
      }},
     {"cleaned", false,
      [](const TriangleSoup& soup, const Scene& s) {
@@ -309,12 +306,12 @@ constexpr Change kChanges[] = {
     {"collapsed edges", false,
      [](const TriangleSoup& soup, const Scene& s) {
        const std::uint32_t one_in = 8 + s.random.below(30);
-       return oracles::with_collapsed_edges(soup, s.seed(), one_in);
+       return with_collapsed_edges(soup, s.seed(), one_in);
      }},
     {"flat caps", false,
      [](const TriangleSoup& soup, const Scene& s) {
        const std::uint32_t one_in = 4 + s.random.below(30);
-       return oracles::with_flat_caps(soup, s.seed(), one_in);
+       return with_flat_caps(soup, s.seed(), one_in);
      }},
 };
 
@@ -397,7 +394,7 @@ Kind kind_of(const Mesh& mesh) {
 }
 
 Case random_case(std::uint64_t seed, std::uint64_t number, const std::filesystem::path& scratch) {
-  Random random(generators::split_mix(generators::split_mix(seed) ^ number));
+  Random random(split_mix(split_mix(seed) ^ number));
   const Scene scene{random, scratch, kSizes[random.below(std::size(kSizes))]};
   auto [name, soup] = random_surface(scene);
   Case made{.mesh = name, .soup = std::move(soup), .queries = {}};

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "meshes/oracles/random.h"
+#include "meshes/random.h"
 
 namespace geodesic::edge_based_lazy {
 namespace {
@@ -57,7 +57,7 @@ Window unfolded(const Window& w, const FaceFrame& f, Side side) {
 }
 
 TEST(Passage, puts_windows_where_unfolding_face_by_face_does) {
-  oracles::Random random(7);
+  Random random(7);
   int crossings = 0, refused = 0;
   for (int strip = 0; strip < 2000; ++strip) {
     std::vector<Window> windows;

@@ -29,6 +29,8 @@ void check_input(std::string_view bytes) {
   const AllocationMeter meter;
   try {
     read_input(bytes);
+  } catch (const MeshError& refused) {
+    check_message(refused.what());
   } catch (const HarnessError& refused) {
     check_message(refused.what());
   }

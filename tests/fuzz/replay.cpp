@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <iostream>
 
-#include "meshes/formats/read.h"
+#include "meshes/mesh_file.h"
 #include "tests/fuzz/input.h"
 
 namespace fs = std::filesystem;

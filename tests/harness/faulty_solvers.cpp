@@ -85,7 +85,7 @@ class BoundaryBlind final : public Faulty {
     solve_soundly({.sources = query.sources}, distances);
     const std::vector<double> right(distances.begin(), distances.end());
     for (Index v = 0; v < right.size(); ++v) {
-      const auto path = oracles::shortest_path(mesh(), query.sources, right, v);
+      const auto path = shortest_path(mesh(), query.sources, right, v);
       for (std::size_t bend = 1; bend < path.size(); ++bend) {
         if (mesh().is_boundary(path[bend].from)) distances[v] = kInfinity;
       }

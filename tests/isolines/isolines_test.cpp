@@ -12,16 +12,12 @@
 #include "harness/recordings/isolines/crossings.h"
 #include "meshes/generators/generators.h"
 #include "meshes/oracles/brute_force.h"
-#include "meshes/oracles/random.h"
 #include "meshes/oracles/random_meshes.h"
+#include "meshes/random.h"
 #include "tests/isolines/traced.h"
 
 namespace geodesic::harness {
 namespace {
-
-using generators::generate;
-using oracles::NamedMesh;
-using oracles::Random;
 
 constexpr double kExact = 1e-9;  // relative
 
@@ -61,14 +57,13 @@ Place place_in(const TriangleSoup& soup, Index face, const Vec3& p) {
 }
 
 std::vector<NamedMesh> meshes() {
-  std::vector<NamedMesh> all = oracles::random_meshes();
+  std::vector<NamedMesh> all = random_meshes();
   all.push_back({"box", generate("box", {{"x-cells", 4}, {"y-cells", 3}, {"z-cells", 2}})});
   all.push_back({"cone", generate("cone", {{"sectors", 5}, {"angle", 200}, {"rings", 4}})});
   all.push_back({"saddle", generate("saddle-cone", {{"sectors", 6}, {"sector-angle", 80}})});
   all.push_back({"square_with_hole", generate("square-with-hole", {{"hole", 3}, {"rim", 2}})});
-  all.push_back({"ragged", oracles::with_missing_faces(oracles::rough_terrain(11, 8, 8, 1), 5, 8)});
-  all.push_back({"two_spheres", oracles::side_by_side(oracles::rough_sphere(12, 1, 0.2),
-                                                      oracles::rough_sphere(13, 1, 0.2))});
+  all.push_back({"ragged", with_missing_faces(rough_terrain(11, 8, 8, 1), 5, 8)});
+  all.push_back({"two_spheres", side_by_side(rough_sphere(12, 1, 0.2), rough_sphere(13, 1, 0.2))});
   return all;
 }
 
@@ -176,7 +171,7 @@ void check_by_brute_force(const std::string& solver, const NamedMesh& named, int
     const auto& [face, level, first] = traced.isolines.pieces[piece];
     if (inserter.insert(face, p)) wanted.push_back(level);
   }
-  const auto truth = oracles::brute_force_distances(Mesh(inserter.soup()), source);
+  const auto truth = brute_force_distances(Mesh(inserter.soup()), source);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     const double got = truth[named.soup.positions.size() + i];
     EXPECT_NEAR(got, wanted[i], kExact * wanted[i]) << named.name << ", point " << i;
@@ -188,7 +183,7 @@ TEST_P(IsolinesOf, SmallMeshesLieWhereBruteForceSays) {
 }
 
 TEST_P(IsolinesOf, AMeshWithAFaceWithoutAreaLieWhereBruteForceSays) {
-  TriangleSoup soup = oracles::rough_terrain(14, 6, 6, 1);
+  TriangleSoup soup = rough_terrain(14, 6, 6, 1);
   const auto [a, b, c] = soup.triangles[30];
   const Index middle = static_cast<Index>(soup.positions.size());
   soup.positions.push_back(soup.positions[a]);

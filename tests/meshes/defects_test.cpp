@@ -7,7 +7,7 @@
 
 #include "tests/meshes/mesh_samples.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 DefectReport defects_of(const std::string& obj) {
@@ -137,4 +137,4 @@ TEST(Defects, AVertexOfManyFacesCostsNoQuadraticTime) {
 }
 
 }  // namespace
-}  // namespace geodesic::harness
+}  // namespace geodesic

@@ -3,10 +3,10 @@
 #include <sys/resource.h>
 
 #include "meshes/defects.h"
-#include "meshes/formats/read.h"
+#include "meshes/mesh_file.h"
 #include "tests/meshes/mesh_samples.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 struct Sample {
@@ -160,4 +160,4 @@ TEST(Hostile, WhatIsNoFileIsNamed) {
 }
 
 }  // namespace
-}  // namespace geodesic::harness
+}  // namespace geodesic

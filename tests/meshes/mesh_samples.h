@@ -10,9 +10,9 @@
 #include <string_view>
 
 #include "meshes/formats/bytes.h"
-#include "meshes/formats/read.h"
+#include "meshes/mesh_file.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 
 /// A tetrahedron with outward faces.
 inline TriangleSoup tetrahedron() {
@@ -125,4 +125,4 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

@@ -2,10 +2,10 @@
 
 #include <clocale>
 
-#include "meshes/formats/read.h"
+#include "meshes/mesh_file.h"
 #include "tests/meshes/mesh_samples.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 const std::string kCorners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
@@ -129,4 +129,4 @@ TEST(Obj, NamesTheLineOfWhatIsMalformed) {
 }
 
 }  // namespace
-}  // namespace geodesic::harness
+}  // namespace geodesic

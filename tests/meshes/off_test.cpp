@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "meshes/formats/read.h"
+#include "meshes/mesh_file.h"
 #include "tests/meshes/mesh_samples.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 const std::string kBody = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
@@ -73,4 +73,4 @@ TEST(Off, NamesTheLineOfWhatIsMalformed) {
 }
 
 }  // namespace
-}  // namespace geodesic::harness
+}  // namespace geodesic

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "meshes/formats/read.h"
+#include "meshes/mesh_file.h"
 #include "tests/meshes/mesh_samples.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 void expect_tetrahedron(const std::string& bytes, const std::string& format) {
@@ -138,4 +138,4 @@ TEST(Ply, NamesTheLineOrByteOfAFaceWithoutThreeCorners) {
 }
 
 }  // namespace
-}  // namespace geodesic::harness
+}  // namespace geodesic

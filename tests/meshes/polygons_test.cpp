@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "meshes/formats/read.h"
+#include "meshes/mesh_file.h"
 #include "meshes/vectors.h"
 #include "tests/meshes/mesh_samples.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 using Polygon = std::vector<Vec3>;
@@ -125,4 +125,4 @@ TEST(Polygons, CornersThatAreBlockedAreNotLookedAtAgainForEveryEar) {
 }
 
 }  // namespace
-}  // namespace geodesic::harness
+}  // namespace geodesic

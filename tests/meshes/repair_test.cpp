@@ -9,7 +9,7 @@
 #include "solvers/core/mesh.h"
 #include "tests/meshes/mesh_samples.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 std::map<std::string, std::size_t> counts(const std::vector<RepairAction>& actions) {
@@ -135,4 +135,4 @@ TEST(Repair, OfAnyTrianglesFitsTheSolversIsDeterministicAndIdempotent) {
 }
 
 }  // namespace
-}  // namespace geodesic::harness
+}  // namespace geodesic

@@ -2,10 +2,10 @@
 
 #include <limits>
 
-#include "meshes/formats/read.h"
+#include "meshes/mesh_file.h"
 #include "tests/meshes/mesh_samples.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 // By first appearance the tetrahedron's corners come as 0, 2, 1, 3.
@@ -89,4 +89,4 @@ TEST(Stl, NamesTheLineOfWhatIsMalformed) {
 }
 
 }  // namespace
-}  // namespace geodesic::harness
+}  // namespace geodesic

@@ -7,7 +7,7 @@
 #include "solvers/core/mesh.h"
 #include "tests/meshes/mesh_samples.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 // A grid of n x n vertices, closed in one or both directions by identifying opposite sides; its
@@ -158,4 +158,4 @@ TEST(Summary, OfAVertexOfManyFacesCostsNoQuadraticTime) {
 }
 
 }  // namespace
-}  // namespace geodesic::harness
+}  // namespace geodesic

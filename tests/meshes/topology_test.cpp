@@ -10,7 +10,7 @@
 #include "solvers/core/mesh.h"
 #include "tests/meshes/mesh_samples.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 std::size_t vertices_in_file(const Topology& topology, Index v) {
@@ -121,4 +121,4 @@ TEST(Topology, OfAnyTrianglesIsSoundAndThatOfTheSolversMesh) {
 }
 
 }  // namespace
-}  // namespace geodesic::harness
+}  // namespace geodesic

@@ -29,7 +29,7 @@ TEST(ListLayout, names_an_edge_by_its_smaller_half_edge_or_each_side_by_its_own)
 
 TEST(ListLayout, of_one_list_an_edge_leaves_fewer_windows) {
   // A closed surface: behind the source's cut locus, windows of the other side beat all that go on.
-  const Mesh mesh(oracles::rough_sphere(5, 3, 0.1));
+  const Mesh mesh(rough_sphere(5, 3, 0.1));
   const Solved merged = solve("mmp", mesh), apart = solve("mmp-half-edge", mesh);
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     EXPECT_NEAR(apart.distances[v], merged.distances[v], 1e-12 * merged.distances[v]) << v;

@@ -51,19 +51,19 @@ using Policies = testing::Types<ByDistance, ByBucket>;
 TYPED_TEST_SUITE(PassedLists, Policies, );
 
 TYPED_TEST(PassedLists, change_nothing_on_a_closed_surface_where_the_wavefront_meets_itself) {
-  expect_only_memory_to_change<TypeParam>(oracles::rough_sphere(5, 5, 0.1), {{{0, 0}}});
+  expect_only_memory_to_change<TypeParam>(rough_sphere(5, 5, 0.1), {{{0, 0}}});
 }
 TYPED_TEST(PassedLists, change_nothing_on_a_surface_with_handle_and_holes) {
-  expect_only_memory_to_change<TypeParam>(
-      oracles::with_holes(oracles::rough_torus(3, 60, 40, 0.2), 7, 6), {{{9, 0}}});
+  expect_only_memory_to_change<TypeParam>(with_holes(rough_torus(3, 60, 40, 0.2), 7, 6),
+                                          {{{9, 0}}});
 }
 TYPED_TEST(PassedLists, change_nothing_when_a_source_begins_late_behind_the_wavefront) {
-  expect_only_memory_to_change<TypeParam>(oracles::rough_terrain(2, 50, 50, 1.0),
+  expect_only_memory_to_change<TypeParam>(rough_terrain(2, 50, 50, 1.0),
                                           {{{0, 0}, {60, 20}, {1300, 25}, {2499, 0}}});
 }
 TYPED_TEST(PassedLists, change_nothing_among_collapsed_edges) {
   expect_only_memory_to_change<TypeParam>(
-      oracles::with_collapsed_edges(oracles::rough_terrain(4, 50, 50, 0.7), 3, 40), {{{1275, 0}}});
+      with_collapsed_edges(rough_terrain(4, 50, 50, 0.7), 3, 40), {{{1275, 0}}});
 }
 
 TEST(ReachedEdges, are_looked_through_five_times_each_at_most) {

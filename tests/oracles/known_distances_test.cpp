@@ -8,16 +8,12 @@
 #include "meshes/generators/generators.h"
 #include "meshes/oracles/brute_force.h"
 
-namespace geodesic::oracles {
+namespace geodesic {
 namespace {
-
-using generators::generate;
-using generators::known_distances;
-using generators::Parameters;
 
 struct Shape {
   const char* generator;
-  Parameters parameters;
+  GeneratorParameters parameters;
 };
 
 std::ostream& operator<<(std::ostream& out, const Shape& shape) {
@@ -72,7 +68,7 @@ INSTANTIATE_TEST_SUITE_P(
         Shape{"square-with-hole", {{"hole", 4}, {"rim", 1}, {"diagonal", "forward"}}}));
 
 TEST(KnownDistances, exist_for_every_generator_that_states_a_closed_form) {
-  for (const auto& description : generators::generator_descriptions()) {
+  for (const auto& description : generator_descriptions()) {
     if (description.closed_form.empty()) continue;
     const TriangleSoup soup = generate(description.name);
     const auto known = known_distances(description.name, {}, soup, 1);
@@ -86,7 +82,7 @@ TEST(KnownDistances, exist_for_every_generator_that_states_a_closed_form) {
 // points, 1 from the ceiling and 1 from the floor in the middles of the end walls, is 40, over five
 // sides of the room.
 TEST(KnownDistances, of_the_spider_and_the_fly_are_dudeney_s) {
-  const Parameters room = {{"x-cells", 30}, {"y-cells", 12}, {"z-cells", 12}};
+  const GeneratorParameters room = {{"x-cells", 30}, {"y-cells", 12}, {"z-cells", 12}};
   const TriangleSoup soup = generate("box", room);
   const auto vertex_at = [&](const Vec3& p) {
     return static_cast<Index>(std::find(soup.positions.begin(), soup.positions.end(), p) -
@@ -99,7 +95,8 @@ TEST(KnownDistances, of_the_spider_and_the_fly_are_dudeney_s) {
 // From a corner of a 1 x 1 x 2 box the farthest point is not the opposite corner (Kotani's
 // problem).
 TEST(KnownDistances, find_the_antipode_of_a_corner_inside_the_far_side) {
-  const Parameters box = {{"x-cells", 4}, {"y-cells", 4}, {"z-cells", 8}, {"spacing", 0.25}};
+  const GeneratorParameters box = {
+      {"x-cells", 4}, {"y-cells", 4}, {"z-cells", 8}, {"spacing", 0.25}};
   const TriangleSoup soup = generate("box", box);
   const auto known = *known_distances("box", box, soup, 0);
   const auto farthest = std::max_element(known.begin(), known.end()) - known.begin();
@@ -119,4 +116,4 @@ TEST(KnownDistances, are_refused_for_another_mesh_and_another_vertex) {
 }
 
 }  // namespace
-}  // namespace geodesic::oracles
+}  // namespace geodesic

@@ -11,7 +11,7 @@
 #include "meshes/oracles/brute_force.h"
 #include "meshes/oracles/random_meshes.h"
 
-namespace geodesic::oracles {
+namespace geodesic {
 namespace {
 
 Vec3 point_on(const Mesh& mesh, const EdgeCrossing& crossing) {
@@ -89,7 +89,7 @@ int expect_paths(const Mesh& mesh, const std::vector<Source>& sources,
 }
 
 TEST(ShortestPath, is_as_long_as_the_closed_form_says) {
-  const std::vector<std::pair<std::string, generators::Parameters>> shapes = {
+  const std::vector<std::pair<std::string, GeneratorParameters>> shapes = {
       {"box", {{"x-cells", 3}, {"y-cells", 2}, {"z-cells", 1}}},
       {"cone", {{"sectors", 4}, {"angle", 90}, {"rings", 3}}},
       {"saddle-cone", {{"sectors", 6}, {"sector-angle", 80}, {"rings", 3}}},
@@ -97,8 +97,8 @@ TEST(ShortestPath, is_as_long_as_the_closed_form_says) {
       {"square-with-hole", {{"hole", 2}, {"rim", 1}}}};
   for (const auto& [generator, parameters] : shapes) {
     SCOPED_TRACE(generator);
-    const TriangleSoup soup = generators::generate(generator, parameters);
-    const auto distances = generators::known_distances(generator, parameters, soup, 1).value();
+    const TriangleSoup soup = generate(generator, parameters);
+    const auto distances = known_distances(generator, parameters, soup, 1).value();
     expect_paths(Mesh(soup), {{.vertex = 1}}, distances);
   }
 }
@@ -131,4 +131,4 @@ TEST(ShortestPath, does_not_exist_to_a_source_to_another_component_or_for_wrong_
 }
 
 }  // namespace
-}  // namespace geodesic::oracles
+}  // namespace geodesic

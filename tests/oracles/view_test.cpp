@@ -3,7 +3,7 @@
 
 #include "meshes/oracles/brute_force.h"
 
-namespace geodesic::oracles {
+namespace geodesic {
 namespace {
 
 // Two needles in one plane that share their short side, through whose middle the way from tip to
@@ -21,4 +21,4 @@ TEST(BruteForce, is_straight_across_the_short_side_of_needles) {
 }
 
 }  // namespace
-}  // namespace geodesic::oracles
+}  // namespace geodesic

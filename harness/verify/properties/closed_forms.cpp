@@ -4,13 +4,10 @@
 
 #include "harness/verify/properties/properties.h"
 #include "meshes/generators/generators.h"
-#include "meshes/oracles/random.h"
+#include "meshes/random.h"
 
 namespace geodesic::conformance {
 namespace {
-
-using generators::generate;
-using generators::Parameters;
 
 std::vector<Query> from_every_vertex(const TriangleSoup& soup) {
   std::vector<Query> queries;
@@ -18,11 +15,11 @@ std::vector<Query> from_every_vertex(const TriangleSoup& soup) {
   return queries;
 }
 
-Case closed_form(const std::string& generator, const Parameters& parameters) {
+Case closed_form(const std::string& generator, const GeneratorParameters& parameters) {
   const TriangleSoup soup = generate(generator, parameters);
   return {generator, soup, from_every_vertex(soup), [=](const Query& query) {
             const Index source = query.sources.front().vertex;
-            return generators::known_distances(generator, parameters, soup, source).value();
+            return known_distances(generator, parameters, soup, source).value();
           }};
 }
 
@@ -39,14 +36,14 @@ Case convex_plane(const std::string& name, const TriangleSoup& soup, const Trian
           }};
 }
 
-Parameters grid_parameters() { return {{"columns", 12}, {"rows", 9}}; }
+GeneratorParameters grid_parameters() { return {{"columns", 12}, {"rows", 9}}; }
 
 TriangleSoup grid() { return generate("grid", grid_parameters()); }
 
 // Moves vertices of the grid pseudo-randomly within the plane by up to 0.28 cells; those of the
 // border move along it. Hardly any line between vertices then runs through a third.
 TriangleSoup stirred_grid() {
-  oracles::Random random(7);
+  Random random(7);
   TriangleSoup soup = grid();
   for (auto& [x, y, z] : soup.positions) {
     const bool border_x = x == 0 || x == 12, border_y = y == 0 || y == 9;

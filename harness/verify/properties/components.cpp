@@ -7,15 +7,15 @@ namespace geodesic::conformance {
 namespace {
 
 TriangleSoup with_isolated_vertex_first(const TriangleSoup& soup) {
-  return oracles::side_by_side({{{5, 5, 5}}, {}}, soup);
+  return side_by_side({{{5, 5, 5}}, {}}, soup);
 }
 
 // A source in the first of two components and, if wished, one in the second.
 std::vector<Case> two_components(bool source_in_each) {
-  const TriangleSoup first = oracles::rough_sphere(1, 1, 0.2);
+  const TriangleSoup first = rough_sphere(1, 1, 0.2);
   const Index in_second = static_cast<Index>(first.positions.size()) + 7;
   return {{"two components",
-           oracles::side_by_side(first, oracles::rough_terrain(2, 4, 4, 1)),
+           side_by_side(first, rough_terrain(2, 4, 4, 1)),
            {source_in_each ? from({3, in_second}) : from(3)}}};
 }
 
@@ -58,17 +58,17 @@ std::vector<Case> random_meshes_from_four_sources() {
 }
 
 std::vector<Case> small_sphere(const std::vector<Index>& sources) {
-  return {{"sphere", oracles::rough_sphere(4, 1, 0.3), {from(sources)}}};
+  return {{"sphere", rough_sphere(4, 1, 0.3), {from(sources)}}};
 }
 
 std::vector<Case> sphere_of_sources() {
-  std::vector<Index> all(oracles::rough_sphere(4, 1, 0.3).positions.size());
+  std::vector<Index> all(rough_sphere(4, 1, 0.3).positions.size());
   std::iota(all.begin(), all.end(), Index{0});
   return small_sphere(all);
 }
 
 std::vector<Case> torus(const std::vector<Source>& sources) {
-  return {{"torus", oracles::rough_torus(5, 12, 7, 0.2), {{.sources = sources}}}};
+  return {{"torus", rough_torus(5, 12, 7, 0.2), {{.sources = sources}}}};
 }
 
 }  // namespace
@@ -93,7 +93,7 @@ std::vector<Property> component_properties() {
        {},
        [] {
          return std::vector<Case>{{"terrain and a point",
-                                   with_isolated_vertex_first(oracles::rough_terrain(3, 5, 5, 1)),
+                                   with_isolated_vertex_first(rough_terrain(3, 5, 5, 1)),
                                    {from(0)}}};
        },
        distances_are_right},
@@ -101,7 +101,7 @@ std::vector<Property> component_properties() {
        "a vertex without faces is unreachable, and the others keep the bits of their distances",
        {},
        [] {
-         return std::vector<Case>{{"terrain", oracles::rough_terrain(3, 5, 5, 1), {from(8)}}};
+         return std::vector<Case>{{"terrain", rough_terrain(3, 5, 5, 1), {from(8)}}};
        },
        isolated_vertex_disturbs_nothing},
       {"another-component-is-infinitely-far",

@@ -9,8 +9,7 @@ namespace geodesic::conformance {
 namespace {
 
 TriangleSoup flat_grid(Index columns, Index rows, const char* diagonal = "alternating") {
-  return generators::generate("grid",
-                              {{"columns", columns}, {"rows", rows}, {"diagonal", diagonal}});
+  return generate("grid", {{"columns", columns}, {"rows", rows}, {"diagonal", diagonal}});
 }
 
 Case from_some_sources(const std::string& name, const TriangleSoup& soup) {
@@ -21,13 +20,12 @@ std::vector<Case> collapsed_edges_on_rough_surfaces() {
   std::vector<Case> cases;
   for (std::uint64_t seed = 2; seed < 6; ++seed) {
     const auto collapsed = [&](const TriangleSoup& soup) {
-      return oracles::with_collapsed_edges(soup, seed, 12);
+      return with_collapsed_edges(soup, seed, 12);
     };
     const std::string number = std::to_string(seed);
     cases.push_back(
-        from_some_sources("terrain " + number, collapsed(oracles::rough_terrain(seed, 8, 8, 1))));
-    cases.push_back(
-        from_some_sources("sphere " + number, collapsed(oracles::rough_sphere(seed, 2, 0.2))));
+        from_some_sources("terrain " + number, collapsed(rough_terrain(seed, 8, 8, 1))));
+    cases.push_back(from_some_sources("sphere " + number, collapsed(rough_sphere(seed, 2, 0.2))));
   }
   return cases;
 }
@@ -35,14 +33,10 @@ std::vector<Case> collapsed_edges_on_rough_surfaces() {
 std::vector<Case> flat_caps_on_rough_surfaces() {
   std::vector<Case> cases;
   for (std::uint64_t seed = 12; seed < 16; ++seed) {
-    const auto capped = [&](const TriangleSoup& soup) {
-      return oracles::with_flat_caps(soup, seed, 6);
-    };
+    const auto capped = [&](const TriangleSoup& soup) { return with_flat_caps(soup, seed, 6); };
     const std::string number = std::to_string(seed);
-    cases.push_back(
-        from_some_sources("terrain " + number, capped(oracles::rough_terrain(seed, 7, 7, 1))));
-    cases.push_back(
-        from_some_sources("sphere " + number, capped(oracles::rough_sphere(seed, 1, 0.2))));
+    cases.push_back(from_some_sources("terrain " + number, capped(rough_terrain(seed, 7, 7, 1))));
+    cases.push_back(from_some_sources("sphere " + number, capped(rough_sphere(seed, 1, 0.2))));
   }
   return cases;
 }
@@ -66,13 +60,13 @@ TriangleSoup flat_faces_in_a_row() {
 }
 
 std::vector<Case> a_point() {
-  TriangleSoup soup = oracles::rough_sphere(7, 1, 0.2);
+  TriangleSoup soup = rough_sphere(7, 1, 0.2);
   for (Vec3& p : soup.positions) p = {1, 2, 3};
   return {from_some_sources("a point", soup)};
 }
 
 std::vector<Case> a_line() {
-  TriangleSoup soup = oracles::rough_terrain(8, 5, 5, 1);
+  TriangleSoup soup = rough_terrain(8, 5, 5, 1);
   for (Vec3& p : soup.positions) p = {p[0], 0, 0};
   return {from_some_sources("a line", soup)};
 }
@@ -138,16 +132,13 @@ std::vector<Property> degenerate_properties() {
        "in a plane with zero-length edges distances are exact, and 0 along those",
        {},
        [] {
-         return Cases{
-             from_some_sources("grid", oracles::with_collapsed_edges(flat_grid(8, 8), 1, 12))};
+         return Cases{from_some_sources("grid", with_collapsed_edges(flat_grid(8, 8), 1, 12))};
        },
        distances_are_right},
       {"degenerate-zero-area-faces-in-a-plane",
        "in a plane with zero-area faces distances are exact",
        {},
-       [] {
-         return Cases{from_some_sources("grid", oracles::with_flat_caps(flat_grid(8, 8), 6, 5))};
-       },
+       [] { return Cases{from_some_sources("grid", with_flat_caps(flat_grid(8, 8), 6, 5))}; },
        distances_are_right},
       {"degenerate-zero-area-faces-in-a-row-let-lines-through",
        "a mesh on which some solvers were once wrong, cut down from a larger one",

@@ -10,9 +10,6 @@
 namespace geodesic::conformance {
 namespace {
 
-using generators::generate;
-using generators::Parameters;
-
 // One 10^150 and one 10^-150 are about.
 constexpr int kFar = 498;  // power of two
 
@@ -27,14 +24,14 @@ TriangleSoup times(TriangleSoup soup, double factor) {
   return soup;
 }
 
-Case closed_form(const std::string& generator, const Parameters& parameters,
+Case closed_form(const std::string& generator, const GeneratorParameters& parameters,
                  const std::vector<Index>& sources) {
   const TriangleSoup soup = generate(generator, parameters);
   std::vector<Query> queries;
   for (const Index source : sources) queries.push_back(from(source));
   return {generator, soup, queries, [=](const Query& query) {
             const Index source = query.sources.front().vertex;
-            return generators::known_distances(generator, parameters, soup, source).value();
+            return known_distances(generator, parameters, soup, source).value();
           }};
 }
 
@@ -82,7 +79,7 @@ std::vector<Case> valence_three() {
 // The cells of a rough terrain that `keep` wants.
 template <class Keep>
 TriangleSoup cells_of_terrain(Index cells, Keep keep) {
-  TriangleSoup soup = oracles::rough_terrain(81, cells, cells, 0.5);
+  TriangleSoup soup = rough_terrain(81, cells, cells, 0.5);
   std::vector<Triangle> kept;
   for (Index cell = 0; cell < cells * cells; ++cell) {
     if (!keep(cell % cells, cell / cells)) continue;
@@ -126,7 +123,7 @@ std::vector<Case> components() {
 std::vector<Case> nearly_flat() {
   std::vector<Case> cases;
   for (const double relief : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
-    const TriangleSoup soup = oracles::rough_terrain(82, 9, 9, relief);
+    const TriangleSoup soup = rough_terrain(82, 9, 9, relief);
     cases.push_back({"terrain", soup, {from(0), from(45)}});
   }
   return cases;
@@ -162,8 +159,8 @@ std::vector<Case> far_units() {
   const TriangleSoup grid = generate("grid", {{"columns", 8}, {"rows", 6}});
   return {flat("grid of 10^150", times(grid, 1e150)),
           flat("grid of 10^-150", times(grid, 1e-150)),
-          {"terrain of 10^150", times(oracles::rough_terrain(83, 7, 7, 2), 1e150), {from(9)}},
-          {"sphere of 10^-150", times(oracles::rough_sphere(84, 1, 0.4), 1e-150), {from(9)}}};
+          {"terrain of 10^150", times(rough_terrain(83, 7, 7, 2), 1e150), {from(9)}},
+          {"sphere of 10^-150", times(rough_sphere(84, 1, 0.4), 1e-150), {from(9)}}};
 }
 
 Finding distances_are_known_in_few_windows(const Trial& trial) {
@@ -214,9 +211,9 @@ Finding far_units_change_exponents_only(const Trial& trial) {
 // Sources with initial distances and a limit, in the unit of length too.
 std::vector<Case> for_far_units() {
   const Query query{.sources = {{1, 0.5}, {9, 0}}, .limit = 6};
-  return {{"terrain", oracles::rough_terrain(85, 9, 9, 1.5), {query}},
-          {"sphere", oracles::rough_sphere(86, 1, 0.3), {query}},
-          {"torus", oracles::rough_torus(87, 10, 8, 0.3), {query}}};
+  return {{"terrain", rough_terrain(85, 9, 9, 1.5), {query}},
+          {"sphere", rough_sphere(86, 1, 0.3), {query}},
+          {"torus", rough_torus(87, 10, 8, 0.3), {query}}};
 }
 
 }  // namespace

@@ -49,18 +49,18 @@ Finding never_wider_than_chosen(const Trial& trial) {
 }
 
 std::vector<Case> lists_of_many_windows() {
-  return {{"terrain", oracles::rough_terrain(71, 50, 50, 0.1), {from(7)}},
-          {"sphere", oracles::rough_sphere(72, 4, 0.02), {from(7)}},
-          {"torus", oracles::rough_torus(73, 60, 30, 0.5), {from(7)}}};
+  return {{"terrain", rough_terrain(71, 50, 50, 0.1), {from(7)}},
+          {"sphere", rough_sphere(72, 4, 0.02), {from(7)}},
+          {"torus", rough_torus(73, 60, 30, 0.5), {from(7)}}};
 }
 
 std::vector<Case> holes_and_missing_faces() {
   std::vector<Case> cases;
   for (std::uint64_t seed = 80; seed < 90; ++seed) {
-    const auto terrain = oracles::rough_terrain(seed, 12, 12, 0.5);
+    const auto terrain = rough_terrain(seed, 12, 12, 0.5);
     const std::string number = std::to_string(seed);
-    cases.push_back({"holes " + number, oracles::with_holes(terrain, seed, 4), {from(0)}});
-    cases.push_back({"gaps " + number, oracles::with_missing_faces(terrain, seed, 9), {from(0)}});
+    cases.push_back({"holes " + number, with_holes(terrain, seed, 4), {from(0)}});
+    cases.push_back({"gaps " + number, with_missing_faces(terrain, seed, 9), {from(0)}});
   }
   return cases;
 }
@@ -73,7 +73,7 @@ std::vector<Property> instruction_set_properties() {
        "a solver that is constructed for plain instructions uses no others",
        {},
        [] {
-         return std::vector<Case>{{"sphere", oracles::rough_sphere(74, 1, 0.2), {from(0)}}};
+         return std::vector<Case>{{"sphere", rough_sphere(74, 1, 0.2), {from(0)}}};
        },
        never_wider_than_chosen},
       {"instruction-sets-give-the-same-bits-and-counters",

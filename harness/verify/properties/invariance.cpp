@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "harness/verify/properties/properties.h"
-#include "meshes/oracles/random.h"
+#include "meshes/random.h"
 
 namespace geodesic::conformance {
 namespace {
@@ -39,7 +39,7 @@ Finding scales_exactly(const Trial& trial) {
   return {};
 }
 
-std::vector<Index> shuffled(Index count, oracles::Random& random) {
+std::vector<Index> shuffled(Index count, Random& random) {
   std::vector<Index> order(count);
   std::iota(order.begin(), order.end(), Index{0});
   for (Index i = count; i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
@@ -48,7 +48,7 @@ std::vector<Index> shuffled(Index count, oracles::Random& random) {
 
 Finding keeps_distances_when_renumbered(const Trial& trial) {
   const Query& query = trial.query();
-  oracles::Random random(31);
+  Random random(31);
   const std::vector<Index> renumbered = shuffled(trial.mesh().vertex_count(), random);
   TriangleSoup other = trial.soup();
   for (Index v = 0; v < trial.mesh().vertex_count(); ++v) {
@@ -75,7 +75,7 @@ Finding keeps_distances_along_the_surface(const Trial& trial) {
 }
 
 Finding keeps_distances_when_faces_are_reordered(const Trial& trial) {
-  oracles::Random random(32);
+  Random random(32);
   TriangleSoup other{trial.soup().positions, {}};
   for (const Index f : shuffled(trial.mesh().face_count(), random)) {
     Triangle t = trial.soup().triangles[f];

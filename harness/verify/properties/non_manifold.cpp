@@ -10,7 +10,7 @@ namespace {
 TriangleSoup joined_at_vertex(const TriangleSoup& first, Index a, const TriangleSoup& second,
                               Index b) {
   const Index offset = static_cast<Index>(first.positions.size());
-  TriangleSoup both = oracles::side_by_side(first, second);
+  TriangleSoup both = side_by_side(first, second);
   for (std::size_t v = offset; v < both.positions.size(); ++v) {
     for (std::size_t k = 0; k < 3; ++k) {
       both.positions[v][k] += first.positions[a][k] - second.positions[b][k];
@@ -24,20 +24,18 @@ TriangleSoup joined_at_vertex(const TriangleSoup& first, Index a, const Triangle
 
 std::vector<Case> joined_terrains() {
   return {{"joined terrains",
-           joined_at_vertex(oracles::rough_terrain(1, 5, 5, 1), 35,
-                            oracles::rough_terrain(2, 5, 5, 1), 0),
+           joined_at_vertex(rough_terrain(1, 5, 5, 1), 35, rough_terrain(2, 5, 5, 1), 0),
            {from(0), from(35), from(50)}}};
 }
 
 std::vector<Case> joined_spheres() {
-  return {
-      {"joined spheres",
-       joined_at_vertex(oracles::rough_sphere(3, 1, 0.2), 7, oracles::rough_sphere(4, 1, 0.2), 9),
-       {from(0), from(7), from(60)}}};
+  return {{"joined spheres",
+           joined_at_vertex(rough_sphere(3, 1, 0.2), 7, rough_sphere(4, 1, 0.2), 9),
+           {from(0), from(7), from(60)}}};
 }
 
 std::vector<Case> edge_of_three_faces() {
-  TriangleSoup soup = oracles::rough_terrain(5, 6, 6, 1);
+  TriangleSoup soup = rough_terrain(5, 6, 6, 1);
   soup.positions.push_back({3, 3, 5});
   const auto [a, b, c] = soup.triangles[30];
   soup.triangles.push_back({b, a, static_cast<Index>(soup.positions.size() - 1)});
@@ -45,7 +43,7 @@ std::vector<Case> edge_of_three_faces() {
 }
 
 std::vector<Case> flipped_face() {
-  TriangleSoup soup = oracles::rough_terrain(6, 6, 6, 1);
+  TriangleSoup soup = rough_terrain(6, 6, 6, 1);
   std::swap(soup.triangles[33][0], soup.triangles[33][1]);
   return {{"terrain with a flipped face", soup, {from(0), from(20), from(48)}}};
 }
@@ -55,11 +53,11 @@ std::vector<Case> ragged_surfaces() {
   for (std::uint64_t seed = 70; seed < 80; ++seed) {
     const auto ragged = [&](const std::string& name, const TriangleSoup& soup) {
       cases.push_back({"ragged " + name + ' ' + std::to_string(seed),
-                       oracles::with_missing_faces(soup, seed, 4),
+                       with_missing_faces(soup, seed, 4),
                        {from(44)}});
     };
-    ragged("terrain", oracles::rough_terrain(seed, 9, 9, 1.5));
-    ragged("sphere", oracles::rough_sphere(seed, 2, 0.3));
+    ragged("terrain", rough_terrain(seed, 9, 9, 1.5));
+    ragged("sphere", rough_sphere(seed, 2, 0.3));
   }
   return cases;
 }

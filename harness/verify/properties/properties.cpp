@@ -17,7 +17,7 @@ Finding distances_are_right(const Trial& trial) {
 
 std::vector<Case> random_mesh_cases(const std::vector<Query>& queries) {
   std::vector<Case> cases;
-  for (const auto& [name, soup] : oracles::random_meshes()) cases.push_back({name, soup, queries});
+  for (const auto& [name, soup] : random_meshes()) cases.push_back({name, soup, queries});
   return cases;
 }
 

@@ -7,9 +7,7 @@
 namespace geodesic::conformance {
 namespace {
 
-std::vector<Case> small_terrain() {
-  return {{"terrain", oracles::rough_terrain(62, 3, 3, 1), {from(0)}}};
-}
+std::vector<Case> small_terrain() { return {{"terrain", rough_terrain(62, 3, 3, 1), {from(0)}}}; }
 
 Finding refuses(const Trial& trial, const std::string& what, const Query& query) {
   return refused(what, [&] { trial.solve(query); });
@@ -77,7 +75,7 @@ Finding names_itself_when_refusing(const Trial& trial) {
 }
 
 std::vector<Case> terrain(const Query& query) {
-  return {{"terrain", oracles::rough_terrain(61, 12, 12, 1), {query}}};
+  return {{"terrain", rough_terrain(61, 12, 12, 1), {query}}};
 }
 
 Finding limit_keeps_what_is_nearer(const Trial& trial) {

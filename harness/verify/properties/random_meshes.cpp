@@ -18,8 +18,8 @@ std::vector<Case> many_small_meshes() {
       const Index source = static_cast<Index>(seed % soup.positions.size());
       cases.push_back({name + ' ' + std::to_string(seed), soup, {from(source)}});
     };
-    add("terrain", oracles::rough_terrain(seed, 5, 4, 2));
-    add("sphere", oracles::rough_sphere(seed, 1, 0.5));
+    add("terrain", rough_terrain(seed, 5, 4, 2));
+    add("sphere", rough_sphere(seed, 1, 0.5));
   }
   return cases;
 }
@@ -98,7 +98,7 @@ std::vector<Property> random_mesh_properties() {
        "the way back is as long as the way there",
        {kExactDistances},
        [] {
-         return Cases{{"terrain", oracles::rough_terrain(11, 12, 12, 3), {from(0)}}};
+         return Cases{{"terrain", rough_terrain(11, 12, 12, 3), {from(0)}}};
        },
        distances_are_symmetric},
   };
@@ -109,30 +109,29 @@ std::vector<Property> rival_properties() {
       {"rivals-agree-on-a-terrain",
        "on a terrain of 1,800 faces distances equal those of another exact solver",
        {},
-       [] { return Cases{against_a_rival("terrain", oracles::rough_terrain(21, 30, 30, 1))}; },
+       [] { return Cases{against_a_rival("terrain", rough_terrain(21, 30, 30, 1))}; },
        distances_are_right},
       {"rivals-agree-on-a-sphere",
        "on a sphere of 1,280 faces distances equal those of another exact solver",
        {},
-       [] { return Cases{against_a_rival("sphere", oracles::rough_sphere(22, 3, 0.05))}; },
+       [] { return Cases{against_a_rival("sphere", rough_sphere(22, 3, 0.05))}; },
        distances_are_right},
       {"rivals-agree-on-a-spiky-sphere",
        "on a sphere with deep valleys distances equal those of another exact solver",
        {},
-       [] { return Cases{against_a_rival("spiky sphere", oracles::rough_sphere(23, 3, 0.4))}; },
+       [] { return Cases{against_a_rival("spiky sphere", rough_sphere(23, 3, 0.4))}; },
        distances_are_right},
       {"rivals-agree-on-a-torus",
        "on a torus of 1,600 faces distances equal those of another exact solver",
        {},
-       [] { return Cases{against_a_rival("torus", oracles::rough_torus(24, 40, 20, 0.1))}; },
+       [] { return Cases{against_a_rival("torus", rough_torus(24, 40, 20, 0.1))}; },
        distances_are_right},
       {"rivals-agree-on-a-terrain-with-holes",
        "on a terrain with thirty holes distances equal those of another exact solver",
        {},
        [] {
-         return Cases{
-             against_a_rival("terrain with holes",
-                             oracles::with_holes(oracles::rough_terrain(25, 30, 30, 0.5), 25, 30))};
+         return Cases{against_a_rival("terrain with holes",
+                                      with_holes(rough_terrain(25, 30, 30, 0.5), 25, 30))};
        },
        distances_are_right},
   };

@@ -178,7 +178,7 @@ Finding windows_are_refused(const Trial& trial) {
 }
 
 std::vector<Case> sphere(std::uint64_t seed, int levels) {
-  return {{"sphere", oracles::rough_sphere(seed, levels, 0.3), {from(4)}}};
+  return {{"sphere", rough_sphere(seed, levels, 0.3), {from(4)}}};
 }
 
 std::vector<Case> random_meshes_from_vertex_4() { return random_mesh_cases({from(4)}); }

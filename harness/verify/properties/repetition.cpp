@@ -8,7 +8,7 @@ namespace geodesic::conformance {
 namespace {
 
 std::vector<Case> torus(const std::vector<Query>& queries) {
-  return {{"torus", oracles::rough_torus(41, 20, 10, 0.3), queries}};
+  return {{"torus", rough_torus(41, 20, 10, 0.3), queries}};
 }
 
 Finding repeats_its_bits(const Trial& trial) {
@@ -124,9 +124,8 @@ std::vector<Property> repetition_properties() {
        "objects that solve in several threads over one mesh give the bits of one alone",
        {},
        [] {
-         return std::vector<Case>{{"terrain",
-                                   oracles::rough_terrain(61, 12, 12, 0.5),
-                                   {from(0), from(30), from(60), from(90)}}};
+         return std::vector<Case>{
+             {"terrain", rough_terrain(61, 12, 12, 0.5), {from(0), from(30), from(60), from(90)}}};
        },
        threads_get_the_bits_of_one},
   };

@@ -4,7 +4,7 @@
 #include "meshes/disjoint_sets.h"
 #include "meshes/generators/cleaning/steps.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 /// A face by its vertices in ascending order, and which way it runs through them.
@@ -56,7 +56,7 @@ std::vector<bool> find_pairs(const TriangleSoup& soup) {
 
 /// Takes back the flags of connected faces that are all flagged.
 void spare_whole_groups(const TriangleSoup& soup, std::vector<bool>& paired) {
-  harness::DisjointSets groups(soup.positions.size());
+  DisjointSets groups(soup.positions.size());
   std::vector<bool> keeps_a_face(soup.positions.size(), false);
   const auto for_each_usable = [&](auto&& visit) {
     for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
@@ -91,4 +91,4 @@ std::vector<RepairAction> cancel_opposite_faces(TriangleSoup& soup) {
            removed}};
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

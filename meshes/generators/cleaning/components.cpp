@@ -3,10 +3,10 @@
 #include "meshes/disjoint_sets.h"
 #include "meshes/generators/cleaning/steps.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 
 std::vector<RepairAction> keep_largest_component(TriangleSoup& soup) {
-  harness::DisjointSets components(soup.positions.size());
+  DisjointSets components(soup.positions.size());
   for (const Triangle& face : soup.triangles) {
     components.join(face[0], face[1]);
     components.join(face[0], face[2]);
@@ -27,4 +27,4 @@ std::vector<RepairAction> keep_largest_component(TriangleSoup& soup) {
   return {{"dropped_components", "smaller components dropped", dropped}};
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

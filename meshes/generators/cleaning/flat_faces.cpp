@@ -7,11 +7,8 @@
 #include "meshes/generators/cleaning/steps.h"
 #include "meshes/vectors.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
-
-using harness::next_in_face;
-using harness::previous_in_face;
 
 /// Flips first the longest edge of all flat faces: the face beyond it, when flat too, then has no
 /// longer one, so that the new edge is shorter and flipping among flat faces ends.
@@ -48,13 +45,12 @@ class Remover {
     }
   };
 
-  Index origin(Index h) const { return harness::origin_of(soup_.triangles, h); }
+  Index origin(Index h) const { return origin_of(soup_.triangles, h); }
   Index apex(Index h) const { return origin(previous_in_face(h)); }
-  bool is_flat(Index f) const { return generators::is_flat(soup_.positions, soup_.triangles[f]); }
+  bool is_flat(Index f) const { return geodesic::is_flat(soup_.positions, soup_.triangles[f]); }
 
   double length(Index h) const {
-    return harness::norm(
-        harness::difference(soup_.positions[origin(next_in_face(h))], soup_.positions[origin(h)]));
+    return norm(difference(soup_.positions[origin(next_in_face(h))], soup_.positions[origin(h)]));
   }
 
   Index longest_side(Index f) const {
@@ -138,13 +134,13 @@ class Remover {
 }  // namespace
 
 bool is_flat(std::span<const Vec3> positions, const Triangle& face) {
-  if (harness::has_zero_area(positions, face)) return true;
+  if (has_zero_area(positions, face)) return true;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3& corner = positions[face[k]];
-    const Vec3 along = harness::difference(positions[face[(k + 1) % 3]], corner);
-    const Vec3 across = harness::difference(positions[face[(k + 2) % 3]], corner);
+    const Vec3 along = difference(positions[face[(k + 1) % 3]], corner);
+    const Vec3 across = difference(positions[face[(k + 2) % 3]], corner);
     // Solvers divide the one by the other and want a height above 0.
-    const double height = harness::norm(harness::cross(along, across)) / harness::norm(along);
+    const double height = norm(cross(along, across)) / norm(along);
     if (!(height > 0)) return true;
   }
   return false;
@@ -152,4 +148,4 @@ bool is_flat(std::span<const Vec3> positions, const Triangle& face) {
 
 std::vector<RepairAction> remove_flat_faces(TriangleSoup& soup) { return Remover(soup).remove(); }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

@@ -4,16 +4,12 @@
 #include "meshes/edges.h"
 #include "meshes/generators/cleaning/steps.h"
 
-namespace geodesic::generators {
-
-using harness::EdgeSide;
-using harness::next_in_face;
-using harness::origin_of;
+namespace geodesic {
 
 std::vector<Index> pair_half_edges(const TriangleSoup& soup) {
   std::vector<Index> twins(3 * soup.triangles.size(), kNone);
-  const harness::EdgeTable edges(soup.triangles, std::vector<bool>(soup.triangles.size(), true),
-                                 soup.positions.size());
+  const EdgeTable edges(soup.triangles, std::vector<bool>(soup.triangles.size(), true),
+                        soup.positions.size());
   edges.for_each_edge([&](std::span<const EdgeSide> sides) {
     if (sides.size() != 2) return;
     const Index h = sides[0].half_edge, g = sides[1].half_edge;
@@ -29,7 +25,7 @@ std::vector<Index> pair_half_edges(const TriangleSoup& soup) {
 // most, the ends of the row, and run along the edge in opposite directions.
 std::vector<RepairAction> separate_sheets(TriangleSoup& soup) {
   const std::vector<Index> twins = pair_half_edges(soup);
-  harness::DisjointSets fans(twins.size());  // of corners, numbered as the half-edges from them
+  DisjointSets fans(twins.size());  // of corners, numbered as the half-edges from them
   for (Index h = 0; h < twins.size(); ++h) {
     if (twins[h] != kNone) fans.join(h, next_in_face(twins[h]));
   }
@@ -54,4 +50,4 @@ std::vector<RepairAction> separate_sheets(TriangleSoup& soup) {
            copies}};
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

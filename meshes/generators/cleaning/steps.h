@@ -10,9 +10,7 @@
 #include "meshes/repair.h"
 #include "solvers/core/geometry.h"
 
-namespace geodesic::generators {
-
-using harness::RepairAction;
+namespace geodesic {
 
 /// Removes pairs of faces that have the same three vertices and run opposite ways, the flaps that
 /// collapsed edges leave: the edges around a pair get back the two faces they had without it. Where
@@ -46,4 +44,4 @@ bool is_flat(std::span<const Vec3> positions, const Triangle& face);
 /// along it in opposite directions; kNone elsewhere.
 std::vector<Index> pair_half_edges(const TriangleSoup& soup);
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

@@ -6,24 +6,22 @@
 #include "meshes/generators/cleaning/steps.h"
 #include "meshes/vectors.h"
 
-namespace geodesic::generators {
+namespace geodesic {
 namespace {
 
 double side_length(const TriangleSoup& soup, const Triangle& face, std::size_t k) {
-  return harness::norm(
-      harness::difference(soup.positions[face[(k + 1) % 3]], soup.positions[face[k]]));
+  return norm(difference(soup.positions[face[(k + 1) % 3]], soup.positions[face[k]]));
 }
 
 /// Joins the ends of the face's sides that have no length to speak of.
 /// @return the number of vertices that are gone
-std::size_t join_short_sides(const TriangleSoup& soup, const Triangle& face,
-                             harness::DisjointSets& joined) {
+std::size_t join_short_sides(const TriangleSoup& soup, const Triangle& face, DisjointSets& joined) {
   std::array<double, 3> lengths;
   for (std::size_t k = 0; k < 3; ++k) lengths[k] = side_length(soup, face, k);
   const double longest = *std::max_element(lengths.begin(), lengths.end());
   std::size_t count = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (lengths[k] > harness::kFlatHeight * longest) continue;
+    if (lengths[k] > kFlatHeight * longest) continue;
     const Index a = face[k], b = face[(k + 1) % 3];
     if (joined.find(a) == joined.find(b)) continue;
     joined.join(a, b);
@@ -35,7 +33,7 @@ std::size_t join_short_sides(const TriangleSoup& soup, const Triangle& face,
 }  // namespace
 
 std::vector<RepairAction> weld_edges(TriangleSoup& soup) {
-  harness::DisjointSets joined(soup.positions.size());
+  DisjointSets joined(soup.positions.size());
   std::size_t count = 0;
   for (const Triangle& face : soup.triangles) count += join_short_sides(soup, face, joined);
   if (count == 0) return {};
@@ -48,4 +46,4 @@ std::vector<RepairAction> weld_edges(TriangleSoup& soup) {
   return {{"welded_vertices", "vertices joined to another along an edge without length", count}};
 }
 
-}  // namespace geodesic::generators
+}  // namespace geodesic

@@ -1,24 +1,26 @@
-#include "meshes/formats/read.h"
+#include "meshes/mesh_file.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <fstream>
 #include <optional>
 
+#include "meshes/formats/bytes.h"
 #include "meshes/formats/parsers.h"
 #include "meshes/formats/text.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 namespace fs = std::filesystem;
 using Parser = MeshFile (*)(std::string_view bytes, const std::string& name);
 
-std::string lower_extension(const std::string& name) {
-  std::string extension = fs::path(name).extension().string();
+std::string lower_extension(const fs::path& file) {
+  std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return extension;
 }
@@ -87,6 +89,62 @@ Recognised recognise(std::string_view bytes, const std::string& name) {
   refuse_unknown(name);
 }
 
+// Independent of the locale, unlike streams.
+template <class Number, class... Format>
+void append(std::string& text, Number number, Format... format) {
+  std::array<char, 40> digits;
+  const auto [end, error] =
+      std::to_chars(digits.data(), digits.data() + digits.size(), number, format...);
+  text.append(digits.data(), end);
+}
+
+void append_point(std::string& text, const Vec3& point) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (k > 0) text += ' ';
+    append(text, point[k], std::chars_format::general, 17);
+  }
+  text += '\n';
+}
+
+void append_triangle(std::string& text, const Triangle& triangle, Index first_index) {
+  for (const Index v : triangle) {
+    text += ' ';
+    append(text, v + first_index);
+  }
+  text += '\n';
+}
+
+std::string to_obj(const TriangleSoup& soup) {
+  std::string text;
+  for (const Vec3& point : soup.positions) append_point(text += "v ", point);
+  for (const Triangle& triangle : soup.triangles) append_triangle(text += "f", triangle, 1);
+  return text;
+}
+
+std::string to_off(const TriangleSoup& soup) {
+  std::string text = "OFF\n" + std::to_string(soup.positions.size()) + " " +
+                     std::to_string(soup.triangles.size()) + " 0\n";
+  for (const Vec3& point : soup.positions) append_point(text, point);
+  for (const Triangle& triangle : soup.triangles) append_triangle(text += "3", triangle, 0);
+  return text;
+}
+
+std::string to_ply(const TriangleSoup& soup) {
+  std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " +
+                      std::to_string(soup.positions.size()) +
+                      "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
+                      std::to_string(soup.triangles.size()) +
+                      "\nproperty list uchar uint vertex_indices\nend_header\n";
+  for (const Vec3& point : soup.positions) {
+    for (const double coordinate : point) append_little_endian(bytes, coordinate);
+  }
+  for (const Triangle& triangle : soup.triangles) {
+    bytes += '\3';
+    for (const Index v : triangle) append_little_endian(bytes, v);
+  }
+  return bytes;
+}
+
 }  // namespace
 
 std::string read_bytes(const fs::path& path) {
@@ -128,4 +186,20 @@ MeshFile parse_mesh(std::string_view bytes, const std::string& name) {
 
 MeshFile read_mesh(const fs::path& path) { return parse_mesh(read_bytes(path), path.string()); }
 
-}  // namespace geodesic::harness
+std::string mesh_bytes(const TriangleSoup& soup, const std::filesystem::path& path) {
+  const auto refuse = [&](const std::string& why) {
+    throw MeshError("cannot write '" + path.string() + "': " + why);
+  };
+  for (const Triangle& triangle : soup.triangles) {
+    if (std::ranges::max(triangle) >= soup.positions.size()) {
+      refuse("a face refers to a vertex that does not exist; repair the mesh first");
+    }
+  }
+  const std::string extension = lower_extension(path);
+  if (extension == ".obj") return to_obj(soup);
+  if (extension == ".off") return to_off(soup);
+  if (extension != ".ply") refuse("a mesh is written as .obj, .off or .ply");
+  return to_ply(soup);
+}
+
+}  // namespace geodesic

@@ -7,21 +7,16 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "harness/base/atomic_file.h"
 #include "meshes/formats/bytes.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 
-inline constexpr std::string_view kNpyMagic = "\x93NUMPY";
-inline constexpr std::size_t kNpyPreamble = 10;  // bytes: magic, version, length of the header
-
-/// numpy's word for a type of numbers: "<f8".
+/// numpy's name of a number's type: "<f8".
 template <class T>
 constexpr std::string_view npy_type() {
   if constexpr (std::same_as<T, std::int16_t>) return "<i2";
@@ -32,25 +27,24 @@ constexpr std::string_view npy_type() {
   if constexpr (std::same_as<T, double>) return "<f8";
 }
 
-/// What comes before an array's numbers.
+/// The bytes of a file before an array's numbers.
 /// @param description numpy's of an entry: "'<f8'", "[('face', '<u4'), ('level', '<f4')]"
 /// @param shape "(7,)", "(7, 3)"
 std::string npy_header(std::string_view description, std::string_view shape);
 
-/// Writes numbers: an array of one dimension, or, with `columns`, rows of that many, one row after
-/// the other. Whole or not at all. @throws HarnessError when the file cannot be written
+/// A file of numbers: an array of one dimension or, with `columns`, rows of that many, one row
+/// after the other.
 template <class T>
-void write_npy(const std::filesystem::path& path, std::span<const T> numbers,
-               std::size_t columns = 0) {
+std::string npy_bytes(std::span<const T> numbers, std::size_t columns = 0) {
   const std::string shape =
       columns == 0 ? std::to_string(numbers.size()) + ","
                    : std::to_string(numbers.size() / columns) + ", " + std::to_string(columns);
   std::string bytes = npy_header("'" + std::string(npy_type<T>()) + "'", "(" + shape + ")");
   for (const T number : numbers) append_little_endian(bytes, number);
-  write_bytes(path, bytes);
+  return bytes;
 }
 
-/// One column of a table: a member of its rows, under a name of its own, stored as type T.
+/// One column of a table: a member of its rows, its name in the file, stored as type T.
 template <class T, class Row, class Member>
 struct NpyColumn {
   using Type = T;
@@ -64,11 +58,9 @@ NpyColumn<T, Row, Member> npy_column(std::string_view name, Member Row::*member)
   return {name, member};
 }
 
-/// Writes a table as a structured array, whole or not at all.
-/// @throws HarnessError when the file cannot be written
+/// A file of a table, as a structured array.
 template <class Row, class... Columns>
-void write_npy_table(const std::filesystem::path& path, const std::vector<Row>& rows,
-                     const Columns&... columns) {
+std::string npy_table_bytes(const std::vector<Row>& rows, const Columns&... columns) {
   std::string description;
   const auto describe = [&](std::string_view name, std::string_view type) {
     description += description.empty() ? "[" : ", ";
@@ -79,7 +71,22 @@ void write_npy_table(const std::filesystem::path& path, const std::vector<Row>& 
   for (const Row& row : rows) {
     (append_little_endian(bytes, static_cast<typename Columns::Type>(row.*columns.member)), ...);
   }
-  write_bytes(path, bytes);
+  return bytes;
 }
 
-}  // namespace geodesic::harness
+/// Numbers in rows, one row after the other.
+struct Array {
+  std::size_t rows = 0;
+  std::size_t columns = 0;
+  std::vector<double> values;
+
+  double at(std::size_t row, std::size_t column) const { return values[row * columns + column]; }
+};
+
+/// Reads a two-dimensional array of little-endian '<i2', '<i4', '<f4' or '<f8' in C order.
+/// @param name of the file, for messages
+/// @throws MeshError for anything else, a shape that does not fit the file's size, and numbers that
+///         are not finite
+Array parse_npy(std::string_view bytes, const std::string& name);
+
+}  // namespace geodesic

@@ -1,9 +1,11 @@
-#include "harness/base/error.h"
+#include "meshes/messages.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <numeric>
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 // Levenshtein 1966: insertions, deletions and substitutions that turn one word into the other.
@@ -90,6 +92,12 @@ std::string excerpt(std::string_view text) {
   return harmless(text.substr(0, end)) + (end < text.size() ? "..." : "");
 }
 
+std::string significant(double x, int digits) {
+  std::array<char, 40> text;
+  std::snprintf(text.data(), text.size(), "%.*g", digits, x);
+  return text.data();
+}
+
 std::string join(const std::vector<std::string>& words, std::string_view separator) {
   std::string all;
   for (const std::string& word : words) {
@@ -99,4 +107,4 @@ std::string join(const std::vector<std::string>& words, std::string_view separat
   return all;
 }
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

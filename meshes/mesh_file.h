@@ -1,4 +1,5 @@
-// Reading a mesh file: OBJ, OFF, PLY (ASCII, both binary orders) and STL (ASCII, binary).
+// Mesh files: OBJ, OFF, PLY (ASCII, both binary orders) and STL (ASCII, binary) are read; OBJ, OFF
+// and PLY are written.
 //
 // Vertex ids are the order of the vertices in the file, from 0, and isolated vertices stay; an STL
 // file has no vertices of its own, so equal corners are joined and numbered by first appearance.
@@ -12,10 +13,10 @@
 #include <string_view>
 #include <vector>
 
-#include "meshes/mesh_error.h"
+#include "meshes/messages.h"
 #include "solvers/core/geometry.h"
 
-namespace geodesic::harness {
+namespace geodesic {
 
 /// Where the elements of a text file stand, lines counted from 1; both empty for a binary file.
 struct FileLines {
@@ -43,4 +44,10 @@ MeshFile read_mesh(const std::filesystem::path& path);
 /// @param name what messages call the file; its extension is the hint
 MeshFile parse_mesh(std::string_view bytes, const std::string& name);
 
-}  // namespace geodesic::harness
+/// The bytes of a mesh file, by the extension of its path: .obj and .off with the 17 digits that
+/// bring the same doubles back, .ply binary little-endian with doubles. Vertices and faces keep
+/// their order.
+/// @throws MeshError for another extension and for an index out of range
+std::string mesh_bytes(const TriangleSoup& soup, const std::filesystem::path& path);
+
+}  // namespace geodesic

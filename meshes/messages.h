@@ -1,0 +1,37 @@
+// Messages: the error of a mesh, and names, lists and numbers as text.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace geodesic {
+
+/// What is wrong with a mesh or its file, in one line: file, place, what, and what to do.
+class MeshError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// "no solver named 'mpm' (did you mean 'mmp'?); there are: ch, ich, mmp"
+/// @param kind what the name should have been: "solver", "mesh", "key of a suite"
+std::string unknown_name(std::string_view kind, std::string_view name,
+                         const std::vector<std::string>& known);
+
+/// A message, or a name in it, as it may be shown on any terminal and stored in any result file:
+/// control characters (ESC, a line end, ...) and bytes that are no UTF-8 are spelt out in
+/// hexadecimal digits. What a file says can then neither move the cursor nor pass for a line of the
+/// program.
+std::string harmless(std::string_view text);
+
+/// The same of text of any length: cut off after 200 bytes.
+std::string excerpt(std::string_view text);
+
+/// A number to so many significant digits; 17 bring the same double back.
+std::string significant(double x, int digits = 17);
+
+/// "a, b, c"
+std::string join(const std::vector<std::string>& words, std::string_view separator = ", ");
+
+}  // namespace geodesic

@@ -1,0 +1,24 @@
+// Points of a plane in extended precision: what surfaces unfold to.
+#pragma once
+
+#include <cmath>
+
+namespace geodesic {
+
+using Real = long double;
+
+struct PlanePoint {
+  Real x = 0;
+  Real y = 0;
+};
+
+inline Real distance(const PlanePoint& a, const PlanePoint& b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+/// Twice the signed area of the triangle a, b, c: positive when c lies to the left of a -> b.
+inline Real turn(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+}  // namespace geodesic
