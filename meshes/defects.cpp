@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "meshes/disjoint_sets.h"
-#include "meshes/vectors.h"
+#include "solvers/core/geometry.h"
 
 namespace geodesic {
 namespace {
@@ -154,7 +154,7 @@ class Finder {
           origin_of(triangles_, sides[0].half_edge) == origin_of(triangles_, sides[1].half_edge)) {
         found(DefectKind::inconsistent_orientation);
       }
-      const Vec3 along = difference(positions_[sides[0].low], positions_[sides[0].high]);
+      const Vec3 along = subtract(positions_[sides[0].low], positions_[sides[0].high]);
       if (norm(along) == 0) found(DefectKind::zero_length_edge);
     });
     for (std::size_t k = 0; k < kDefectKinds; ++k) {
@@ -262,9 +262,9 @@ bool DefectReport::has_errors() const {
 
 bool has_zero_area(std::span<const Vec3> positions, const Triangle& triangle) {
   const auto& [a, b, c] = triangle;
-  const Vec3 ab = difference(positions[b], positions[a]);
-  const Vec3 ac = difference(positions[c], positions[a]);
-  const Vec3 bc = difference(positions[c], positions[b]);
+  const Vec3 ab = subtract(positions[b], positions[a]);
+  const Vec3 ac = subtract(positions[c], positions[a]);
+  const Vec3 bc = subtract(positions[c], positions[b]);
   const double longest = std::max({norm(ab), norm(ac), norm(bc)});
   // Divided before it is multiplied: the product of tiny sides would underflow.
   const auto scaled = [&](const Vec3& v) {

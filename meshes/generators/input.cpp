@@ -4,7 +4,7 @@
 #include <string>
 
 #include "meshes/mesh_file.h"
-#include "meshes/vectors.h"
+#include "solvers/core/geometry.h"
 
 namespace geodesic {
 namespace {

@@ -6,7 +6,7 @@
 #include "meshes/generators/families.h"
 #include "meshes/generators/input.h"
 #include "meshes/random.h"
-#include "meshes/vectors.h"
+#include "solvers/core/geometry.h"
 
 namespace geodesic {
 namespace {
@@ -18,7 +18,7 @@ double mean_edge_length(const TriangleSoup& soup) {
   double sum = 0;
   double count = 0;
   edges.for_each_edge([&](std::span<const EdgeSide> sides) {
-    sum += norm(difference(soup.positions[sides[0].high], soup.positions[sides[0].low]));
+    sum += norm(subtract(soup.positions[sides[0].high], soup.positions[sides[0].low]));
     ++count;
   });
   return sum / count;
@@ -29,8 +29,8 @@ std::vector<Vec3> vertex_normals(const TriangleSoup& soup) {
   std::vector<Vec3> normals(soup.positions.size(), Vec3{});
   for (const Triangle& face : soup.triangles) {
     const Vec3& corner = soup.positions[face[0]];
-    const Vec3 normal = cross(difference(soup.positions[face[1]], corner),
-                              difference(soup.positions[face[2]], corner));
+    const Vec3 normal =
+        cross(subtract(soup.positions[face[1]], corner), subtract(soup.positions[face[2]], corner));
     for (const Index v : face) {
       for (std::size_t axis = 0; axis < 3; ++axis) normals[v][axis] += normal[axis];
     }

@@ -11,7 +11,7 @@
 #include "meshes/generators/families.h"
 #include "meshes/generators/input.h"
 #include "meshes/generators/sheet.h"
-#include "meshes/vectors.h"
+#include "solvers/core/geometry.h"
 
 namespace geodesic {
 namespace {
@@ -63,7 +63,7 @@ class Refiner {
   /// Numbers the edge that `side` is a side of.
   Edge new_edge(Index side) {
     const auto [low, high] = std::minmax({origin(side), origin(next_in_face(side))});
-    const Vec3 along = difference(soup_.positions[high], soup_.positions[low]);
+    const Vec3 along = subtract(soup_.positions[high], soup_.positions[low]);
     a_side_.push_back(side);
     return {dot(along, along), low, high, static_cast<Index>(a_side_.size() - 1)};
   }

@@ -14,12 +14,6 @@ namespace {
 constexpr double kRingRadius = 2;  // of the torus that the knot lies on
 constexpr double kWindRadius = 1;
 
-double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// A point of the knot with two unit vectors that span the plane across it.
 struct Station {
   Vec3 centre;

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "meshes/generators/natural_spline.h"
-#include "meshes/generators/npy.h"
+#include "meshes/formats/npy.h"
 #include "tests/datasets/input_files.h"
 #include "tests/datasets/soup_hash.h"
 #include "tests/datasets/soup_topology.h"

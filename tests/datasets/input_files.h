@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "meshes/generators/generators.h"
-#include "meshes/vectors.h"
+#include "solvers/core/geometry.h"
 #include "tests/harness/temporary_folder.h"
 
 namespace geodesic {
@@ -41,8 +41,8 @@ inline double area_of(const TriangleSoup& soup) {
   double sum = 0;
   for (const auto& [a, b, c] : soup.triangles) {
     const Vec3& corner = soup.positions[a];
-    sum += norm(harness::cross(difference(soup.positions[b], corner),
-                               difference(soup.positions[c], corner))) /
+    sum += norm(cross(subtract(soup.positions[b], corner),
+                               subtract(soup.positions[c], corner))) /
            2;
   }
   return sum;

@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "meshes/vectors.h"
+#include "solvers/core/geometry.h"
 #include "tests/datasets/input_files.h"
 #include "tests/datasets/soup_hash.h"
 #include "tests/datasets/soup_topology.h"
@@ -26,13 +26,13 @@ const TriangleSoup kBook = {
 
 Vec3 unit_normal(const TriangleSoup& soup, const Triangle& face) {
   const Vec3& corner = soup.positions[face[0]];
-  const Vec3 normal = harness::cross(difference(soup.positions[face[1]], corner),
-                                     difference(soup.positions[face[2]], corner));
+  const Vec3 normal = cross(subtract(soup.positions[face[1]], corner),
+                                     subtract(soup.positions[face[2]], corner));
   const double length = norm(normal);
   return {normal[0] / length, normal[1] / length, normal[2] / length};
 }
 
-double distance(const Vec3& a, const Vec3& b) { return norm(difference(a, b)); }
+double distance(const Vec3& a, const Vec3& b) { return norm(subtract(a, b)); }
 
 TriangleSoup transformed(TriangleSoup soup) {
   for (auto& [x, y, z] : soup.positions) {

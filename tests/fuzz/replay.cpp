@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
     // Written before it is read: some findings end the process.
     std::cout << file.path().filename().string() << std::endl;
     try {
-      fuzz::check_input(read_bytes(file.path()));
+      fuzz::check_input(geodesic::read_bytes(file.path()));
     } catch (const std::exception& finding) {
       std::cerr << "finding: " << finding.what() << '\n';
       return 1;

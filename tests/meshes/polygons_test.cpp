@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "meshes/mesh_file.h"
-#include "meshes/vectors.h"
+#include "solvers/core/geometry.h"
 #include "tests/meshes/mesh_samples.h"
 
 namespace geodesic {
@@ -33,8 +33,8 @@ struct Areas {
 Areas areas(const TriangleSoup& soup) {
   Areas areas;
   for (const auto& [a, b, c] : soup.triangles) {
-    const Vec3 normal = cross(difference(soup.positions[b], soup.positions[a]),
-                              difference(soup.positions[c], soup.positions[a]));
+    const Vec3 normal = cross(subtract(soup.positions[b], soup.positions[a]),
+                              subtract(soup.positions[c], soup.positions[a]));
     areas.signed_sum += normal[2] / 2;
     areas.absolute_sum += std::abs(normal[2]) / 2;
   }

@@ -5,7 +5,7 @@
 #include "meshes/defects.h"
 #include "meshes/edges.h"
 #include "meshes/generators/cleaning/steps.h"
-#include "meshes/vectors.h"
+#include "solvers/core/geometry.h"
 
 namespace geodesic {
 namespace {
@@ -50,7 +50,7 @@ class Remover {
   bool is_flat(Index f) const { return geodesic::is_flat(soup_.positions, soup_.triangles[f]); }
 
   double length(Index h) const {
-    return norm(difference(soup_.positions[origin(next_in_face(h))], soup_.positions[origin(h)]));
+    return norm(subtract(soup_.positions[origin(next_in_face(h))], soup_.positions[origin(h)]));
   }
 
   Index longest_side(Index f) const {
@@ -137,8 +137,8 @@ bool is_flat(std::span<const Vec3> positions, const Triangle& face) {
   if (has_zero_area(positions, face)) return true;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3& corner = positions[face[k]];
-    const Vec3 along = difference(positions[face[(k + 1) % 3]], corner);
-    const Vec3 across = difference(positions[face[(k + 2) % 3]], corner);
+    const Vec3 along = subtract(positions[face[(k + 1) % 3]], corner);
+    const Vec3 across = subtract(positions[face[(k + 2) % 3]], corner);
     // Solvers divide the one by the other and want a height above 0.
     const double height = norm(cross(along, across)) / norm(along);
     if (!(height > 0)) return true;

@@ -4,13 +4,13 @@
 #include "meshes/defects.h"
 #include "meshes/disjoint_sets.h"
 #include "meshes/generators/cleaning/steps.h"
-#include "meshes/vectors.h"
+#include "solvers/core/geometry.h"
 
 namespace geodesic {
 namespace {
 
 double side_length(const TriangleSoup& soup, const Triangle& face, std::size_t k) {
-  return norm(difference(soup.positions[face[(k + 1) % 3]], soup.positions[face[k]]));
+  return norm(subtract(soup.positions[face[(k + 1) % 3]], soup.positions[face[k]]));
 }
 
 /// Joins the ends of the face's sides that have no length to speak of.
