@@ -1,8 +1,9 @@
-"""The command line of the gate; ./check_performance.sh calls it and describes its options."""
+"""The command line of the gate; ./check_performance.sh calls it and documents its options."""
 
 from __future__ import annotations
 
 import argparse
+import math
 import subprocess
 import sys
 from collections.abc import Sequence
@@ -12,7 +13,7 @@ from typing import NoReturn
 
 from . import check
 from .builds import Tree, build, tree_of
-from .errors import ERROR, GateError
+from .findings import ERROR, GateError
 from .program import Program
 from .verdict import as_text, write
 
@@ -22,7 +23,7 @@ NOISE = GATE / "noise.json"
 
 
 class Parser(argparse.ArgumentParser):
-    """Argparse ends with 2, which here means a wrong answer."""
+    """Argparse exits with 2, which here means a wrong answer."""
 
     def error(self, message: str) -> NoReturn:
         raise GateError(f"{message}; see check_performance.sh --help")
@@ -42,13 +43,23 @@ def _margin(text: str) -> float:
     except ValueError:
         value = 0.0
     if not 1 < value < 10:
-        raise argparse.ArgumentTypeError(f"'{text}': a margin is a ratio above 1, as 1.10")
+        raise argparse.ArgumentTypeError(f"'{text}': a margin is a ratio above 1, as in 1.10")
+    return value
+
+
+def _seconds(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = -1.0
+    if not 0 <= value < math.inf:
+        raise argparse.ArgumentTypeError(f"'{text}': seconds, 0 or more, as in 300")
     return value
 
 
 def _sessions(text: str) -> int:
     if not text.isdecimal() or int(text) < 1:
-        raise argparse.ArgumentTypeError(f"'{text}': at least one session, as 3")
+        raise argparse.ArgumentTypeError(f"'{text}': at least one session, as in 3")
     return int(text)
 
 
@@ -58,6 +69,7 @@ def parse(words: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("head", nargs="?")
     parser.add_argument("--levels", type=_levels, default=check.ALL_LEVELS)
     parser.add_argument("--margin", type=_margin, default=check.MARGIN)
+    parser.add_argument("--budget", type=_seconds, default=check.BUDGET)
     parser.add_argument("--solvers", default="")
     parser.add_argument("--out", type=Path)
     parser.add_argument("--strict", action="store_true")
@@ -66,7 +78,7 @@ def parse(words: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("--reason", default="")
     options = parser.parse_args(words)
     if options.update_baseline and (options.base or options.solvers or options.a_a):
-        parser.error("--update-baseline is of the working tree and the whole suite")
+        parser.error("--update-baseline takes the working tree and the whole suite")
     if options.update_baseline and not options.reason.strip():
         parser.error('--update-baseline needs --reason "why the change may be accepted"')
     if options.reason and not options.update_baseline:
@@ -74,7 +86,7 @@ def parse(words: Sequence[str] | None) -> argparse.Namespace:
     if options.a_a and options.head:
         parser.error("--a-a takes one revision")
     if not options.update_baseline and not options.a_a and options.base is None:
-        parser.error("against which base? Name a revision, as in check_performance.sh main")
+        parser.error("the base is missing: name a revision, as in check_performance.sh main")
     return options
 
 
@@ -90,12 +102,12 @@ def _ready(trees: list[Tree], chosen: check.Options) -> list[Program]:
     ended = subprocess.run(fetch, capture_output=True, text=True)
     if ended.returncode != 0:
         last = (ended.stderr.strip().splitlines() or ["it printed no error"])[-1]
-        raise GateError(f"the meshes of the suite cannot be made: {last}")
+        raise GateError(f"the meshes of the suite could not be generated: {last}")
     return programs
 
 
 def gate(options: argparse.Namespace) -> int:
-    """The exit code. What keeps it from judging is a report too, for whoever shows that."""
+    """The exit code. An error that prevents a verdict is written to verdict.md too."""
     out = (options.out or GATE / datetime.now(UTC).strftime("%Y%m%dT%H%M%SZ")).absolute()
     out.mkdir(parents=True, exist_ok=True)
     try:
@@ -110,6 +122,7 @@ def judge(options: argparse.Namespace, out: Path) -> int:
         out=out,
         levels=options.levels,
         margin=options.margin,
+        budget=options.budget,
         solvers=tuple(name for name in options.solvers.split(",") if name),
         strict=options.strict,
         noise_file=NOISE,

@@ -11,63 +11,57 @@ from collections.abc import Collection
 from datetime import date
 from pathlib import Path
 
-from .errors import ERROR, REGRESSION, GateError
-from .findings import LevelResult, Weight
-from .program import Cell, Run
+from results.reader import Cell
+
+from .cells import COUNTERS
+from .findings import ERROR, REGRESSION, GateError, LevelResult, Weight
+from .program import Verified
 
 FOLDER = Path("results") / "baseline"
-COUNTERS = "counters.csv"
+FILE = "counters.csv"
 CHANGES = "CHANGES.md"
 GROWTH_FAIL = 0.01
 KEY = ["solver", "mesh", "source"]
-NAMES = [
-    "window_propagations", "reinsertions", "windows_created", "valid_windows", "window_limit",
-    "peak_wavefront", "strip_depth",
-]  # fmt: skip
-
 Counters = dict[Cell, dict[str, int]]
 
 
-def counters_of(run: Run) -> Counters:
-    """The integer counters of every row that has some."""
-    found = {
-        cell: {name: int(row.numbers[name]) for name in NAMES if name in row.numbers}
-        for cell, row in run.rows.items()
-        if row.ok
-    }
+def counters_of(run: Verified) -> Counters:
+    """The integer counters of every cell that has some."""
+    found = {cell: one.counters() for cell, one in run.cells.items() if one.ok}
     return {cell: numbers for cell, numbers in found.items() if numbers}
 
 
 def read(tree: Path) -> Counters:
-    """@raises GateError when there is no baseline, or it is no table of counters"""
-    file = tree / FOLDER / COUNTERS
+    """@raises GateError when there is no baseline, or it is not a table of counters"""
+    file = tree / FOLDER / FILE
     try:
         with file.open(encoding="utf-8", newline="") as lines:
             return dict(_entry(line) for line in csv.DictReader(lines))
     except FileNotFoundError:
         raise GateError(
-            f"{file}: no baseline of counters; ./check_performance.sh --update-baseline makes it"
+            f"{file}: no baseline of counters; ./check_performance.sh --update-baseline writes it"
         ) from None
     except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise GateError(f"{file}: no table of counters: {error}") from None
+        raise GateError(f"{file}: not a table of counters: {error}") from None
 
 
 def _entry(line: dict[str, str]) -> tuple[Cell, dict[str, int]]:
     cell = Cell(line["solver"], line["mesh"], int(line["source"]))
-    return cell, {name: int(line[name]) for name in NAMES if line[name] != ""}
+    return cell, {name: int(line[name]) for name in COUNTERS if line[name] != ""}
 
 
 def as_csv(counters: Counters) -> str:
     text = io.StringIO()
     lines = csv.writer(text, lineterminator="\n")
-    lines.writerow(KEY + NAMES)
+    lines.writerow([*KEY, *COUNTERS])
     for cell in sorted(counters):
         numbers = counters[cell]
-        lines.writerow([cell.solver, cell.mesh, cell.source, *(numbers.get(n, "") for n in NAMES)])
+        values = [numbers.get(name, "") for name in COUNTERS]
+        lines.writerow([cell.solver, cell.mesh, cell.source, *values])
     return text.getvalue()
 
 
-def compare(baseline: Counters, run: Run, solvers: Collection[str] | None = None) -> LevelResult:
+def compare(baseline: Counters, run: Verified, solvers: Collection[str] | None = None) -> LevelResult:
     """@param solvers those that were asked for; by default all"""
     result = LevelResult(1, "The algorithms' counters against the committed baseline")
     result.heading = ["row", "counter", "baseline", "head", "change"]
@@ -88,7 +82,7 @@ def compare(baseline: Counters, run: Run, solvers: Collection[str] | None = None
 
 
 def _judge(result: LevelResult, cell: Cell, old: dict[str, int], new: dict[str, int]) -> None:
-    for name in NAMES:
+    for name in COUNTERS:
         before, after = old.get(name), new.get(name)
         if before == after:
             continue
@@ -96,38 +90,36 @@ def _judge(result: LevelResult, cell: Cell, old: dict[str, int], new: dict[str, 
         result.table.append([str(cell), name, str(before), str(after), change])
         text = f"{cell}: {name} {change}, {before} to {after}"
         if before is None or after is None:
-            result.add(Weight.FAILURE, f"{text}: it is counted no more, or anew", ERROR)
+            result.fail(f"{text}: only one of the two has this counter", ERROR)
         elif after > before * (1 + GROWTH_FAIL):
-            result.add(Weight.FAILURE, text, REGRESSION, cell.solver)
+            result.fail(text, REGRESSION, cell.solver)
         elif after > before:
             result.add(Weight.WARNING, text, solver=cell.solver)
         else:
             result.add(Weight.NOTE, f"{text}; --update-baseline keeps the gain")
 
 
-def _missing(result: LevelResult, cells: list[Cell], run: Run) -> None:
+def _missing(result: LevelResult, cells: list[Cell], run: Verified) -> None:
     """Rows of the baseline that nothing was measured for: never silently green."""
-    gone = [cell for cell in cells if cell not in run.rows]  # the others failed: level 0 says how
-    meshes_left = {cell.mesh for cell in run.rows}
+    gone = [cell for cell in cells if cell not in run.cells]  # the others failed: level 0 says how
+    meshes_left = {cell.mesh for cell in run.cells}
     for solver in sorted({cell.solver for cell in gone if cell.mesh in meshes_left}):
-        result.add(
-            Weight.FAILURE,
+        result.fail(
             f"{solver}: in the baseline and not in the head: removed, or renamed? If meant,"
             " --update-baseline",
             ERROR,
         )
     for mesh in sorted({cell.mesh for cell in gone} - meshes_left):
-        result.add(
-            Weight.FAILURE,
+        result.fail(
             f"{mesh}: in the baseline and no mesh of the suite any more. If meant,"
             " --update-baseline",
             ERROR,
         )
 
 
-def update(tree: Path, run: Run, reason: str) -> list[str]:
+def update(tree: Path, run: Verified, reason: str) -> list[str]:
     """Rewrites the baseline and adds to its history; returns lines that say what changed."""
-    file = tree / FOLDER / COUNTERS
+    file = tree / FOLDER / FILE
     old = read(tree) if file.exists() else {}
     new = counters_of(run)
     if not new:
@@ -159,7 +151,7 @@ def summary(old: Counters, new: Counters) -> list[str]:
             meshes = sorted(cell.mesh for cell in cells if cell.solver == solver)
             lines.append(f"{solver}: {what} on {', '.join(meshes)}")
     for solver in sorted({cell.solver for cell in new}):
-        for name in NAMES:
+        for name in COUNTERS:
             ratios = _ratios(old, new, solver, name)
             if ratios:
                 lines.append(

@@ -1,7 +1,7 @@
 """Both revisions as programs, each built from a work tree of its own.
 
-A base that was built once is kept under build/gate/trees/<hash>. The build folder lies at the same
-place in every tree, so that a compiler cache sees equal commands.
+A base that was built is kept under build/gate/trees/<hash>. The build folder has the same place in
+every tree, so that a compiler cache finds equal commands.
 """
 
 from __future__ import annotations
@@ -13,12 +13,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from .errors import GateError
+from .findings import GateError
 
 BUILD = Path("build") / "gate" / "build"
 OPTIONS = ["-DGEODESIC_TESTS=OFF", "-DGEODESIC_BENCHMARKS=OFF", "-DGEODESIC_UNITY=ON"]
 KEPT = 3
-"""Trees of earlier revisions that stay."""
+"""Trees of earlier revisions, the newest."""
 
 
 @dataclass(frozen=True)
@@ -28,11 +28,10 @@ class Tree:
     name: str
     """Of the side: "base" or "head"."""
     label: str
-    """What was asked for, and its hash."""
+    """The revision as given, and its hash."""
     folder: Path
     done: Path | None
-    """A file that says with which options this revision is built already; none for a tree that may
-    change."""
+    """File with the options that this revision was built with; None for a tree that may change."""
 
     @property
     def program(self) -> Path:
@@ -74,23 +73,22 @@ def _make_room(root: Path, trees: Path) -> None:
     _git(root, "worktree", "prune")
 
 
-def build(trees: list[Tree], asked_for: Sequence[str], logs: Path) -> None:
-    """Builds the trees with the solvers that are judged, one after the other: what the second has in common with the first is then in
-    the compiler cache, if there is one.
+def build(trees: list[Tree], named: Sequence[str], logs: Path) -> None:
+    """Builds the trees with the solvers that are judged, one after the other, so that the second
+    finds in the compiler cache what it has in common with the first.
+
     @raises GateError when a revision does not build"""
     for tree in {tree.folder: tree for tree in trees}.values():
-        _build(tree, options_for(tree.folder, asked_for), logs / f"{tree.name}-build.log")
+        _build(tree, options_for(tree.folder, named), logs / f"{tree.name}-build.log")
 
 
-def options_for(tree: Path, asked_for: Sequence[str]) -> list[str]:
-    """CMake's. Folders whose solvers run only where they are named are left out unless they are."""
-    folders = []
-    for folder in sorted(path.parent for path in tree.glob("solvers/*/CMakeLists.txt")):
-        text = "".join(source.read_text(encoding="utf-8") for source in folder.glob("*.cpp"))
-        named = any(f'.name = "{name}"' in text for name in asked_for)
-        if named or ".by_name_only = true" not in text:
-            folders.append(folder.name)
-    return [*OPTIONS, f"-DGEODESIC_SOLVERS={';'.join(folders)}"]
+def options_for(tree: Path, named: Sequence[str]) -> list[str]:
+    """CMake's. A folder under solvers/variants/ runs by name only: it is built when its solver, the
+    folder's name with hyphens, is named."""
+    folders = [file.parent.name for file in tree.glob("solvers/*/CMakeLists.txt")]
+    variants = [file.parent.name for file in tree.glob("solvers/variants/*/CMakeLists.txt")]
+    folders += [folder for folder in variants if folder.replace("_", "-") in named]
+    return [*OPTIONS, f"-DGEODESIC_SOLVERS={';'.join(sorted(folders))}"]
 
 
 def _build(tree: Tree, options: list[str], log: Path) -> None:

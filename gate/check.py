@@ -1,4 +1,4 @@
-"""All levels on two programs: what is run, in which order, and what comes of it."""
+"""All levels on two programs: what is run, in which order, and the verdict."""
 
 from __future__ import annotations
 
@@ -10,15 +10,18 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-from . import baseline, levels, noise, pairs
-from .errors import GateError
-from .findings import LevelResult
-from .program import Cell, Program, Run
+from results.reader import Cell
+
+from . import baseline, levels, timing
+from .cells import Pairs
+from .findings import WRONG_ANSWER, GateError, LevelResult
+from .program import Program, Verified
 from .verdict import Verdict, judge
 
 CORPUS = "regression"
 ALL_LEVELS = (0, 1, 2, 3, 4)
 MARGIN = 1.10
+BUDGET = 300.0
 
 
 @dataclass(frozen=True)
@@ -27,6 +30,9 @@ class Options:
     """Folder for runs and reports."""
     levels: tuple[int, ...] = ALL_LEVELS
     margin: float = MARGIN
+    """The ratio of times that level 4 accepts."""
+    budget: float = BUDGET
+    """Seconds of level 4 for sessions beyond the first."""
     solvers: tuple[str, ...] = ()
     """All when empty."""
     meshes: tuple[str, ...] = ()
@@ -37,54 +43,67 @@ class Options:
 
 
 def say(line: str) -> None:
-    """Progress: to the error stream, so that the verdict alone is the output."""
+    """Progress goes to the error stream: the verdict alone is the output."""
     print(line, file=sys.stderr, flush=True)
-
-
-def processors() -> int:
-    return os.cpu_count() or 1
 
 
 def check(base: Program, head: Program, baseline_tree: Path, options: Options) -> Verdict:
     """@raises GateError when the programs cannot be compared"""
-    base_run, head_run = run_both(base, head, options)
-    results: list[LevelResult] = []
-    # Level 0 always: of a wrong answer nothing else is worth knowing.
-    results.append(levels.answers(base_run, head_run))
+    say("levels 0, 1 and 3: verifying and counting")
+    with ThreadPoolExecutor() as pool:  # both at once: nothing is timed here
+        base_run, head_run = pool.map(lambda program: verify(program, options), (base, head))
+    # Level 0 always: after a wrong answer nothing else matters.
+    results = [levels.answers(base_run, head_run)]
     if 1 in options.levels:
         counters = baseline.read(baseline_tree)
         results.append(baseline.compare(counters, head_run, options.solvers or None))
     if 2 in options.levels:
         say("level 2: counting instructions")
-        results.append(levels.instructions(base, head, base_run, head_run, processors()))
+        processes = os.cpu_count() or 1
+        results.append(levels.instructions(base, head, base_run, head_run, processes))
     if 3 in options.levels:
         results.append(levels.memory(base_run, head_run))
     if 4 in options.levels:
-        cells = timed_cells(base_run, head_run, options)
-        causes = [result for result in results if result.level in (1, 2)]
-        results.append(pairs.times(base, head, cells, options.margin, causes, say))
+        results.append(_time(base, head, base_run, head_run, results, options))
     return judge(base.label, head.label, results, options.strict)
 
 
-def timed_cells(base_run: Run, head_run: Run, options: Options) -> list[Cell]:
-    """What level 4 times. @raises GateError when the margin is below the noise of one of them"""
-    cells = pairs.timed_cells(levels.common_cells(base_run, head_run), base_run)
+def _time(
+    base: Program, head: Program, base_run: Verified, head_run: Verified,
+    earlier: Sequence[LevelResult], options: Options,
+) -> LevelResult:
+    if any(finding.exit_code == WRONG_ANSWER for finding in earlier[0].findings):
+        return LevelResult(4, "CPU time", skipped="there is a wrong answer: nothing is timed")
+    cells = timing.timed_cells([before for before, _ in levels.common(base_run, head_run)])
     if options.noise_file is not None:
-        processor = head_run.context["processor"]
-        noise.check_margin(options.noise_file, processor, cells, options.margin)
-    return cells
+        timing.check_margin(options.noise_file, _processor(head_run), cells, options.margin)
+    if not cells:
+        return LevelResult(4, "CPU time", skipped="base and head have no row in common")
+    grown = {
+        cell.solver: level.level
+        for level in reversed(earlier) if level.level in (1, 2)
+        for cell in cells if level.grew(cell.solver)
+    }  # fmt: skip
+    session = sessions(base, head, options)
+    measured = timing.measure(cells, session, options.margin, grown, options.budget, say)
+    return timing.report(measured, options.budget)
 
 
-def run_both(base: Program, head: Program, options: Options) -> tuple[Run, Run]:
-    """Both at once: nothing is timed here."""
-    say("levels 0, 1 and 3: verifying and counting")
-    with ThreadPoolExecutor() as pool:
-        both = list(pool.map(lambda program: run_one(program, options), (base, head)))
-    return both[0], both[1]
+def sessions(base: Program, head: Program, options: Options) -> timing.Session:
+    """Run folders OUT/time-1, OUT/time-2, ..., measured by the head's program."""
+    numbers = iter(range(1, 10_000))
+
+    def session(cells: Sequence[Cell]) -> dict[Cell, Pairs]:
+        solvers = list(dict.fromkeys(cell.solver for cell in cells))
+        out = _empty(options.out / f"time-{next(numbers)}")
+        chosen = _chosen(options, solvers)
+        return head.measure_pairs(base, head, chosen, cells, timing.PAIRS, out)
+
+    return session
 
 
-def run_one(program: Program, options: Options) -> Run:
-    """@raises GateError for a solver that was asked for and is not there"""
+def verify(program: Program, options: Options) -> Verified:
+    """@raises GateError for a solver that was named and does not exist"""
     known = program.solvers(options.solvers)
     solvers = [name for name in known if not options.solvers or name in options.solvers]
     if program.name == "head":
@@ -93,27 +112,40 @@ def run_one(program: Program, options: Options) -> Run:
             raise GateError(
                 f"the head has no solver {', '.join(unknown)}; there are {', '.join(known)}"
             )
-    out = options.out / program.name
-    shutil.rmtree(out, ignore_errors=True)
-    if not solvers:  # all those asked for are new
-        return Run({}, {})
-    return program.run(CORPUS, options.meshes, solvers, out)
+    if not solvers:  # all those named are new
+        return Verified()
+    return program.verify(_chosen(options, solvers), _empty(options.out / program.name))
 
 
-def against_itself(program: Program, sessions: int, options: Options) -> Verdict:
+def _chosen(options: Options, solvers: Sequence[str]) -> list[str]:
+    meshes = ["--meshes", ",".join(options.meshes)] if options.meshes else []
+    return ["--corpus", CORPUS, *meshes, "--solvers", ",".join(solvers)]
+
+
+def _empty(folder: Path) -> Path:
+    shutil.rmtree(folder, ignore_errors=True)
+    return folder
+
+
+def _processor(run: Verified) -> str:
+    return str(run.context.get("processor", "unknown"))
+
+
+def against_itself(program: Program, count: int, options: Options) -> Verdict:
     """--a-a: reports this machine's noise and keeps it for later margins."""
-    run = run_one(program, options)
-    cells = pairs.timed_cells(list(levels.common_cells(run, run)), run)
-    result, floors = noise.against_itself(program, cells, sessions, options.margin, say)
+    run = verify(program, options)
+    cells = timing.timed_cells([row for row in run.cells.values() if row.ok])
+    session = sessions(program, program, options)
+    result, floors = timing.against_itself(cells, session, count, options.margin, say)
     if options.noise_file is not None and floors:
-        noise.keep(options.noise_file, run.context["processor"], floors)
+        timing.keep_noise(options.noise_file, _processor(run), floors)
     return judge(program.label, "itself", [result], options.strict)
 
 
 def update_baseline(program: Program, tree: Path, reason: str, options: Options) -> Sequence[str]:
     """Of right answers only. @raises GateError when there are wrong ones"""
-    run = run_one(program, options)
-    failures = levels.answers(Run({}, {}), run).findings
+    run = verify(program, options)
+    failures = levels.answers(Verified(), run).findings
     wrong = [finding.text for finding in failures if finding.exit_code]
     if wrong:
         raise GateError(f"the baseline stays as it is: {wrong[0]}")

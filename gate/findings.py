@@ -1,9 +1,22 @@
-"""What a level says: findings, worst first, and a table."""
+"""What the levels of the gate report: findings with a weight, a table, and the exit codes."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import IntEnum
+
+GOOD = 0
+ERROR = 1
+"""A usage or harness error: nothing was judged, or something that must be compared is missing."""
+WRONG_ANSWER = 2
+"""A wrong answer, or none where there should be one."""
+REGRESSION = 3
+NOT_RESOLVED = 4
+"""Only with --strict."""
+
+
+class GateError(Exception):
+    """Ends a command with ERROR; its message states what is wrong and what to do."""
 
 
 class Weight(IntEnum):
@@ -11,8 +24,10 @@ class Weight(IntEnum):
 
     NOTE = 0
     WARNING = 1
-    INCONCLUSIVE = 2
-    FAILURE = 3
+    WITHIN_MARGIN = 2
+    """Slower by less than the margin: no failure, and not good either."""
+    NOT_RESOLVED = 3
+    FAILURE = 4
 
 
 @dataclass(frozen=True)
@@ -20,7 +35,7 @@ class Finding:
     level: int
     weight: Weight
     text: str
-    """One line that begins with the row or the file that it is about."""
+    """One line that begins with the row or file that it is about."""
     exit_code: int = 0
     """Of a failure."""
     solver: str | None = None
@@ -43,6 +58,9 @@ class LevelResult:
     ) -> None:
         self.findings.append(Finding(self.level, weight, text, exit_code, solver))
 
-    def up(self, solver: str) -> bool:
-        """Whether something of this solver grew here, be it within what is allowed."""
+    def fail(self, text: str, exit_code: int, solver: str | None = None) -> None:
+        self.add(Weight.FAILURE, text, exit_code, solver)
+
+    def grew(self, solver: str) -> bool:
+        """Whether a number of this solver increased here, even within its limit."""
         return any(f.solver == solver and f.weight != Weight.NOTE for f in self.findings)

@@ -1,6 +1,6 @@
-"""Levels 0, 2 and 3: answers, instructions and memory. None of them depends on the machine's mood.
+"""Levels 0, 2 and 3: answers, instructions and memory, which do not depend on the machine's load.
 
-Level 1 is in baseline.py, level 4 in pairs.py.
+Level 1 is in baseline.py, level 4 in timing.py.
 """
 
 from __future__ import annotations
@@ -9,95 +9,93 @@ import shutil
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
 
-from .errors import REGRESSION, WRONG
-from .findings import LevelResult, Weight
-from .program import Cell, Program, Row, Run
+from results.reader import Cell
+
+from .cells import MEMORY, MEMORY_FLOOR, UNSUPPORTED, WRONG, Measured
+from .findings import REGRESSION, WRONG_ANSWER, LevelResult, Weight
+from .program import Program, Verified
 
 INSTRUCTIONS_FAIL = 0.02
 INSTRUCTIONS_WARN = 0.005
 MEMORY_FAIL = 0.02
-MEMORY_FLOOR = 64 * 1024
-"""Bytes by which memory may always grow: a table that is doubled once more."""
 CALLGRIND_MESHES = ("tiny-terrain", "tiny-torus", "tiny-plate")
 """Callgrind is 50 times slower than the processor: the smallest of the suite."""
 
-UNSUPPORTED = "unsupported"
 
-
-def answers(base: Run, head: Run) -> LevelResult:
-    """Level 0. Every row of the head is judged; the base tells what was there before."""
+def answers(base: Verified, head: Verified) -> LevelResult:
+    """Level 0. Every row of the head is judged, by the base where that has the row."""
     result = LevelResult(0, "Distances against the oracles")
-    result.heading = ["solver", "rows", "largest relative error"]
-    errors: dict[str, list[float]] = {}
-    for cell, row in head.rows.items():
-        before = base.rows.get(cell)
-        if row.ok:
-            result.compared += 1
-            errors.setdefault(cell.solver, []).append(row.numbers["max_relative_error"])
-        elif row.outcome == "wrong answer":
-            result.add(Weight.FAILURE, f"{cell}: wrong answer: {row.message}", WRONG)
-        elif before is None or before.ok:
-            _no_answer(result, row, before)
-        elif row.outcome != UNSUPPORTED:
-            result.add(Weight.WARNING, f"{cell}: {row.outcome}, as in the base: {row.message}")
-    _only_in(result, "base", base.rows.keys() - head.rows.keys())
-    _only_in(result, "head", head.rows.keys() - base.rows.keys())
-    for solver, values in errors.items():
-        result.table.append([solver, str(len(values)), f"{max(values):.1e}"])
+    result.heading = ["solver", "rows right", "largest relative error", "state"]
+    by_solver: dict[str, list[Measured]] = {}
+    for cell, after in head.cells.items():
+        by_solver.setdefault(cell.solver, []).append(after)
+        _judge_answer(result, after, base.cells.get(cell))
+    _only_in(result, "base", base.cells.keys() - head.cells.keys())
+    _only_in(result, "head", head.cells.keys() - base.cells.keys())
+    result.table = [_answer_line(solver, rows) for solver, rows in by_solver.items()]
     return result
 
 
-def _no_answer(result: LevelResult, row: Row, before: Row | None) -> None:
-    """A cell that should have distances and has none."""
-    text = f"{row.cell}: {row.outcome}: {row.message}"
-    if before is None and row.outcome == UNSUPPORTED:
-        return  # a new solver or mesh, and the solver says itself that it cannot
-    if before is not None:
-        text += " (the base solves it)"
-    result.add(Weight.FAILURE, text, REGRESSION if row.outcome == UNSUPPORTED else WRONG)
+def _judge_answer(result: LevelResult, after: Measured, before: Measured | None) -> None:
+    if after.failure is None:
+        result.compared += 1
+        return
+    outcome, text = after.failure.outcome, f"{after.cell}: {after.state}"
+    if outcome == WRONG:
+        result.fail(text, WRONG_ANSWER)
+    elif before is not None and not before.ok:
+        if outcome != UNSUPPORTED:
+            result.add(Weight.WARNING, f"{text} (as in the base)")
+    elif before is not None:
+        code = REGRESSION if outcome == UNSUPPORTED else WRONG_ANSWER
+        result.fail(f"{text} (the base solves it)", code)
+    elif outcome != UNSUPPORTED:  # of a new solver or mesh
+        result.fail(text, WRONG_ANSWER)
+
+
+def _answer_line(solver: str, rows: list[Measured]) -> list[str]:
+    errors = [row.number("max_relative_error") for row in rows if row.ok]
+    outcomes = [row.failure.outcome for row in rows if row.failure is not None]
+    wrong = outcomes.count(WRONG)
+    state = f"WRONG ANSWER on {wrong}" if wrong else ", ".join(sorted(set(outcomes))) or "ok"
+    largest = f"{max(error or 0.0 for error in errors):.1e}" if errors else "-"
+    return [solver, f"{len(errors)} of {len(rows)}", largest, state]
 
 
 def _only_in(result: LevelResult, side: str, cells: Iterable[Cell]) -> None:
     for solver in sorted({cell.solver for cell in cells}):
-        meaning = "new: nothing to compare with" if side == "head" else "removed or renamed"
-        result.add(Weight.NOTE, f"{solver}: only in the {side}, {meaning}")
+        meaning = "new, nothing to compare with" if side == "head" else "removed or renamed"
+        result.add(Weight.NOTE, f"{solver}: only in the {side}: {meaning}")
 
 
-def _growth(before: float, after: float) -> float:
-    return after / before - 1
-
-
-def memory(base: Run, head: Run) -> LevelResult:
-    """Level 3."""
-    result = LevelResult(3, "Solver's peak memory")
-    result.heading = ["row", "base bytes", "head bytes", "change"]
-    for cell, before, after in _both_ok(base, head):
-        old, new = (row.numbers["solver_peak_bytes"] for row in (before, after))
-        result.compared += 1
-        change = f"{_growth(old, new):+.2%}"
-        if old != new:
-            result.table.append([str(cell), f"{old}", f"{new}", change])
-        if new > old * (1 + MEMORY_FAIL) and new - old > MEMORY_FLOOR:
-            text = f"{cell}: peak memory {change}, {old} to {new} bytes"
-            result.add(Weight.FAILURE, text, REGRESSION, cell.solver)
-    return result
-
-
-def _both_ok(base: Run, head: Run) -> list[tuple[Cell, Row, Row]]:
+def common(base: Verified, head: Verified) -> list[tuple[Measured, Measured]]:
+    """Base and head of the cells that both solved, in the head's order."""
     return [
-        (cell, base.rows[cell], row)
-        for cell, row in head.rows.items()
-        if row.ok and cell in base.rows and base.rows[cell].ok
+        (base.cells[cell], after)
+        for cell, after in head.cells.items()
+        if after.ok and cell in base.cells and base.cells[cell].ok
     ]
 
 
-def common_cells(base: Run, head: Run) -> list[Cell]:
-    """Cells that both solved, in the head's order."""
-    return [cell for cell, _, _ in _both_ok(base, head)]
+def memory(base: Verified, head: Verified) -> LevelResult:
+    """Level 3."""
+    result = LevelResult(3, "Solver's peak memory")
+    result.heading = ["row", "base bytes", "head bytes", "change"]
+    for before, after in common(base, head):
+        old, new = (int(side.number(MEMORY) or 0) for side in (before, after))
+        result.compared += 1
+        if old == new:
+            continue
+        change = f"{new / old - 1:+.2%}" if old else "new"
+        result.table.append([str(after.cell), f"{old}", f"{new}", change])
+        if new > old * (1 + MEMORY_FAIL) and new - old > MEMORY_FLOOR:
+            text = f"{after.cell}: peak memory {change}, {old} to {new} bytes"
+            result.fail(text, REGRESSION, after.cell.solver)
+    return result
 
 
 def instructions(
-    base: Program, head: Program, base_run: Run, head_run: Run, processes: int
+    base: Program, head: Program, base_run: Verified, head_run: Verified, processes: int
 ) -> LevelResult:
     """Level 2."""
     result = LevelResult(2, "Instructions inside solve, counted by callgrind")
@@ -108,7 +106,8 @@ def instructions(
         result.skipped = f"not comparable: {compilers[0]} built the base, {compilers[1]} the head"
     if result.skipped:
         return result
-    cells = [cell for cell in common_cells(base_run, head_run) if cell.mesh in CALLGRIND_MESHES]
+    both = [after.cell for _, after in common(base_run, head_run)]
+    cells = [cell for cell in both if cell.mesh in CALLGRIND_MESHES]
     with ThreadPoolExecutor(processes) as pool:
         old_counts = pool.map(base.instructions, cells)
         new_counts = pool.map(head.instructions, cells)
@@ -123,11 +122,11 @@ def instructions(
 
 
 def _judge_instructions(result: LevelResult, cell: Cell, old: int, new: int) -> None:
-    growth = _growth(old, new)
+    growth = new / old - 1
     result.compared += 1
     result.table.append([str(cell), f"{old}", f"{new}", f"{growth:+.2%}"])
     text = f"{cell}: {growth:+.2%} instructions inside solve, {old} to {new}"
     if growth > INSTRUCTIONS_FAIL:
-        result.add(Weight.FAILURE, text, REGRESSION, cell.solver)
+        result.fail(text, REGRESSION, cell.solver)
     elif growth > INSTRUCTIONS_WARN:
         result.add(Weight.WARNING, text, solver=cell.solver)

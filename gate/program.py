@@ -1,6 +1,6 @@
-"""A built geodesic-bench as the gate uses it: a process that solves, counts and is timed.
+"""A built geodesic-bench as the gate uses it: it lists, verifies, counts and measures.
 
-Only commands and options that every revision since the gate has are used, so that any base works.
+Of a base, only commands that every revision since the gate was added has are used.
 """
 
 from __future__ import annotations
@@ -10,113 +10,105 @@ import os
 import subprocess
 import tempfile
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from .errors import GateError
+from results.reader import Cell, ResultError, read_file
 
+from .cells import Measured, Pairs, measured, paired
+from .findings import GateError
+
+MIN_SECONDS = 0.05
+"""Of solves that a time is taken over, in each process."""
 SOLVE = "geodesic::Solver::solve(*"
-"""What callgrind counts inside of: every solve, whichever the solver."""
-
-
-@dataclass(frozen=True, order=True)
-class Cell:
-    """A solver on a mesh from a source vertex."""
-
-    solver: str
-    mesh: str
-    source: int
-
-    def __str__(self) -> str:
-        return f"{self.solver}/{self.mesh}/src:{self.source}"
+"""The function that callgrind counts in: every solve of any solver."""
 
 
 @dataclass(frozen=True)
-class Row:
-    """What one run says of a cell."""
+class Verified:
+    """What one run of a program has."""
 
-    cell: Cell
-    outcome: str
-    message: str
-    numbers: dict[str, Any]
-
-    @property
-    def ok(self) -> bool:
-        return self.outcome == "ok"
-
-
-@dataclass(frozen=True)
-class Run:
-    context: dict[str, Any]
-    """context.geodesic_bench of the result file"""
-    rows: dict[Cell, Row]
+    context: dict[str, Any] = field(default_factory=dict)
+    """context.geodesic_bench of the result file."""
+    cells: dict[Cell, Measured] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
 class Program:
     name: str
-    """Which side it is: "base" or "head"."""
+    """Of the side: "base" or "head"."""
     label: str
-    """The revision, as people know it."""
+    """The revision in words."""
     path: Path
     cache: Path
     """Folder of meshes."""
     manifest: Path
 
-    def solvers(self, asked_for: Collection[str] = ()) -> list[str]:
-        """Names, without independent oracles: those verify, and are not ours to make faster.
+    def solvers(self, named: Collection[str] = ()) -> list[str]:
+        """Names, without independent oracles: those verify, and their speed is not ours.
 
-        Variants and examples are among them only when they are asked for.
+        Variants and examples are included only when they are named.
         """
-        listed = json.loads(self._call(["list", "--json"], self._options()))
+        listed = json.loads(self._call(["list", "--json"]))
         return [
             s["name"] for s in listed["solvers"]
             if not s["independent_oracle"]
-            and (s["name"] in asked_for or not s.get("by_name_only", False))
+            and (s["name"] in named or not s.get("by_name_only", False))
         ]  # fmt: skip
 
-    def run(self, corpus: str, meshes: Sequence[str], solvers: Sequence[str], out: Path) -> Run:
-        """Verifies and counts every cell of the corpus, or of the meshes, into a run folder."""
-        chosen = ["--meshes", ",".join(meshes)] if meshes else []
-        words = ["run", "--corpus", corpus, *chosen, "--solvers", ",".join(solvers), "--sources", "1"]
-        words += ["--repetitions", "1", "--min-time", "0.000001", "--out", str(out)]
-        # A run with wrong or failed cells ends with an exit code of its own and a whole run.json.
-        self._call(words, self._options(), may_fail=(out / "run.json").exists)
-        return read_run(out / "run.json")
+    def verify(self, chosen: Sequence[str], out: Path) -> Verified:
+        """Verifies and counts every cell of a run into the folder `out`.
 
-    def solve_ms(self, cell: Cell, solves: int) -> list[float]:
-        """CPU milliseconds of several solves in one process; the first touches fresh memory."""
-        solved = json.loads(self._call(self._solve(cell, solves), self._options()))
-        return [1e3 * solve["cpu_time_s"] for solve in solved["solves"]]
+        @param chosen options of `run` that name the meshes and solvers"""
+        file = self._run([*chosen, "--repetitions", "1", "--min-time", "0.000001"], out)
+        return Verified(*_contents(file, None))
+
+    def measure_pairs(
+        self, base: Program, head: Program, chosen: Sequence[str], cells: Sequence[Cell], pairs: int,
+        out: Path,
+    ) -> dict[Cell, Pairs]:
+        """Times two programs in pairs, by this one's `run --program`, into the folder `out`.
+
+        @param chosen options of `run` that name meshes and solvers, the cells among them
+        @raises GateError when a program that was verified fails"""
+        options = ["--repetitions", str(pairs), "--min-time", str(MIN_SECONDS)]
+        options += ["--recordings", "none", "--cells", ",".join(map(str, cells))]
+        options += ["--program", f"base={base.path}", "--program", f"head={head.path}"]
+        file = self._run([*chosen, *options], out)
+        _, old = _contents(file, "base")
+        _, new = _contents(file, "head")
+        for side in (old, new):
+            for one in side.values():
+                if one.failure is not None:
+                    program = one.failure.program
+                    raise GateError(f"{one.cell}: the {program} failed when timed: {one.state}")
+        return {cell: paired(old[cell], new[cell]) for cell in cells}
 
     def instructions(self, cell: Cell) -> int:
-        """Instructions inside of one solve."""
+        """Instructions inside one solve."""
+        words = ["solve", cell.mesh, "--solver", cell.solver, "--each", "--source"]
         with tempfile.TemporaryDirectory() as folder:
             out = Path(folder) / "callgrind.out"
             callgrind = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}"]
             callgrind += [f"--toggle-collect={SOLVE}"]
-            self._call(self._solve(cell, 1), self._options(), before=callgrind)
+            self._call([*words, str(cell.source)], before=callgrind)
             lines = out.read_text(encoding="utf-8").splitlines()
         counted = sum(int(line.split()[1]) for line in lines if line.startswith("totals:"))
         if counted == 0:
-            raise GateError(
-                f"callgrind counted nothing in {self.path}: is {SOLVE} still every solver's entry?"
-            )
+            raise GateError(f"callgrind counted nothing in {self.path}: is {SOLVE} still there?")
         return counted
 
-    def _solve(self, cell: Cell, solves: int) -> list[str]:
-        source = ["--source", str(cell.source)] * solves
-        return ["solve", cell.mesh, "--solver", cell.solver, "--each", *source]
-
-    def _options(self) -> list[str]:
-        return ["--manifest", str(self.manifest)]
+    def _run(self, options: Sequence[str], out: Path) -> Path:
+        words = ["run", *options, "--sources", "1", "--out", str(out)]
+        # A run with wrong or failed cells has an exit code of its own and a complete run.json.
+        self._call(words, may_fail=(out / "run.json").exists)
+        return out / "run.json"
 
     def _call(
-        self, words: list[str], options: list[str], before: Sequence[str] = (),
-        may_fail: Callable[[], bool] = bool,
+        self, words: list[str], before: Sequence[str] = (), may_fail: Callable[[], bool] = bool
     ) -> str:
-        command = [*before, str(self.path), *words, *options]
+        command = [*before, str(self.path), *words, "--manifest", str(self.manifest)]
         environment = dict(os.environ, GEODESIC_DATASETS=str(self.cache))
         try:
             ended = subprocess.run(command, capture_output=True, text=True, env=environment)
@@ -124,19 +116,13 @@ class Program:
             raise GateError(f"cannot start {command[0]}: {error.strerror}") from None
         if ended.returncode != 0 and not may_fail():
             last = (ended.stderr.strip().splitlines() or ["it printed no error"])[-1]
-            raise GateError(f"the {self.name}'s {' '.join(words[:1])} failed: {last}")
+            raise GateError(f"`{words[0]}` of the {self.name} failed: {last}")
         return ended.stdout
 
 
-def read_run(file: Path) -> Run:
+def _contents(file: Path, program: str | None) -> tuple[dict[str, Any], dict[Cell, Measured]]:
     try:
-        data = json.loads(file.read_text(encoding="utf-8"))
-        rows = [_row(row) for row in data["benchmarks"] if row.get("repetition_index", 0) == 0]
-        return Run(data["context"]["geodesic_bench"], {row.cell: row for row in rows})
-    except (OSError, ValueError, KeyError) as error:
-        raise GateError(f"{file}: no result file: {error}") from None
-
-
-def _row(row: dict[str, Any]) -> Row:
-    cell = Cell(row["solver"], row["mesh"], int(row["source"]))
-    return Row(cell, row["outcome"], row.get("error_message", ""), row)
+        run = read_file(file, of_any_revision=True)
+    except ResultError as error:
+        raise GateError(str(error)) from None
+    return run.ours, measured(run, program)

@@ -1,26 +1,33 @@
-"""The verdict of all levels: as an exit code, as text, Markdown and JSON."""
+"""The verdict of all levels: exit code, headline, text, Markdown and JSON."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from .errors import ERROR, GOOD, INCONCLUSIVE, REGRESSION, WRONG, GateError
-from .findings import Finding, LevelResult, Weight
+from results.console import printable
+from results.table import Table, escape_markdown, text_cells, to_markdown, to_text
 
-WORST_FIRST = (WRONG, REGRESSION, ERROR)
-WORDS = {
-    GOOD: "good",
-    ERROR: "error",
-    WRONG: "WRONG ANSWER",
-    REGRESSION: "REGRESSION",
-    INCONCLUSIVE: "inconclusive",
-}
+from .findings import (
+    ERROR,
+    GOOD,
+    NOT_RESOLVED,
+    REGRESSION,
+    WRONG_ANSWER,
+    Finding,
+    GateError,
+    LevelResult,
+    Weight,
+)
+
+WORST_FIRST = (WRONG_ANSWER, REGRESSION, ERROR)
+WORDS = {ERROR: "ERROR", WRONG_ANSWER: "WRONG ANSWER", REGRESSION: "REGRESSION"}
 LABELS = {
     Weight.FAILURE: "FAILED",
-    Weight.INCONCLUSIVE: "inconclusive",
+    Weight.NOT_RESOLVED: "NOT RESOLVED",
+    Weight.WITHIN_MARGIN: "slower within the margin",
     Weight.WARNING: "warning",
     Weight.NOTE: "note",
 }
@@ -40,48 +47,61 @@ class Verdict:
         return sorted(found, key=lambda finding: (-finding.weight, finding.level))
 
     @property
+    def word(self) -> str:
+        """ "good" only when nothing failed, nothing is unresolved and nothing is slower."""
+        worst = max((finding.weight for finding in self.findings), default=Weight.NOTE)
+        if self.exit_code in WORDS:
+            return WORDS[self.exit_code]
+        if worst == Weight.NOT_RESOLVED:
+            return "NOT RESOLVED"
+        return "SLOWER WITHIN THE MARGIN" if worst == Weight.WITHIN_MARGIN else "good"
+
+    @property
     def headline(self) -> str:
-        return f"{WORDS[self.exit_code]}: {self.head} against {self.base}"
+        return f"{self.word}: {self.head} against {self.base}"
 
 
 def judge(base: str, head: str, levels: Sequence[LevelResult], strict: bool) -> Verdict:
-    """@raises GateError when nothing at all was compared: that is not green"""
+    """@raises GateError when nothing at all was compared: that is not good"""
     findings = [finding for level in levels for finding in level.findings]
     failures = {finding.exit_code for finding in findings if finding.weight == Weight.FAILURE}
-    undecided = any(finding.weight == Weight.INCONCLUSIVE for finding in findings)
-    if not failures and not undecided and sum(level.compared for level in levels) == 0:
+    unresolved = any(finding.weight == Weight.NOT_RESOLVED for finding in findings)
+    if not failures and not unresolved and sum(level.compared for level in levels) == 0:
         why = "; ".join(f"level {x.level}: {x.skipped}" for x in levels if x.skipped)
-        raise GateError(f"no row was compared{f' ({why})' if why else ''}: that is not green")
+        raise GateError(f"no row was compared{f' ({why})' if why else ''}")
     code = next((code for code in WORST_FIRST if code in failures), GOOD)
-    if code == GOOD and undecided and strict:
-        code = INCONCLUSIVE
+    if code == GOOD and unresolved and strict:
+        code = NOT_RESOLVED
     return Verdict(base, head, list(levels), code)
 
 
 def as_text(verdict: Verdict) -> str:
     lines = [verdict.headline]
     lines += [f"  level {f.level} {LABELS[f.weight]}: {f.text}" for f in verdict.findings]
-    for level in verdict.levels:
-        lines += ["", _title(level)]
-        if level.table:
-            lines += _aligned([level.heading, *level.table])
-    return "\n".join(lines) + "\n"
+    return "".join(f"{printable(line)}\n" for line in lines) + _levels(verdict, "{}", to_text)
 
 
 def as_markdown(verdict: Verdict) -> str:
-    lines = [f"## {verdict.headline}", ""]
-    lines += [f"- level {f.level} **{LABELS[f.weight]}**: {f.text}" for f in verdict.findings]
+    lines = [f"## {escape_markdown(verdict.headline)}", ""]
+    for f in verdict.findings:
+        lines.append(f"- level {f.level} **{LABELS[f.weight]}**: {escape_markdown(f.text)}")
+    return "\n".join([*lines, ""]) + _levels(verdict, "### {}", to_markdown)
+
+
+def _levels(verdict: Verdict, title: str, show: Callable[[Table], str]) -> str:
+    text = ""
     for level in verdict.levels:
-        lines += ["", f"### {_title(level)}", ""]
+        what = f"skipped: {level.skipped}" if level.skipped else f"{level.compared} rows compared"
+        text += f"\n{title.format(f'Level {level.level}. {level.title}: {what}')}\n"
         if level.table:
-            rows = [level.heading, ["---"] * len(level.heading), *level.table]
-            lines += [f"| {' | '.join(row)} |" for row in rows]
-    return "\n".join(lines) + "\n"
+            rows = [text_cells(row) for row in level.table]
+            text += ("\n" if "#" in title else "") + show(Table("", "", level.heading, 1, rows))
+    return text
 
 
 def as_json(verdict: Verdict) -> str:
     data = {
-        "verdict": WORDS[verdict.exit_code],
+        "verdict": verdict.word,
         "exit_code": verdict.exit_code,
         "base": verdict.base,
         "head": verdict.head,
@@ -93,16 +113,3 @@ def as_json(verdict: Verdict) -> str:
 def write(verdict: Verdict, folder: Path) -> None:
     (folder / "verdict.md").write_text(as_markdown(verdict), encoding="utf-8")
     (folder / "verdict.json").write_text(as_json(verdict), encoding="utf-8")
-
-
-def _title(level: LevelResult) -> str:
-    what = f"skipped: {level.skipped}" if level.skipped else f"{level.compared} rows compared"
-    return f"Level {level.level}. {level.title}: {what}"
-
-
-def _aligned(table: list[list[str]]) -> list[str]:
-    widths = [max(len(row[column]) for row in table) for column in range(len(table[0]))]
-    return [
-        "  " + "  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip()
-        for row in table
-    ]

@@ -1,5 +1,4 @@
-// Solver::solve as it is, with one fault around every solve: FAULT says which. The amounts are
-// those that the performance gate is to see.
+// Solver::solve as it is, with one fault, FAULT, around every solve.
 #include <cstdint>
 #include <cstdlib>
 #include <ctime>
@@ -16,7 +15,8 @@
 namespace {
 
 enum class Fault {
-  slower,        // a quarter more time without more instructions, as more cache misses would be
+  slower,        // $GEODESIC_FAULT_AMOUNT per cent more time and no more instructions,
+                 // as by more cache misses
   instructions,  // $GEODESIC_FAULT_AMOUNT more of them
   windows,       // 5% more propagations are counted
   memory,        // $GEODESIC_FAULT_AMOUNT more bytes
@@ -37,9 +37,9 @@ std::size_t amount() {
 }
 
 // Under valgrind the clock runs differently, and what is modelled here costs no instructions.
-void wait_a_quarter_of(double seconds) {
+void wait_for_percent_of(double seconds) {
   if (RUNNING_ON_VALGRIND) return;
-  const double end = thread_seconds() + seconds / 4;
+  const double end = thread_seconds() + seconds * static_cast<double>(amount()) / 100;
   while (thread_seconds() < end) {
   }
 }
@@ -54,7 +54,7 @@ void run_with_fault(const Run& run, const geodesic::Description& solver,
   const std::vector<char> held(FAULT == Fault::memory ? amount() : 0);
   const double start = thread_seconds();
   run();
-  if (FAULT == Fault::slower) wait_a_quarter_of(thread_seconds() - start);
+  if (FAULT == Fault::slower) wait_for_percent_of(thread_seconds() - start);
   if (FAULT == Fault::instructions) execute(amount());
   if (FAULT == Fault::wrong && solver.name == kWrongSolver) distances.back() *= 1 + 1e-9;
   if (FAULT == Fault::windows && recording != nullptr && recording->window_propagations) {

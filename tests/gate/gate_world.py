@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from gate import baseline, check
-from gate.program import Cell, Program, read_run
+from gate.program import Program
 from gate.verdict import Verdict
 
 FAKE = Path(__file__).parent / "fake_bench.py"
@@ -24,13 +24,18 @@ WORLD: dict[str, Any] = {
 }
 
 
-def instant_solve_ms(program: Program, cell: Cell, solves: int) -> list[float]:
-    """As Program.solve_ms of a fake program, without starting it."""
-    world = json.loads(program.path.with_name(f"{program.path.name}.json").read_text())
-    return [float(world["solvers"][cell.solver]["cpu_ms"])] * solves
-
-
 Change = Callable[[dict[str, Any]], object]
+
+
+def fact(solver: str, key: str, value: object) -> Change:
+    def change(world: dict[str, Any]) -> None:
+        world["solvers"][solver][key] = value
+
+    return change
+
+
+def first(verdict: Verdict) -> str:
+    return verdict.findings[0].text
 
 
 def unchanged(_: dict[str, Any]) -> None:
@@ -55,13 +60,11 @@ class World:
         return Program(name, name, path, self.folder, self.folder / "manifest.json")
 
     def keep_baseline(self, change: Change = unchanged) -> None:
-        out = self.folder / "for-the-baseline"
-        shutil.rmtree(out, ignore_errors=True)
         program = self.program("baseline", change)
-        program.run("regression", [], program.solvers(), out)
-        file = self.folder / baseline.FOLDER / baseline.COUNTERS
+        run = check.verify(program, replace(self.options, out=self.folder / "for-the-baseline"))
+        file = self.folder / baseline.FOLDER / baseline.FILE
         file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(baseline.as_csv(baseline.counters_of(read_run(out / "run.json"))))
+        file.write_text(baseline.as_csv(baseline.counters_of(run)))
 
     def gate(self, head: Change = unchanged, base: Change = unchanged, **options: Any) -> Verdict:
         programs = self.program("base", base), self.program("head", head)

@@ -10,20 +10,16 @@ from gate.builds import options_for
 
 @pytest.fixture
 def tree(tmp_path: Path) -> Path:
-    for folder, text in {
-        "mmp": '.name = "mmp",\n.name = "fwp-mmp",',
-        "my_variant": '.name = "my-variant",\n.by_name_only = true,',
-    }.items():
+    for folder in ("mmp", "core/queues", "variants/my_variant"):
         (tmp_path / "solvers" / folder).mkdir(parents=True)
+    for folder in ("mmp", "variants/my_variant"):
         (tmp_path / "solvers" / folder / "CMakeLists.txt").touch()
-        (tmp_path / "solvers" / folder / f"{folder}.cpp").write_text(text)
-    (tmp_path / "solvers" / "core").mkdir()
     return tmp_path
 
 
-def test_solvers_that_run_by_name_only_are_not_built(tree: Path) -> None:
+def test_variants_are_not_built(tree: Path) -> None:
     assert options_for(tree, [])[-1] == "-DGEODESIC_SOLVERS=mmp"
 
 
-def test_a_solver_that_is_asked_for_is_built(tree: Path) -> None:
+def test_a_variant_that_is_named_is_built(tree: Path) -> None:
     assert options_for(tree, ["my-variant"])[-1] == "-DGEODESIC_SOLVERS=mmp;my_variant"

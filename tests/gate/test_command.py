@@ -13,7 +13,7 @@ import pytest
 from gate_world import FAKE, WORLD
 
 from gate.builds import BUILD
-from gate.errors import ERROR, GOOD, REGRESSION
+from gate.findings import ERROR, GOOD, REGRESSION
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -42,6 +42,9 @@ class Repository:
         shutil.copy(ROOT / "check_performance.sh", self.folder)
         for name in ("tools", "gate"):
             shutil.copytree(ROOT / name, self.folder / name)
+        (self.folder / "results").mkdir()
+        for file in (ROOT / "results").glob("*.py"):
+            shutil.copy(file, self.folder / "results")
         (self.folder / "datasets").mkdir()
         (self.folder / "datasets" / "fetch.py").write_text("")
         shutil.copy(FAKE, self.folder)
@@ -117,7 +120,7 @@ def test_two_revisions_are_compared_whatever_the_working_tree_holds(repository: 
 def test_missing_base_says_how_to_get_one(repository: Repository) -> None:
     line = error_of(repository.check("origin/nothing"))
     assert "no revision 'origin/nothing'" in line and "fetch" in line
-    assert "against which base?" in error_of(repository.check())
+    assert "the base is missing" in error_of(repository.check())
 
 
 def test_base_that_does_not_build_is_named_with_its_first_error(repository: Repository) -> None:
@@ -134,7 +137,7 @@ def test_base_that_does_not_build_is_named_with_its_first_error(repository: Repo
 def test_no_baseline_says_how_to_make_it_and_making_it_needs_a_reason(
     repository: Repository,
 ) -> None:
-    assert "--update-baseline makes it" in error_of(repository.check("main", "--levels=1"))
+    assert "--update-baseline writes it" in error_of(repository.check("main", "--levels=1"))
     assert "needs --reason" in error_of(repository.check("--update-baseline"))
     ended = repository.check("--update-baseline", "--reason", "the first one")
     assert ended.returncode == GOOD, ended.stderr
@@ -176,7 +179,7 @@ def test_margin_below_the_measured_noise_is_refused(repository: Repository) -> N
     ("words", "said"),
     [
         (["main", "--levels", "5"], "levels are 0, 1, 2, 3 and 4"),
-        (["main", "--margin", "0.9"], "a margin is a ratio above 1"),
+        (["main", "--margin", "0.9"], "a margin is a ratio above 1, as in 1.10"),
         (["--a-a", "0"], "at least one session"),
         (["main", "--a-b", "1"], "unknown option --a-b; there are --levels"),
         (["main", "--reason", "why"], "--reason is for --update-baseline"),

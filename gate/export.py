@@ -1,0 +1,135 @@
+"""`geodesic-bench export`: a run in the format of another tool (docs/regression-gate.md)."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import statistics
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+from results import console
+
+if __name__ == "__main__":
+    console.prepare()  # before imports that may fail
+
+from results.console import Parser, complain  # noqa: E402
+from results.reader import ResultError, Run, read_run  # noqa: E402
+
+from .cells import COUNTERS, MEMORY, TIME, Measured, measured, programs  # noqa: E402
+
+NANOSECONDS = 1e6
+"""In a millisecond."""
+CSV_COLUMNS = [
+    "name", "solver", "mesh", "source", "outcome", "error_message", "repetition_index",
+    "real_time", "cpu_time", "time_unit", "mesh_time", "prepare_time", "window_propagations",
+    "windows_created", "valid_windows", "reinsertions", "window_limit", "peak_wavefront",
+    "strip_depth", "strip_b", "wavefront_sd", "wavefront_sd_edges", "window_bytes",
+    "space_thesis_mb", "space_mb", "solver_peak_bytes", "process_peak_bytes",
+    "unreachable_vertices", "max_relative_error", "reference", "program", "stolen_share",
+    "involuntary_switches_per_s",
+]  # fmt: skip
+
+
+def cells(run: Run) -> Iterator[tuple[str, Measured]]:
+    """Names with what was measured; of several programs, the name says which."""
+    for program in programs(run) or [None]:
+        for cell, of_cell in measured(run, program).items():
+            yield (str(cell) if program is None else f"{cell}@{program}"), of_cell
+
+
+def numbers(of_cell: Measured) -> dict[str, float]:
+    """Those of which less is better and that are the same in every repetition."""
+    found = {key: of_cell.number(key) for key in (*COUNTERS, MEMORY)}
+    return {key: value for key, value in found.items() if value is not None}
+
+
+def unit(key: str) -> str:
+    return {MEMORY: "bytes", "strip_depth": "faces"}.get(key, "windows")
+
+
+def to_github_action_benchmark(run: Run) -> str:
+    """The array of that action's `customSmallerIsBetter`. Failed cells cannot be in it."""
+    rows: list[dict[str, Any]] = []
+    for name, of_cell in cells(run):
+        if not of_cell.ok:
+            continue
+        times = of_cell.times
+        spread = f"{min(times):g} to {max(times):g}"
+        time = {"name": f"{name} {TIME}", "unit": "ms", "value": statistics.median(times)}
+        rows.append({**time, "range": spread})
+        for key, value in numbers(of_cell).items():
+            rows.append({"name": f"{name} {key}", "unit": unit(key), "value": value})
+    return _json(rows)
+
+
+def to_bencher(run: Run) -> str:
+    """Bencher's JSON, the latency in nanoseconds. Failed cells cannot be in it."""
+    benchmarks: dict[str, dict[str, dict[str, float]]] = {}
+    for name, of_cell in cells(run):
+        if not of_cell.ok:
+            continue
+        times = [NANOSECONDS * time for time in of_cell.times]
+        measures = {"latency": {"value": statistics.median(times), "lower_value": min(times),
+                                "upper_value": max(times)}}  # fmt: skip
+        for key, value in numbers(of_cell).items():
+            measures[key.replace("_", "-")] = {"value": value}
+        benchmarks[name] = measures
+    return _json(benchmarks)
+
+
+def to_gbench_median(run: Run) -> str:
+    """Google Benchmark's JSON with one row a cell: the repetition of median time, the faster of two
+    in the middle, since a row must be one that was measured."""
+    rows = []
+    for name, of_cell in cells(run):
+        in_order = sorted(of_cell.rows, key=lambda row: row.data.get(TIME, 0.0))
+        middle = in_order[(len(in_order) - 1) // 2]
+        one = {"name": name, "run_name": name, "repetitions": 1, "repetition_index": 0}
+        rows.append({**middle.data, **one})
+    return _json({"context": run.context, "benchmarks": rows})
+
+
+def to_csv(run: Run) -> str:
+    """A line a repetition, failed ones with their outcome."""
+    text = io.StringIO()
+    lines = csv.writer(text, lineterminator="\n")
+    lines.writerow(CSV_COLUMNS)
+    lines.writerows([row.data.get(key, "") for key in CSV_COLUMNS] for row in run.rows)
+    return text.getvalue()
+
+
+FORMATS: dict[str, Callable[[Run], str]] = {
+    "bencher": to_bencher,
+    "csv": to_csv,
+    "gbench-median": to_gbench_median,
+    "github-action-benchmark": to_github_action_benchmark,
+}
+
+
+def _json(data: object) -> str:
+    return json.dumps(data, indent=2) + "\n"
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = Parser(__doc__)
+    parser.add_argument("--to", choices=FORMATS, required=True, help="format of the output")
+    parser.add_argument("result", type=Path, help="a result file or run folder")
+    options = parser.parse_args(arguments)
+    try:
+        run = read_run(options.result)
+        print(FORMATS[options.to](run), end="")
+    except (ResultError, OSError) as error:
+        return complain(error)
+    states = [of_cell.ok for _, of_cell in cells(run)]
+    if not all(states):
+        failed = f"{states.count(False)} of {len(states)} cells failed and have no numbers"
+        print(f"geodesic-bench: {failed}", file=sys.stderr)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,182 @@
+"""`geodesic-bench rank`: a solver against others by exactness, paired times, counters and memory.
+
+Measures with `geodesic-bench run --interleave`, whose folder keeps the raw results, and derives
+rank.md, rank.tex, rank.json and the figure from it (docs/ranking.md).
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Sequence
+from datetime import UTC, datetime
+from pathlib import Path
+
+from results import console
+
+if __name__ == "__main__":
+    console.prepare()  # before imports that may fail
+
+from results.console import ROOT, Parser, complain  # noqa: E402
+from results.reader import ResultError, Run, read_run  # noqa: E402
+
+from .findings import GateError  # noqa: E402
+from .rank_report import as_json, as_latex, as_markdown  # noqa: E402
+from .ranking import Ranking, Ratio, rank  # noqa: E402
+
+PASSED_ON = ("sources", "seed", "min_time", "reference", "vectors", "manifest")
+"""Options of `run` that are taken as they are."""
+FORWARDED = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+
+
+def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
+    parser = Parser(__doc__)
+    what = parser.add_argument_group("what is ranked")
+    what.add_argument("--solver", metavar="NAME", help="the candidate")
+    what.add_argument("--against", metavar="NAMES", help="the other solvers, comma-separated")
+    what.add_argument("--corpus", metavar="NAME", help="a corpus of the manifest (default: quick)")
+    what.add_argument(
+        "--meshes", metavar="NAMES", help="names of the manifest or files, in place of a corpus"
+    )
+    how = parser.add_argument_group("how it is measured")
+    how.add_argument("--sources", metavar="N", default="1", help="source vertices a mesh (1)")
+    how.add_argument("--pairs", metavar="N", type=_pairs, default=9, help="pairs a source (9)")
+    how.add_argument("--seed", metavar="N", help="seed of the choice of sources")
+    how.add_argument(
+        "--min-time", metavar="SECONDS", default="0.05", help="minimum duration of a time (0.05)"
+    )
+    how.add_argument("--reference", metavar="NAME", help="exact solver that others are verified by")
+    how.add_argument("--vectors", metavar="SET", help="instruction set: auto, plain or avx2")
+    how.add_argument("--plugin", metavar="FILE", action="append", default=[], help="a plug-in")
+    how.add_argument("--manifest", metavar="FILE", help="list of meshes and corpora")
+    where = parser.add_argument_group("folders")
+    where.add_argument(
+        "--out", type=Path, metavar="DIR", help="default: results/ranks/<UTC time>-<solver>"
+    )
+    where.add_argument(
+        "--resume", type=Path, metavar="DIR", help="finish an interrupted ranking, as it was begun"
+    )
+    where.add_argument(
+        "--run", type=Path, metavar="DIR", help="derive the ranking again; nothing is measured"
+    )
+    where.add_argument("--no-figure", action="store_true", help="tables only")
+    options = parser.parse_args(arguments)
+    _check(parser, options)
+    return options
+
+
+def _pairs(text: str) -> int:
+    if not text.isdecimal() or not 1 <= int(text) <= 1000:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number from 1 to 1000")
+    return int(text)
+
+
+def _check(parser: Parser, options: argparse.Namespace) -> None:
+    folders = [name for name in ("out", "resume", "run") if getattr(options, name)]
+    if len(folders) > 1:
+        parser.error(f"give only one of --{' and --'.join(folders)}")
+    if options.resume or options.run:
+        return
+    for name in ("solver", "against"):
+        if not getattr(options, name):
+            parser.error(f"--{name} is required")
+    others = options.against.split(",")
+    for index, name in enumerate(others):
+        if name == options.solver:
+            parser.error(f"'{name}' cannot be ranked against itself: leave it out of --against")
+        if name in others[:index]:
+            parser.error(f"--against has '{name}' twice")
+
+
+def run_command(options: argparse.Namespace, folder: Path) -> list[str]:
+    """The command line that measures. @raises GateError when the program is not known"""
+    bench = os.environ.get("GEODESIC_BENCH")
+    if not bench:
+        raise GateError("GEODESIC_BENCH does not name the program: use `geodesic-bench rank`")
+    words = [bench, *(word for file in options.plugin for word in ("--plugin", file)), "run"]
+    if options.resume:
+        return [*words, "--resume", str(folder)]
+    words += ["--interleave", "--solvers", f"{options.solver},{options.against}"]
+    words += ["--repetitions", str(options.pairs), "--recordings", "none", "--out", str(folder)]
+    if options.meshes:
+        words += ["--meshes", options.meshes]
+    if options.corpus or not options.meshes:
+        words += ["--corpus", options.corpus or "quick"]
+    for name in PASSED_ON:
+        if (value := getattr(options, name)) is not None:
+            words += [f"--{name.replace('_', '-')}", value]
+    return words
+
+
+def measure(command: list[str]) -> int:
+    """The exit code of the run, whose progress goes to the terminal. A signal is passed on once:
+    the run has a process group of its own, so that the terminal does not send it a second one."""
+    running = subprocess.Popen(command, stdout=subprocess.DEVNULL, process_group=0)
+    for number in FORWARDED:
+        if signal.getsignal(number) != signal.SIG_IGN:
+            signal.signal(number, lambda received, _: running.send_signal(received))
+    code = running.wait()
+    for number in FORWARDED:
+        if signal.getsignal(number) != signal.SIG_IGN:
+            signal.signal(number, signal.SIG_DFL)
+    return code if code >= 0 else 128 - code
+
+
+def write(ranking: Ranking, run: Run, folder: Path) -> str:
+    """rank.md, rank.tex and rank.json; returns the first."""
+    text = as_markdown(ranking, run)
+    (folder / "rank.md").write_text(text, encoding="utf-8")
+    (folder / "rank.tex").write_text(as_latex(ranking, run), encoding="utf-8")
+    (folder / "rank.json").write_text(as_json(ranking), encoding="utf-8")
+    return text
+
+
+def draw(ranking: Ranking, folder: Path) -> str:
+    """A line: where the figure is, or why there is none and how to draw it later."""
+    try:
+        from plots import rank as figure
+
+        def mark(time: Ratio) -> figure.Mark:
+            return figure.Mark(time.estimate, time.resolved)
+
+        meshes = {
+            mesh: {one.solver: mark(on.time) for one in ranking.standings if (on := one.on(mesh))}
+            for mesh in ranking.contest.meshes
+        }
+        means = {one.solver: mark(one.time) for one in ranking.standings if one.time}
+        figure.write(figure.draw(ranking.candidate, meshes, means), folder)
+    except (ImportError, ResultError) as error:
+        return f"no figure ({error}); to draw it later: geodesic-bench rank --run {folder}"
+    return f"{folder / 'rank.pdf'} (also .png)"
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    options = parse(arguments)
+    time = datetime.now(UTC).strftime("%Y%m%dT%H%M%SZ")
+    new = ROOT / "results" / "ranks" / f"{time}-{options.solver}"
+    folder = options.resume or options.run or options.out or new
+    try:
+        code = 0
+        if not options.run:
+            code = measure(run_command(options, folder))
+            if code not in (0, 1, 2) or not (folder / "run.json").exists():
+                if (folder / "request.json").exists():
+                    print(f"geodesic-bench: to finish the ranking: geodesic-bench rank --resume"
+                          f" {folder}", file=sys.stderr)  # fmt: skip
+                return code or 1
+        run = read_run(folder)
+        ranking = rank(run, options.solver)
+        print(write(ranking, run, folder), end="")
+        if not options.no_figure:
+            print(draw(ranking, folder), file=sys.stderr)
+    except (GateError, ResultError, OSError) as error:
+        return complain(error)
+    print(f"{folder / 'rank.md'} (also .tex, .json)", file=sys.stderr)
+    return code
+
+
+if __name__ == "__main__":
+    sys.exit(main())

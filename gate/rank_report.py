@@ -1,0 +1,208 @@
+"""A ranking as Markdown, LaTeX and JSON."""
+
+from __future__ import annotations
+
+import json
+import statistics
+from typing import Any
+
+from results.reader import Run
+from results.table import Table, escape_latex, escape_markdown, text_cells, to_markdown, to_tabular
+
+from .cells import MEMORY
+from .ranking import ERROR, WINDOWS, OnMesh, Ranking, Ratio, Standing
+
+NOTHING = "-"
+
+
+def _number(value: float | None) -> str:
+    if value is None:
+        return NOTHING
+    return f"{value:.3f}" if value < 10 else f"{value:.1f}"
+
+
+def _error(value: float | None) -> str:
+    return NOTHING if value is None else f"{value:.1e}"
+
+
+def _median(time: Ratio) -> str:
+    """The median is always shown, `~` beside it where the pairs do not resolve a difference."""
+    return ("" if time.resolved else "~ ") + _number(time.estimate.value)
+
+
+def _interval(time: Ratio) -> str:
+    """Nothing with too few pairs: two of them would be an interval of no meaning."""
+    if not time.has_interval:
+        return NOTHING
+    return f"{_number(time.estimate.low)} to {_number(time.estimate.high)}"
+
+
+def _with_interval(time: Ratio) -> str:
+    return _median(time) + (f" ({_interval(time)})" if time.has_interval else "")
+
+
+def _meshes(count: int) -> str:
+    return "1 mesh" if count == 1 else f"{count} meshes"
+
+
+def verdict(ranking: Ranking) -> str:
+    """The times of the others, and whose distances are wrong, in sentences."""
+    name, own = ranking.candidate, ranking.of_candidate
+    text = ""
+    if ranking.wrong:
+        text = f"WRONG ANSWERS of {', '.join(ranking.wrong)}, see the remarks. "
+    times = [
+        f"{one.solver} {_with_interval(one.time)}"
+        + (f" on {_meshes(len(one.meshes))}" if len(one.meshes) < one.all else "")
+        for one in ranking.standings if one.time is not None
+    ]  # fmt: skip
+    if times:
+        text += f"Times relative to {name} on {_meshes(own.all)}: {', '.join(times)}. "
+    else:
+        text += f"{name} could not be timed against any of the others. "
+    text += f"The distances of {name} are right on {own.right} of {_meshes(own.all)}"
+    if own.max_relative_error is not None:
+        text += f", to {_error(own.max_relative_error)} of their length"
+    return text + "."
+
+
+def _explanation(ranking: Ranking) -> str:
+    name = ranking.candidate
+    return (
+        f"Ratios are the solver's numbers over those of {name}: above 1 the solver takes more."
+        " Times are CPU times of a solve in interleaved pairs; ~ marks a difference from"
+        f" {name} that they do not resolve. Solvers of one rank are not resolved from each other."
+    )
+
+
+def _overall(ranking: Ranking) -> Table:
+    rows = []
+    for one in ranking.standings:
+        own = "1" if one.solver == ranking.candidate and one.right else NOTHING
+        rows.append([
+            one.solver,
+            NOTHING if one.rank is None else str(one.rank),
+            _median(one.time) if one.time else own,
+            _interval(one.time) if one.time else NOTHING,
+            _number(one.windows) if one.windows is not None else own,
+            _number(one.memory) if one.memory is not None else own,
+            _error(one.max_relative_error),
+            f"{one.right} of {one.all}",
+        ])  # fmt: skip
+    header = ["solver", "rank", "time", "95% interval", "windows", "memory", "largest error",
+              "right on"]  # fmt: skip
+    return Table("", "", header, 1, [text_cells(row) for row in rows])
+
+
+def _of_mesh(ranking: Ranking, mesh: str) -> Table:
+    header = ["solver", "ms", "time", "95% interval", "range", "windows", "peak MB",
+              "largest error"]  # fmt: skip
+    rows = [text_cells(_mesh_row(ranking, one, mesh)) for one in ranking.standings]
+    return Table("", "", header, 1, rows)
+
+
+def _mesh_row(ranking: Ranking, one: Standing, mesh: str) -> list[str]:
+    contest = ranking.contest
+    failed = contest.failure(one.solver, mesh)
+    if failed is not None:
+        return [one.solver, failed.outcome, *[NOTHING] * 6]
+
+    def typical(key: str, unit: float, digits: int) -> str:
+        values = contest.numbers(one.solver, mesh, key)
+        return f"{statistics.median(values) / unit:.{digits}f}" if values else NOTHING
+
+    times = [time for cell in contest.of(one.solver, mesh) for time in cell.times]
+    on = one.on(mesh)
+    milliseconds = on.milliseconds if on else statistics.median(times)
+    return [
+        one.solver, f"{milliseconds:.4g}", *_ratios(on),
+        typical(WINDOWS, 1, 0), typical(MEMORY, 1e6, 2),
+        _error(max(contest.numbers(one.solver, mesh, ERROR), default=None)),
+    ]  # fmt: skip
+
+
+def _ratios(on: OnMesh | None) -> list[str]:
+    if on is None:
+        return [NOTHING] * 3
+    spread = f"{_number(min(on.ratios))} to {_number(max(on.ratios))}"
+    return [_median(on.time), _interval(on.time), spread if len(on.ratios) > 1 else NOTHING]
+
+
+def as_markdown(ranking: Ranking, run: Run) -> str:
+    others = [one.solver for one in ranking.standings if one.solver != ranking.candidate]
+    parts = [
+        f"# {ranking.candidate} against {', '.join(others)}\n",
+        f"{escape_markdown(verdict(ranking))}\n",
+        to_markdown(_overall(ranking)),
+        f"{_explanation(ranking)}\n",
+    ]
+    if ranking.remarks:
+        parts.append("".join(f"- {escape_markdown(remark)}\n" for remark in ranking.remarks))
+    for mesh in ranking.contest.meshes:
+        sources = len(run.sources[mesh])
+        count = f"{sources} source{'s' if sources > 1 else ''}"
+        title = f"## {mesh}, {run.meshes[mesh].vertices} vertices, {count}"
+        parts.append(f"{escape_markdown(title)}\n\n{to_markdown(_of_mesh(ranking, mesh))}")
+    return "\n".join(parts)
+
+
+def as_latex(ranking: Ranking, run: Run) -> str:
+    name = ranking.candidate
+    others = [one for one in ranking.standings if one.solver != name]
+    rows = []
+    for mesh in ranking.contest.meshes:
+        found = [one.on(mesh) for one in others]
+        times = [_with_interval(on.time) if on else NOTHING for on in found]
+        rows.append(text_cells([mesh, str(run.meshes[mesh].vertices), *times]))
+    by_mesh = Table("", "", ["mesh", "vertices", *(one.solver for one in others)], 1, rows)
+    figure = (
+        f"Time of each solver over that of {name}: medians of pairs on every mesh with their 95%"
+        " intervals, thin lines from the least to the most of the pairs, and geometric means over"
+        f" the meshes. Right of 1 the solver is slower than {name}; hollow marks are not resolved."
+    )
+    return (
+        "% \\input this file; needs \\usepackage{booktabs,graphicx}\n"
+        + _latex_table(_overall(ranking), f"{verdict(ranking)} {_explanation(ranking)}")
+        + "\n"
+        + _latex_table(by_mesh, f"Time of the solver in the column over that of {name} on every"
+                                " mesh: median of pairs, with its 95% interval.")
+        + "\n\\IfFileExists{rank.pdf}{%\n\\begin{figure}\n\\centering\n"
+        + f"\\includegraphics{{rank.pdf}}\n\\caption{{{escape_latex(figure)}}}\n\\end{{figure}}}}{{}}\n"
+    )  # fmt: skip
+
+
+def _latex_table(table: Table, caption: str) -> str:
+    return (
+        f"\\begin{{table}}\n\\centering\\small\n\\caption{{{escape_latex(caption)}}}\n"
+        f"{to_tabular(table)}\\end{{table}}\n"
+    )
+
+
+def as_json(ranking: Ranking) -> str:
+    def time(ratio: Ratio | None) -> dict[str, Any] | None:
+        if ratio is None:
+            return None
+        ends = (ratio.estimate.low, ratio.estimate.high) if ratio.has_interval else (None, None)
+        return {"value": ratio.estimate.value, "low": ends[0], "high": ends[1],
+                "pairs": ratio.pairs, "resolved": ratio.resolved}  # fmt: skip
+
+    data = {
+        "schema_version": 1,
+        "candidate": ranking.candidate,
+        "verdict": verdict(ranking),
+        "standings": [
+            {
+                "solver": one.solver, "rank": one.rank, "time": time(one.time),
+                "windows": one.windows, "memory": one.memory,
+                "max_relative_error": one.max_relative_error, "right": one.right, "all": one.all,
+                "meshes": [
+                    {"mesh": on.mesh, "time": time(on.time), "least": min(on.ratios),
+                     "most": max(on.ratios), "windows": on.windows, "memory": on.memory}
+                    for on in one.meshes
+                ],
+            }
+            for one in ranking.standings
+        ],
+        "remarks": ranking.remarks,
+    }  # fmt: skip
+    return json.dumps(data, indent=1) + "\n"

@@ -1,0 +1,243 @@
+"""A ranking, computed from the file of an interleaved run.
+
+Every ratio is the solver's number over the candidate's: above 1 the solver takes more.
+docs/ranking.md describes the numbers, docs/measuring.md the pairs.
+"""
+
+from __future__ import annotations
+
+import statistics
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from results.reader import Cell, Row, Run
+from results.statistics import (
+    CONFIDENCE,
+    Estimate,
+    geometric_mean_of_medians,
+    least_for_interval,
+    median_interval,
+)
+
+from .cells import MEMORY, WRONG, Measured, Pairs, measured, paired, together
+from .findings import GateError
+
+WINDOWS = "window_propagations"
+ERROR = "max_relative_error"
+
+
+@dataclass(frozen=True)
+class Ratio:
+    """Of times, with its 95% interval."""
+
+    estimate: Estimate
+    pairs: int
+    """The fewest that a mesh has."""
+
+    @property
+    def has_interval(self) -> bool:
+        return self.pairs >= least_for_interval(CONFIDENCE)
+
+    @property
+    def resolved(self) -> bool:
+        """Whether the interval leaves out 1."""
+        return self.has_interval and self.estimate.excludes_one
+
+
+@dataclass(frozen=True)
+class OnMesh:
+    """A solver beside the candidate on one mesh."""
+
+    mesh: str
+    time: Ratio
+    """The median over the pairs of all sources."""
+    milliseconds: float
+    """The solver's median."""
+    ratios: list[float]
+    windows: float | None
+    memory: float | None
+
+
+@dataclass
+class Standing:
+    solver: str
+    right: int
+    """Meshes that it solved rightly, of `all`."""
+    all: int
+    max_relative_error: float | None
+    meshes: list[OnMesh] = field(default_factory=list)
+    """Where both could be timed."""
+    time: Ratio | None = None
+    """Geometric means over `meshes`; None of the candidate."""
+    windows: float | None = None
+    memory: float | None = None
+    rank: int | None = None
+
+    def on(self, mesh: str) -> OnMesh | None:
+        return next((one for one in self.meshes if one.mesh == mesh), None)
+
+
+class Contest:
+    """The cells of the run by mesh and solver."""
+
+    def __init__(self, run: Run) -> None:
+        self._cells = measured(run)
+        self._sources = run.sources
+        self.meshes = [mesh for mesh in run.meshes if any(c.mesh == mesh for c in self._cells)]
+
+    def of(self, solver: str, mesh: str) -> list[Measured]:
+        cells = [Cell(solver, mesh, source) for source in self._sources[mesh]]
+        return [self._cells[cell] for cell in cells if cell in self._cells]
+
+    def failure(self, solver: str, mesh: str) -> Row | None:
+        """The solver's first failure on the mesh."""
+        return next((one.failure for one in self.of(solver, mesh) if one.failure), None)
+
+    def numbers(self, solver: str, mesh: str, key: str) -> list[float]:
+        """One a source; empty unless every source has it."""
+        found = [one.number(key) for one in self.of(solver, mesh)]
+        present = [value for value in found if value is not None]
+        return present if len(present) == len(found) else []
+
+    def pairs(self, first: str, second: str, mesh: str) -> Pairs:
+        """Those of all sources as one sample; none where one of the two failed."""
+        if self.failure(first, mesh) or self.failure(second, mesh):
+            return Pairs([], [])
+        sides = zip(self.of(first, mesh), self.of(second, mesh), strict=False)
+        return together(paired(*both) for both in sides)
+
+    def ratio(self, first: str, second: str, mesh: str, key: str) -> float | None:
+        """Of the second's geometric mean over sources to the first's."""
+        below, above = self.numbers(first, mesh, key), self.numbers(second, mesh, key)
+        if not below or not above or min(*below, *above) <= 0:
+            return None
+        return statistics.geometric_mean(above) / statistics.geometric_mean(below)
+
+    def mean(self, first: str, second: str) -> Ratio | None:
+        """Of times over the meshes that both did."""
+        samples = [self.pairs(first, second, mesh).ratios for mesh in self.meshes]
+        samples = [ratios for ratios in samples if ratios]
+        if not samples:
+            return None
+        return Ratio(geometric_mean_of_medians(samples), min(map(len, samples)))
+
+
+@dataclass
+class Ranking:
+    candidate: str
+    contest: Contest
+    standings: list[Standing]
+    """Fastest first; those without a mean last."""
+    remarks: list[str]
+
+    @property
+    def of_candidate(self) -> Standing:
+        return next(one for one in self.standings if one.solver == self.candidate)
+
+    @property
+    def wrong(self) -> list[str]:
+        """Solvers with a wrong answer somewhere."""
+        return [one.solver for one in self.standings if any(
+            row is not None and row.outcome == WRONG
+            for row in (self.contest.failure(one.solver, mesh) for mesh in self.contest.meshes)
+        )]  # fmt: skip
+
+
+def rank(run: Run, candidate: str | None = None) -> Ranking:
+    """@param candidate by default the run's first solver
+    @raises GateError when the run is not interleaved or lacks the solver"""
+    solvers = list(run.solvers)
+    if not run.interleaved or len(solvers) < 2:
+        raise GateError(f"{run.file}: not an interleaved run of two or more solvers")
+    candidate = candidate or solvers[0]
+    if candidate not in solvers:
+        raise GateError(f"{run.file}: has no solver {candidate}; it has {', '.join(solvers)}")
+    contest = Contest(run)
+    standings = [_standing(contest, candidate, solver) for solver in solvers]
+    ranking = Ranking(candidate, contest, standings, [])
+    ranking.standings.sort(key=lambda one: _order(one, candidate))
+    _give_ranks(ranking)
+    ranking.remarks = [*_failures(ranking), *_about_means(ranking, run)]
+    return ranking
+
+
+def _standing(contest: Contest, candidate: str, solver: str) -> Standing:
+    right = [mesh for mesh in contest.meshes if contest.failure(solver, mesh) is None]
+    errors = [value for mesh in right for value in contest.numbers(solver, mesh, ERROR)]
+    standing = Standing(solver, len(right), len(contest.meshes), max(errors, default=None))
+    if solver == candidate:
+        return standing
+    for mesh in contest.meshes:
+        if pairs := contest.pairs(candidate, solver, mesh):
+            windows = contest.ratio(candidate, solver, mesh, WINDOWS)
+            memory = contest.ratio(candidate, solver, mesh, MEMORY)
+            time = Ratio(median_interval(pairs.ratios), len(pairs))
+            milliseconds = statistics.median(pairs.second)
+            standing.meshes.append(
+                OnMesh(mesh, time, milliseconds, pairs.ratios, windows, memory)
+            )
+    standing.time = contest.mean(candidate, solver)
+    standing.windows = _mean([one.windows for one in standing.meshes])
+    standing.memory = _mean([one.memory for one in standing.meshes])
+    return standing
+
+
+def _mean(values: Sequence[float | None]) -> float | None:
+    present = [value for value in values if value is not None]
+    return statistics.geometric_mean(present) if present else None
+
+
+def _order(standing: Standing, candidate: str) -> float:
+    """The time relative to the candidate. A candidate that is right nowhere has no place either."""
+    if standing.time is not None:
+        return standing.time.estimate.value
+    return 1.0 if standing.solver == candidate and standing.right else float("inf")
+
+
+def _give_ranks(ranking: Ranking) -> None:
+    """Solvers that the pairs do not tell from the first of a rank share that rank."""
+    first: Standing | None = None
+    for place, standing in enumerate(ranking.standings, 1):
+        if _order(standing, ranking.candidate) == float("inf"):
+            continue
+        if first is not None:
+            between = ranking.contest.mean(first.solver, standing.solver)
+            if between is not None and not between.resolved:
+                standing.rank = first.rank
+                continue
+        first, standing.rank = standing, place
+
+
+def _failures(ranking: Ranking) -> list[str]:
+    return [
+        f"{standing.solver} has no time on {mesh}: {row.outcome}: {row.message}"
+        for mesh in ranking.contest.meshes
+        for standing in ranking.standings
+        if (row := ranking.contest.failure(standing.solver, mesh)) is not None
+    ]
+
+
+def _about_means(ranking: Ranking, run: Run) -> list[str]:
+    count, lines = len(ranking.contest.meshes), []
+    timed = [one for one in ranking.standings if one.time is not None]
+    for one in timed:
+        if len(one.meshes) < count:
+            lines.append(
+                f"the means of {one.solver} are over {len(one.meshes)} of {count} meshes: compare"
+                " them only with means over the same meshes"
+            )
+    if any(one.time is not None and not one.time.has_interval for one in timed):
+        least = least_for_interval(CONFIDENCE)
+        lines.append(f"fewer than {least} pairs resolve nothing (~): rank with more --pairs")
+    disturbed = sum(
+        ranking.contest.pairs(ranking.candidate, one.solver, mesh).disturbed
+        for one in timed for mesh in ranking.contest.meshes
+    )  # fmt: skip
+    if disturbed:
+        lines.append(
+            f"{disturbed} pairs were disturbed, by other processes or the hypervisor: rank on a"
+            " machine that does nothing else"
+        )
+    if count == 1:
+        lines.append("one mesh does not show how the solvers compare on others")
+    return lines + [f"skipped {skip.mesh}: {skip.why}" for skip in run.skipped if not skip.solver]

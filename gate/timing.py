@@ -1,0 +1,255 @@
+"""Level 4: CPU time of base and head in pairs, and the noise of a build against itself.
+
+A session is one interleaved run of PAIRS pairs a row. What it does not decide, and what it finds
+slower, is measured in further sessions, whose pairs are added, until every row is decided or the
+budget is spent. docs/measuring.md has the decision rule.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import statistics
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from results.reader import Cell
+from results.statistics import Decision, Estimate, decide, geometric_mean_of_medians
+
+from .cells import Measured, Pairs, together
+from .findings import REGRESSION, GateError, LevelResult, Weight
+
+PAIRS = 15
+CONFIRMED = 2
+"""Sessions that a slower row needs; one where level 1 or 2 has grown as well."""
+SHORTEST_MS, LONGEST_MS = 10.0, 150.0
+"""Rows between these are timed: long enough to be quiet, short enough for many pairs."""
+LEAST_ROWS = 3
+"""Of each solver, whatever the machine."""
+
+Say = Callable[[str], None]
+Session = Callable[[Sequence[Cell]], dict[Cell, Pairs]]
+"""Measures PAIRS pairs of these cells."""
+
+
+def timed_cells(base: Sequence[Measured]) -> list[Cell]:
+    """The rows of level 4, by the times of the base: those of suitable length, and of a solver with
+    fewer than LEAST_ROWS also the longest of its shorter rows, then the shortest of the longer."""
+    by_solver: dict[str, list[Measured]] = {}
+    for one in base:
+        by_solver.setdefault(one.cell.solver, []).append(one)
+    chosen: list[Cell] = []
+    for rows in by_solver.values():
+        rows.sort(key=_milliseconds)
+        suitable = [row for row in rows if SHORTEST_MS <= _milliseconds(row) <= LONGEST_MS]
+        shorter = [row for row in rows if _milliseconds(row) < SHORTEST_MS]
+        longer = [row for row in rows if _milliseconds(row) > LONGEST_MS]
+        missing = max(LEAST_ROWS - len(suitable), 0)
+        chosen += [row.cell for row in (*suitable, *[*reversed(shorter), *longer][:missing])]
+    return [one.cell for one in base if one.cell in chosen]
+
+
+def _milliseconds(row: Measured) -> float:
+    return statistics.median(row.times)
+
+
+@dataclass
+class Timing:
+    """All pairs of all sessions, and what they decide."""
+
+    margin: float
+    grown: dict[str, int]
+    """By solver: the level, 1 or 2, at which it has grown."""
+    pairs: dict[Cell, Pairs] = field(default_factory=dict)
+    sessions: dict[Cell, int] = field(default_factory=dict)
+    _means: dict[str, Estimate] = field(default_factory=dict)
+
+    def add(self, session: dict[Cell, Pairs]) -> None:
+        for cell, pairs in session.items():
+            self.pairs[cell] = together([*filter(None, [self.pairs.get(cell)]), pairs])
+            self.sessions[cell] = self.sessions.get(cell, 0) + 1
+            self._means.pop(cell.solver, None)
+
+    def cells_of(self, solver: str) -> list[Cell]:
+        return [cell for cell in self.pairs if cell.solver == solver]
+
+    @property
+    def solvers(self) -> list[str]:
+        return list(dict.fromkeys(cell.solver for cell in self.pairs))
+
+    def mean(self, solver: str) -> Estimate | None:
+        """Of the solver's rows; None when there is one only."""
+        ratios = [self.pairs[cell].ratios for cell in self.cells_of(solver)]
+        if solver not in self._means and len(ratios) > 1:
+            self._means[solver] = geometric_mean_of_medians(ratios)
+        return self._means.get(solver)
+
+    def decision(self, cell: Cell) -> Decision:
+        """Against the margin. A slower row is undecided until it is confirmed, and one that is not
+        slower until its interval is narrow enough to show half of what the margin allows."""
+        judged = decide(self.pairs[cell].ratios, self.margin)
+        wide = judged.ratio.high - judged.ratio.value > (self.margin - 1) / 2
+        decision = Decision.UNDECIDED if judged.decision == Decision.SAME and wide else judged.decision
+        return self._confirmed(decision, [cell])
+
+    def mean_decision(self, solver: str) -> Decision:
+        mean = self.mean(solver)
+        if mean is None or mean.value <= self.margin:
+            return Decision.SAME
+        decision = Decision.SLOWER if mean.low > self.margin else Decision.UNDECIDED
+        return self._confirmed(decision, self.cells_of(solver))
+
+    def _confirmed(self, decision: Decision, cells: list[Cell]) -> Decision:
+        confirmed = all(self.sessions[cell] >= CONFIRMED for cell in cells)
+        if decision != Decision.SLOWER or confirmed or cells[0].solver in self.grown:
+            return decision
+        return Decision.UNDECIDED
+
+    def suspects(self) -> list[Cell]:
+        """The rows that need more pairs. None of a solver that is slower on the mean."""
+        found: list[Cell] = []
+        for solver in self.solvers:
+            of_mean, cells = self.mean_decision(solver), self.cells_of(solver)
+            if of_mean == Decision.UNDECIDED:
+                found += cells
+            elif of_mean == Decision.SAME:
+                found += [cell for cell in cells if self.decision(cell) == Decision.UNDECIDED]
+        return found
+
+
+def measure(
+    cells: Sequence[Cell], session: Session, margin: float, grown: dict[str, int], seconds: float,
+    say: Say,
+) -> Timing:
+    """Sessions until every row is decided, or the budget for further sessions is spent."""
+    timing = Timing(margin, grown)
+    say(f"level 4: {len(cells)} rows, {PAIRS} pairs each")
+    timing.add(session(cells))
+    end = time.monotonic() + seconds
+    while (suspects := timing.suspects()) and time.monotonic() < end:
+        say(f"level 4: {len(suspects)} rows are not decided: {PAIRS} more pairs each")
+        timing.add(session(suspects))
+    return timing
+
+
+def report(timing: Timing, seconds: float) -> LevelResult:
+    """Level 4."""
+    result = LevelResult(4, f"CPU time, interleaved pairs, margin {timing.margin:g}")
+    result.heading = ["row", "base ms", "head ms", "head/base", "99% interval", "pairs", "decision"]
+    for solver in timing.solvers:
+        failed = _report_mean(result, timing, solver)
+        for cell in timing.cells_of(solver):
+            _report_row(result, timing, cell, seconds, solver_failed=failed)
+    return result
+
+
+def _report_mean(result: LevelResult, timing: Timing, solver: str) -> bool:
+    """Whether the solver is slower on the mean."""
+    mean, decision = timing.mean(solver), timing.mean_decision(solver)
+    if mean is None:
+        return False
+    rows = len(timing.cells_of(solver))
+    text = f"{solver}: {_times(mean)}, geometric mean over {rows} rows"
+    if decision == Decision.SLOWER:
+        result.fail(text + _cause(timing, solver), REGRESSION, solver)
+    elif _noticeable(mean, timing.margin):
+        result.add(Weight.WITHIN_MARGIN, text, solver=solver)
+    return decision == Decision.SLOWER
+
+
+def _report_row(
+    result: LevelResult, timing: Timing, cell: Cell, seconds: float, solver_failed: bool
+) -> None:
+    pairs, decision = timing.pairs[cell], timing.decision(cell)
+    judged = decide(pairs.ratios, timing.margin)
+    ratio = judged.ratio
+    result.compared += 1
+    result.table.append([
+        str(cell), f"{statistics.median(pairs.first):.4g}", f"{statistics.median(pairs.second):.4g}",
+        f"{ratio.value:.3f}", f"{ratio.low:.3f} to {ratio.high:.3f}", str(len(pairs)),
+        "NOT RESOLVED" if decision == Decision.UNDECIDED else str(decision),
+    ])  # fmt: skip
+    text = f"{cell}: {_times(ratio)}, {len(pairs)} pairs"
+    if pairs.disturbed:
+        text += f", {pairs.disturbed} disturbed"
+    if decision == Decision.SLOWER:
+        result.fail(text + _cause(timing, cell.solver), REGRESSION, cell.solver)
+    elif decision == Decision.UNDECIDED and not solver_failed:
+        result.add(
+            Weight.NOT_RESOLVED,
+            f"{text}: not decided against the margin in {seconds:g} s of further sessions: repeat"
+            " with a larger --budget, or on a quieter machine",
+        )
+    elif _noticeable(ratio, timing.margin) and not solver_failed:
+        result.add(Weight.WITHIN_MARGIN, text, solver=cell.solver)
+
+
+def _times(ratio: Estimate) -> str:
+    return f"{ratio.value:.3f} times as long [{ratio.low:.3f}, {ratio.high:.3f}]"
+
+
+def _cause(timing: Timing, solver: str) -> str:
+    return f"; level {timing.grown[solver]} has grown as well" if solver in timing.grown else ""
+
+
+def _noticeable(ratio: Estimate, margin: float) -> bool:
+    """Slower for certain, and by half of what the margin allows or more: equals are not."""
+    return ratio.low > 1 and ratio.value >= 1 + (margin - 1) / 2
+
+
+def noise(pairs: Pairs) -> float:
+    """Spread of the ratio of a pair of equals, 1.04 for 4%: one standard deviation, estimated by
+    the median of the logarithms' absolute values."""
+    return math.exp(1.4826 * statistics.median(abs(math.log(ratio)) for ratio in pairs.ratios))
+
+
+def against_itself(
+    cells: Sequence[Cell], session: Session, sessions: int, margin: float, say: Say
+) -> tuple[LevelResult, dict[str, float]]:
+    """--a-a: the report, and each row's noise."""
+    result = LevelResult(4, f"One build against itself, {sessions} sessions of {PAIRS} pairs")
+    result.heading = ["row", "ms", "noise", "median ratios", "intervals", "called slower"]
+    measured: dict[Cell, list[Pairs]] = {cell: [] for cell in cells}
+    for number in range(sessions):
+        say(f"a-a: session {number + 1} of {sessions}, {len(cells)} rows")
+        for cell, pairs in session(cells).items():
+            measured[cell].append(pairs)
+    for cell, all_pairs in measured.items():
+        judged = [decide(pairs.ratios, margin) for pairs in all_pairs]
+        slower = sum(one.decision == Decision.SLOWER for one in judged)
+        medians = [one.ratio.value for one in judged]
+        result.compared += 1
+        result.table.append([
+            str(cell), f"{statistics.median(t for p in all_pairs for t in p.first):.4g}",
+            f"{max(map(noise, all_pairs)) - 1:.1%}", f"{min(medians):.3f} to {max(medians):.3f}",
+            f"{min(one.ratio.low for one in judged):.3f} to"
+            f" {max(one.ratio.high for one in judged):.3f}",
+            f"{slower} of {sessions}",
+        ])  # fmt: skip
+        if slower:
+            result.fail(f"{cell}: slower than itself", REGRESSION)
+    return result, {str(cell): max(map(noise, pairs)) for cell, pairs in measured.items()}
+
+
+def keep_noise(file: Path, processor: str, floors: dict[str, float]) -> None:
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(json.dumps({"processor": processor, "noise": floors}, indent=1) + "\n")
+
+
+def check_margin(file: Path, processor: str, cells: Sequence[Cell], margin: float) -> None:
+    """@raises GateError when --a-a measured more noise in one of these rows than the margin"""
+    try:
+        kept = json.loads(file.read_text(encoding="utf-8"))
+        floors = kept["noise"] if kept["processor"] == processor else {}
+    except (OSError, ValueError, KeyError):
+        return  # not measured: every interval contains its own noise
+    for cell in cells:
+        floor = floors.get(str(cell), 1.0)
+        if margin < floor:
+            least = f"{math.ceil(floor * 100) / 100:.2f}"
+            raise GateError(
+                f"the margin {margin:g} is below this machine's noise of {cell}, {floor:.3f}"
+                f" ({file}): use --margin {least} or more, or a quieter machine"
+            )

@@ -1,0 +1,202 @@
+"""Level 4: which rows are timed, and what pairs decide. No test depends on a clock."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from gate_world import World, fact, first
+from results.reader import Cell, Row
+from results.statistics import Decision
+
+from gate import check, timing
+from gate.cells import Measured, Pairs, paired
+from gate.findings import GOOD, NOT_RESOLVED, REGRESSION, GateError, Weight
+from gate.timing import PAIRS, Timing, timed_cells
+from gate.verdict import Verdict, as_text, judge
+
+A, B, C = (Cell("mmp", mesh, 0) for mesh in ("cube", "hill", "torus"))
+
+
+def made(ratio: float, spread: float, seed: int, pairs: int = PAIRS) -> Pairs:
+    """Pairs whose ratios scatter around `ratio`; both times drift alike."""
+    random = np.random.default_rng(seed)
+    base = 20 * np.exp(np.linspace(0, 0.5, pairs))
+    head = base * ratio * np.exp(random.normal(0, spread, pairs))
+    return Pairs(base.tolist(), head.tolist())
+
+
+def verdict_of(timed: Timing, strict: bool = False) -> Verdict:
+    return judge("base", "head", [timing.report(timed, 300)], strict)
+
+
+class Machine:
+    """Sessions on a machine where the head takes `ratios` of the base's time."""
+
+    def __init__(self, ratios: dict[Cell, float], spread: float, seed: int = 0) -> None:
+        self.ratios, self.spread, self.seed = ratios, spread, 1000 * seed
+        self.sessions: list[list[Cell]] = []
+
+    def session(self, cells: Sequence[Cell]) -> dict[Cell, Pairs]:
+        self.sessions.append(list(cells))
+        self.seed += len(cells)
+        return {
+            cell: made(self.ratios[cell], self.spread, self.seed + i) for i, cell in enumerate(cells)
+        }
+
+    def verdict(self, most: int = 6, **options: Any) -> Verdict:
+        """@param most sessions before the budget is spent"""
+        timed = Timing(1.1, options.get("grown", {}))
+        timed.add(self.session(list(self.ratios)))
+        while (suspects := timed.suspects()) and len(self.sessions) < most:
+            timed.add(self.session(suspects))
+        return verdict_of(timed, options.get("strict", False))
+
+
+@pytest.mark.parametrize("spread", [0.01, 0.04, 0.1])
+def test_equals_are_never_a_regression_and_mostly_good(spread: float) -> None:
+    words = [Machine({A: 1, B: 1, C: 1}, spread, seed).verdict().word for seed in range(20)]
+    assert "REGRESSION" not in words
+    assert words.count("good") >= 17
+
+
+def test_15_percent_is_found() -> None:
+    verdicts = [Machine({A: 1.15, B: 1.15, C: 1.15}, 0.04, seed).verdict() for seed in range(20)]
+    assert sum(verdict.exit_code == REGRESSION for verdict in verdicts) >= 19
+    assert all(verdict.word != "good" for verdict in verdicts)
+
+
+@pytest.mark.parametrize("spread", [0.02, 0.04, 0.08])
+def test_8_percent_is_never_good(spread: float) -> None:
+    for seed in range(20):
+        verdict = Machine({A: 1.08, B: 1.08, C: 1.08}, spread, seed).verdict()
+        assert verdict.word in ("NOT RESOLVED", "SLOWER WITHIN THE MARGIN", "REGRESSION")
+
+
+def test_a_single_slower_row_is_found() -> None:
+    machine = Machine({A: 1.2, B: 1.0, C: 1.0}, 0.03)
+    verdict = machine.verdict()
+    assert verdict.exit_code == REGRESSION
+    assert first(verdict).startswith("mmp/cube/src:0: 1.19")
+    assert machine.sessions[1:] == [[A]] * (len(machine.sessions) - 1)
+
+
+def test_a_slower_row_is_measured_in_a_second_session() -> None:
+    machine = Machine({A: 1.5}, 0.02)
+    assert machine.verdict().exit_code == REGRESSION
+    assert machine.sessions == [[A], [A]]
+
+
+def test_a_slower_row_needs_no_second_session_when_a_counter_has_grown() -> None:
+    machine = Machine({A: 1.5}, 0.02)
+    verdict = machine.verdict(grown={"mmp": 1})
+    assert verdict.exit_code == REGRESSION and len(machine.sessions) == 1
+    assert first(verdict).endswith("15 pairs; level 1 has grown as well")
+
+
+def test_a_median_above_the_margin_is_not_resolved_when_the_budget_is_spent() -> None:
+    machine = Machine({A: 1.12}, 0.1)
+    verdict = machine.verdict(most=1)
+    assert verdict.exit_code == GOOD
+    assert as_text(verdict).startswith("NOT RESOLVED: head against base\n")
+    assert "larger --budget" in first(verdict) and "times as long [" in first(verdict)
+    assert Machine({A: 1.12}, 0.1).verdict(most=1, strict=True).exit_code == NOT_RESOLVED
+
+
+def test_a_solver_that_is_slower_on_the_mean_is_a_regression() -> None:
+    """Each row alone is too noisy."""
+    timed = Timing(1.1, {})
+    for _ in range(2):
+        timed.add({A: made(1.2, 0.15, 1), B: made(1.2, 0.15, 2), C: made(1.2, 0.15, 3)})
+    assert timed.mean_decision("mmp") == Decision.SLOWER
+    verdict = verdict_of(timed)
+    assert "mmp: 1." in first(verdict) and "geometric mean over 3 rows" in first(verdict)
+    assert timed.suspects() == []
+
+
+def test_rows_of_suitable_length_are_timed_and_three_of_each_solver() -> None:
+    def row(solver: str, milliseconds: float) -> Measured:
+        cell = Cell(solver, f"{milliseconds:g}", 0)
+        return Measured(cell, [of(cell, milliseconds)])
+
+    rows = [row("a", t) for t in (1, 9, 11, 50, 149, 151)]
+    rows += [row("b", t) for t in (1, 3, 9, 20, 200)] + [row("c", t) for t in (0.1, 200, 300)]
+    chosen = [f"{cell.solver} {cell.mesh}" for cell in timed_cells(rows)]
+    assert chosen == ["a 11", "a 50", "a 149", "b 3", "b 9", "b 20", "c 0.1", "c 200", "c 300"]
+
+
+def of(cell: Cell, milliseconds: float, repetition: int = 0, **numbers: float) -> Row:
+    return Row(
+        solver=cell.solver, mesh=cell.mesh, source=cell.source, repetition=repetition, outcome="ok",
+        message="", reference=None, numbers={"cpu_time": milliseconds, **numbers},
+    )  # fmt: skip
+
+
+def test_pairs_are_of_one_repetition_and_disturbed_ones_are_left_out() -> None:
+    first_side = [of(A, 10 + r, r) for r in range(12)]
+    second_side = [of(A, 20 + 2 * r, r) for r in range(1, 12)]
+    second_side[0] = of(A, 99, 1, stolen_share=0.02)
+    second_side[1] = of(A, 99, 2, involuntary_switches_per_s=501)
+    pairs = paired(Measured(A, first_side), Measured(A, second_side))
+    assert pairs.ratios == [2.0] * 9 and pairs.disturbed == 2
+    few = paired(Measured(A, first_side[:5]), Measured(A, second_side))
+    assert len(few) == 4, "too few others: all are used"
+
+
+def test_time_fails_only_above_the_margin(world: World) -> None:
+    assert world.gate(fact("mmp", "cpu_ms", 52.0), levels=(4,)).word == "good"
+    assert world.gate(fact("mmp", "cpu_ms", 54.0), levels=(4,)).word == "SLOWER WITHIN THE MARGIN"
+    verdict = world.gate(fact("mmp", "cpu_ms", 56.0), levels=(4,))
+    assert verdict.exit_code == REGRESSION
+    assert first(verdict) == (
+        "mmp: 1.120 times as long [1.120, 1.120], geometric mean over 2 rows"
+    )
+    assert [path.name for path in sorted(world.options.out.glob("time-*"))] == ["time-1", "time-2"]
+
+
+def test_noise_that_hides_the_margin_is_not_resolved(world: World) -> None:
+    def noisy(one: dict[str, Any]) -> None:
+        one["switches"] = 900.0
+
+    slow = [50.0, 80.0, 50.0, 60.0, 50.0]
+    verdict = world.gate(lambda head: (noisy(head), fact("mmp", "cpu_ms", slow)(head)),
+                         noisy, levels=(4,), budget=0.0)  # fmt: skip
+    assert verdict.word == "NOT RESOLVED" and verdict.exit_code == GOOD
+    assert "15 pairs, 15 disturbed" in first(verdict)
+
+
+def test_a_program_that_fails_when_it_is_timed_is_an_error(
+    world: World, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("gate.check.verify", lambda program, options: check.Verified(
+        {}, {A: Measured(A, [of(A, 20)])}))  # fmt: skip
+    with pytest.raises(GateError, match="mmp/cube/src:0: the head failed when timed: crashed"):
+        world.gate(fact("mmp", "outcome", "crashed"), levels=(4,))
+
+
+def test_a_build_against_itself_reports_its_noise_and_keeps_it(
+    world: World, tmp_path: Path
+) -> None:
+    kept = tmp_path / "noise.json"
+    options = replace(world.options, noise_file=kept)
+    verdict = check.against_itself(world.program("head"), 2, options)
+    assert verdict.exit_code == GOOD and verdict.levels[0].compared == 4
+    assert verdict.levels[0].table[0][2:] == ["0.0%", "1.000 to 1.000", "1.000 to 1.000", "0 of 2"]
+    noise = {str(A): timing.noise(made(1, 0.04, 5, 1000))}
+    assert noise[str(A)] == pytest.approx(1.04, abs=0.004)
+    timing.keep_noise(kept, "fake", noise)
+    timing.check_margin(kept, "fake", [A], 1.05)
+    timing.check_margin(kept, "another processor", [A], 1.01)
+    with pytest.raises(GateError, match="below this machine's noise of mmp/cube/src:0, 1.0"):
+        timing.check_margin(kept, "fake", [A], 1.02)
+
+
+def test_a_build_that_is_slower_than_itself_is_a_failure() -> None:
+    machine = Machine({A: 1.3}, 0.02)
+    result, _ = timing.against_itself([A], machine.session, 2, 1.1, lambda line: None)
+    assert result.findings[0].weight == Weight.FAILURE
+    assert result.findings[0].text == "mmp/cube/src:0: slower than itself"
