@@ -20,7 +20,7 @@ from typing import Any
 from results import console
 
 if __name__ == "__main__":
-    console.prepare()  # before imports that may fail
+    console.prepare("geodesic-bench compare")  # before imports that may fail
 
 from results.console import Parser, complain, printable  # noqa: E402
 from results.reader import Cell, ResultError, Run, read_run  # noqa: E402

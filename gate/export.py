@@ -14,7 +14,7 @@ from typing import Any
 from results import console
 
 if __name__ == "__main__":
-    console.prepare()  # before imports that may fail
+    console.prepare("geodesic-bench export")  # before imports that may fail
 
 from results.console import Parser, complain  # noqa: E402
 from results.reader import ResultError, Run, read_run  # noqa: E402
@@ -127,7 +127,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     states = [of_cell.ok for _, of_cell in cells(run)]
     if not all(states):
         failed = f"{states.count(False)} of {len(states)} cells failed and have no numbers"
-        print(f"geodesic-bench: {failed}", file=sys.stderr)
+        print(f"geodesic-bench export: {failed}", file=sys.stderr)
     return 0
 
 

@@ -18,7 +18,7 @@ from pathlib import Path
 from results import console
 
 if __name__ == "__main__":
-    console.prepare()  # before imports that may fail
+    console.prepare("geodesic-bench rank")  # before imports that may fail
 
 from results.console import ROOT, Parser, complain  # noqa: E402
 from results.reader import ResultError, Run, read_run  # noqa: E402

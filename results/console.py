@@ -23,9 +23,15 @@ def printable(text: str) -> str:
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
 
 
+_name = ""
+
+
 def program() -> str:
-    """The name that messages begin with: that of the script, or of the package run with -m."""
+    """The name that messages begin with: as given to `prepare`, else that of the script, or of the
+    package run with -m."""
     script = Path(sys.argv[0])
+    if _name:
+        return _name
     return script.parent.name if script.name == "__main__.py" else script.name
 
 
@@ -67,9 +73,13 @@ def run_parser(description: str | None) -> Parser:
     return parser
 
 
-def prepare() -> None:
+def prepare(name: str = "") -> None:
     """Sets the process up as a command: errors that are no fault of the program end in one line,
-    a closed pipe ends it silently, and any text can be printed."""
+    a closed pipe ends it silently, and any text can be printed.
+
+    @param name as the user calls the command, where that is not the name of the script"""
+    global _name
+    _name = name
     sys.excepthook = _end
     os.environ["MPLBACKEND"] = "agg"  # matplotlib opens no window
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)

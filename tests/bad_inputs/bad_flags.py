@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from case import Case
+
+GOLDEN = Path(__file__).resolve().parents[1] / "plots" / "golden" / "run" / "run.json"
 
 SOLVE = "geodesic-bench solve hill.obj --solver mmp --source 0"
 SEE = "(see geodesic-bench {} --help)"
@@ -15,6 +19,12 @@ def flag(command: str, *says: str) -> Case:
 def of(command: str, words: str, *says: str) -> Case:
     """Words after a command, whose own help is named."""
     return flag(f"geodesic-bench {command} {words}", *says, SEE.format(command))
+
+
+def script(command: str, words: str, *says: str) -> Case:
+    """Words after a command that is a Python module."""
+    see = f"; see geodesic-bench {command} --help"
+    return flag(f"geodesic-bench {command} {words}", f"geodesic-bench {command}: ", *says, see)
 
 
 CASES = [
@@ -79,11 +89,12 @@ CASES = [
     flag("geodesic-bench run -- --benchmark_nope", "--benchmark_nope", "that make sense here"),
     flag(r"geodesic-bench run --meshes $'\xff.obj'", "no UTF-8", "rename the file"),
     # rank
-    of("rank", "--against mmp", "--solver is required"),
-    of("rank", "--solver mmp --against ''", "--against: must not be empty"),
-    flag("geodesic-bench rank --solver mmp --against mmp", "'mmp' cannot be ranked against itself"),
-    flag("geodesic-bench rank --solver mmp --against ich,ich", "--against names 'ich' twice"),
-    of("rank", "--solver mmp --against ich --pairs 0", "--pairs: Value 0 not in range 1 to 1000"),
+    script("rank", "--against mmp", "--solver is required"),
+    script("rank", "--solver mmp --against mmp", "'mmp' cannot be ranked against itself"),
+    script("rank", "--solver mmp --against ich,ich", "--against has 'ich' twice"),
+    script("rank", "--solver mmp --against ich --pairs 0", "'0' is not a number from 1 to 1000"),
+    script("rank", "--resume a --run b", "give only one of --resume and --run"),
+    flag("geodesic-bench rank --run nowhere", "geodesic-bench rank: nowhere: no such folder"),
     # verify
     flag("geodesic-bench verify", "--solver is required (geodesic-bench list)"),
     flag("geodesic-bench verify --solver mmp --property nope", "no property named 'nope'"),
@@ -94,13 +105,13 @@ CASES = [
     flag("geodesic-bench verify --solver mmp --source 0", "--source and --limit are for --meshes"),
     flag("geodesic-bench verify --solver mmp --out hill.obj", "--out 'hill.obj' is a file"),
     # compare, export
-    of("compare", "old", "new is required"),
-    flag("geodesic-bench compare old new", "cannot read 'old'", "name a run folder"),
+    flag("geodesic-bench compare old new", "geodesic-bench compare: old: no such folder"),
+    flag(f"geodesic-bench compare '{GOLDEN}'", "no programs. Give two runs otherwise"),
     flag("geodesic-bench compare old new --fail-on speed=1%", "no kind of limit named 'speed'"),
-    flag("geodesic-bench compare old new --fail-on time=ten", "'time=ten' should be like time=10%"),
-    flag("geodesic-bench compare old new --format xml", "no format named 'xml'", "markdown"),
-    of("export", "run", "--to is required"),
-    flag("geodesic-bench export --to xml run.json", "no export format named 'xml'", "bencher, csv"),
+    flag("geodesic-bench compare old new --fail-on time=ten", "'time=ten' must have the form time=10%"),
+    script("compare", "old new --format xml", "--format: invalid choice: 'xml'", "markdown"),
+    script("export", "run", "required: --to"),
+    script("export", "--to xml run.json", "--to: invalid choice: 'xml'", "'bencher', 'csv'"),
     # scripts
     flag("run_all.sh --fast", "run_all.sh: unknown option --fast; there are --corpus"),
     flag("run_all.sh --corpus", "run_all.sh: --corpus needs a value; see run_all.sh --help"),
@@ -109,10 +120,10 @@ CASES = [
     flag("new_solver.sh", "give the solver a name: ./new_solver.sh my-variant"),
     flag("new_solver.sh Mine", "'Mine' is no name for a solver", "my-variant"),
     flag("new_solver.sh my-one --from fast", "cannot start from 'fast'; there are template"),
-    flag("check_performance.sh", "against which base?", "check_performance.sh main"),
+    flag("check_performance.sh", "the base is missing", "check_performance.sh main"),
     flag("check_performance.sh HEAD --levels 0,x", "'0,x': levels are 0, 1, 2, 3 and 4"),
-    flag("check_performance.sh HEAD --margin 1,1", "'1,1': a margin is a ratio above 1, as 1.10"),
-    flag("check_performance.sh --a-a x", "'x': at least one session, as 3"),
+    flag("check_performance.sh HEAD --margin 1,1", "'1,1': a margin is a ratio above 1, as in 1.10"),
+    flag("check_performance.sh --a-a x", "'x': at least one session, as in 3"),
     flag("check_performance.sh HEAD --out /dev/null", "cannot write /dev/null", "--out names"),
     # Python programs
     flag("fetch.py", "fetch.py: name a --corpus or meshes; see fetch.py --help"),

@@ -44,28 +44,28 @@ FILES = {
     "nested 100,000 deep": 100_000 * "[" + 100_000 * "]",
 }
 SAYS = {
-    "cut": ("not valid JSON", "not JSON, perhaps truncated"),
-    "another JSON": ("key 'context' not found", "'context' is a required property"),
-    "a list": ("is no result file of geodesic-bench", "[] is not of type 'object'"),
-    "of an older version": ("schema version 1, and this program reads 2", "schema_version: 2 was"),
-    "without rows": ("benchmarks: no list of rows", "benchmarks: []"),
-    "without times": ("benchmarks[0]: key 'cpu_time' not found", "benchmarks[0]: 'cpu_time' is"),
-    "with a word for a time": ("benchmarks[0]: cpu_time is no number but string",
-                               "benchmarks[0].cpu_time: 'fast' is not of type 'number'"),
-    "of Google Benchmark alone": ("key 'geodesic_bench' not found", "'geodesic_bench' is a requi"),
-    "nested 100,000 deep": ("nested more than 50 deep", "nested too deep for a result file"),
-}  # fmt: skip
-"""What geodesic-bench says, and what plots/ do."""
+    "cut": "not JSON, perhaps truncated",
+    "another JSON": "'context' is a required property",
+    "a list": "[] is not of type 'object'",
+    "of an older version": "schema_version: 2 was",
+    "without rows": "benchmarks: []",
+    "without times": "benchmarks[0]: 'cpu_time' is",
+    "with a word for a time": "benchmarks[0].cpu_time: 'fast' is not of type 'number'",
+    "of Google Benchmark alone": "'geodesic_bench' is a requi",
+    "nested 100,000 deep": "nested too deep for a result file",
+}
 
 
 def refused() -> Iterator[Case]:
     for what, text in FILES.items():
         files = {"run.json": text}
-        by_program, by_plots = (["run.json", words] for words in SAYS[what])
         for command in ("compare . .", "export --to bencher run.json"):
-            yield Case(f"geodesic-bench {command}: {what}", f"geodesic-bench {command}", by_program,
+            command = f"geodesic-bench {command}"
+            begins = " ".join(command.split()[:2])
+            yield Case(f"{command}: {what}", command, [f"{begins}: ", "run.json", SAYS[what]],
                        files=files)  # fmt: skip
-        yield Case(f"check.py: {what}", "check.py --run .", ["check.py: ", *by_plots], files=files)
+        yield Case(f"check.py: {what}", "check.py --run .", ["check.py: ", "run.json", SAYS[what]],
+                   files=files)  # fmt: skip
 
 
 COMMON = "have no cell in common"
@@ -81,11 +81,11 @@ CASES = [
     Case("geodesic-bench compare: runs without a common cell", "geodesic-bench compare a b",
          ["nothing to compare", COMMON], files={"a": LESS, "b": OTHER}),
     Case("geodesic-bench compare: another mesh", f"geodesic-bench compare '{GOLDEN}' b",
-         ["is another file in 'b'"], files={"b": OTHER_MESH}),
+         ["is another file in b"], files={"b": OTHER_MESH}),
     Case("geodesic-bench compare: another corpus", f"geodesic-bench compare '{GOLDEN}' b",
-         ["different corpora cannot be compared", "'b' of other"], files={"b": OTHER_CORPUS}),
+         ["different corpora cannot be compared", "b of other"], files={"b": OTHER_CORPUS}),
     Case("geodesic-bench compare: a run that was interrupted", "geodesic-bench compare . .",
-         ["cannot read './run.json'", "name a run folder"]),
+         ["run.json: no such file; was the run interrupted?"]),
     Case("check.py: a run that was interrupted", "check.py --run .",
          ["run.json: no such file; was the run interrupted?"]),
     Case("check.py: a row of an unknown mesh", "check.py --run .",

@@ -110,9 +110,8 @@ def test_escape_sequences_of_a_run_do_not_reach_the_terminal(bash: Bash, tmp_pat
         "geodesic-bench export --to csv .",
     ):
         ended = bash(command)
-        shown = r"\x1b[2J" if command.startswith("check") else ""
-        refused = "has control characters" if command.startswith("geodesic-bench") else ""
-        assert shown in ended.stdout and refused in ended.stderr, ended
+        shown = "" if command.startswith("plots") else r"\x1b[2J"
+        assert shown in ended.stdout, ended
         assert not set(ended.stdout + ended.stderr) & {"\x1b", "\x07"}, ended
 
 
@@ -129,11 +128,3 @@ def test_closed_streams_are_not_taken_for_files(bash: Bash, tmp_path: Path) -> N
         here = tmp_path / "here"
         assert (here / "d.txt").read_bytes() == (here / "plain.txt").read_bytes(), streams
         (here / "d.txt").unlink()
-
-
-def test_without_python_a_ranking_has_its_tables(bash: Bash, tmp_path: Path) -> None:
-    if not permitted("without-python"):
-        pytest.skip("this machine does not permit what tests/bad_inputs/bin/without-python does")
-    rank = "geodesic-bench rank --solver mmp --against ich --meshes hill.obj --pairs 1"
-    ended = bash(f"without-python {rank} --min-time 0.00001 --out r")
-    assert ended.returncode == 0 and (tmp_path / "here" / "r" / "rank.md").exists(), ended

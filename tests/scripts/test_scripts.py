@@ -117,7 +117,7 @@ def test_fuzzing_takes_positive_numbers_and_known_targets(
     ended = run(checkout / "tests/fuzz/fuzz.sh", option, number)
     assert ended.returncode == 1 and f"{option}: {number} is no positive number" in ended.stderr
     ended = run(checkout / "tests/fuzz/fuzz.sh", "of")
-    assert ended.returncode == 1 and "unknown target of; there are comparison" in ended.stderr
+    assert ended.returncode == 1 and "unknown target of; there are manifest" in ended.stderr
 
 
 @pytest.mark.parametrize("script", SCRIPTS)
