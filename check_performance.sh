@@ -53,10 +53,7 @@ while [[ $# -gt 0 ]]; do
       shift 2
       ;;
     --strict | --update-baseline) words+=("$1"); shift ;;
-    -*)
-      die "unknown option $1; there are --levels, --solvers, --margin, --a-a, --strict, --out," \
-        "--update-baseline, --reason, --no-install, --help"
-      ;;
+    -*) unknown_option "$1" ;;
     *) words+=("$1"); shift ;;
   esac
 done

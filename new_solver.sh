@@ -60,7 +60,7 @@ parse_options() {
         outside=$(realpath -m -- "$outside")
         shift 2
         ;;
-      -*) die "unknown option $1; there are --from, --outside, --help" ;;
+      -*) unknown_option "$1" ;;
       *)
         [[ -z $name ]] || die "one name at a time: '$name' or '$1'?"
         name=$1

@@ -32,21 +32,21 @@ Without a step, all of them, in this order:
   run     solve, verify and time every solver on every mesh
   check   fail unless every cell of the run is there and verified
   plot    write the tables and figures of the run, and a page that shows them
-check and plot without run work on the newest run, or on the one that --run names: they solve
-nothing, so every table, figure and the page can be drawn again from an old run.
+Without run, check and plot take the newest run, or the one that --run names. They solve nothing:
+every table, figure and the page can be drawn again from an old run.
 
 Options:
-  --corpus NAME        meshes to run on (default: standard: the quick ones, and horse, bunny
-                       and rocker arm where they are to be had; see geodesic-bench list)
+  --corpus NAME        meshes to run on (default: standard, that is the quick ones, and horse,
+                       bunny and rocker arm where available; see geodesic-bench list)
   --solvers A,B        only these solvers
   --meshes A,B         only these meshes of the corpus
   --sources N          source vertices of each mesh
   --repetitions N      timed solves of each solver, mesh and source
   --out DIR            folder that run writes (default: results/runs/<UTC time>-<corpus>)
-  --resume DIR         go on with a run that was interrupted, by the options that it had
+  --resume DIR         continue an interrupted run with the options that it was started with
   --run DIR            folder of an old run, for check and plot (default: the newest)
-  --preset NAME        the build to measure: release (default), or ci, the one that the tests
-                       run on: the same with warnings as errors
+  --preset NAME        the build to measure: release (default), or ci, the build of the tests
+                       (the same, with warnings as errors)
   --no-install         never install a package: print the line that would, and stop
   --help               this text
 
@@ -72,23 +72,20 @@ parse_options() {
         take_option "$1" "$value"
         shift 2
         ;;
-      -*)
-        die "unknown option $1; there are --corpus, --solvers, --meshes, --sources," \
-          "--repetitions, --out, --resume, --run, --preset, --no-install, --help"
-        ;;
+      -*) unknown_option "$1" ;;
       *)
         [[ " ${all_steps[*]} " == *" $1 "* ]] ||
-          die "unknown step $1; there are ${all_steps[*]}"
+          die "unknown step $1; steps are ${all_steps[*]}"
         steps+=("$1")
         shift
         ;;
     esac
   done
   [[ ${#steps[@]} -gt 0 ]] || steps=("${all_steps[@]}")
-  if wants run; then
-    [[ -z $old_run ]] || die "--run names an old run, for check and plot; run writes to --out DIR"
+  if has_step run; then
+    [[ -z $old_run ]] || die "--run is for check and plot of an old run; run writes to --out DIR"
     if [[ -n $resumed ]]; then
-      [[ -z $out ]] || die "--resume names the folder of the run already; leave out --out"
+      [[ -z $out ]] || die "--out cannot be used with --resume, which names the folder"
       out=$resumed
     fi
   else
@@ -105,19 +102,18 @@ take_option() {
     --run) old_run=$(absolute "$2") ;;
     --resume) resumed=$(absolute "$2") ;;
     --sources | --repetitions)
-      [[ $2 =~ ^[1-9][0-9]*$ ]] || die "$1: $2 is no positive number"
-      run_options+=("$1" "$2")
+      run_options+=("$1" "$(positive_integer "$@")")
       ;;
     *) run_options+=("$1" "$2") ;;
   esac
 }
 
-wants() {
+has_step() {
   [[ " ${steps[*]} " == *" $1 "* ]]
 }
 
 need_bench() {
-  [[ -x $bench ]] || die "$bench is not there yet; ./run_all.sh build makes it"
+  [[ -x $bench ]] || die "there is no $bench; run ./run_all.sh build"
 }
 
 step_build() {
@@ -131,7 +127,7 @@ step_fetch() {
   if [[ -t 2 ]]; then bars=(--bars "$(tty <&2)"); fi
   logged "$python" "$root/datasets/fetch.py" --corpus "$corpus" --bench "$bench" "${bars[@]}" ||
     status=$?
-  # 3: some meshes cannot be had here; the run goes without them and says so.
+  # 3: some meshes cannot be fetched here; the run leaves them out and reports it.
   [[ $status -eq 0 || $status -eq 3 ]]
 }
 
@@ -142,12 +138,12 @@ step_run() {
     what=()
     where=(--resume "$resumed")
   elif [[ -e $out/run.json ]]; then
-    die "$out holds a run already: remove it, or give another --out"
+    die "$out already contains a run; remove it, or give another --out"
   fi
   (cd "$root" && logged "$bench" run "${what[@]}" "${run_options[@]}" "${where[@]}") || status=$?
-  # Failed cells are results, and for check to report; only a run that did not end ends here.
+  # Failed cells are results, which check reports; only a run that was not completed ends here.
   if [[ $status -ge 128 || ! -f $out/run.json ]]; then
-    if [[ -f $out/request.json ]]; then say "To go on: $0 ${steps[*]} --preset $preset --resume '$out'"; fi
+    if [[ -f $out/request.json ]]; then say "To continue: $0 ${steps[*]} --preset $preset --resume '$out'"; fi
     exit "$status"
   fi
 }
@@ -165,49 +161,58 @@ step_plot() {
 choose_out() {
   [[ -z $out ]] || return 0
   local runs="$root/results/runs" file
-  if wants run; then
+  if has_step run; then
     out="$runs/$(date -u +%Y%m%dT%H%M%SZ)-$corpus"
-  elif wants check || wants plot; then
+  elif has_step check || has_step plot; then
     for file in "$runs"/*/run.json; do # their names begin with the time, so the last is the newest
       [[ -f $file ]] && out=${file%/*}
     done
-    [[ -n $out ]] || die "there is no run in $runs yet; ./run_all.sh run makes one"
+    [[ -n $out ]] || die "there is no run in $runs; start one with ./run_all.sh run"
   fi
 }
 
-# Seconds that a step took last time on this corpus, or at first a guess for the standard corpus.
+# Seconds that a step took last time on this corpus; the first time, as measured on two cores. Fails
+# where neither is known.
 expected_seconds() {
   local step=$1 seconds=
   if [[ -f $logs/durations ]]; then
     seconds=$(sed -n "s|^$step $corpus ||p" "$logs/durations" | tail -n 1)
   fi
-  case ${seconds:-$step} in
-    build) echo 150 ;;
-    fetch) echo 10 ;;
-    run) echo 180 ;;
-    check) echo 5 ;;
-    plot) echo 40 ;;
+  case ${seconds:-$step $corpus} in
+    build\ *) echo 100 ;;
+    fetch\ tiny | fetch\ quick | fetch\ standard) echo 10 ;;
+    run\ tiny) echo 20 ;;
+    run\ standard) echo 480 ;;
+    check\ *) echo 5 ;;
+    plot\ *) echo 40 ;;
+    *\ *) return 1 ;;
     *) echo "$seconds" ;;
   esac
 }
 
+# expected_left STEP...: " (about 10 min left)", or nothing where that is not known.
 expected_left() {
-  local step sum=0
+  local step seconds sum=0
   for step in "$@"; do
-    sum=$((sum + $(expected_seconds "$step")))
+    seconds=$(expected_seconds "$step") || return 0
+    sum=$((sum + seconds))
   done
-  if [[ $sum -lt 90 ]]; then echo "$sum s"; else echo "$(((sum + 30) / 60)) min"; fi
+  if [[ $sum -lt 90 ]]; then
+    echo " (about $sum s left)"
+  else
+    echo " (about $(((sum + 30) / 60)) min left)"
+  fi
 }
 
 run_steps() {
   local ordered=() step number=0 left began took
   for step in "${all_steps[@]}"; do
-    if wants "$step"; then ordered+=("$step"); fi
+    if has_step "$step"; then ordered+=("$step"); fi
   done
   for step in "${ordered[@]}"; do
     left=$(expected_left "${ordered[@]:number}")
     number=$((number + 1))
-    say "[$number/${#ordered[@]}] $step (about $left left)"
+    say "[$number/${#ordered[@]}] $step$left"
     current=$step
     began=$SECONDS
     "step_$step"
@@ -226,11 +231,11 @@ report_failure() {
 }
 
 finish() {
-  if wants plot; then
+  if has_step plot; then
     say "Tables: $out/tables (5.1, 5.2 with its ratios and claims, 5.3; as .md, .csv and .tex)"
     say "Figures: $out/figures (as .png and .pdf, with captions in .md)"
     say "All on one page: $out/report.html"
-  elif wants run; then
+  elif has_step run; then
     say "Results: $out/run.json"
   fi
   [[ -z $check_failed ]] || die "check failed: what is wrong is listed above and in $log"
@@ -242,7 +247,7 @@ choose_out
 start_log run_all
 trap report_failure EXIT
 groups=(python)
-if wants build; then groups+=(build); fi
+if has_step build; then groups+=(build); fi
 set_up "$install" "${groups[@]}"
 run_steps
 finish

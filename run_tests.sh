@@ -40,7 +40,7 @@ parse_options() {
         preset=$(known_preset "$preset" "${presets[@]}")
         shift 2
         ;;
-      *) die "unknown option $1; there are --preset, --no-install, --help" ;;
+      *) unknown_option "$1" ;;
     esac
   done
 }

@@ -7,13 +7,14 @@ folder, or a file:// or http:// address), laid out like those sites; those of pa
 client and from installed Python packages. Every file is checked before it appears in the cache;
 what is there already is left alone.
 
-Exit codes: 0 all that was asked for is there, 3 something is missing but the rest was fetched,
+Exit codes: 0 all requested meshes are there, 3 something is missing but the rest was fetched,
 1 wrong use or an error that concerns all, 130 interrupted.
 """
 
 from __future__ import annotations
 
 import argparse
+import contextlib
 import io
 import os
 import signal
@@ -21,20 +22,16 @@ import sys
 from pathlib import Path
 from typing import NoReturn
 
-from fetching.errors import FetchError, Unavailable, printable, reason_of
-
 try:
     from fetching.cache import Cache, default_cache
-    from fetching.download import Downloader
+    from fetching.download import Downloader, origin_from_environment
     from fetching.fetcher import Fetcher
-    from fetching.generate import DEFAULT_BENCH
-    from fetching.manifest import DEFAULT_MANIFEST, Entry, Manifest
-    from fetching.origin import origin_from_environment
-    from fetching.progress import Progress
+    from fetching.program import DEFAULT_BENCH, DEFAULT_MANIFEST, Entry, Manifest
+    from fetching.reporting import FetchError, Progress, Unavailable, printable, reason_of
 except ImportError as error:
     sys.exit(
-        f"fetch.py: {error}: it needs python3-jsonschema, python3-requests and python3-tqdm, as"
-        " Debian's /usr/bin/python3 has them"
+        f"fetch.py: {error}: it needs python3-requests and python3-tqdm, as Debian's"
+        " /usr/bin/python3 has them"
     )
 
 EXIT_ERROR = 1
@@ -87,19 +84,19 @@ def fetch_all(fetcher: Fetcher, entries: list[Entry]) -> int:
             fetched += fetcher.fetch(entry)
         except Unavailable as error:
             missing += 1
-            complain(f"{entry['name']}: missing: {error}")
+            complain(f"{entry.name}: missing: {error}")
     there = len(entries) - fetched - missing
     say(f"{len(entries)} meshes: {there} there already, {fetched} fetched, {missing} missing")
     return missing
 
 
 def fetch(arguments: argparse.Namespace) -> int:
-    manifest = Manifest(arguments.manifest)
+    manifest = Manifest(arguments.bench, arguments.manifest)
     entries = manifest.select(arguments.corpus, arguments.names)
     origin = origin_from_environment(manifest.sources)
     cache = Cache(arguments.cache)
     progress = Progress(arguments.bars)
-    with Downloader(progress) as downloader:
+    with contextlib.closing(Downloader(progress)) as downloader:
         fetcher = Fetcher(manifest, cache, arguments.bench, origin, progress, downloader, say)
         return fetch_all(fetcher, entries)
 
@@ -116,7 +113,7 @@ def main(words: list[str] | None = None) -> int:
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return EXIT_ERROR
     except KeyboardInterrupt:
-        complain("fetch.py: interrupted; what is in the cache is whole, and a next fetch goes on")
+        complain("fetch.py: interrupted; what is in the cache is whole, and the next fetch continues")
         return EXIT_INTERRUPTED
 
 

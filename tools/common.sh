@@ -16,19 +16,19 @@ die() {
 start_log() {
   log="$logs/$1.log"
   { mkdir -p "$logs" && : >"$log"; } 2>/dev/null ||
-    die "cannot write $log: is the checkout yours, and is there room on its disk?"
+    die "cannot write $log; check who owns the checkout, and the space on its disk"
 }
 
 say() {
   printf '%s\n' "$*" | tee -ia "$log"
 }
 
-# Ctrl-C is for what is logged; what that still has to say is kept (tee -i).
+# Ctrl-C ends the command; the rest of its output is still logged (tee -i).
 logged() {
   "$@" 2>&1 | tee -ia "$log"
 }
 
-# split_options WORD...: fills the array `split` with the words, --option=value being two.
+# split_options WORD...: fills the array `split` with the words, --option=value as two.
 split_options() {
   local word
   split=()
@@ -46,9 +46,19 @@ value_of() {
   printf '%s\n' "$2"
 }
 
+unknown_option() {
+  die "unknown option $1; see $program --help"
+}
+
+# positive_integer OPTION VALUE: prints the value.
+positive_integer() {
+  [[ $2 =~ ^[1-9][0-9]{0,6}$ ]] || die "$1 must be a positive integer, not '$2'"
+  printf '%s\n' "$2"
+}
+
 # known_preset NAME PRESET...: prints NAME, which must be one of the presets.
 known_preset() {
-  [[ " ${*:2} " == *" $1 "* ]] || die "unknown preset $1; there are ${*:2}"
+  [[ " ${*:2} " == *" $1 "* ]] || die "unknown preset $1; presets are ${*:2}"
   printf '%s\n' "$1"
 }
 
@@ -65,7 +75,7 @@ processors() {
 }
 
 # build_preset PRESET [cmake --build options...]
-# A build folder that was made somewhere else, or copied, is configured afresh.
+# A build folder that was made somewhere else, or copied, is configured anew.
 build_preset() {
   local preset=$1 cache="$root/build/$1/CMakeCache.txt" fresh=()
   shift

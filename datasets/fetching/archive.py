@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from pathlib import Path, PurePosixPath
 from typing import IO
 
-from .errors import Unavailable
+from .reporting import Unavailable
 
 MAX_BYTES = 2 << 30  # of an upstream or an unpacked file: ten times the largest mesh
 PIECE = 1 << 20

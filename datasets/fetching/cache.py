@@ -17,15 +17,15 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from .errors import CacheError, reason_of
+from .program import ROOT
+from .reporting import FetchError, reason_of
 
-CHECKOUT = Path(__file__).resolve().parents[2]
 WORK = ".fetch"
 
 
 def default_cache() -> Path:
     """$GEODESIC_DATASETS, by default datasets/cache in the checkout."""
-    return Path(os.environ.get("GEODESIC_DATASETS") or CHECKOUT / "datasets" / "cache")
+    return Path(os.environ.get("GEODESIC_DATASETS") or ROOT / "datasets" / "cache")
 
 
 def sha256_of(path: Path) -> str:
@@ -48,7 +48,7 @@ class Cache:
             if not path.is_file() or sha256_of(path) != sha256:
                 return False
         except OSError as error:
-            raise CacheError(
+            raise FetchError(
                 f"cannot read the dataset cache {self.folder} ({reason_of(error)}): make it"
                 " readable, or name another with --cache or GEODESIC_DATASETS"
             ) from error
@@ -59,7 +59,7 @@ class Cache:
         """An empty folder to make a file in, from where it can be renamed; removed afterwards.
 
         Only one process at a time has that of a file; `waits` is called before waiting for
-        another. What a killed process left is removed. Raises CacheError when the cache cannot be
+        another. What a killed process left is removed. Raises FetchError when the cache cannot be
         written.
         """
         with self._locked(file, waits):
@@ -115,8 +115,8 @@ class Cache:
         except OSError as error:
             raise self._unwritable(error) from error
 
-    def _unwritable(self, error: OSError) -> CacheError:
-        return CacheError(
+    def _unwritable(self, error: OSError) -> FetchError:
+        return FetchError(
             f"cannot write to the dataset cache {self.folder} ({reason_of(error)}): "
             "make it writable, or name another with --cache or GEODESIC_DATASETS"
         )

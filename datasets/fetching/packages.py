@@ -8,24 +8,24 @@ import json
 import shutil
 import subprocess
 from pathlib import Path
-from typing import Any
 
 from .archive import extract, points_outside
-from .errors import Unavailable
+from .program import Package
+from .reporting import Unavailable
 
 NPM_SECONDS = 600  # a package of 11 MB takes one
 WITH_DATA_PATH = ("matplotlib",)
 """Python packages that say by get_data_path() where their data are: Debian keeps them elsewhere."""
 
 
-def file_of_package(package: dict[str, Any], scratch: Path) -> Path:
+def file_of_package(package: Package, scratch: Path) -> Path:
     """The file that an entry's `package` names: a copy in the scratch folder, or the installed one.
 
     Raises Unavailable when the package or the file in it cannot be had.
     """
-    if package["manager"] == "npm":
-        return _from_npm(package["name"], package["version"], package["file"], scratch)
-    return _from_python(package["name"], package["file"])
+    if package.manager == "npm":
+        return _from_npm(package.name, package.version, package.file, scratch)
+    return _from_python(package.name, package.file)
 
 
 def _from_npm(name: str, version: str, file: str, scratch: Path) -> Path:

@@ -52,4 +52,9 @@ std::string reason_of(const Json::exception& error) {
   return excerpt(text.substr(text.find("] ") + 2));
 }
 
+std::string shown(const Json& value) {
+  if (value.is_structured()) return std::string("an ") + value.type_name();
+  return excerpt(value.dump());
+}
+
 }  // namespace geodesic::harness

@@ -18,4 +18,8 @@ Json parse_json(std::string_view text, const std::string& name);
 /// What the JSON library says, without its number: "type must be string, but is array".
 std::string reason_of(const Json::exception& error);
 
+/// A value as in its file, for a message; of a list or an object, which may be of any size, its
+/// type.
+std::string shown(const Json& value);
+
 }  // namespace geodesic::harness

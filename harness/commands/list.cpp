@@ -43,29 +43,36 @@ std::vector<std::string> corpora_with(const Manifest& manifest, const std::strin
 std::string yes_or_no(bool value) { return value ? "yes" : "no"; }
 
 TextTable mesh_table(const Manifest& manifest, const std::vector<MeshEntry>& meshes) {
-  TextTable table{{"mesh", "kind", "corpora", "distances known", "in the cache"}};
+  TextTable table{
+      {"mesh", "vertices", "faces", "kind", "corpora", "distances known", "in the cache"}};
   for (const MeshEntry& mesh : meshes) {
-    table.push_back({mesh.name, mesh.kind, join(corpora_with(manifest, mesh.name)),
+    table.push_back({mesh.name, std::to_string(mesh.vertices), std::to_string(mesh.faces),
+                     mesh.kind, join(corpora_with(manifest, mesh.name)),
                      yes_or_no(has_closed_form(mesh)), yes_or_no(mesh.available())});
   }
   return table;
 }
 
+// Meshes and what they are made from as in the manifest, and what is known of them here.
 Json to_json(const Manifest& manifest, const std::vector<MeshEntry>& meshes) {
-  Json json{{"solvers", Json::array()}, {"corpora", manifest.corpora()}, {"meshes", Json::array()}};
+  Json json{{"solvers", Json::array()},
+            {"sources", manifest.json()["sources"]},
+            {"corpora", manifest.json()["corpora"]},
+            {"meshes", Json::array()},
+            {"elevation_grids", manifest.json()["elevation_grids"]}};
   for (const Description* solver : registered_solvers()) {
     json["solvers"].push_back(describe(*solver));
   }
   for (const MeshEntry& mesh : meshes) {
-    json["meshes"].push_back(
-        {{"name", mesh.name},
-         {"kind", mesh.kind},
-         {"file", mesh.file.filename().string()},
-         {"corpora", corpora_with(manifest, mesh.name)},
-         {"thesis_model", mesh.thesis_model ? Json(*mesh.thesis_model) : Json(nullptr)},
-         {"stand_in", mesh.stand_in},
-         {"distances_known", has_closed_form(mesh)},
-         {"cached", mesh.available()}});
+    const Json& entries = manifest.json()["meshes"];
+    Json entry =
+        *std::ranges::find_if(entries, [&](const Json& each) { return each["name"] == mesh.name; });
+    entry.update({{"thesis_model", mesh.thesis_model ? Json(*mesh.thesis_model) : Json(nullptr)},
+                  {"stand_in", mesh.stand_in},
+                  {"corpora", corpora_with(manifest, mesh.name)},
+                  {"distances_known", has_closed_form(mesh)},
+                  {"cached", mesh.available()}});
+    json["meshes"].push_back(entry);
   }
   return json;
 }

@@ -2,46 +2,35 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <set>
+#include <utility>
 
 #include "harness/base/atomic_file.h"
 #include "harness/base/error.h"
 #include "harness/base/folders.h"
-#include "harness/corpus/names.h"
 
 namespace geodesic::harness {
 namespace fs = std::filesystem;
 namespace {
 
-ParameterValue parse_value(const Json& value) {
-  if (value.is_number()) return value.get<double>();
-  return value.get<std::string>();
-}
-
-std::optional<Recipe> parse_recipe(const Json& mesh) {
+std::optional<Recipe> recipe_of(const Json& mesh) {
   if (!mesh.contains("generator") || mesh.contains("inputs")) return std::nullopt;
-  Recipe recipe{.generator = mesh["generator"].get<std::string>(), .parameters = {}};
-  const Json parameters = mesh.value("parameters", Json::object());
-  for (const auto& [name, value] : parameters.items()) {
-    recipe.parameters.emplace(name, parse_value(value));
+  Recipe recipe{.generator = mesh["generator"], .parameters = {}};
+  for (const auto& [name, value] : mesh["parameters"].items()) {
+    recipe.parameters.emplace(
+        name, value.is_number() ? ParameterValue(value.get<double>()) : value.get<std::string>());
   }
   return recipe;
 }
 
-std::string checked_name(const char* kind, const Json& name) {
-  check_name(kind, name.get<std::string>());
-  return name;
-}
-
-MeshEntry parse_mesh(const Json& mesh, const fs::path& cache) {
-  MeshEntry entry{.name = checked_name("mesh", mesh.at("name")),
-                  .file = cache / checked_name("mesh file", mesh.at("file")),
-                  .kind = mesh.at("kind").get<std::string>()};
-  if (mesh.contains("thesis_model") && !mesh["thesis_model"].is_null()) {
-    entry.thesis_model = mesh["thesis_model"].get<std::string>();
-  }
-  entry.stand_in = mesh.value("stand_in", false);
-  entry.recipe = parse_recipe(mesh);
+MeshEntry entry_of(const Json& mesh, const fs::path& cache) {
+  MeshEntry entry{.name = mesh["name"],
+                  .file = cache / mesh["file"].get<std::string>(),
+                  .kind = mesh["kind"],
+                  .vertices = mesh["vertices"],
+                  .faces = mesh["faces"],
+                  .stand_in = mesh.value("stand_in", false),
+                  .recipe = recipe_of(mesh)};
+  if (mesh.contains("thesis_model")) entry.thesis_model = mesh["thesis_model"];
   return entry;
 }
 
@@ -51,36 +40,15 @@ Manifest::Manifest(const fs::path& file, const fs::path& cache)
     : Manifest(read_json(file, "a manifest, such as " + default_manifest().string()), file.string(),
                cache) {}
 
-Manifest::Manifest(const Json& json, const std::string& name, const fs::path& cache) {
-  std::string place = "not a manifest of meshes: ";
+Manifest::Manifest(Json json, const std::string& name, const fs::path& cache)
+    : json_(std::move(json)) {
   try {
-    const Json& meshes = json.at("meshes");
-    for (std::size_t i = 0; i < meshes.size(); ++i) {
-      place = "meshes[" + std::to_string(i) + "]: ";
-      meshes_.push_back(parse_mesh(meshes.at(i), cache));
-    }
-    check_names();
-    place = "corpora: ";
-    json.at("corpora").get_to(corpora_);
-    for (const auto& [corpus, members] : corpora_) {
-      place = "corpora/" + excerpt(corpus) + ": ";
-      check_name("corpus", corpus);
-      for (const std::string& member : members) mesh(member);
-    }
-  } catch (const Json::exception& error) {
-    throw HarnessError(name + ": " + place + reason_of(error));
+    check_manifest(json_);
   } catch (const HarnessError& error) {
-    throw HarnessError(name + ": " + place + error.what());
+    throw HarnessError(name + ": " + error.what());
   }
-}
-
-void Manifest::check_names() const {
-  std::set<std::string> names;
-  for (const MeshEntry& mesh : meshes_) {
-    if (!names.insert(mesh.name).second) {
-      throw HarnessError("two meshes are named '" + mesh.name + "': rename one");
-    }
-  }
+  for (const Json& mesh : json_["meshes"]) meshes_.push_back(entry_of(mesh, cache));
+  json_["corpora"].get_to(corpora_);
 }
 
 const MeshEntry& Manifest::mesh(std::string_view name) const {

@@ -26,6 +26,7 @@ struct MeshEntry {
   std::string name;
   std::filesystem::path file;  ///< where it is, or would be, in the cache
   std::string kind;  ///< "generated", "downloaded", "package", or "file" when given by its path
+  std::size_t vertices = 0, faces = 0;           ///< of the manifest's meshes; of other files 0
   std::optional<std::string> thesis_model = {};  ///< its row in the thesis's tables
   bool stand_in = false;                         ///< stands for that model without being it
   std::optional<Recipe> recipe = {};  ///< of a generated mesh that is made from no other file
@@ -42,8 +43,10 @@ class Manifest {
   Manifest(const std::filesystem::path& file, const std::filesystem::path& cache);
   /// As the other one on a file's content.
   /// @param name what messages call the file
-  Manifest(const Json& json, const std::string& name, const std::filesystem::path& cache);
+  Manifest(Json json, const std::string& name, const std::filesystem::path& cache);
 
+  /// As in the file.
+  const Json& json() const { return json_; }
   const std::vector<MeshEntry>& meshes() const { return meshes_; }
   const std::map<std::string, std::vector<std::string>>& corpora() const { return corpora_; }
 
@@ -52,11 +55,14 @@ class Manifest {
   std::vector<MeshEntry> corpus(const std::string& name) const;
 
  private:
-  void check_names() const;
-
+  Json json_;
   std::vector<MeshEntry> meshes_;
   std::map<std::string, std::vector<std::string>> corpora_;  // names of meshes
 };
+
+/// Checks a manifest's content: keys, types, names, and what they refer to.
+/// @throws HarnessError naming the first place that is wrong
+void check_manifest(const Json& manifest);
 
 /// datasets/manifest.json of the data folder (folders.h).
 std::filesystem::path default_manifest();

@@ -22,10 +22,9 @@ void check_name(std::string_view kind, std::string_view name) {
                       return is_letter_or_digit(c) || c == '.' || c == '_' || c == '-';
                     });
   if (fits) return;
-  throw HarnessError("no " + std::string(kind) + " can be named '" + excerpt(name) +
-                     "': names are of letters, digits, '.', '_' and '-', begin with one of the "
-                     "first two, and have at most " +
-                     std::to_string(kLongest) + " of them");
+  throw HarnessError("invalid " + std::string(kind) + " '" + excerpt(name) + "': use at most " +
+                     std::to_string(kLongest) +
+                     " letters, digits, '.', '_' and '-', and begin with a letter or digit");
 }
 
 }  // namespace geodesic::harness

@@ -21,12 +21,6 @@ constexpr std::uint64_t kLeastMemory = std::uint64_t{128} << 20;  // of address 
 
 using Setter = std::function<void(Suite&, const Json&)>;
 
-// As in the file; what is nested could be so without end.
-std::string shown(const Json& value) {
-  if (value.is_structured()) return std::string("an ") + value.type_name();
-  return excerpt(value.dump());
-}
-
 // A whole number that fits; nlohmann would turn 2.5 into 2 and -1 into a large one.
 template <class Integer>
 void set_integer(Integer& into, const Json& value) {
@@ -124,7 +118,7 @@ void check_suite(const Suite& suite) {
         "memory_limit: a cell needs at least " + std::to_string(kLeastMemory >> 20) +
             " MiB: the program itself takes that");
   for (const auto& [cell, outcome] : suite.expected) check_expectation(cell, outcome);
-  check_name("corpus", suite.corpus);
+  check_name("corpus name", suite.corpus);
   instruction_set_named(suite.vectors);
 }
 

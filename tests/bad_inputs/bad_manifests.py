@@ -1,4 +1,4 @@
-"""Manifests, as fetch.py and geodesic-bench read them."""
+"""Manifests, as geodesic-bench reads them, for itself and for fetch.py."""
 
 from __future__ import annotations
 
@@ -29,75 +29,95 @@ GOOD: dict[str, Any] = {
 DEEP = 100_000 * "["
 
 
-def fetched(what: str, change: Callable[[dict[str, Any]], object], *says: str) -> Case:
+def of(command: str, what: str, change: Callable[[dict[str, Any]], object], *says: str) -> Case:
     manifest = copy.deepcopy(GOOD)
     change(manifest)
-    return Case(f"fetch.py: {what}", "fetch.py hill --manifest manifest.json",
-                ["fetch.py: manifest.json: at ", *says],
+    program = command.split()[0]
+    return Case(f"{program}: {what}", f"{command} --manifest manifest.json",
+                [f"{program}: manifest.json: ", *says],
                 files={"manifest.json": json.dumps(manifest)})  # fmt: skip
 
 
-def mesh(what: str, entry: dict[str, Any], *says: str) -> Case:
-    return fetched(what, lambda manifest: manifest.update(meshes=[entry]), "mesh", *says)
+def fetched(what: str, change: Callable[[dict[str, Any]], object], *says: str) -> Case:
+    return of("fetch.py hill", what, change, *says)
 
 
-def listed(what: str, text: str, *says: str) -> Case:
+def fetched_mesh(what: str, entry: dict[str, Any], *says: str) -> Case:
+    return fetched(what, lambda manifest: manifest.update(meshes=[entry]), "meshes: ", *says)
+
+
+def listed(what: str, change: Callable[[dict[str, Any]], object], *says: str) -> Case:
+    return of("geodesic-bench list", what, change, *says)
+
+
+def listed_mesh(what: str, entry: dict[str, Any], *says: str) -> Case:
+    return listed(what, lambda manifest: manifest.update(meshes=[entry]), "meshes: ", *says)
+
+
+def listed_text(what: str, text: str | bytes, *says: str) -> Case:
     return Case(f"geodesic-bench: {what}", "geodesic-bench list --manifest manifest.json",
                 ["manifest.json: ", *says], files={"manifest.json": text})  # fmt: skip
 
 
-def entry(what: str, says: str, **values: object) -> Case:
-    named: dict[str, object] = {"name": "hill", "file": "hill.obj", "kind": "generated"} | values
-    return listed(what, json.dumps({"meshes": [named], "corpora": {}}), "meshes[0]: ", says)
+def run_on(what: str, entry: dict[str, Any], *says: str) -> Case:
+    """By a command that needs the mesh."""
+    return of("geodesic-bench solve hill --solver mmp --source 0", what,
+              lambda manifest: manifest.update(meshes=[entry]), *says)  # fmt: skip
 
 
 CASES = [
+    # What fetch.py passes on
     Case("fetch.py: nothing there", "fetch.py hill --manifest nowhere.json",
-         ["nowhere.json: No such file", "--manifest names a list of meshes such as"]),
+         ["fetch.py: cannot read 'nowhere.json': No such file", "name a manifest, such as"]),
+    Case("fetch.py: no program", "fetch.py hill --bench nowhere",
+         ["fetch.py: geodesic-bench reads the list of meshes and is not at nowhere",
+          "build it (./run_all.sh build) or name it with --bench"]),
     Case("fetch.py: no JSON", "fetch.py hill --manifest manifest.json",
-         ["manifest.json: not JSON", "line 1 column 2"], files={"manifest.json": "{"}),
-    Case("fetch.py: no text", "fetch.py hill --manifest manifest.json",
-         ["manifest.json: not JSON", "position 0"], files={"manifest.json": b"\xff\xfe"}),
-    Case("fetch.py: nested 100,000 deep", "fetch.py hill --manifest manifest.json",
-         ["manifest.json: nested far deeper than a manifest is"], files={"manifest.json": DEEP}),
-    fetched("an unknown key", lambda manifest: manifest.update(mashes=[]), "'mashes'"),
-    mesh("a missing sha256", {k: v for k, v in MESH.items() if k != "sha256"},
-         "'sha256' is a required property"),
-    mesh("a sha256 that is none", {**MESH, "sha256": "abc"}, "sha256", "'abc' does not match"),
-    mesh("an unknown key of a mesh", {**MESH, "colour": "red"}, "hill", "colour"),
-    mesh("a file outside of the cache", {**MESH, "file": "../hill.obj"}, "file", "../hill.obj"),
-    mesh("an absolute file", {**MESH, "file": "/tmp/hill.obj"}, "file", "/tmp/hill.obj"),
-    mesh("a path outside of the mirror", {**MESH, "path": "site/../../hill.obj"}, "path"),
-    mesh("an unknown source", {**MESH, "path": "elsewhere/hill.obj"},
-         "path: there is no source 'elsewhere'"),
-    mesh("a mesh made from itself",
-         {**GENERATED, "inputs": {"input": "hill"}}, "made from itself: hill from hill"),
-    mesh("an unknown input", {**GENERATED, "inputs": {"input": "dale"}}, "there is no mesh 'dale'"),
-    mesh("a name that goes on in the next line", {**MESH, "name": "hill\n"}, "control character"),
-    fetched("an unknown mesh in a corpus",
-            lambda manifest: manifest["corpora"].update(all=["dale"]), "there is no mesh 'dale'"),
-    fetched("a name used twice",
-            lambda manifest: manifest.update(meshes=[MESH, {**MESH, "file": "b.obj"}]),
-            "name 'hill' is used 2 times"),
+         ["fetch.py: manifest.json: not valid JSON", "line 1, column 2"],
+         files={"manifest.json": "{"}),
+    fetched("an unknown key", lambda manifest: manifest.update(mashes=[]),
+            "no key named 'mashes' (did you mean 'meshes'?)"),
+    fetched_mesh("a missing sha256", {k: v for k, v in MESH.items() if k != "sha256"},
+                 "hill: key 'sha256' is missing"),
+    fetched_mesh("a sha256 that is none", {**MESH, "sha256": "abc"},
+                 "hill: sha256: must be 64 hexadecimal digits", 'not "abc"'),
+    fetched_mesh("an unknown key of a mesh", {**MESH, "colour": "red"},
+                 "hill: no key named 'colour'"),
+    fetched_mesh("a path outside of the mirror", {**MESH, "path": "site/../../hill.obj"},
+                 "hill: path: invalid name in a path '..'"),
+    fetched_mesh("an unknown source", {**MESH, "path": "elsewhere/hill.obj"},
+                 "hill: path: there is no source 'elsewhere'"),
+    fetched_mesh("a mesh made from itself", {**GENERATED, "inputs": {"input": "hill"}},
+                 "hill: inputs: input: there is no mesh 'hill' before this one"),
+    fetched_mesh("an unknown input", {**GENERATED, "inputs": {"input": "dale"}},
+                 "hill: inputs: input: there is no mesh 'dale' before this one"),
+    fetched_mesh("a line end in a text", {**MESH, "why": "a\nb"},
+                 "hill: why: must be text without control characters"),
     fetched("a site without encryption",
             lambda manifest: manifest["sources"]["site"].update(base="http://nowhere.invalid/"),
-            "base", "http://nowhere.invalid/"),
-    # geodesic-bench reads fewer keys
+            "sources: site: base: must be an https:// address", "http://nowhere.invalid/"),
+    # What the program says
     Case("geodesic-bench: nothing there", "geodesic-bench list --manifest nowhere.json",
          ["cannot read 'nowhere.json': No such file", "name a manifest, such as"]),
     Case("geodesic-bench: a folder", "geodesic-bench list --manifest .",
          ["cannot read '.': it is a folder; name a manifest, such as"]),
-    listed("no JSON", "{", "not valid JSON", "line 1, column 2", "get a whole copy"),
-    listed("no meshes", "{}", "not a manifest of meshes: key 'meshes' not found"),
-    listed("an unknown mesh in a corpus", '{"meshes": [], "corpora": {"a": ["b"]}}',
-           "corpora/a: no mesh named 'b'; there are: none"),
+    listed_text("no JSON", "{", "not valid JSON", "line 1, column 2", "get a whole copy"),
+    listed_text("no text", b"\xff\xfe", "not valid JSON"),
+    listed_text("nested 100,000 deep", DEEP, "nested more than 50 deep"),
+    listed_text("a list", "[]", "must be an object, not an array"),
+    listed_text("no meshes", "{}", "key 'schema_version' is missing"),
+    listed("an unknown mesh in a corpus", lambda manifest: manifest["corpora"].update(all=["hil"]),
+           "corpora: all: no mesh named 'hil' (did you mean 'hill'?)"),
     listed("a name used twice",
-           json.dumps({"meshes": [MESH, MESH], "corpora": {}}), "two meshes are named 'hill'"),
-    entry("a name with folders", "no mesh can be named '../../evil': names are of letters",
-          name="../../evil"),
-    entry("a name that would clear the screen", r"no mesh can be named '\x1b[2J': names are of letters",
-          name="\x1b[2J"),
-    entry("a file outside of the cache", "no mesh file can be named '/etc/passwd'",
-          file="/etc/passwd"),
-    entry("a number for a name", "type must be string, but is number", name=5),
+           lambda manifest: manifest.update(meshes=[MESH, {**MESH, "file": "b.obj"}]),
+           "meshes: hill: the name is used twice"),
+    listed_mesh("a name with folders", {**MESH, "name": "../../evil"},
+                "name: invalid name '../../evil': use at most 100 letters"),
+    listed_mesh("a name that would clear the screen", {**MESH, "name": "\x1b[2J"},
+                r"\x1b[2J: name: must be text without control characters"),
+    listed_mesh("a file outside of the cache", {**MESH, "file": "/etc/passwd"},
+                "file: invalid file name '/etc/passwd'"),
+    listed_mesh("a number for a name", {**MESH, "name": 5}, "0: name: must be text, not 5"),
+    run_on("a fraction of a vertex", {**MESH, "vertices": 4.5},
+           "meshes: hill: vertices: must be an integer of at least 0, not 4.5"),
 ]  # fmt: skip

@@ -43,7 +43,8 @@ def programs(checkout: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     scripts = [checkout / name for name in SCRIPTS]
     for program in [*scripts, *(HERE / "bin").iterdir(), ROOT / "datasets" / "fetch.py"]:
         # By a script of its own: the shell scripts look for the checkout beside themselves.
-        (folder / program.name).write_text(f'#!/bin/sh\nexec "{program}" "$@"\n')
+        bench = f' --bench "{BENCH.resolve()}"' * (program.name == "fetch.py")
+        (folder / program.name).write_text(f'#!/bin/sh\nexec "{program}"{bench} "$@"\n')
         (folder / program.name).chmod(0o755)
     for name, module in MODULES.items():
         call = f'PYTHONPATH="$PYTHONPATH:{ROOT}" exec /usr/bin/python3 -m {module} "$@"'

@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from bad_manifests import GOOD, MESH
 from bad_results import GOLDEN
 from shell import BENCH, ROOT, Bash
 
@@ -31,8 +32,7 @@ def tree(folder: Path) -> set[str]:
 def test_a_name_in_a_manifest_does_not_lead_out_of_the_run(
     name: str, bash: Bash, tmp_path: Path
 ) -> None:
-    entry = {"name": name, "file": "hill.obj", "kind": "downloaded"}
-    manifest = {"meshes": [entry], "corpora": {"all": [name]}}
+    manifest = {**GOOD, "meshes": [{**MESH, "name": name}], "corpora": {"all": [name]}}
     here = tmp_path / "here"
     (here / "manifest.json").write_text(json.dumps(manifest))
     before = tree(tmp_path)
@@ -40,7 +40,7 @@ def test_a_name_in_a_manifest_does_not_lead_out_of_the_run(
         "GEODESIC_DATASETS=$PWD geodesic-bench run --manifest manifest.json --corpus all"
         " --solvers mmp --sources 1 --recordings all --out run"
     )
-    assert ended.returncode == 1 and "can be named" in ended.stderr, ended
+    assert ended.returncode == 1 and "invalid name" in ended.stderr, ended
     assert tree(tmp_path) == before
 
 
@@ -78,7 +78,7 @@ def test_a_link_in_place_of_a_lock_costs_nothing(bash: Bash, tmp_path: Path) -> 
     locks = tmp_path / "cache" / ".fetch" / "locks"
     locks.mkdir(parents=True)
     (locks / "tiny-plate.ply.lock").symlink_to(victim)
-    bash("fetch.py tiny-plate --bench $(command -v geodesic-bench)")
+    bash("fetch.py tiny-plate")
     assert victim.read_text() == "precious\n"
 
 
@@ -87,7 +87,7 @@ def test_the_umask_decides_who_may_read(bash: Bash, tmp_path: Path) -> None:
         f"umask 077; {SOLVE} d.txt && geodesic-bench run --meshes hill.obj --solvers mmp"
         " --sources 1 --repetitions 1 --min-time 0.00001 --recordings all --out run"
         f" && plots table_5_1 --run '{GOLDEN.parent}' --out tables"
-        " && fetch.py tiny-plate --bench $(command -v geodesic-bench)"
+        " && fetch.py tiny-plate"
     )
     assert ended.returncode == 0, ended
     written = tree(tmp_path) - {"here", "here/hill.obj"}

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import shutil
 import stat
 import subprocess
 import sys
@@ -14,20 +15,38 @@ from pathlib import Path
 from typing import Any
 
 import fetch
-from fetching.cache import CHECKOUT, WORK
+from fetching.cache import WORK
+from fetching.program import DEFAULT_BENCH, ROOT
+
 
 TRIANGLE = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
 
-# Writes its arguments, or its input and those behind it, as the mesh, so that tests see them.
-FAKE_BENCH = """#!/bin/sh
+BENCH = Path(os.environ.get("GEODESIC_BENCH") or DEFAULT_BENCH).absolute()
+
+COMMITTED: dict[str, Any] = json.loads((ROOT / "datasets" / "manifest.json").read_text("utf-8"))
+"""The manifest of the checkout."""
+
+# The program itself reads the manifest.
+LISTING = """#!/bin/sh
+[ "$1" = list ] && exec "${0%/*}/program" "$@"
 for last; do :; done
 echo called >> "$(dirname "$0")/calls"
+"""
+
+# Writes its arguments, or its input and those behind it, as the mesh, so that tests see them.
+FAKE_BENCH = LISTING + """
 [ "$2" = broken ] && { echo "geodesic-bench: no such thing" >&2; exit 1; }
 case $3 in
   --input=*) { cat "${3#--input=}"; echo "$2 $4"; } > "$last" ;;
   *) echo "$2 $3" > "$last" ;;
 esac
 """
+
+
+def committed(name: str) -> dict[str, Any]:
+    """A mesh or elevation grid of the checkout's manifest."""
+    entries: list[dict[str, Any]] = COMMITTED["meshes"] + COMMITTED["elevation_grids"]
+    return next(entry for entry in entries if entry["name"] == name)
 
 
 def sha256(data: bytes) -> str:
@@ -112,6 +131,7 @@ class World:
         self.mirror = folder / "mirror"
         self.cache = folder / "a cache"
         self.bench = executable(folder / "geodesic-bench", FAKE_BENCH)
+        (folder / "program").symlink_to(BENCH)
         self.meshes: list[dict[str, Any]] = []
         self.elevation_grids: list[dict[str, Any]] = []
 
@@ -168,7 +188,7 @@ class World:
 
     def start(self, mirror: str = "") -> subprocess.Popen[str]:
         """Starts datasets/fetch.py --corpus all as a process of its own."""
-        command = [sys.executable, str(CHECKOUT / "datasets" / "fetch.py"), *self.words()]
+        command = [sys.executable, str(ROOT / "datasets" / "fetch.py"), *self.words()]
         environment = dict(os.environ, GEODESIC_DATASETS_MIRROR=mirror)
         pipe = subprocess.PIPE
         return subprocess.Popen(command, env=environment, stdout=pipe, stderr=pipe, text=True)

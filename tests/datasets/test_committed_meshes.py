@@ -7,20 +7,15 @@ environment, and are then fetched for real, from the folder and over HTTP.
 from __future__ import annotations
 
 import json
-import os
 import subprocess
 from pathlib import Path
 from typing import Any
 
 import fetch
 import pytest
-from fetch_world import World
-from fetching.generate import DEFAULT_BENCH
-from fetching.manifest import Manifest
+from fetch_world import BENCH, COMMITTED, World, committed
 from http_site import serving
 
-BENCH = Path(os.environ.get("GEODESIC_BENCH") or DEFAULT_BENCH)
-COMMITTED = Manifest()
 FACTS = ["vertices", "faces", "genus", "boundary_loops", "components"]
 MANY_VERTICES = 200_000  # what is larger takes a test under sanitizers too long
 
@@ -30,13 +25,13 @@ pytestmark = pytest.mark.skipif(not BENCH.exists(), reason=f"no program at {BENC
 def origins(mesh: dict[str, Any]) -> set[str]:
     """The kinds of what a mesh is made from in the end."""
     inputs = mesh.get("inputs", {}).values()
-    return {mesh["kind"]}.union(*(origins(COMMITTED.entry(name)) for name in inputs))
+    return {mesh["kind"]}.union(*(origins(committed(name)) for name in inputs))
 
 
 def names_of(kinds: set[str]) -> list[str]:
     return [
         mesh["name"]
-        for mesh in COMMITTED.meshes
+        for mesh in COMMITTED["meshes"]
         if origins(mesh) <= kinds and mesh["vertices"] <= MANY_VERTICES
     ]
 
@@ -53,7 +48,7 @@ def wrong_facts(cache: Path, names: list[str]) -> dict[str, dict[str, tuple[int,
     """By mesh, the facts that differ: (in the manifest, found by geodesic-bench mesh)."""
     wrong = {}
     for name in names:
-        mesh = COMMITTED.entry(name)
+        mesh = committed(name)
         command = [BENCH, "mesh", "--json", cache / mesh["file"]]
         found = json.loads(subprocess.run(command, capture_output=True, text=True).stdout)
         if differing := {k: (mesh[k], found[k]) for k in FACTS if mesh[k] != found[k]}:
@@ -77,11 +72,11 @@ def test_real_files_and_what_is_made_of_them_have_the_committed_bytes_and_facts(
 def test_real_files_come_over_http_as_from_the_folder(
     real_mirror: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    names = [mesh["name"] for mesh in COMMITTED.meshes if mesh["kind"] == "downloaded"]
+    names = [mesh["name"] for mesh in COMMITTED["meshes"] if mesh["kind"] == "downloaded"]
     with serving(real_mirror) as site:
         monkeypatch.setenv("GEODESIC_DATASETS_MIRROR", site.url)
         assert fetch_into(tmp_path, names) == 0
-        assert site.asked == [f"/{COMMITTED.entry(name)['path']}" for name in names]
+        assert site.asked == [f"/{committed(name)['path']}" for name in names]
 
 
 def test_the_elevation_grid_comes_out_of_the_installed_package(tmp_path: Path) -> None:

@@ -12,8 +12,19 @@ import tempfile
 from pathlib import Path
 
 import pytest
-from fetch_world import TRIANGLE, World, derived, downloaded, generated, sha256, wait_for
-from fetching.cache import CHECKOUT
+from fetch_world import (
+    BENCH,
+    LISTING,
+    TRIANGLE,
+    World,
+    derived,
+    downloaded,
+    executable,
+    generated,
+    sha256,
+    wait_for,
+)
+from fetching.program import ROOT
 
 
 def test_meshes_are_copied_and_generated(world: World) -> None:
@@ -108,7 +119,7 @@ def test_an_address_that_is_no_mirror_is_an_error(
     world.put_mesh("a")
     assert world.fetch(mirror=address) == 1
     assert capsys.readouterr().err.startswith(
-        f"fetch.py: GEODESIC_DATASETS_MIRROR is {address}: give a folder, or an address"
+        f"fetch.py: GEODESIC_DATASETS_MIRROR is {address}: it must be a folder, or an address"
     )
 
 
@@ -127,8 +138,10 @@ def test_a_program_that_is_not_there_is_named(
     world: World, capsys: pytest.CaptureFixture[str]
 ) -> None:
     world.meshes = [generated("g")]
-    assert world.fetch(bench=world.bench.with_name("no bench")) == 3
-    assert "which is not at" in capsys.readouterr().err
+    assert world.fetch(bench=world.bench.with_name("no bench")) == 1
+    err = capsys.readouterr().err
+    assert err.startswith("fetch.py: geodesic-bench reads the list of meshes and is not at ")
+    assert "./run_all.sh build" in err and len(err.splitlines()) == 1
 
 
 def test_unknown_names_are_errors_that_list_the_known(
@@ -136,9 +149,9 @@ def test_unknown_names_are_errors_that_list_the_known(
 ) -> None:
     world.meshes = [generated("g")]
     assert world.fetch("x") == 1
-    assert capsys.readouterr().err == "fetch.py: no mesh 'x'; there are: g\n"
+    assert capsys.readouterr().err == "fetch.py: no mesh named 'x'; there are: g\n"
     assert world.fetch("--corpus", "x") == 1
-    assert capsys.readouterr().err == "fetch.py: no corpus 'x'; there are: all\n"
+    assert capsys.readouterr().err == "fetch.py: no corpus named 'x'; there are: all\n"
 
 
 def test_a_cache_that_cannot_be_made_is_one_line(
@@ -158,22 +171,32 @@ def run_fetch(world: World, folder: Path, user: int | None) -> subprocess.Comple
     return subprocess.run(command, user=user, capture_output=True, text=True, timeout=60)
 
 
+def list_for_all(world: World) -> None:
+    """Puts an answer in place of the program, which others may not be allowed to run."""
+    world.write()
+    command = [BENCH, "list", "--json", "--manifest", world.manifest]
+    (world.folder / "listed").write_bytes(subprocess.check_output(command))
+    (world.folder / "program").unlink()
+    executable(world.folder / "program", '#!/bin/sh\ncat "$(dirname "$0")/listed"\n')
+
+
 def test_a_read_only_cache_is_one_line_and_stays_usable() -> None:
     # Permissions do not bind root, so that root runs it as nobody, from a folder all may read.
     user = 65534 if os.geteuid() == 0 else None
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         folder.chmod(0o755)
-        shutil.copytree(CHECKOUT / "datasets" / "fetching", folder / "datasets" / "fetching")
-        for file in ["fetch.py", "manifest.json", "manifest.schema.json"]:
-            shutil.copy(CHECKOUT / "datasets" / file, folder / "datasets")
+        shutil.copytree(ROOT / "datasets" / "fetching", folder / "datasets" / "fetching")
+        shutil.copy(ROOT / "datasets" / "fetch.py", folder / "datasets")
         world = World(folder)
         world.meshes = [generated("g")]
         assert world.fetch() == 0
         world.cache.chmod(0o555)
+        list_for_all(world)
         again = run_fetch(world, folder, user)
         assert (again.returncode, again.stderr) == (0, ""), "what is there needs no writing"
         world.meshes += [generated("h"), generated("i")]
+        list_for_all(world)
         refused = run_fetch(world, folder, user)
         world.cache.chmod(0o755)
         assert refused.returncode == 1
@@ -207,7 +230,7 @@ def test_a_mesh_is_made_after_its_input_which_need_not_be_asked_for(
 ) -> None:
     world.put_mesh("a")
     half = TRIANGLE + b"cut --size=4\n"
-    world.meshes = [derived("c", "b", half), derived("b", "a", TRIANGLE), *world.meshes]
+    world.meshes += [derived("b", "a", TRIANGLE), derived("c", "b", half)]
     assert world.fetch("c", "b") == 0
     assert (world.cache / "c.ply").read_bytes() == half + b"cut --size=4\n"
     lines = capsys.readouterr().out.splitlines()
@@ -266,10 +289,8 @@ def test_an_elevation_grid_is_an_input_like_a_mesh(world: World) -> None:
 
 
 # While it makes the mesh, it waits for the file "go" beside it, though not for ever.
-SLOW_BENCH = """#!/bin/sh
-for last; do :; done
+SLOW_BENCH = LISTING + """
 here=$(dirname "$0")
-echo called >> "$here/calls"
 echo half > "$last"
 i=0
 until [ -e "$here/go" ] || [ $((i += 1)) -gt 2000 ]; do sleep 0.01; done
@@ -302,7 +323,7 @@ def test_control_c_is_one_line_and_leaves_nothing_unfinished(world: World) -> No
     (world.folder / "go").touch()
     _, err = process.communicate(timeout=60)
     assert process.returncode == 130
-    assert err == "fetch.py: interrupted; what is in the cache is whole, and a next fetch goes on\n"
+    assert err == "fetch.py: interrupted; what is in the cache is whole, and the next fetch continues\n"
     assert (world.cached(), world.leftovers()) == ([], [])
     assert world.fetch() == 0
 

@@ -3,27 +3,45 @@
 from __future__ import annotations
 
 import json
+import subprocess
 from collections.abc import Callable
 from typing import Any
 
+import fetch
 import jsonschema
 import pytest
-from fetch_world import TRIANGLE, World, derived, downloaded, generated, packaged
-from fetching.cache import CHECKOUT
-from fetching.manifest import SCHEMA, Manifest, ManifestError
+from fetch_world import (
+    BENCH,
+    COMMITTED,
+    TRIANGLE,
+    World,
+    committed,
+    derived,
+    downloaded,
+    generated,
+    packaged,
+)
+from fetching.program import ROOT
 
-COMMITTED = Manifest()
+SCHEMA = jsonschema.Draft202012Validator(
+    json.loads((ROOT / "datasets" / "manifest.schema.json").read_text("utf-8"))
+)
 NPM = {"manager": "npm", "name": "shapes", "version": "1.2.3", "file": "p.obj"}
 
 Damage = Callable[[dict[str, Any]], None]
 
 
-def test_the_schema_is_a_schema() -> None:
-    jsonschema.Draft202012Validator.check_schema(json.loads(SCHEMA.read_text()))
+def members(corpus: str) -> list[dict[str, Any]]:
+    return [committed(name) for name in COMMITTED["corpora"][corpus]]
+
+
+def test_the_schema_is_one_and_holds_for_the_committed_manifest() -> None:
+    SCHEMA.check_schema(SCHEMA.schema)
+    SCHEMA.validate(COMMITTED)
 
 
 def test_the_quick_corpus_is_generated_from_nothing() -> None:
-    quick = COMMITTED.select(["quick"], [])
+    quick = members("quick")
     assert len(quick) == 10
     assert all(mesh["kind"] == "generated" and "inputs" not in mesh for mesh in quick)
 
@@ -31,7 +49,7 @@ def test_the_quick_corpus_is_generated_from_nothing() -> None:
 def test_the_paper_corpus_has_every_model_of_the_thesis_in_its_order() -> None:
     rows = [
         (mesh["thesis_model"], mesh["stand_in"])
-        for mesh in COMMITTED.select(["paper"], [])
+        for mesh in members("paper")
         if "thesis_model" in mesh
     ]
     assert rows == [
@@ -60,44 +78,44 @@ def test_the_paper_corpus_has_every_model_of_the_thesis_in_its_order() -> None:
 def test_stand_ins_have_the_counts_that_they_are_made_for(
     name: str, vertices: int | None, faces: int | None
 ) -> None:
-    mesh = COMMITTED.entry(name)
+    mesh = committed(name)
     assert vertices in (None, mesh["vertices"]) and faces in (None, mesh["faces"])
 
 
 def test_the_large_corpus_begins_at_400_000_vertices() -> None:
-    assert min(mesh["vertices"] for mesh in COMMITTED.select(["large"], [])) >= 400_000
+    assert min(mesh["vertices"] for mesh in members("large")) >= 400_000
 
 
 def test_every_entry_is_in_a_corpus_or_what_one_is_made_from() -> None:
-    used = {name for members in COMMITTED.corpora.values() for name in members}
-    used |= {name for mesh in COMMITTED.meshes for name in mesh.get("inputs", {}).values()}
-    assert used == {entry["name"] for entry in COMMITTED.meshes + COMMITTED.elevation_grids}
+    used = {name for members in COMMITTED["corpora"].values() for name in members}
+    used |= {name for mesh in COMMITTED["meshes"] for name in mesh.get("inputs", {}).values()}
+    assert used == {entry["name"] for entry in COMMITTED["meshes"] + COMMITTED["elevation_grids"]}
 
 
 def test_a_derived_mesh_has_the_licence_and_credit_of_its_input() -> None:
-    for mesh in COMMITTED.meshes:
+    for mesh in COMMITTED["meshes"]:
         for name in mesh.get("inputs", {}).values():
-            source = COMMITTED.entry(name)
+            source = committed(name)
             for key in ("licence", "credit"):
                 assert source.get(key, mesh[key]) == mesh[key], mesh["name"]
 
 
 def test_the_sources_are_fixed_to_a_commit() -> None:
-    for source in COMMITTED.sources.values():
+    for source in COMMITTED["sources"].values():
         assert source["base"].endswith(f"/{source['revision']}/")
 
 
 def test_no_file_of_the_cache_is_tracked() -> None:
-    assert "/datasets/cache/" in (CHECKOUT / ".gitignore").read_text().splitlines()
+    assert "/datasets/cache/" in (ROOT / ".gitignore").read_text().splitlines()
 
 
 def set_in(place: str, *values: Any) -> Damage:
     """Sets one key, 'meshes/0/file', to a value; without one, removes it."""
 
     def damage(data: Any) -> None:
-        *path, key = place.split("/")
+        *path, key = [int(step) if step.isdecimal() else step for step in place.split("/")]
         for step in path:
-            data = data[int(step) if step.isdecimal() else step]
+            data = data[step]
         if values:
             data[key] = values[0]
         else:
@@ -107,44 +125,72 @@ def set_in(place: str, *values: Any) -> Damage:
 
 
 # Meshes 0 to 3 are a (downloaded), p (in a package), g (generated), d (generated from a).
+# What a schema cannot say is marked by the last column.
 @pytest.mark.parametrize(
-    ("damage", "place", "message"),
+    ("damage", "message", "in_schema"),
     [
-        (set_in("extra", 1), "the top level", "'extra' was unexpected"),
-        (set_in("elevation_grids"), "the top level", "'elevation_grids' is a required property"),
-        (set_in("meshes/0/lisence", "x"), "mesh a", "'lisence' was unexpected"),
-        (set_in("meshes/2/path", "site/a.obj"), "mesh g", "'path' was unexpected"),
-        (set_in("meshes/0/kind", "found"), "mesh a: kind", "'found' is not one of"),
-        (set_in("meshes/0/kind"), "mesh a", "'kind' is a required property"),
-        (set_in("meshes/0/licence"), "mesh a", "'licence' is a required property"),
-        (set_in("meshes/0/genus"), "mesh a", "'genus' is a required property"),
-        (set_in("meshes/0/genus", -1), "mesh a: genus", "less than the minimum"),
-        (set_in("meshes/0/sha256", "12"), "mesh a: sha256", "does not match"),
-        (set_in("meshes/0/path", "site/../../etc/passwd"), "mesh a: path", "does not match"),
-        (set_in("meshes/0/file", "../a.obj"), "mesh a: file", "does not match"),
-        (set_in("meshes/0/file", "a.npy"), "mesh a: file", "does not match"),
-        (set_in("meshes/0/path", "elsewhere/a.obj"), "mesh a: path", "no source 'elsewhere'"),
-        (set_in("meshes/0/thesis_model", "horse"), "mesh a", "'stand_in' is a dependency"),
-        (set_in("meshes/1/package/version"), "mesh p: package", "'version' is a required"),
-        (set_in("meshes/1/package/manager", "pip"), "mesh p: package: manager", "not one of"),
-        (set_in("meshes/1/package/name", "-g"), "mesh p: package: name", "does not match"),
-        (set_in("meshes/1/package/x", 1), "mesh p: package", "'x' was unexpected"),
-        (set_in("meshes/2/parameters", [4]), "mesh g: parameters", "not of type 'object'"),
-        (set_in("meshes/3/credit"), "mesh d", "'credit' is a dependency of 'inputs'"),
-        (set_in("meshes/3/inputs", {}), "mesh d: inputs", "does not have enough properties"),
-        (set_in("meshes/3/inputs/input", "x"), "mesh d: inputs/input", "there is no mesh 'x'"),
-        (set_in("meshes/3/parameters/input", "x"), "mesh d: inputs/input", "among the parameters"),
-        (set_in("corpora/all", ["ghost"]), "corpora/all", "there is no mesh 'ghost'"),
-        (set_in("corpora/all", ["heights"]), "corpora/all", "there is no mesh 'heights'"),
-        (set_in("meshes/1/name", "a"), "meshes", "name 'a' is used 2 times"),
-        (set_in("meshes/1/file", "a.obj"), "meshes", "file 'a.obj' is used 2 times"),
-        (set_in("elevation_grids/0/vertices", 1), "mesh heights", "'vertices' was unexpected"),
-        (set_in("elevation_grids/0/file", "h.obj"), "mesh heights: file", "does not match"),
-        (set_in("elevation_grids/0/kind", "found"), "mesh heights: kind", "is not one of"),
+        (set_in("extra", 1), "no key named 'extra'", True),
+        (set_in("elevation_grids"), "key 'elevation_grids' is missing", True),
+        (set_in("schema_version", 2), "schema_version: must be 1, not 2", True),
+        (set_in("meshes", {}), "meshes: must be a list, not an object", True),
+        (set_in("meshes/0", 5), "meshes: 0: must be an object, not 5", True),
+        (set_in("meshes/0/lisence", "x"), "a: no key named 'lisence' (did you mean 'lic", True),
+        (set_in("meshes/2/path", "site/a.obj"), "meshes: g: no key named 'path'", True),
+        (set_in("meshes/0/kind", "found"), "meshes: a: kind: must be one of generated, ", True),
+        (set_in("meshes/0/kind"), "meshes: a: kind: must be one of generated, down", True),
+        (set_in("meshes/0/name"), "meshes: 0: key 'name' is missing", True),
+        (set_in("meshes/0/name", "../a"), "meshes: ../a: name: invalid name '../a'", True),
+        (set_in("meshes/0/name", "a" * 101), "invalid name 'aaa", True),
+        (set_in("meshes/0/why", "a\nb"), "meshes: a: why: must be text without control", False),
+        (set_in("meshes/0/why", ""), 'meshes: a: why: must be text, not ""', True),
+        (set_in("meshes/0/licence"), "meshes: a: key 'licence' is missing", True),
+        (set_in("meshes/0/genus"), "meshes: a: key 'genus' is missing", True),
+        (set_in("meshes/0/genus", -1), "genus: must be an integer of at least 0, not -1", True),
+        (set_in("meshes/0/faces", 0.5), "faces: must be an integer of at least 0, not 0.5", True),
+        (set_in("meshes/0/sha256", "12"), 'sha256: must be 64 hexadecimal digits in lower', True),
+        (set_in("meshes/0/tags", ["x", "x"]), 'tags: "x" is listed twice', True),
+        (set_in("meshes/0/path", "site/../../x"), "path: invalid name in a path '..'", True),
+        (set_in("meshes/0/path", "/site/x"), "path: invalid name in a path ''", True),
+        (set_in("meshes/0/path", "a.obj"), "path: must be a path that begins with", True),
+        (set_in("meshes/0/path", "elsewhere/a"), "path: there is no source 'elsewhere'", False),
+        (set_in("meshes/0/file", "../a.obj"), "file: invalid file name '../a.obj'", True),
+        (set_in("meshes/0/file", "a.npy"), "file: must be a name that ends in .obj, ", True),
+        (set_in("meshes/0/thesis_model", "horse"), "a: key 'stand_in' is missing", True),
+        (set_in("meshes/0/stand_in", True), "a: key 'thesis_model' is missing", True),
+        (set_in("meshes/1/package/version"), "p: package: key 'version' is missing", True),
+        (set_in("meshes/1/package/version", "latest"), "must be a version such as", True),
+        (set_in("meshes/1/package/manager", "pip"), "manager: must be one of npm, python", True),
+        (set_in("meshes/1/package/manager", "python"), "no key named 'version'", True),
+        (set_in("meshes/1/package/name", "-g"), "invalid name in a path '-g'", True),
+        (set_in("meshes/1/package/name", "a/b"), "must be 'name' or '@scope/name'", True),
+        (set_in("meshes/1/package/x", 1), "p: package: no key named 'x'", True),
+        (set_in("meshes/2/parameters", [4]), "parameters: must be an object, not an array", True),
+        (set_in("meshes/2/parameters/x", None), "x: must be text, not null", True),
+        (set_in("meshes/3/credit"), "meshes: d: key 'credit' is missing", True),
+        (set_in("meshes/3/inputs", {}), "meshes: d: inputs: must not be empty", True),
+        (set_in("meshes/3/inputs/input", "x"), "input: there is no mesh 'x' before this", False),
+        (set_in("meshes/3/inputs/input", "d"), "input: there is no mesh 'd' before this", False),
+        (set_in("meshes/2/inputs", {"x": "d"}), "x: there is no mesh 'd' before this one", False),
+        (set_in("meshes/3/parameters/input", "x"), "input: is one of the parameters", False),
+        (set_in("corpora/all", []), "corpora: all: must not be empty", True),
+        (set_in("corpora/all", ["a", "a"]), 'corpora: all: "a" is listed twice', True),
+        (set_in("corpora/all", ["ghost"]), "corpora: all: no mesh named 'ghost'", False),
+        (set_in("corpora/all", ["heights"]), "corpora: all: no mesh named 'heights'", False),
+        (set_in("corpora/a b", ["a"]), "corpora: invalid name 'a b'", True),
+        (set_in("sources/site/base", "http://x/"), "base: must be an https:// address", True),
+        (set_in("meshes/1/name", "a"), "meshes: a: the name is used twice", False),
+        (set_in("meshes/1/file", "a.obj"), "meshes: p: the file is used twice", False),
+        (set_in("elevation_grids/0/vertices", 1), "heights: no key named 'vertices'", True),
+        (set_in("elevation_grids/0/file", "h.obj"), "heights: file: must be a name that", True),
+        (set_in("elevation_grids/0/kind", "generated"), "heights: kind: must be one of dow", True),
     ],
 )
 def test_a_wrong_manifest_is_refused_with_the_place(
-    world: World, damage: Damage, place: str, message: str
+    world: World,
+    damage: Damage,
+    message: str,
+    in_schema: bool,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
     world.meshes = [
         downloaded("a", "site/a.obj", TRIANGLE),
@@ -153,29 +199,36 @@ def test_a_wrong_manifest_is_refused_with_the_place(
         derived("d", "a", TRIANGLE),
     ]
     world.add_grid("heights", TRIANGLE)
-    world.write()
-    Manifest(world.manifest)
-    data = json.loads(world.manifest.read_text())
+    data = json.loads(json.dumps(world.data()))
+    SCHEMA.validate(data)
+    for key in ["licence", "credit"]:
+        data["meshes"][2].setdefault(key, "x")
     damage(data)
+    assert SCHEMA.is_valid(data) != in_schema
     world.manifest.write_text(json.dumps(data))
-    with pytest.raises(ManifestError) as caught:
-        Manifest(world.manifest)
-    assert str(caught.value).startswith(f"{world.manifest}: at {place}: ")
-    assert message in str(caught.value)
-    assert "\n" not in str(caught.value)
+    command = [BENCH, "list", "--manifest", world.manifest]
+    ended = subprocess.run(command, capture_output=True, text=True)
+    place = f"{world.manifest}: "
+    assert (ended.returncode, ended.stdout) == (1, "")
+    assert ended.stderr.startswith(f"geodesic-bench: {place}") and message in ended.stderr
+    assert len(ended.stderr.splitlines()) == 1
+    words = ["a", "--manifest", str(world.manifest), "--bench", str(BENCH)]
+    assert fetch.main(words) == 1
+    assert capsys.readouterr().err == ended.stderr.replace("geodesic-bench:", "fetch.py:", 1)
 
 
-def test_meshes_made_from_each_other_are_refused(world: World) -> None:
-    world.meshes = [derived("a", "c", b""), derived("b", "a", b""), derived("c", "b", b"")]
-    world.write()
-    with pytest.raises(ManifestError) as caught:
-        Manifest(world.manifest)
-    loop = "a from c from b from a"
-    assert str(caught.value).endswith(f"at mesh a: inputs: it is made from itself: {loop}")
+def test_list_has_all_that_the_manifest_says(world: World) -> None:
+    command = [BENCH, "list", "--json", "--manifest", ROOT / "datasets" / "manifest.json"]
+    listed = json.loads(subprocess.run(command, capture_output=True, text=True).stdout)
+    for key in ["sources", "corpora", "elevation_grids"]:
+        assert listed[key] == COMMITTED[key]
+    for mesh, known in zip(listed["meshes"], COMMITTED["meshes"], strict=True):
+        assert {key: mesh[key] for key in known} == known
 
 
-@pytest.mark.parametrize("text", ["", "{", "[1]"])
-def test_what_is_no_manifest_is_refused(world: World, text: str) -> None:
-    world.manifest.write_text(text)
-    with pytest.raises(ManifestError):
-        Manifest(world.manifest)
+def test_list_shows_vertices_and_faces_of_every_mesh() -> None:
+    command = [BENCH, "list", "--manifest", ROOT / "datasets" / "manifest.json"]
+    text = subprocess.run(command, capture_output=True, text=True).stdout
+    rows = {words[0]: words[1:3] for line in text.splitlines() if len(words := line.split()) > 3}
+    for mesh in COMMITTED["meshes"]:
+        assert rows[mesh["name"]] == [str(mesh["vertices"]), str(mesh["faces"])]

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fuzzes everything that reads a file of a user. See --help.
+# Fuzzes everything that reads a user's files. See --help.
 set -euo pipefail
 
 program=fuzz.sh
@@ -44,14 +44,14 @@ parse_options() {
       --no-install) install=no; shift ;;
       --seconds | --jobs)
         value=$(value_of "$@")
-        [[ $value =~ ^[1-9][0-9]{0,6}$ ]] || die "$1: $value is no positive number"
+        value=$(positive_integer "$1" "$value")
         if [[ $1 == --jobs ]]; then jobs=$value; else seconds=$value; fi
         shift 2
         ;;
-      -*) die "unknown option $1; there are --seconds, --jobs, --no-install, --help" ;;
+      -*) unknown_option "$1" ;;
       *)
         [[ " ${all_targets[*]} " == *" $1 "* ]] ||
-          die "unknown target $1; there are ${all_targets[*]}"
+          die "unknown target $1; targets are ${all_targets[*]}"
         targets+=("$1")
         shift
         ;;
@@ -117,7 +117,7 @@ report() {
 }
 
 # Says where each finding is and how to see it again; fails when there is one.
-tell_findings() {
+list_findings() {
   local target file found=0
   for target in "${targets[@]}"; do
     [[ ${status[$target]} -ne 0 ]] || continue
@@ -138,4 +138,4 @@ set_up "$install" build fuzz
 build_preset fuzz
 run_targets
 report
-tell_findings
+list_findings

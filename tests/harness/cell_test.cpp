@@ -5,6 +5,7 @@
 #include <set>
 
 #include "tests/harness/run_test.h"
+#include "tests/harness/whole_manifest.h"
 
 namespace geodesic::harness {
 namespace {
@@ -361,9 +362,9 @@ TEST_F(RunTest, AReferenceThatFailsIsReplacedByTheNext) {
 class RunOfABox : public RunTest {
  protected:
   RunOfABox() {
-    write("manifest.json", R"({"corpora": {"quick": ["box"]}, "meshes": [{"name": "box",
-      "kind": "generated", "generator": "box", "file": "box.ply", "tags": ["any other key"],
-      "parameters": {"x-cells": 4, "y-cells": 3, "z-cells": 2, "diagonal": "forward"}}]})");
+    write("manifest.json", whole_manifest(R"({"corpora": {"quick": ["box"]}, "meshes": [
+      {"name": "box", "kind": "generated", "generator": "box", "file": "box.ply",
+      "parameters": {"x-cells": 4, "y-cells": 3, "z-cells": 2, "diagonal": "forward"}}]})"));
     make_box("4");
   }
   void make_box(const std::string& x_cells) const {
@@ -419,9 +420,11 @@ TEST_F(RunOfABox, IsVerifiedByASolverWhenItsFileIsAnotherMesh) {
 
 // A mesh that is made from another one has no parameters that say all about it.
 TEST_F(RunOfABox, WithAnInputHasNoClosedForm) {
-  write("manifest.json", R"({"corpora": {"quick": ["box"]}, "meshes": [{"name": "box",
-    "kind": "generated", "generator": "box", "inputs": {"input": "x"}, "file": "box.ply",
-    "parameters": {"x-cells": 4, "y-cells": 3, "z-cells": 2, "diagonal": "forward"}}]})");
+  write("manifest.json", whole_manifest(R"({"corpora": {"quick": ["box"]}, "meshes": [
+    {"name": "x", "kind": "generated", "file": "x.ply"},
+    {"name": "box", "kind": "generated", "generator": "box", "inputs": {"input": "x"},
+    "file": "box.ply",
+    "parameters": {"x-cells": 4, "y-cells": 3, "z-cells": 2, "diagonal": "forward"}}]})"));
   const Output run = run_suite(PROGRAM, {"--solvers", "dijkstra", "--sources", "1"});
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_NE(row("dijkstra/box/src:0").at("reference"), "closed-form");

@@ -7,6 +7,7 @@
 #include "solvers/core/geometry.h"
 #include "tests/harness/expect_error.h"
 #include "tests/harness/temporary_folder.h"
+#include "tests/harness/whole_manifest.h"
 
 namespace geodesic::harness {
 namespace fs = std::filesystem;
@@ -74,14 +75,14 @@ TEST_F(Files, Sha256IsTheStandardOne) {
   expect_error([&] { sha256_of_file(folder_ / "none"); }, {"none"});
 }
 
-constexpr const char* kManifest = R"({"schema_version": 1,
+constexpr const char* kManifest = R"({
   "corpora": {"quick": ["cube"], "all": ["cube", "horse"]},
   "meshes": [{"name": "cube", "kind": "generated", "file": "cube.obj"},
              {"name": "horse", "kind": "downloaded", "file": "horse.ply",
               "thesis_model": "horse", "stand_in": true}]})";
 
 TEST_F(Files, ManifestFindsMeshesInTheCache) {
-  const Manifest manifest(write("m.json", kManifest), folder_ / "cache");
+  const Manifest manifest(write("m.json", whole_manifest(kManifest)), folder_ / "cache");
   EXPECT_EQ(manifest.mesh("horse").file, folder_ / "cache" / "horse.ply");
   EXPECT_EQ(manifest.mesh("horse").thesis_model, "horse");
   EXPECT_TRUE(manifest.mesh("horse").stand_in);
@@ -91,24 +92,25 @@ TEST_F(Files, ManifestFindsMeshesInTheCache) {
 }
 
 TEST_F(Files, ManifestErrorsListWhatExists) {
-  const Manifest manifest(write("m.json", kManifest), folder_);
+  const Manifest manifest(write("m.json", whole_manifest(kManifest)), folder_);
   expect_error([&] { manifest.mesh("hose"); }, {"did you mean 'horse'", "cube, horse"});
   expect_error([&] { manifest.corpus("slow"); }, {"no corpus named 'slow'", "all, quick"});
 }
 
 TEST_F(Files, ManifestWithAnUnknownMeshInACorpusIsRefused) {
-  const auto file = write("m.json", R"({"corpora": {"quick": ["cube"]}, "meshes": []})");
+  const auto file =
+      write("m.json", whole_manifest(R"({"corpora": {"quick": ["cube"]}, "meshes": []})"));
   expect_error([&] { Manifest(file, folder_); }, {"m.json", "no mesh named 'cube'"});
 }
 
 TEST_F(Files, ManifestCannotNameFilesOutsideOfItsFolders) {
   const auto refused = [&](const std::string& mesh, const std::string& corpora) {
-    const auto file =
-        write("m.json", R"({"corpora": )" + corpora + R"(, "meshes": [)" + mesh + "]}");
-    expect_error([&] { Manifest(file, folder_); }, {"no ", "can be named '../a'"});
+    const auto file = write(
+        "m.json", whole_manifest(R"({"corpora": )" + corpora + R"(, "meshes": [)" + mesh + "]}"));
+    expect_error([&] { Manifest(file, folder_); }, {"invalid ", " '../a"});
   };
   refused(R"({"name": "../a", "kind": "generated", "file": "a.obj"})", "{}");
-  refused(R"({"name": "a", "kind": "generated", "file": "../a"})", "{}");
+  refused(R"({"name": "a", "kind": "generated", "file": "../a.obj"})", "{}");
   refused(R"({"name": "a", "kind": "generated", "file": "a.obj"})", R"({"../a": ["a"]})");
 }
 

@@ -43,7 +43,7 @@ TEST(CheckName, TakesWhatAFileInAFolderCanBeCalled) {
   const std::string long_one(101, 'a');
   for (const char* name : {"", ".", "..", "../a", "/a", "a/b", "a b", "a\n", ".hidden", "-o",
                            "\u00fc", long_one.c_str()}) {
-    expect_error([&] { check_name("mesh", name); }, {"no mesh can be named '"});
+    expect_error([&] { check_name("mesh", name); }, {"invalid mesh '"});
   }
 }
 

@@ -4,6 +4,8 @@
 
 #include <cstdlib>
 
+#include "tests/harness/whole_manifest.h"
+
 namespace geodesic::harness {
 namespace {
 
@@ -39,7 +41,7 @@ std::string hill(int n) {
 constexpr const char* kTetrahedron =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
 
-constexpr const char* kManifest = R"({"schema_version": 1,
+constexpr const char* kManifest = R"({
   "corpora": {"quick": ["hill", "tetrahedron", "absent"], "missing": ["absent"]},
   "meshes": [
     {"name": "hill", "kind": "generated", "file": "hill.off"},
@@ -48,7 +50,7 @@ constexpr const char* kManifest = R"({"schema_version": 1,
 
 }  // namespace
 
-ProgramTest::ProgramTest() : manifest_(write("manifest.json", kManifest)) {
+ProgramTest::ProgramTest() : manifest_(write("manifest.json", whole_manifest(kManifest))) {
   write("hill.off", hill(6));
   write("tetrahedron.obj", kTetrahedron);
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "tests/harness/program.h"
+#include "tests/harness/whole_manifest.h"
 
 namespace geodesic::harness {
 namespace {
@@ -105,10 +106,11 @@ TEST_F(RankTest, PairsAreAtLeastOne) {
 }
 
 TEST_F(RankTest, AnEmptyCorpusIsSaid) {
-  write("manifest.json", R"({"schema_version": 1, "corpora": {"quick": []}, "meshes": []})");
-  const Output output = rank(PROGRAM, {"--solver", exact_solver(), "--against", "dijkstra"});
+  const std::string solver = exact_solver();
+  write("manifest.json", whole_manifest(R"({"corpora": {"quick": []}, "meshes": []})"));
+  const Output output = rank(PROGRAM, {"--solver", solver, "--against", "dijkstra"});
   EXPECT_EQ(output.code, 1);
-  expect_words(output.err, {"the corpus 'quick' is empty"});
+  expect_words(output.err, {"corpora: quick: must not be empty"});
 }
 
 TEST_F(RankTest, ResultsAreNeverWrittenOver) {

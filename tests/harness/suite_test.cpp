@@ -46,7 +46,7 @@ TEST_F(SuiteFile, RefusesValuesOutOfRange) {
       {R"({"min_time": 0})", "positive number of seconds"},
       {R"({"solvers": "mmp"})", "\"solvers\": \"mmp\""},
       {R"({"reference": null})", "\"reference\": null"},
-      {R"({"corpus": "../../a"})", "no corpus can be named '../../a'"},
+      {R"({"corpus": "../../a"})", "invalid corpus name '../../a'"},
       {R"({"vectors": "wide"})", "no kind of vectors named 'wide'"},
       {R"([])", "JSON object"},
       {R"({"sources": )", "not valid JSON"},

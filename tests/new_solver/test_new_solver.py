@@ -158,7 +158,7 @@ def test_outside_the_tree_a_project_of_the_same_sources(checkout: Path, tmp_path
         (["one", "--outside="], "--outside needs a value"),
         (["one", "--outside", "/dev/null/x"], "cannot make /dev/null/x: Not a directory"),
         (["one", "--outside", "/proc/x"], "cannot make /proc/x: No such file"),
-        (["one", "--form", "mmp"], "unknown option --form; there are --from"),
+        (["one", "--form", "mmp"], "unknown option --form; see new_solver.sh --help"),
     ],
 )
 def test_refusals_are_one_line_and_change_nothing(

@@ -1,0 +1,125 @@
+"""The program geodesic-bench: it reads the manifest, and makes generated meshes."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, fields
+from pathlib import Path
+from typing import Any, TypeVar
+
+from .reporting import FetchError, Unavailable
+
+ROOT = Path(__file__).resolve().parents[2]
+"""Of the checkout, or of an installed copy: PREFIX/share/geodesic-bench."""
+IS_CHECKOUT = (ROOT / "CMakeLists.txt").exists()
+DEFAULT_BENCH = (
+    ROOT / "build" / "release" / "geodesic-bench"
+    if IS_CHECKOUT
+    else ROOT.parent.parent / "bin" / "geodesic-bench"
+)
+DEFAULT_MANIFEST = ROOT / "datasets" / "manifest.json"
+
+Value = TypeVar("Value")
+
+
+@dataclass(frozen=True)
+class Package:
+    """A file in a package of npm, or of an installed Python package (without `version`)."""
+
+    manager: str
+    name: str
+    file: str
+    version: str = ""
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A mesh or an elevation grid of the manifest (datasets/README.md): where its file comes from.
+
+    Which members are set depends on `kind`: generated, downloaded or package.
+    """
+
+    name: str
+    kind: str
+    file: str
+    sha256: str
+    generator: str = ""
+    parameters: Mapping[str, float | str] = field(default_factory=dict)
+    inputs: Mapping[str, str] = field(default_factory=dict)
+    path: str = ""
+    package: Package | None = None
+    upstream_sha256: str = ""
+    archive_member: str = ""
+
+    @staticmethod
+    def of(data: dict[str, Any]) -> Entry:
+        """Of an entry in JSON, which has other keys, too."""
+        own = {each.name: data[each.name] for each in fields(Entry) if each.name in data}
+        if "package" in data:
+            own["package"] = Package(**data["package"])
+        return Entry(**own)
+
+
+class Manifest:
+    """The manifest as `geodesic-bench list --json` has read and checked it.
+
+    Raises FetchError when there is no program, or with its message about the manifest.
+    """
+
+    def __init__(self, bench: Path, path: Path = DEFAULT_MANIFEST) -> None:
+        if not os.access(bench, os.X_OK):
+            raise FetchError(
+                f"geodesic-bench reads the list of meshes and is not at {bench}: "
+                "build it (./run_all.sh build) or name it with --bench"
+            )
+        done = _run(bench, "list", "--json", "--manifest", str(path))
+        if done.returncode != 0:
+            raise FetchError(_last_line(done).removeprefix("geodesic-bench: "))
+        data = json.loads(done.stdout)
+        self.sources: dict[str, str] = {
+            name: source["base"] for name, source in data["sources"].items()
+        }
+        self.corpora: dict[str, list[str]] = data["corpora"]
+        entries = map(Entry.of, data["meshes"] + data["elevation_grids"])
+        self._entries = {entry.name: entry for entry in entries}
+
+    def entry(self, name: str) -> Entry:
+        """A mesh or elevation grid. Raises FetchError for an unknown one, listing the known."""
+        return _find(self._entries, name, "mesh")
+
+    def select(self, corpora: Iterable[str], names: Iterable[str]) -> list[Entry]:
+        """The meshes of the corpora, then those named, each once. Raises FetchError as `entry`."""
+        chosen: dict[str, None] = {}
+        for corpus in corpora:
+            chosen.update(dict.fromkeys(_find(self.corpora, corpus, "corpus")))
+        chosen.update(dict.fromkeys(names))
+        return [self.entry(name) for name in chosen]
+
+
+def generate(bench: Path, mesh: Entry, inputs: Mapping[str, Path], target: Path) -> None:
+    """Writes a generated mesh. `inputs`: the file for each parameter that names one.
+
+    Raises Unavailable with the program's message.
+    """
+    given = {**inputs, **mesh.parameters}
+    parameters = [f"--{name}={value}" for name, value in given.items()]
+    done = _run(bench, "generate", mesh.generator, *parameters, "-o", str(target))
+    if done.returncode != 0:
+        raise Unavailable(f"could not be generated: {_last_line(done)}")
+
+
+def _run(bench: Path, *words: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([str(bench), *words], capture_output=True, text=True, check=False)
+
+
+def _last_line(done: subprocess.CompletedProcess[str]) -> str:
+    return (done.stderr.strip().splitlines() or [f"exit code {done.returncode}"])[-1]
+
+
+def _find(known: Mapping[str, Value], name: str, kind: str) -> Value:
+    if name not in known:
+        raise FetchError(f"no {kind} named '{name}'; there are: {', '.join(sorted(known))}")
+    return known[name]

@@ -1,0 +1,50 @@
+"""What a fetch reports: errors, by how far they reach, and progress bars on a terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any, TextIO
+
+import tqdm
+
+
+class FetchError(Exception):
+    """Concerns all of the fetch: nothing more can be had. The message says what to do."""
+
+
+class Unavailable(Exception):
+    """One mesh or elevation grid cannot be had; the message says why and what to do."""
+
+
+def printable(text: str) -> str:
+    r"""Control characters as \x1b and the like: no file and no site can move the cursor."""
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
+
+
+def reason_of(error: OSError) -> str:
+    """'No space left on device: /the/file'."""
+    return ": ".join(str(part) for part in (error.strerror or error, error.filename) if part)
+
+
+class Progress:
+    """Draws on a terminal; None or anything else that is not a terminal gets nothing."""
+
+    def __init__(self, terminal: TextIO | None) -> None:
+        self._terminal = terminal if terminal is not None and terminal.isatty() else None
+
+    @contextmanager
+    def download(self, label: str, total: int | None, done: int) -> Iterator[Callable[[int], None]]:
+        """A bar of bytes; the caller says how many more there are."""
+        with self._bar(desc=label, total=total, initial=done, unit="B", unit_scale=True) as bar:
+            yield lambda count: bar.update(count) and None
+
+    @contextmanager
+    def working(self, label: str) -> Iterator[None]:
+        """A line that is shown while something of unknown length runs."""
+        with self._bar(desc=f"{label} ...", bar_format="{desc}"):
+            yield
+
+    def _bar(self, **options: Any) -> tqdm.tqdm:
+        terminal = self._terminal
+        return tqdm.tqdm(**options, leave=False, file=terminal, disable=terminal is None)

@@ -1,0 +1,37 @@
+// Manifests that are written down by what matters to a test.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace geodesic::harness {
+
+/// The manifest with every required key: those that `text` leaves out have any valid value.
+inline std::string whole_manifest(const std::string& text) {
+  using nlohmann::json;
+  const std::string sha256(64, '0');
+  const json common{{"sha256", sha256},
+                    {"vertices", 1},
+                    {"faces", 1},
+                    {"genus", 0},
+                    {"boundary_loops", 0},
+                    {"components", 1},
+                    {"tags", json::array()},
+                    {"licence", "-"},
+                    {"credit", "-"},
+                    {"why", "-"}};
+  const json by_kind{{"generated", {{"generator", "grid"}, {"parameters", json::object()}}},
+                     {"downloaded", {{"path", "site/file"}, {"upstream_sha256", sha256}}}};
+  json whole = json::parse(R"({"schema_version": 1, "elevation_grids": [],
+      "sources": {"site": {"base": "https://x/", "homepage": "-", "revision": "-"}}})");
+  whole.update(json::parse(text));
+  for (json& mesh : whole["meshes"]) {
+    json complete = common;
+    complete.update(by_kind.value(mesh.value("kind", ""), json::object()));
+    complete.update(mesh);
+    mesh = complete;
+  }
+  return whole.dump();
+}
+
+}  // namespace geodesic::harness
