@@ -6,27 +6,37 @@ import argparse
 import math
 import subprocess
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import NoReturn
 
-from . import check
-from .builds import Tree, build, tree_of
-from .findings import ERROR, GateError
-from .program import Program
-from .verdict import as_text, write
+from results import console
 
-ROOT = Path(__file__).resolve().parent.parent
+if __name__ == "__main__":
+    console.prepare("check_performance.sh")  # before imports that may fail
+
+from gate import check
+from gate.builds import Tree, build, tree_of
+from gate.findings import GateError
+from gate.program import Program
+from gate.verdict import as_text, write
+
+ROOT = console.ROOT
 GATE = ROOT / "build" / "gate"
 NOISE = GATE / "noise.json"
 
 
-class Parser(argparse.ArgumentParser):
-    """Argparse exits with 2, which here means a wrong answer."""
+def _number(accepts: Callable[[float], bool], what: str) -> Callable[[str], float]:
+    def parse(text: str) -> float:
+        try:
+            value = float(text)
+        except ValueError:
+            value = math.nan
+        if not accepts(value):
+            raise argparse.ArgumentTypeError(f"'{text}': {what}")
+        return value
 
-    def error(self, message: str) -> NoReturn:
-        raise GateError(f"{message}; see check_performance.sh --help")
+    return parse
 
 
 def _levels(text: str) -> tuple[int, ...]:
@@ -37,43 +47,20 @@ def _levels(text: str) -> tuple[int, ...]:
     return tuple(sorted(known[word] for word in chosen))
 
 
-def _margin(text: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = 0.0
-    if not 1 < value < 10:
-        raise argparse.ArgumentTypeError(f"'{text}': a margin is a ratio above 1, as in 1.10")
-    return value
-
-
-def _seconds(text: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = -1.0
-    if not 0 <= value < math.inf:
-        raise argparse.ArgumentTypeError(f"'{text}': seconds, 0 or more, as in 300")
-    return value
-
-
-def _sessions(text: str) -> int:
-    if not text.isdecimal() or int(text) < 1:
-        raise argparse.ArgumentTypeError(f"'{text}': at least one session, as in 3")
-    return int(text)
-
-
 def parse(words: Sequence[str] | None) -> argparse.Namespace:
-    parser = Parser(prog="check_performance.sh", add_help=False)
+    margin = _number(lambda value: 1 < value < 10, "a margin is a ratio above 1, as in 1.10")
+    seconds = _number(lambda value: 0 <= value < math.inf, "seconds, 0 or more, as in 300")
+    sessions = _number(lambda value: value >= 1 and value % 1 == 0, "at least one session, as in 3")
+    parser = console.Parser(__doc__)
     parser.add_argument("base", nargs="?")
     parser.add_argument("head", nargs="?")
     parser.add_argument("--levels", type=_levels, default=check.ALL_LEVELS)
-    parser.add_argument("--margin", type=_margin, default=check.MARGIN)
-    parser.add_argument("--budget", type=_seconds, default=check.BUDGET)
+    parser.add_argument("--margin", type=margin, default=check.MARGIN)
+    parser.add_argument("--budget", type=seconds, default=check.BUDGET)
     parser.add_argument("--solvers", default="")
     parser.add_argument("--out", type=Path)
     parser.add_argument("--strict", action="store_true")
-    parser.add_argument("--a-a", type=_sessions, metavar="N")
+    parser.add_argument("--a-a", type=sessions, metavar="N")
     parser.add_argument("--update-baseline", action="store_true")
     parser.add_argument("--reason", default="")
     options = parser.parse_args(words)
@@ -101,39 +88,23 @@ def _ready(trees: list[Tree], chosen: check.Options) -> list[Program]:
     fetch += ["--cache", str(cache), "--bench", str(programs[-1].path)]
     ended = subprocess.run(fetch, capture_output=True, text=True)
     if ended.returncode != 0:
-        last = (ended.stderr.strip().splitlines() or ["it printed no error"])[-1]
+        last = (ended.stderr.strip().splitlines() or ["no error message"])[-1]
         raise GateError(f"the meshes of the suite could not be generated: {last}")
     return programs
 
 
-def gate(options: argparse.Namespace) -> int:
-    """The exit code. An error that prevents a verdict is written to verdict.md too."""
-    out = (options.out or GATE / datetime.now(UTC).strftime("%Y%m%dT%H%M%SZ")).absolute()
-    out.mkdir(parents=True, exist_ok=True)
-    try:
-        return judge(options, out)
-    except GateError as error:
-        (out / "verdict.md").write_text(f"## error: {error}\n", encoding="utf-8")
-        raise
-
-
 def judge(options: argparse.Namespace, out: Path) -> int:
-    chosen = check.Options(
-        out=out,
-        levels=options.levels,
-        margin=options.margin,
-        budget=options.budget,
-        solvers=tuple(name for name in options.solvers.split(",") if name),
-        strict=options.strict,
-        noise_file=NOISE,
-    )
+    """The exit code."""
+    solvers = tuple(name for name in options.solvers.split(",") if name)
+    chosen = check.Options(out, options.levels, options.margin, options.budget, solvers,
+                           strict=options.strict, noise_file=NOISE)  # fmt: skip
     if options.update_baseline:
         [program] = _ready([tree_of(ROOT, "head", None)], chosen)
         print("\n".join(check.update_baseline(program, ROOT, options.reason.strip(), chosen)))
         return 0
     if options.a_a:
         [program] = _ready([tree_of(ROOT, "head", options.base)], chosen)
-        verdict = check.against_itself(program, options.a_a, chosen)
+        verdict = check.against_itself(program, int(options.a_a), chosen)
     else:
         head_tree = tree_of(ROOT, "head", options.head)
         base, head = _ready([tree_of(ROOT, "base", options.base), head_tree], chosen)
@@ -144,19 +115,17 @@ def judge(options: argparse.Namespace, out: Path) -> int:
     return verdict.exit_code
 
 
-def complain(line: str) -> int:
-    print(f"check_performance.sh: {line}", file=sys.stderr)
-    return ERROR
-
-
 def main(words: Sequence[str] | None = None) -> int:
+    options = parse(words)
+    out = (options.out or GATE / datetime.now(UTC).strftime("%Y%m%dT%H%M%SZ")).absolute()
     try:
-        return gate(parse(words))
-    except GateError as error:
-        return complain(str(error))
+        out.mkdir(parents=True, exist_ok=True)
+        return judge(options, out)
+    except GateError as error:  # a report too, for a CI that shows verdict.md
+        (out / "verdict.md").write_text(f"## error: {error}\n", encoding="utf-8")
+        return console.complain(error)
     except OSError as error:
-        where = error.filename or "the standard output"
-        return complain(f"cannot write {where}: {error.strerror}; --out names another folder")
+        return console.complain(error)
     except KeyboardInterrupt:
         print("check_performance.sh: interrupted", file=sys.stderr)
         return 130

@@ -13,9 +13,9 @@ from pathlib import Path
 
 from results.reader import Cell
 
-from .cells import COUNTERS
-from .findings import ERROR, REGRESSION, GateError, LevelResult, Weight
-from .program import Verified
+from gate.cells import COUNTERS
+from gate.findings import ERROR, REGRESSION, GateError, LevelResult, Weight
+from gate.program import Verified
 
 FOLDER = Path("results") / "baseline"
 FILE = "counters.csv"

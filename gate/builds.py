@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from .findings import GateError
+from gate.findings import GateError
 
 BUILD = Path("build") / "gate" / "build"
 OPTIONS = ["-DGEODESIC_TESTS=OFF", "-DGEODESIC_BENCHMARKS=OFF", "-DGEODESIC_UNITY=ON"]

@@ -12,11 +12,11 @@ from pathlib import Path
 
 from results.reader import Cell
 
-from . import baseline, levels, timing
-from .cells import Pairs
-from .findings import WRONG_ANSWER, GateError, LevelResult
-from .program import Program, Verified
-from .verdict import Verdict, judge
+from gate import baseline, levels, timing
+from gate.cells import Pairs
+from gate.findings import WRONG_ANSWER, GateError, LevelResult
+from gate.program import Program, Verified
+from gate.verdict import Verdict, judge
 
 CORPUS = "regression"
 ALL_LEVELS = (0, 1, 2, 3, 4)

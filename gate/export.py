@@ -16,10 +16,10 @@ from results import console
 if __name__ == "__main__":
     console.prepare("geodesic-bench export")  # before imports that may fail
 
-from results.console import Parser, complain  # noqa: E402
-from results.reader import ResultError, Run, read_run  # noqa: E402
+from results.console import Parser, complain
+from results.reader import ResultError, Run, read_run
 
-from .cells import COUNTERS, MEMORY, TIME, Measured, measured, programs  # noqa: E402
+from gate.cells import COUNTERS, MEMORY, TIME, Measured, measured, programs
 
 NANOSECONDS = 1e6
 """In a millisecond."""
@@ -37,13 +37,13 @@ CSV_COLUMNS = [
 def cells(run: Run) -> Iterator[tuple[str, Measured]]:
     """Names with what was measured; of several programs, the name says which."""
     for program in programs(run) or [None]:
-        for cell, of_cell in measured(run, program).items():
-            yield (str(cell) if program is None else f"{cell}@{program}"), of_cell
+        for cell, one in measured(run, program).items():
+            yield (str(cell) if program is None else f"{cell}@{program}"), one
 
 
-def numbers(of_cell: Measured) -> dict[str, float]:
+def numbers(one: Measured) -> dict[str, float]:
     """Those of which less is better and that are the same in every repetition."""
-    found = {key: of_cell.number(key) for key in (*COUNTERS, MEMORY)}
+    found = {key: one.number(key) for key in (*COUNTERS, MEMORY)}
     return {key: value for key, value in found.items() if value is not None}
 
 
@@ -54,30 +54,24 @@ def unit(key: str) -> str:
 def to_github_action_benchmark(run: Run) -> str:
     """The array of that action's `customSmallerIsBetter`. Failed cells cannot be in it."""
     rows: list[dict[str, Any]] = []
-    for name, of_cell in cells(run):
-        if not of_cell.ok:
-            continue
-        times = of_cell.times
-        spread = f"{min(times):g} to {max(times):g}"
-        time = {"name": f"{name} {TIME}", "unit": "ms", "value": statistics.median(times)}
-        rows.append({**time, "range": spread})
-        for key, value in numbers(of_cell).items():
-            rows.append({"name": f"{name} {key}", "unit": unit(key), "value": value})
+    for name, one in cells(run):
+        if times := one.times if one.ok else []:
+            time = {"name": f"{name} {TIME}", "unit": "ms", "value": statistics.median(times)}
+            rows.append({**time, "range": f"{min(times):g} to {max(times):g}"})
+            for key, value in numbers(one).items():
+                rows.append({"name": f"{name} {key}", "unit": unit(key), "value": value})
     return _json(rows)
 
 
 def to_bencher(run: Run) -> str:
     """Bencher's JSON, the latency in nanoseconds. Failed cells cannot be in it."""
-    benchmarks: dict[str, dict[str, dict[str, float]]] = {}
-    for name, of_cell in cells(run):
-        if not of_cell.ok:
-            continue
-        times = [NANOSECONDS * time for time in of_cell.times]
-        measures = {"latency": {"value": statistics.median(times), "lower_value": min(times),
-                                "upper_value": max(times)}}  # fmt: skip
-        for key, value in numbers(of_cell).items():
-            measures[key.replace("_", "-")] = {"value": value}
-        benchmarks[name] = measures
+    benchmarks = {}
+    for name, one in cells(run):
+        if times := [NANOSECONDS * time for time in one.times] if one.ok else []:
+            latency = {"value": statistics.median(times), "lower_value": min(times),
+                       "upper_value": max(times)}  # fmt: skip
+            others = {key.replace("_", "-"): {"value": n} for key, n in numbers(one).items()}
+            benchmarks[name] = {"latency": latency, **others}
     return _json(benchmarks)
 
 
@@ -85,11 +79,11 @@ def to_gbench_median(run: Run) -> str:
     """Google Benchmark's JSON with one row a cell: the repetition of median time, the faster of two
     in the middle, since a row must be one that was measured."""
     rows = []
-    for name, of_cell in cells(run):
-        in_order = sorted(of_cell.rows, key=lambda row: row.data.get(TIME, 0.0))
+    for name, one in cells(run):
+        in_order = sorted(one.rows, key=lambda row: row.data.get(TIME, 0.0))
         middle = in_order[(len(in_order) - 1) // 2]
-        one = {"name": name, "run_name": name, "repetitions": 1, "repetition_index": 0}
-        rows.append({**middle.data, **one})
+        single = {"name": name, "run_name": name, "repetitions": 1, "repetition_index": 0}
+        rows.append({**middle.data, **single})
     return _json({"context": run.context, "benchmarks": rows})
 
 
@@ -124,7 +118,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(FORMATS[options.to](run), end="")
     except (ResultError, OSError) as error:
         return complain(error)
-    states = [of_cell.ok for _, of_cell in cells(run)]
+    states = [one.ok for _, one in cells(run)]
     if not all(states):
         failed = f"{states.count(False)} of {len(states)} cells failed and have no numbers"
         print(f"geodesic-bench export: {failed}", file=sys.stderr)

@@ -11,9 +11,9 @@ from concurrent.futures import ThreadPoolExecutor
 
 from results.reader import Cell
 
-from .cells import MEMORY, MEMORY_FLOOR, UNSUPPORTED, WRONG, Measured
-from .findings import REGRESSION, WRONG_ANSWER, LevelResult, Weight
-from .program import Program, Verified
+from gate.cells import MEMORY, MEMORY_FLOOR, UNSUPPORTED, WRONG, Measured
+from gate.findings import REGRESSION, WRONG_ANSWER, LevelResult, Weight
+from gate.program import Program, Verified
 
 INSTRUCTIONS_FAIL = 0.02
 INSTRUCTIONS_WARN = 0.005

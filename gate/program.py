@@ -16,8 +16,8 @@ from typing import Any
 
 from results.reader import Cell, ResultError, read_file
 
-from .cells import Measured, Pairs, measured, paired
-from .findings import GateError
+from gate.cells import Measured, Pairs, measured, paired
+from gate.findings import GateError
 
 MIN_SECONDS = 0.05
 """Of solves that a time is taken over, in each process."""

@@ -20,12 +20,12 @@ from results import console
 if __name__ == "__main__":
     console.prepare("geodesic-bench rank")  # before imports that may fail
 
-from results.console import ROOT, Parser, complain  # noqa: E402
-from results.reader import ResultError, Run, read_run  # noqa: E402
+from results.console import ROOT, Parser, complain
+from results.reader import ResultError, Run, read_run
 
-from .findings import GateError  # noqa: E402
-from .rank_report import as_json, as_latex, as_markdown  # noqa: E402
-from .ranking import Ranking, Ratio, rank  # noqa: E402
+from gate.findings import GateError
+from gate.rank_report import as_json, as_latex, as_markdown
+from gate.ranking import Ranking, Ratio, rank
 
 PASSED_ON = ("sources", "seed", "min_time", "reference", "vectors", "manifest")
 """Options of `run` that are taken as they are."""

@@ -9,8 +9,8 @@ from typing import Any
 from results.reader import Run
 from results.table import Table, escape_latex, escape_markdown, text_cells, to_markdown, to_tabular
 
-from .cells import MEMORY
-from .ranking import ERROR, WINDOWS, OnMesh, Ranking, Ratio, Standing
+from gate.cells import MEMORY
+from gate.ranking import ERROR, WINDOWS, OnMesh, Ranking, Ratio, Standing
 
 NOTHING = "-"
 

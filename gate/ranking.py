@@ -19,8 +19,8 @@ from results.statistics import (
     median_interval,
 )
 
-from .cells import MEMORY, WRONG, Measured, Pairs, measured, paired, together
-from .findings import GateError
+from gate.cells import MEMORY, WRONG, Measured, Pairs, measured, paired, together
+from gate.findings import GateError
 
 WINDOWS = "window_propagations"
 ERROR = "max_relative_error"

@@ -18,8 +18,8 @@ from pathlib import Path
 from results.reader import Cell
 from results.statistics import Decision, Estimate, decide, geometric_mean_of_medians
 
-from .cells import Measured, Pairs, together
-from .findings import REGRESSION, GateError, LevelResult, Weight
+from gate.cells import Measured, Pairs, together
+from gate.findings import REGRESSION, GateError, LevelResult, Weight
 
 PAIRS = 15
 CONFIRMED = 2

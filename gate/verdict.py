@@ -10,7 +10,7 @@ from pathlib import Path
 from results.console import printable
 from results.table import Table, escape_markdown, text_cells, to_markdown, to_text
 
-from .findings import (
+from gate.findings import (
     ERROR,
     GOOD,
     NOT_RESOLVED,

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from bad_results import GOLDEN
-from shell import Bash, permitted
+from shell import Bash
 
 SOLVE = "geodesic-bench solve {} --solver mmp --source 0 --output {}"
 NAMES = ["hill with spaces.obj", "Grüße.obj", "メッシュ.obj", "-hill.obj", "$(touch x);'\".obj"]
