@@ -16,29 +16,30 @@ Usage: ./check_performance.sh BASE_REVISION [HEAD_REVISION] [OPTION...]
        ./check_performance.sh --a-a N [REVISION] [OPTION...]
        ./check_performance.sh --update-baseline --reason "why it may be accepted"
 
-Builds both revisions (the head is the working tree unless named), runs every solver on a
-dozen generated meshes, and says whether the head's answers are right and cost no more.
+Builds both revisions (the head is the working tree by default), runs every solver on a
+dozen generated meshes, and judges whether the head's answers are right and cost no more.
   level 0   distances against the oracles
   level 1   the algorithms' counters against results/baseline/counters.csv
-  level 2   instructions inside of solve, counted by callgrind
+  level 2   instructions inside solve, counted by callgrind
   level 3   the solvers' peak memory
-  level 4   time, both revisions by turns
+  level 4   time, both revisions in pairs
 
 Options:
   --levels A,B         only these levels, as in 0,1,2,3 (0 is always judged)
   --solvers A,B        only these solvers
-  --margin RATIO       what level 4 lets pass (default: 1.10)
+  --margin RATIO       the ratio of times that level 4 accepts (default: 1.10)
+  --budget SECONDS     of level 4 for rows that the first pairs do not decide (default: 300)
   --a-a N              no base: one build against itself, N sessions, for this machine's noise;
                        later margins below it are refused
-  --strict             exit with 4 when the machine was too noisy to tell
+  --strict             exit with 4 when a row is not resolved
   --out DIR            for verdict.md, verdict.json, logs and runs (default: build/gate/<time>)
   --update-baseline    rewrite the counters' baseline from the working tree
   --reason TEXT        why, for results/baseline/CHANGES.md
-  --no-install         never install a package: print the line that would, and stop
+  --no-install         install nothing: print the line that installs what is missing, and stop
   --help               this text
 
-Exit codes: 0 good, 1 usage or harness error, 2 wrong answer, 3 regression, 4 inconclusive
-(only with --strict).
+Exit codes: 0 no failure, 1 usage or harness error, 2 wrong answer, 3 regression, 4 not
+resolved (only with --strict).
 EOF
 }
 
@@ -48,7 +49,7 @@ while [[ $# -gt 0 ]]; do
   case $1 in
     --help | -h) usage; exit 0 ;;
     --no-install) install=no; shift ;;
-    --levels | --solvers | --margin | --a-a | --out | --reason)
+    --levels | --solvers | --margin | --budget | --a-a | --out | --reason)
       words+=("$1" "$(value_of "$@")")
       shift 2
       ;;

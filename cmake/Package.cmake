@@ -17,7 +17,7 @@ install(FILES CITATION.cff LICENSE README.md DESTINATION ${GEODESIC_DATA_FOLDER}
 install(PROGRAMS datasets/fetch.py DESTINATION ${GEODESIC_DATA_FOLDER}/datasets)
 install(FILES datasets/README.md datasets/manifest.json datasets/manifest.schema.json
         DESTINATION ${GEODESIC_DATA_FOLDER}/datasets)
-install(FILES results/README.md results/rank.schema.json results/run.schema.json
+install(FILES results/README.md results/run.schema.json
         DESTINATION ${GEODESIC_DATA_FOLDER}/results)
 install(DIRECTORY datasets/fetching DESTINATION ${GEODESIC_DATA_FOLDER}/datasets
         FILES_MATCHING PATTERN "*.py" PATTERN __pycache__ EXCLUDE)
@@ -26,5 +26,5 @@ install(DIRECTORY results/published DESTINATION ${GEODESIC_DATA_FOLDER}/results)
 install(FILES results/__init__.py results/console.py results/published.py results/reader.py
               results/statistics.py results/table.py
         DESTINATION ${GEODESIC_DATA_FOLDER}/results)
-install(DIRECTORY plots docs examples DESTINATION ${GEODESIC_DATA_FOLDER}
+install(DIRECTORY gate plots docs examples DESTINATION ${GEODESIC_DATA_FOLDER}
         USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE PATTERN build EXCLUDE)

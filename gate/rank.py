@@ -156,7 +156,8 @@ def draw(ranking: Ranking, folder: Path) -> str:
 def main(arguments: Sequence[str] | None = None) -> int:
     options = parse(arguments)
     time = datetime.now(UTC).strftime("%Y%m%dT%H%M%SZ")
-    new = ROOT / "results" / "ranks" / f"{time}-{options.solver}"
+    home = ROOT if (ROOT / "CMakeLists.txt").exists() else Path.cwd()  # of a checkout, or installed
+    new = home / "results" / "ranks" / f"{time}-{options.solver}"
     folder = options.resume or options.run or options.out or new
     try:
         code = 0

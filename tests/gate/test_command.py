@@ -196,5 +196,5 @@ def test_help_has_every_option_and_exit_code(repository: Repository) -> None:
     ended = repository.check("--help")
     assert ended.returncode == 0
     for word in ("--levels", "--solvers", "--margin", "--a-a", "--strict", "--out", "--reason",
-                 "--update-baseline", "2 wrong answer", "4 inconclusive"):  # fmt: skip
+                 "--update-baseline", "--budget", "2 wrong answer", "4 not"):  # fmt: skip
         assert word in ended.stdout
