@@ -38,7 +38,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             run = run.of_meshes(options.meshes)
         items, left_out = draw(run, options.names)
         for item in items:
-            write(item.drawn, folder, options.out)
+            write(item, folder, options.out)
         if options.names and left_out:
             raise ResultError(left_out[0].why)
         for one in left_out:

@@ -7,65 +7,42 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from plots import (
-    accuracy,
-    drawing,
-    figure_5_7,
-    figure_5_8,
-    figure_5_9,
-    figure_5_10,
-    figure_5_10_curve,
-    figure_6_4,
-    figure_a_1,
-    figure_a_2,
-    figure_a_3,
-    figure_a_4,
-    figure_a_5,
-    overview,
-    speedup,
-    table_5_1,
-    table_5_2,
-    table_5_2_ratios,
-    table_5_3,
-    table_growth,
-    time_over_vertices,
-    windows_over_limit,
-)
+    curves, dot_figures, drawing, figure_5_9, figure_6_4, growth, overview, summary, table_5_1,
+    table_5_2, table_5_2_ratios, table_5_3, wavefronts,
+)  # fmt: skip
 from plots.drawing import Drawing
 from results import table
 from results.reader import ResultError, Run
 from results.table import Table
 
-Make = Callable[[Run], Sequence[Table | Drawing]]
-"""@raises ResultError when the run lacks the data"""
-
-TABLES: dict[str, Make] = {
-    "table_5_1": table_5_1.tables,
-    "table_5_2": table_5_2.tables,
-    "table_5_2_ratios": table_5_2_ratios.tables,
-    "table_5_3": table_5_3.tables,
-    "table_growth": table_growth.tables,
+TABLES: dict[str, Callable[[Run], Table]] = {
+    "summary": summary.table,
+    "table_5_1": table_5_1.table,
+    "table_5_2": table_5_2.table,
+    "table_5_2_ratios": table_5_2_ratios.ratios,
+    "table_5_2_claims": table_5_2_ratios.claims,
+    "table_5_3": table_5_3.table,
+    "table_growth": growth.table,
+    "table_growth_exponents": growth.exponents,
 }
-FIGURES: dict[str, Make] = {
-    "overview": overview.figures,
-    "figure_5_7": figure_5_7.figures,
-    "figure_5_8": figure_5_8.figures,
-    "figure_5_9": figure_5_9.figures,
-    "figure_5_10": figure_5_10.figures,
-    "figure_5_10_curve": figure_5_10_curve.figures,
-    "figure_6_4": figure_6_4.figures,
-    "speedup": speedup.figures,
-    "windows_over_limit": windows_over_limit.figures,
-    "time_over_vertices": time_over_vertices.figures,
-    "accuracy": accuracy.figures,
-    "figure_a_1": figure_a_1.figures,
-    "figure_a_2": figure_a_2.figures,
-    "figure_a_3": figure_a_3.figures,
-    "figure_a_4": figure_a_4.figures,
-    "figure_a_5": figure_a_5.figures,
+FIGURES: dict[str, Callable[[Run], Drawing]] = {
+    "overview": overview.figure,
+    "figure_5_7": wavefronts.isoline,
+    "figure_5_8": curves.windows,
+    "figure_5_9": figure_5_9.figure,
+    "figure_5_10": dot_figures.wavefront_quality,
+    "figure_5_10_curve": curves.spread,
+    "figure_6_4": figure_6_4.figure,
+    "speedup": dot_figures.speedup,
+    "windows_over_limit": dot_figures.windows_over_limit,
+    "time_over_vertices": growth.figure,
+    "accuracy": dot_figures.accuracy,
+    **{name: wavefronts.appendix(name) for name in wavefronts.APPENDIX},
 }
-"""In the order in which the report shows them."""
+"""In the order in which the report shows them; the functions raise ResultError when the run lacks
+the data."""
 
-EVERYTHING = TABLES | FIGURES
+EVERYTHING: dict[str, Callable[[Run], Table | Drawing]] = {**TABLES, **FIGURES}
 
 
 @dataclass(frozen=True)
@@ -88,16 +65,16 @@ def draw(run: Run, names: Sequence[str] = ()) -> tuple[list[Item], list[LeftOut]
     items, left_out = [], []
     for name in names or EVERYTHING:
         try:
-            items += [Item(name, drawn) for drawn in EVERYTHING[name](run)]
+            items.append(Item(name, EVERYTHING[name](run)))
         except ResultError as error:
             left_out.append(LeftOut(name, str(error)))
     return items, left_out
 
 
-def write(drawn: Table | Drawing, run_folder: Path, out: Path | None = None) -> None:
+def write(item: Item, run_folder: Path, out: Path | None = None) -> None:
     """Writes it in every format and prints the file's name."""
-    if isinstance(drawn, Table):
-        file, *others = table.write(drawn, out or run_folder / "tables")
+    if isinstance(item.drawn, Table):
+        file, *others = table.write(item.drawn, out or run_folder / "tables")
     else:
-        file, *others = drawing.write(drawn, out or run_folder / "figures")
+        file, *others = drawing.write(item.drawn, item.name, out or run_folder / "figures")
     print(f"{file} (also {', '.join(other.suffix for other in others)})")

@@ -1,46 +1,161 @@
-"""What Figures 5.8 and 5.10's curve share: something of the wavefront over progress, by solver."""
+"""The wavefront over progress: Figure 5.8 (how many windows), and 5.10's curve (how far apart)."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.ticker import FuncFormatter, PercentFormatter
 
 from plots import style
 from plots.camera import Floats
-from plots.dots import two_lines
-from matplotlib.axes import Axes
-from plots.measures import columns
+from plots.dots import sentences, two_lines
+from plots.drawing import Drawing
+from plots.measures import EDGE_BASED, columns, count
 from plots.recordings import Recording, recordings
+from results.published import THESIS_SOLVERS
 from results.reader import Mesh, Run
 
+RIVAL = "fwp-mmp"
+SMOOTHEST = {"mmp", "ich"}
+"""By the thesis."""
 MODELS = 2
 BETWEEN_MARKS = 8
-"""Samples; the solvers take turns, so that marks do not cover each other."""
+"""Samples; solvers have their marks at different ones, so that marks do not cover each other."""
+
+Curve = Callable[[Recording, str], tuple[Floats, Floats]]
 
 
-def models(run: Run, *solvers: str) -> list[Recording]:
-    """As many as a figure has. @raises ResultError as recordings does"""
-    return recordings(run, *solvers)[:MODELS]
+def windows(run: Run) -> Drawing:
+    """Figure 5.8. @raises ResultError without recordings of the two solvers that it compares"""
+    found = recordings(run, EDGE_BASED, RIVAL)[:MODELS]
+    solvers = _solvers(run, found)
+    figure = style.new_figure(0.7 + 2.5 * len(found))
+    grid = figure.subplots(len(found), 2, squeeze=False, sharex=True)
+    letters = iter("abcd")
+    for panels, recording in zip(grid, found, strict=True):
+        for axes, shown in zip(panels, ([RIVAL, EDGE_BASED], solvers), strict=True):
+            _draw(axes, run, recording, shown, levels_and_windows)
+            axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: count(value)))
+            which = "as in the thesis" if axes is panels[0] else "all recorded"
+            name = f"{title(recording.mesh)}\n" if axes is panels[0] else ""
+            axes.set_title(f"{name}({next(letters)}) {which}", loc="left")
+        panels[0].set_ylabel("windows on the wavefront")
+    for axes in grid[-1]:
+        axes.set_xlabel("geodesic level (of the greatest distance)")
+    figure.get_layout_engine().set(wspace=0.06)
+    _legend(list(grid.flat))
+    return Drawing(
+        title="Figure 5.8: windows on the wavefront",
+        caption=sentences(
+            "Windows on the wavefront, at equal steps of the vertices reached, over the mean "
+            f"distance of these windows. Left {RIVAL} and {EDGE_BASED} as in the thesis, right "
+            "every solver that was recorded.",
+            *(_fewer(recording) for recording in found),
+            "The thesis: close to each other, and most of the time fewer for its own.",
+        ),
+        figure=figure,
+    )
 
 
-def solvers_of(run: Run, found: Sequence[Recording]) -> list[str]:
-    """All that were recorded, in the order of the tables."""
-    return [solver for solver in columns(run) if any(solver in one.solvers for one in found)]
-
-
-def draw_curve(axes: Axes, run: Run, solver: str, x: Floats, y: Floats) -> None:
-    look = style.solver_styles(run.solvers)[solver]
-    first = columns(run).index(solver) * BETWEEN_MARKS // len(columns(run))
-    axes.plot(
-        x, y, label=solver, color=look.color, linestyle=look.line, marker=look.marker,
-        markersize=3.8, markevery=(first, BETWEEN_MARKS),
-    )  # fmt: skip
+def spread(run: Run) -> Drawing:
+    """Figure 5.10 over progress. @raises ResultError without recordings"""
+    found = recordings(run)[:MODELS]
+    figure = style.new_figure(3.2)
+    panels = figure.subplots(1, len(found), squeeze=False)[0]
+    for axes, recording in zip(panels, found, strict=True):
+        _draw(axes, run, recording, _solvers(run, found), progress_and_sd)
+        axes.set_title(title(recording.mesh), loc="left")
+        axes.set_xlabel("vertices reached")
+    panels[0].set_ylabel("wavefront SD (mean edge lengths)")
+    _legend(list(panels))
+    return Drawing(
+        title="Figure 5.10 over progress: wavefront quality",
+        caption=sentences(
+            "Standard deviation of the distances of the windows on the wavefront at equal steps of "
+            "the vertices reached; its mean over the samples is what Figure 5.10 has for this "
+            "source.",
+            *(_smoothest(recording) for recording in found),
+        ),
+        figure=figure,
+    )
 
 
 def title(mesh: Mesh) -> str:
     return f"{two_lines(mesh)}, {mesh.vertices:,} vertices"
 
 
-def legend(axes: Sequence[Axes], solvers: Sequence[str]) -> None:
+def levels_and_windows(recording: Recording, solver: str) -> tuple[Floats, Floats]:
+    """In the order of the levels, which are shares of the greatest distance."""
+    curve = recording.curve(solver)
+    order = np.argsort(curve["mean"], kind="stable")
+    return curve["mean"][order] / recording.greatest, curve["windows"][order].astype(float)
+
+
+def progress_and_sd(recording: Recording, solver: str) -> tuple[Floats, Floats]:
+    """Shares of the vertices, mean edge lengths."""
+    curve, mesh = recording.curve(solver), recording.mesh
+    return curve["reached"] / mesh.vertices, curve["sd"] / mesh.mean_edge_length
+
+
+def _solvers(run: Run, found: Sequence[Recording]) -> list[str]:
+    """All that were recorded, in the order of the tables."""
+    return [solver for solver in columns(run) if any(solver in one.solvers for one in found)]
+
+
+def _draw(
+    axes: Axes, run: Run, recording: Recording, solvers: Sequence[str], curve: Curve
+) -> None:
+    styles = style.solver_styles(run.solvers)
+    for index, solver in enumerate(solvers):
+        if solver in recording.solvers:
+            look = styles[solver]
+            first = index * BETWEEN_MARKS // len(solvers)
+            axes.plot(
+                *curve(recording, solver), label=style.plain(solver), color=look.color,
+                linestyle=look.line, linewidth=1.0, marker=look.marker, markersize=3.8,
+                markevery=(first, BETWEEN_MARKS),
+            )  # fmt: skip
+    axes.grid(True)
+    axes.set_ylim(bottom=0)
+    axes.set_xlim(0, 1)
+    axes.xaxis.set_major_formatter(PercentFormatter(1))
+
+
+def _legend(axes: Sequence[Axes]) -> None:
     """One over the figure, of everything that the axes show."""
-    known = {line.get_label(): line for one in axes for line in one.lines}
-    style.legend_above(axes[0].figure, [known[solver] for solver in solvers])
+    known = {line.get_label(): line for one in reversed(axes) for line in one.lines}
+    style.legend_above(axes[0].figure, list(known.values()))
+
+
+def _fewer(recording: Recording) -> str:
+    levels, windows = levels_and_windows(recording, EDGE_BASED)
+    rival_levels, rival_windows = levels_and_windows(recording, RIVAL)
+    both = (levels >= rival_levels[0]) & (levels <= rival_levels[-1])
+    rival = np.interp(levels[both], rival_levels, rival_windows)
+    fewer = float(np.mean(windows[both] < rival))
+    ratio = float(windows[both].sum() / rival.sum())
+    agrees = "agrees with" if fewer > 0.5 else "does not agree with"
+    return (
+        f"On {recording.mesh.name} {EDGE_BASED} has fewer windows than {RIVAL} at {fewer:.0%} of "
+        f"{np.count_nonzero(both)} levels, and {ratio:.2f} times as many on average, which "
+        f"{agrees} the thesis."
+    )
+
+
+def _smoothest(recording: Recording) -> str:
+    means = {
+        solver: float(np.mean(progress_and_sd(recording, solver)[1]))
+        for solver in THESIS_SOLVERS
+        if solver in recording.solvers
+    }
+    order = sorted(means, key=lambda solver: means[solver])
+    listed = ", ".join(f"{solver} {means[solver]:.2f}" for solver in order)
+    if not set(means) >= SMOOTHEST:
+        return f"Means on {recording.mesh.name}: {listed}."
+    agrees = "agrees with" if set(order[: len(SMOOTHEST)]) == SMOOTHEST else "does not agree with"
+    return (
+        f"Means on {recording.mesh.name}, from the smoothest: {listed}, which {agrees} the "
+        "thesis, where mmp and ich have the smallest."
+    )

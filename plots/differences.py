@@ -8,12 +8,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from statistics import geometric_mean
 
-from results import statistics as estimates
 from plots.measures import EDGE_BASED
-from plots.models import Model, models
-from results.published import THESIS_SOLVERS
+from plots.models import of_thesis
 from plots.ratios import BY_KEY, Ratio
-from results.reader import Run
+from results import statistics as estimates
+from results.published import THESIS_SOLVERS
+from results.reader import Mesh, Run
 
 SPEED = BY_KEY["speed-up"]
 WINDOWS = BY_KEY["propagations over the limit"]
@@ -37,14 +37,14 @@ class Pair:
         return f"{_digits(self.ours)} ({_digits(self.thesis)})"
 
 
-def compare(run: Run, of: list[Model], ratio: Ratio) -> dict[str, Pair]:
+def compare(run: Run, of: list[Mesh], ratio: Ratio) -> dict[str, Pair]:
     """By solver, for those that have the ratio here and in the thesis on some model."""
     pairs = {}
     for solver in THESIS_SOLVERS:
         both = []
         for model in of:
             sample = ratio.measured(run, model.name, solver)
-            theirs = ratio.published(str(model.thesis), solver)
+            theirs = ratio.published(str(model.thesis_model), solver)
             if sample and theirs is not None:
                 both.append((estimates.geometric_mean([sample]).value, theirs))
         if both:
@@ -55,9 +55,9 @@ def compare(run: Run, of: list[Model], ratio: Ratio) -> dict[str, Pair]:
 
 def paragraphs(run: Run) -> list[str]:
     """One for the thesis's own models and one for stand-ins, as far as the run has them."""
-    measured = [model for model in models(run) if model.mesh and model.thesis]
-    own = [model for model in measured if not model.is_stand_in]
-    stand_ins = [model for model in measured if model.is_stand_in]
+    measured = of_thesis(run)
+    own = [model for model in measured if not model.stand_in]
+    stand_ins = [model for model in measured if model.stand_in]
     found = []
     if own:
         names = ", ".join(model.name for model in own)
@@ -65,7 +65,7 @@ def paragraphs(run: Run) -> list[str]:
     else:
         found.append("None of the thesis's own models was measured in this run.")
     if stand_ins:
-        names = ", ".join(f"{model.name} for {model.thesis}" for model in stand_ins)
+        names = ", ".join(f"{model.name} for {model.thesis_model}" for model in stand_ins)
         found.append(
             _compared(
                 run, stand_ins,
@@ -76,7 +76,7 @@ def paragraphs(run: Run) -> list[str]:
     return found
 
 
-def _compared(run: Run, of: list[Model], where: str) -> str:
+def _compared(run: Run, of: list[Mesh], where: str) -> str:
     speed, windows = compare(run, of, SPEED), compare(run, of, WINDOWS)
     sentences = []
     rivals = [solver for solver in speed if solver != EDGE_BASED]
@@ -88,7 +88,7 @@ def _compared(run: Run, of: list[Model], where: str) -> str:
         sentences.append(_order(speed))
     if windows:
         listed = ", ".join(f"{solver} {pair}" for solver, pair in windows.items())
-        far = "" if of[0].is_stand_in else _far(windows)
+        far = "" if of[0].stand_in else _far(windows)
         sentences.append(f"Window propagations over the window limit are {listed}{far}")
     if not sentences:
         return f"{where}, no cell can be compared."

@@ -1,34 +1,40 @@
-"""What several figures share: a row a mesh, and in it a dot a solver with its 95% interval."""
+"""Rows of dots: a row for each mesh or mean, and in it a dot for each solver with its interval."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.ticker import FuncFormatter, MaxNLocator, NullLocator
 
 from plots import style
-from results.statistics import Estimate
 from plots.measures import failure
-from plots.models import models
+from plots.models import ordered_meshes
+from plots.style import SolverStyle
 from results.published import THESIS_SOLVERS
 from results.reader import Mesh, ResultError, Run
-from plots.style import SolverStyle
+from results.statistics import Estimate
 
-DOT_INCHES = 0.07
-LEAST_ROW_INCHES = 0.36
-SPREAD = 0.8
-"""Share of a row's height over which its solvers are spread."""
-WIDE = 20
-"""Values that differ by this factor need a logarithmic axis."""
+DOT_INCHES, NUMBER_INCHES = 0.07, 0.125
+"""Height of a dot alone, and of one with its number."""
+ROW_INCHES, SPREAD = 0.36, 0.8
+"""Least height of a row, and the share of it over which its solvers are spread."""
+WIDE, NARROW = 20.0, 4.0
+"""Values that differ by more than the one need a logarithmic axis; an axis between whose ends is
+less than the other needs more ticks than 1, 2 and 5."""
 FEW = 3
-"""As many meshes are named in a caption, more are counted."""
+"""Up to so many meshes are named in a caption, more are counted."""
+NEAR = 1.3
+"""A published mark less than this factor above a dot has the dot's number on its other side."""
 BEYOND = 2.5
 """Values more than so many times the largest of the thesis's solvers are written at the edge."""
+AT_THE_EDGE = "A number with an arrow is a value far beyond the axis."
 
 
 @dataclass(frozen=True)
@@ -37,115 +43,158 @@ class Dot:
     low: float
     high: float
     hollow: bool = False
+    reach: tuple[float, float] | None = None
+    """The range of what was measured, a thinner line than the interval."""
+    note: str = ""
+    """Beside the number."""
 
     @staticmethod
-    def of(estimate: Estimate) -> Dot:
-        return Dot(estimate.value, estimate.low, estimate.high)
+    def of(estimate: Estimate, *, hollow: bool = False, note: str = "") -> Dot:
+        return Dot(estimate.value, estimate.low, estimate.high, hollow, note=note)
 
 
 @dataclass(frozen=True)
-class Dots:
-    """All of a figure but its words."""
-
+class Row:
     label: str
-    """Of the axis."""
-    solvers: Sequence[str]
-    measured: Callable[[str, str], Sequence[Dot]]
-    """By mesh and solver."""
-    published: Callable[[str, str], float | None] = lambda model, solver: None
-    """By the thesis's model and solver."""
-    left: float = 0
-    """Where a linear axis begins, unless a value is below."""
-
-
-Rows = list[tuple[Mesh, dict[str, Sequence[Dot]]]]
-"""By mesh, its dots by solver."""
-
-AT_THE_EDGE = "A number with an arrow is a value far beyond the axis."
-
-
-def ordered_meshes(run: Run) -> list[Mesh]:
-    """The thesis's models and what stands for them in its order, then the others."""
-    return [model.mesh for model in models(run) if model.mesh]
+    dots: Mapping[str, Sequence[Dot]]
+    """By solver."""
+    published: Mapping[str, float] = field(default_factory=dict)
+    """By solver."""
+    context: bool = False
+    """Of a stand-in: what is published is context only."""
+    mean: bool = False
+    """Not of one mesh; the first such row has a line above it."""
 
 
 def two_lines(mesh: Mesh) -> str:
-    return mesh.label.replace(" (", "\n(")
+    """The mesh's label as a drawn text."""
+    return style.plain(mesh.label).replace(" (", "\n(")
 
 
-def draw_dots(run: Run, dots: Dots, marks: Sequence[Line2D] = ()) -> Figure:
-    """@param marks further entries of the legend
+def mesh_rows(
+    run: Run,
+    label: str,
+    solvers: Sequence[str],
+    measured: Callable[[str, str], Sequence[Dot]],
+    published: Callable[[str, str], float | None] = lambda model, solver: None,
+) -> list[Row]:
+    """A row for each mesh that has a dot.
+
+    @param measured by mesh and solver
+    @param published by the thesis's model and solver
     @raises ResultError when there is not one dot"""
-    rows: Rows = [
-        (mesh, found)
-        for mesh in ordered_meshes(run)
-        if (found := {s: d for s in dots.solvers if (d := dots.measured(mesh.name, s))})
-    ]
+    rows = []
+    for mesh in ordered_meshes(run):
+        dots = {s: found for s in solvers if (found := measured(mesh.name, s))}
+        of_thesis = {s: published(mesh.thesis_model, s) for s in dots} if mesh.thesis_model else {}
+        known = {s: value for s, value in of_thesis.items() if value is not None}
+        if dots:
+            rows.append(Row(two_lines(mesh), dots, known, mesh.stand_in))
     if not rows:
-        raise ResultError(f"{run.file}: no verified cell has {dots.label!r}")
-    styles = style.solver_styles(run.solvers)
-    drawn = [solver for solver in dots.solvers if any(solver in found for _, found in rows)]
-    row_inches = max(LEAST_ROW_INCHES, DOT_INCHES * len(drawn))
-    figure = style.new_figure(1.1 + row_inches * max(len(rows), 2))
+        raise ResultError(f"{run.file}: no verified cell has {label!r}")
+    return rows
+
+
+def draw_rows(
+    rows: Sequence[Row],
+    label: str,
+    styles: Mapping[str, SolverStyle],
+    *,
+    marks: Sequence[Line2D] = (),
+    left: float = 0,
+    width: float = style.WIDTH,
+    numbers: bool = False,
+) -> Figure:
+    """@param rows at least one, with a dot in each
+    @param label of the axis
+    @param styles in the order in which the solvers are drawn
+    @param marks further entries of the legend
+    @param left where a linear axis begins, unless a value is below
+    @param numbers whether each value is written beside its dot"""
+    drawn = [solver for solver in styles if any(solver in row.dots for row in rows)]
+    pitch = NUMBER_INCHES if numbers else DOT_INCHES
+    row_inches = max(ROW_INCHES * min(1, width / style.WIDTH * 1.05), pitch * (len(drawn) + 1))
+    figure = style.new_figure(1.1 + row_inches * max(len(rows), 2), width)
     axes = figure.subplots()
-    offset = {s: SPREAD * ((i + 0.5) / len(drawn) - 0.5) for i, s in enumerate(drawn)}
-    limit = _limit(rows)
-    shown: list[float] = []
-    contexts: set[bool] = set()
-    for row, (mesh, found) in enumerate(rows):
-        if row % 2:
-            axes.axhspan(row - 0.5, row + 0.5, color="#f4f4f4", linewidth=0, zorder=0)
-        for solver, places in found.items():
-            y, look = row + offset[solver], styles[solver]
-            inside = [dot for dot in places if dot.value <= limit]
-            _draw_dots_of(axes, y, inside, look)
-            for dot in places:
-                if dot.value > limit:
-                    _write_at_the_edge(axes, y, dot.value, look)
-            shown += [dot.value for dot in inside]
-            value = dots.published(mesh.thesis_model, solver) if mesh.thesis_model else None
-            if value is not None:
-                mark = style.published_mark(look.color, context=mesh.stand_in)
-                axes.plot([value], [y], **mark)
-                contexts.add(mesh.stand_in)
-    axes.set_yticks(range(len(rows)), [two_lines(mesh) for mesh, _ in rows])
+    limit = math.inf if numbers else _limit(rows)
+    for place, row in enumerate(rows):
+        if place % 2:
+            axes.axhspan(place - 0.5, place + 0.5, color="#f4f4f4", linewidth=0, zorder=0)
+        for index, solver in enumerate(drawn):
+            y = place + SPREAD * ((index + 0.5) / len(drawn) - 0.5)
+            known = row.published.get(solver, -math.inf)
+            for dot in row.dots.get(solver, []):
+                _draw_dot(axes, y, dot, styles[solver], limit=limit)
+                if numbers:
+                    beside = known if 1 < known / dot.high < NEAR else dot.high
+                    axes.annotate(
+                        _number(dot.value) + dot.note, (beside, y), (4, 0), va="center",
+                        textcoords="offset points", fontsize=7,
+                    )  # fmt: skip
+            if solver in row.published:
+                mark = style.published_mark(styles[solver].color, context=row.context)
+                axes.plot([known], [y], **mark)
+    means = [place for place, row in enumerate(rows) if row.mean]
+    if means and means[0]:
+        axes.axhline(means[0] - 0.5, color=style.INK, linewidth=0.7)
+    axes.set_yticks(range(len(rows)), [row.label for row in rows])
     axes.set_ylim(len(rows) - 0.5, -0.5)
     axes.tick_params(axis="y", length=0)
-    axes.set_xlabel(dots.label)
+    axes.set_xlabel(label)
     axes.grid(axis="x")
-    _scale(axes, shown, dots.left)
-    handles = [solver_mark(solver, styles[solver]) for solver in drawn]
-    handles += [*marks, *published_marks(contexts)]
-    style.legend_above(figure, handles)
+    values = [dot.value for row in rows for dots in row.dots.values() for dot in dots]
+    _scale(axes, [value for value in values if value <= limit], left)
+    handles = [_solver_mark(solver, styles[solver]) for solver in drawn]
+    contexts = {row.context for row in rows if row.published}
+    style.legend_above(figure, [*handles, *marks, *_published_marks(contexts)])
     return figure
 
 
-def _limit(rows: Rows) -> float:
-    """The largest value that is drawn where it belongs: a solver that is none of the thesis's and
-    far beyond them would squeeze them together. Infinity when none of them is there."""
+def ratio_axis(axis: Axis) -> None:
+    """A logarithmic axis of ratios with a line at 1, which is always in sight."""
+    style.plain_logarithmic(axis)
+    axis.axes.autoscale(axis="x")
+    low, high = axis.get_view_interval()
+    low, high = min(low, 0.97), max(high, 1.03)
+    if high < NARROW * low:
+        axis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
+        axis.set_minor_locator(NullLocator())
+        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axis.axes.set_xlim(low, high)
+    axis.axes.axvline(1, color=style.INK, linewidth=0.8, zorder=1)
+
+
+def hollow_mark(label: str) -> Line2D:
+    return Line2D([], [], marker="o", linestyle="", color=style.PALE, markerfacecolor="white",
+                  label=label)  # fmt: skip
+
+
+def _limit(rows: Sequence[Row]) -> float:
+    """The largest value that is drawn in its place: a solver that is not of the thesis and far
+    beyond its solvers would squeeze them together. Infinity when none of them is there."""
     of_thesis = [
-        dot.value
-        for _, found in rows
-        for solver, dots in found.items()
-        if solver in THESIS_SOLVERS
+        dot.value for row in rows for s, dots in row.dots.items() if s in THESIS_SOLVERS
         for dot in dots
-    ]
+    ]  # fmt: skip
     return BEYOND * max(of_thesis) if of_thesis else math.inf
 
 
-def _write_at_the_edge(axes: Axes, y: float, value: float, look: SolverStyle) -> None:
-    number = f"{value:,.0f}" if value >= 100 else f"{value:.3g}"
-    axes.annotate(
-        f"{number} \N{RIGHTWARDS ARROW}", (1, y), (-2, 0), ("axes fraction", "data"),
-        textcoords="offset points", ha="right", va="center", fontsize=8, color=look.color,
-    )  # fmt: skip
+def _number(value: float) -> str:
+    return f"{value:,.0f}" if value >= 100 else f"{value:.3g}"
 
 
-def _draw_dots_of(axes: Axes, y: float, dots: Sequence[Dot], look: SolverStyle) -> None:
-    for dot in dots:
-        if dot.high > dot.low:
-            axes.plot([dot.low, dot.high], [y, y], color=look.color, linewidth=0.9, zorder=2)
-        axes.plot([dot.value], [y], **_mark(look, hollow=dot.hollow), zorder=3)
+def _draw_dot(axes: Axes, y: float, dot: Dot, look: SolverStyle, *, limit: float) -> None:
+    if dot.value > limit:
+        axes.annotate(
+            f"{_number(dot.value)} \N{RIGHTWARDS ARROW}", (1, y), (-2, 0), ("axes fraction", "data"),
+            textcoords="offset points", ha="right", va="center", fontsize=8, color=look.color,
+        )  # fmt: skip
+        return
+    if dot.reach:
+        axes.plot(dot.reach, [y, y], color=look.color, linewidth=0.5)
+    if dot.high > dot.low:
+        axes.plot([dot.low, dot.high], [y, y], color=look.color, linewidth=1.5, zorder=2)
+    axes.plot([dot.value], [y], **_mark(look, hollow=dot.hollow), zorder=3)
 
 
 def _mark(look: SolverStyle, *, hollow: bool) -> dict[str, Any]:
@@ -153,16 +202,17 @@ def _mark(look: SolverStyle, *, hollow: bool) -> dict[str, Any]:
         "marker": look.marker,
         "linestyle": "",
         "color": look.color,
+        "markersize": 4.5,
         "markerfacecolor": "white" if hollow else look.color,
         "markeredgewidth": 0.9,
     }
 
 
-def solver_mark(solver: str, look: SolverStyle) -> Line2D:
-    return Line2D([], [], label=solver, **_mark(look, hollow=False))
+def _solver_mark(solver: str, look: SolverStyle) -> Line2D:
+    return Line2D([], [], label=style.plain(solver), **_mark(look, hollow=False))
 
 
-def published_marks(contexts: set[bool]) -> list[Line2D]:
+def _published_marks(contexts: set[bool]) -> list[Line2D]:
     """Entries of the legend for the published numbers there are: of models, of stand-ins."""
     words = {False: "published", True: "published, a stand-in measured"}
     return [
@@ -172,6 +222,7 @@ def published_marks(contexts: set[bool]) -> list[Line2D]:
 
 
 def _scale(axes: Axes, values: list[float], left: float) -> None:
+    """A horizontal axis for the values: logarithmic for wide ranges, else from `left` on."""
     least = min((value for value in values if value > 0), default=0)
     if least and max(values) > WIDE * least:
         style.plain_logarithmic(axes.xaxis)
@@ -188,14 +239,11 @@ def without_value(run: Run, solvers: Sequence[str]) -> str:
             if failed is not None:
                 causes.setdefault((solver, failed.text), []).append(mesh.name)
     listed = "; ".join(
-        f"{solver}: {outcome} on {_named_or_counted(meshes)}"
+        f"{solver}: {outcome} on "
+        + (", ".join(meshes) if len(meshes) <= FEW else f"{len(meshes)} meshes")
         for (solver, outcome), meshes in causes.items()
     )
     return f"Without a value: {listed}." if listed else ""
-
-
-def _named_or_counted(meshes: list[str]) -> str:
-    return ", ".join(meshes) if len(meshes) <= FEW else f"{len(meshes)} meshes"
 
 
 def sentences(*parts: str) -> str:

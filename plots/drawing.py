@@ -1,4 +1,4 @@
-"""One figure of a run: what it shows in words, and its picture; PDF to print, PNG to look at."""
+"""A figure of a run: its picture, and in words what it shows; PDF to print, PNG for screens."""
 
 from __future__ import annotations
 
@@ -8,12 +8,11 @@ from pathlib import Path
 from matplotlib.figure import Figure
 
 from plots import style
+from results.table import escape_markdown
 
 
 @dataclass(frozen=True)
 class Drawing:
-    name: str
-    """Of its files."""
     title: str
     caption: str
     """Sentences: what is drawn from which numbers, and how to read the marks."""
@@ -21,21 +20,17 @@ class Drawing:
 
     @property
     def alternative(self) -> str:
-        """For those who do not see the picture."""
+        """The text in place of the picture."""
         return f"{self.title}. {self.caption}"
 
 
-
-def to_markdown(drawing: Drawing) -> str:
-    return f"## {drawing.title}\n\n![{drawing.title}]({drawing.name}.png)\n\n{drawing.caption}\n"
-
-
-def write(drawing: Drawing, folder: Path) -> list[Path]:
+def write(drawing: Drawing, name: str, folder: Path) -> list[Path]:
     """Writes the figure as PNG and PDF, its caption as Markdown, and returns the files."""
     folder.mkdir(parents=True, exist_ok=True)
-    files = [folder / f"{drawing.name}{extension}" for extension in (".png", ".pdf", ".md")]
+    files = [folder / f"{name}{extension}" for extension in (".png", ".pdf", ".md")]
     *pictures, caption = files
     for file in pictures:
         style.save(drawing.figure, file)
-    caption.write_text(to_markdown(drawing), encoding="utf-8")
+    title, words = escape_markdown(drawing.title), escape_markdown(drawing.caption)
+    caption.write_text(f"## {title}\n\n![{title}]({name}.png)\n\n{words}\n", encoding="utf-8")
     return files

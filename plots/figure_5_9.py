@@ -8,12 +8,14 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 
 from plots import style
-from plots.dots import ordered_meshes, sentences
+from plots.dots import sentences
+from plots.models import ordered_meshes
 from plots.drawing import Drawing
-from results.statistics import median
-from plots.measures import TIME, Measure, by_source, failure, seconds, values
-from results.published import THESIS_SOLVERS
+from plots.measures import (
+    TIME, Measure, TimeUnit, by_source, columns, failure, measured_solvers, time_unit, values,
+)  # fmt: skip
 from results.reader import Mesh, ResultError, Run
+from results.statistics import median
 
 MODELS = 2
 PHASES = {
@@ -22,8 +24,6 @@ PHASES = {
     "queue": ("queue maintenance", "#CC79A7", "...."),
 }
 """By the key in a row's `phase_seconds`: name, colour, hatch."""
-SHORT = 0.1
-"""Seconds; figures of shorter solves are in milliseconds."""
 NOTICED = 0.995
 """The caption names what is scaled by less than this."""
 REST = ("rest", "white", "")
@@ -31,7 +31,7 @@ OVERHEAD = "timer_overhead"
 
 
 def phase_measure(key: str) -> Measure:
-    return Measure(f"phase_seconds.{key}", key, seconds)
+    return Measure(f"phase_seconds.{key}", key, str)
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ class Split:
         return self.overhead / (self.overhead + sum(self.phases.values()))
 
     def parts(self) -> list[tuple[tuple[str, str, str], float]]:
-        shown = {key: seconds * self.scale for key, seconds in self.phases.items()}
+        shown = {key: time * self.scale for key, time in self.phases.items()}
         rest = max(0, self.time - sum(shown.values()))
         return [(PHASES[key], value) for key, value in shown.items()] + [(REST, rest)]
 
@@ -75,8 +75,7 @@ def split(run: Run, mesh: str, solver: str) -> Split | None:
 
 
 def splits(run: Run, mesh: str) -> list[Split]:
-    """Of the thesis's solvers."""
-    found = (split(run, mesh, solver) for solver in THESIS_SOLVERS)
+    found = (split(run, mesh, solver) for solver in measured_solvers(run))
     return [one for one in found if one]
 
 
@@ -90,56 +89,51 @@ def chosen_meshes(run: Run) -> list[Mesh]:
     return sorted(with_phases, key=merit, reverse=True)[:MODELS]
 
 
-def figures(run: Run) -> list[Drawing]:
+def figure(run: Run) -> Drawing:
     """@raises ResultError when there are no phase times"""
     chosen = chosen_meshes(run)
     if not chosen:
         raise ResultError(f"{run.file}: no verified cell has phase_seconds")
     all_splits = {mesh.name: splits(run, mesh.name) for mesh in chosen}
     most = max(map(len, all_splits.values()))
-    figure = style.new_figure(1.2 + len(chosen) * (0.55 + 0.26 * most))
-    panels = figure.subplots(len(chosen), 1, squeeze=False)[:, 0]
-    longest = max(one.time for found in all_splits.values() for one in found)
-    unit, scale = ("s", 1.0) if longest >= SHORT else ("ms", 1e3)
+    picture = style.new_figure(1.2 + len(chosen) * (0.55 + 0.26 * most))
+    panels = picture.subplots(len(chosen), 1, squeeze=False)[:, 0]
+    unit = time_unit([one.time for found in all_splits.values() for one in found])
     for axes, mesh in zip(panels, chosen, strict=True):
-        _draw(axes, mesh, all_splits[mesh.name], unit, scale)
-    panels[-1].set_xlabel(f"CPU time of one solve ({unit})")
+        _draw(axes, mesh, all_splits[mesh.name], unit)
+    panels[-1].set_xlabel(f"CPU time of one solve ({unit.name})")
     kinds = [*PHASES.values(), REST]
     handles = [
         Patch(facecolor=color, hatch=hatch, edgecolor=style.INK, linewidth=0.6, label=name)
         for name, color, hatch in kinds
     ]
-    style.legend_above(figure, handles)
-    return [
-        Drawing(
-            name="figure_5_9",
-            title="Figure 5.9: statistics of running time",
-            caption=_caption(run, all_splits),
-            figure=figure,
-        )
-    ]
+    style.legend_above(picture, handles)
+    return Drawing(
+        title="Figure 5.9: statistics of running time",
+        caption=_caption(run, all_splits),
+        figure=picture,
+    )
 
 
-def _draw(axes: Axes, mesh: Mesh, found: list[Split], unit: str, scale: float) -> None:
-    """@param scale from seconds to the unit"""
-    longest = scale * max(one.time for one in found)
+def _draw(axes: Axes, mesh: Mesh, found: list[Split], unit: TimeUnit) -> None:
+    longest = unit.scale * max(one.time for one in found)
     for place, one in enumerate(found):
         left = 0.0
         for (_, color, hatch), time in one.parts():
-            width = scale * time
+            width = unit.scale * time
             axes.barh(
                 place, width, 0.68, left, color=color, hatch=hatch, edgecolor=style.INK,
                 linewidth=0.6,
             )  # fmt: skip
             left += width
-        words = f"{seconds(scale * one.time)} {unit}"
+        words = unit.text(one.time)
         axes.text(left + 0.01 * longest, place, words, va="center", fontsize=9)
-    axes.set_yticks(range(len(found)), [one.solver for one in found])
+    axes.set_yticks(range(len(found)), [style.plain(one.solver) for one in found])
     axes.set_ylim(len(found) - 0.45, -0.55)
     axes.set_xlim(0, 1.14 * longest)
     axes.tick_params(axis="y", length=0)
     axes.grid(axis="x")
-    axes.set_title(f"{mesh.label}, {mesh.vertices:,} vertices", loc="left")
+    axes.set_title(f"{style.plain(mesh.label)}, {mesh.vertices:,} vertices", loc="left")
 
 
 def _caption(run: Run, all_splits: dict[str, list[Split]]) -> str:
@@ -153,7 +147,7 @@ def _caption(run: Run, all_splits: dict[str, list[Split]]) -> str:
     absent = [
         f"{solver} on {mesh} ({failed.text if failed else 'no phase times'})"
         for mesh, found in all_splits.items()
-        for solver in THESIS_SOLVERS
+        for solver in columns(run)
         if solver in run.solvers and solver not in [one.solver for one in found]
         for failed in [failure(run, mesh, solver)]
     ]

@@ -4,19 +4,19 @@ from __future__ import annotations
 
 import math
 
-from plots import style
-from plots.camera import Camera, framing
-from plots.curves import title
-from plots.drawing import Drawing
 from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
 from matplotlib.lines import Line2D
+
+from plots import style
+from plots.camera import Camera, framing
+from plots.curves import title
+from plots.drawing import Drawing
 from plots.recordings import Recording, recordings
-from results.reader import Run
-from plots.surface import draw_lines, draw_surface
-from plots.views import best_axes
+from plots.surface import best_axes, draw_lines, draw_surface
 from plots.wavefronts import SOURCE, draw_source
+from results.reader import Run
 
 MODELS = 6
 COLUMNS = 3
@@ -31,15 +31,15 @@ BRIGHTEST = 0.72
 """Of the colours; what is brighter cannot be read on the surface."""
 
 
-def figures(run: Run) -> list[Drawing]:
-    found = recordings(run)[:MODELS]
+def figure(run: Run) -> Drawing:
+    found = recordings(run, isolines=True)[:MODELS]
     columns = len(found) if len(found) <= COLUMNS else math.ceil(len(found) / 2)
     rows = math.ceil(len(found) / columns)
     cameras = [_camera(recording) for recording in found]
     height = min(max(camera.height / camera.width for camera in cameras), TALLEST)
     inches = style.WIDTH / columns
-    figure = style.new_figure(0.3 + rows * (TITLE_INCHES + inches * height))
-    grid = figure.subplots(rows, columns, squeeze=False)
+    picture = style.new_figure(0.3 + rows * (TITLE_INCHES + inches * height))
+    grid = picture.subplots(rows, columns, squeeze=False)
     panels = list(grid.flat)
     for axes in panels[len(found) :]:
         axes.remove()
@@ -47,16 +47,13 @@ def figures(run: Run) -> list[Drawing]:
         _draw(axes, recording, camera.of_shape(height), inches)
         for axes, recording, camera in zip(panels, found, cameras, strict=False)
     ]
-    style.legend_above(figure, [Line2D([], [], label="source", **SOURCE)])
+    style.legend_above(picture, [Line2D([], [], label="source", **SOURCE)])
     hidden = [one.mesh.name for one, is_seen in zip(found, seen, strict=True) if not is_seen]
-    return [
-        Drawing(
-            name="figure_6_4",
-            title="Figure 6.4: isolines of the distance field",
-            caption=_caption(found, hidden),
-            figure=figure,
-        )
-    ]
+    return Drawing(
+        title="Figure 6.4: isolines of the distance field",
+        caption=_caption(found, hidden),
+        figure=picture,
+    )
 
 
 def _camera(recording: Recording) -> Camera:

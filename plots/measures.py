@@ -2,25 +2,50 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 
-from results.statistics import Estimate, median
 from results.published import THESIS_SOLVERS, Published
-from results.reader import Row, Run
+from results.reader import Mesh, Row, Run
+from results.statistics import Estimate, median
 from results.table import Cell, estimate_cell
 
 EDGE_BASED = "edge-based"
 LIMIT_SOLVER = "mmp"
-"""The window limit is what this solver leaves on the edges."""
+"""The window limit is the number of windows that this solver leaves on the edges."""
 
 ABSENT = "\N{EM DASH}"
 """Shown where a solver has no such number, or the thesis prints none."""
 
 
-def seconds(value: float) -> str:
-    """At least three significant digits, and no more than a clock can mean."""
-    return f"{value:,.3f}" if value >= 0.1 else f"{value:#.3g}"
+@dataclass(frozen=True)
+class TimeUnit:
+    """A unit and a number of decimals for times that are read together."""
+
+    name: str
+    scale: float
+    """Of it in a second."""
+    decimals: int
+
+    def show(self, value: float) -> str:
+        """@param value in this unit"""
+        return f"{value:,.{self.decimals}f}"
+
+    def text(self, seconds: float) -> str:
+        return f"{self.show(self.scale * seconds)} {self.name}"
+
+
+def time_unit(seconds: Sequence[float]) -> TimeUnit:
+    """The largest unit in which the least of the times is at least 0.1, or in which the next one
+    would make the greatest six digits long; the least has three significant digits."""
+    times = [time for time in seconds if time > 0] or [1.0]
+    least, greatest = min(times), max(times)
+    units = {"s": 1.0, "ms": 1e3, "\N{MICRO SIGN}s": 1e6}
+    fits = (n for n, scale in units.items() if scale * least >= 0.1 or scale * greatest >= 100)
+    name = next(fits, "\N{MICRO SIGN}s")
+    digits = math.floor(math.log10(units[name] * least))
+    return TimeUnit(name, units[name], min(max(0, 2 - digits), 4))
 
 
 def interval(estimate: Estimate, show: Callable[[float], str]) -> str:
@@ -43,6 +68,8 @@ class Measure:
     show: Callable[[float], str]
     published: str | None = None
     """Of the measure in the thesis's Table 5.2."""
+    published_scale: float = 1
+    """From the thesis's unit to the label's."""
     scale: float = 1
     """From the row's unit to the label's."""
     spread: bool = False
@@ -54,13 +81,15 @@ class Measure:
 
 COUNTING = "How windows are counted may differ from the thesis: docs/metrics.md, Counting windows."
 
-TIME = Measure("cpu_time", "Time (s)", seconds, "time_s", 1e-3, True)
-WALL_TIME = Measure("real_time", "Wall time (s)", seconds, None, 1e-3, True)
-PREPARATION = Measure("prepare_time", "Preparation (s)", seconds, None, 1e-3)
+TIME = Measure("cpu_time", "Time", str, "time_s", scale=1e-3, spread=True)
+WALL_TIME = Measure("real_time", "Wall time", str, scale=1e-3, spread=True)
+PREPARATION = Measure("prepare_time", "Preparation", str, scale=1e-3)
+TIMES = [TIME, WALL_TIME, PREPARATION]
+"""In seconds; measures_of gives them the unit that suits a mesh."""
 SPACE = Measure("space_thesis_mb", "Space (MB), the thesis's rule", megabytes, "space_mb")
 OUR_SPACE = Measure("space_mb", "Space (MB), our window's size", megabytes)
-PEAK_BYTES = Measure("solver_peak_bytes", "Solver's peak (MB), measured", megabytes, None, 1e-6)
-RESIDENT = Measure("process_peak_bytes", "Process's peak (MB), measured", megabytes, None, 1e-6)
+PEAK_BYTES = Measure("solver_peak_bytes", "Solver's peak (MB), measured", megabytes, scale=1e-6)
+RESIDENT = Measure("process_peak_bytes", "Process's peak (MB), measured", megabytes, scale=1e-6)
 PROPAGATIONS = Measure(
     "window_propagations", "Window propagations", count, "window_propagations", note=COUNTING
 )
@@ -73,15 +102,42 @@ ERROR = Measure(
     "max_relative_error", "Largest relative error", lambda value: f"{value:.1e}", largest=True
 )
 
-MEASURES = [
-    TIME, WALL_TIME, PREPARATION, SPACE, OUR_SPACE, PEAK_BYTES, RESIDENT, PROPAGATIONS,
-    REINSERTIONS, CREATED, VALID, PEAK, ERROR,
-]  # fmt: skip
+COUNTS = [
+    SPACE, OUR_SPACE, PEAK_BYTES, RESIDENT, PROPAGATIONS, REINSERTIONS, CREATED, VALID, PEAK, ERROR,
+]
+
+
+def measures_of(run: Run, mesh: Mesh) -> list[Measure]:
+    """The rows of Table 5.2 for a mesh; times in the unit that suits it."""
+    times = [v for s in columns(run) for v in values(run, mesh.name, s, TIME).values()]
+    unit = time_unit(times)
+    in_unit = [
+        replace(
+            time, label=f"{time.label} ({unit.name})", show=unit.show,
+            scale=time.scale * unit.scale, published_scale=unit.scale,
+        )
+        for time in TIMES
+    ]  # fmt: skip
+    return in_unit + COUNTS
 
 
 def columns(run: Run) -> list[str]:
-    """The thesis's solvers in its order, in the run or not, then the run's others."""
-    return THESIS_SOLVERS + [name for name in run.solvers if name not in THESIS_SOLVERS]
+    """The run's solvers: the thesis's in its order, then the others."""
+    first = [name for name in THESIS_SOLVERS if name in run.solvers]
+    return first + [name for name in run.solvers if name not in first]
+
+
+def measured_solvers(run: Run) -> list[str]:
+    """The columns that the run has at least one verified cell of."""
+    verified = {row.solver for row in run.rows if row.ok}
+    return [solver for solver in columns(run) if solver in verified]
+
+
+def baseline(run: Run, preferred: str) -> str:
+    """The solver that the others' times are compared with: the preferred one where it has a
+    verified cell, else the first exact one that has."""
+    exact = [solver for solver in measured_solvers(run) if run.solvers[solver].exact]
+    return preferred if preferred in exact or not exact else exact[0]
 
 
 def values(run: Run, mesh: str, solver: str, measure: Measure) -> dict[tuple[int, int], float]:
@@ -91,6 +147,12 @@ def values(run: Run, mesh: str, solver: str, measure: Measure) -> dict[tuple[int
         for row in run.cell(mesh, solver)
         if measure.key in row.numbers
     }
+
+
+def limit_solver(run: Run, mesh: str) -> str:
+    """Whose window limit is taken: that of MMP, or of another solver that counts it."""
+    counted = (s for s in [LIMIT_SOLVER, *run.solvers] if values(run, mesh, s, LIMIT))
+    return next(counted, LIMIT_SOLVER)
 
 
 def by_source(numbers: dict[tuple[int, int], float]) -> list[list[float]]:
@@ -111,7 +173,7 @@ def failure(run: Run, mesh: str, solver: str) -> Cell | None:
     skip = run.skip(mesh, solver)
     if skip is not None:
         return Cell("skipped", note=f"Skipped, {solver} on {mesh}: {skip.why}")
-    return Cell("missing" if solver in run.solvers else "not run")
+    return Cell("missing")
 
 
 def our_cell(run: Run, mesh: str, solver: str, measure: Measure) -> Cell:
@@ -130,10 +192,15 @@ def our_cell(run: Run, mesh: str, solver: str, measure: Measure) -> Cell:
     return estimate_cell(estimate, shown, note)
 
 
-def published_cell(value: Published, show: Callable[[float], str]) -> Cell:
+def published_cell(value: Published, measure: Measure) -> Cell:
+    """A value of the thesis in the measure's unit; times with the digits that it prints."""
     if value is None:
         return Cell(ABSENT)
-    return Cell(value) if isinstance(value, str) else Cell(show(value), value)
+    if isinstance(value, str):
+        return Cell(value)
+    number = measure.published_scale * value
+    is_time = measure.published == TIME.published
+    return Cell(f"{number:,.10g}" if is_time else measure.show(number), number)
 
 
 def partial_failure(run: Run, mesh: str, solver: str) -> str:

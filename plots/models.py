@@ -1,57 +1,32 @@
-"""The rows of Tables 5.1 and 5.2: the thesis's models in its order, then the run's other meshes."""
+"""The meshes of a run in the thesis's order, and how they relate to its models."""
 
 from __future__ import annotations
-
-from dataclasses import dataclass
 
 from results import published
 from results.reader import Mesh, Run
 
 
-@dataclass(frozen=True)
-class Model:
-    """A mesh of the run, a model of the thesis, or both."""
+def ordered_meshes(run: Run) -> list[Mesh]:
+    """The thesis's models and what stands for them in its order, then the others.
 
-    mesh: Mesh | None
-    thesis: str | None
-
-    @property
-    def name(self) -> str:
-        return self.mesh.name if self.mesh else str(self.thesis)
-
-    @property
-    def label(self) -> str:
-        """The name, and of a stand-in what it stands for."""
-        return self.mesh.label if self.mesh else str(self.thesis)
-
-    @property
-    def is_stand_in(self) -> bool:
-        return self.mesh is not None and self.mesh.stand_in
-
-    @property
-    def relation(self) -> str:
-        """How the mesh and the thesis's model relate, in words; empty when there is no model."""
-        if self.thesis is None:
-            return ""
-        if self.mesh is None:
-            return "published only"
-        if self.is_stand_in:
-            return f"stand-in for {self.thesis}"
-        return f"the thesis's {self.thesis}"
-
-
-def models(run: Run) -> list[Model]:
-    """@raises ResultError when a mesh claims to be a model that the thesis does not have."""
+    @raises ResultError when a mesh claims to be a model that the thesis does not have"""
     for mesh in run.meshes.values():
         if mesh.thesis_model is not None:
             published.table_5_2(mesh.thesis_model)
-    listed = []
-    for thesis in published.models():
-        meshes = [mesh for mesh in run.meshes.values() if mesh.thesis_model == thesis]
-        meshes.sort(key=lambda mesh: mesh.stand_in)
-        listed += [Model(mesh, thesis) for mesh in meshes] or [Model(None, thesis)]
-    listed += [Model(mesh, None) for mesh in run.meshes.values() if mesh.thesis_model is None]
-    return listed
+    order = [*published.models(), None]
+    return sorted(run.meshes.values(), key=lambda m: (order.index(m.thesis_model), m.stand_in))
+
+
+def relation(mesh: Mesh) -> str:
+    """How the mesh and the thesis's model relate, in words; empty when there is no model."""
+    if mesh.thesis_model is None:
+        return ""
+    return f"stand-in for {mesh.thesis_model}" if mesh.stand_in else f"the thesis's {mesh.thesis_model}"
+
+
+def of_thesis(run: Run) -> list[Mesh]:
+    """The meshes that are or stand for a model of the thesis."""
+    return [mesh for mesh in ordered_meshes(run) if mesh.thesis_model]
 
 
 def left_out(run: Run) -> list[str]:

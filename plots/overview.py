@@ -8,16 +8,13 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from plots import style
+from plots.dots import ratio_axis, sentences
 from plots.drawing import Drawing
-from results.statistics import geometric_mean
-from results.published import THESIS_SOLVERS
-from plots.ratios import BY_KEY, Ratio
+from plots.measures import EDGE_BASED, baseline, measured_solvers
+from plots.ratios import BY_KEY, Ratio, time_over
 from results.reader import Mesh, ResultError, Run
+from results.statistics import geometric_mean
 
-RATIOS = [
-    (BY_KEY["speed-up"], "time / time of edge-based"),
-    (BY_KEY["propagations over the limit"], "window propagations / window limit"),
-]
 KINDS = {"the thesis's model": "full", "stand-in for one": "none", "other mesh": "small"}
 """How the mark of a mesh is drawn, by what the mesh is to the thesis."""
 
@@ -25,6 +22,63 @@ KINDS = {"the thesis's model": "full", "stand-in for one": "none", "other mesh":
 def kind(mesh: Mesh) -> str:
     model, stand_in, other = KINDS
     return other if mesh.thesis_model is None else stand_in if mesh.stand_in else model
+
+
+def figure(run: Run) -> Drawing:
+    """@raises ResultError when no solver has a time"""
+    base = baseline(run, EDGE_BASED)
+    solvers = [solver for solver in measured_solvers(run) if run.solvers[solver].exact]
+    ratios = [time_over(base), BY_KEY["propagations over the limit"]]
+    by_solver = [{s: _means(run, ratio, s) for s in solvers} for ratio in ratios]
+    panels = [
+        (ratio, means) for ratio, means in zip(ratios, by_solver, strict=True) if any(means.values())
+    ]
+    if not panels:
+        raise ResultError(f"{run.file}: no solver has a time beside {base}'s")
+    picture = style.new_figure(1.2 + 0.4 * len(solvers), width=4 * len(panels))
+    axes = picture.subplots(1, len(panels), squeeze=False)[0]
+    for one, (ratio, means) in zip(axes, panels, strict=True):
+        _draw(one, run, means)
+        one.margins(x=0.08)
+        ratio_axis(one.xaxis)
+        one.set_xlabel(style.plain(ratio.label[0].lower() + ratio.label[1:]))
+        if one is not axes[0]:
+            one.set_yticklabels([])
+    counts = Counter(map(kind, run.meshes.values()))
+    marks = [
+        Line2D([], [], label=f"{name} ({counts[name]})", **_mark(name, style.INK))
+        for name in KINDS
+        if counts[name]
+    ]
+    mean = Line2D(
+        [], [], linestyle="", label="geometric mean", marker="|", color=style.INK, markersize=11,
+        markeredgewidth=1.8,
+    )  # fmt: skip
+    style.legend_above(picture, [*marks, mean])
+    limit = "over the window limit"
+    return Drawing(
+        title="Overview",
+        caption=sentences(
+            "Geometric means, a mark a mesh, of each exact solver's CPU time over that of "
+            f"{base} (left)" + (f", and of window propagations {limit} (right)" if panels[1:] else "")
+            + "; ratios are paired by source and repetition. The number is the mean over the "
+            "meshes that have a mark.",
+            f"No window propagations {limit}: the run has no solver of the MMP family."
+            if not panels[1:]
+            else "",
+            "Hollow: a stand-in for a model of the thesis." if counts["stand-in for one"] else "",
+        ),
+        figure=picture,
+    )
+
+
+def _means(run: Run, ratio: Ratio, solver: str) -> dict[str, float]:
+    """By mesh."""
+    return {
+        name: geometric_mean([sample]).value
+        for name in run.meshes
+        if (sample := ratio.measured(run, name, solver))
+    }
 
 
 def _mark(of: str, color: str) -> dict[str, object]:
@@ -38,61 +92,16 @@ def _mark(of: str, color: str) -> dict[str, object]:
     }
 
 
-def draw_ratio(axes: Axes, run: Run, ratio: Ratio, label: str) -> None:
-    """@raises ResultError when no solver has the ratio on any mesh."""
-    solvers = [solver for solver in THESIS_SOLVERS if solver in run.solvers]
-    for place, (solver, look) in enumerate(style.solver_styles(solvers).items()):
-        means = {
-            name: geometric_mean([sample]).value
-            for name in run.meshes
-            if (sample := ratio.measured(run, name, solver))
-        }
-        if not means:
-            continue
-        for name, mean in means.items():
-            axes.plot([mean], [place], **_mark(kind(run.meshes[name]), look.color))
-        mean = geometric_mean([[[mean] for mean in means.values()]]).value
-        axes.plot([mean], [place], "|", color=style.INK, markersize=17, markeredgewidth=1.8)
-        axes.annotate(
-            f"{mean:.2f}", (mean, place), xytext=(0, 10), textcoords="offset points", ha="center"
-        )
-    if not axes.lines:
-        raise ResultError(f"{run.file}: no verified cell has {ratio.label!r}")
-    axes.set_yticks(range(len(solvers)), solvers)
-    axes.set_ylim(-0.5, len(solvers) - 0.4)
-    axes.axvline(1, color=style.GRID, zorder=0)
-    axes.set_xlabel(label)
-
-
-def figures(run: Run) -> list[Drawing]:
-    figure = style.new_figure(3.2, width=8)
-    panels = figure.subplots(1, len(RATIOS))
-    for axes, (ratio, label) in zip(panels, RATIOS, strict=True):
-        draw_ratio(axes, run, ratio, label)
-    times, windows = panels
-    windows.set_yticklabels([])
-    times.set_xlim(left=0)
-    counts = Counter(map(kind, run.meshes.values()))
-    marks = [
-        Line2D([], [], label=f"{name} ({counts[name]})", **_mark(name, style.INK))
-        for name in KINDS
-        if counts[name]
-    ]
-    mean = Line2D(
-        [], [], linestyle="", label="geometric mean", marker="|", color=style.INK, markersize=11,
-        markeredgewidth=1.8,
-    )  # fmt: skip
-    style.legend_above(figure, [*marks, mean])
-    return [
-        Drawing(
-            name="overview",
-            title="Overview",
-            caption=(
-                "Geometric means, a mark a mesh, of each solver's CPU time over that of the "
-                "edge-based solver (left), and of window propagations over the window limit "
-                "(right); ratios are paired by source and repetition. Hollow: a stand-in for a "
-                "model of the thesis."
-            ),
-            figure=figure,
-        )
-    ]
+def _draw(axes: Axes, run: Run, means: dict[str, dict[str, float]]) -> None:
+    styles = style.solver_styles(run.solvers)
+    for place, (solver, by_mesh) in enumerate(means.items()):
+        for name, mean in by_mesh.items():
+            axes.plot([mean], [place], **_mark(kind(run.meshes[name]), styles[solver].color))
+        if by_mesh:
+            mean = geometric_mean([[[mean] for mean in by_mesh.values()]]).value
+            axes.plot([mean], [place], "|", color=style.INK, markersize=17, markeredgewidth=1.8)
+            axes.annotate(
+                f"{mean:.2f}", (mean, place), (0, 10), textcoords="offset points", ha="center"
+            )
+    axes.set_yticks(range(len(means)), [style.plain(solver) for solver in means])
+    axes.set_ylim(len(means) - 0.5, -0.6)

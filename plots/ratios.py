@@ -8,13 +8,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from results import published
-from results.statistics import Estimate, Sample, geometric_mean
 from plots.measures import (
     CREATED, EDGE_BASED, LIMIT, LIMIT_SOLVER, PEAK, PEAK_BYTES, PROPAGATIONS, REINSERTIONS, SPACE,
-    TIME, VALID, Measure, by_source, values,
+    TIME, VALID, Measure, by_source, limit_solver, values,
 )  # fmt: skip
+from results import published
 from results.reader import Run
+from results.statistics import Estimate, Sample, geometric_mean
 
 RIVAL = "the solver in the column"
 
@@ -43,7 +43,7 @@ class Ratio:
     def measured(self, run: Run, mesh: str, solver: str) -> Sample:
         """Paired ratios by source; empty when one of the two is not there or 0."""
         above, below = (
-            values(run, mesh, solver if of == RIVAL else of, measure)
+            values(run, mesh, self._solver(run, mesh, of, measure, solver), measure)
             for of, measure in (self.above, self.below)
         )
         return by_source(
@@ -52,6 +52,19 @@ class Ratio:
                 for pair in above.keys() & below.keys()
                 if above[pair] > 0 and below[pair] > 0
             }
+        )
+
+    @staticmethod
+    def _solver(run: Run, mesh: str, of: str, measure: Measure, rival: str) -> str:
+        if measure is LIMIT:
+            return limit_solver(run, mesh)
+        return rival if of == RIVAL else of
+
+    def is_of(self, run: Run) -> bool:
+        """Whether the run has the solvers that the ratio is about, or a value of it all the same."""
+        solvers = {of for of, _ in (self.above, self.below)} - {RIVAL}
+        return solvers <= set(run.solvers) or any(
+            self.measured(run, mesh, solver) for mesh in run.meshes for solver in run.solvers
         )
 
     def published(self, model: str, solver: str) -> float | None:
@@ -72,10 +85,14 @@ class Ratio:
         return " to ".join(map(self.show, ends))
 
 
+def time_over(base: str) -> Ratio:
+    return Ratio("speed-up", f"Time / {base}", (RIVAL, TIME), (base, TIME))
+
+
 COUNTING = PROPAGATIONS.note
 
 RATIOS = [
-    Ratio("speed-up", "Time / edge-based", (RIVAL, TIME), (EDGE_BASED, TIME)),
+    time_over(EDGE_BASED),
     Ratio(
         "propagations over the limit", "Window propagations / window limit",
         (RIVAL, PROPAGATIONS), (LIMIT_SOLVER, LIMIT), note=COUNTING,
@@ -120,6 +137,10 @@ class Mean:
     @property
     def coverage(self) -> str:
         return f"{self.meshes} of {self.of} meshes"
+
+    @property
+    def is_complete(self) -> bool:
+        return self.meshes == self.of
 
 
 def over_meshes(ratio: Ratio, run: Run, meshes: list[str], solver: str) -> Mean | None:

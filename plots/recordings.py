@@ -13,12 +13,15 @@ from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
-from plots.camera import Floats
 from numpy.typing import NDArray
+
+from plots.camera import Floats
+from plots.surface import Surface
 from results.published import THESIS_SOLVERS
 from results.reader import Mesh, ResultError, Run
-from plots.surface import Surface
 
+KEEPS_WINDOWS = {"mmp", "fwp-mmp"}
+"""Solvers whose recordings have isolines; others may."""
 MOMENTS = (25, 50, 75)
 """Per cent of the vertices reached at which the wavefront is recorded."""
 
@@ -89,6 +92,10 @@ class Recording:
         """Distance of a vertex that is reached."""
         return float(self.distances[np.isfinite(self.distances)].max())
 
+    @property
+    def has_isolines(self) -> bool:
+        return (self.folder / "isoline_points.npy").exists()
+
     @cached_property
     def isolines(self) -> Isolines:
         points = _floats(self.folder / "isoline_points.npy", "<f4", (None, 3))
@@ -137,10 +144,13 @@ class Recording:
         return np.stack([origin + begin * along, origin + end * along], axis=1)
 
 
-def recordings(run: Run, *solvers: str) -> list[Recording]:
+def recordings(run: Run, *solvers: str, isolines: bool = False) -> list[Recording]:
     """One a mesh, of its first recorded source: those that suit the thesis's figures best come
     first, and of several meshes for one of its models only the best does.
-    @param solvers without which a recording is of no use
+
+    @param solvers that must have been recorded
+    @param isolines whether isolines must have been recorded, which needs a solver that keeps its
+           windows
     @raises ResultError when there is none"""
     found: dict[str, Recording] = {}
     for row in run.rows:
@@ -155,6 +165,12 @@ def recordings(run: Run, *solvers: str) -> list[Recording]:
     if not useful:
         whose = f" of {' and '.join(solvers)}" if solvers else ""
         raise ResultError(f"{run.file}: no recordings{whose}; run --recordings auto makes them")
+    if isolines:
+        useful = [one for one in useful if set(one.solvers) & KEEPS_WINDOWS or one.has_isolines]
+        if not useful:
+            raise ResultError(
+                f"{run.file}: no isolines; a solver of the MMP family must be among those recorded"
+            )
     best: dict[str, Recording] = {}
     for one in sorted(useful, key=_merit, reverse=True):
         best.setdefault(one.mesh.thesis_model or one.mesh.name, one)

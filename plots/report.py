@@ -18,6 +18,7 @@ from plots import check, differences
 from plots.catalogue import Item, LeftOut, draw, write
 from plots.drawing import Drawing
 from plots.html_table import to_html
+from plots.models import of_thesis
 from plots.style import DPI
 from results import published
 from results.reader import ResultError, Run, newest_run, read_run
@@ -26,13 +27,16 @@ from results.table import Table
 HERE = Path(__file__).resolve().parent
 CSS_DPI = 96
 SECTIONS = {
-    "thesis": "What differs from the thesis",
+    "results": "Results",
+    "thesis": "Compared with the thesis",
     "figures": "Figures",
     "tables": "Tables",
     "cells": "Cells",
     "machine": "Machine and revision",
     "reproduce": "How to reproduce",
 }
+FEW = 4
+"""As many meshes are named in the title, more are counted."""
 
 
 def page(run: Run, items: Sequence[Item], left_out: Sequence[LeftOut], pictures: Path) -> str:
@@ -40,20 +44,22 @@ def page(run: Run, items: Sequence[Item], left_out: Sequence[LeftOut], pictures:
     folder = _folder(run)
     tables = [item for item in items if isinstance(item.drawn, Table)]
     figures = [item for item in items if isinstance(item.drawn, Drawing)]
-    bodies = {
-        "thesis": _thesis(run),
+    everything = {
+        "results": "\n".join(_table(item, folder) for item in tables if item.name == "summary"),
+        "thesis": _thesis(run) if of_thesis(run) else "",
         "figures": "\n".join(_figure(item, folder, pictures) for item in figures),
-        "tables": "\n".join(_table(item, folder) for item in tables),
+        "tables": "\n".join(_table(item, folder) for item in tables if item.name != "summary"),
         "cells": _cells(run),
         "machine": _machine(run),
         "reproduce": _reproduce(run, folder, left_out),
     }
+    bodies = {key: body for key, body in everything.items() if body}
     navigation = "".join(f'<li><a href="#{key}">{SECTIONS[key]}</a></li>' for key in bodies)
     sections = "\n".join(
         f'<section id="{key}" class="{key}"><h2>{SECTIONS[key]}</h2>\n{body}\n</section>'
         for key, body in bodies.items()
     )
-    title = f"geodesic-bench: corpus {_ours(run, 'corpus')}, {_ours(run, 'started')[:10]}"
+    title = _title(run)
     return f"""<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -88,7 +94,15 @@ def _text(name: str) -> str:
 
 
 def _ours(run: Run, key: str) -> str:
-    return str(run.context["geodesic_bench"][key])
+    return str(run.ours[key])
+
+
+def _title(run: Run) -> str:
+    if len(run.meshes) <= FEW:
+        about = ", ".join(run.meshes)
+    else:
+        about = f"corpus {_ours(run, 'corpus')}, {len(run.meshes)} meshes"
+    return f"Geodesic distances: {about}; {_ours(run, 'started')[:10]}"
 
 
 def _folder(run: Run) -> str:
@@ -116,10 +130,11 @@ def _summary(run: Run) -> str:
     without_a_time = check.cells(check.allowed(run))
     stand_ins = sum(mesh.stand_in for mesh in run.meshes.values())
     return (
-        f"Solvers: {len(run.solvers)}. Meshes: {len(run.meshes)}, stand-ins among them: "
-        f"{stand_ins}. Cells: {passed} verified, {failed} failed or missing, "
-        f"{without_a_time} without a time, as declared or expected. Every time is that of a solver "
-        "whose distances were verified."
+        f"Solvers: {len(run.solvers)}. Meshes: {len(run.meshes)}"
+        + (f", stand-ins among them: {stand_ins}" if stand_ins else "")
+        + f". Cells: {passed} verified, {failed} failed or missing"
+        + (f", {without_a_time} without a time, as declared or expected" if without_a_time else "")
+        + ". Only times of solvers whose distances were verified are shown."
     )
 
 
@@ -134,13 +149,13 @@ def _thesis(run: Run) -> str:
 def _figure(item: Item, folder: str, pictures: Path) -> str:
     drawing = item.drawn
     assert isinstance(drawing, Drawing)
-    png = (pictures / f"{drawing.name}.png").read_bytes()
+    png = (pictures / f"{item.name}.png").read_bytes()
     width, height = (
         int.from_bytes(png[start : start + 4], "big") for start in (16, 20)
     )  # of the PNG's header
     data = base64.b64encode(png).decode("ascii")
     title, alternative = escape(drawing.title), escape(drawing.alternative)
-    return f"""<figure id="{drawing.name}">
+    return f"""<figure id="{item.name}">
 <button type="button" data-title="{title}" aria-label="{title}, at full size">\
 <img src="data:image/png;base64,{data}" alt="{alternative}" \
 width="{width * CSS_DPI // DPI}" height="{height * CSS_DPI // DPI}"></button>
@@ -184,12 +199,22 @@ def _machine(run: Run) -> str:
         "Processor": f"{_ours(run, 'processor')}, {run.context['num_cpus']} cores seen",
         "Compiler": f"{_ours(run, 'compiler')} {_ours(run, 'compiler_flags')}",
         "Build type": _ours(run, "build_type"),
+        "Google Benchmark": _benchmark_library(run.context["library_build_type"]),
         "Seed of the sources": _ours(run, "seed"),
         "Sources a mesh": str(max(map(len, run.sources.values()), default=0)),
         "Repetitions": _ours(run, "repetitions"),
     }
     listed = "".join(f"<dt>{key}</dt><dd>{escape(value)}</dd>" for key, value in facts.items())
     return f"<dl>{listed}</dl>"
+
+
+def _benchmark_library(build_type: str) -> str:
+    if build_type != "debug":
+        return build_type
+    return (
+        "library_build_type: debug, as Debian's package always reports. It is about the library "
+        "that calls the solvers and not about the solvers, whose build type is above."
+    )
 
 
 def _reproduce(run: Run, folder: str, left_out: Sequence[LeftOut]) -> str:
@@ -208,7 +233,7 @@ def _reproduce(run: Run, folder: str, left_out: Sequence[LeftOut]) -> str:
         "<p>From the root of a checkout of the revision above. The command under each table and "
         "figure draws it alone.</p>\n"
         f"<dl>{listed}</dl>\n"
-        + (f"<h3>Left out, for want of data in this run</h3>{absent}" if absent else "")
+        + (f"<h3>Left out, since the run lacks the data</h3>{absent}" if absent else "")
     )
 
 
@@ -221,7 +246,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         for one in left_out:
             print(f"left out: {one.name}: {one.why}")
         for item in items:
-            write(item.drawn, folder)
+            write(item, folder)
         file = folder / "report.html"
         file.write_text(page(run, items, left_out, folder / "figures"), encoding="utf-8")
         print(file)

@@ -1,9 +1,11 @@
-"""How every figure looks: page width, type, and one colour, mark and line a solver.
+"""How every figure looks: page width, type, and a colour, mark and line for each solver.
 
 Importing it sets matplotlib's defaults. Colours are those of Okabe and Ito, which colour-blind
-people tell apart. They follow the families: blue is MMP, orange Chen-Han, black edge-based; the
-variant with bucket queue is the lighter one. Mark, line and hatch repeat what the colour says, for
-those who print in grey.
+readers can distinguish. They follow the families: blue is MMP, orange Chen-Han, black edge-based;
+the variant with a bucket queue is the lighter one. Mark and line repeat the colour's meaning for
+prints in grey.
+
+Dollars in a drawn text mean mathematics: a name that enters one goes through `plain` first.
 """
 
 from __future__ import annotations
@@ -20,7 +22,6 @@ matplotlib.use("Agg")
 from matplotlib.axis import Axis
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.patheffects import withStroke
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 WIDTH = 6.3
@@ -34,7 +35,7 @@ ISOLINE, WAVEFRONT = "#EE442F", "#08407F"
 matplotlib.rcParams.update(
     {
         "font.family": "STIXGeneral",
-        "text.parse_math": False,  # names are shown as they are, dollars too
+        "mathtext.fontset": "stix",
         "font.size": 10,
         "axes.titlesize": 10.5,
         "axes.edgecolor": INK,
@@ -66,30 +67,34 @@ class SolverStyle:
     color: str
     marker: str
     line: Dashes
-    hatch: str
 
 
 _FIXED = {
-    "mmp": SolverStyle("#0072B2", "o", SOLID, ""),
-    "fwp-mmp": SolverStyle("#56B4E9", "s", (0, (5, 2)), "////"),
-    "ich": SolverStyle("#D55E00", "^", (0, (6, 2, 1, 2)), "...."),
-    "fwp-ch": SolverStyle("#E69F00", "v", (0, (2, 1.5)), "xxxx"),
-    "edge-based": SolverStyle("#000000", "D", SOLID, ""),
-    "ch": SolverStyle("#CC79A7", "<", (0, (1, 2)), "\\\\\\\\"),
-    "cgal": SolverStyle("#009E73", "P", (0, (8, 2)), "++++"),
-    "dijkstra": SolverStyle("#999999", "X", (0, (1, 1)), "----"),
+    "mmp": SolverStyle("#0072B2", "o", SOLID),
+    "fwp-mmp": SolverStyle("#56B4E9", "s", (0, (5, 2))),
+    "ich": SolverStyle("#D55E00", "^", (0, (6, 2, 1, 2))),
+    "fwp-ch": SolverStyle("#E69F00", "v", (0, (2, 1.5))),
+    "edge-based": SolverStyle("#000000", "D", SOLID),
+    "ch": SolverStyle("#CC79A7", "<", (0, (1, 2))),
+    "cgal": SolverStyle("#009E73", "P", (0, (8, 2))),
+    "dijkstra": SolverStyle("#999999", "X", (0, (1, 1))),
 }
 _SPARE = [
-    SolverStyle("#882255", "p", (0, (5, 1, 1, 1, 1, 1)), "||||"),
-    SolverStyle("#B8A000", "h", (0, (3, 3)), "oooo"),
-    SolverStyle("#332288", "*", (0, (10, 2)), "//"),
-    SolverStyle("#44AA99", ">", (0, (4, 1)), "\\\\"),
+    SolverStyle("#882255", "p", (0, (5, 1, 1, 1, 1, 1))),
+    SolverStyle("#B8A000", "h", (0, (3, 3))),
+    SolverStyle("#332288", "*", (0, (10, 2))),
+    SolverStyle("#44AA99", ">", (0, (4, 1))),
 ]
-"""For solvers that nobody has thought of yet, in the order of the run."""
+"""For all other solvers, in the order of the run."""
+
+
+def plain(name: str) -> str:
+    """A name as part of a drawn text."""
+    return name.replace("$", r"\$")
 
 
 def solver_styles(solvers: Iterable[str]) -> dict[str, SolverStyle]:
-    """A style for each solver: its own, or the next spare one (which recur after the last)."""
+    """A style for each solver: its own, or the next spare one (the first again after the last)."""
     spare = itertools.count()
     return {
         solver: _FIXED.get(solver) or _SPARE[next(spare) % len(_SPARE)] for solver in solvers
@@ -97,15 +102,13 @@ def solver_styles(solvers: Iterable[str]) -> dict[str, SolverStyle]:
 
 
 PUBLISHED: dict[str, Any] = {
-    "marker": "d", "markersize": 6, "linestyle": "", "markeredgewidth": 0.9, "zorder": 4,
+    "marker": "d", "markersize": 7.5, "linestyle": "", "markeredgewidth": 0.9, "zorder": 2.5,
 }  # fmt: skip
-"""The mark of a number that the thesis prints: the thin diamond stands for nothing else."""
-RIM = [withStroke(linewidth=2.4, foreground="white")]
-"""Lifts a mark off the bar below it."""
+"""The mark of a number that the thesis prints, behind ours: no other mark is a thin diamond."""
 
 
 def published_mark(color: str, *, context: bool) -> dict[str, Any]:
-    """@param context a stand-in was measured here, so the number is none to meet: hollow"""
+    """@param context a stand-in was measured here, so that the number is context only: hollow"""
     return PUBLISHED | {
         "markeredgecolor": color if context else INK,
         "markerfacecolor": "white" if context else color,
@@ -113,14 +116,14 @@ def published_mark(color: str, *, context: bool) -> dict[str, Any]:
 
 
 def new_figure(height: float, width: float = WIDTH) -> Figure:
-    """Inches. Of no window system and not remembered by pyplot: it goes when nobody holds it."""
+    """Inches. Not registered with pyplot, so that it is freed with its last reference."""
     figure = Figure(figsize=(width, height), layout="constrained")
     FigureCanvasAgg(figure)
     return figure
 
 
 def plain_logarithmic(axis: Axis) -> None:
-    """A logarithmic axis with 0.5, 1, 2 and not powers of ten: for few decades."""
+    """A logarithmic axis labelled 0.5, 1, 2 instead of powers of ten: for few decades."""
     axis.axes.set(**{f"{axis.axis_name}scale": "log"})
     axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
     axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.10g}"))
@@ -128,7 +131,7 @@ def plain_logarithmic(axis: Axis) -> None:
 
 
 def legend_above(figure: Figure, handles: list[Any], columns: int = 5) -> None:
-    """A legend over all axes, which keep below it; in fewer columns where so many are too wide."""
+    """A legend above all axes, in fewer columns where so many would be too wide."""
     renderer = figure.canvas.get_renderer()
     for count in range(min(columns, len(handles)), 0, -1):
         legend = figure.legend(

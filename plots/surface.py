@@ -1,4 +1,5 @@
-"""A triangle mesh, and its picture: shaded smoothly, as an image below vector lines."""
+"""A triangle mesh and its picture: shaded smoothly, as an image below vector lines, and from the
+side that shows most of these lines."""
 
 from __future__ import annotations
 
@@ -6,11 +7,14 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from plots.camera import Camera, Floats
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
-from plots.polylines import joined
+
+from plots.camera import Camera, Floats, framing, looking
 from plots.zbuffer import NOTHING, Integers, ZBuffer, z_buffer
+from results.reader import Mesh
+
+Place = tuple[int, ...]
 
 PIXELS_PER_INCH = 400
 """Twice the resolution of a saved figure, which smooths the outline."""
@@ -20,9 +24,19 @@ LIGHT = np.array([-0.45, 0.55, 0.7]) / np.linalg.norm([-0.45, 0.55, 0.7])
 """Towards the light, in camera coordinates."""
 DARK, BRIGHT = np.array([0.50, 0.52, 0.56]), np.array([0.97, 0.965, 0.95])
 """Colours of a face that turns away from the light, and of one that looks into it."""
-
 SAME_PLACE = 0.02
 """Pixels."""
+UPRIGHT = {"horse": 2}
+"""Axis that points up in the file, by thesis's model; y in most others."""
+FLAT = 0.35
+"""A mesh whose height z is less than this share of its width and depth is a landscape."""
+ELEVATION, ABOVE_A_LANDSCAPE = 18.0, 50.0
+"""Degrees."""
+AZIMUTHS = np.arange(20.0, 360.0, 30.0)
+"""Degrees; none looks along an axis, where models lose their depth."""
+TRIAL_PIXELS = 160
+SOURCE_COUNTS = 2.0
+"""So many times more must be seen of the lines from where the source is hidden."""
 
 
 @dataclass(frozen=True)
@@ -104,3 +118,57 @@ def draw_lines(axes: Axes, buffer: ZBuffer, segments: Floats, color: str, width:
         autolim=False,
     )  # fmt: skip
     return pieces
+
+
+def joined(pieces: Floats, step: float) -> list[Floats]:
+    """Lines (k, 2) that together draw the pieces (n, 2, 2), each once.
+    @param step ends that are closer are one place"""
+    rounded = np.round(pieces / step).astype(np.int64).tolist()
+    begins: list[Place] = [tuple(begin) for begin, _ in rounded]
+    ends: list[Place] = [tuple(end) for _, end in rounded]
+    at: dict[Place, list[int]] = {}
+    for index, both in enumerate(zip(begins, ends, strict=True)):
+        for place in both:
+            at.setdefault(place, []).append(index)
+    left = [True] * len(pieces)
+
+    def walk(place: Place) -> list[Floats]:
+        """From a place as far as pieces that are left lead, which then are not."""
+        points: list[Floats] = []
+        while True:
+            index = next((one for one in at[place] if left[one]), None)
+            if index is None:
+                return points
+            left[index] = False
+            far = 1 if begins[index] == place else 0
+            points.append(pieces[index, far])
+            place = (begins, ends)[far][index]
+
+    lines = []
+    for index, (begin, end) in enumerate(zip(begins, ends, strict=True)):
+        if left[index]:
+            left[index] = False
+            before = walk(begin)[::-1]
+            lines.append(np.array([*before, *pieces[index], *walk(end)]))
+    return lines
+
+
+def best_axes(mesh: Mesh, surface: Surface, lines: Floats, source: int) -> Floats:
+    """The axes of the camera that sees most of the lines (n, 2, 3), and if possible the source."""
+    size = np.ptp(surface.vertices, axis=0)
+    landscape = size[2] < FLAT * size[:2].min()
+    up = 2 if landscape else UPRIGHT.get(mesh.thesis_model or "", 1)
+    elevation = ABOVE_A_LANDSCAPE if landscape else ELEVATION
+    trials = [looking(up, azimuth, elevation) for azimuth in AZIMUTHS]
+    return max(trials, key=lambda axes: _seen(axes, surface, lines, source))
+
+
+def _seen(axes: Floats, surface: Surface, lines: Floats, source: int) -> float:
+    """Length of the lines as it appears, with something for the source."""
+    camera = framing(axes, surface.vertices)
+    width = max(1, round(TRIAL_PIXELS * camera.width / max(camera.width, camera.height)))
+    buffer = z_buffer(surface.vertices, surface.faces, camera, width)
+    pieces, _ = buffer.visible_pieces(lines)
+    length = float(np.linalg.norm(pieces[:, 1] - pieces[:, 0], axis=1).sum())
+    seen = buffer.visible(surface.vertices[[source]])[0]
+    return length * (SOURCE_COUNTS if seen else 1)

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-
-from results import published
 from plots.measures import EDGE_BASED, Measure, count, our_cell
-from plots.models import Model, left_out, models
-from results.reader import Run
+from plots.models import left_out, ordered_meshes, relation
+from results import published
+from results.reader import Mesh, ResultError, Run
 from results.table import BLANK, Cell, Table
 
 DEPTH = Measure("strip_depth", "log_b n", count, spread=True)
@@ -20,37 +19,32 @@ REMARKS = [
 ]
 
 
-def tables(run: Run) -> list[Table]:
-    return [
-        Table(
-            name="table_5_1",
-            title="Table 5.1: depth of the window tree of the edge-based solver",
-            header=[
-                "Model", "Relation", "n", "log_b n", "b",
-                "n, published", "log_b n, published", "b, published",
-            ],
-            text_columns=2,
-            rows=[_row(run, model) for model in models(run)],
-            remarks=REMARKS + left_out(run),
-        )
-    ]  # fmt: skip
+def table(run: Run) -> Table:
+    """@raises ResultError when the edge-based solver was not run"""
+    if EDGE_BASED not in run.solvers:
+        raise ResultError(f"{run.file}: no {EDGE_BASED}, whose window tree this table measures")
+    return Table(
+        name="table_5_1",
+        title="Table 5.1: depth of the window tree of the edge-based solver",
+        header=[
+            "Model", "Relation", "n", "log_b n", "b",
+            "n, published", "log_b n, published", "b, published",
+        ],
+        text_columns=2,
+        rows=[_row(run, mesh) for mesh in ordered_meshes(run)],
+        remarks=REMARKS + left_out(run),
+    )  # fmt: skip
 
 
-def _row(run: Run, model: Model) -> list[Cell]:
-    return [Cell(model.name), Cell(model.relation), *_ours(run, model), *_published(model)]
+def _row(run: Run, mesh: Mesh) -> list[Cell]:
+    ours = [our_cell(run, mesh.name, EDGE_BASED, measure) for measure in (DEPTH, BASE)]
+    size = Cell(count(mesh.vertices), mesh.vertices)
+    return [Cell(mesh.name), Cell(relation(mesh)), size, *ours, *_published(mesh.thesis_model)]
 
 
-def _ours(run: Run, model: Model) -> list[Cell]:
-    if model.mesh is None:
-        return [Cell("not in this run"), BLANK, BLANK]
-    mesh = model.mesh
-    cells = [our_cell(run, mesh.name, EDGE_BASED, measure) for measure in (DEPTH, BASE)]
-    return [Cell(count(mesh.vertices), mesh.vertices), *cells]
-
-
-def _published(model: Model) -> list[Cell]:
-    if model.thesis is None:
+def _published(model: str | None) -> list[Cell]:
+    if model is None:
         return [BLANK, BLANK, BLANK]
-    row = published.table_5_1(model.thesis)
+    row = published.table_5_1(model)
     n, depth, b = row["vertices"], row["log_b_n"], row["b"]
     return [Cell(count(n), n), Cell(count(depth), depth), Cell(BASE.show(b), b)]

@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from itertools import pairwise
 
-from results import published
-from results.statistics import geometric_mean
 from plots.measures import ABSENT, columns, failure, partial_failure
-from plots.models import Model, left_out, models
-from results.published import Claim
+from plots.models import left_out, of_thesis, ordered_meshes
 from plots.ratios import BY_KEY, RATIOS, Mean, Ratio, over_meshes
-from results.reader import Run
+from results import published
+from results.published import Claim
+from results.reader import Mesh, ResultError, Run
+from results.statistics import geometric_mean
 from results.table import BLANK, Cell, Table, estimate_cell
 
 REMARKS = [
@@ -24,18 +24,14 @@ REMARKS = [
 MODELS, STAND_INS = "the thesis's models", "stand-ins"
 
 
-def tables(run: Run) -> list[Table]:
-    return [_ratios(run), _claims(run)]
-
-
-def _ratios(run: Run) -> Table:
+def ratios(run: Run) -> Table:
     rows = []
-    for ratio in RATIOS:
-        for model, following in pairwise([*models(run), None]):
-            if model is not None:
-                rows += _our_rows(run, model, ratio)
-                if following is None or following.thesis != model.thesis:
-                    rows += _published_rows(run, model, ratio)
+    for ratio in [ratio for ratio in RATIOS if ratio.is_of(run)]:
+        for mesh, following in pairwise([*ordered_meshes(run), None]):
+            if mesh is not None:
+                rows.append(_our_row(run, mesh, ratio))
+                if following is None or following.thesis_model != mesh.thesis_model:
+                    rows += _published_rows(run, mesh, ratio)
         rows.append(_mean_row(run, ratio))
     return Table(
         name="table_5_2_ratios",
@@ -47,23 +43,21 @@ def _ratios(run: Run) -> Table:
     )
 
 
-def _our_rows(run: Run, model: Model, ratio: Ratio) -> list[list[Cell]]:
-    if model.mesh is None:
-        return []
-    cells = [_ours(run, model.mesh.name, solver, ratio) for solver in columns(run)]
-    return [[Cell(ratio.label, note=ratio.note), Cell(model.label), Cell("ours"), *cells]]
+def _our_row(run: Run, mesh: Mesh, ratio: Ratio) -> list[Cell]:
+    cells = [_ours(run, mesh.name, solver, ratio) for solver in columns(run)]
+    return [Cell(ratio.label, note=ratio.note), Cell(mesh.label), Cell("ours"), *cells]
 
 
-def _published_rows(run: Run, model: Model, ratio: Ratio) -> list[list[Cell]]:
+def _published_rows(run: Run, mesh: Mesh, ratio: Ratio) -> list[list[Cell]]:
     """One, under the last of the meshes that are or stand for the model; none if not published."""
-    if model.thesis is None:
+    if mesh.thesis_model is None:
         return []
-    values = [ratio.published(model.thesis, solver) for solver in columns(run)]
+    values = [ratio.published(mesh.thesis_model, solver) for solver in columns(run)]
     if all(value is None for value in values):
         return []
     cells = [Cell(ABSENT) if v is None else Cell(ratio.show(v), v) for v in values]
-    source = "published, context only" if model.is_stand_in else "published"
-    return [[Cell(ratio.label, note=ratio.note), Cell(model.thesis), Cell(source), *cells]]
+    source = "published, context only" if mesh.stand_in else "published"
+    return [[Cell(ratio.label, note=ratio.note), Cell(mesh.thesis_model), Cell(source), *cells]]
 
 
 def _ours(run: Run, mesh: str, solver: str, ratio: Ratio) -> Cell:
@@ -86,11 +80,14 @@ def _mean_row(run: Run, ratio: Ratio) -> list[Cell]:
     return [label, Cell("all meshes"), Cell("ours, geometric mean"), *cells]
 
 
-def _claims(run: Run) -> Table:
-    of_thesis = [model for model in models(run) if model.thesis and model.mesh]
+def claims(run: Run) -> Table:
+    """@raises ResultError when no mesh has to do with the thesis"""
+    models = of_thesis(run)
+    if not models:
+        raise ResultError(f"{run.file}: no mesh is or stands for a model of the thesis")
     groups = {
-        MODELS: [model.name for model in of_thesis if not model.is_stand_in],
-        STAND_INS: [model.name for model in of_thesis if model.is_stand_in],
+        MODELS: [mesh.name for mesh in models if not mesh.stand_in],
+        STAND_INS: [mesh.name for mesh in models if mesh.stand_in],
         "all meshes": list(run.meshes),
     }
     return Table(
@@ -119,12 +116,12 @@ def _claims(run: Run) -> Table:
 
 def _claim_rows(run: Run, claim: Claim, groups: list[list[str]]) -> list[list[Cell]]:
     ratio = BY_KEY[claim.ratio]
-    rows = []
-    for solver in claim.solvers:
+    rows: list[list[Cell]] = []
+    for solver in [solver for solver in claim.solvers if solver in run.solvers]:
         words = f"{claim.claim} ({claim.where})"
         rows.append(
             [
-                Cell(words if solver == claim.solvers[0] else "", words),
+                Cell("" if rows else words, words),
                 Cell(ratio.label, note=ratio.note),
                 Cell(solver),
                 Cell(claim.value),
@@ -157,7 +154,7 @@ def _our_mean(run: Run, ratio: Ratio, solver: str, meshes: list[str]) -> list[Ce
 def _mean_cell(ratio: Ratio, mean: Mean) -> Cell:
     """A mean that some meshes are missing from says so."""
     text = ratio.interval(mean.estimate)
-    if mean.meshes < mean.of:
+    if not mean.is_complete:
         text += f", {mean.coverage}"
     return estimate_cell(mean.estimate, text)
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from results import published
 from plots.measures import ABSENT, columns
+from results import published
 from results.reader import Run, Solver
 from results.table import BLANK, Cell, Table
 
@@ -20,24 +20,21 @@ REMARKS = [
 ]
 
 
-def tables(run: Run) -> list[Table]:
+def table(run: Run) -> Table:
     named = published.table_5_3()
-    names = [*named, *(name for name in columns(run) if name not in named)]
-    return [
-        Table(
-            name="table_5_3",
-            title="Table 5.3: exact geodesic solvers compared",
-            header=HEADER,
-            text_columns=len(HEADER),
-            rows=[row for name in names for row in _rows(name, run.solvers.get(name), named)],
-            remarks=REMARKS,
-        )
-    ]
+    return Table(
+        name="table_5_3",
+        title="Table 5.3: exact geodesic solvers compared",
+        header=HEADER,
+        text_columns=len(HEADER),
+        rows=[row for name in columns(run) for row in _rows(run.solvers[name], named)],
+        remarks=REMARKS,
+    )
 
 
-def _rows(name: str, solver: Solver | None, named: dict[str, Any]) -> list[list[Cell]]:
-    ours = _ours(solver) if solver else [Cell("not in this run")] + [BLANK] * (len(HEADER) - 3)
-    rows = [[Cell(name, name), Cell("ours"), *ours]]
+def _rows(solver: Solver, named: dict[str, Any]) -> list[list[Cell]]:
+    name = solver.name
+    rows = [[Cell(name, name), Cell("ours"), *_ours(solver)]]
     if name in named:
         rows.append([Cell("", name), Cell("published"), *_published(named[name])])
     return rows

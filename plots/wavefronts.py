@@ -1,24 +1,33 @@
-"""What Figures 5.7 and A.1 to A.5 share: lines on a model, whole and close up."""
+"""The wavefront of solvers on a model, whole and close up: Figures 5.7 and A.1 to A.5."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from plots import style
-from plots.camera import Camera, Floats, close_up, framing
-from plots.curves import title
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
-from plots.recordings import Recording
 from scipy.ndimage import uniform_filter
-from plots.surface import draw_lines, draw_surface
-from plots.views import best_axes
-from plots.zbuffer import NOTHING, ZBuffer
 
+from plots import style
+from plots.camera import Camera, Floats, close_up, framing
+from plots.curves import title
+from plots.dots import sentences
+from plots.drawing import Drawing
+from plots.measures import EDGE_BASED
+from plots.recordings import MOMENTS, Recording, recordings
+from plots.surface import best_axes, draw_lines, draw_surface
+from plots.zbuffer import NOTHING, ZBuffer
+from results.published import THESIS_SOLVERS
+from results.reader import ResultError, Run
+
+NEAR = 2
+"""Mean edge lengths: where 95% of the windows are within, the wavefront follows the isoline."""
+MOMENT = 50
+"""Per cent of the vertices reached, in the appendix."""
 CLOSE_UP_EDGES = 24
 """Width of the close-up in mean edge lengths."""
 CLOSE_UP_SHARE = 0.4
@@ -57,7 +66,72 @@ class Pictures:
         )
 
 
-def draw_wavefront(recording: Recording, layers: Sequence[Lines], about: Floats) -> Pictures:
+APPENDIX = {
+    "figure_a_1": "edge-based", "figure_a_2": "mmp", "figure_a_3": "fwp-mmp", "figure_a_4": "ich",
+    "figure_a_5": "fwp-ch",
+}  # fmt: skip
+"""The solver whose wavefront each of the appendix's figures shows."""
+
+
+def isoline(run: Run) -> Drawing:
+    """Figure 5.7. @raises ResultError without recordings of edge-based with isolines"""
+    recording = recordings(run, EDGE_BASED, isolines=True)[0]
+    moment, level = _moment(recording)
+    wavefront = recording.wavefront(EDGE_BASED, moment)
+    pictures = _draw(
+        recording,
+        [
+            Lines("isoline of the distance field", recording.isolines.at(level), style.ISOLINE, 1.8),
+            Lines(f"wavefront of {EDGE_BASED}", wavefront, style.WAVEFRONT, 1.2),
+        ],
+        wavefront,
+    )
+    return Drawing(
+        title="Figure 5.7: wavefront and isoline",
+        caption=sentences(
+            f"Blue: windows on the wavefront of {EDGE_BASED} on {recording.mesh.label} when "
+            f"{moment}% of the vertices were reached. Red: the exact isoline.",
+            _claim(recording, moment, level),
+            pictures.sentence,
+        ),
+        figure=pictures.figure,
+    )
+
+
+def appendix(name: str) -> Callable[[Run], Drawing]:
+    """@param name in APPENDIX
+    @return the function that draws it, which raises ResultError without the solver's recordings"""
+    solver = APPENDIX[name]
+    number = name[-1]
+
+    def draw(run: Run) -> Drawing:
+        recording = recordings(run)[0]
+        if solver not in recording.solvers:
+            raise ResultError(f"{run.file}: no recordings of {solver} on {recording.mesh.name}")
+        look = style.solver_styles(run.solvers)[solver]
+        wavefront = recording.wavefront(solver, MOMENT)
+        base = next(one for one in THESIS_SOLVERS if one in recording.solvers)
+        pictures = _draw(
+            recording,
+            [Lines(f"wavefront of {solver}", wavefront, look.color, 1.4)],
+            recording.wavefront(base, MOMENT),
+        )
+        return Drawing(
+            title=f"Figure A.{number}: wavefront of {solver}",
+            caption=sentences(
+                f"Windows on the wavefront of {solver} on {recording.mesh.label} when {MOMENT}% of "
+                "the vertices were reached; Figures A.1 to A.5 show the same moment from the same "
+                "side.",
+                _spread(recording, solver),
+                pictures.sentence,
+            ),
+            figure=pictures.figure,
+        )
+
+    return draw
+
+
+def _draw(recording: Recording, layers: Sequence[Lines], about: Floats) -> Pictures:
     """@param about the segments that the view is to show, and the close-up a part of"""
     mesh, surface = recording.mesh, recording.surface
     axes = best_axes(mesh, surface, about, recording.source)
@@ -123,3 +197,43 @@ def _outline(axes: Axes, camera: Camera) -> None:
             linewidth=0.8, zorder=4,
         )
     )  # fmt: skip
+
+
+def _moment(recording: Recording) -> tuple[int, float]:
+    """The moment whose mean distance is nearest to the level of an isoline, and that level."""
+    levels = np.unique(recording.isolines.levels)
+    means = {
+        moment: float(recording.snapshot(EDGE_BASED, moment)["distance"].mean())
+        for moment in MOMENTS
+    }
+    moment = min(means, key=lambda moment: float(np.abs(levels - means[moment]).min()))
+    return moment, float(levels[np.abs(levels - means[moment]).argmin()])
+
+
+def _claim(recording: Recording, moment: int, level: float) -> str:
+    edge = recording.mesh.mean_edge_length
+    distance = recording.snapshot(EDGE_BASED, moment)["distance"]
+    mean = distance.mean()
+    far = np.percentile(np.abs(distance - mean), 95) / edge
+    agrees = "which agrees with" if far <= NEAR else "which is further than suits"
+    return (
+        f"Its level is {abs(level - mean) / edge:.2f} mean edge lengths from the mean distance of "
+        f"the windows, and 95% of the windows are within {far:.2f} mean edge lengths of that "
+        f"mean, {agrees} the thesis's claim that the wavefront is an approximate isoline."
+    )
+
+
+def _spread(recording: Recording, solver: str) -> str:
+    edge = recording.mesh.mean_edge_length
+    spread = {
+        one: float(recording.snapshot(one, MOMENT)["distance"].std()) / edge
+        for one in THESIS_SOLVERS
+        if one in recording.solvers
+    }
+    listed = ", ".join(
+        f"{one} {spread[one]:.2f}" for one in sorted(spread, key=lambda one: spread[one])
+    )
+    return (
+        f"The standard deviation of the {len(recording.snapshot(solver, MOMENT)):,} windows' "
+        f"distances is {spread[solver]:.2f} mean edge lengths; from the smoothest: {listed}."
+    )

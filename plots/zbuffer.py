@@ -10,8 +10,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from plots.camera import Camera, Floats
 from numpy.typing import NDArray
+
+from plots.camera import Camera, Floats
 
 Integers = NDArray[np.int64]
 

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+
 from plots import surface
 from results.published import THESIS_SOLVERS
 from results.reader import Run, read_run

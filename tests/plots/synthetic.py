@@ -10,10 +10,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+
 from plots.camera import Floats
-from results.published import THESIS_SOLVERS
 from plots.recordings import CURVE, MOMENTS, PIECES, SNAPSHOT
 from plots.zbuffer import Integers
+from results.published import THESIS_SOLVERS
 
 LEVELS = 40
 SAMPLES = 64

@@ -6,8 +6,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from plots import check
 import pytest
+
+from plots import check
 
 Changed = Callable[[Callable[[dict[str, Any]], object]], Path]
 

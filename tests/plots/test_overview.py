@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 from plots import overview
-import pytest
-from results.reader import ResultError, Run
+from plots.ratios import time_over
+from results.reader import Run
 
 
 def test_a_solver_takes_its_own_time(golden_run: Run) -> None:
-    times = overview.RATIOS[0][0].measured(golden_run, "horse", "edge-based")
+    times = time_over("edge-based").measured(golden_run, "horse", "edge-based")
     assert {ratio for source in times for ratio in source} == {1.0}
 
 
@@ -22,7 +22,19 @@ def test_a_stand_in_is_marked_otherwise_than_a_model_of_the_thesis(golden_run: R
     assert len(set(overview.KINDS.values())) == len(kinds)
 
 
-def test_a_run_without_edge_based_is_refused(golden_run: Run) -> None:
-    rows = [row for row in golden_run.rows if row.solver != "edge-based"]
-    with pytest.raises(ResultError, match="edge-based"):
-        overview.figures(replace(golden_run, rows=rows))
+def of_solvers(run: Run, *names: str) -> Run:
+    return replace(
+        run,
+        rows=[row for row in run.rows if row.solver in names],
+        solvers={name: run.solvers[name] for name in names},
+    )
+
+
+def test_any_two_solvers_have_one(golden_run: Run) -> None:
+    drawn = overview.figure(of_solvers(golden_run, "ich", "mmp"))
+    assert [axes.get_xlabel() for axes in drawn.figure.axes] == [
+        "time / mmp", "window propagations / window limit"
+    ]  # fmt: skip
+    drawn = overview.figure(of_solvers(golden_run, "ich", "edge-based"))
+    assert [axes.get_xlabel() for axes in drawn.figure.axes] == ["time / edge-based"]
+    assert "the run has no solver of the MMP family" in drawn.caption

@@ -8,41 +8,30 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from plots import figure_5_7
-from plots import figure_5_8
-from plots import figure_5_10_curve
-from plots import figure_6_4
-from plots import figure_a_1
-from plots import figure_a_2
-from plots import figure_a_3
-from plots import figure_a_4
-from plots import figure_a_5
 import numpy as np
 import pytest
-from plots import report
-from plots import style
-from plots.drawing import Drawing
 from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
-from results.published import THESIS_SOLVERS
-from plots.recordings import recordings
-from results.reader import ResultError, Run
 from synthetic import LEVELS, SPREAD
 
-WAVEFRONTS = {
-    figure_a_1: "edge-based", figure_a_2: "mmp", figure_a_3: "fwp-mmp", figure_a_4: "ich",
-    figure_a_5: "fwp-ch",
-}  # fmt: skip
+from plots import figure_6_4, report, style, wavefronts
+from plots.catalogue import FIGURES
+from plots.drawing import Drawing
+from plots.recordings import recordings
+from plots.wavefronts import APPENDIX
+from results.published import THESIS_SOLVERS
+from results.reader import ResultError, Run
+
 NEEDS = {
-    figure_5_7: ["../vertices.npy", "isoline_points.npy", "edge-based/snapshot-25.npy"],
-    figure_5_8: ["distances.npy", "edge-based/curve.npy", "fwp-mmp/curve.npy", "ich/curve.npy"],
-    figure_5_10_curve: ["mmp/curve.npy"],
-    figure_6_4: ["../faces.npy", "isoline_pieces.npy"],
+    "figure_5_7": ["../vertices.npy", "isoline_points.npy", "edge-based/snapshot-25.npy"],
+    "figure_5_8": ["distances.npy", "edge-based/curve.npy", "fwp-mmp/curve.npy", "ich/curve.npy"],
+    "figure_5_10_curve": ["mmp/curve.npy"],
+    "figure_6_4": ["../faces.npy", "isoline_pieces.npy"],
 } | {
-    module: ["../vertices.npy", "../faces.npy", f"{solver}/snapshot-50.npy"]
-    for module, solver in WAVEFRONTS.items()
+    name: ["../vertices.npy", "../faces.npy", f"{solver}/snapshot-50.npy"]
+    for name, solver in APPENDIX.items()
 }
-CASES = [(module, name) for module, names in NEEDS.items() for name in names]
+CASES = [(name, file) for name, files in NEEDS.items() for file in files]
 
 
 def all_inside(axes: Axes) -> bool:
@@ -53,10 +42,8 @@ def all_inside(axes: Axes) -> bool:
     return bool(left <= low[0] and high[0] <= right and bottom <= low[1] and high[1] <= top)
 
 
-def drawing_of(module: Any, run: Run) -> Drawing:
-    (drawn,) = module.figures(run)
-    assert isinstance(drawn, Drawing)
-    return drawn
+def drawing_of(name: str, run: Run) -> Drawing:
+    return FIGURES[name](run)
 
 
 def own_recordings(run: Run) -> Path:
@@ -78,15 +65,13 @@ def colors(axes: Axes) -> set[str]:
     return {to_hex(color) for lines in axes.collections for color in lines.get_color()}
 
 
-@pytest.mark.parametrize(
-    ("module", "name"), CASES, ids=[f"{module.__name__}: {name}" for module, name in CASES]
-)
-def test_a_file_that_is_missing_or_cut_off_is_named(module: Any, name: str, run: Run) -> None:
-    file = own_recordings(run) / name
+@pytest.mark.parametrize(("name", "path"), CASES)
+def test_a_file_that_is_missing_or_truncated_is_named(name: str, path: str, run: Run) -> None:
+    file = own_recordings(run) / path
     file.write_bytes(file.read_bytes()[:-40])
     for why in ["perhaps truncated", "no such file"]:
         with pytest.raises(ResultError, match=why) as caught:
-            module.figures(run)
+            FIGURES[name](run)
         assert file.name in str(caught.value)
         file.unlink(missing_ok=True)
 
@@ -96,10 +81,21 @@ def without(run: Run, solver: str) -> Run:
     return replace(run, rows=rows)
 
 
-@pytest.mark.parametrize("module", [figure_5_7, figure_5_8, figure_a_1])
-def test_without_the_solver_it_is_about_there_is_no_figure(module: Any, run: Run) -> None:
+@pytest.mark.parametrize("name", ["figure_5_7", "figure_5_8", "figure_a_1"])
+def test_without_the_solver_it_is_about_there_is_no_figure(name: str, run: Run) -> None:
     with pytest.raises(ResultError, match="no recordings of edge-based"):
-        module.figures(without(run, "edge-based"))
+        FIGURES[name](without(run, "edge-based"))
+
+
+@pytest.mark.parametrize("name", ["figure_5_7", "figure_6_4"])
+def test_without_isolines_the_reason_is_the_solvers_and_no_interruption(
+    name: str, run: Run
+) -> None:
+    folder = own_recordings(run)
+    for file in folder.parent.parent.glob("*/src*/isoline_*.npy"):
+        file.unlink()
+    with pytest.raises(ResultError, match="no isolines; a solver of the MMP family"):
+        FIGURES[name](without(without(run, "mmp"), "fwp-mmp"))
 
 
 def test_windows_are_drawn_over_the_level_for_two_solvers_and_for_all(run: Run) -> None:
@@ -107,7 +103,7 @@ def test_windows_are_drawn_over_the_level_for_two_solvers_and_for_all(run: Run) 
         data["windows"] *= 3
 
     change_file(own_recordings(run) / "ich" / "curve.npy", many)
-    grid = drawing_of(figure_5_8, run).figure.axes
+    grid = drawing_of("figure_5_8", run).figure.axes
     assert [len(axes.lines) for axes in grid] == [2, 5, 2, 4]
     assert all(map(all_inside, grid))
     (recording, *_) = recordings(run, "edge-based", "fwp-mmp")
@@ -135,13 +131,13 @@ def test_the_caption_says_who_has_fewer_windows(run: Run, factor: float, words: 
     folder = own_recordings(run)
     change_file(folder / "edge-based" / "curve.npy", scale)
     change_file(folder / "fwp-mmp" / "curve.npy", at_least_two)
-    caption = drawing_of(figure_5_8, run).caption
+    caption = drawing_of("figure_5_8", run).caption
     assert words in caption
     assert ("which agrees with the thesis" in caption) == (factor < 1)
 
 
 def test_the_curve_of_the_spread_is_in_mean_edge_lengths(run: Run) -> None:
-    drawn = drawing_of(figure_5_10_curve, run)
+    drawn = drawing_of("figure_5_10_curve", run)
     axes = drawn.figure.axes
     assert [len(one.lines) for one in axes] == [5, 4]
     assert all(map(all_inside, axes))
@@ -151,19 +147,19 @@ def test_the_curve_of_the_spread_is_in_mean_edge_lengths(run: Run) -> None:
 
 
 def test_the_caption_says_whether_mmp_and_ich_are_the_smoothest(run: Run) -> None:
-    assert "edge-based" in drawing_of(figure_5_10_curve, run).caption
-    assert drawing_of(figure_5_10_curve, run).caption.count("which agrees with the thesis") == 2
+    assert "edge-based" in drawing_of("figure_5_10_curve", run).caption
+    assert drawing_of("figure_5_10_curve", run).caption.count("which agrees with the thesis") == 2
 
     def rough(data: np.ndarray[Any, Any]) -> None:
         data["sd"] *= 10
 
     change_file(own_recordings(run) / "mmp" / "curve.npy", rough)
-    caption = drawing_of(figure_5_10_curve, run).caption
+    caption = drawing_of("figure_5_10_curve", run).caption
     assert "from the smoothest: ich" in caption and "does not agree with the thesis" in caption
 
 
 def test_the_wavefront_is_drawn_over_the_isoline_of_its_distance(run: Run) -> None:
-    drawn = drawing_of(figure_5_7, run)
+    drawn = drawing_of("figure_5_7", run)
     whole, near = drawn.figure.axes
     wanted = {style.ISOLINE.lower(), style.WAVEFRONT.lower()}
     assert colors(whole) == wanted and colors(near) == wanted | {style.PALE}
@@ -186,24 +182,24 @@ def test_the_caption_says_how_near_the_isoline_is(run: Run, spread: float, agree
     folder = own_recordings(run)
     for moment in (25, 50, 75):
         change_file(folder / "edge-based" / f"snapshot-{moment}.npy", scale)
-    caption = drawing_of(figure_5_7, run).caption
+    caption = drawing_of("figure_5_7", run).caption
     assert ("which agrees with the thesis's claim" in caption) == agrees
 
 
 def test_the_level_is_the_recorded_one_next_to_the_wavefront_s_mean(run: Run) -> None:
     (recording, *_) = recordings(run)
-    moment, level = figure_5_7._moment(recording)
+    moment, level = wavefronts._moment(recording)
     mean = recording.snapshot("edge-based", moment)["distance"].mean()
     step = recording.greatest / LEVELS
     assert abs(level - mean) <= step / 2
     assert np.min(np.abs(np.unique(recording.isolines.levels) - level)) == 0
 
 
-@pytest.mark.parametrize(("module", "solver"), WAVEFRONTS.items(), ids=WAVEFRONTS.values())
+@pytest.mark.parametrize(("name", "solver"), APPENDIX.items())
 def test_each_solver_s_wavefront_has_its_colour_and_its_spread(
-    module: Any, solver: str, run: Run
+    name: str, solver: str, run: Run
 ) -> None:
-    drawn = drawing_of(module, run)
+    drawn = drawing_of(name, run)
     color = style.solver_styles([solver])[solver].color.lower()
     whole, near = drawn.figure.axes
     assert colors(whole) == {color} and colors(near) == {color, style.PALE}
@@ -217,14 +213,14 @@ def test_each_solver_s_wavefront_has_its_colour_and_its_spread(
 
 def test_all_wavefronts_are_shown_from_one_side_with_one_close_up(run: Run) -> None:
     places = [
-        [(axes.get_xlim(), axes.get_ylim()) for axes in drawing_of(module, run).figure.axes]
-        for module in WAVEFRONTS
+        [(axes.get_xlim(), axes.get_ylim()) for axes in drawing_of(name, run).figure.axes]
+        for name in APPENDIX
     ]
     assert all(place == places[0] for place in places)
 
 
 def test_every_model_has_all_its_isolines(run: Run) -> None:
-    drawn = drawing_of(figure_6_4, run)
+    drawn = drawing_of("figure_6_4", run)
     assert len(drawn.figure.axes) == 2
     for axes, count in zip(drawn.figure.axes, (LEVELS, LEVELS), strict=True):
         assert len(axes.images) == 1 and len(axes.collections) == count
@@ -238,7 +234,6 @@ def test_every_model_has_all_its_isolines(run: Run) -> None:
 def test_the_report_shows_every_figure_of_a_run_with_recordings(run: Run) -> None:
     assert report.main(["--run", str(run.file.parent)]) == 0
     page = (run.file.parent / "report.html").read_text(encoding="utf-8")
-    for module in NEEDS:
-        name = module.__name__.removeprefix("plots.")
+    for name in NEEDS:
         assert f'<figure id="{name}">' in page
-    assert set(WAVEFRONTS.values()) == set(THESIS_SOLVERS)
+    assert set(APPENDIX.values()) == set(THESIS_SOLVERS)

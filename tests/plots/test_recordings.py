@@ -9,9 +9,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from synthetic import LEVELS, mean_edge_length, plane, record
+
 from plots.recordings import CURVE, Recording, recordings
 from results.reader import Mesh, ResultError, Row, Run
-from synthetic import LEVELS, mean_edge_length, plane, record
 
 SIDE = 21
 

@@ -12,6 +12,7 @@ from typing import Any
 import jsonschema
 import numpy as np
 import pytest
+
 from plots.recordings import CURVE, SNAPSHOT
 from results.reader import SCHEMA, ResultError, Run, newest_run, read_file, read_run
 

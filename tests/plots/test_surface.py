@@ -6,12 +6,11 @@ from itertools import product
 
 import numpy as np
 import pytest
-from plots import style
-from plots import surface
-from plots.camera import Camera, Floats, close_up, framing, looking
-from plots.polylines import joined
-from plots.surface import Surface, draw_lines, draw_surface, shade
 from synthetic import Geometry, edges_of, plane, sphere, torus
+
+from plots import style, surface
+from plots.camera import Camera, Floats, close_up, framing, looking
+from plots.surface import Surface, draw_lines, draw_surface, joined, shade
 from plots.zbuffer import NOTHING, ZBuffer, expand, z_buffer
 
 FRONT = np.eye(3)

@@ -14,24 +14,23 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from results import published
 import pytest
-from plots import table_5_1
-from plots import table_5_2
-from plots import table_5_2_ratios
-from plots import table_5_3
-from results.reader import ROOT, ResultError, Run, read_run
+
+from plots import summary, table_5_1, table_5_2, table_5_2_ratios, table_5_3
+from plots.catalogue import TABLES
+from results import published
+from results.console import ROOT
+from results.reader import ResultError, Run, read_run
 from results.table import FORMATS, BLANK, Cell, Table, mark, to_csv, to_latex, to_markdown, write
 
 Changed = Callable[[Callable[[dict[str, Any]], object]], Path]
 
 ROCKER_ARM = "rocker-arm (stand-in for rocker arm)"
-NAMES = ["table_5_1", "table_5_2", "table_5_2_ratios", "table_5_2_claims", "table_5_3"]
+NAMES = ["summary", "table_5_1", "table_5_2", "table_5_2_ratios", "table_5_2_claims", "table_5_3"]
 
 
 def tables_of(run: Run) -> list[Table]:
-    modules = [table_5_1, table_5_2, table_5_2_ratios, table_5_3]
-    return [table for module in modules for table in module.tables(run)]
+    return [TABLES[name](run) for name in NAMES]
 
 
 def rows_of(table: Table, name: str) -> list[list[str]]:
@@ -74,31 +73,37 @@ def test_command_ends_with_one_line_for_a_broken_run(tmp_path: Path) -> None:
     assert len(ended.stderr.splitlines()) == 1 and str(tmp_path / "run.json") in ended.stderr
 
 
-def test_every_model_of_the_thesis_and_every_mesh_has_a_block(golden_run: Run) -> None:
-    (table,) = table_5_2.tables(golden_run)
-    names = {row[0].value for row in table.rows}
-    assert names == {
-        "knot", "horse", "bunny", "hand", ROCKER_ARM, "lucy", "asian dragon",
-        "cervino terrain", "flat-grid",
-    }  # fmt: skip
+def test_every_mesh_of_the_run_has_a_block_and_no_other_model(golden_run: Run) -> None:
+    for table in tables_of(golden_run):
+        if table.name in ("summary", "table_5_2"):
+            names = {row[0].value for row in table.rows} - {summary.ALL}
+            assert names == {"horse", ROCKER_ARM, "flat-grid"}
+
+
+def test_a_run_that_has_nothing_to_do_with_the_thesis_does_not_show_it(golden_run: Run) -> None:
+    run = golden_run.of_meshes(["flat-grid"])
+    assert "published" not in to_markdown(table_5_2.table(run)).lower()
+    with pytest.raises(ResultError, match="no mesh is or stands for a model of the thesis"):
+        table_5_2_ratios.claims(run)
 
 
 def test_published_values_stand_under_ours(golden_run: Run) -> None:
-    (table,) = table_5_2.tables(golden_run)
-    assert cell_of(table, "horse", "Time (s), published", "mmp").text == "3.696"
+    table = table_5_2.table(golden_run)
+    assert cell_of(table, "horse", "Time (ms), published", "mmp").text == "3,696"
     propagations = "Window propagations, published"
     assert cell_of(table, "horse", propagations, "Window limit").text == "2,893,843"
-    assert cell_of(table, "lucy", "Peak wavefront, published", "fwp-ch").value == 25800
+    assert cell_of(table, "horse", "Peak wavefront, published", "fwp-ch").value == 22296
 
 
-def test_out_of_memory_of_the_thesis_is_shown(golden_run: Run) -> None:
-    (table,) = table_5_2.tables(golden_run)
-    cell = cell_of(table, "asian dragon", "Time (s), published", "mmp")
+def test_out_of_memory_of_the_thesis_is_shown(changed: Changed) -> None:
+    table = table_5_2.table(read_run(changed(paper_like)))
+    terrain = "jacksboro-terrain (stand-in for cervino terrain)"
+    cell = cell_of(table, terrain, "Time (s), published for cervino terrain", "mmp")
     assert cell.text == "out of memory"
 
 
 def test_stand_in_is_labelled(golden_run: Run) -> None:
-    (table,) = table_5_2.tables(golden_run)
+    table = table_5_2.table(golden_run)
     labels = [row[0] for row in rows_of(table, ROCKER_ARM)]
     assert labels[:2] == ["rocker-arm", "stand-in for rocker arm"]
     assert "V: 10,044" in labels
@@ -112,22 +117,22 @@ def test_stand_in_is_labelled_in_every_format_of_every_table_with_meshes(golden_
 
 
 def test_published_values_beside_a_stand_in_are_context(golden_run: Run) -> None:
-    (table,) = table_5_2.tables(golden_run)
-    published_time = "Time (s), published for rocker arm"
-    assert cell_of(table, ROCKER_ARM, published_time, "mmp").text == "36.481"
-    ratios = table_5_2_ratios.tables(golden_run)[0]
+    table = table_5_2.table(golden_run)
+    published_time = "Time (ms), published for rocker arm"
+    assert cell_of(table, ROCKER_ARM, published_time, "mmp").text == "36,481"
+    ratios = table_5_2_ratios.ratios(golden_run)
     origins = {(row[1].text, row[2].text) for row in ratios.rows}
     assert ("rocker arm", "published, context only") in origins
     assert ("horse", "published") in origins and ("rocker arm", "published") not in origins
 
 
 def test_stand_ins_are_no_part_of_the_means_over_the_thesis_s_models(golden_run: Run) -> None:
-    claims = table_5_2_ratios.tables(golden_run)[1]
+    claims = table_5_2_ratios.claims(golden_run)
     row = next(row for row in claims.rows if row[2].text == "mmp")
     ours = dict(zip(claims.header, row, strict=True))
     ratios = {
-        (row[1].text, row[2].text): row[table_5_2_ratios.tables(golden_run)[0].header.index("mmp")]
-        for row in table_5_2_ratios.tables(golden_run)[0].rows
+        (row[1].text, row[2].text): row[table_5_2_ratios.ratios(golden_run).header.index("mmp")]
+        for row in table_5_2_ratios.ratios(golden_run).rows
         if row[0].text == "Time / edge-based"
     }
     assert ours["Ours, the thesis's models"].value == ratios["horse", "ours"].value
@@ -154,19 +159,18 @@ def paper_like(data: dict[str, Any]) -> None:
 
 
 def test_rows_are_in_the_thesis_s_order_whatever_the_run_s(changed: Changed) -> None:
-    (table,) = table_5_1.tables(read_run(changed(paper_like)))
-    assert [(row[0].text, row[1].text) for row in table.rows][4:] == [
+    table = table_5_1.table(read_run(changed(paper_like)))
+    assert [(row[0].text, row[1].text) for row in table.rows] == [
+        ("horse", "the thesis's horse"),
         ("rocker-arm-482k", "stand-in for rocker arm"),
         ("rocker-arm", "stand-in for rocker arm"),
-        ("lucy", "published only"),
-        ("asian dragon", "published only"),
         ("jacksboro-terrain", "stand-in for cervino terrain"),
         ("flat-grid", ""),
     ]
 
 
 def test_published_ratios_stand_once_under_all_meshes_of_a_model(changed: Changed) -> None:
-    table = table_5_2_ratios.tables(read_run(changed(paper_like)))[0]
+    table = table_5_2_ratios.ratios(read_run(changed(paper_like)))
     first = [row[1:3] for row in table.rows if row[0].text == "Time / edge-based"]
     rocker_arm = [(model.text, origin.text) for model, origin in first if "rocker" in model.text]
     assert rocker_arm == [
@@ -177,48 +181,55 @@ def test_published_ratios_stand_once_under_all_meshes_of_a_model(changed: Change
 
 
 def test_huge_counts_are_grouped_by_thousands(changed: Changed) -> None:
-    (table,) = table_5_2.tables(read_run(changed(paper_like)))
+    table = table_5_2.table(read_run(changed(paper_like)))
     terrain = "jacksboro-terrain (stand-in for cervino terrain)"
     assert "F: 3,145,728" in [row[0] for row in rows_of(table, terrain)]
     assert cell_of(table, terrain, "Window propagations", "edge-based").text == "3,271,799,000"
-    assert re.fullmatch(r"\d,\d{3}\.\d{3} .*", cell_of(table, terrain, "Time (s)", "mmp").text)
+    assert re.fullmatch(r"\d,\d{3}\.\d+ .*", cell_of(table, terrain, "Time (s)", "mmp").text)
 
 
 def test_failed_cell_shows_its_outcome_and_message(golden_run: Run) -> None:
-    (table,) = table_5_2.tables(golden_run)
-    cell = cell_of(table, "flat-grid", "Time (s)", "fwp-ch")
+    table = table_5_2.table(golden_run)
+    cell = cell_of(table, "flat-grid", "Time (\N{MICRO SIGN}s)", "fwp-ch")
     assert cell.text == "wrong answer" and "vertex 17" in cell.note
 
 
 def test_cell_with_a_failed_source_says_so_beside_its_number(golden_run: Run) -> None:
-    (table,) = table_5_2.tables(golden_run)
-    cell = cell_of(table, ROCKER_ARM, "Time (s)", "ich")
+    table = table_5_2.table(golden_run)
+    cell = cell_of(table, ROCKER_ARM, "Time (ms)", "ich")
     assert isinstance(cell.value, float)
     assert "source 4711" in cell.note and "signal 11" in cell.note
 
 
 def test_missing_source_is_told(golden_run: Run) -> None:
-    (table,) = table_5_2.tables(golden_run)
-    assert "no rows for source 7" in cell_of(table, ROCKER_ARM, "Time (s)", "fwp-mmp").note
+    table = table_5_2.table(golden_run)
+    assert "no rows for source 7" in cell_of(table, ROCKER_ARM, "Time (ms)", "fwp-mmp").note
 
 
 def test_skipped_and_unsupported_cells_say_why(golden_run: Run) -> None:
-    (table,) = table_5_2.tables(golden_run)
-    skipped = cell_of(table, "horse", "Time (s)", "ch")
+    table = table_5_2.table(golden_run)
+    skipped = cell_of(table, "horse", "Time (ms)", "ch")
     assert skipped.text == "skipped" and "at most 20000 vertices" in skipped.note
-    assert cell_of(table, ROCKER_ARM, "Time (s)", "ch").text == "unsupported"
+    assert cell_of(table, ROCKER_ARM, "Time (ms)", "ch").text == "unsupported"
     assert any("stanford-bunny was skipped" in remark for remark in table.remarks)
 
 
-def test_solver_that_was_not_run_keeps_its_column(changed: Changed) -> None:
+def test_solver_that_was_not_run_has_no_column_and_another_gives_the_limit(
+    changed: Changed,
+) -> None:
     def change(data: dict[str, Any]) -> None:
         ours = data["context"]["geodesic_bench"]
-        ours["solvers"] = [s for s in ours["solvers"] if s["name"] != "mmp"]
-        data["benchmarks"] = [row for row in data["benchmarks"] if row["solver"] != "mmp"]
+        ours["solvers"] = [s for s in ours["solvers"] if s["name"] not in ("mmp", "edge-based")]
+        names = [solver["name"] for solver in ours["solvers"]]
+        data["benchmarks"] = [row for row in data["benchmarks"] if row["solver"] in names]
 
-    (table,) = table_5_2.tables(read_run(changed(change)))
-    assert cell_of(table, "horse", "Time (s)", "mmp").text == "not run"
-    assert cell_of(table, "horse", "Window propagations", "Window limit").text == "not run"
+    run = read_run(changed(change))
+    table = table_5_2.table(run)
+    assert "mmp" not in table.header
+    assert cell_of(table, "horse", "Window propagations", "Window limit").text == "2,870,000"
+    ratios = table_5_2_ratios.ratios(run)
+    assert "Time / edge-based" not in {row[0].text for row in ratios.rows}
+    assert summary.table(run).header[3] == "Time / fwp-mmp"
 
 
 def test_cell_without_any_row_is_missing(changed: Changed) -> None:
@@ -230,10 +241,10 @@ def test_cell_without_any_row_is_missing(changed: Changed) -> None:
         ]
 
     run = read_run(changed(change))
-    (table,) = table_5_2.tables(run)
-    assert cell_of(table, "horse", "Time (s)", "edge-based").text == "missing"
+    table = table_5_2.table(run)
+    assert cell_of(table, "horse", "Time (ms)", "edge-based").text == "missing"
     assert ["horse", "the thesis's horse", "48,485", "missing", "missing"] in [
-        [cell.text for cell in row[:5]] for row in table_5_1.tables(run)[0].rows
+        [cell.text for cell in row[:5]] for row in table_5_1.table(run).rows
     ]
 
 
@@ -248,9 +259,9 @@ def test_run_in_which_everything_failed_still_has_its_tables(changed: Changed) -
 
     run = read_run(changed(change))
     assert [table.name for table in tables_of(run)] == NAMES
-    (table,) = table_5_2.tables(run)
+    table = table_5_2.table(run)
     assert cell_of(table, "horse", "Time (s)", "mmp").text == "crashed"
-    claims = table_5_2_ratios.tables(run)[1]
+    claims = table_5_2_ratios.claims(run)
     assert {row[5].text for row in claims.rows} == {"crashed"}
 
 
@@ -261,27 +272,27 @@ def test_ratios_are_paired_by_source_and_repetition(changed: Changed) -> None:
             drift = (1 + row["source"]) * (1 + row["repetition_index"])
             row["cpu_time"] = drift * (5 if row["solver"] == "mmp" else 1)
 
-    table = table_5_2_ratios.tables(read_run(changed(change)))[0]
+    table = table_5_2_ratios.ratios(read_run(changed(change)))
     row = next(r for r in table.rows if r[1].text == "horse" and r[2].text == "ours")
     assert row[table.header.index("mmp")].text == "5.000 [5.000, 5.000]"
 
 
 def test_ratios_of_the_thesis_are_those_of_its_table(golden_run: Run) -> None:
-    table = table_5_2_ratios.tables(golden_run)[0]
+    table = table_5_2_ratios.ratios(golden_run)
     limit = [r for r in table.rows if r[0].text.startswith("Window propagations")]
     row = next(r for r in limit if r[1].text == "horse" and r[2].text == "published")
     assert [cell.text for cell in row[3:8]] == ["1.522", "1.515", "2.745", "2.752", "1.142"]
 
 
 def test_every_claim_has_the_thesis_and_ours_beside_it(golden_run: Run) -> None:
-    claims = table_5_2_ratios.tables(golden_run)[1]
+    claims = table_5_2_ratios.claims(golden_run)
     assert len(claims.rows) == sum(len(claim.solvers) for claim in published.claims())
     for row in claims.rows:
         assert re.search(r"\d", row[4].text) and re.search(r"\[.*\]", row[5].text), row
 
 
 def test_mean_tells_how_many_meshes_it_lacks(golden_run: Run) -> None:
-    claims = table_5_2_ratios.tables(golden_run)[1]
+    claims = table_5_2_ratios.claims(golden_run)
     row = next(r for r in claims.rows if r[2].text == "fwp-ch")
     assert "meshes" not in row[5].text and row[9].text.endswith(", 2 of 3 meshes")
 
@@ -292,14 +303,14 @@ def test_unknown_model_of_the_thesis_is_an_error(changed: Changed) -> None:
 
     run = read_run(changed(change))
     with pytest.raises(ResultError, match="'cow' is not a model.*rocker arm"):
-        table_5_1.tables(run)
+        table_5_1.table(run)
 
 
 def test_solvers_describe_themselves_in_table_5_3(changed: Changed) -> None:
     def change(data: dict[str, Any]) -> None:
         data["context"]["geodesic_bench"]["solvers"][2]["data_structure"] = "a | heap"
 
-    (table,) = table_5_3.tables(read_run(changed(change)))
+    table = table_5_3.table(read_run(changed(change)))
     assert rows_of(table, "edge-based")[0][3] == "a | heap"
     assert rows_of(table, "edge-based")[1][1:4] == [
         "published", "edge-based", "list and priority queue",

@@ -1,12 +1,13 @@
-"""The growth table: exponents of a known law, and a clear refusal of too few meshes."""
+"""Growth: exponents of a known law, and a clear refusal of meshes that are no series."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from plots import table_growth
+from plots import growth
 from results.reader import Mesh, ResultError, Row, Run, Solver
 
 SOLVER = Solver("fast", "F", "", "", "", "", "", False, True, False, "")
@@ -29,7 +30,7 @@ def run_of(sizes: list[int], exponent: float) -> Run:
 
 
 def test_the_exponent_of_a_power_law_is_found() -> None:
-    _, fits = table_growth.tables(run_of([10_000, 100_000, 1_000_000], 1.25))
+    fits = growth.exponents(run_of([10_000, 100_000, 1_000_000], 1.25))
     time, windows = fits.rows[0][-2:]
     assert time.value == pytest.approx(1.25)
     assert windows.value == pytest.approx(1.25)
@@ -37,13 +38,29 @@ def test_the_exponent_of_a_power_law_is_found() -> None:
 
 
 def test_time_per_window_is_shown_in_nanoseconds_and_by_the_smallest_mesh() -> None:
-    growth, _ = table_growth.tables(run_of([1_000_000, 10_000, 100_000], 1.5))
-    assert [row[2].value for row in growth.rows] == [10_000, 100_000, 1_000_000]
-    assert [row[-2].text for row in growth.rows] == ["1.0"] * 3
-    assert [row[-1].value for row in growth.rows] == pytest.approx([1, 1, 1])
+    table = growth.table(run_of([1_000_000, 10_000, 100_000], 1.5))
+    assert [row[2].value for row in table.rows] == [10_000, 100_000, 1_000_000]
+    assert [row[-2].text for row in table.rows] == ["1.0"] * 3
+    assert [row[-1].value for row in table.rows] == pytest.approx([1, 1, 1])
 
 
 @pytest.mark.parametrize("sizes", [[10, 1000], [100, 120, 399]])
 def test_too_few_sizes_or_too_near_are_refused_with_what_to_do(sizes: list[int]) -> None:
     with pytest.raises(ResultError, match="no solver has 3 meshes.*run --corpus growth"):
-        table_growth.tables(run_of(sizes, 1.5))
+        growth.table(run_of(sizes, 1.5))
+
+
+def test_meshes_of_different_surfaces_are_no_series() -> None:
+    run = run_of([10_000, 100_000, 1_000_000], 1.5)
+    names = dict(zip(run.meshes, ["horse", "bunny", "cow"], strict=True))
+    meshes = {names[name]: replace(m, name=names[name]) for name, m in run.meshes.items()}
+    rows = [replace(row, mesh=names[row.mesh]) for row in run.rows]
+    with pytest.raises(ResultError, match="meshes of one surface"):
+        growth.table(replace(run, meshes=meshes, rows=rows))
+
+
+@pytest.mark.parametrize(
+    ("name", "surface"), [("growth-1m", "growth-"), ("my_scan_lod2", "my_scan_lod"), ("3d", "3d")]
+)
+def test_a_surface_is_the_name_up_to_its_first_number(name: str, surface: str) -> None:
+    assert growth.surface(Mesh(name, "", 3, 1, 1.0, None, False)) == surface

@@ -1,0 +1,191 @@
+"""Figures with a row for each mesh and a dot for each solver: speed-up, windows over the limit,
+wavefront quality (Figure 5.10), accuracy."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from matplotlib.ticker import FuncFormatter, LogLocator
+
+from plots import style
+from plots.dots import (
+    AT_THE_EDGE, Dot, Row, draw_rows, hollow_mark, mesh_rows, ratio_axis, sentences, without_value,
+)  # fmt: skip
+from plots.drawing import Drawing
+from plots.measures import (
+    ERROR, LIMIT_SOLVER, TIME, Measure, baseline, by_source, measured_solvers, values,
+)  # fmt: skip
+from plots.models import of_thesis
+from plots.ratios import BY_KEY, RIVAL, Ratio, over_meshes
+from results import published
+from results.reader import Run
+from results.statistics import geometric_mean, median
+
+OVER_LIMIT = BY_KEY["propagations over the limit"]
+SD = Measure("wavefront_sd_edges", "wavefront SD (mean edge lengths)", lambda value: f"{value:.3f}")
+BOUND = 1e-12
+"""Largest relative error of an exact solver on a clean mesh."""
+FLOOR = 1e-17
+"""Where distances without any error are drawn: a logarithmic axis has no 0."""
+
+
+def speedup(run: Run) -> Drawing:
+    """@raises ResultError when no exact solver can be compared with the baseline"""
+    base = baseline(run, LIMIT_SOLVER)
+    ratio = Ratio("", f"speed-up over {base}: time of {base} / time", (base, TIME), (RIVAL, TIME))
+    solvers = [s for s in measured_solvers(run) if s != base and run.solvers[s].exact]
+
+    def measured(mesh: str, solver: str) -> list[Dot]:
+        sample = ratio.measured(run, mesh, solver)
+        hollow = run.meshes[mesh].stand_in
+        return [Dot.of(geometric_mean([sample]), hollow=hollow)] if sample else []
+
+    models = of_thesis(run)
+    shown = run.of_meshes([mesh.name for mesh in models]) if models else run
+    rows = mesh_rows(shown, ratio.label, solvers, measured, ratio.published)
+    groups = {
+        "models of the thesis": [mesh.name for mesh in models if not mesh.stand_in],
+        "stand-ins": [mesh.name for mesh in models if mesh.stand_in],
+        "meshes": list(run.meshes),
+    }
+    for words, meshes in groups.items():
+        means = {s: over_meshes(ratio, run, meshes, s) for s in solvers}
+        dots = {
+            s: [Dot.of(mean.estimate, note="" if mean.is_complete else f" ({mean.coverage})")]
+            for s, mean in means.items()
+            if mean
+        }
+        new = words == "meshes" or len(meshes) < len(run.meshes)
+        if dots and new and len(meshes) > 1:
+            label = f"geometric mean,\n{len(meshes)} {words}"
+            hollow = {s: [replace(d, hollow=words == "stand-ins") for d in dots[s]] for s in dots}
+            rows.append(Row(label, hollow, mean=True))
+    styles = style.solver_styles(run.solvers)
+    marks = [hollow_mark("hollow: a stand-in")] if any(m.stand_in for m in models) else []
+    figure = draw_rows(
+        rows, style.plain(ratio.label), {s: styles[s] for s in solvers}, marks=marks, numbers=True
+    )
+    ratio_axis(figure.axes[0].xaxis)
+    return Drawing(
+        title=f"Speed-up over {base}",
+        caption=sentences(
+            f"How many times as fast as {base} each exact solver is: geometric means of CPU time "
+            "ratios paired by source and repetition, with 95% bootstrap intervals. A mean is over "
+            "those of its meshes that have both times, and says how many they are where it is not "
+            "all of them.",
+            "Hollow: stand-ins, other meshes than the thesis measured." if marks else "",
+            f"Diamonds: computed from {published.citation()}, Table 5.2; hollow beside a "
+            "stand-in, where they are context only."
+            if any(row.published for row in rows)
+            else "",
+            without_value(run, [base, *solvers]),
+        ),
+        figure=figure,
+    )
+
+
+def _estimates(
+    run: Run,
+    label: str,
+    measured: Callable[[str, str], Sequence[Dot]],
+    words: Sequence[str],
+    title: str,
+    published_of: Callable[[str, str], float | None] = lambda model, solver: None,
+    left: float = 0,
+) -> Drawing:
+    """The drawing of one estimate for each mesh and solver."""
+    solvers = measured_solvers(run)
+    rows = mesh_rows(run, label, solvers, measured, published_of)
+    styles = style.solver_styles(run.solvers)
+    figure = draw_rows(rows, label, {s: styles[s] for s in solvers}, left=left)
+    with_value = [s for s in solvers if any(s in row.dots for row in rows)]
+    caption = sentences(*words, AT_THE_EDGE, without_value(run, with_value))
+    return Drawing(title, caption, figure)
+
+
+def windows_over_limit(run: Run) -> Drawing:
+    """@raises ResultError when no solver counts windows, or none keeps them all"""
+
+    def measured(mesh: str, solver: str) -> list[Dot]:
+        sample = OVER_LIMIT.measured(run, mesh, solver)
+        return [Dot.of(geometric_mean([sample]))] if sample else []
+
+    words = [
+        "Windows propagated across a face over the windows that MMP leaves on the edges: a solver "
+        "at 1 propagates no window in vain. Less than 1 is possible on a mesh with a boundary: "
+        "windows on boundary edges count towards the limit, and have no face to be propagated "
+        "across. Geometric means over sources with 95% bootstrap intervals.",
+        OVER_LIMIT.note,
+    ]
+    if of_thesis(run):
+        words.insert(
+            1,
+            f"Thin diamonds: {published.citation()}, Table 5.2; hollow where a stand-in was "
+            "measured, so that they are context only.",
+        )
+    title = "Window propagations over the window limit"
+    return _estimates(run, OVER_LIMIT.label, measured, words, title, OVER_LIMIT.published, 0.9)
+
+
+def wavefront_quality(run: Run) -> Drawing:
+    """Figure 5.10. @raises ResultError when no solver has its wavefront recorded"""
+
+    def measured(mesh: str, solver: str) -> list[Dot]:
+        sample = by_source(values(run, mesh, solver, SD))
+        return [Dot.of(median(sample))] if sample else []
+
+    words = (
+        "Standard deviation of the distances of all windows on the wavefront, mean over samples at "
+        "fixed steps of progress, in mean edge lengths of the mesh; medians over sources with 95% "
+        "bootstrap intervals. Smaller is a smoother wavefront. The thesis prints no numbers for it."
+    )
+    return _estimates(run, SD.label, measured, [words], "Figure 5.10: wavefront quality")
+
+
+def largest_errors(run: Run, mesh: str, solver: str) -> dict[bool, float]:
+    """By whether the reference is the truth: the largest error over sources and repetitions."""
+    errors: dict[bool, float] = {}
+    for row in run.cell(mesh, solver):
+        if ERROR.key in row.numbers:
+            truth = row.against_truth
+            errors[truth] = max(errors.get(truth, 0), row.numbers[ERROR.key])
+    return errors
+
+
+def accuracy(run: Run) -> Drawing:
+    """@raises ResultError when no exact solver was verified"""
+
+    def measured(mesh: str, solver: str) -> list[Dot]:
+        places = [
+            (max(error, FLOOR), not truth)
+            for truth, error in sorted(largest_errors(run, mesh, solver).items())
+        ]
+        return [Dot(place, place, place, hollow) for place, hollow in places]
+
+    solvers = [s for s in measured_solvers(run) if run.solvers[s].exact]
+    rows = mesh_rows(run, ERROR.label, solvers, measured)
+    styles = style.solver_styles(run.solvers)
+    mark = hollow_mark("hollow: against a solver")
+    figure = draw_rows(rows, "largest relative error", {s: styles[s] for s in solvers}, marks=[mark])
+    axes = figure.axes[0]
+    axes.set_xscale("log")
+    axes.xaxis.set_major_locator(LogLocator(numticks=20))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.0e}"))
+    axes.set_xlim(left=FLOOR / 2, right=max(axes.get_xlim()[1], 4 * BOUND))
+    axes.axvline(BOUND, color=style.INK, linewidth=1, linestyle=(0, (4, 2)))
+    axes.annotate(
+        f"bound {BOUND:.0e}", (BOUND, 1), (-3, -2), ("data", "axes fraction"),
+        textcoords="offset points", rotation=90, ha="right", va="top", fontsize=8,
+    )  # fmt: skip
+    return Drawing(
+        title="Accuracy of the exact solvers",
+        caption=sentences(
+            "Largest relative error over all vertices, sources and repetitions. Filled: against a "
+            "closed form, which is the truth; hollow: against the distances of another solver, "
+            "which the run file names. The dashed line is 1e-12, the bound on clean meshes; marks "
+            "at 1e-17 are errors of 0 or below it. Upper bounds such as Dijkstra's are left out.",
+            without_value(run, solvers),
+        ),
+        figure=figure,
+    )

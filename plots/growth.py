@@ -1,0 +1,196 @@
+"""How time and windows grow with the number of vertices: per mesh, fitted exponents, and drawn.
+
+Fits are made where the meshes are a series: at least three sizes of one surface. Meshes of
+different surfaces differ in time at one size as well, and a line through them means little.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from matplotlib.axis import Axis
+from matplotlib.lines import Line2D
+
+from plots import style
+from plots.dots import sentences
+from plots.drawing import Drawing
+from plots.measures import (
+    PROPAGATIONS, TIME, Measure, TimeUnit, by_source, columns, count, time_unit, values,
+)  # fmt: skip
+from results.reader import Mesh, ResultError, Run
+from results.statistics import PowerLaw, median, power_law
+from results.table import Cell, Table
+
+LEAST_MESHES = 3
+LEAST_SPAN = 4
+"""Of the largest mesh over the smallest, in vertices: less shows no growth."""
+PLAIN = 1000
+"""An axis with more than this between its ends shows powers of ten."""
+
+
+@dataclass(frozen=True)
+class Point:
+    mesh: Mesh
+    time: float
+    """Seconds."""
+    windows: float
+
+    @property
+    def nanoseconds_a_window(self) -> float:
+        return 1e9 * self.time / self.windows
+
+
+def surface(mesh: Mesh) -> str:
+    """The name up to its first number: meshes of one series are named alike, with their sizes."""
+    return re.split(r"(?<=\D)\d", mesh.name)[0]
+
+
+def series(run: Run) -> dict[str, list[Point]]:
+    """By solver the meshes on which it has both numbers, by their vertices: of the surface with the
+    most meshes, and only where they are long enough for a fit.
+
+    @raises ResultError when no solver has such a series"""
+
+    def middle(mesh: str, solver: str, measure: Measure) -> float:
+        sample = by_source(values(run, mesh, solver, measure))
+        return median(sample).value if sample else 0
+
+    surfaces = [surface(mesh) for mesh in run.meshes.values()]
+    of = [m for m in run.meshes.values() if surface(m) == max(surfaces, key=surfaces.count)]
+    found = {}
+    for solver in columns(run):
+        points = [
+            Point(mesh, middle(mesh.name, solver, TIME), middle(mesh.name, solver, PROPAGATIONS))
+            for mesh in sorted(of, key=lambda mesh: mesh.vertices)
+        ]
+        measured = [point for point in points if point.time > 0 and point.windows > 0]
+        sizes = {point.mesh.vertices for point in measured}
+        if len(sizes) >= LEAST_MESHES and max(sizes) >= LEAST_SPAN * min(sizes):
+            found[solver] = measured
+    if not found:
+        raise ResultError(
+            f"{run.file}: no solver has {LEAST_MESHES} meshes of one surface of which the largest "
+            f"has {LEAST_SPAN} times the vertices of the smallest (surface-10k, surface-30k, ...); "
+            "run --corpus growth"
+        )
+    return found
+
+
+def fit(points: list[Point], what: list[float]) -> PowerLaw:
+    return power_law([point.mesh.vertices for point in points], what)
+
+
+def table(run: Run) -> Table:
+    """@raises ResultError as series does"""
+    found = series(run)
+    unit = time_unit([point.time for points in found.values() for point in points])
+    return Table(
+        name="table_growth",
+        title="Growth: time and windows over vertices",
+        header=["Solver", "Mesh", "n", f"Time ({unit.name})", "Windows", "ns a window", "by smallest"],
+        text_columns=2,
+        rows=[
+            _row(solver, point, points[0], unit)
+            for solver, points in found.items()
+            for point in points
+        ],
+        remarks=[
+            "Medians over sources and repetitions. Time per window: CPU time of a timed solve over "
+            "the windows that the recorded solve propagates; beside it, that of the smallest mesh.",
+        ],
+    )
+
+
+def exponents(run: Run) -> Table:
+    """@raises ResultError as series does"""
+    return Table(
+        name="table_growth_exponents",
+        title="Growth: fitted exponents",
+        header=["Solver", "Meshes", "n from", "n to", "of time", "of windows"],
+        text_columns=1,
+        rows=[_exponents(solver, points) for solver, points in series(run).items()],
+        remarks=[
+            "Least squares of log time and log window propagations on log vertices, with 95% "
+            "intervals of the slope (Student's t). They describe this series and no bound: the "
+            "worst case is O(n^2) windows, and Surazhsky et al. 2005 observe about n^1.5.",
+        ],
+    )
+
+
+def _row(solver: str, point: Point, smallest: Point, unit: TimeUnit) -> list[Cell]:
+    each = point.nanoseconds_a_window
+    share = each / smallest.nanoseconds_a_window
+    return [
+        Cell(solver),
+        Cell(point.mesh.label),
+        Cell(count(point.mesh.vertices), point.mesh.vertices),
+        Cell(unit.show(unit.scale * point.time), unit.scale * point.time),
+        Cell(count(point.windows), point.windows),
+        Cell(f"{each:.1f}", each),
+        Cell(f"{share:.2f}", share),
+    ]
+
+
+def _exponents(solver: str, points: list[Point]) -> list[Cell]:
+    first, last = points[0].mesh.vertices, points[-1].mesh.vertices
+    laws = [fit(points, [p.time for p in points]), fit(points, [p.windows for p in points])]
+    return [
+        Cell(solver),
+        Cell(str(len(points)), len(points)),
+        Cell(count(first), first),
+        Cell(count(last), last),
+        *(
+            Cell(f"{law.exponent:.3f} [{law.low:.3f}, {law.high:.3f}]", law.exponent, law.low, law.high)
+            for law in laws
+        ),
+    ]
+
+
+def figure(run: Run) -> Drawing:
+    """Time against vertices, both logarithmic. @raises ResultError as series does"""
+    found = series(run)
+    styles = style.solver_styles(run.solvers)
+    picture = style.new_figure(4.4)
+    axes = picture.subplots()
+    handles = []
+    for solver, points in found.items():
+        look = styles[solver]
+        vertices = [point.mesh.vertices for point in points]
+        law = fit(points, [point.time for point in points])
+        mark = {"color": look.color, "marker": look.marker, "markersize": 4.5}
+        axes.plot(vertices, [point.time for point in points], linestyle="", **mark)
+        ends = [min(vertices), max(vertices)]
+        axes.plot(ends, [law.at(n) for n in ends], color=look.color, linestyle=look.line)
+        label = f"$n^{{{law.exponent:.2f}}}$ [{law.low:.2f}, {law.high:.2f}]"
+        label = f"{style.plain(solver)}: {label}"
+        handles.append(Line2D([], [], linestyle=look.line, label=label, **mark))
+    for axis in (axes.xaxis, axes.yaxis):
+        _logarithmic(axis)
+    axes.set_xlabel("vertices $n$")
+    axes.set_ylabel("CPU time of one solve (s)")
+    axes.grid()
+    style.legend_above(picture, handles, columns=2)
+    meshes = {point.mesh.name for points in found.values() for point in points}
+    short = [s for s in columns(run) if s in run.solvers and s not in found]
+    return Drawing(
+        title="Time against vertices",
+        caption=sentences(
+            "Medians over sources and repetitions of each solver that counts windows, on "
+            f"{len(meshes)} meshes of one surface; lines are least squares of the logarithms, with "
+            "95% intervals of the exponent. They describe these meshes and no bound.",
+            f"Without: {', '.join(short)} (fewer than {LEAST_MESHES} sizes with a time and a "
+            "count of windows)."
+            if short
+            else "",
+        ),
+        figure=picture,
+    )
+
+
+def _logarithmic(axis: Axis) -> None:
+    low, high = axis.get_data_interval()
+    if high < PLAIN * low:
+        style.plain_logarithmic(axis)
+    else:
+        axis.axes.set(**{f"{axis.axis_name}scale": "log"})
