@@ -10,7 +10,7 @@ from matplotlib.ticker import FuncFormatter, PercentFormatter
 
 from plots import style
 from plots.camera import Floats
-from plots.dots import sentences, two_lines
+from plots.dots import sentences, sight, two_lines
 from plots.drawing import Drawing
 from plots.measures import EDGE_BASED, columns, count
 from plots.recordings import Recording, recordings
@@ -51,7 +51,7 @@ def windows(run: Run) -> Drawing:
         caption=sentences(
             "Windows on the wavefront, at equal steps of the vertices reached, over the mean "
             f"distance of these windows. Left {RIVAL} and {EDGE_BASED} as in the thesis, right "
-            "every solver that was recorded.",
+            "every solver that was recorded; the axis ends where one is far beyond the thesis's.",
             *(_fewer(recording) for recording in found),
             "The thesis: close to each other, and most of the time fewer for its own.",
         ),
@@ -108,17 +108,19 @@ def _draw(
     axes: Axes, run: Run, recording: Recording, solvers: Sequence[str], curve: Curve
 ) -> None:
     styles = style.solver_styles(run.solvers)
+    curves = {solver: curve(recording, solver) for solver in solvers if solver in recording.solvers}
     for index, solver in enumerate(solvers):
-        if solver in recording.solvers:
+        if solver in curves:
             look = styles[solver]
             first = index * BETWEEN_MARKS // len(solvers)
             axes.plot(
-                *curve(recording, solver), label=style.plain(solver), color=look.color,
+                *curves[solver], label=style.plain(solver), color=look.color,
                 linestyle=look.line, linewidth=1.0, marker=look.marker, markersize=3.8,
                 markevery=(first, BETWEEN_MARKS),
             )  # fmt: skip
     axes.grid(True)
-    axes.set_ylim(bottom=0)
+    limit = sight({solver: list(y) for solver, (_, y) in curves.items()})
+    axes.set_ylim(0, min(axes.get_ylim()[1], limit))
     axes.set_xlim(0, 1)
     axes.xaxis.set_major_formatter(PercentFormatter(1))
 

@@ -172,15 +172,18 @@ def hollow_mark(label: str) -> Line2D:
 def _limit(rows: Sequence[Row]) -> float:
     """The largest value that is drawn in its place: a solver that is not of the thesis and far
     beyond its solvers would squeeze them together. Infinity when none of them is there."""
-    of_thesis = [
-        dot.value for row in rows for s, dots in row.dots.items() if s in THESIS_SOLVERS
-        for dot in dots
-    ]  # fmt: skip
+    return sight({s: [d.value for row in rows for d in row.dots.get(s, [])] for s in THESIS_SOLVERS})
+
+
+def sight(values: Mapping[str, Sequence[float]]) -> float:
+    """@param values by solver
+    @return as far as a figure of them reaches"""
+    of_thesis = [value for s in THESIS_SOLVERS for value in values.get(s, [])]
     return BEYOND * max(of_thesis) if of_thesis else math.inf
 
 
 def _number(value: float) -> str:
-    return f"{value:,.0f}" if value >= 100 else f"{value:.3g}"
+    return f"{value:,.0f}" if value >= 100 else f"{value:#.3g}"
 
 
 def _draw_dot(axes: Axes, y: float, dot: Dot, look: SolverStyle, *, limit: float) -> None:

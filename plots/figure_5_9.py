@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 
 from plots import style
-from plots.dots import sentences
+from plots.dots import sentences, sight
 from plots.models import ordered_meshes
 from plots.drawing import Drawing
 from plots.measures import (
@@ -75,8 +75,11 @@ def split(run: Run, mesh: str, solver: str) -> Split | None:
 
 
 def splits(run: Run, mesh: str) -> list[Split]:
-    found = (split(run, mesh, solver) for solver in measured_solvers(run))
-    return [one for one in found if one]
+    """Of the solvers with phase times, but for those far beyond the thesis's."""
+    splits_of = (split(run, mesh, solver) for solver in measured_solvers(run))
+    found = [one for one in splits_of if one]
+    limit = sight({one.solver: [one.time] for one in found})
+    return [one for one in found if one.time <= limit]
 
 
 def chosen_meshes(run: Run) -> list[Mesh]:
@@ -145,7 +148,7 @@ def _caption(run: Run, all_splits: dict[str, list[Split]]) -> str:
         if one.scale < NOTICED
     ]
     absent = [
-        f"{solver} on {mesh} ({failed.text if failed else 'no phase times'})"
+        f"{solver} on {mesh} ({failed.text if failed else 'no phase times, or far beyond the others'})"
         for mesh, found in all_splits.items()
         for solver in columns(run)
         if solver in run.solvers and solver not in [one.solver for one in found]

@@ -14,7 +14,7 @@ import pytest
 from plots import differences, report
 from plots.catalogue import EVERYTHING
 from plots.html_table import to_html
-from plots.models import models
+from plots.models import of_thesis
 from results.reader import Run, read_run
 from results.table import Cell, Table
 
@@ -159,7 +159,7 @@ def test_another_order_and_a_far_count_are_said(golden_run: Run) -> None:
 def test_means_are_over_models_that_have_both_numbers(golden_run: Run) -> None:
     rows = [r for r in golden_run.rows if (r.solver, r.mesh) != ("ich", "rocker-arm")]
     run = replace(golden_run, rows=rows)
-    both = [model for model in models(run) if model.mesh and model.thesis]
+    both = of_thesis(run)
     pairs = differences.compare(run, both, differences.SPEED)
     assert (pairs["ich"].models, pairs["mmp"].models) == (1, 2)
     assert pairs["ich"].thesis == pytest.approx(5.14, abs=0.01)
