@@ -53,6 +53,10 @@ class LevelResult:
     table: list[list[str]] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
 
+    @property
+    def result(self) -> str:
+        return f"skipped: {self.skipped}" if self.skipped else f"{self.compared} rows compared"
+
     def add(
         self, weight: Weight, text: str, exit_code: int = 0, solver: str | None = None
     ) -> None:

@@ -94,11 +94,14 @@ def _overall(ranking: Ranking) -> Table:
     return Table("", "", header, 1, [text_cells(row) for row in rows])
 
 
-def _of_mesh(ranking: Ranking, mesh: str) -> Table:
+def _of_mesh(ranking: Ranking, run: Run, mesh: str) -> Table:
+    count = len(run.sources[mesh])
+    sources = "1 source" if count == 1 else f"{count} sources"
+    title = f"{mesh}, {run.meshes[mesh].vertices} vertices, {sources}"
     header = ["solver", "ms", "time", "95% interval", "range", "windows", "peak MB",
               "largest error"]  # fmt: skip
     rows = [text_cells(_mesh_row(ranking, one, mesh)) for one in ranking.standings]
-    return Table("", "", header, 1, rows)
+    return Table("", title, header, 1, rows)
 
 
 def _mesh_row(ranking: Ranking, one: Standing, mesh: str) -> list[str]:
@@ -130,20 +133,16 @@ def _ratios(on: OnMesh | None) -> list[str]:
 
 def as_markdown(ranking: Ranking, run: Run) -> str:
     others = [one.solver for one in ranking.standings if one.solver != ranking.candidate]
-    parts = [
+    lines = [f"- {escape_markdown(remark)}\n" for remark in ranking.remarks]
+    tables = [to_markdown(_of_mesh(ranking, run, mesh)) for mesh in ranking.contest.meshes]
+    return "\n".join([
         f"# {ranking.candidate} against {', '.join(others)}\n",
         f"{escape_markdown(verdict(ranking))}\n",
         to_markdown(_overall(ranking)),
         f"{_explanation(ranking)}\n",
-    ]
-    if ranking.remarks:
-        parts.append("".join(f"- {escape_markdown(remark)}\n" for remark in ranking.remarks))
-    for mesh in ranking.contest.meshes:
-        sources = len(run.sources[mesh])
-        count = f"{sources} source{'s' if sources > 1 else ''}"
-        title = f"## {mesh}, {run.meshes[mesh].vertices} vertices, {count}"
-        parts.append(f"{escape_markdown(title)}\n\n{to_markdown(_of_mesh(ranking, mesh))}")
-    return "\n".join(parts)
+        *(["".join(lines)] if lines else []),
+        *tables,
+    ])  # fmt: skip
 
 
 def as_latex(ranking: Ranking, run: Run) -> str:
@@ -179,30 +178,27 @@ def _latex_table(table: Table, caption: str) -> str:
 
 
 def as_json(ranking: Ranking) -> str:
-    def time(ratio: Ratio | None) -> dict[str, Any] | None:
-        if ratio is None:
-            return None
-        ends = (ratio.estimate.low, ratio.estimate.high) if ratio.has_interval else (None, None)
-        return {"value": ratio.estimate.value, "low": ends[0], "high": ends[1],
-                "pairs": ratio.pairs, "resolved": ratio.resolved}  # fmt: skip
-
     data = {
         "schema_version": 1,
         "candidate": ranking.candidate,
         "verdict": verdict(ranking),
-        "standings": [
-            {
-                "solver": one.solver, "rank": one.rank, "time": time(one.time),
-                "windows": one.windows, "memory": one.memory,
-                "max_relative_error": one.max_relative_error, "right": one.right, "all": one.all,
-                "meshes": [
-                    {"mesh": on.mesh, "time": time(on.time), "least": min(on.ratios),
-                     "most": max(on.ratios), "windows": on.windows, "memory": on.memory}
-                    for on in one.meshes
-                ],
-            }
-            for one in ranking.standings
-        ],
+        "standings": [_standing(one) for one in ranking.standings],
         "remarks": ranking.remarks,
-    }  # fmt: skip
+    }
     return json.dumps(data, indent=1) + "\n"
+
+
+def _standing(one: Standing) -> dict[str, Any]:
+    def mesh(on: OnMesh) -> dict[str, Any]:
+        return {"mesh": on.mesh, "time": _time(on.time), "least": min(on.ratios),
+                "most": max(on.ratios), "windows": on.windows, "memory": on.memory}  # fmt: skip
+
+    return vars(one) | {"time": _time(one.time), "meshes": [mesh(on) for on in one.meshes]}
+
+
+def _time(time: Ratio | None) -> dict[str, Any] | None:
+    if time is None:
+        return None
+    ends = (time.estimate.low, time.estimate.high) if time.has_interval else (None, None)
+    return {"value": time.estimate.value, "low": ends[0], "high": ends[1], "pairs": time.pairs,
+            "resolved": time.resolved}  # fmt: skip

@@ -10,17 +10,8 @@ from pathlib import Path
 from results.console import printable
 from results.table import Table, escape_markdown, text_cells, to_markdown, to_text
 
-from gate.findings import (
-    ERROR,
-    GOOD,
-    NOT_RESOLVED,
-    REGRESSION,
-    WRONG_ANSWER,
-    Finding,
-    GateError,
-    LevelResult,
-    Weight,
-)
+from gate.findings import ERROR, GOOD, NOT_RESOLVED, REGRESSION, WRONG_ANSWER
+from gate.findings import Finding, GateError, LevelResult, Weight
 
 WORST_FIRST = (WRONG_ANSWER, REGRESSION, ERROR)
 WORDS = {ERROR: "ERROR", WRONG_ANSWER: "WRONG ANSWER", REGRESSION: "REGRESSION"}
@@ -78,25 +69,22 @@ def judge(base: str, head: str, levels: Sequence[LevelResult], strict: bool) -> 
 def as_text(verdict: Verdict) -> str:
     lines = [verdict.headline]
     lines += [f"  level {f.level} {LABELS[f.weight]}: {f.text}" for f in verdict.findings]
-    return "".join(f"{printable(line)}\n" for line in lines) + _levels(verdict, "{}", to_text)
+    text = "".join(f"{printable(line)}\n" for line in lines)
+    return text + "".join(f"\n{_shown(level, to_text)}" for level in verdict.levels)
 
 
 def as_markdown(verdict: Verdict) -> str:
-    lines = [f"## {escape_markdown(verdict.headline)}", ""]
+    text = f"## {escape_markdown(verdict.headline)}\n\n"
     for f in verdict.findings:
-        lines.append(f"- level {f.level} **{LABELS[f.weight]}**: {escape_markdown(f.text)}")
-    return "\n".join([*lines, ""]) + _levels(verdict, "### {}", to_markdown)
+        text += f"- level {f.level} **{LABELS[f.weight]}**: {escape_markdown(f.text)}\n"
+    return text + "".join(f"\n{_shown(level, to_markdown)}" for level in verdict.levels)
 
 
-def _levels(verdict: Verdict, title: str, show: Callable[[Table], str]) -> str:
-    text = ""
-    for level in verdict.levels:
-        what = f"skipped: {level.skipped}" if level.skipped else f"{level.compared} rows compared"
-        text += f"\n{title.format(f'Level {level.level}. {level.title}: {what}')}\n"
-        if level.table:
-            rows = [text_cells(row) for row in level.table]
-            text += ("\n" if "#" in title else "") + show(Table("", "", level.heading, 1, rows))
-    return text
+def _shown(level: LevelResult, show: Callable[[Table], str]) -> str:
+    """The title alone for a level without rows to show."""
+    title = f"Level {level.level}. {level.title}: {level.result}"
+    table = Table("", title, level.heading, 1, [text_cells(row) for row in level.table])
+    return show(table) if level.table else f"{'## ' * (show is to_markdown)}{title}\n"
 
 
 def as_json(verdict: Verdict) -> str:
