@@ -4,15 +4,14 @@
 #include <cmath>
 #include <utility>
 
-#include "meshes/disjoint_sets.h"
 #include "solvers/core/geometry.h"
 
 namespace geodesic {
 namespace {
 
 constexpr std::array<DefectType, kDefectKinds> kTypes = {{
-    {"index_out_of_range", "face that names a vertex that is not there",
-     "faces that name a vertex that is not there", Severity::error},
+    {"index_out_of_range", "face that names a vertex that does not exist",
+     "faces that name a vertex that does not exist", Severity::error},
     {"repeated_vertex", "face that names a vertex twice", "faces that name a vertex twice",
      Severity::error},
     {"non_finite_coordinate", "vertex with a coordinate that is not finite or above 1e150",
@@ -36,29 +35,14 @@ bool is_usable_position(const Vec3& p) {
 }
 
 // The triangles that have the same three vertices as an earlier usable one, in ascending order.
-std::vector<Index> find_repeats(std::span<const Triangle> triangles, const EdgeTable& edges) {
-  struct Face {
-    Index third;
-    Index triangle;
-  };
+std::vector<Index> find_repeats(std::span<const Triangle> triangles,
+                                const std::vector<bool>& usable) {
+  const std::vector<SortedFace> faces = sort_faces(triangles, usable);
   std::vector<Index> repeats;
-  std::vector<Face> faces;
-  edges.for_each_edge([&](std::span<const EdgeSide> sides) {
-    if (sides.size() < 2) return;
-    faces.clear();
-    for (const EdgeSide& side : sides) {
-      const Index third = origin_of(triangles, previous_in_face(side.half_edge));
-      // Every face is looked at from one of its edges only: that of its two smaller vertices.
-      if (third > side.high) faces.push_back({third, side.half_edge / 3});
-    }
-    std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {
-      return a.third != b.third ? a.third < b.third : a.triangle < b.triangle;
-    });
-    for (std::size_t i = 1; i < faces.size(); ++i) {
-      if (faces[i].third == faces[i - 1].third) repeats.push_back(faces[i].triangle);
-    }
-  });
-  std::sort(repeats.begin(), repeats.end());
+  for (std::size_t i = 1; i < faces.size(); ++i) {
+    if (faces[i].vertices == faces[i - 1].vertices) repeats.push_back(faces[i].face);
+  }
+  std::ranges::sort(repeats);
   return repeats;
 }
 
@@ -74,7 +58,7 @@ class Finder {
   DefectReport find() {
     report_unusable_faces();
     report_edges();
-    report_vertices();
+    report_fans();
     report_flat_faces();
     report_components();
     std::sort(report_.defects.begin(), report_.defects.end(),
@@ -83,17 +67,19 @@ class Finder {
   }
 
  private:
-  // Counts defects of one kind and keeps the first.
-  struct Tally {
-    std::size_t count = 0;
-    Index first = kNone;
-    void add(Index which) {
-      if (count++ == 0) first = which;
-    }
-  };
-
   void report(DefectKind kind, std::size_t count, std::string example) {
-    report_.defects.push_back({kind, count, std::move(example)});
+    if (count > 0) report_.defects.push_back({kind, count, std::move(example)});
+  }
+
+  // Those of `count` elements for which `is_found`; the first is the example.
+  template <class IsFound, class Example>
+  void report_all(DefectKind kind, std::size_t count, IsFound is_found, Example example) {
+    std::size_t found = 0;
+    Index first = kNone;
+    for (Index i = 0; i < count; ++i) {
+      if (is_found(i) && found++ == 0) first = i;
+    }
+    if (found > 0) report(kind, found, example(first));
   }
 
   std::string line(const std::vector<std::uint32_t>& of, Index which) const {
@@ -132,13 +118,8 @@ class Finder {
         "; the file has " + std::to_string(positions_.size()) + " vertices, counted here from 0");
     report_faces(DefectKind::repeated_vertex, census_.repeated_vertex, "");
     report_faces(DefectKind::repeated_face, census_.repeated_face, "");
-    Tally not_finite;
-    for (Index v = 0; v < positions_.size(); ++v) {
-      if (!census_.finite_vertices[v]) not_finite.add(v);
-    }
-    if (not_finite.count > 0) {
-      report(DefectKind::non_finite_coordinate, not_finite.count, vertex(not_finite.first));
-    }
+    report_vertices(DefectKind::non_finite_coordinate,
+                    [&](Index v) { return !census_.finite_vertices[v]; });
   }
 
   void report_edges() {
@@ -158,13 +139,13 @@ class Finder {
       if (norm(along) == 0) found(DefectKind::zero_length_edge);
     });
     for (std::size_t k = 0; k < kDefectKinds; ++k) {
-      if (counts[k] > 0) report(static_cast<DefectKind>(k), counts[k], examples[k]);
+      report(static_cast<DefectKind>(k), counts[k], examples[k]);
     }
   }
 
   // Corners are numbered as the half-edges that start at them. Those at one vertex belong together
   // when their faces share an edge there.
-  void report_vertices() {
+  void report_fans() {
     DisjointSets groups(3 * triangles_.size());
     edges_.for_each_edge([&](std::span<const EdgeSide> sides) {
       const auto corner_at = [&](const EdgeSide& side, Index v) {
@@ -181,37 +162,24 @@ class Finder {
       std::uint8_t& count = groups_at[census_.usable[h / 3] ? origin_of(triangles_, h) : 0];
       if (census_.usable[h / 3] && groups.find(h) == h && count < 2) ++count;
     }
-    Tally isolated;
-    Tally shared;
-    for (Index v = 0; v < positions_.size(); ++v) {
-      if (groups_at[v] == 0) isolated.add(v);
-      if (groups_at[v] > 1) shared.add(v);
-    }
-    if (shared.count > 0) {
-      report(DefectKind::non_manifold_vertex, shared.count, vertex(shared.first));
-    }
-    if (isolated.count > 0) {
-      report(DefectKind::isolated_vertex, isolated.count, vertex(isolated.first));
-    }
+    report_vertices(DefectKind::non_manifold_vertex, [&](Index v) { return groups_at[v] > 1; });
+    report_vertices(DefectKind::isolated_vertex, [&](Index v) { return groups_at[v] == 0; });
+  }
+
+  template <class IsFound>
+  void report_vertices(DefectKind kind, IsFound is_found) {
+    report_all(kind, positions_.size(), is_found, [&](Index v) { return vertex(v); });
   }
 
   void report_flat_faces() {
-    Tally flat;
-    for (Index f = 0; f < triangles_.size(); ++f) {
-      if (census_.usable[f] && has_zero_area(positions_, triangles_[f])) flat.add(f);
-    }
-    if (flat.count > 0) {
-      report(DefectKind::zero_area_face, flat.count, face_with_vertices(flat.first));
-    }
+    report_all(
+        DefectKind::zero_area_face, triangles_.size(),
+        [&](Index f) { return census_.usable[f] && has_zero_area(positions_, triangles_[f]); },
+        [&](Index f) { return face_with_vertices(f); });
   }
 
   void report_components() {
-    DisjointSets components(positions_.size());
-    for (Index f = 0; f < triangles_.size(); ++f) {
-      if (!census_.usable[f]) continue;
-      components.join(triangles_[f][0], triangles_[f][1]);
-      components.join(triangles_[f][0], triangles_[f][2]);
-    }
+    DisjointSets components = join_vertices(triangles_, census_.usable, positions_.size());
     std::vector<bool> seen(positions_.size(), false);
     std::vector<Index> first_faces;
     for (Index f = 0; f < triangles_.size(); ++f) {
@@ -267,10 +235,10 @@ bool has_zero_area(std::span<const Vec3> positions, const Triangle& triangle) {
   const Vec3 bc = subtract(positions[c], positions[b]);
   const double longest = std::max({norm(ab), norm(ac), norm(bc)});
   // Divided before it is multiplied: the product of tiny sides would underflow.
-  const auto scaled = [&](const Vec3& v) {
+  const auto over_longest = [&](const Vec3& v) {
     return Vec3{v[0] / longest, v[1] / longest, v[2] / longest};
   };
-  return longest == 0 || norm(cross(scaled(ab), scaled(ac))) <= kFlatHeight;
+  return longest == 0 || norm(cross(over_longest(ab), over_longest(ac))) <= kFlatHeight;
 }
 
 FaceCensus take_census(const TriangleSoup& soup) {
@@ -291,8 +259,7 @@ FaceCensus take_census(const TriangleSoup& soup) {
     }
     census.usable.push_back(usable);
   }
-  const EdgeTable edges(soup.triangles, census.usable, soup.positions.size());
-  census.repeated_face = find_repeats(soup.triangles, edges);
+  census.repeated_face = find_repeats(soup.triangles, census.usable);
   for (const Index f : census.repeated_face) census.usable[f] = false;
   return census;
 }

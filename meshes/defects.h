@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "meshes/edges.h"
+#include "meshes/connectivity.h"
 #include "meshes/mesh_file.h"
 
 namespace geodesic {

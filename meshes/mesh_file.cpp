@@ -9,9 +9,7 @@
 #include <fstream>
 #include <optional>
 
-#include "meshes/formats/bytes.h"
-#include "meshes/formats/parsers.h"
-#include "meshes/formats/text.h"
+#include "meshes/formats/parsing.h"
 
 namespace geodesic {
 namespace {

@@ -84,9 +84,8 @@ std::string unknown_name(std::string_view kind, std::string_view name,
   return message + "; there are: " + (known.empty() ? "none" : join(known));
 }
 
-std::string excerpt(std::string_view text) {
-  constexpr std::size_t kLongest = 200;
-  std::size_t end = std::min(text.size(), kLongest);
+std::string excerpt(std::string_view text, std::size_t longest) {
+  std::size_t end = std::min(text.size(), longest);
   const auto continues = [&] { return (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80; };
   while (end < text.size() && end > 0 && continues()) --end;  // not inside a character of UTF-8
   return harmless(text.substr(0, end)) + (end < text.size() ? "..." : "");

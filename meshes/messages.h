@@ -25,8 +25,8 @@ std::string unknown_name(std::string_view kind, std::string_view name,
 /// program.
 std::string harmless(std::string_view text);
 
-/// The same of text of any length: cut off after 200 bytes.
-std::string excerpt(std::string_view text);
+/// The same of text of any length: cut off after `longest` bytes.
+std::string excerpt(std::string_view text, std::size_t longest = 200);
 
 /// A number to so many significant digits; 17 bring the same double back.
 std::string significant(double x, int digits = 17);

@@ -63,21 +63,15 @@ void measure_angles(const TriangleSoup& soup, const Topology& topology, MeshSumm
   }
 }
 
-std::size_t count_isolated(const Surface& surface) {
-  std::size_t count = 0;
-  for (const OpenMesh::VertexHandle v : surface.vertices()) {
-    if (surface.is_isolated(v)) ++count;
-  }
-  return count;
-}
-
 void measure_topology(const Topology& topology, MeshSummary& summary) {
   const Surface& surface = topology.surface;
   summary.left_out_faces = topology.left_out_faces;
   summary.edges = surface.n_edges();
   summary.components = count_components(topology);
   summary.boundary_loops = count_boundary_loops(surface);
-  summary.isolated_vertices = count_isolated(surface);
+  for (const OpenMesh::VertexHandle v : surface.vertices()) {
+    if (surface.is_isolated(v)) ++summary.isolated_vertices;
+  }
   summary.orientable = topology.orientable();
   if (!summary.orientable) return;
   // Euler: vertices - edges + faces = sum over parts of (2 - 2 genus - loops).

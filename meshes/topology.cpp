@@ -3,8 +3,6 @@
 #include <limits>
 
 #include "meshes/defects.h"
-#include "meshes/disjoint_sets.h"
-#include "meshes/orientation.h"
 
 namespace geodesic {
 namespace {
@@ -53,31 +51,20 @@ class Builder {
     topology_.one_sided_edges = orientation.one_sided_edges;
   }
 
-  // twins_ holds the pairs of solvers/core/mesh.h: edges with one face in each direction.
   void pair_half_edges() {
-    twins_.assign(3 * triangles_.size(), kNone);
     const EdgeTable edges(triangles_, std::vector<bool>(triangles_.size(), true),
                           soup_.positions.size());
+    twins_ = geodesic::pair_half_edges(triangles_, edges);
     edges.for_each_edge([&](std::span<const EdgeSide> sides) {
-      const Index h = sides.front().half_edge;
-      const Index g = sides.back().half_edge;
-      if (sides.size() == 2 && origin_of(triangles_, h) != origin_of(triangles_, g)) {
-        twins_[h] = g;
-        twins_[g] = h;
-        ++edge_count_;
-      } else {
-        edge_count_ += sides.size();
-        if (sides.size() > 1) ++topology_.cut_edges;
-      }
+      const bool paired = twins_[sides.front().half_edge] != kNone;
+      edge_count_ += paired ? 1 : sides.size();
+      if (!paired && sides.size() > 1) ++topology_.cut_edges;
     });
   }
 
   // vertex_of_[h]: the surface's vertex at the corner from which half-edge h starts.
   void number_fans() {
-    DisjointSets fans(twins_.size());
-    for (Index h = 0; h < twins_.size(); ++h) {
-      if (twins_[h] != kNone) fans.join(h, next_in_face(twins_[h]));
-    }
+    DisjointSets fans = join_fans(twins_);
     fan_count_ = soup_.positions.size();
     vertex_of_.resize(twins_.size());
     std::vector<bool> has_fan(soup_.positions.size(), false);

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "harness/base/json.h"
-#include "meshes/generators/parameters.h"
+#include "meshes/generators/generators.h"
 
 namespace geodesic::harness {
 

@@ -1,10 +1,10 @@
 #include "meshes/formats/npy.h"
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 
 #include "meshes/messages.h"
 
@@ -32,26 +32,68 @@ constexpr NumberType number_type() {
 constexpr NumberType kNumberTypes[] = {number_type<std::int16_t>(), number_type<std::int32_t>(),
                                        number_type<float>(), number_type<double>()};
 
-/// The header: a Python dictionary of one line, like
-/// {'descr': '<i2', 'fortran_order': False, 'shape': (344, 403), }
-class NpyHeader {
+class NpyParser {
  public:
-  NpyHeader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+  NpyParser(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {}
 
-  const NumberType& type() const {
+  Array parse() {
+    find_header();
+    const NumberType& type = number_type_of_file();
+    if (!value_of("fortran_order").starts_with("False")) {
+      refuse("not in C order; convert it with numpy's ascontiguousarray");
+    }
+    Array array = shape();
+    const std::string_view data = bytes_.substr(kNpyPreamble + header_.size());
+    require_size(array, type.bytes, data.size());
+    array.values.reserve(array.rows * array.columns);
+    for (std::size_t i = 0; i < data.size(); i += type.bytes) {
+      const double value = type.load(data.data() + i);
+      if (!std::isfinite(value)) {
+        refuse("the number in row " + std::to_string(array.values.size() / array.columns) +
+               ", column " + std::to_string(array.values.size() % array.columns) +
+               " (counted from 0) is not finite; fill the gaps first");
+      }
+      array.values.push_back(value);
+    }
+    return array;
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& why) const { throw MeshError(name_ + ": " + why); }
+
+  /// A Python dictionary of one line: {'descr': '<i2', 'fortran_order': False, 'shape': (3, 4), }
+  void find_header() {
+    if (!bytes_.starts_with(kNpyMagic)) refuse("not a .npy file");
+    if (bytes_.size() < kNpyPreamble) refuse("truncated; get a whole copy");
+    if (bytes_[6] != 1 || bytes_[7] != 0) {
+      refuse("a .npy file of a version other than 1.0; save it again with numpy");
+    }
+    const std::size_t length = load_number<std::uint16_t>(bytes_.data() + 8, std::endian::little);
+    if (bytes_.size() - kNpyPreamble < length) {
+      refuse("truncated within its header; get a whole copy");
+    }
+    header_ = bytes_.substr(kNpyPreamble, length);
+  }
+
+  std::string_view value_of(std::string_view key) const {
+    const std::string quoted = "'" + std::string(key) + "': ";
+    const std::size_t found = header_.find(quoted);
+    if (found == std::string_view::npos) {
+      refuse("the header has no '" + std::string(key) + "'; get a whole copy of the file");
+    }
+    return header_.substr(found + quoted.size());
+  }
+
+  const NumberType& number_type_of_file() const {
     const std::string_view value = value_of("descr");
     const std::string_view word =
         value.starts_with('\'') ? value.substr(1, value.find('\'', 1) - 1) : value.substr(0, 20);
-    for (const NumberType& type : kNumberTypes) {
-      if (type.word == word) return type;
+    const auto* const found = std::ranges::find(kNumberTypes, word, &NumberType::word);
+    if (found == std::end(kNumberTypes)) {
+      refuse("holds numbers of type '" + std::string(word) +
+             "'; <i2, <i4, <f4 and <f8 can be read, so convert it with numpy's astype");
     }
-    throw MeshError(name_ + ": holds numbers of type '" + std::string(word) +
-                    "'; <i2, <i4, <f4 and <f8 can be read, so convert it with numpy's astype");
-  }
-
-  void require_c_order() const {
-    if (value_of("fortran_order").starts_with("False")) return;
-    throw MeshError(name_ + ": not in C order; convert it with numpy's ascontiguousarray");
+    return *found;
   }
 
   Array shape() const {
@@ -61,67 +103,38 @@ class NpyHeader {
       if (found) rest.remove_prefix(expected.size());
       return found;
     };
-    const auto take_size = [&rest]() -> std::optional<std::size_t> {
-      std::size_t size = 0;
+    const auto take_size = [&rest](std::size_t& size) {
       const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), size);
       rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
-      return error == std::errc() ? std::optional(size) : std::nullopt;
+      return error == std::errc();
     };
-    const bool opens = take("(");
-    const auto rows = take_size();
-    const bool goes_on = take(", ");
-    const auto columns = take_size();
-    if (!opens || !rows || !goes_on || !columns || !(take(")") || take(",)"))) {
-      throw MeshError(name_ + ": not an array of two dimensions");
+    Array array;
+    const bool matches = take("(") && take_size(array.rows) && take(", ") &&
+                         take_size(array.columns) && (take(")") || take(",)"));
+    if (!matches) refuse("not an array of two dimensions");
+    if (array.rows < 2 || array.columns < 2) {
+      refuse("an array of " + std::to_string(array.rows) + " x " + std::to_string(array.columns) +
+             " numbers; it takes 2 x 2 to span a surface");
     }
-    if (*rows < 2 || *columns < 2) {
-      throw MeshError(name_ + ": an array of " + std::to_string(*rows) + " x " +
-                      std::to_string(*columns) + " numbers; it takes 2 x 2 to span a surface");
-    }
-    return {.rows = *rows, .columns = *columns, .values = {}};
+    return array;
   }
 
- private:
-  std::string_view value_of(std::string_view key) const {
-    const std::string quoted = "'" + std::string(key) + "': ";
-    const std::size_t found = text_.find(quoted);
-    if (found == std::string_view::npos) {
-      throw MeshError(name_ + ": the header has no '" + std::string(key) +
-                      "'; get a whole copy of the file");
+  void require_size(const Array& array, std::size_t number_bytes, std::size_t data_bytes) const {
+    // Divided: the product of a hostile shape would overflow.
+    const std::size_t numbers = data_bytes / number_bytes;
+    const bool fits = data_bytes % number_bytes == 0 && numbers % array.rows == 0 &&
+                      numbers / array.rows == array.columns;
+    if (!fits) {
+      refuse("holds " + std::to_string(data_bytes) + " bytes of numbers, but " +
+             std::to_string(array.rows) + " x " + std::to_string(array.columns) + " numbers of " +
+             std::to_string(number_bytes) + " bytes are announced; get a whole copy");
     }
-    return text_.substr(found + quoted.size());
   }
 
-  std::string_view text_;
+  std::string_view bytes_;
   const std::string& name_;
+  std::string_view header_;
 };
-
-std::string_view header_of(std::string_view bytes, const std::string& name) {
-  if (!bytes.starts_with(kNpyMagic)) throw MeshError(name + ": not a .npy file");
-  if (bytes.size() < kNpyPreamble) throw MeshError(name + ": truncated; get a whole copy");
-  if (bytes[6] != 1 || bytes[7] != 0) {
-    throw MeshError(name + ": a .npy file of a version other than 1.0; save it again with numpy");
-  }
-  const std::size_t length = load_number<std::uint16_t>(bytes.data() + 8, std::endian::little);
-  if (bytes.size() - kNpyPreamble < length) {
-    throw MeshError(name + ": truncated within its header; get a whole copy");
-  }
-  return bytes.substr(kNpyPreamble, length);
-}
-
-void require_size(const Array& array, std::size_t number_bytes, std::size_t data_bytes,
-                  const std::string& name) {
-  // Divided: the product of a hostile shape would overflow.
-  const std::size_t numbers = data_bytes / number_bytes;
-  const bool fits = data_bytes % number_bytes == 0 && numbers % array.rows == 0 &&
-                    numbers / array.rows == array.columns;
-  if (!fits) {
-    throw MeshError(name + ": holds " + std::to_string(data_bytes) + " bytes of numbers, but " +
-                    std::to_string(array.rows) + " x " + std::to_string(array.columns) +
-                    " numbers of " + std::to_string(number_bytes) +
-                    " bytes are announced; get a whole copy");
-  }
-}
 
 }  // namespace
 
@@ -142,25 +155,7 @@ std::string npy_header(std::string_view description, std::string_view shape) {
 }
 
 Array parse_npy(std::string_view bytes, const std::string& name) {
-  const std::string_view text = header_of(bytes, name);
-  const NpyHeader header(text, name);
-  const NumberType& type = header.type();
-  header.require_c_order();
-  Array array = header.shape();
-  const std::string_view data = bytes.substr(kNpyPreamble + text.size());
-  require_size(array, type.bytes, data.size(), name);
-  array.values.reserve(array.rows * array.columns);
-  for (std::size_t i = 0; i < data.size(); i += type.bytes) {
-    const double value = type.load(data.data() + i);
-    if (!std::isfinite(value)) {
-      throw MeshError(name + ": the number in row " +
-                      std::to_string(array.values.size() / array.columns) + ", column " +
-                      std::to_string(array.values.size() % array.columns) +
-                      " (counted from 0) is not finite; fill the gaps first");
-    }
-    array.values.push_back(value);
-  }
-  return array;
+  return NpyParser(bytes, name).parse();
 }
 
 }  // namespace geodesic

@@ -6,9 +6,8 @@
 #include <map>
 #include <utility>
 
-#include "meshes/formats/parsers.h"
+#include "meshes/formats/parsing.h"
 #include "meshes/formats/polygons.h"
-#include "meshes/formats/text.h"
 
 namespace geodesic {
 namespace {

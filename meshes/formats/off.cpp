@@ -1,11 +1,11 @@
-// OFF (Geomview): a header, three counts, one line a vertex, one line a face. The variants with
-// texture coordinates, colours and normals a vertex (ST, C, N before OFF) are read too, those in
-// another dimension and the binary one are refused.
+// OFF (Geomview): a header, three counts, one line a vertex, and the faces. A line with more
+// numbers than its face has corners ends with a colour; with fewer, the face continues on the next
+// line. The variants with texture coordinates, colours and normals a vertex (ST, C, N before OFF)
+// are read too, those in another dimension and the binary one are refused.
 #include <utility>
 
-#include "meshes/formats/parsers.h"
+#include "meshes/formats/parsing.h"
 #include "meshes/formats/polygons.h"
-#include "meshes/formats/text.h"
 
 namespace geodesic {
 namespace {
@@ -58,20 +58,11 @@ class OffParser {
     if (word == "BINARY") {
       reader_.fail("binary OFF is not supported; convert the file to ASCII OFF or to PLY");
     }
-    vertices_ = count(word, "vertices");
-    faces_ = count(reader_.word(), "faces");
+    vertices_ = reader_.count(word, "vertices");
+    faces_ = reader_.count(reader_.word(), "faces");
     if (!reader_.at_line_end()) reader_.integer("number of edges");
     if (!reader_.at_line_end()) reader_.fail("a header has three counts: vertices, faces, edges");
     check_room();
-  }
-
-  std::size_t count(std::string_view word, const std::string& what) const {
-    const std::int64_t number = reader_.to_integer(word, "number of " + what);
-    if (number < 0) reader_.fail("the number of " + what + " is negative");
-    if (to_index(number) == kNone) {
-      reader_.fail(std::to_string(number) + " " + what + " are more than can be numbered");
-    }
-    return static_cast<std::size_t>(number);
   }
 
   // Nothing is allocated for counts that the rest of the file cannot hold: a vertex takes at least
@@ -90,7 +81,7 @@ class OffParser {
 
   void next_line_of(const std::string& what, std::size_t i, std::size_t promised) {
     if (reader_.next_line()) return;
-    reader_.fail_truncated(what + " " + std::to_string(i) + " of " + std::to_string(promised));
+    fail_truncated(what + " " + std::to_string(i) + " of " + std::to_string(promised));
   }
 
   void read_vertex(std::size_t i) {
@@ -110,21 +101,37 @@ class OffParser {
     file_.lines.vertices.push_back(reader_.line());
   }
 
-  // A count of corners, their vertices, and perhaps a colour.
+  // A count of corners and their vertices, which may continue on later lines, and perhaps a colour
+  // at the end of the last line.
   void read_face(std::size_t i) {
     next_line_of("face", i, faces_);
+    const std::uint32_t line = reader_.line();
     const std::int64_t corners = reader_.integer("number of corners");
     if (corners < 3) {
       reader_.fail("face " + std::to_string(i) + " has " + std::to_string(corners) +
                    " corners and needs three; remove it and correct the count of faces");
     }
     for (std::int64_t k = 0; k < corners; ++k) {
-      polygons_.add_corner(to_index(reader_.integer("vertex of a face")));
+      if (reader_.at_line_end() && first_continued_ == 0) first_continued_ = line;
+      const std::string_view word = reader_.word_across_lines();
+      if (word.empty())
+        fail_truncated("corner " + std::to_string(k) + " of face " + std::to_string(i));
+      polygons_.add_corner(to_index(reader_.to_integer(word, "vertex of a face")));
     }
     std::size_t colours = 0;
     for (; !reader_.at_line_end(); ++colours) reader_.number("colour of a face");
     if (colours > 4) reader_.fail("face " + std::to_string(i) + " has too many numbers");
-    polygons_.end_polygon(reader_.line());
+    polygons_.end_polygon(line);
+  }
+
+  // A count of corners that is too high takes the next face for its own continuation: the end of
+  // the file is then missed far from the mistake.
+  [[noreturn]] void fail_truncated(const std::string& missing) const {
+    reader_.fail_truncated(missing +
+                           (first_continued_ == 0
+                                ? ""
+                                : " (the face of line " + std::to_string(first_continued_) +
+                                      " is the first that continues on the next line)"));
   }
 
   TextReader reader_;
@@ -135,6 +142,7 @@ class OffParser {
   std::size_t faces_ = 0;
   std::size_t extras_ = 0;  // numbers of a vertex besides coordinates and colour
   bool colours_ = false;
+  std::uint32_t first_continued_ = 0;  // line of the first face that continues on the next line
 };
 
 }  // namespace

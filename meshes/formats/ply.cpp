@@ -1,69 +1,59 @@
 // PLY (Turk 1994): ASCII, binary little-endian and binary big-endian. Read are the x, y, z of the
-// element "vertex" and the list "vertex_indices" (or "vertex_index") of the element "face"; other
-// properties and elements are walked over.
+// element "vertex", and the lists "vertex_indices" (or "vertex_index") of the elements "face" and
+// "tristrips"; other properties and elements are skipped.
+//
+// A list of "tristrips" holds triangle strips, as range scanners write them: each vertex makes a
+// triangle with the two before it, every second one turned, and -1 starts a new strip. A triangle
+// that names a vertex twice joins two parts of a strip and is no part of the surface.
 #include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
 
-#include "meshes/formats/bytes.h"
-#include "meshes/formats/parsers.h"
+#include "meshes/formats/parsing.h"
 #include "meshes/formats/polygons.h"
-#include "meshes/formats/text.h"
 
 namespace geodesic {
 namespace {
 
-enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-
-struct TypeName {
-  std::string_view name;
-  Type type;
+/// Of a number in the file; every value is exact as a double.
+struct Type {
+  std::size_t bytes;
+  bool real;
+  double (*load)(const char* bytes, std::endian order);
 };
 
-constexpr std::array<TypeName, 16> kTypeNames = {{{"char", Type::int8},
-                                                  {"int8", Type::int8},
-                                                  {"uchar", Type::uint8},
-                                                  {"uint8", Type::uint8},
-                                                  {"short", Type::int16},
-                                                  {"int16", Type::int16},
-                                                  {"ushort", Type::uint16},
-                                                  {"uint16", Type::uint16},
-                                                  {"int", Type::int32},
-                                                  {"int32", Type::int32},
-                                                  {"uint", Type::uint32},
-                                                  {"uint32", Type::uint32},
-                                                  {"float", Type::float32},
-                                                  {"float32", Type::float32},
-                                                  {"double", Type::float64},
-                                                  {"float64", Type::float64}}};
-
-std::size_t size_of(Type type) {
-  switch (type) {
-    case Type::int8:
-    case Type::uint8:
-      return 1;
-    case Type::int16:
-    case Type::uint16:
-      return 2;
-    case Type::int32:
-    case Type::uint32:
-    case Type::float32:
-      return 4;
-    case Type::float64:
-      break;
-  }
-  return 8;
+template <class T>
+constexpr Type ply_type() {
+  return {sizeof(T), std::is_floating_point_v<T>, [](const char* bytes, std::endian order) {
+            return static_cast<double>(load_number<T>(bytes, order));
+          }};
 }
 
-bool is_real(Type type) { return type == Type::float32 || type == Type::float64; }
+constexpr std::array<std::pair<std::string_view, Type>, 16> kPlyTypes = {
+    {{"char", ply_type<std::int8_t>()},
+     {"int8", ply_type<std::int8_t>()},
+     {"uchar", ply_type<std::uint8_t>()},
+     {"uint8", ply_type<std::uint8_t>()},
+     {"short", ply_type<std::int16_t>()},
+     {"int16", ply_type<std::int16_t>()},
+     {"ushort", ply_type<std::uint16_t>()},
+     {"uint16", ply_type<std::uint16_t>()},
+     {"int", ply_type<std::int32_t>()},
+     {"int32", ply_type<std::int32_t>()},
+     {"uint", ply_type<std::uint32_t>()},
+     {"uint32", ply_type<std::uint32_t>()},
+     {"float", ply_type<float>()},
+     {"float32", ply_type<float>()},
+     {"double", ply_type<double>()},
+     {"float64", ply_type<double>()}}};
 
-// What the reader does with the values of a property.
-enum class Role { skip, x, y, z, corners };
+/// What the reader does with the values of a property.
+enum class Role { skip, x, y, z, polygon, strips };  // x, y, z: a coordinate's number plus one
 
 struct Property {
   std::string name;
-  Type type = Type::float32;
+  Type type;
   std::optional<Type> count_type;  // of a list
   Role role = Role::skip;
 };
@@ -76,7 +66,7 @@ struct Element {
 
 enum class Encoding { ascii, little_endian, big_endian };
 
-struct Header {
+struct PlyHeader {
   Encoding encoding = Encoding::ascii;
   std::vector<Element> elements;
 };
@@ -85,7 +75,7 @@ class HeaderParser {
  public:
   explicit HeaderParser(TextReader& reader) : reader_(reader) {}
 
-  Header parse() {
+  PlyHeader parse() {
     next_line();
     reader_.word();  // "ply", which recognised the format
     next_line();
@@ -114,17 +104,15 @@ class HeaderParser {
 
   void read_format() {
     if (reader_.word() != "format") reader_.fail("expected the line 'format ...'");
+    constexpr std::array<std::string_view, 3> kNames = {"ascii", "binary_little_endian",
+                                                        "binary_big_endian"};  // as Encoding
     const std::string_view encoding = reader_.word();
-    if (encoding == "ascii") {
-      header_.encoding = Encoding::ascii;
-    } else if (encoding == "binary_little_endian") {
-      header_.encoding = Encoding::little_endian;
-    } else if (encoding == "binary_big_endian") {
-      header_.encoding = Encoding::big_endian;
-    } else {
+    const auto found = std::ranges::find(kNames, encoding);
+    if (found == kNames.end()) {
       reader_.fail("unknown encoding " + in_quotes(encoding) +
                    "; there are ascii, binary_little_endian and binary_big_endian");
     }
+    header_.encoding = static_cast<Encoding>(found - kNames.begin());
     const std::string_view version = reader_.word();
     if (version != "1.0") reader_.fail("version " + in_quotes(version) + " is not 1.0");
   }
@@ -132,55 +120,56 @@ class HeaderParser {
   void read_element() {
     Element element;
     element.name = reader_.word();
-    const std::int64_t count = reader_.integer("number of elements");
-    if (count < 0) reader_.fail("the number of elements is negative");
-    element.count = static_cast<std::uint64_t>(count);
-    if (to_index(count) == kNone) {
-      reader_.fail(std::to_string(count) + " elements are more than can be numbered");
-    }
-    for (const Element& other : header_.elements) {
-      if (other.name == element.name) reader_.fail("two elements " + in_quotes(element.name));
-    }
+    element.count = reader_.count(reader_.word(), "elements");
+    if (find(element.name) != nullptr) reader_.fail("two elements " + in_quotes(element.name));
     header_.elements.push_back(std::move(element));
   }
 
   void read_property() {
     if (header_.elements.empty()) reader_.fail("a property before the first element");
-    Property property;
+    std::optional<Type> count_type;
     std::string_view word = reader_.word();
     if (word == "list") {
-      property.count_type = type(reader_.word());
-      if (is_real(*property.count_type)) reader_.fail("a list is counted with whole numbers");
+      count_type = type(reader_.word());
+      if (count_type->real) reader_.fail("a list must be counted with integers");
       word = reader_.word();
     }
-    property.type = type(word);
+    Property property{.name = {}, .type = type(word), .count_type = count_type};
     property.name = reader_.word();
     if (property.name.empty()) reader_.fail("a property without a name");
     header_.elements.back().properties.push_back(std::move(property));
   }
 
   Type type(std::string_view word) const {
-    for (const TypeName& known : kTypeNames) {
-      if (known.name == word) return known.type;
+    for (const auto& [name, type] : kPlyTypes) {
+      if (name == word) return type;
     }
     reader_.fail("unknown type " + in_quotes(word) + " of a property");
   }
 
+  Element* find(std::string_view name) {
+    const auto found = std::ranges::find(header_.elements, name, &Element::name);
+    return found == header_.elements.end() ? nullptr : &*found;
+  }
+
   void assign_roles() {
-    for (Element& element : header_.elements) {
+    for (const Element& element : header_.elements) {
       if (element.properties.empty() && element.count > 0) {
         reader_.fail("the element " + in_quotes(element.name) + " has no properties");
       }
-      if (element.name == "vertex") {
-        assign(element, {"x"}, Role::x);
-        assign(element, {"y"}, Role::y);
-        assign(element, {"z"}, Role::z);
-      } else if (element.name == "face") {
-        assign(element, {"vertex_indices", "vertex_index"}, Role::corners);
-      }
     }
-    require("vertex", "positions");
-    require("face", "polygons (triangle strips are not supported)");
+    Element* const vertex = find("vertex");
+    if (vertex == nullptr) reader_.fail("there is no element 'vertex' with positions");
+    assign(*vertex, {"x"}, Role::x);
+    assign(*vertex, {"y"}, Role::y);
+    assign(*vertex, {"z"}, Role::z);
+    Element* const face = find("face");
+    Element* const strips = find("tristrips");
+    if (face == nullptr && strips == nullptr) {
+      reader_.fail("there is no element 'face' with polygons nor 'tristrips' with triangle strips");
+    }
+    if (face != nullptr) assign(*face, {"vertex_indices", "vertex_index"}, Role::polygon);
+    if (strips != nullptr) assign(*strips, {"vertex_indices", "vertex_index"}, Role::strips);
   }
 
   void assign(Element& element, std::initializer_list<std::string_view> names, Role role) const {
@@ -193,31 +182,16 @@ class HeaderParser {
       found = &property;
     }
     if (found == nullptr) reader_.fail(wanted + " is missing");
-    if (found->count_type.has_value() != (role == Role::corners)) {
-      reader_.fail(wanted + (role == Role::corners ? " is no list" : " is a list"));
+    const bool is_list = role == Role::polygon || role == Role::strips;
+    if (found->count_type.has_value() != is_list) {
+      reader_.fail(wanted + (is_list ? " is not a list" : " is a list"));
     }
-    if (role == Role::corners && is_real(found->type)) reader_.fail(wanted + " has real numbers");
+    if (is_list && found->type.real) reader_.fail(wanted + " has real numbers");
     found->role = role;
   }
 
-  void require(std::string_view name, const std::string& holding) const {
-    for (const Element& element : header_.elements) {
-      if (element.name == name) return;
-    }
-    reader_.fail("there is no element '" + std::string(name) + "' with " + holding);
-  }
-
   TextReader& reader_;
-  Header header_;
-};
-
-// What is being read, for messages.
-struct Row {
-  std::string_view element;
-  std::uint64_t number = 0;
-  std::string text() const {
-    return "element " + std::to_string(number) + " of " + in_quotes(element);
-  }
+  PlyHeader header_;
 };
 
 // The values of an ASCII file: a line a row.
@@ -229,12 +203,12 @@ class AsciiValues {
   static std::size_t least_bytes(const Property& /*property*/) { return 2; }
   std::uint32_t line() const { return reader_.line(); }
 
-  void begin_row(Row row) {
-    if (!reader_.next_line()) reader_.fail_truncated(row.text());
+  void begin_row(const std::string_view element, std::uint64_t number) {
+    if (!reader_.next_line()) reader_.fail_truncated(row_text(element, number));
   }
-  double real(Type /*type*/) { return reader_.number("number"); }
-  std::int64_t integer(Type /*type*/) { return reader_.integer("whole number"); }
-  void skip(Type /*type*/) { reader_.number("number"); }
+  double real(const Type& /*type*/) { return reader_.number("value"); }
+  std::int64_t integer(const Type& /*type*/) { return reader_.integer("value"); }
+  void skip(const Type& /*type*/) { reader_.number("value"); }
   void end_row() {
     if (!reader_.at_line_end()) reader_.fail("more numbers than the header's properties");
   }
@@ -243,6 +217,10 @@ class AsciiValues {
     if (!reader_.ends_with_line_end()) file.warnings.push_back(kNoLineEnd);
   }
   [[noreturn]] void fail(const std::string& what) const { reader_.fail(what); }
+
+  static std::string row_text(std::string_view element, std::uint64_t number) {
+    return "element " + std::to_string(number) + " of " + in_quotes(element);
+  }
 
  private:
   TextReader& reader_;
@@ -257,37 +235,17 @@ class BinaryValues {
 
   std::size_t bytes_left() const { return bytes_.size() - offset_; }
   static std::size_t least_bytes(const Property& property) {
-    return size_of(property.count_type.value_or(property.type));
+    return property.count_type.value_or(property.type).bytes;
   }
   static std::uint32_t line() { return 0; }
 
-  void begin_row(Row row) { row_ = row; }
-  double real(Type type) {
-    if (type == Type::float32) return take<float>();
-    if (type == Type::float64) return take<double>();
-    return static_cast<double>(integer(type));
+  void begin_row(const std::string_view element, std::uint64_t number) {
+    element_ = element;
+    number_ = number;
   }
-  std::int64_t integer(Type type) {
-    switch (type) {
-      case Type::int8:
-        return take<std::int8_t>();
-      case Type::uint8:
-        return take<std::uint8_t>();
-      case Type::int16:
-        return take<std::int16_t>();
-      case Type::uint16:
-        return take<std::uint16_t>();
-      case Type::int32:
-        return take<std::int32_t>();
-      case Type::uint32:
-        return take<std::uint32_t>();
-      case Type::float32:
-      case Type::float64:
-        break;
-    }
-    fail("a real number where a whole one is needed");
-  }
-  void skip(Type type) { advance(size_of(type)); }
+  double real(const Type& type) { return type.load(advance(type.bytes), order_); }
+  std::int64_t integer(const Type& type) { return static_cast<std::int64_t>(real(type)); }
+  void skip(const Type& type) { advance(type.bytes); }
   void end_row() {}
   void end_file(MeshFile& /*file*/) const {
     if (bytes_.find_first_not_of(" \t\r\n", offset_) == std::string_view::npos) return;
@@ -301,23 +259,20 @@ class BinaryValues {
  private:
   const char* advance(std::size_t size) {
     if (size > bytes_left()) {
-      fail("the file ends inside " + row_.text() + ": it is truncated; get a whole copy");
+      fail("the file ends inside " + AsciiValues::row_text(element_, number_) +
+           ": it is truncated; get a whole copy");
     }
     const char* const at = bytes_.data() + offset_;
     offset_ += size;
     return at;
   }
 
-  template <class T>
-  T take() {
-    return load_number<T>(advance(sizeof(T)), order_);
-  }
-
   std::string_view bytes_;
   std::size_t offset_;
   std::endian order_;
   const std::string& name_;
-  Row row_;
+  std::string_view element_;  // the row that is being read, for messages
+  std::uint64_t number_ = 0;
 };
 
 template <class Values>
@@ -332,6 +287,10 @@ class BodyParser {
       for (std::uint64_t i = 0; i < element.count; ++i) read_row(element, i);
     }
     values_.end_file(file_);
+    if (joints_ > 0) {
+      file_.warnings.push_back(std::to_string(joints_) +
+                               " triangles of strips name a vertex twice and are left out");
+    }
   }
 
  private:
@@ -350,24 +309,24 @@ class BodyParser {
   }
 
   void read_row(const Element& element, std::uint64_t i) {
-    values_.begin_row({element.name, i});
+    values_.begin_row(element.name, i);
     Vec3 position = {};
     for (const Property& property : element.properties) {
       switch (property.role) {
         case Role::x:
-          position[0] = values_.real(property.type);
-          break;
         case Role::y:
-          position[1] = values_.real(property.type);
-          break;
         case Role::z:
-          position[2] = values_.real(property.type);
+          position[static_cast<std::size_t>(property.role) - 1] = values_.real(property.type);
           break;
-        case Role::corners:
-          read_corners(property, i);
+        case Role::polygon:
+          read_polygon(property, i);
+          break;
+        case Role::strips:
+          read_strips(property, i);
           break;
         case Role::skip:
-          skip(property);
+          const std::int64_t count = property.count_type ? list_length(property) : 1;
+          for (std::int64_t k = 0; k < count; ++k) values_.skip(property.type);
           break;
       }
     }
@@ -378,17 +337,13 @@ class BodyParser {
     }
   }
 
-  void skip(const Property& property) {
-    std::int64_t count = 1;
-    if (property.count_type) {
-      count = values_.integer(*property.count_type);
-      if (count < 0)
-        values_.fail("the list " + in_quotes(property.name) + " has a negative length");
-    }
-    for (std::int64_t k = 0; k < count; ++k) values_.skip(property.type);
+  std::int64_t list_length(const Property& property) {
+    const std::int64_t length = values_.integer(*property.count_type);
+    if (length < 0) values_.fail("the list " + in_quotes(property.name) + " has a negative length");
+    return length;
   }
 
-  void read_corners(const Property& property, std::uint64_t face) {
+  void read_polygon(const Property& property, std::uint64_t face) {
     const std::int64_t count = values_.integer(*property.count_type);
     if (count < 3) {
       values_.fail("face " + std::to_string(face) + " has " + std::to_string(count) +
@@ -400,16 +355,51 @@ class BodyParser {
     polygons_.end_polygon(values_.line());
   }
 
+  void read_strips(const Property& property, std::uint64_t list) {
+    std::array<Index, 2> last = {};
+    std::size_t length = 0;
+    const auto end_strip = [&] {
+      if (length == 1 || length == 2) {
+        values_.fail("a triangle strip of list " + std::to_string(list) + " has " +
+                     std::to_string(length) + " vertices and needs three");
+      }
+      length = 0;
+    };
+    for (std::int64_t left = list_length(property); left > 0; --left) {
+      const std::int64_t value = values_.integer(property.type);
+      if (value == -1) {
+        end_strip();
+        continue;
+      }
+      const Index v = to_index(value);
+      if (length >= 2) add_triangle(last[length % 2], last[1 - length % 2], v);
+      last = {last[1], v};
+      ++length;
+    }
+    end_strip();
+  }
+
+  void add_triangle(Index a, Index b, Index c) {
+    const auto same = [](Index v, Index w) { return v == w && v != kNone; };
+    if (same(a, b) || same(b, c) || same(c, a)) {
+      ++joints_;
+      return;
+    }
+    for (const Index v : {a, b, c}) polygons_.add_corner(v);
+    polygons_.end_polygon(values_.line());
+  }
+
   Values values_;
   MeshFile& file_;
   Polygons& polygons_;
+  std::size_t joints_ = 0;  // triangles of strips without three vertices
 };
 
 }  // namespace
 
 MeshFile parse_ply(std::string_view bytes, const std::string& name) {
   TextReader reader(bytes, name);
-  const Header header = HeaderParser(reader).parse();
+  const PlyHeader header = HeaderParser(reader).parse();
   MeshFile file;
   Polygons polygons;
   if (header.encoding == Encoding::ascii) {

@@ -9,10 +9,10 @@
 namespace geodesic {
 namespace {
 
-using Point2 = std::array<double, 2>;
+using FlatPoint = std::array<double, 2>;
 
 // Twice the signed area of a triangle, positive when it is counter-clockwise.
-double area2(const Point2& a, const Point2& b, const Point2& c) {
+double area2(const FlatPoint& a, const FlatPoint& b, const FlatPoint& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
@@ -29,8 +29,8 @@ Vec3 newell_normal(std::span<const Vec3> positions, std::span<const Index> corne
 }
 
 // The polygon without the coordinate in which its normal is longest, counter-clockwise.
-std::vector<Point2> project(std::span<const Vec3> positions, std::span<const Index> corners,
-                            const Vec3& normal) {
+std::vector<FlatPoint> project(std::span<const Vec3> positions, std::span<const Index> corners,
+                               const Vec3& normal) {
   std::size_t axis = 0;
   for (const std::size_t k : {std::size_t{1}, std::size_t{2}}) {
     if (std::abs(normal[k]) > std::abs(normal[axis])) axis = k;
@@ -38,12 +38,12 @@ std::vector<Point2> project(std::span<const Vec3> positions, std::span<const Ind
   std::size_t u = (axis + 1) % 3;
   std::size_t v = (axis + 2) % 3;
   if (normal[axis] < 0) std::swap(u, v);
-  std::vector<Point2> points;
+  std::vector<FlatPoint> points;
   for (const Index corner : corners) points.push_back({positions[corner][u], positions[corner][v]});
   return points;
 }
 
-bool fan_is_unfolded(std::span<const Point2> points) {
+bool fan_is_unfolded(std::span<const FlatPoint> points) {
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
     if (!(area2(points[0], points[i], points[i + 1]) > 0)) return false;
   }
@@ -54,7 +54,7 @@ bool fan_is_unfolded(std::span<const Point2> points) {
 // triangle stays so, and only the two triangles beside a lost ear change.
 class EarClipper {
  public:
-  EarClipper(std::span<const Point2> points, std::span<const Index> corners)
+  EarClipper(std::span<const FlatPoint> points, std::span<const Index> corners)
       : points_(points),
         corners_(corners),
         left_(points.size()),
@@ -90,12 +90,12 @@ class EarClipper {
   }
 
   bool is_ear(std::size_t i) {
-    const Point2& a = points_[before(i)];
-    const Point2& b = points_[left_[i]];
-    const Point2& c = points_[after(i)];
+    const FlatPoint& a = points_[before(i)];
+    const FlatPoint& b = points_[left_[i]];
+    const FlatPoint& c = points_[after(i)];
     if (!(area2(a, b, c) > 0)) return false;
     const auto is_obstacle = [&](std::size_t j) {
-      const Point2& p = points_[j];
+      const FlatPoint& p = points_[j];
       // A corner of the same place is no obstacle: polygons with holes walk a slit twice.
       if (lost_[j] || p == a || p == b || p == c) return false;
       return area2(a, b, p) >= 0 && area2(b, c, p) >= 0 && area2(c, a, p) >= 0;
@@ -105,7 +105,7 @@ class EarClipper {
     return j == points_.size();
   }
 
-  std::span<const Point2> points_;
+  std::span<const FlatPoint> points_;
   std::span<const Index> corners_;
   std::vector<std::size_t> left_;  // the polygon that remains, as positions in points_
   std::vector<bool> lost_;
@@ -130,7 +130,7 @@ Outcome append_polygon(std::span<const Vec3> positions, std::span<const Index> c
     return Outcome::triangulated;
   }
   const Vec3 normal = newell_normal(positions, corners);
-  const std::vector<Point2> points = project(positions, corners, normal);
+  const std::vector<FlatPoint> points = project(positions, corners, normal);
   if (fan_is_unfolded(points)) {
     append_fan(corners, triangles);
     return Outcome::triangulated;

@@ -5,11 +5,11 @@
 #include <bit>
 #include <cctype>
 #include <cstdint>
+#include <unordered_map>
 #include <utility>
 
-#include "meshes/formats/bytes.h"
-#include "meshes/formats/parsers.h"
-#include "meshes/formats/text.h"
+#include "meshes/formats/parsing.h"
+#include "meshes/random.h"
 
 namespace geodesic {
 namespace {
@@ -25,47 +25,31 @@ std::uint32_t triangle_count(std::string_view bytes) {
   return load_number<std::uint32_t>(bytes.data() + 80, std::endian::little);
 }
 
-// Numbers points by first appearance; a hash table with open addressing.
+// Numbers points by first appearance. They are compared by bits, so that a NaN equals itself.
 class PointJoiner {
  public:
-  explicit PointJoiner(std::vector<Vec3>& positions) : positions_(positions), slots_(64, kNone) {}
+  explicit PointJoiner(std::vector<Vec3>& positions) : positions_(positions) {}
 
   Index id(Vec3 point) {
     for (double& c : point) c += 0.0;  // -0 and 0 are the same coordinate
-    if (2 * (positions_.size() + 1) > slots_.size()) grow();
-    Index& slot = find(point);
-    if (slot == kNone) {
-      slot = static_cast<Index>(positions_.size());
-      positions_.push_back(point);
-    }
-    return slot;
+    const auto [found, added] =
+        ids_.try_emplace(std::bit_cast<Bits>(point), static_cast<Index>(positions_.size()));
+    if (added) positions_.push_back(point);
+    return found->second;
   }
 
  private:
   using Bits = std::array<std::uint64_t, 3>;
-
-  Index& find(const Vec3& point) {
-    const Bits bits = std::bit_cast<Bits>(point);
-    std::uint64_t hash = 0;
-    for (const std::uint64_t b : bits) {
-      hash = (hash ^ b) * 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio, odd (Knuth)
-      hash ^= hash >> 32;
+  struct Hash {
+    std::size_t operator()(const Bits& bits) const {
+      std::uint64_t hash = 0;
+      for (const std::uint64_t b : bits) hash = split_mix(hash ^ b);
+      return hash;
     }
-    std::size_t i = hash & (slots_.size() - 1);
-    // Compared by bits, so that a coordinate that is no number equals itself.
-    while (slots_[i] != kNone && std::bit_cast<Bits>(positions_[slots_[i]]) != bits) {
-      i = (i + 1) & (slots_.size() - 1);
-    }
-    return slots_[i];
-  }
-
-  void grow() {
-    slots_.assign(2 * slots_.size(), kNone);
-    for (Index v = 0; v < positions_.size(); ++v) find(positions_[v]) = v;
-  }
+  };
 
   std::vector<Vec3>& positions_;
-  std::vector<Index> slots_;  // a power of two of them, at most half used
+  std::unordered_map<Bits, Index, Hash> ids_;
 };
 
 bool same_ignoring_case(std::string_view a, std::string_view b) {

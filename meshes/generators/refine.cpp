@@ -7,11 +7,8 @@
 #include <tuple>
 #include <vector>
 
-#include "meshes/edges.h"
+#include "meshes/connectivity.h"
 #include "meshes/generators/families.h"
-#include "meshes/generators/input.h"
-#include "meshes/generators/sheet.h"
-#include "solvers/core/geometry.h"
 
 namespace geodesic {
 namespace {
@@ -43,8 +40,7 @@ class Refiner {
   };
 
   void find_edges() {
-    const std::vector<bool> all(soup_.triangles.size(), true);
-    const EdgeTable edges(soup_.triangles, all, soup_.positions.size());
+    const EdgeTable edges(soup_);
     next_side_.resize(3 * soup_.triangles.size());
     edge_of_.resize(next_side_.size());
     std::vector<Edge> queue;
@@ -79,9 +75,9 @@ class Refiner {
 
   void split(const Edge edge) {
     longest_.pop();
-    const Vec3 &a = soup_.positions[edge.low], &b = soup_.positions[edge.high];
     const auto middle = static_cast<Index>(soup_.positions.size());
-    soup_.positions.push_back({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2});
+    soup_.positions.push_back(
+        scale(0.5, add(soup_.positions[edge.low], soup_.positions[edge.high])));
     sides_.clear();
     for (Index h = a_side_[edge.id]; sides_.empty() || h != sides_.front(); h = next_side_[h]) {
       sides_.push_back(h);
@@ -142,7 +138,7 @@ TriangleSoup make_refine(const CheckedParameters& parameters) {
   const Index vertices = parameters.integer("vertices");
   if (vertices < soup.positions.size()) {
     throw std::invalid_argument("refine: parameter vertices is " + ParameterValue(vertices).text() +
-                                ", but the mesh of " + parameters.file("input") + " has " +
+                                ", but the mesh of " + parameters.text("input") + " has " +
                                 ParameterValue(soup.positions.size()).text() +
                                 " without the isolated ones; ask for more");
   }

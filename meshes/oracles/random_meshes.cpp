@@ -39,11 +39,7 @@ TriangleSoup subdivide(const TriangleSoup& coarse) {
     const auto [entry, added] =
         middles.try_emplace(std::minmax(a, b), static_cast<Index>(fine.positions.size()));
     if (added) {
-      Vec3 m;
-      for (std::size_t k = 0; k < 3; ++k) {
-        m[k] = (coarse.positions[a][k] + coarse.positions[b][k]) / 2;
-      }
-      fine.positions.push_back(m);
+      fine.positions.push_back(scale(0.5, add(coarse.positions[a], coarse.positions[b])));
     }
     return entry->second;
   };
@@ -158,8 +154,7 @@ TriangleSoup with_flat_caps(TriangleSoup soup, std::uint64_t seed, std::uint32_t
   for (std::size_t f = 0; f < faces; ++f) {
     if (random.below(one_in) != 0) continue;
     const auto [a, b, c] = soup.triangles[f];
-    const Vec3 &p = soup.positions[a], &q = soup.positions[b];
-    const Vec3 middle = {(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2};
+    const Vec3 middle = scale(0.5, add(soup.positions[a], soup.positions[b]));
     const Index m = static_cast<Index>(soup.positions.size());
     soup.positions.push_back(middle);
     soup.triangles[f] = {a, m, c};

@@ -35,15 +35,15 @@ def mesh(what: str, file: str, content: str | bytes, *says: str) -> Case:
 
 
 def not_there(what: str, file: str, place: str) -> Case:
-    return mesh(what, file, place, file, "a vertex that is not there", "line ", *MEANINGLESS)
+    return mesh(what, file, place, file, "a vertex that does not exist", "line ", *MEANINGLESS)
 
 
 CASES = [
     # OBJ
     mesh("a coordinate that is no number", "a.obj", OBJ + "v 0 x 0\nf 1 2 3\n",
-         "a.obj, line 4: the y coordinate 'x' is no number, such as 0.5"),
+         "a.obj, line 4: the y coordinate 'x' is not a number, such as 0.5"),
     mesh("a decimal comma", "a.obj", "v 0,5 0 0\n",
-         "a.obj, line 1: the x coordinate '0,5' is no number, such as 0.5"),
+         "a.obj, line 1: the x coordinate '0,5' is not a number, such as 0.5"),
     mesh("NaN", "a.obj", OBJ + "v 0 nan 0\nf 1 2 4\n",
          "a.obj", "vertex 3 (line 4)", "not finite", *MEANINGLESS),
     mesh("infinity", "a.obj", OBJ + "v 0 inf 0\nf 1 2 4\n",
@@ -70,7 +70,7 @@ CASES = [
     not_there("an index out of range", "a.off", OFF + "3 0 1 7\n"),
     not_there("a negative index", "a.off", OFF + "3 0 1 -2\n"),
     mesh("counts that are none", "a.off", "OFF\n3 x 0\n0 0 0\n1 0 0\n",
-         "a.off, line 2: the number of faces 'x' is no whole number, such as 12"),
+         "a.off, line 2: the number of faces 'x' is not an integer, such as 12"),
     mesh("another word than OFF", "a.off", "OFX\n3 1 0\n", "a.off", *UNKNOWN),
     # PLY
     mesh("cut in the header", "a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n",

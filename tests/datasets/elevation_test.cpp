@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "meshes/generators/natural_spline.h"
 #include "meshes/formats/npy.h"
+#include "meshes/generators/families.h"
 #include "tests/datasets/input_files.h"
 #include "tests/datasets/soup_hash.h"
 #include "tests/datasets/soup_topology.h"

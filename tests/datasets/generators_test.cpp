@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "meshes/generators/circle.h"
+#include "meshes/generators/families.h"
 #include "tests/datasets/soup_hash.h"
 #include "tests/datasets/soup_topology.h"
 
@@ -237,7 +237,9 @@ TEST(GeneratorErrors, UnknownGeneratorListsAll) {
 
 TEST(GeneratorErrors, UnknownParameterListsAll) {
   EXPECT_EQ(message_of("grid", {{"colums", 3}}),
-            "grid: no parameter 'colums'; it takes columns, rows, spacing, diagonal");
+            "grid: no parameter named 'colums' (did you mean 'columns'?); there are: columns, "
+            "rows, spacing, "
+            "diagonal");
 }
 
 TEST(GeneratorErrors, ValuesOutOfRangeNameTheRange) {

@@ -26,8 +26,8 @@ const TriangleSoup kBook = {
 
 Vec3 unit_normal(const TriangleSoup& soup, const Triangle& face) {
   const Vec3& corner = soup.positions[face[0]];
-  const Vec3 normal = cross(subtract(soup.positions[face[1]], corner),
-                                     subtract(soup.positions[face[2]], corner));
+  const Vec3 normal =
+      cross(subtract(soup.positions[face[1]], corner), subtract(soup.positions[face[2]], corner));
   const double length = norm(normal);
   return {normal[0] / length, normal[1] / length, normal[2] / length};
 }
@@ -276,7 +276,7 @@ TEST_F(Derived, UnusableInputIsRefusedInOneLine) {
   TriangleSoup soup = kBook;
   soup.triangles.push_back({0, 1, 77});
   harness::expect_error([&] { made("subdivide", soup); },
-                        {"input.off: face 3 names a vertex that is not there", "generate clean"});
+                        {"input.off: face 3 names a vertex that does not exist", "generate clean"});
   for (const Triangle& twice : {Triangle{0, 1, 1}, {1, 0, 1}, {1, 1, 0}}) {
     soup.triangles.back() = twice;
     harness::expect_error([&] { made("refine", soup); }, {"face 3 names a vertex twice"});

@@ -38,9 +38,10 @@ TEST(Defects, ACleanMeshHasNone) {
 }
 
 TEST(Defects, IndexOutOfRange) {
-  expect_only(kTwoFaces + "f 1 2 9\nf 0 1 2\n", DefectKind::index_out_of_range,
-              "2 faces that name a vertex that is not there (first: face 2 (line 7) of vertices 0, "
-              "1, 8; the file has 4 vertices, counted here from 0)");
+  expect_only(
+      kTwoFaces + "f 1 2 9\nf 0 1 2\n", DefectKind::index_out_of_range,
+      "2 faces that name a vertex that does not exist (first: face 2 (line 7) of vertices 0, "
+      "1, 8; the file has 4 vertices, counted here from 0)");
 }
 
 TEST(Defects, RepeatedVertex) {

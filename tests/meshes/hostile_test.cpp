@@ -102,7 +102,7 @@ TEST(Hostile, CountsThatTheFileCannotHoldAreRefusedWithoutMemoryForThem) {
 
 TEST(Hostile, AFaceOfFewerCornersThanItClaimsIsRefused) {
   EXPECT_TRUE(contains(refusal("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n", "a.off"),
-                       "line 6: the vertex of a face is missing"));
+                       "line 7: the file ends before corner 3 of face 0"));
 }
 
 TEST(Hostile, OtherFilesAreOfTheWrongFormat) {

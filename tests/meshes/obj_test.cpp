@@ -109,18 +109,18 @@ TEST(Obj, NamesTheLineOfWhatIsMalformed) {
       {kCorners + "f 1 2\n", "test.obj, line 5: a face has 2 corners"},
       {kCorners + "f\n", "test.obj, line 5: a face has 0 corners"},
       {"v 0 0\nf 1 1 1\n", "test.obj, line 1: the z coordinate is missing"},
-      {"v 0 0 x\n", "test.obj, line 1: the z coordinate 'x' is no number"},
-      {"v 0 0 1,5\n", "the z coordinate '1,5' is no number"},
+      {"v 0 0 x\n", "test.obj, line 1: the z coordinate 'x' is not a number"},
+      {"v 0 0 1,5\n", "the z coordinate '1,5' is not a number"},
       {"v 0 0 1e99999\n", "is beyond the range of numbers"},
-      {"v 0 0 0x10\n", "is no number"},
+      {"v 0 0 0x10\n", "is not a number"},
       {"v 1 2 3 4 5 6 7 8 9\n", "9 numbers"},
-      {kCorners + "f 1 2 3.5\n", "line 5: the vertex of a face '3.5' is no whole number"},
+      {kCorners + "f 1 2 3.5\n", "line 5: the vertex of a face '3.5' is not an integer"},
       {kCorners + "f 1 2/a 3\n", "texture of a corner"},
       {kCorners + "f 1 2 3/\n", "ends with a slash"},
       {kCorners + "f 1 2 3//\n", "normal of a corner"},
       {kCorners + "face 1 2 3\n", "line 5: unknown statement 'face'"},
       {kCorners + "f 1 2 3 \\", "the file ends before"},
-      {"v 0 0 \x7f\n", "'?'"},
+      {"v 0 0 \x7f\n", "'\\x7f'"},
   };
   for (const Malformed& c : cases) {
     EXPECT_TRUE(contains(refusal(c.text, "test.obj"), c.expected))

@@ -48,14 +48,34 @@ TEST(Off, SkipsColoursOfFaces) {
   EXPECT_EQ(file.soup.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 1}}));
 }
 
+TEST(Off, FacesContinueOnLaterLines) {
+  const std::string vertices = "OFF\n5 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n-1 0.5 0\n";
+  const MeshFile file = parse_mesh(
+      vertices + "5 0 1\n# a comment\n 2 3 # and one more\n\n4 255 0 0\n3\n0 1 2\n3 0 2 3 7\n",
+      "test.off");
+  EXPECT_EQ(file.soup.triangles,
+            (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(file.lines.triangles, (std::vector<std::uint32_t>{8, 8, 8, 13, 15}));
+  EXPECT_TRUE(file.warnings.empty());
+}
+
+TEST(Off, ACountThatTakesTheNextFaceIsFoundAtTheEnd) {
+  const std::string text = "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n4 0 2 1\n3 0 1 3\n";
+  const std::string expected =
+      "line 10: the file ends before face 2 of 3 (the face of line 8 is the first that continues "
+      "on "
+      "the next line)";
+  EXPECT_TRUE(contains(refusal(text, "test.off"), expected)) << refusal(text, "test.off");
+}
+
 TEST(Off, NamesTheLineOfWhatIsMalformed) {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"OFF\n3 2 0\n" + kBody + "# end\n\n\n", "line 10: the file ends before face 1 of 2"},
       {"OFF\n3 1 0\n" + kBody + "3 0 1 2\n", "line 7: more lines than the header's 3 vertices"},
       {"OFF\n-3 1 0\n" + kBody, "the number of vertices is negative"},
-      {"OFF\n3 x 0\n" + kBody, "the number of faces 'x' is no whole number"},
+      {"OFF\n3 x 0\n" + kBody, "the number of faces 'x' is not an integer"},
       {"OFF\n3 1 0 4\n" + kBody, "a header has three counts"},
-      {"OFF\n3\n" + kBody, "the number of faces '' is no whole number"},
+      {"OFF\n3\n" + kBody, "the number of faces '' is not an integer"},
       {"OFF BINARY\n3 1 0\n" + kBody, "binary OFF is not supported"},
       {"4OFF\n3 1 0\n" + kBody, "another dimension"},
       {"nOFF\n3\n3 1 0\n" + kBody, "another dimension"},
@@ -63,7 +83,8 @@ TEST(Off, NamesTheLineOfWhatIsMalformed) {
       {"COFF\n3 1 0\n" + kBody, "vertex 0 has 3 numbers"},
       {"OFF\n3 1 0\n0 0  \n1 0 0\n0 1 0\n3 0 1 2\n", "line 3: the coordinate is missing"},
       {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1 \n", "line 6: face 0 has 2 corners"},
-      {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4 0 1 2\n", "line 6: the vertex of a face is missing"},
+      {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4 0 1 2\n",
+       "line 7: the file ends before corner 3 of face 0"},
       {"OFF\n", "the file ends before the counts"},
   };
   for (const auto& [text, expected] : cases) {

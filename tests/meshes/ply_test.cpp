@@ -84,6 +84,85 @@ TEST(Ply, TakesNegativeIndicesAsOutOfRange) {
   EXPECT_EQ(parse_mesh(text, "test.ply").soup.triangles[1][2], kNone);
 }
 
+// Five vertices and lists of triangle strips.
+std::string strip_header(const std::string& format, std::size_t lists,
+                         const std::string& types = "int int") {
+  return "ply\nformat " + format +
+         " 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+         "element tristrips " +
+         std::to_string(lists) + "\nproperty list " + types + " vertex_indices\nend_header\n";
+}
+
+const std::string kStripVertices = "0 0 0\n0 1 0\n1 0 0\n1 1 0\n2 0 0\n";
+
+std::vector<Triangle> strip_triangles(const std::string& lists, std::size_t count) {
+  return parse_mesh(strip_header("ascii", count) + kStripVertices + lists, "strips.ply")
+      .soup.triangles;
+}
+
+TEST(Ply, TurnsEverySecondTriangleOfAStrip) {
+  EXPECT_EQ(strip_triangles("5 0 1 2 3 4\n", 1),
+            (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}}));
+}
+
+TEST(Ply, StartsANewStripAtMinusOneAndAtEachList) {
+  const std::vector<Triangle> expected = {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 1}};
+  EXPECT_EQ(strip_triangles("9 0 1 2 3 -1 2 3 4 1\n", 1), expected);
+  EXPECT_EQ(strip_triangles("11 0 1 2 3 -1 -1 2 3 4 1 -1\n", 1), expected) << "empty strips";
+  EXPECT_EQ(strip_triangles("4 0 1 2 3\n0\n4 2 3 4 1\n", 3), expected);
+}
+
+TEST(Ply, LeavesOutTheJointsOfStripsAndSaysSo) {
+  const MeshFile file =
+      parse_mesh(strip_header("ascii", 1) + kStripVertices + "7 0 1 2 2 3 3 4\n", "strips.ply");
+  EXPECT_EQ(file.soup.triangles, (std::vector<Triangle>{{0, 1, 2}}));
+  EXPECT_EQ(
+      file.warnings,
+      (std::vector<std::string>{"4 triangles of strips name a vertex twice and are left out"}));
+}
+
+TEST(Ply, ReadsStripsInEveryEncodingBesideFaces) {
+  for (const std::endian order : {std::endian::little, std::endian::big}) {
+    const std::string format =
+        order == std::endian::little ? "binary_little_endian" : "binary_big_endian";
+    std::string bytes = strip_header(format, 1, "uchar short");
+    bytes.replace(bytes.find("end_header"), 0,
+                  "element face 1\nproperty list uchar uchar vertex_index\n");
+    for (const int c : {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 2, 0, 0})
+      bytes += bytes_of(static_cast<float>(c), order);
+    bytes += '\5';
+    for (const int v : {0, 1, 2, -1, -1}) bytes += bytes_of(static_cast<std::int16_t>(v), order);
+    bytes += std::string("\3\2\1\3", 4);
+    EXPECT_EQ(parse_mesh(bytes, "strips.ply").soup.triangles,
+              (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}}))
+        << format;
+  }
+}
+
+TEST(Ply, KeepsIndicesOutOfRangeOfStripsAsDefects) {
+  EXPECT_EQ(strip_triangles("5 0 1 2 9 -2\n", 1),
+            (std::vector<Triangle>{{0, 1, 2}, {2, 1, 9}, {2, 9, kNone}}));
+  EXPECT_EQ(strip_triangles("3 -2 -2 1\n", 1), (std::vector<Triangle>{{kNone, kNone, 1}}));
+}
+
+TEST(Ply, RefusesStripsThatAreCutOffOrTooShort) {
+  const std::string ascii = strip_header("ascii", 1) + kStripVertices;
+  const std::string short_strip = "vertices and needs three";
+  EXPECT_TRUE(contains(refusal(ascii + "2 0 1\n", "a.ply"), "has 2 " + short_strip));
+  EXPECT_TRUE(contains(refusal(ascii + "5 0 1 2 -1 4\n", "a.ply"), "has 1 " + short_strip));
+  EXPECT_TRUE(contains(refusal(ascii + "5 0 1 2\n", "a.ply"), "line 15: the value is missing"))
+      << refusal(ascii + "5 0 1 2\n", "a.ply");
+  EXPECT_TRUE(contains(refusal(ascii + "-5 0 1 2\n", "a.ply"), "has a negative length"));
+  EXPECT_TRUE(contains(refusal(ascii + "0\n", "a.ply"), "no faces"));
+  const std::string binary = strip_header("binary_little_endian", 1, "uint int") +
+                             std::string(60, '\0') + bytes_of(std::uint32_t{4000000000}) +
+                             std::string(24, '\0');
+  EXPECT_TRUE(contains(refusal(binary, "a.ply"), "the file ends inside element 0 of 'tristrips'"))
+      << refusal(binary, "a.ply");
+  EXPECT_TRUE(contains(refusal(strip_header("ascii", 4000000000) + kStripVertices, "a.ply"),
+                       "4000000000 times 'tristrips'"));
+}
+
 TEST(Ply, RefusesHeadersThatHoldNoSurface) {
   const auto header = [](const std::string& elements) {
     return "ply\nformat ascii 1.0\n" + elements + "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
@@ -96,11 +175,11 @@ TEST(Ply, RefusesHeadersThatHoldNoSurface) {
       {header(face), "no element 'vertex'"},
       {header("element vertex 3\nproperty float x\nproperty float y\n" + face),
        "the property 'z' of 'vertex' is missing"},
-      {header(vertex + "element face 1\nproperty int vertex_indices\n"), "is no list"},
+      {header(vertex + "element face 1\nproperty int vertex_indices\n"), "is not a list"},
       {header(vertex + "element face 1\nproperty list uchar float vertex_indices\n"),
        "has real numbers"},
       {header(vertex + "element face 1\nproperty list float int vertex_indices\n"),
-       "counted with whole numbers"},
+       "counted with integers"},
       {header("property float x\n" + vertex + face), "line 3: a property before the first element"},
       {header(vertex + vertex + face), "two elements 'vertex'"},
       {header(vertex + "element face 4294967296\nproperty list uchar int vertex_indices\n"),

@@ -84,7 +84,7 @@ TEST(Stl, NamesTheLineOfWhatIsMalformed) {
   four_corners.insert(four_corners.find(" endloop"), "  vertex 5 5 5\n");
   EXPECT_EQ(refusal(four_corners, "a.stl"), "a.stl, line 7: expected 'endloop', found 'vertex'");
   EXPECT_TRUE(contains(refusal("solid\nfacet normal 0 0 x\n", "a.stl"),
-                       "line 2: the normal 'x' is no number"));
+                       "line 2: the normal 'x' is not a number"));
   EXPECT_TRUE(contains(refusal("solid a\nendsolid\n", "a.stl"), "empty mesh"));
 }
 

@@ -1,0 +1,131 @@
+#include "meshes/connectivity.h"
+
+#include <algorithm>
+
+namespace geodesic {
+namespace {
+
+// Across an edge of exactly two faces: the other face's half-edge; kNone elsewhere.
+std::vector<Index> find_neighbours(std::size_t half_edges, const EdgeTable& edges) {
+  std::vector<Index> across(half_edges, kNone);
+  edges.for_each_edge([&](std::span<const EdgeSide> sides) {
+    if (sides.size() != 2) return;
+    across[sides[0].half_edge] = sides[1].half_edge;
+    across[sides[1].half_edge] = sides[0].half_edge;
+  });
+  return across;
+}
+
+}  // namespace
+
+EdgeTable::EdgeTable(std::span<const Triangle> triangles, const std::vector<bool>& usable,
+                     std::size_t vertex_count) {
+  const auto for_each_side = [&](auto&& visit) {
+    for (std::size_t f = 0; f < triangles.size(); ++f) {
+      if (!usable[f]) continue;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [low, high] = std::minmax(triangles[f][k], triangles[f][(k + 1) % 3]);
+        visit(EdgeSide{low, high, static_cast<Index>(3 * f + k)});
+      }
+    }
+  };
+  // Counting sort by the lower end, then each end's few edges by the higher one.
+  std::vector<std::size_t> first(vertex_count + 1, 0);
+  for_each_side([&](const EdgeSide& side) { ++first[side.low + 1]; });
+  for (std::size_t v = 0; v < vertex_count; ++v) first[v + 1] += first[v];
+  sides_.resize(first[vertex_count]);
+  std::vector<std::size_t> fill(first.begin(), first.end() - 1);
+  for_each_side([&](const EdgeSide& side) { sides_[fill[side.low]++] = side; });
+  const auto at = [&](std::size_t i) { return sides_.begin() + static_cast<std::ptrdiff_t>(i); };
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    std::sort(at(first[v]), at(first[v + 1]), [](const EdgeSide& a, const EdgeSide& b) {
+      return a.high != b.high ? a.high < b.high : a.half_edge < b.half_edge;
+    });
+  }
+}
+
+std::vector<SortedFace> sort_faces(std::span<const Triangle> triangles,
+                                   const std::vector<bool>& usable) {
+  std::vector<SortedFace> faces;
+  faces.reserve(triangles.size());
+  for (Index f = 0; f < triangles.size(); ++f) {
+    if (!usable[f]) continue;
+    Triangle t = triangles[f];
+    std::ranges::rotate(t, std::ranges::min_element(t));
+    const bool even = t[1] < t[2];
+    faces.push_back({even ? t : flip(t), even, f});
+  }
+  std::ranges::sort(faces, {},
+                    [](const SortedFace& face) { return std::pair(face.vertices, face.face); });
+  return faces;
+}
+
+std::vector<Index> pair_half_edges(std::span<const Triangle> triangles, const EdgeTable& edges) {
+  std::vector<Index> twins = find_neighbours(3 * triangles.size(), edges);
+  for (Index h = 0; h < twins.size(); ++h) {
+    const Index g = twins[h];
+    if (g != kNone && origin_of(triangles, h) == origin_of(triangles, g)) {
+      twins[h] = twins[g] = kNone;
+    }
+  }
+  return twins;
+}
+
+DisjointSets join_fans(std::span<const Index> twins) {
+  DisjointSets fans(twins.size());
+  for (Index h = 0; h < twins.size(); ++h) {
+    if (twins[h] != kNone) fans.join(h, next_in_face(twins[h]));
+  }
+  return fans;
+}
+
+DisjointSets join_vertices(std::span<const Triangle> triangles, const std::vector<bool>& usable,
+                           std::size_t vertex_count) {
+  DisjointSets sets(vertex_count);
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    if (!usable[f]) continue;
+    sets.join(triangles[f][0], triangles[f][1]);
+    sets.join(triangles[f][0], triangles[f][2]);
+  }
+  return sets;
+}
+
+std::size_t drop_faces(TriangleSoup& soup, const std::vector<bool>& dropped) {
+  std::size_t f = 0;
+  return std::erase_if(soup.triangles, [&](const Triangle&) { return dropped[f++]; });
+}
+
+Orientation orient(std::span<const Triangle> triangles, const EdgeTable& edges) {
+  const std::vector<Index> across = find_neighbours(3 * triangles.size(), edges);
+  const auto agree = [&](Index h, Index g) {
+    return origin_of(triangles, h) != origin_of(triangles, g);
+  };
+  Orientation result;
+  result.flipped.assign(triangles.size(), false);
+  std::vector<bool> reached(triangles.size(), false);
+  std::vector<Index> queue;
+  for (Index root = 0; root < triangles.size(); ++root) {
+    if (reached[root]) continue;
+    reached[root] = true;
+    queue.assign(1, root);
+    for (std::size_t next = 0; next < queue.size(); ++next) {
+      const Index f = queue[next];
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+        if (across[h] == kNone) continue;
+        const Index g = across[h] / 3;
+        const bool turned = result.flipped[f] == agree(h, across[h]);
+        if (!reached[g]) {
+          reached[g] = true;
+          result.flipped[g] = turned;
+          result.flips += turned ? 1 : 0;
+          queue.push_back(g);
+        } else if (result.flipped[g] != turned && h < across[h]) {
+          ++result.one_sided_edges;
+        }
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace geodesic

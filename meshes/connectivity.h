@@ -1,0 +1,134 @@
+// How the faces of a triangle soup hang together: edges with all their faces, neighbours, fans,
+// groups and orientation. Nothing is assumed of the topology.
+//
+// Half-edge 3 f + k is the k-th side of triangle f, as in solvers/core/mesh.h; the corner of a face
+// at which a half-edge starts has the half-edge's number.
+#pragma once
+
+#include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "solvers/core/geometry.h"
+
+namespace geodesic {
+
+/// Sets that are joined two at a time (Galler and Fischer 1964), with path halving.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t elements) : parent_(elements) {
+    std::iota(parent_.begin(), parent_.end(), Index{0});
+  }
+
+  /// The least element of the set.
+  Index find(Index element) {
+    while (parent_[element] != element) {
+      parent_[element] = parent_[parent_[element]];
+      element = parent_[element];
+    }
+    return element;
+  }
+
+  /// @return whether the two were in different sets
+  bool join(Index a, Index b) {
+    a = find(a);
+    b = find(b);
+    if (a > b) std::swap(a, b);
+    parent_[b] = a;
+    return a != b;
+  }
+
+ private:
+  std::vector<Index> parent_;
+};
+
+inline Index next_in_face(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
+inline Index previous_in_face(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+inline Index origin_of(std::span<const Triangle> triangles, Index h) {
+  return triangles[h / 3][h % 3];
+}
+
+/// A side of a face, seen from its undirected edge.
+struct EdgeSide {
+  Index low;   ///< the end of smaller index
+  Index high;  ///< the other end
+  Index half_edge;
+};
+
+/// Undirected edges, each with the sides of all its faces.
+class EdgeTable {
+ public:
+  /// @param usable one flag a triangle; the others are left out. Usable triangles name three
+  ///        different vertices below vertex_count.
+  EdgeTable(std::span<const Triangle> triangles, const std::vector<bool>& usable,
+            std::size_t vertex_count);
+  /// Of all triangles, which must be usable.
+  explicit EdgeTable(const TriangleSoup& soup)
+      : EdgeTable(soup.triangles, std::vector<bool>(soup.triangles.size(), true),
+                  soup.positions.size()) {}
+
+  /// Calls visit(std::span<const EdgeSide>) for every edge with all its sides, in order of their
+  /// half-edges; edges come in order of (low, high).
+  template <class Visit>
+  void for_each_edge(Visit&& visit) const {
+    for (std::size_t i = 0; i < sides_.size();) {
+      std::size_t end = i + 1;
+      while (end < sides_.size() && sides_[end].low == sides_[i].low &&
+             sides_[end].high == sides_[i].high) {
+        ++end;
+      }
+      visit(std::span<const EdgeSide>(sides_).subspan(i, end - i));
+      i = end;
+    }
+  }
+
+ private:
+  std::vector<EdgeSide> sides_;
+};
+
+/// A face by its vertices in ascending order.
+struct SortedFace {
+  Triangle vertices;
+  bool even;  ///< the order is an even permutation of the face's
+  Index face;
+};
+
+/// Usable faces, those of the same three vertices side by side and in order of their indices.
+std::vector<SortedFace> sort_faces(std::span<const Triangle> triangles,
+                                   const std::vector<bool>& usable);
+
+/// For each half-edge, the one of the other face where its edge has exactly two faces that run
+/// along it in opposite directions, as in solvers/core/mesh.h; kNone elsewhere.
+std::vector<Index> pair_half_edges(std::span<const Triangle> triangles, const EdgeTable& edges);
+
+/// Fans: the corners at one vertex whose faces are connected across edges at that vertex.
+/// @param twins as from `pair_half_edges`
+DisjointSets join_fans(std::span<const Index> twins);
+
+/// Sets of vertices that the faces connect.
+/// @param usable one flag a triangle
+DisjointSets join_vertices(std::span<const Triangle> triangles, const std::vector<bool>& usable,
+                           std::size_t vertex_count);
+
+/// Removes the flagged faces; the others keep their order.
+/// @return the number removed
+std::size_t drop_faces(TriangleSoup& soup, const std::vector<bool>& dropped);
+
+/// What it takes to orient the faces that are connected across edges of exactly two faces.
+struct Orientation {
+  std::vector<bool> flipped;  ///< one a triangle: it must run the other way round
+  std::size_t flips = 0;
+  /// Edges whose two faces run against one another whatever is flipped: the surface has one side
+  /// only, like a Moebius strip. 0 when it is orientable.
+  std::size_t one_sided_edges = 0;
+};
+
+/// Walks over each connected part breadth-first from its triangle of least index, which keeps its
+/// direction; sides are taken in the order of their half-edges, so the outcome is determined.
+Orientation orient(std::span<const Triangle> triangles, const EdgeTable& edges);
+
+/// The triangle the other way round, from the same first vertex.
+inline Triangle flip(const Triangle& t) { return {t[0], t[2], t[1]}; }
+
+}  // namespace geodesic

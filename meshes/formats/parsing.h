@@ -1,0 +1,93 @@
+// The parsers behind mesh_file.h, one source file a format, and what they share: words and numbers
+// of text files with the place of each for messages, and numbers of binary files.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "meshes/formats/bytes.h"
+#include "meshes/mesh_file.h"
+
+namespace geodesic {
+
+// Each takes a whole file and throws MeshError.
+MeshFile parse_obj(std::string_view text, const std::string& name);
+MeshFile parse_off(std::string_view text, const std::string& name);
+MeshFile parse_ply(std::string_view bytes, const std::string& name);
+MeshFile parse_stl_ascii(std::string_view text, const std::string& name);
+MeshFile parse_stl_binary(std::string_view bytes, const std::string& name);
+
+/// True when the size of the file is what a binary STL file's own count asks for.
+bool has_size_of_binary_stl(std::string_view bytes);
+
+struct TextRules {
+  char comment = '\0';         ///< what follows it on a line is skipped; none when '\0'
+  bool continuations = false;  ///< a backslash at the end of a line joins the next one to it
+};
+
+/// Walks through a text line by line and word by word. Lines end with LF, CR LF or CR.
+class TextReader {
+ public:
+  /// @param name what messages call the file
+  TextReader(std::string_view text, std::string name, TextRules rules = {});
+
+  /// Moves to the next line that is not blank. @return false at the end of the text
+  bool next_line();
+  /// The next word of the line; empty when there is none left.
+  std::string_view word();
+  /// The next word of the text, moving on to later lines; empty at the end of the text.
+  std::string_view word_across_lines();
+  /// True when no word is left on the line.
+  bool at_line_end();
+
+  /// The next word of the line as the nearest double ("nan" and "inf" included).
+  /// @param what it should have been, for the message: "x coordinate"
+  double number(std::string_view what);
+  double to_number(std::string_view word, std::string_view what) const;
+  std::int64_t integer(std::string_view what);
+  std::int64_t to_integer(std::string_view word, std::string_view what) const;
+
+  /// A word as a number of elements. @param what plural: "vertices"
+  std::size_t count(std::string_view word, const std::string& what) const;
+
+  /// Line number from 1, of the line that `next_line` moved to.
+  std::uint32_t line() const { return line_; }
+  /// Bytes of the text behind the line.
+  std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - next_); }
+  /// True when the text's last byte ends a line, as it does in a file that was written to its end.
+  bool ends_with_line_end() const;
+
+  /// @throws MeshError "<name>, line <line>: <what>"
+  [[noreturn]] void fail(const std::string& what) const;
+  /// @throws MeshError that says that the file ends too early
+  [[noreturn]] void fail_truncated(const std::string& missing) const;
+
+ private:
+  std::string_view take_physical_line();
+
+  std::string name_;
+  TextRules rules_;
+  const char* next_;  // first byte behind the line
+  const char* end_;
+  std::string_view rest_;  // of the line
+  std::string joined_;     // a line with its continuations
+  std::uint32_t line_ = 0;
+  std::uint32_t next_line_ = 1;
+};
+
+/// What a text that does not end with a line end may have lost.
+inline constexpr const char* kNoLineEnd =
+    "the last line has no line end: if the file was cut off there, its last number may be wrong "
+    "and more may be missing";
+
+/// A word of a file between quotes, shortened and harmless.
+std::string in_quotes(std::string_view word);
+
+/// Turns an index of a file into one of ours; negative and huge ones become kNone, which is out of
+/// range in every mesh.
+inline Index to_index(std::int64_t index) {
+  return index < 0 || index >= static_cast<std::int64_t>(kNone) ? kNone : static_cast<Index>(index);
+}
+
+}  // namespace geodesic
