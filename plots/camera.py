@@ -24,13 +24,13 @@ class Camera:
     """Of the picture, in camera coordinates."""
     width: float
     height: float
-    """What the picture shows, in the mesh's unit of length."""
+    """Of the picture, in the mesh's unit of length."""
 
     def project(self, points: Floats) -> Floats:
         return points @ self.axes.T
 
     def of_shape(self, height: float) -> Camera:
-        """The same with as much around it as makes it so many times as high as wide."""
+        """The same camera on a larger picture whose height over width is `height`."""
         width = max(self.width, self.height / height)
         return replace(self, width=width, height=height * width)
 

@@ -61,7 +61,10 @@ class LeftOut:
 def draw(run: Run, names: Sequence[str] = ()) -> tuple[list[Item], list[LeftOut]]:
     """What the run has the data for, and what it has not.
 
-    @param names of EVERYTHING; empty: all of it"""
+    @param names of EVERYTHING; empty: all of it
+    @raises ResultError for a run of several programs"""
+    if len({row.program for row in run.rows}) > 1:
+        raise ResultError(f"{run.file}: a run of several programs; the gate compares them")
     items, left_out = [], []
     for name in names or EVERYTHING:
         try:

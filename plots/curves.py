@@ -10,7 +10,7 @@ from matplotlib.ticker import FuncFormatter, PercentFormatter
 
 from plots import style
 from plots.camera import Floats
-from plots.dots import sentences, sight, two_lines
+from plots.dots import sentences, reach, two_lines
 from plots.drawing import Drawing
 from plots.measures import EDGE_BASED, columns, count
 from plots.recordings import Recording, recordings
@@ -119,7 +119,7 @@ def _draw(
                 markevery=(first, BETWEEN_MARKS),
             )  # fmt: skip
     axes.grid(True)
-    limit = sight({solver: list(y) for solver, (_, y) in curves.items()})
+    limit = reach({solver: list(y) for solver, (_, y) in curves.items()})
     axes.set_ylim(0, min(axes.get_ylim()[1], limit))
     axes.set_xlim(0, 1)
     axes.xaxis.set_major_formatter(PercentFormatter(1))

@@ -1,4 +1,4 @@
-"""What differs from the thesis, in words computed from a run: time, order of solvers, windows.
+"""Sentences that compare a run with the thesis: time, order of solvers, windows.
 
 Compared are geometric means over the same models, apart for the thesis's own and for stand-ins.
 """
@@ -112,7 +112,7 @@ def _far(windows: dict[str, Pair]) -> str:
         return f", all within {NEAR:.0%} of the thesis"
     return (
         f"; more than {NEAR:.0%} from the thesis: {', '.join(far)} "
-        "(docs/metrics.md, Counting windows, says what is counted)"
+        "(what is counted: docs/metrics.md, Counting windows)"
     )
 
 

@@ -72,8 +72,7 @@ def speedup(run: Run) -> Drawing:
         caption=sentences(
             f"How many times as fast as {base} each exact solver is: geometric means of CPU time "
             "ratios paired by source and repetition, with 95% bootstrap intervals. A mean is over "
-            "those of its meshes that have both times, and says how many they are where it is not "
-            "all of them.",
+            "the meshes that have both times; their number is given where some lack them.",
             "Hollow: stand-ins, other meshes than the thesis measured." if marks else "",
             f"Diamonds: computed from {published.citation()}, Table 5.2; hollow beside a "
             "stand-in, where they are context only."
@@ -85,7 +84,7 @@ def speedup(run: Run) -> Drawing:
     )
 
 
-def _estimates(
+def estimates(
     run: Run,
     label: str,
     measured: Callable[[str, str], Sequence[Dot]],
@@ -125,7 +124,7 @@ def windows_over_limit(run: Run) -> Drawing:
             "measured, so that they are context only.",
         )
     title = "Window propagations over the window limit"
-    return _estimates(run, OVER_LIMIT.label, measured, words, title, OVER_LIMIT.published, 0.9)
+    return estimates(run, OVER_LIMIT.label, measured, words, title, OVER_LIMIT.published, 0.9)
 
 
 def wavefront_quality(run: Run) -> Drawing:
@@ -140,7 +139,7 @@ def wavefront_quality(run: Run) -> Drawing:
         "fixed steps of progress, in mean edge lengths of the mesh; medians over sources with 95% "
         "bootstrap intervals. Smaller is a smoother wavefront. The thesis prints no numbers for it."
     )
-    return _estimates(run, SD.label, measured, [words], "Figure 5.10: wavefront quality")
+    return estimates(run, SD.label, measured, [words], "Figure 5.10: wavefront quality")
 
 
 def largest_errors(run: Run, mesh: str, solver: str) -> dict[bool, float]:
@@ -165,9 +164,10 @@ def accuracy(run: Run) -> Drawing:
 
     solvers = [s for s in measured_solvers(run) if run.solvers[s].exact]
     rows = mesh_rows(run, ERROR.label, solvers, measured)
-    styles = style.solver_styles(run.solvers)
+    every = style.solver_styles(run.solvers)
+    styles = {solver: every[solver] for solver in solvers}
     mark = hollow_mark("hollow: against a solver")
-    figure = draw_rows(rows, "largest relative error", {s: styles[s] for s in solvers}, marks=[mark])
+    figure = draw_rows(rows, "largest relative error", styles, marks=[mark])
     axes = figure.axes[0]
     axes.set_xscale("log")
     axes.xaxis.set_major_locator(LogLocator(numticks=20))

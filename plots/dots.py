@@ -29,11 +29,11 @@ WIDE, NARROW = 20.0, 4.0
 """Values that differ by more than the one need a logarithmic axis; an axis between whose ends is
 less than the other needs more ticks than 1, 2 and 5."""
 FEW = 3
-"""Up to so many meshes are named in a caption, more are counted."""
+"""Number of meshes that a caption names; more are counted."""
 NEAR = 1.3
 """A published mark less than this factor above a dot has the dot's number on its other side."""
 BEYOND = 2.5
-"""Values more than so many times the largest of the thesis's solvers are written at the edge."""
+"""Values above this multiple of the largest of the thesis's solvers are written at the edge."""
 AT_THE_EDGE = "A number with an arrow is a value far beyond the axis."
 
 
@@ -43,7 +43,7 @@ class Dot:
     low: float
     high: float
     hollow: bool = False
-    reach: tuple[float, float] | None = None
+    range: tuple[float, float] | None = None
     """The range of what was measured, a thinner line than the interval."""
     note: str = ""
     """Beside the number."""
@@ -151,7 +151,7 @@ def draw_rows(
 
 
 def ratio_axis(axis: Axis) -> None:
-    """A logarithmic axis of ratios with a line at 1, which is always in sight."""
+    """A logarithmic axis of ratios with a line at 1, which is always shown."""
     style.plain_logarithmic(axis)
     axis.axes.autoscale(axis="x")
     low, high = axis.get_view_interval()
@@ -172,12 +172,14 @@ def hollow_mark(label: str) -> Line2D:
 def _limit(rows: Sequence[Row]) -> float:
     """The largest value that is drawn in its place: a solver that is not of the thesis and far
     beyond its solvers would squeeze them together. Infinity when none of them is there."""
-    return sight({s: [d.value for row in rows for d in row.dots.get(s, [])] for s in THESIS_SOLVERS})
+    return reach({
+        s: [dot.value for row in rows for dot in row.dots.get(s, [])] for s in THESIS_SOLVERS
+    })  # fmt: skip
 
 
-def sight(values: Mapping[str, Sequence[float]]) -> float:
+def reach(values: Mapping[str, Sequence[float]]) -> float:
     """@param values by solver
-    @return as far as a figure of them reaches"""
+    @return the largest value that a figure of them has to show"""
     of_thesis = [value for s in THESIS_SOLVERS for value in values.get(s, [])]
     return BEYOND * max(of_thesis) if of_thesis else math.inf
 
@@ -189,12 +191,13 @@ def _number(value: float) -> str:
 def _draw_dot(axes: Axes, y: float, dot: Dot, look: SolverStyle, *, limit: float) -> None:
     if dot.value > limit:
         axes.annotate(
-            f"{_number(dot.value)} \N{RIGHTWARDS ARROW}", (1, y), (-2, 0), ("axes fraction", "data"),
-            textcoords="offset points", ha="right", va="center", fontsize=8, color=look.color,
+            f"{_number(dot.value)} \N{RIGHTWARDS ARROW}", (1, y), (-2, 0),
+            ("axes fraction", "data"), textcoords="offset points", ha="right", va="center",
+            fontsize=8, color=look.color,
         )  # fmt: skip
         return
-    if dot.reach:
-        axes.plot(dot.reach, [y, y], color=look.color, linewidth=0.5)
+    if dot.range:
+        axes.plot(dot.range, [y, y], color=look.color, linewidth=0.5)
     if dot.high > dot.low:
         axes.plot([dot.low, dot.high], [y, y], color=look.color, linewidth=1.5, zorder=2)
     axes.plot([dot.value], [y], **_mark(look, hollow=dot.hollow), zorder=3)

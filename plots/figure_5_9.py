@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 
 from plots import style
-from plots.dots import sentences, sight
+from plots.dots import sentences, reach
 from plots.models import ordered_meshes
 from plots.drawing import Drawing
 from plots.measures import (
@@ -24,6 +24,7 @@ PHASES = {
     "queue": ("queue maintenance", "#CC79A7", "...."),
 }
 """By the key in a row's `phase_seconds`: name, colour, hatch."""
+ABSENT = "no phase times, or far beyond the others"
 NOTICED = 0.995
 """The caption names what is scaled by less than this."""
 REST = ("rest", "white", "")
@@ -78,7 +79,7 @@ def splits(run: Run, mesh: str) -> list[Split]:
     """Of the solvers with phase times, but for those far beyond the thesis's."""
     splits_of = (split(run, mesh, solver) for solver in measured_solvers(run))
     found = [one for one in splits_of if one]
-    limit = sight({one.solver: [one.time] for one in found})
+    limit = reach({one.solver: [one.time] for one in found})
     return [one for one in found if one.time <= limit]
 
 
@@ -148,7 +149,7 @@ def _caption(run: Run, all_splits: dict[str, list[Split]]) -> str:
         if one.scale < NOTICED
     ]
     absent = [
-        f"{solver} on {mesh} ({failed.text if failed else 'no phase times, or far beyond the others'})"
+        f"{solver} on {mesh} ({failed.text if failed else ABSENT})"
         for mesh, found in all_splits.items()
         for solver in columns(run)
         if solver in run.solvers and solver not in [one.solver for one in found]

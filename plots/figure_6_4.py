@@ -25,10 +25,10 @@ TITLE_INCHES = 0.6
 TALLEST = 1.1
 """Height of a panel in its widths."""
 THICK = 5
-"""Every so many levels the line is thick, as on a map."""
+"""Each line of this number is thick, as on a map."""
 COLORS = colormaps["viridis"]
 BRIGHTEST = 0.72
-"""Of the colours; what is brighter cannot be read on the surface."""
+"""Part of the colour map in use: brighter colours cannot be read on the surface."""
 
 
 def figure(run: Run) -> Drawing:

@@ -88,7 +88,9 @@ def table(run: Run) -> Table:
     return Table(
         name="table_growth",
         title="Growth: time and windows over vertices",
-        header=["Solver", "Mesh", "n", f"Time ({unit.name})", "Windows", "ns a window", "by smallest"],
+        header=[
+            "Solver", "Mesh", "n", f"Time ({unit.name})", "Windows", "ns a window", "by smallest",
+        ],
         text_columns=2,
         rows=[
             _row(solver, point, points[0], unit)
@@ -135,15 +137,13 @@ def _row(solver: str, point: Point, smallest: Point, unit: TimeUnit) -> list[Cel
 def _exponents(solver: str, points: list[Point]) -> list[Cell]:
     first, last = points[0].mesh.vertices, points[-1].mesh.vertices
     laws = [fit(points, [p.time for p in points]), fit(points, [p.windows for p in points])]
+    texts = [f"{law.exponent:.3f} [{law.low:.3f}, {law.high:.3f}]" for law in laws]
     return [
         Cell(solver),
         Cell(str(len(points)), len(points)),
         Cell(count(first), first),
         Cell(count(last), last),
-        *(
-            Cell(f"{law.exponent:.3f} [{law.low:.3f}, {law.high:.3f}]", law.exponent, law.low, law.high)
-            for law in laws
-        ),
+        *(Cell(text, law.exponent, law.low, law.high) for text, law in zip(texts, laws)),
     ]
 
 

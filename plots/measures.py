@@ -85,7 +85,7 @@ TIME = Measure("cpu_time", "Time", str, "time_s", scale=1e-3, spread=True)
 WALL_TIME = Measure("real_time", "Wall time", str, scale=1e-3, spread=True)
 PREPARATION = Measure("prepare_time", "Preparation", str, scale=1e-3)
 TIMES = [TIME, WALL_TIME, PREPARATION]
-"""In seconds; measures_of gives them the unit that suits a mesh."""
+"""In seconds; measures_of gives them a unit for each mesh."""
 SPACE = Measure("space_thesis_mb", "Space (MB), the thesis's rule", megabytes, "space_mb")
 OUR_SPACE = Measure("space_mb", "Space (MB), our window's size", megabytes)
 PEAK_BYTES = Measure("solver_peak_bytes", "Solver's peak (MB), measured", megabytes, scale=1e-6)
@@ -108,7 +108,7 @@ COUNTS = [
 
 
 def measures_of(run: Run, mesh: Mesh) -> list[Measure]:
-    """The rows of Table 5.2 for a mesh; times in the unit that suits it."""
+    """The rows of Table 5.2 for a mesh; times in a unit chosen for it."""
     times = [v for s in columns(run) for v in values(run, mesh.name, s, TIME).values()]
     unit = time_unit(times)
     in_unit = [

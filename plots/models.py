@@ -21,7 +21,7 @@ def relation(mesh: Mesh) -> str:
     """How the mesh and the thesis's model relate, in words; empty when there is no model."""
     if mesh.thesis_model is None:
         return ""
-    return f"stand-in for {mesh.thesis_model}" if mesh.stand_in else f"the thesis's {mesh.thesis_model}"
+    return ("stand-in for " if mesh.stand_in else "the thesis's ") + mesh.thesis_model
 
 
 def of_thesis(run: Run) -> list[Mesh]:

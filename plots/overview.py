@@ -30,9 +30,8 @@ def figure(run: Run) -> Drawing:
     solvers = [solver for solver in measured_solvers(run) if run.solvers[solver].exact]
     ratios = [time_over(base), BY_KEY["propagations over the limit"]]
     by_solver = [{s: _means(run, ratio, s) for s in solvers} for ratio in ratios]
-    panels = [
-        (ratio, means) for ratio, means in zip(ratios, by_solver, strict=True) if any(means.values())
-    ]
+    both = zip(ratios, by_solver, strict=True)
+    panels = [(ratio, means) for ratio, means in both if any(means.values())]
     if not panels:
         raise ResultError(f"{run.file}: no solver has a time beside {base}'s")
     picture = style.new_figure(1.2 + 0.4 * len(solvers), width=4 * len(panels))
@@ -60,7 +59,8 @@ def figure(run: Run) -> Drawing:
         title="Overview",
         caption=sentences(
             "Geometric means, a mark a mesh, of each exact solver's CPU time over that of "
-            f"{base} (left)" + (f", and of window propagations {limit} (right)" if panels[1:] else "")
+            f"{base} (left)"
+            + (f", and of window propagations {limit} (right)" if panels[1:] else "")
             + "; ratios are paired by source and repetition. The number is the mean over the "
             "meshes that have a mark.",
             f"No window propagations {limit}: the run has no solver of the MMP family."

@@ -1,4 +1,4 @@
-"""The figure of a ranking: each solver's time relative to the candidate's, per mesh and on the mean.
+"""The figure of a ranking: each solver's time relative to the candidate's, by mesh and mean.
 
 The data come from gate/rank.py; this module only draws them.
 """
@@ -31,8 +31,8 @@ class Mark:
     @property
     def dot(self) -> Dot:
         ratio = self.ratio
-        reach = (ratio.least, ratio.most)
-        return Dot(ratio.value, ratio.low, ratio.high, not self.resolved, reach)
+        measured = (ratio.least, ratio.most)
+        return Dot(ratio.value, ratio.low, ratio.high, not self.resolved, measured)
 
 
 def draw(

@@ -61,7 +61,7 @@ class Ratio:
         return rival if of == RIVAL else of
 
     def is_of(self, run: Run) -> bool:
-        """Whether the run has the solvers that the ratio is about, or a value of it all the same."""
+        """Whether the run has the solvers that the ratio is about, or a value of it."""
         solvers = {of for of, _ in (self.above, self.below)} - {RIVAL}
         return solvers <= set(run.solvers) or any(
             self.measured(run, mesh, solver) for mesh in run.meshes for solver in run.solvers

@@ -59,7 +59,7 @@ class Isolines:
 
 @dataclass(frozen=True)
 class Recording:
-    """Of one source on one mesh; what is in files is read when it is asked for."""
+    """Of one source on one mesh; files are read at the first access."""
 
     mesh: Mesh
     source: int
@@ -73,7 +73,7 @@ class Recording:
         vertices = _floats(self.folder.parent / "vertices.npy", "<f4", (self.mesh.vertices, 3))
         file = self.folder.parent / "faces.npy"
         faces = _load(file, np.dtype("<u4"), (self.mesh.faces, 3))
-        _require(int(faces.max()) < len(vertices), file, "a face has a vertex that is not there")
+        _require(int(faces.max()) < len(vertices), file, "a face has a vertex that does not exist")
         return Surface(vertices, faces.astype(np.int64))
 
     @cached_property
@@ -81,7 +81,7 @@ class Recording:
         """By vertex; infinite where no path leads."""
         file = self.folder / "distances.npy"
         distances = _load(file, np.dtype("<f8"), (self.mesh.vertices,))
-        _require(not np.isnan(distances).any(), file, "a distance is no number")
+        _require(not np.isnan(distances).any(), file, "a distance is not a number")
         _require(distances.min() >= 0, file, "a distance is negative")
         reached = distances[np.isfinite(distances)]
         _require(reached.size > 0 and reached.max() > 0, file, "no vertex is reached")
@@ -106,7 +106,8 @@ class Recording:
         counts = np.diff(first, append=len(points))
         _require(counts.min() >= 2, file, "a piece has fewer than two points")
         levels = pieces["level"].astype(float)
-        _require(bool(np.isfinite(levels).all() and levels.min() > 0), file, "a level is absurd")
+        _require_amounts(levels, file)
+        _require(levels.min() > 0, file, "a level is 0")
         # Each point but the last of a piece begins a segment.
         begins = np.delete(np.arange(len(points)), first[1:] - 1)[:-1]
         owner = np.repeat(levels, counts - 1)
@@ -117,7 +118,7 @@ class Recording:
         file = self.solvers[solver] / "curve.npy"
         curve = _load(file, CURVE, (None,))
         numbers = np.column_stack([curve[name] for name in ("least", "mean", "sd")])
-        _require(bool(np.isfinite(numbers).all() and numbers.min() >= 0), file, "a value is absurd")
+        _require_amounts(numbers, file)
         _require(len(curve) > 1, file, "fewer than two samples")
         _require(bool((np.diff(curve["reached"].astype(np.int64)) > 0).all()), file, "no progress")
         return curve
@@ -127,12 +128,11 @@ class Recording:
         file = self.solvers[solver] / f"snapshot-{moment}.npy"
         windows = _load(file, SNAPSHOT, (None,))
         ends = np.column_stack([windows["origin"], windows["head"]])
-        _require(int(ends.max()) < self.mesh.vertices, file, "a window is on no edge of the mesh")
+        _require(int(ends.max()) < self.mesh.vertices, file, "a window is not on an edge")
         begin, end = windows["begin"], windows["end"]
         on_edge = (begin >= 0) & (begin <= end) & (end <= 1)
-        _require(bool(on_edge.all()), file, "a window reaches over its edge")
-        distance = windows["distance"]
-        _require(bool(np.isfinite(distance).all() and distance.min() >= 0), file, "no distance")
+        _require(bool(on_edge.all()), file, "a window extends beyond its edge")
+        _require_amounts(windows["distance"], file)
         return windows
 
     def wavefront(self, solver: str, moment: int) -> Floats:
@@ -145,8 +145,8 @@ class Recording:
 
 
 def recordings(run: Run, *solvers: str, isolines: bool = False) -> list[Recording]:
-    """One a mesh, of its first recorded source: those that suit the thesis's figures best come
-    first, and of several meshes for one of its models only the best does.
+    """One a mesh, of its first recorded source: the best for the thesis's figures first, and of
+    several meshes for one of its models only the best.
 
     @param solvers that must have been recorded
     @param isolines whether isolines must have been recorded, which needs a solver that keeps its
@@ -204,6 +204,11 @@ def _load(file: Path, kind: np.dtype[Any], shape: Sequence[int | None]) -> Table
     )
     _require(fits, file, f"has the shape {data.shape}, not {tuple(n or 'any' for n in shape)}")
     return data
+
+
+def _require_amounts(numbers: Floats, file: Path) -> None:
+    valid = bool(np.isfinite(numbers).all() and numbers.min() >= 0)
+    _require(valid, file, "a value is not a number of 0 or more")
 
 
 def _require(holds: bool, file: Path, otherwise: str) -> None:

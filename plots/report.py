@@ -8,6 +8,7 @@ import sys
 from collections.abc import Iterable, Sequence
 from html import escape
 from pathlib import Path
+from string import Template
 
 from results import console
 
@@ -59,34 +60,14 @@ def page(run: Run, items: Sequence[Item], left_out: Sequence[LeftOut], pictures:
         f'<section id="{key}" class="{key}"><h2>{SECTIONS[key]}</h2>\n{body}\n</section>'
         for key, body in bodies.items()
     )
-    title = _title(run)
-    return f"""<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>{escape(title)}</title>
-<link rel="icon" href="data:,">
-<style>
-{_text("report.css")}</style>
-</head>
-<body>
-<header>
-<h1>{escape(title)}</h1>
-<p class="summary">{escape(_summary(run))}</p>
-<nav aria-label="Sections"><ul>{navigation}</ul></nav>
-</header>
-<main>
-{sections}
-</main>
-<dialog aria-label="Figure at full size">
-<form method="dialog"><p></p><button>Close</button></form>
-<div><img alt=""></div></dialog>
-<script>
-{_text("report.js")}</script>
-</body>
-</html>
-"""
+    return Template(_text("report.html")).substitute(
+        title=escape(_title(run)),
+        summary=escape(_summary(run)),
+        navigation=navigation,
+        sections=sections,
+        css=_text("report.css"),
+        js=_text("report.js"),
+    )
 
 
 def _text(name: str) -> str:
@@ -106,9 +87,9 @@ def _title(run: Run) -> str:
 
 
 def _folder(run: Run) -> str:
-    """As one would type it in the checkout."""
-    folder = run.file.parent.resolve()
-    return shlex.quote(str(folder.relative_to(console.ROOT) if folder.is_relative_to(console.ROOT) else folder))
+    """As an argument of a command in the checkout's root."""
+    folder, root = run.file.parent.resolve(), console.ROOT
+    return shlex.quote(str(folder.relative_to(root) if folder.is_relative_to(root) else folder))
 
 
 def _list(lines: Iterable[str], style: str = "") -> str:
@@ -116,12 +97,9 @@ def _list(lines: Iterable[str], style: str = "") -> str:
     return f"<ul>{items}</ul>" if items else ""
 
 
-def _paragraphs(lines: Iterable[str]) -> str:
-    return "\n".join(f"<p>{escape(line)}</p>" for line in lines)
-
-
 def _command(name: str, folder: str) -> str:
-    return f'<p class="command">Drawn by <code>python3 -m plots {name} --run {escape(folder)}</code></p>'
+    command = f"python3 -m plots {name} --run {folder}"
+    return f'<p class="command">Drawn by <code>{escape(command)}</code></p>'
 
 
 def _summary(run: Run) -> str:
@@ -143,7 +121,8 @@ def _thesis(run: Run) -> str:
         f"Published numbers: {published.citation()}, measured on {published.machine()}. "
         "All means are geometric."
     )
-    return _paragraphs([*differences.paragraphs(run), source])
+    lines = [*differences.paragraphs(run), source]
+    return "\n".join(f"<p>{escape(line)}</p>" for line in lines)
 
 
 def _figure(item: Item, folder: str, pictures: Path) -> str:

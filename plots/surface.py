@@ -87,7 +87,7 @@ def shade(surface: Surface, buffer: ZBuffer) -> Floats:
     normals = np.einsum("ij,ijk->ik", weights, surface.corner_normals[face])
     normals = buffer.camera.project(_unit(normals))
     turned_away = surface.face_normals[face] @ buffer.camera.axes[2] < 0
-    normals[turned_away] *= -1  # inside and outside look alike
+    normals[turned_away] *= -1  # both sides are shaded alike
     bright = (0.5 + 0.5 * normals @ LIGHT) ** 1.2
     image[y, x] = DARK + bright[:, None] * (BRIGHT - DARK)
     return image

@@ -19,7 +19,7 @@ OURS = (
 PUBLISHED = (
     f"Published: {published.citation()}, Table 5.2, measured on {published.machine()}; compare "
     "ratios, not seconds. Its source vertices are not known. A stand-in is another mesh of the "
-    "same shape or size: what is published for its model is context, not a value to meet."
+    "same shape or size: what is published for its model is context only."
 )
 SPACE = (
     "Space by the thesis's rule is 80 bytes times the window limit for MMP and FWP-MMP and times "

@@ -106,7 +106,7 @@ def claims(run: Run) -> Table:
         remarks=[
             *REMARKS,
             "Ranges are over meshes (over sources and repetitions when there is one mesh). All "
-            "meshes include those too small for their times to say much. Stand-ins are context: "
+            "meshes include those too small for meaningful times. Stand-ins are context: "
             "they are other meshes than those that the thesis measured. "
             f"In this run, the thesis's models: {_listed(run, groups[MODELS])}; "
             f"stand-ins: {_listed(run, groups[STAND_INS])}.",
@@ -152,7 +152,7 @@ def _our_mean(run: Run, ratio: Ratio, solver: str, meshes: list[str]) -> list[Ce
 
 
 def _mean_cell(ratio: Ratio, mean: Mean) -> Cell:
-    """A mean that some meshes are missing from says so."""
+    """With the number of meshes where some have no value."""
     text = ratio.interval(mean.estimate)
     if not mean.is_complete:
         text += f", {mean.coverage}"

@@ -15,7 +15,7 @@ HEADER = [
     "Spatial order", "Distances", "Paper", "Remarks",
 ]  # fmt: skip
 REMARKS = [
-    "Ours: what each solver says of itself in the run file. "
+    "Ours: each solver's description in the run file. "
     f"Published: {published.citation()}, Table 5.3."
 ]
 
@@ -73,7 +73,7 @@ def _yes_or_no(value: bool) -> Cell:
 
 
 def _complexity(text: str) -> Cell:
-    """O(n^2 log n) is mathematics in LaTeX; anything else stays words."""
+    """O(n^2 log n) is mathematics in LaTeX; any other text stays text."""
     if not re.fullmatch(r"O\([\w^+ ]+\)", text):
         return Cell(text)
     return Cell(text, latex=f"${text.replace('log', chr(92) + 'log')}$")

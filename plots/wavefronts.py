@@ -59,9 +59,9 @@ class Pictures:
 
     @property
     def sentence(self) -> str:
-        where = "" if self.source_is_seen else " The source is on the side that is turned away."
+        where = "" if self.source_is_seen else " The source is on the far side."
         return (
-            f"Right: what the square on the left holds, {self.close_up:.0f} mean edge lengths "
+            f"Right: the square on the left, {self.close_up:.0f} mean edge lengths "
             f"wide, with the edges of the mesh. Hidden lines are left out.{where}"
         )
 
@@ -78,10 +78,11 @@ def isoline(run: Run) -> Drawing:
     recording = recordings(run, EDGE_BASED, isolines=True)[0]
     moment, level = _moment(recording)
     wavefront = recording.wavefront(EDGE_BASED, moment)
+    exact = recording.isolines.at(level)
     pictures = _draw(
         recording,
         [
-            Lines("isoline of the distance field", recording.isolines.at(level), style.ISOLINE, 1.8),
+            Lines("isoline of the distance field", exact, style.ISOLINE, 1.8),
             Lines(f"wavefront of {EDGE_BASED}", wavefront, style.WAVEFRONT, 1.2),
         ],
         wavefront,
@@ -132,7 +133,7 @@ def appendix(name: str) -> Callable[[Run], Drawing]:
 
 
 def _draw(recording: Recording, layers: Sequence[Lines], about: Floats) -> Pictures:
-    """@param about the segments that the view is to show, and the close-up a part of"""
+    """@param about the segments that the view shows, and the close-up a part of them"""
     mesh, surface = recording.mesh, recording.surface
     axes = best_axes(mesh, surface, about, recording.source)
     whole = framing(axes, surface.vertices)
@@ -160,7 +161,7 @@ def _draw(recording: Recording, layers: Sequence[Lines], about: Floats) -> Pictu
 
 
 def draw_source(axes: Axes, buffer: ZBuffer, recording: Recording) -> bool:
-    """Marks the source where it is not hidden, and says whether."""
+    """Marks the source where it is not hidden. @return whether it is shown"""
     point = recording.surface.vertices[[recording.source]]
     seen = bool(buffer.visible(point)[0])
     if seen:
@@ -215,7 +216,7 @@ def _claim(recording: Recording, moment: int, level: float) -> str:
     distance = recording.snapshot(EDGE_BASED, moment)["distance"]
     mean = distance.mean()
     far = np.percentile(np.abs(distance - mean), 95) / edge
-    agrees = "which agrees with" if far <= NEAR else "which is further than suits"
+    agrees = "which agrees with" if far <= NEAR else "which does not agree with"
     return (
         f"Its level is {abs(level - mean) / edge:.2f} mean edge lengths from the mean distance of "
         f"the windows, and 95% of the windows are within {far:.2f} mean edge lengths of that "

@@ -19,15 +19,15 @@ Integers = NDArray[np.int64]
 CHUNK = 1 << 21
 """Pairs of face and pixel that are looked at together; bounds the memory."""
 NOTHING = -1
-"""The face of a pixel through which none goes."""
+"""The face of a pixel without a face."""
 TOLERANCE = 2.0
-"""Pixels; a point no further behind a face lies on it."""
+"""Pixels: a point at most so far behind a face lies on it."""
 EDGE_ON = 1e-9
-"""Square pixels; a face that appears smaller than this has no side that one could see."""
+"""Square pixels; a face that appears smaller than this is seen edge-on."""
 SEAM = 1e-6
-"""Of a face's size that it reaches further, so that no pixel falls through between two faces."""
+"""Of a face's size by which it is enlarged, so that no pixel is lost between two faces."""
 STEP = 2.0
-"""Pixels; lines are hidden or shown by pieces no longer."""
+"""Pixels: lines are hidden or shown in pieces of at most this length."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class ZBuffer:
     pixel: float
     """Side of a pixel in the mesh's unit of length."""
     depths: Floats
-    """(2, faces): of each face's furthest and nearest corner, in pixels too."""
+    """(2, faces): of each face's farthest and nearest corner, in pixels too."""
     maps: Floats
     """(3, 3, faces): the weights of a face's first and second corner, and its plane's depth, each
     as a + b x + c y of pixels from the left lower corner."""
@@ -72,9 +72,9 @@ class ZBuffer:
         return np.column_stack([first, second, 1 - first - second])
 
     def _depth(self, face: Integers, x: Floats, y: Floats) -> Floats:
-        """Of the faces' planes at these places, kept within what the face itself has."""
-        furthest, nearest = self.depths[:, face]
-        within: Floats = np.clip(_value(self.maps[2], face, x, y), furthest, nearest)
+        """Of the faces' planes at these places, limited to the depths of the face itself."""
+        farthest, nearest = self.depths[:, face]
+        within: Floats = np.clip(_value(self.maps[2], face, x, y), farthest, nearest)
         return within
 
     def visible_pieces(self, segments: Floats) -> tuple[Floats, Integers]:
@@ -146,7 +146,7 @@ def z_buffer(vertices: Floats, faces: Integers, camera: Camera, width: int) -> Z
         at = _value(maps[2], face, x + 0.5, y + 0.5)
         nearer = at > depth[y, x]
         face, x, y, at = face[nearer], x[nearer], y[nearer], at[nearer]
-        order = np.argsort(at, kind="stable")  # of several on a pixel the last, nearest one stays
+        order = np.argsort(at, kind="stable")  # the nearest face of a pixel is written last
         nearest[y[order], x[order]] = face[order]
         depth[y[order], x[order]] = at[order]
     depths = np.stack([corners[:, :, 2].min(axis=1), corners[:, :, 2].max(axis=1)])

@@ -210,7 +210,7 @@ def load(file: Path) -> Any:
 
 
 def _harmless(data: Any) -> Any:
-    """The same with every text printable: file names and error messages may hold anything."""
+    """The same with every text printable: file names and error messages are arbitrary."""
     if isinstance(data, str):
         return printable(data)
     if isinstance(data, dict):

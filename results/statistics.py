@@ -17,8 +17,8 @@ distribution (`median_interval`). With a margin m >= 1, `decide` gives one of fo
     undecided   otherwise, or too few pairs for an interval
 
 So a median above the margin, or an interval that contains it, is never called the same. At 99% a
-pair of equals is called slower with a probability of at most 0.5%. With m = 1 the rule says which
-of two solvers is faster.
+pair of equals is called slower with a probability of at most 0.5%. With m = 1 the rule decides
+which of two solvers is faster.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The reader of recordings: what it gives, and that it refuses files that are cut off or absurd."""
+"""The reader of recordings: what it gives, and that it refuses truncated and invalid files."""
 
 from __future__ import annotations
 
@@ -22,7 +22,8 @@ def recording(tmp_path: Path) -> Recording:
     """Of a square from a corner of it, whose distances are known."""
     vertices, faces = plane(SIDE, SIDE)
     paths = record(tmp_path, "square", 0, (vertices, faces), np.linalg.norm(vertices, axis=1))
-    mesh = Mesh("square", "", len(vertices), len(faces), mean_edge_length(vertices, faces), None, False)
+    edge = mean_edge_length(vertices, faces)
+    mesh = Mesh("square", "", len(vertices), len(faces), edge, None, False)
     folders = {solver: tmp_path / path for solver, path in paths.items()}
     return Recording(mesh, 0, tmp_path / "recordings" / "square" / "src0", folders)
 
@@ -38,7 +39,8 @@ def test_what_was_written_is_read(recording: Recording) -> None:
     everything(recording)
     assert recording.greatest == pytest.approx(np.sqrt(2))
     levels = recording.isolines.levels
-    assert np.unique(levels) == pytest.approx(np.sqrt(2) * np.arange(1, LEVELS + 1) / LEVELS, rel=1e-6)
+    expected = np.sqrt(2) * np.arange(1, LEVELS + 1) / LEVELS
+    assert np.unique(levels) == pytest.approx(expected, rel=1e-6)
     radii = np.linalg.norm(recording.isolines.segments, axis=2)
     assert radii == pytest.approx(np.column_stack([levels, levels]), abs=0.02)
     wavefront = recording.wavefront("mmp", 50)
@@ -71,7 +73,7 @@ class TestEveryFile:
         self.refused(recording, name, "no such file")
 
     @pytest.mark.parametrize("kept", [0, 5, 100, 0.6])
-    def test_cut_off_it_is_refused(self, recording: Recording, name: str, kept: float) -> None:
+    def test_truncated_it_is_refused(self, recording: Recording, name: str, kept: float) -> None:
         file = recording.folder / name
         whole = file.read_bytes()
         file.write_bytes(whole[: int(kept if kept >= 1 else kept * len(whole))])
@@ -102,10 +104,10 @@ def put(field: str, value: float, index: int = 5) -> Break:
     return change
 
 
-ABSURD: list[tuple[str, Break, str]] = [
+INVALID: list[tuple[str, Break, str]] = [
     ("../vertices.npy", lambda data: data.fill(np.nan), "not finite"),
-    ("../faces.npy", lambda data: data.fill(SIDE * SIDE), "not there"),
-    ("distances.npy", lambda data: data.fill(np.nan), "no number"),
+    ("../faces.npy", lambda data: data.fill(SIDE * SIDE), "does not exist"),
+    ("distances.npy", lambda data: data.fill(np.nan), "not a number"),
     ("distances.npy", lambda data: data.fill(np.inf), "no vertex is reached"),
     ("distances.npy", lambda data: data.fill(0), "no vertex is reached"),
     ("distances.npy", lambda data: data.fill(-1), "negative"),
@@ -113,20 +115,20 @@ ABSURD: list[tuple[str, Break, str]] = [
     ("isoline_pieces.npy", put("first", 1, 0), "do not match"),
     ("isoline_pieces.npy", put("first", 2**31, -1), "do not match"),
     ("isoline_pieces.npy", put("first", 3), "fewer than two points"),
-    ("isoline_pieces.npy", put("level", np.nan), "level is absurd"),
-    ("mmp/curve.npy", put("sd", np.nan), "absurd"),
-    ("mmp/curve.npy", put("mean", -1), "absurd"),
+    ("isoline_pieces.npy", put("level", np.nan), "not a number"),
+    ("mmp/curve.npy", put("sd", np.nan), "not a number"),
+    ("mmp/curve.npy", put("mean", -1), "not a number"),
     ("mmp/curve.npy", put("reached", 0), "no progress"),
-    ("mmp/snapshot-50.npy", put("origin", SIDE * SIDE), "on no edge"),
-    ("mmp/snapshot-50.npy", put("end", 1.5), "over its edge"),
-    ("mmp/snapshot-50.npy", put("begin", -0.5), "over its edge"),
-    ("mmp/snapshot-50.npy", put("begin", np.nan), "over its edge"),
-    ("mmp/snapshot-50.npy", put("distance", np.inf), "no distance"),
+    ("mmp/snapshot-50.npy", put("origin", SIDE * SIDE), "not on an edge"),
+    ("mmp/snapshot-50.npy", put("end", 1.5), "beyond its edge"),
+    ("mmp/snapshot-50.npy", put("begin", -0.5), "beyond its edge"),
+    ("mmp/snapshot-50.npy", put("begin", np.nan), "beyond its edge"),
+    ("mmp/snapshot-50.npy", put("distance", np.inf), "not a number"),
 ]
 
 
-@pytest.mark.parametrize(("name", "change", "why"), ABSURD)
-def test_absurd_contents_are_refused(
+@pytest.mark.parametrize(("name", "change", "why"), INVALID)
+def test_invalid_contents_are_refused(
     recording: Recording, name: str, change: Break, why: str
 ) -> None:
     data = np.load(recording.folder / name)

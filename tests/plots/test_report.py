@@ -153,7 +153,7 @@ def test_another_order_and_a_far_count_are_said(golden_run: Run) -> None:
         in differences.paragraphs(slow)[0]
     )
     many = change_numbers(golden_run, "ich", "window_propagations", 1.2)
-    assert "more than 10% from the thesis: ich (docs/metrics.md" in differences.paragraphs(many)[0]
+    assert "more than 10% from the thesis: ich (what is counted: docs" in differences.paragraphs(many)[0]
 
 
 def test_means_are_over_models_that_have_both_numbers(golden_run: Run) -> None:
