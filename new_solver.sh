@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A solver of one's own, as a folder that builds and works at once. See --help.
+# Makes the folder of a new solver, which builds and works at once. See --help.
 set -euo pipefail
 
 program=new_solver.sh
@@ -26,8 +26,8 @@ usage() {
   cat <<EOF
 Usage: ./new_solver.sh NAME [--from START] [--outside DIR]
 
-Makes the folder of a new solver: registered under NAME, exact, documented, and built with
-everything else; no other file changes.
+Makes the folder of a new solver, solvers/variants/NAME: registered under NAME, exact, documented,
+and built with everything else; no other file changes. What lies there runs only when it is named.
 
   NAME           lower case letters and digits, in words joined by hyphens: my-variant
   --from START   what it begins as:
@@ -35,8 +35,8 @@ everything else; no other file changes.
                    edge-based   a variant of edge-based propagation, by its policies
                    mmp          a variant of MMP, by its policies
                    chen-han     a variant of Chen and Han's algorithm, by its policies
-  --outside DIR  into DIR and not into solvers/: a project of its own, which makes a plug-in
-                 with an installed geodesic-bench
+  --outside DIR  into DIR and not into solvers/variants/: a project of its own, which makes a
+                 plug-in with an installed geodesic-bench
   --help         this text
 
 docs/adding-a-solver.md goes on from there, to a variant that is verified and ranked.
@@ -73,12 +73,12 @@ parse_options() {
 
 check_name() {
   [[ $name =~ ^[a-z][a-z0-9]*(-[a-z0-9]+)*$ ]] ||
-    die "'$name' is no name for a solver: lower case letters and digits, in words joined by" \
+    die "invalid solver name '$name': use lower case letters and digits, in words joined by" \
       "hyphens, a letter first: my-variant"
   [[ ${#name} -le $longest_name ]] || die "'$name' is longer than $longest_name characters"
-  [[ " ${reserved//$'\n'/ } " != *" $name "* ]] || die "'$name' means something else already"
+  [[ " ${reserved//$'\n'/ } " != *" $name "* ]] || die "'$name' is reserved"
   local taken
-  taken=$(grep -lF ".name = \"$name\"" "$root"/solvers/*/*.cpp) || return 0
+  taken=$(grep -rlF --include='*.cpp' ".name = \"$name\"" "$root/solvers") || return 0
   die "there is a solver named '$name' already, in ${taken#"$root/"}"
 }
 
@@ -111,7 +111,11 @@ remove_unfinished() {
 }
 
 write_folder() {
-  [[ ! -e $folder ]] || die "$folder is there already; nothing was changed"
+  local taken folders=("$folder")
+  if [[ -z $outside ]]; then folders+=("$root/solvers/$folder_name"); fi
+  for taken in "${folders[@]}"; do
+    [[ ! -e $taken ]] || die "$taken exists; nothing was changed"
+  done
   local why
   why=$(mkdir -p "$folder" 2>&1) || die "cannot make $folder: ${why##*: }; nothing was changed"
   trap remove_unfinished EXIT
@@ -120,7 +124,7 @@ write_folder() {
     write_template
   else
     write_variant
-    sources+=" recorded.cpp"
+    sources="RECORDED $sources"
   fi
   if [[ -n $outside ]]; then write_project; fi
 }
@@ -156,6 +160,6 @@ say_what_next() {
 parse_options "$@"
 check_name
 folder_name=${name//-/_}
-folder=${outside:-$root/solvers/$folder_name}
+folder=${outside:-$root/solvers/variants/$folder_name}
 write_folder
 say_what_next

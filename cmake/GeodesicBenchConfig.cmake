@@ -4,11 +4,19 @@
 #   geodesic_add_solver            solvers of one's own, as a plug-in of the program
 include(${CMAKE_CURRENT_LIST_DIR}/GeodesicBenchTargets.cmake)
 
-# geodesic_add_solver(NAME SOURCES...)
+include(${CMAKE_CURRENT_LIST_DIR}/RecordedSolves.cmake)
+
+# geodesic_add_solver(NAME [BY_NAME_ONLY] [SOURCES...] [RECORDED SOURCES...])
 #
-# The plug-in libNAME.so, for geodesic-bench --plugin.
+# The plug-in libNAME.so, for geodesic-bench --plugin. With BY_NAME_ONLY its solvers run only when
+# they are named. Sources named RECORDED are compiled for timed solves and again for recorded ones.
 function(geodesic_add_solver name)
-  add_library(${name} MODULE ${ARGN})
+  cmake_parse_arguments(PARSE_ARGV 1 arg "BY_NAME_ONLY" "" "RECORDED")
+  add_library(${name} MODULE ${arg_UNPARSED_ARGUMENTS})
+  geodesic_add_recorded_sources(${name} ${arg_RECORDED})
+  if(arg_BY_NAME_ONLY)
+    target_compile_definitions(${name} PRIVATE GEODESIC_BY_NAME_ONLY)
+  endif()
   target_link_libraries(${name} PRIVATE GeodesicBench::geodesic)
   # Contraction off: the same bits on every processor, as in the program. Hidden: a class of the
   # plug-in that is named like one of the program's stays the plug-in's.

@@ -29,7 +29,7 @@ void require_measurable(const TriangleSoup& soup, const DefectReport& defects,
     throw MeshError(name + ": no usable face is left: " + list_errors(defects));
   }
   try {
-    unit_exponent(soup.positions);
+    Unit::of(soup.positions);
   } catch (const std::invalid_argument& error) {
     throw MeshError(name + ": " + error.what() + "; scale it");
   }

@@ -50,9 +50,9 @@ std::vector<WindowOfFile> as_in_file(const std::vector<WavefrontWindow>& windows
   rows.reserve(windows.size());
   for (const WavefrontWindow& w : windows) {
     const double length = mesh.half_edge(w.half_edge).length;
-    rows.push_back({mesh.given_number(mesh.origin(w.half_edge)),
-                    mesh.given_number(mesh.head(w.half_edge)), w.begin / length, w.end / length,
-                    w.distance});
+    rows.push_back({mesh.numbers().given_vertex(mesh.origin(w.half_edge)),
+                    mesh.numbers().given_vertex(mesh.head(w.half_edge)), w.begin / length,
+                    w.end / length, w.distance});
   }
   return rows;
 }

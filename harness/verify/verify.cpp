@@ -60,8 +60,8 @@ std::string check_straight_line(const Mesh& mesh, std::span<const Index> sources
   const auto to_nearest_source = [&](Index v) {
     double nearest = kInfinity;
     for (const Index s : sources) {
-      const Vec3& a = mesh.position(mesh.vertex_given_as(s));
-      const Vec3& b = mesh.position(mesh.vertex_given_as(v));
+      const Vec3& a = mesh.position(mesh.numbers().own_vertex(s));
+      const Vec3& b = mesh.position(mesh.numbers().own_vertex(v));
       nearest = std::min(nearest, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
     }
     return nearest;
@@ -92,7 +92,8 @@ std::string check_triangle_inequality(const Mesh& mesh, std::span<const double> 
   Worst worst;
   Index other = kNone;
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
-    const Index u = mesh.given_number(mesh.origin(h)), v = mesh.given_number(mesh.head(h));
+    const Index u = mesh.numbers().given_vertex(mesh.origin(h)),
+                v = mesh.numbers().given_vertex(mesh.head(h));
     if (d[u] == d[v]) continue;  // infinite, perhaps
     const Index farther = d[u] > d[v] ? u : v;
     const double excess = (std::abs(d[u] - d[v]) - mesh.half_edge(h).length) / std::max(d[u], d[v]);

@@ -1,7 +1,5 @@
 // `ch`, `ich` and `fwp-ch`: one propagation of windows in three orders, filtered but for `ch`.
-#include "solvers/chen_han/policies.h"
-#include "solvers/chen_han/solver.h"
-#include "solvers/core/registry.h"
+#include "solvers/chen_han/chen_han.h"
 
 namespace geodesic::chen_han {
 namespace {

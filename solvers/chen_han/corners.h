@@ -36,8 +36,8 @@ class Corners {
     return crossing > owner.crossing + resolution ? Children::right : Children::both;
   }
 
-  /// Starts to bring the owner of a corner near.
-  void fetch(Index h) const { prefetch(&owners_[h]); }
+  /// Starts to load the owner of a corner.
+  void prefetch(Index h) const { geodesic::prefetch(&owners_[h]); }
 
  private:
   struct Owner {

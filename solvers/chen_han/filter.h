@@ -15,10 +15,14 @@
 // or from lines of this very window, and what ties must not drop what it depends on.
 #pragma once
 
-#include "solvers/chen_han/stored_window.h"
 #include "solvers/core/tolerance.h"
+#include "solvers/core/window.h"
 
 namespace geodesic::chen_han {
+
+/// Which end of its half-edge a window's edge shares with the edge through which the window's lines
+/// came into the face that they are leaving.
+enum class Entry : Index { at_origin, at_head };
 
 /// The face that a window's lines are leaving, in the frame of the window's half-edge.
 struct PassedFace {

@@ -20,20 +20,39 @@
 #include "solvers/chen_han/corners.h"
 #include "solvers/chen_han/filter.h"
 #include "solvers/chen_han/shadow.h"
-#include "solvers/chen_han/stored_window.h"
-#include "solvers/chen_han/unreliable.h"
+#include "solvers/core/pool.h"
 #include "solvers/core/prefetch.h"
+#include "solvers/core/queues/concepts.h"
+#include "solvers/core/recorders.h"
 #include "solvers/core/solver.h"
 #include "solvers/core/tolerance.h"
-#include "solvers/core/upcoming.h"
 #include "solvers/core/window_bound.h"
 
 namespace geodesic::chen_han {
 
+/// A window that waits to be propagated across the face of `half_edge`. An empty interval stands
+/// for the pseudo-source `root` itself, which waits to send out windows: its path arrived at the
+/// corner `half_edge` from the direction (x, y) (shadow.h).
+template <class Depth>
+struct StoredWindow : Window {
+  Index half_edge;
+  Index root : 31;                    ///< vertex of the (pseudo-)source
+  Index entry : 1;                    ///< an Entry
+  [[no_unique_address]] Depth depth;  ///< faces crossed since the pseudo-source
+
+  bool is_pseudo_source() const { return !(end > begin); }
+};
+
+/// As many vertices as `StoredWindow::root` can tell apart.
+inline constexpr Index kMaxVertices = (Index{1} << 31) - 1;
+
 /// The state of the solves of one solver, one after the other.
-/// @tparam Policy as in policies.h
+/// @tparam Policy as in chen_han.h
 template <class Policy, class Recorder>
 class Propagation {
+  static_assert(WindowQueue<typename Policy::Queue>,
+                "the policy's Queue lacks a member of WindowQueue (core/queues/concepts.h)");
+
  public:
   explicit Propagation(const Mesh& mesh, Recorder recorder = {})
       : mesh_(mesh),
@@ -49,7 +68,7 @@ class Propagation {
     while (!queue_.empty()) {
       const Stored w = pop();
       budget_.spend(1);
-      fetch_ahead();
+      prefetch_ahead();
       if (w.is_pseudo_source()) {
         if (!is_outdated(w)) emit(w.root, {w.half_edge, w.x, w.y});
       } else {
@@ -57,7 +76,7 @@ class Propagation {
         if (!is_outdated(w) && !is_useless(w)) propagate(w);
       }
       if constexpr (Recorder::kRecords) {
-        if (sweep_.made_step()) sample();
+        if (progress_.made_step()) sample();
       }
     }
   }
@@ -83,9 +102,9 @@ class Propagation {
     budget_.start();
     pool_.clear();
     queue_.clear();
-    upcoming_.clear();
+    pipeline_.clear();
     corners_.clear();
-    if constexpr (Recorder::kRecords) sweep_.start(mesh_, query);
+    if constexpr (Recorder::kRecords) progress_.start(mesh_, query.source_vertices());
     for (const Source& source : query.sources) {
       if (!(source.distance < distances_[source.vertex])) continue;
       set_distance(source.vertex, source.distance);
@@ -93,23 +112,22 @@ class Propagation {
     }
   }
 
-  /// Lets the memory that upcoming windows need arrive while others are propagated: the window,
-  /// then the face it enters, then the face it comes from and distances.
-  void fetch_ahead() {
-    const Index* told = queue_.upcoming();
-    upcoming_.advance(told ? *told : kNone);
-    if (upcoming_[0] != kNone) {
-      const auto* w = reinterpret_cast<const char*>(&pool_[upcoming_[0]]);
+  /// Starts to load what upcoming windows need while others are propagated: the window, then the
+  /// face it enters, then the face it comes from and distances.
+  void prefetch_ahead() {
+    pipeline_.advance(upcoming(queue_));
+    if (pipeline_[0] != kNone) {
+      const auto* w = reinterpret_cast<const char*>(&pool_[pipeline_[0]]);
       prefetch(w);
       prefetch(w + sizeof(Stored) - 1);
     }
     if (const Stored* w = upcoming_window(1)) {
-      mesh_.fetch_face(w->half_edge);
-      corners_.fetch(w->half_edge);
+      mesh_.prefetch_face(w->half_edge);
+      corners_.prefetch(w->half_edge);
       prefetch(&distances_[w->root]);
     }
     if (const Stored* w = upcoming_window(2)) {
-      mesh_.fetch_face(mesh_.twin(w->half_edge));
+      mesh_.prefetch_face(mesh_.twin(w->half_edge));
       prefetch(&distances_[mesh_.origin(w->half_edge)]);
       prefetch(&distances_[mesh_.head(w->half_edge)]);
       prefetch(&distances_[mesh_.apex(w->half_edge)]);
@@ -119,14 +137,14 @@ class Propagation {
     }
   }
 
-  /// The window at a stage of fetch_ahead; null when there is none.
+  /// The window at a stage of prefetch_ahead; null when there is none.
   const Stored* upcoming_window(std::size_t stage) const {
-    const Index slot = upcoming_[stage];
+    const Index slot = pipeline_[stage];
     return slot == kNone || pool_[slot].is_pseudo_source() ? nullptr : &pool_[slot];
   }
 
   void set_distance(Index v, double distance) {
-    if constexpr (Recorder::kRecords) sweep_.reach(distances_[v]);
+    if constexpr (Recorder::kRecords) progress_.reach(distances_[v]);
     distances_[v] = distance;
   }
 
@@ -286,7 +304,7 @@ class Propagation {
   }
 
   void sample() {
-    recorder_.sample(sweep_, [&](auto&& visit) {
+    recorder_.sample(progress_, [&](auto&& visit) {
       pool_.for_each([&](const Stored& w) {
         if (!w.is_pseudo_source()) visit(w.half_edge, w);
       });
@@ -299,13 +317,13 @@ class Propagation {
   typename Policy::Queue queue_;  // of slots in pool_
   Pool<Stored> pool_;
   Corners corners_;
-  std::vector<std::uint8_t> unreliable_;  // unreliable.h
+  std::vector<std::uint8_t> unreliable_;  // find_unreliable_vertices
   std::vector<ShadowedEdge> shadow_;      // scratch, kept for its memory
   std::span<double> distances_;
   double limit_ = kInfinity;
-  Upcoming<4> upcoming_;  // slots on the way through fetch_ahead
+  PrefetchPipeline<4> pipeline_;  // slots on their way through prefetch_ahead
   [[no_unique_address]] typename Recorder::Count waiting_{};  // windows in the queue
-  [[no_unique_address]] typename Recorder::Sweep sweep_;
+  [[no_unique_address]] typename Recorder::Progress progress_;
 };
 
 }  // namespace geodesic::chen_han

@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "solvers/core/tolerance.h"
+
 namespace geodesic::chen_han {
 namespace {
 
@@ -118,6 +120,25 @@ void find_shadow(const Mesh& mesh, Index v, const Arrival& arrival,
   // A boundary vertex: the shadow lies between each border and the boundary.
   if (last == kNone) add_from(mesh, *left, Turn::counter_clockwise, kNone, edges);
   add_from(mesh, *right, Turn::clockwise, kNone, edges);
+}
+
+std::vector<std::uint8_t> find_unreliable_vertices(const Mesh& mesh) {
+  std::vector<std::uint8_t> corners(mesh.vertex_count());
+  bool any = false;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    const HalfEdge& e = mesh.half_edge(h);
+    if (e.apex_y > kFlatFace * e.length && e.length > 0) continue;
+    corners[mesh.origin(h)] = corners[mesh.head(h)] = corners[mesh.apex(h)] = 1;
+    any = true;
+  }
+  if (!any) return corners;
+  std::vector<std::uint8_t> marked = corners;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    if (corners[mesh.origin(h)] | corners[mesh.head(h)]) {
+      marked[mesh.origin(h)] = marked[mesh.head(h)] = 1;
+    }
+  }
+  return marked;
 }
 
 }  // namespace geodesic::chen_han

@@ -7,6 +7,7 @@
 // excess over 2 pi; at a boundary vertex it is what lies more than pi away on either side.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "solvers/core/mesh.h"
@@ -29,5 +30,12 @@ struct ShadowedEdge {
 /// Fills `edges` with the edges opposite to v that lie wholly or partly in the shadow.
 void find_shadow(const Mesh& mesh, Index v, const Arrival& arrival,
                  std::vector<ShadowedEdge>& edges);
+
+/// Marks, one entry a vertex, the corners of faces without reliable angles (a zero-length edge, no
+/// area up to rounding) and their neighbours. There, pseudo-sources coincide or lie in line: which
+/// of them is nearer, and from where its path arrives, is chance, and a window may be dropped in
+/// favour of one that was dropped in its favour. Marked vertices send windows into all their faces
+/// and the corners of their faces have no owner; the filter alone stops windows there.
+std::vector<std::uint8_t> find_unreliable_vertices(const Mesh& mesh);
 
 }  // namespace geodesic::chen_han

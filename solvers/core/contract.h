@@ -1,5 +1,5 @@
-// The contract a solver was compiled against, as text: kContract, and what changes with the types
-// that solvers and programs hand to each other, whether or not somebody thought of raising it.
+// What the two sides of the contract must agree on before they exchange objects: a solver in a
+// plug-in, and the program that loads it.
 #pragma once
 
 #include <string>
@@ -8,13 +8,22 @@
 
 namespace geodesic {
 
-/// "contract 1 (C++ ABI 1017/1, sizes 32 208 312 ...)"
+/// The version of what a solver sees: all of solvers/core. Raised when a solver that was compiled
+/// before a change would no longer work after it: when a member or a virtual function is added,
+/// moved or removed, or means something else. Plug-ins of other versions are refused.
+inline constexpr int kContract = 2;
+
+/// The contract that this file is compiled against: "contract 2 (C++ ABI 1017/1, sizes 32 280
+/// ...)".
+/// 1. The version, raised by hand.
+/// 2. The compiler's ABI and that of its std::string: they decide how objects lie in memory.
+/// 3. The sizes of the types that both sides use: a change of most kinds shows in them, should the
+///    version have been forgotten.
 ///
-/// Static, and all of it in the header: every shared library has its own, and never another's.
-/// Without `literal + string`, for which GCC 12 gives a false warning where users compile it (bug
-/// 105651).
-static inline std::string contract_compiled_against() {
+/// Static, so that every shared library has its own and never another's.
+static inline std::string compiled_contract() {
   std::string text = "contract ";
+  // Appended piece by piece: for `literal + string` GCC 12 gives a false warning (bug 105651).
   text.append(std::to_string(kContract)).append(" (C++ ABI ");
   text.append(std::to_string(__GXX_ABI_VERSION));
 #ifdef _GLIBCXX_USE_CXX11_ABI

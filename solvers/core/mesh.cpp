@@ -6,10 +6,10 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "solvers/core/tolerance.h"
 #include "solvers/core/unit.h"
-#include "solvers/core/vertex_order.h"
 
 namespace geodesic {
 namespace {
@@ -41,34 +41,36 @@ Mesh::Mesh(std::span<const Vec3> positions, std::span<const Triangle> triangles,
            Numbering numbering) {
   check_input(positions, triangles);
   if (numbering == Numbering::along_surface) {
-    renumber(positions, triangles);
+    number_along_surface(positions, triangles);
   } else {
     positions_.assign(positions.begin(), positions.end());
     set_faces(triangles);
   }
   index_outgoing();
   link_twins();
-  lay_out_faces();
+  compute_frames();
   classify_vertices();
 }
 
-void Mesh::renumber(std::span<const Vec3> positions, std::span<const Triangle> triangles) {
-  numbers_ = order_along_curve(positions);
-  vertices_.resize(numbers_.size());
-  positions_.resize(numbers_.size());
-  for (Index v = 0; v < numbers_.size(); ++v) {
-    vertices_[numbers_[v]] = v;
-    positions_[v] = positions[numbers_[v]];
+void Mesh::number_along_surface(std::span<const Vec3> positions,
+                                std::span<const Triangle> triangles) {
+  const std::vector<Index> vertices = order_along_curve(positions);
+  std::vector<Index> own(vertices.size());
+  positions_.resize(vertices.size());
+  for (Index v = 0; v < vertices.size(); ++v) {
+    own[vertices[v]] = v;
+    positions_[v] = positions[vertices[v]];
   }
   std::vector<Triangle> renamed(triangles.begin(), triangles.end());
   for (Triangle& t : renamed) {
-    for (Index& corner : t) corner = vertices_[corner];
+    for (Index& corner : t) corner = own[corner];
   }
-  faces_ = order_by_least_vertex(renamed, vertex_count());
+  std::vector<Index> faces = order_by_least_vertex(renamed, vertex_count());
   std::vector<Triangle> sorted;
   sorted.reserve(renamed.size());
-  for (const Index f : faces_) sorted.push_back(renamed[f]);
+  for (const Index f : faces) sorted.push_back(renamed[f]);
   set_faces(sorted);
+  numbers_ = MeshNumbers(vertices, std::move(faces));
 }
 
 void Mesh::set_faces(std::span<const Triangle> triangles) {
@@ -123,27 +125,28 @@ void Mesh::link_twins() {
   }
 }
 
-void Mesh::lay_out_faces() {
+void Mesh::compute_frames() {
   // In a unit in which products of lengths stay within range: most often the mesh's own.
-  const int unit = unit_exponent(positions_);
-  const std::vector<Vec3> elsewhere = unit == 0 ? std::vector<Vec3>() : scaled(positions_, -unit);
-  const std::span<const Vec3> at = unit == 0 ? std::span<const Vec3>(positions_) : elsewhere;
+  const Unit unit = Unit::of(positions_);
+  std::vector<Vec3> converted;
+  if (!unit.is_one()) converted = unit.in_unit(positions_);
+  const std::span<const Vec3> at = unit.is_one() ? positions_ : converted;
   double sum = 0;
   for (Index first = 0; first < half_edge_count(); first += 3) {
-    lay_out_face(first, at);
+    compute_frames_of_face(first, at);
     for (Index h = first; h < first + 3; ++h) {
       HalfEdge& e = half_edges_[h];
       if (e.twin == kNone || e.twin > h) sum += e.length;
-      if (unit == 0) continue;
-      for (double* length : {&e.length, &e.apex_x, &e.apex_y}) *length = std::ldexp(*length, unit);
+      if (unit.is_one()) continue;
+      for (double* length : {&e.length, &e.apex_x, &e.apex_y}) *length = unit.in_mesh(*length);
     }
   }
-  mean_edge_length_ = edge_count_ > 0 ? std::ldexp(sum / edge_count_, unit) : 0;
+  mean_edge_length_ = edge_count_ > 0 ? unit.in_mesh(sum / edge_count_) : 0;
 }
 
 // Sets the frames of the face whose half-edges start with `first`. Both sides of an edge get the
 // same bits: a difference and its negative differ in nothing but signs.
-void Mesh::lay_out_face(Index first, std::span<const Vec3> at) {
+void Mesh::compute_frames_of_face(Index first, std::span<const Vec3> at) {
   const std::span<HalfEdge, 3> sides(&half_edges_[first], 3);
   std::array<Vec3, 3> along;
   std::size_t longest = 0;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "solvers/core/geometry.h"
+#include "solvers/core/numbering.h"
 #include "solvers/core/prefetch.h"
 
 namespace geodesic {
@@ -24,12 +25,6 @@ struct HalfEdge {
   Index origin;   ///< vertex the half-edge starts from
 };
 static_assert(sizeof(HalfEdge) == 32, "two half-edges share a cache line");
-
-/// How a mesh numbers its vertices and faces inside.
-enum class Numbering {
-  as_given,
-  along_surface,  ///< by vertex_order.h: large meshes are solved faster, small ones no slower
-};
 
 /// A triangle mesh as solvers walk over it; constant once it is built.
 class Mesh {
@@ -48,13 +43,8 @@ class Mesh {
   explicit Mesh(const TriangleSoup& soup, Numbering numbering = Numbering::as_given)
       : Mesh(soup.positions, soup.triangles, numbering) {}
 
-  /// The vertex that was given as number v, and the number that vertex v was given as. Every other
-  /// function of this class speaks of vertices; Solver::solve speaks of numbers given.
-  Index vertex_given_as(Index v) const { return numbers_.empty() ? v : vertices_[v]; }
-  Index given_number(Index v) const { return numbers_.empty() ? v : numbers_[v]; }
-  /// The number that face f was given as.
-  Index given_face(Index f) const { return faces_.empty() ? f : faces_[f]; }
-  bool is_renumbered() const { return !numbers_.empty(); }
+  /// How the vertices and faces of this class translate to those that were given.
+  const MeshNumbers& numbers() const { return numbers_; }
 
   Index vertex_count() const { return static_cast<Index>(positions_.size()); }
   Index half_edge_count() const { return static_cast<Index>(half_edges_.size()); }
@@ -93,8 +83,8 @@ class Mesh {
 
   const Vec3& position(Index v) const { return positions_[v]; }
   std::span<const Vec3> positions() const { return positions_; }
-  /// Starts to bring the half-edges of the face of h near; h may be kNone.
-  void fetch_face(Index h) const {
+  /// Starts to load the half-edges of the face of h; h may be kNone.
+  void prefetch_face(Index h) const {
     if (h == kNone) return;
     const HalfEdge* face = &half_edges_[h - h % 3];
     prefetch(face);
@@ -106,18 +96,16 @@ class Mesh {
   double mean_edge_length() const { return mean_edge_length_; }
 
  private:
-  void renumber(std::span<const Vec3> positions, std::span<const Triangle> triangles);
+  void number_along_surface(std::span<const Vec3> positions, std::span<const Triangle> triangles);
   void set_faces(std::span<const Triangle> triangles);
   void link_twins();
   void index_outgoing();
-  void lay_out_faces();
-  void lay_out_face(Index first, std::span<const Vec3> at);
+  void compute_frames();
+  void compute_frames_of_face(Index first, std::span<const Vec3> at);
   void classify_vertices();
   Index fan_size(Index v) const;
 
-  std::vector<Index> numbers_;  // given_number and vertex_given_as; empty unless renumbered
-  std::vector<Index> vertices_;
-  std::vector<Index> faces_;  // given_face; empty unless renumbered
+  MeshNumbers numbers_;
   std::vector<Vec3> positions_;
   std::vector<HalfEdge> half_edges_;
   std::vector<Index> first_outgoing_;  // vertex_count + 1 offsets into outgoing_

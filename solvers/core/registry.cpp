@@ -67,8 +67,8 @@ std::unique_ptr<Solver> make_solver(std::string_view name, const Mesh& mesh) {
     throw std::invalid_argument("no solver named '" + std::string(name) + "'; there are: " + known);
   }
   const auto& [description, factory] = at->second;
-  const int exponent = unit_exponent(mesh.positions());
-  if (exponent != 0) return make_rescaled(mesh, description, factory, exponent);
+  const Unit unit = Unit::of(mesh.positions());
+  if (!unit.is_one()) return make_rescaled(mesh, description, factory, unit);
   return factory(mesh, description);
 }
 
@@ -77,7 +77,7 @@ std::unique_ptr<Solver> make_solver(std::string_view name, const Mesh& mesh) {
 void geodesic_register_solver(const char* contract, void* description, void* factory) {
   using namespace geodesic;
   try {
-    const std::string own = contract_compiled_against();
+    const std::string own = compiled_contract();
     if (contract != own) {
       throw std::logic_error("built against " + std::string(contract) +
                              ", while this program has " + own +

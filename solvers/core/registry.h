@@ -15,12 +15,12 @@
 #include "solvers/core/contract.h"
 #include "solvers/core/solver.h"
 
-/// Adds a solver that was compiled against `contract` (contract.h), and looks at nothing else if
-/// that is not the registry's own. What crosses over from a plug-in of any version comes this way:
-/// the signature never changes.
+/// Adds a solver that was compiled against `contract` (contract.h). The other arguments are used
+/// only when that is the registry's own: plug-ins of any version call this function, whose
+/// signature never changes.
 /// @param description geodesic::Description, moved from
 /// @param factory geodesic::SolverFactory, moved from
-/// @throws std::logic_error when it is refused, unless somebody collects (collect_registrations)
+/// @throws std::logic_error when it is refused, except within collect_registrations
 extern "C" void geodesic_register_solver(const char* contract, void* description, void* factory);
 
 namespace geodesic {
@@ -31,14 +31,14 @@ using SolverFactory =
 /// Adds a solver. @throws std::logic_error when the name is taken.
 void register_solver(Description description, SolverFactory factory);
 
-/// What became of the solvers that registered themselves.
+/// The outcome of solvers registering themselves.
 struct Registrations {
   std::vector<std::string> added;    ///< names
   std::vector<std::string> refused;  ///< why, a sentence each
 };
 
-/// Calls `load`, which may load shared libraries. Solvers in them that cannot be added are refused
-/// in the result: an exception could not leave the loading of a library.
+/// Calls `load`, which may load shared libraries. Solvers in them that cannot be added are listed
+/// as refused: an exception could not leave the loading of a library.
 Registrations collect_registrations(const std::function<void()>& load);
 
 /// Descriptions of all registered solvers, by name.
@@ -47,21 +47,39 @@ std::vector<const Description*> registered_solvers();
 /// @return null when no solver has that name
 const Description* find_solver(std::string_view name);
 
-/// Prepares a solver for a mesh, which must outlive it. Whatever the mesh's unit of length is, the
-/// solver works in one in which squares and fourth powers of lengths stay within range
-/// (core/unit.h).
+/// Prepares a solver for a mesh, which must outlive it. The solver works in a unit of length in
+/// which squares and fourth powers of lengths stay within range (unit.h).
 /// @throws std::invalid_argument for an unknown name, listing the known ones
 std::unique_ptr<Solver> make_solver(std::string_view name, const Mesh& mesh);
 
+/// Whether a solver runs only when it is named: what geodesic_add_solver says of its folder.
+#ifdef GEODESIC_BY_NAME_ONLY
+inline constexpr bool kByNameOnly = true;
+#else
+inline constexpr bool kByNameOnly = false;
+#endif
+
+#ifndef GEODESIC_RECORDED
 /// Registers S when it is constructed, as an object at namespace scope.
 template <class S>
 struct RegisterSolver {
   explicit RegisterSolver(Description description) {
+    description.by_name_only |= kByNameOnly;
     SolverFactory factory = [](const Mesh& mesh, const Description& d) {
       return std::make_unique<S>(mesh, d);
     };
-    geodesic_register_solver(contract_compiled_against().c_str(), &description, &factory);
+    geodesic_register_solver(compiled_contract().c_str(), &description, &factory);
   }
 };
+#else
+// The file is compiled again, for the recorded solves of the solvers in it (recorders.h). A
+// namespace of its own: no name must stand for two things in one program.
+inline namespace recorded {
+template <class S>
+struct RegisterSolver {
+  explicit RegisterSolver(const Description&) { static_cast<void>(&S::record); }
+};
+}  // namespace recorded
+#endif
 
 }  // namespace geodesic

@@ -4,14 +4,13 @@
 #include <memory>
 
 #include "solvers/core/registry.h"
+#include "solvers/core/unit.h"
 
 namespace geodesic {
 
-/// Prepares a solver for the mesh in units of 2^exponent, and translates queries, distances and
-/// recordings. Answers have the bits that the same mesh would have in that unit, but for their
-/// exponents.
-/// @param exponent unit_exponent of the mesh's positions
+/// Prepares a solver for the mesh measured in `unit`, and converts queries, distances and
+/// recordings. Distances have the mantissas that the mesh would have in that unit.
 std::unique_ptr<Solver> make_rescaled(const Mesh& mesh, const Description& description,
-                                      const SolverFactory& factory, int exponent);
+                                      const SolverFactory& factory, const Unit& unit);
 
 }  // namespace geodesic

@@ -14,7 +14,7 @@ namespace {
 void check_recording(const Recording& recording, const Description& solver) {
   if (recording.what != Record::windows) return;
   if (!solver.final_windows) refuse(solver, "does not keep the windows of all edges");
-  if (recording.read_windows == nullptr) refuse(solver, "nobody to hand the windows over to");
+  if (recording.read_windows == nullptr) refuse(solver, "Recording::read_windows is not set");
 }
 
 void check_query(const Query& query, const Mesh& mesh, const Description& solver) {
@@ -58,7 +58,7 @@ void Solver::solve(const Query& query, std::span<double> distances, Recording* r
   if (distances.size() != mesh_.vertex_count()) {
     refuse(description_, "needs room for one distance a vertex");
   }
-  if (mesh_.is_renumbered()) {
+  if (!mesh_.numbers().are_given()) {
     solve_renumbered(query, distances, recording);
   } else {
     std::fill(distances.begin(), distances.end(), kInfinity);
@@ -70,10 +70,11 @@ void Solver::solve(const Query& query, std::span<double> distances, Recording* r
 }
 
 void Solver::solve_renumbered(Query query, std::span<double> distances, Recording* recording) {
-  for (Source& source : query.sources) source.vertex = mesh_.vertex_given_as(source.vertex);
+  for (Source& source : query.sources) source.vertex = mesh_.numbers().own_vertex(source.vertex);
   in_mesh_order_.assign(distances.size(), kInfinity);
   run(query, in_mesh_order_, recording);
-  for (Index v = 0; v < distances.size(); ++v) distances[mesh_.given_number(v)] = in_mesh_order_[v];
+  for (Index v = 0; v < distances.size(); ++v)
+    distances[mesh_.numbers().given_vertex(v)] = in_mesh_order_[v];
 }
 
 }  // namespace geodesic

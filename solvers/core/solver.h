@@ -1,9 +1,12 @@
-// The contract between solvers and whoever uses them, on one page.
+// The contract between solvers and their users, on one page.
 //
-// A solver is constructed for one mesh (that is its preparation, timed apart) and then asked any
-// number of queries. It owns all its state, which `solve` changes: one object belongs to one thread
-// at a time. What objects share is constant (the mesh, their description), so that any number of
-// them may solve in as many threads.
+// A solver is constructed for one mesh (its preparation, timed apart) and then answers any number
+// of queries. It owns all its state, which `solve` changes: one object belongs to one thread at a
+// time. What objects share is constant (the mesh, their description), so that any number of them
+// may solve in as many threads.
+//
+// Layers of this folder: solver.h, contract.h, registry.h and rescaled.h are the contract. They
+// include the other headers; no other header includes them.
 #pragma once
 
 #include <memory>
@@ -17,12 +20,6 @@
 
 namespace geodesic {
 
-/// The version of everything that a solver sees: this page, core/ and registry.h. Raise it when a
-/// solver that was compiled before the change would no longer work after it: when a member or a
-/// virtual function is added, moved or removed, or means something else. Plug-ins of other versions
-/// are refused (contract.h).
-inline constexpr int kContract = 1;
-
 /// A point that distances are measured from. Points on edges and faces will be other members of
 /// this struct; today a source is a vertex.
 struct Source {
@@ -30,10 +27,16 @@ struct Source {
   double distance = 0;  ///< initial distance at the source, >= 0, finite
 };
 
-/// What a solver is asked: distances from the nearest of some sources.
+/// A problem: the distances from the nearest of some sources.
 struct Query {
   std::vector<Source> sources;  ///< at least one; the result is the least over them
   double limit = kInfinity;     ///< vertices farther than this are reported as unreachable
+
+  std::vector<Index> source_vertices() const {
+    std::vector<Index> vertices;
+    for (const Source& source : sources) vertices.push_back(source.vertex);
+    return vertices;
+  }
 };
 
 enum class Exactness {
@@ -66,8 +69,8 @@ struct Description {
   bool independent_oracle = false;  ///< shares no kernel with the others: first choice to verify by
   double relative_time = 0;         ///< of a solve of a scan of 50,000 vertices, measured, that of
                                     ///< the fastest solver being 1; 0: not known
-  bool by_name_only = false;  ///< a variant or an example: it runs, and verifies others, only where
-                              ///< somebody names it
+  bool by_name_only = false;  ///< a variant or an example, which runs and verifies others only when
+                              ///< named; set by the build for what lies in solvers/variants/
   Abilities abilities = {};
   std::string remarks = {};  ///< licence of what it links, limits, anything a user must know
 };
@@ -85,9 +88,10 @@ class Solver {
   /// @param distances one entry a vertex
   /// @param recording null for a timed solve, which then carries no instrumentation; otherwise
   ///        filled with what the solver can count, without changing any distance
-  /// @throws std::invalid_argument when the query is empty, names a vertex that is not there, has
-  ///         a negative or non-finite initial distance or a negative limit, or asks for an ability
-  ///         the solver lacks; when windows are wished for that it does not keep; or when
+  /// @throws std::invalid_argument when the query is empty, has a source that is not in the mesh,
+  /// has
+  ///         a negative or non-finite initial distance or a negative limit, or needs an ability
+  ///         the solver lacks; when it is to record windows and does not keep them; or when
   ///         `distances` has the wrong size
   void solve(const Query& query, std::span<double> distances, Recording* recording = nullptr);
 

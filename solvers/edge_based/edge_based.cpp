@@ -12,9 +12,7 @@
 // The loop (propagation-inl.h) and its steps over whole lists (kernels-inl.h) are compiled for
 // several instruction sets; which one runs is chosen when a solver is constructed
 // (core/instruction_set.h). All of them give the same bits.
-#include "solvers/core/registry.h"
-#include "solvers/edge_based/policies.h"
-#include "solvers/edge_based/solver.h"
+#include "solvers/edge_based/edge_based.h"
 
 namespace geodesic::edge_based {
 namespace {

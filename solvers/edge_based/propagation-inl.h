@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "solvers/core/prefetch.h"
+#include "solvers/core/queues/concepts.h"
+#include "solvers/core/recorders.h"
 #include "solvers/core/window_bound.h"
 #include "solvers/edge_based/kernels-inl.h"
 #include "solvers/edge_based/propagation.h"
@@ -19,9 +21,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace geodesic::edge_based::HWY_NAMESPACE {
 
-/// @tparam Policy as in policies.h
+/// @tparam Policy as in propagation.h
 template <class Policy, class Recorder>
 class Propagation final : public Propagator {
+  static_assert(VertexQueue<typename Policy::Queue>,
+                "the policy's Queue lacks a member of VertexQueue (core/queues/concepts.h)");
+
  public:
   explicit Propagation(const Mesh& mesh)
       : mesh_(mesh),
@@ -58,7 +63,7 @@ class Propagation final : public Propagator {
   void run(const Query& query, std::span<double> distances, Recorder recorder) {
     const auto timed = recorder.enter(Phase::propagation);
     start(distances);
-    if constexpr (Recorder::kRecords) sweep_.start(mesh_, query);
+    if constexpr (Recorder::kRecords) progress_.start(mesh_, query.source_vertices());
     for (const Source& source : query.sources) {
       if (source.distance < distances_[source.vertex])
         reach(source.vertex, source.distance, recorder);
@@ -79,7 +84,7 @@ class Propagation final : public Propagator {
       }
       fifo_.clear();
       if constexpr (Recorder::kRecords) {
-        if (sweep_.made_step()) sample(recorder);
+        if (progress_.made_step()) sample(recorder);
       }
     }
   }
@@ -102,7 +107,7 @@ class Propagation final : public Propagator {
 
   void reach(Index v, double distance, Recorder& recorder) {
     const auto timed = recorder.enter(Phase::queue);
-    if constexpr (Recorder::kRecords) sweep_.reach(distances_[v]);
+    if constexpr (Recorder::kRecords) progress_.reach(distances_[v]);
     distances_[v] = distance;
     front_.push_or_decrease(v, distance);
   }
@@ -119,8 +124,9 @@ class Propagation final : public Propagator {
     fifo_.push_back(h);
   }
 
-  /// What entering the faces around v reads, all at once, so that cache misses overlap.
-  void fetch_ahead(Index v) const {
+  /// Starts to load what entering the faces around v reads, all at once, so that cache misses
+  /// overlap.
+  void prefetch_ahead(Index v) const {
     for (const Index h : mesh_.outgoing(v)) {
       const Index beyond = mesh_.twin(Mesh::next(h));
       if (beyond != kNone) prefetch(&mesh_.half_edge(beyond));
@@ -131,7 +137,7 @@ class Propagation final : public Propagator {
   void enter_faces_around(Index v, Recorder& recorder) {
     const bool emits = (vertex_state_[v] & kSource) != 0 || mesh_.is_pseudo_source(v);
     vertex_state_[v] |= kPassed;
-    fetch_ahead(v);
+    prefetch_ahead(v);
     for (const Index h : mesh_.outgoing(v)) {
       const Index into = Mesh::previous(h);
       const double at_head = distances_[v] + mesh_.half_edge(h).length;
@@ -325,7 +331,7 @@ class Propagation final : public Propagator {
   }
 
   void sample(Recorder& recorder) {
-    recorder.sample(sweep_, [&](auto&& visit) {
+    recorder.sample(progress_, [&](auto&& visit) {
       for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
         lists_.for_each_segment(h, [&](auto& segment) {
           for (std::size_t i = 0; i < segment.count; ++i) {
@@ -347,7 +353,7 @@ class Propagation final : public Propagator {
   double longest_edge_ = 0;
   double rounding_ = 0;  // of coordinates
   WindowBudget budget_;
-  [[no_unique_address]] typename Recorder::Sweep sweep_;
+  [[no_unique_address]] typename Recorder::Progress progress_;
   // Scratch of one list. Masks hold the bits of kLanes windows a byte.
   Batch batch_;
   std::vector<std::uint8_t> seen_left_, seen_right_, kept_left_, kept_right_, suspects_;

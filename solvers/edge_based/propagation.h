@@ -1,12 +1,29 @@
-// One solve of the edge-based algorithm, as seen from outside the instruction sets.
+// One solve of the edge-based algorithm, as seen from outside the instruction sets, and the
+// policies that its solvers differ in. A policy has
+//   Queue              of vertices that wait for the wavefront (VertexQueue)
+//   make_queue(mesh)   an empty one
+//   Lists<fields>      in which windows wait on half-edges, with the functions of WindowLists;
+//                      where its kCarries is true, also with carry, land_carried and
+//                      for_each_carried (propagation-inl.h), for windows that cross a face without
+//                      being unfolded
+// Any order of vertices is correct; one by distance keeps late arrivals rare.
 #pragma once
 
 #include <span>
 
-#include "solvers/core/recording.h"
+#include "solvers/core/queues/vertex_heap.h"
 #include "solvers/core/solver.h"
+#include "solvers/edge_based/window_lists.h"
 
 namespace geodesic::edge_based {
+
+/// Least distance first.
+struct ByDistance {
+  using Queue = VertexHeap;
+  template <unsigned fields>
+  using Lists = WindowLists<fields>;
+  static Queue make_queue(const Mesh& mesh) { return Queue(mesh.vertex_count()); }
+};
 
 class Propagator {
  public:

@@ -33,7 +33,7 @@ struct NoExtra {};
 template <unsigned fields, class Extra = NoExtra>
 class WindowLists {
  public:
-  /// Whether windows may cross a face without being unfolded (policies.h).
+  /// Whether windows may cross a face without being unfolded (propagation.h).
   static constexpr bool kCarries = false;
 
   /// Header and arrays of `room` doubles each follow one another in a block.

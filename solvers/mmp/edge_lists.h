@@ -1,4 +1,7 @@
 // The sorted windows of every edge, each list in one piece of memory.
+//
+// A list is named by a half-edge, in whose frame its windows are (edge_window.h). Windows of one
+// list are trimmed against each other.
 #pragma once
 
 #include <algorithm>
@@ -8,13 +11,28 @@
 #include <type_traits>
 #include <vector>
 
-#include "solvers/core/mesh.h"
+#include "solvers/core/pool.h"
 #include "solvers/core/prefetch.h"
-#include "solvers/mmp/segment_pool.h"
 
 namespace geodesic::mmp {
 
-/// Lists by the half-edges they go by (list_layout.h). A list is empty until something reaches its
+/// One list an edge (Liu 2013), named by its own half-edge, the smaller of the twins.
+struct ListPerEdge {
+  /// Windows of both sides are in it.
+  static constexpr bool kBothSides = true;
+
+  /// The list of windows that leave a face through `half_edge`.
+  /// @param twin kNone, which is larger than any half-edge, on the boundary
+  static Index list(Index half_edge, Index twin) { return std::min(half_edge, twin); }
+};
+
+/// Two lists an edge, one for each side that windows come from (Surazhsky et al. 2005).
+struct ListPerHalfEdge {
+  static constexpr bool kBothSides = false;
+  static Index list(Index half_edge, Index /*twin*/) { return half_edge; }
+};
+
+/// Lists by the half-edges that name them. A list is empty until something reaches its
 /// edge; from then on its windows partition the edge, until the list is closed: it is empty again,
 /// for good.
 template <class W>
@@ -34,10 +52,10 @@ class EdgeLists {
 
   bool is_closed(Index edge) const { return lists_[edge].capacity == kClosed; }
 
-  /// Starts to bring near where an edge's list is, and, once that is near, the list itself: its
-  /// ends, where most windows land, and its middle, where a search begins.
-  void fetch(Index edge) const { prefetch(&lists_[edge]); }
-  void fetch_windows(Index edge) const {
+  /// Starts to load where an edge's list is, and, once that is loaded, the list itself: its ends,
+  /// where most windows land, and its middle, where a search begins.
+  void prefetch_list(Index edge) const { prefetch(&lists_[edge]); }
+  void prefetch_windows(Index edge) const {
     const List& list = lists_[edge];
     prefetch(list.windows);
     prefetch(list.windows + list.size / 2);
@@ -92,6 +110,35 @@ class EdgeLists {
 
   std::vector<List> lists_;
   SegmentPool<W> pool_;
+};
+
+/// The lists that hold windows and that the wavefront may have passed. They are looked through
+/// whenever their number has grown by a quarter since the last time: at most five looks a list,
+/// however many stay.
+class OpenLists {
+ public:
+  void clear() {
+    lists_.clear();
+    due_ = kFirst;
+  }
+
+  /// @param list the half-edge that names it, once a list
+  void add(Index list) { lists_.push_back(list); }
+
+  bool is_due() const { return lists_.size() >= due_; }
+
+  /// Calls is_done(list) for all, and forgets those for which it holds.
+  template <class IsDone>
+  void look_through(IsDone&& is_done) {
+    std::erase_if(lists_, is_done);
+    due_ = std::max(lists_.size() + lists_.size() / 4, kFirst);
+  }
+
+ private:
+  static constexpr std::size_t kFirst = 1024;
+
+  std::vector<Index> lists_;
+  std::size_t due_ = kFirst;
 };
 
 }  // namespace geodesic::mmp

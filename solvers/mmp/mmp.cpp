@@ -1,7 +1,5 @@
 // `mmp` and `fwp-mmp`: the same propagation of windows in two orders.
-#include "solvers/core/registry.h"
-#include "solvers/mmp/policies.h"
-#include "solvers/mmp/solver.h"
+#include "solvers/mmp/mmp.h"
 
 namespace geodesic::mmp {
 namespace {

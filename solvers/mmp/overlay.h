@@ -1,4 +1,4 @@
-// Laying a new window over the windows of an edge: who owns which part afterwards.
+// Inserting a new window among the windows of an edge: who owns which part afterwards.
 //
 // This is MMP's trimming (Surazhsky et al. 2005, section 3.3) as a question without side effects;
 // the answer is a partition again. Parts narrower than kWindowWidth of the edge are never created:
@@ -14,8 +14,8 @@
 
 namespace geodesic::mmp {
 
-/// The ticket of a challenger's parts until they have one or are known not to wait.
-inline constexpr Index kNoTicketYet = kNone - 1;
+/// The event of a challenger's parts until they have one or are known not to wait.
+inline constexpr Index kNoEventYet = kNone - 1;
 
 /// What takes the place of windows [first, last) of the list: pieces of those windows and parts of
 /// the challenger. The windows around them are left as they are.
@@ -68,7 +68,7 @@ std::size_t window_at(std::span<W> list, double position) {
 }
 
 /// @param list the edge's windows, a partition of [0, length]
-/// @param challenger in the same frame, any sign of y, its ticket kNoTicketYet
+/// @param challenger in the same frame, any sign of y, its event kNoEventYet
 /// @param end where the challenger ends
 /// @param sigmas by number of source
 /// @param result overwritten; meaningful when the challenger got a part

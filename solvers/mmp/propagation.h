@@ -5,9 +5,9 @@
 // triangle meshes using edge-based data structures" (one list an edge, for both sides).
 //
 // The queue holds windows and pseudo-sources. A window taken from it is unfolded across the face it
-// enters; its children are laid over the windows of the two edges they land on (overlay.h) and what
-// they win is queued. A pseudo-source sends windows into all its faces. A window that waits and
-// loses the point where it is nearest gets a new key: it counts as re-inserted (tickets.h).
+// enters; its children are inserted among the windows of the two edges they land on (overlay.h) and
+// what they win is queued. A pseudo-source sends windows into all its faces. A window that waits
+// and loses the point where it is nearest gets a new key: it counts as re-inserted (edge_window.h).
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace geodesic::mmp {
 /// Which windows stay in memory until the end of a solve.
 enum class Keep : std::uint8_t { all, wavefront };
 
-/// The state of one solve, reusable. @tparam Policy as in policies.h
+/// The state of one solve, reusable. @tparam Policy as in mmp.h
 template <class Policy, class Recorder>
 class Propagation {
  public:
@@ -54,13 +54,13 @@ class Propagation {
         }
       }
       if constexpr (Recorder::kRecords) {
-        if (sweep_.made_step()) wavefront_.sample(mesh_, sweep_);
+        if (progress_.made_step()) wavefront_.sample(mesh_, progress_);
       }
     }
     if constexpr (Recorder::kRecords) recorder_.recording.window_limit = wavefront_.windows_left();
   }
 
-  /// The windows that the last solve left on an edge (core/final_windows.h); it kept all.
+  /// The windows that the last solve left on an edge (FinalWindows); it kept all.
   void copy_windows(Index half_edge, std::vector<Window>& windows) const {
     static_assert(Policy::Layout::kBothSides, "two lists of an edge overlap");
     const Index edge = Layout::list(half_edge, mesh_.twin(half_edge));
@@ -83,7 +83,7 @@ class Propagation {
     emitted_.assign(distances.size(), kInfinity);
     wavefront_.start(query.limit);
     budget_.start();
-    if constexpr (Recorder::kRecords) sweep_.start(mesh_, query);
+    if constexpr (Recorder::kRecords) progress_.start(mesh_, query.source_vertices());
     for (const Source& source : query.sources) {
       if (!(source.distance < distances_[source.vertex])) continue;
       set_distance(source.vertex, source.distance);
@@ -92,7 +92,7 @@ class Propagation {
   }
 
   void set_distance(Index v, double distance) {
-    if constexpr (Recorder::kRecords) sweep_.reach(distances_[v]);
+    if constexpr (Recorder::kRecords) progress_.reach(distances_[v]);
     distances_[v] = distance;
   }
 
@@ -210,9 +210,9 @@ class Propagation {
     const Index twin = mesh_.twin(h);
     const bool goes_on = twin != kNone && w.y > 0;
     if (Layout::list(h, twin) == h) {
-      wavefront_.lay(h, length, w, beam.source, beam.depth, goes_on);
+      wavefront_.insert(h, length, w, beam.source, beam.depth, goes_on);
     } else {
-      wavefront_.lay(twin, length, turned(w, length), beam.source, beam.depth, goes_on);
+      wavefront_.insert(twin, length, turned(w, length), beam.source, beam.depth, goes_on);
     }
   }
 
@@ -231,7 +231,7 @@ class Propagation {
   std::span<double> distances_;
   std::vector<double> emitted_;  // distance of the windows that each vertex sent out last
   int row_ = 0;                  // faces crossed at once by the window being sent out
-  [[no_unique_address]] typename Recorder::Sweep sweep_;
+  [[no_unique_address]] typename Recorder::Progress progress_;
 };
 
 }  // namespace geodesic::mmp

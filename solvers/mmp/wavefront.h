@@ -9,21 +9,24 @@
 #include <utility>
 #include <vector>
 
-#include "solvers/core/recording.h"
+#include "solvers/core/pool.h"
+#include "solvers/core/prefetch.h"
+#include "solvers/core/queues/concepts.h"
+#include "solvers/core/recorders.h"
 #include "solvers/core/tolerance.h"
-#include "solvers/core/upcoming.h"
 #include "solvers/mmp/edge_lists.h"
 #include "solvers/mmp/edge_window.h"
 #include "solvers/mmp/overlay.h"
-#include "solvers/mmp/reached_edges.h"
-#include "solvers/mmp/tickets.h"
 
 namespace geodesic::mmp {
 
-/// @tparam Queue of numbers of tickets (core/queues)
-/// @tparam Layout as in list_layout.h
+/// @tparam Queue of numbers of events
+/// @tparam Layout as in edge_lists.h
 template <class Queue, class Layout, class Recorder>
 class Wavefront {
+  static_assert(WindowQueueByKey<Queue>,
+                "the policy's Queue lacks a member of WindowQueueByKey (core/queues/concepts.h)");
+
  public:
   using Depth = typename Recorder::Depth;
 
@@ -43,11 +46,11 @@ class Wavefront {
   /// Forgets everything.
   void start(double limit) {
     lists_.clear();
-    reached_.clear();
+    open_lists_.clear();
     windows_released_ = {};
     queue_.clear();
-    tickets_.clear();
-    upcoming_.clear();
+    events_.clear();
+    pipeline_.clear();
     sigmas_.clear();
     waiting_ = {};
     // A window whose key exceeds the limit by rounding may reach a vertex that lies on it.
@@ -58,7 +61,7 @@ class Wavefront {
 
   void push_vertex(Index v, double distance) {
     if (distance > limit_) return;
-    push(distance, tickets_.issue({Ticket::kVertex, 0, v, 0, false}));
+    push(distance, events_.add({Event::kVertex, 0, v, 0, false}));
   }
 
   /// Makes room for the windows of a pseudo-source. @return its number
@@ -72,47 +75,47 @@ class Wavefront {
   std::optional<Taken> take(const Mesh& mesh) {
     const auto timed = recorder_.enter(Phase::queue);
     const Index number = queue_.pop();
-    fetch_ahead(mesh);
-    const Ticket ticket = tickets_[number];
-    if (!ticket.is_window()) {
-      tickets_.take_back(number);
-      if (ticket.is_void()) return std::nullopt;
-      return Taken{.vertex = ticket.id};
+    prefetch_ahead(mesh);
+    const Event event = events_[number];
+    if (!event.is_window()) {
+      events_.release(number);
+      if (event.is_cancelled()) return std::nullopt;
+      return Taken{.vertex = event.id};
     }
-    const double length = mesh.half_edge(ticket.id).length;
-    const std::span<W> list = lists_.windows(ticket.id);
-    const std::size_t i = find(list, ticket);
+    const double length = mesh.half_edge(event.id).length;
+    const std::span<W> list = lists_.windows(event.id);
+    const std::size_t i = find(list, event);
     W& w = list[i];
     const Window window = w.geometry(end_of(list, i, length), sigmas_[w.source]);
-    if (ticket.late && postpone(number, window)) return std::nullopt;
-    tickets_.take_back(number);
-    w.ticket = kNone;
+    if (event.outdated && postpone(number, window)) return std::nullopt;
+    events_.release(number);
+    w.event = kNone;
     if constexpr (Recorder::kRecords) --waiting_;
-    return Taken{.edge = ticket.id, .window = window, .source = w.source, .depth = w.depth};
+    return Taken{.edge = event.id, .window = window, .source = w.source, .depth = w.depth};
   }
 
-  /// Lays a window over those of its list and queues the parts that it wins.
-  /// @param edge the half-edge that the list goes by, in whose frame w is
+  /// Inserts a window among those of its list and queues the parts that it wins.
+  /// @param edge the half-edge that names the list, in whose frame w is
   /// @param source the number of its source
   /// @param goes_on whether there is a face beyond
-  void lay(Index edge, double length, const Window& w, Index source, Depth depth, bool goes_on) {
+  void insert(Index edge, double length, const Window& w, Index source, Depth depth, bool goes_on) {
     const auto timed = recorder_.enter(Phase::trimming);
     if (lists_.windows(edge).empty()) {
       if (lists_.is_closed(edge)) return;
       const W gap = W::gap(0);
       lists_.replace(edge, 0, 0, {&gap, 1});
-      reached_.add(edge);
+      open_lists_.add(edge);
     }
     const std::span<const W> list = lists_.windows(edge);
-    const W challenger{w.begin, w.x, w.y, source, kNoTicketYet, depth};
+    const W challenger{w.begin, w.x, w.y, source, kNoEventYet, depth};
     if (!overlay(list, length, challenger, w.end, std::span<const double>(sigmas_), overlay_))
       return;
     const std::span<const W> replaced =
         list.subspan(overlay_.first, overlay_.last - overlay_.first);
     if constexpr (Recorder::kRecords) waiting_ -= count_waiting(replaced);
-    // Void until one of the pieces claims it.
+    // Cancelled until one of the pieces claims it.
     for (const W& old : replaced) {
-      if (old.waits()) tickets_[old.ticket].id = kNone;
+      if (old.waits()) events_[old.event].id = kNone;
     }
     const std::span<W> pieces = overlay_.pieces();
     for (std::size_t k = 0; k < pieces.size(); ++k) {
@@ -120,7 +123,7 @@ class Wavefront {
       if (!piece.waits()) continue;
       const double end = overlay_.piece_end(k);
       const auto index = static_cast<Index>(overlay_.first + k);
-      if (piece.ticket == kNoTicketYet) {
+      if (piece.event == kNoEventYet) {
         accept(edge, index, piece, end, w.sigma, goes_on);
       } else {
         keep_queued(edge, index, piece, end);
@@ -139,9 +142,9 @@ class Wavefront {
   /// to come carries a shortest path, and the list would reject it.
   /// @param distances of vertices, lengths of paths that exist
   void release_passed(const Mesh& mesh, std::span<const double> distances) {
-    if (!reached_.is_due()) return;
+    if (!open_lists_.is_due()) return;
     const double to_come = queue_.least_key() * (1 - kPassedMargin);
-    reached_.look_through([&](Index edge) {
+    open_lists_.look_through([&](Index edge) {
       const double length = mesh.half_edge(edge).length;
       const double at_origin = distances[mesh.origin(edge)], at_head = distances[mesh.head(edge)];
       const double farthest =
@@ -156,8 +159,8 @@ class Wavefront {
   }
 
   /// Hands the windows that wait to the recorder.
-  void sample(const Mesh& mesh, const Sweep& sweep) {
-    recorder_.sample(sweep, [&](auto&& visit) {
+  void sample(const Mesh& mesh, const Progress& progress) {
+    recorder_.sample(progress, [&](auto&& visit) {
       for (Index edge = 0; edge < lists_.edge_bound(); ++edge) {
         const std::span<const W> list = lists_.windows(edge);
         for (std::size_t i = 0; i < list.size(); ++i) {
@@ -191,49 +194,48 @@ class Wavefront {
  private:
   using W = EdgeWindow<Depth>;
 
-  /// Has the memory fetched that the next takes will read, each address of which lies behind the
-  /// one before: ticket, list, window and faces, its sigma and the lists that its children are laid
-  /// over.
-  void fetch_ahead(const Mesh& mesh) {
-    const Index* told = queue_.upcoming();
-    upcoming_.advance(told ? *told : kNone);
-    if (upcoming_[0] != kNone) prefetch(&tickets_[upcoming_[0]]);
-    if (const Ticket* ticket = upcoming_ticket(1)) {
-      mesh.fetch_face(ticket->id);
-      lists_.fetch(ticket->id);
+  /// Starts to load what the next takes will read, where each stage finds its addresses in what the
+  /// one before has loaded: event, list, window and faces, its sigma and the lists that its
+  /// children are inserted into.
+  void prefetch_ahead(const Mesh& mesh) {
+    pipeline_.advance(upcoming(queue_));
+    if (pipeline_[0] != kNone) events_.prefetch(pipeline_[0]);
+    if (const Event* event = upcoming_event(1)) {
+      mesh.prefetch_face(event->id);
+      lists_.prefetch_list(event->id);
     }
-    if (const Ticket* ticket = upcoming_ticket(2)) {
-      prefetch(likely_window(*ticket));
-      mesh.fetch_face(mesh.twin(ticket->id));
+    if (const Event* event = upcoming_event(2)) {
+      prefetch(likely_window(*event));
+      mesh.prefetch_face(mesh.twin(event->id));
     }
-    if (const Ticket* ticket = upcoming_ticket(3)) {
-      if (const W* w = likely_window(*ticket)) {
+    if (const Event* event = upcoming_event(3)) {
+      if (const W* w = likely_window(*event)) {
         prefetch(sigmas_.data() + w->source);
-        for_each_target(mesh, ticket->id, *w, [&](Index edge) { lists_.fetch(edge); });
+        for_each_target(mesh, event->id, *w, [&](Index edge) { lists_.prefetch_list(edge); });
       }
     }
-    if (const Ticket* ticket = upcoming_ticket(4)) {
-      if (const W* w = likely_window(*ticket)) {
-        for_each_target(mesh, ticket->id, *w, [&](Index edge) { lists_.fetch_windows(edge); });
+    if (const Event* event = upcoming_event(4)) {
+      if (const W* w = likely_window(*event)) {
+        for_each_target(mesh, event->id, *w, [&](Index edge) { lists_.prefetch_windows(edge); });
       }
     }
   }
 
-  /// The ticket of a window at a stage of fetch_ahead; null when there is none.
-  const Ticket* upcoming_ticket(std::size_t stage) {
-    const Index number = upcoming_[stage];
-    return number == kNone || !tickets_[number].is_window() ? nullptr : &tickets_[number];
+  /// The event of a window at a stage of prefetch_ahead; null when there is none.
+  const Event* upcoming_event(std::size_t stage) {
+    const Index number = pipeline_[stage];
+    return number == kNone || !events_[number].is_window() ? nullptr : &events_[number];
   }
 
-  /// The window that holds a ticket or, as its list changes, one near it; null when the list has
-  /// been closed, which fetch_ahead may come too late to know.
-  const W* likely_window(const Ticket& ticket) const {
-    const std::span<const W> list = lists_.windows(ticket.id);
-    return list.empty() ? nullptr : &list[ticket.likely_index(list.size())];
+  /// The window that holds an event or, as its list changes, one near it; null when the list has
+  /// been closed, which prefetch_ahead may come too late to know.
+  const W* likely_window(const Event& event) const {
+    const std::span<const W> list = lists_.windows(event.id);
+    return list.empty() ? nullptr : &list[event.likely_index(list.size())];
   }
 
   /// Calls visit(edge) for the two edges that the children of a window, given by its list, will be
-  /// laid over.
+  /// inserted into.
   template <class Visit>
   void for_each_target(const Mesh& mesh, Index edge, const W& w, Visit&& visit) {
     const Index into = w.y < 0 ? edge : mesh.twin(edge);
@@ -243,54 +245,54 @@ class Wavefront {
     }
   }
 
-  /// Index in its list of the window that holds a ticket.
-  static std::size_t find(std::span<const W> list, const Ticket& ticket) {
-    std::size_t i = ticket.likely_index(list.size());
-    while (list[i].begin > ticket.begin) --i;
-    while (list[i].begin < ticket.begin) ++i;
+  /// Index in its list of the window that holds an event.
+  static std::size_t find(std::span<const W> list, const Event& event) {
+    std::size_t i = event.likely_index(list.size());
+    while (list[i].begin > event.begin) --i;
+    while (list[i].begin < event.begin) ++i;
     return i;
   }
 
-  /// Queues a window that is late with its present key, unless it is its turn by that too.
+  /// Queues a window whose key has grown anew, unless it is its turn by the new key too.
   bool postpone(Index number, const Window& window) {
     const double key = least_distance(window);
     if (queue_.is_due(key)) return false;
-    tickets_[number].late = false;
+    events_[number].outdated = false;
     queue_.push(key, number);
     return true;
   }
 
-  void push(double key, Index ticket) {
+  void push(double key, Index event) {
     const auto timed = recorder_.enter(Phase::queue);
-    queue_.push(key, ticket);
+    queue_.push(key, event);
   }
 
   /// Queues a part that the challenger won.
   void accept(Index edge, Index index, W& piece, double end, double sigma, bool goes_on) {
     recorder_.valid(1);
-    piece.ticket = kNone;
+    piece.event = kNone;
     const Window part = piece.geometry(end, sigma);
     const double key = least_distance(part);
     if (!goes_on || key > limit_) return;
-    piece.ticket = tickets_.issue({piece.begin, nearest_position(part), edge, index, false});
-    push(key, piece.ticket);
+    piece.event = events_.add({piece.begin, nearest_position(part), edge, index, false});
+    push(key, piece.event);
   }
 
-  /// The first piece of a window that waits keeps its ticket, others are queued by themselves. A
+  /// The first piece of a window that waits keeps its event, others are queued by themselves. A
   /// piece with another nearest point counts as re-inserted here, though its entry stays for now.
   void keep_queued(Index edge, Index index, W& piece, double end) {
     const Window part = piece.geometry(end, sigmas_[piece.source]);
     const double nearest = nearest_position(part);
-    Ticket& ticket = tickets_[piece.ticket];
-    if (!ticket.is_void()) {
+    Event& event = events_[piece.event];
+    if (!event.is_cancelled()) {
       recorder_.reinserted(1);
-      piece.ticket = tickets_.issue({piece.begin, nearest, edge, index, false});
-      push(least_distance(part), piece.ticket);
+      piece.event = events_.add({piece.begin, nearest, edge, index, false});
+      push(least_distance(part), piece.event);
       return;
     }
-    const bool moved = nearest != ticket.nearest;
+    const bool moved = nearest != event.nearest;
     if (moved) recorder_.reinserted(1);
-    ticket = {piece.begin, nearest, edge, index, ticket.late || moved};
+    event = {piece.begin, nearest, edge, index, event.outdated || moved};
   }
 
   static std::uint64_t count_waiting(std::span<const W> windows) {
@@ -302,16 +304,16 @@ class Wavefront {
   static bool is_propagated(const W& w) { return !w.waits() && !w.is_gap(); }
 
   EdgeLists<W> lists_;
-  ReachedEdges reached_;
+  OpenLists open_lists_;
   Queue queue_;
-  Tickets tickets_;
-  Upcoming<5> upcoming_;        // tickets on the way through fetch_ahead
-  std::vector<double> sigmas_;  // by number of source
+  Pool<Event> events_;
+  PrefetchPipeline<5> pipeline_;  // events on their way through prefetch_ahead
+  std::vector<double> sigmas_;    // by number of source
   double limit_ = kInfinity;
   Recorder& recorder_;
   [[no_unique_address]] typename Recorder::Count waiting_{};           // windows that wait
   [[no_unique_address]] typename Recorder::Count windows_released_{};  // of closed lists
-  Overlay<W> overlay_;                                                 // scratch of lay
+  Overlay<W> overlay_;                                                 // scratch of insert
 };
 
 }  // namespace geodesic::mmp

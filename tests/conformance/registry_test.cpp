@@ -75,7 +75,7 @@ TEST(Registry, refuses_another_contract_and_reads_nothing_else) {
   } catch (const std::logic_error& error) {
     const std::string why = error.what();
     EXPECT_NE(why.find("contract 0 (old)"), std::string::npos) << why;
-    EXPECT_NE(why.find(contract_compiled_against()), std::string::npos) << why;
+    EXPECT_NE(why.find(compiled_contract()), std::string::npos) << why;
   }
 }
 

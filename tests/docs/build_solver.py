@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""build_solver.py FOLDER: builds solvers/FOLDER of a checkout alone, as a plug-in, which the
+"""build_solver.py FOLDER: builds solvers/variants/FOLDER of a checkout alone, as a plug-in, which the
 checkout's build/release/geodesic-bench loads from then on. Takes seconds where building everything
 takes minutes. GEODESIC_BUILD names the build folder of the program under test."""
 
@@ -21,7 +21,7 @@ find_package(GeodesicBench REQUIRED)
 find_package(hwy REQUIRED)
 # The folder's list file names the target as in the tree.
 function(geodesic_add_solver folder)
-  _geodesic_add_solver(geodesic_solver_${{folder}} ${{ARGN}})
+  _geodesic_add_solver(geodesic_solver_${{folder}} BY_NAME_ONLY ${{ARGN}})
 endfunction()
 add_subdirectory("{solver}" solver)
 """
@@ -33,7 +33,7 @@ def main(folder: str) -> None:
     shutil.rmtree(prefix, ignore_errors=True)
     project = build / "project"
     project.mkdir(parents=True, exist_ok=True)
-    (project / "CMakeLists.txt").write_text(PROJECT.format(solver=ROOT / "solvers" / folder))
+    (project / "CMakeLists.txt").write_text(PROJECT.format(solver=ROOT / "solvers" / "variants" / folder))
     package = install(Path(os.environ["GEODESIC_BUILD"]), prefix)
     built = package.build(project, build / "build")
     shutil.copy(built / "solver" / f"libgeodesic_solver_{folder}.so", build.parent / "plugin.so")

@@ -64,20 +64,19 @@ def test_one_folder_is_new_and_nothing_else_changes(untouched: Path, start: str)
     assert (ended.returncode, ended.stderr) == (0, "")
     after = sums(untouched)
     assert {name: after.get(name) for name in before} == before
-    made = {name.removeprefix("solvers/my_variant/") for name in after.keys() - before.keys()}
-    policies = set() if start == "template" else {"policies.h", "recorded.cpp"}
-    assert made == {"CMakeLists.txt", "README.md", "my_variant.cpp"} | policies
+    made = {name.removeprefix("solvers/variants/my_variant/") for name in after.keys() - before.keys()}
+    assert made == {"CMakeLists.txt", "README.md", "my_variant.cpp"}
 
 
 @pytest.mark.parametrize("start", STARTS)
 def test_no_placeholder_is_left_and_the_solver_is_registered(checkout: Path, start: str) -> None:
     name = NAMES[start]
-    folder = checkout / "solvers" / name.replace("-", "_")
+    folder = checkout / "solvers" / "variants" / name.replace("-", "_")
     for file in folder.iterdir():
         text = file.read_text()
         assert "@" not in text and "template.cpp" not in text.replace("my_template.cpp", "")
     source = (folder / f"{folder.name}.cpp").read_text()
-    assert f'.name = "{name}",' in source and ".by_name_only = true," in source
+    assert f'.name = "{name}",' in source and "by_name_only" not in source
     assert (folder / "README.md").read_text().startswith(f"# {name}\n")
     assert f"geodesic_add_solver({folder.name} " in (folder / "CMakeLists.txt").read_text()
 
@@ -91,11 +90,11 @@ def test_what_is_made_is_formatted_whatever_the_name(
     if clang_format is None:
         pytest.skip("clang-format is not installed")
     assert run(untouched, name, "--from", start).returncode == 0
-    folder = untouched / "solvers" / name.replace("-", "_")
-    sources = [*folder.glob("*.h"), *folder.glob("*.cpp")]
+    folder = untouched / "solvers" / "variants" / name.replace("-", "_")
     checked = subprocess.run(
-        [clang_format, "--dry-run", "-Werror", *sources], capture_output=True, text=True
-    )
+        [clang_format, "--dry-run", "-Werror", *folder.glob("*.cpp")],
+        capture_output=True, text=True,
+    )  # fmt: skip
     assert checked.returncode == 0, checked.stderr
 
 
@@ -116,7 +115,7 @@ def test_each_start_builds_without_a_warning(checkout: Path) -> None:
 def test_next_commands_name_the_solver_and_where_it_is(checkout: Path, tmp_path: Path) -> None:
     ended = run(checkout, "last-one", "--from", "chen-han")
     lines = ended.stdout.splitlines()
-    assert str(checkout / "solvers" / "last_one") in lines[0]
+    assert str(checkout / "solvers" / "variants" / "last_one") in lines[0]
     assert len(lines) == 4 and all(line.startswith("  ") for line in lines[1:])
     assert "verify --solver last-one" in lines[2]
     assert "rank --solver last-one --against ich" in lines[3]
@@ -127,30 +126,30 @@ def test_outside_the_tree_a_project_of_the_same_sources(checkout: Path, tmp_path
     ended = run(checkout, "my-mmp2", "--from", "mmp", "--outside", "a folder", cwd=tmp_path)
     assert ended.returncode == 0, ended.stderr
     assert sums(checkout / "solvers") == before
-    outside, inside = tmp_path / "a folder", checkout / "solvers" / "my_mmp"
-    for file in ["policies.h", "recorded.cpp", "README.md"]:
-        text = (outside / file).read_text().replace("my-mmp2", "my-mmp").replace("mmp2", "mmp")
+    outside, inside = tmp_path / "a folder", checkout / "solvers" / "variants" / "my_mmp"
+    for made, file in [("my_mmp2.cpp", "my_mmp.cpp"), ("README.md", "README.md")]:
+        text = (outside / made).read_text().replace("my-mmp2", "my-mmp").replace("mmp2", "mmp")
         assert text == (inside / file).read_text()
     listed = (outside / "CMakeLists.txt").read_text()
     assert "find_package(GeodesicBench REQUIRED)" in listed
-    assert "geodesic_add_solver(my-mmp2 my_mmp2.cpp recorded.cpp)" in listed
+    assert "geodesic_add_solver(my-mmp2 BY_NAME_ONLY RECORDED my_mmp2.cpp)" in listed
 
 
 @pytest.mark.parametrize(
     ("words", "says"),
     [
         ([], "give the solver a name"),
-        (["My-Variant"], "'My-Variant' is no name for a solver"),
-        (["2-step"], "'2-step' is no name for a solver"),
-        (["my_variant"], "'my_variant' is no name for a solver"),
-        (["my--variant"], "'my--variant' is no name for a solver"),
-        (["../mmp"], "'../mmp' is no name for a solver"),
+        (["My-Variant"], "invalid solver name 'My-Variant'"),
+        (["2-step"], "invalid solver name '2-step'"),
+        (["my_variant"], "invalid solver name 'my_variant'"),
+        (["my--variant"], "invalid solver name 'my--variant'"),
+        (["../mmp"], "invalid solver name '../mmp'"),
         (["a" * 33], "longer than 32 characters"),
-        (["class"], "'class' means something else already"),
-        (["test"], "'test' means something else already"),
-        (["core"], "'core' means something else already"),
+        (["class"], "'class' is reserved"),
+        (["test"], "'test' is reserved"),
+        (["core"], "'core' is reserved"),
         (["fwp-mmp"], "there is a solver named 'fwp-mmp' already, in solvers/mmp/mmp.cpp"),
-        (["chen-han"], "solvers/chen_han is there already"),
+        (["chen-han"], "solvers/chen_han exists"),
         (["one", "two"], "one name at a time: 'one' or 'two'?"),
         (["one", "--from", "dijkstra"], "cannot start from 'dijkstra'; there are template"),
         (["one", "--from"], "--from needs a value"),
@@ -174,7 +173,7 @@ def test_refusals_are_one_line_and_change_nothing(
 def test_a_folder_that_is_there_is_not_written_to(checkout: Path, tmp_path: Path) -> None:
     (tmp_path / "mine.txt").write_text("mine")
     ended = run(checkout, "one", "--outside", tmp_path)
-    assert ended.returncode == 1 and f"{tmp_path} is there already" in ended.stderr
+    assert ended.returncode == 1 and f"{tmp_path} exists" in ended.stderr
     assert os.listdir(tmp_path) == ["mine.txt"]
 
 

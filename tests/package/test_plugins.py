@@ -29,17 +29,19 @@ SOURCES = {
     "other-sizes": EXAMPLE,
 }
 CHANGED_HEADERS = {
-    "other-contract": (r"kContract = (\d+);", r"kContract = 1000 + \1;"),
-    "other-sizes": (r"struct Query {", "struct Query {\n  double added = 0;"),
+    "other-contract": ("contract.h", r"kContract = (\d+);", r"kContract = 1000 + \1;"),
+    "other-sizes": ("solver.h", r"struct Query {", "struct Query {\n  double added = 0;"),
 }
 
 
-def changed_headers(installed: Installed, folder: Path, pattern: str, replacement: str) -> Path:
+def changed_headers(
+    installed: Installed, folder: Path, name: str, pattern: str, replacement: str
+) -> Path:
     shutil.copytree(installed.include, folder)
-    contract = folder / "solvers" / "solver.h"
-    text, count = re.subn(pattern, replacement, contract.read_text())
-    assert count == 1, f"solver.h has no {pattern}"
-    contract.write_text(text)
+    header = folder / "solvers" / "core" / name
+    text, count = re.subn(pattern, replacement, header.read_text())
+    assert count == 1, f"{name} has no {pattern}"
+    header.write_text(text)
     return folder
 
 

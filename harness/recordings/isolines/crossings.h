@@ -15,7 +15,7 @@ struct Crossing {
 
 /// The distance along an edge as its final windows and its ends give it.
 struct EdgeDistance {
-  std::span<const Window> windows;  ///< as core/final_windows.h gives them
+  std::span<const Window> windows;  ///< as FinalWindows gives them
   double length;                    ///< of the edge
   double at_origin, at_head;        ///< distances of its ends
 };

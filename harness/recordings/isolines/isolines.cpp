@@ -42,7 +42,7 @@ class Tracer {
         bends_(mesh.vertex_count()),
         chord_error_(kIsolineError * mesh.mean_edge_length()) {
     for (Index v = 0; v < mesh.vertex_count(); ++v) bends_[v] = mesh.is_pseudo_source(v);
-    for (const Source& source : sources) bends_[mesh.vertex_given_as(source.vertex)] = true;
+    for (const Source& source : sources) bends_[mesh.numbers().own_vertex(source.vertex)] = true;
   }
 
   Isolines trace(std::span<const double> levels) {
@@ -58,7 +58,7 @@ class Tracer {
  private:
   using Levels = std::span<const double>;
 
-  double distance(Index v) const { return distances_[mesh_.given_number(v)]; }
+  double distance(Index v) const { return distances_[mesh_.numbers().given_vertex(v)]; }
 
   // Along any path the distance changes by no more than the path's length.
   std::pair<Levels::iterator, Levels::iterator> levels_in(Index face, Levels levels) const {
@@ -154,7 +154,7 @@ class Tracer {
     if (is_point) {
       result_.points.resize(first);
     } else {
-      result_.pieces.push_back({mesh_.given_face(face_), level, first});
+      result_.pieces.push_back({mesh_.numbers().given_face(face_), level, first});
     }
   }
 

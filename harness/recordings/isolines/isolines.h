@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "solvers/core/final_windows.h"
+#include "solvers/core/recording.h"
 #include "solvers/core/solver.h"
 
 namespace geodesic::harness {

@@ -1,9 +1,20 @@
 // `edge-based-bucket`: edge-based propagation with vertices in buckets in place of a heap.
-#include "solvers/core/registry.h"
-#include "solvers/edge_based/solver.h"
-#include "solvers/variants/edge_based_bucket/policies.h"
+#include "solvers/edge_based/edge_based.h"
+
+#include "solvers/core/queues/vertex_calendar.h"
 
 namespace geodesic::edge_based_bucket {
+
+struct InBuckets : edge_based::ByDistance {
+  /// Of a bucket, in mean edge lengths.
+  static constexpr double kWidth = 0.125;
+
+  using Queue = VertexCalendar;
+  static Queue make_queue(const Mesh& mesh) {
+    return Queue(mesh.vertex_count(), kWidth * mesh.mean_edge_length());
+  }
+};
+
 namespace {
 
 const RegisterSolver<edge_based::EdgeBased<InBuckets>> registered{{
@@ -15,7 +26,6 @@ const RegisterSolver<edge_based::EdgeBased<InBuckets>> registered{{
     .space_complexity = "O(n)",
     .propagation = "edge",
     .spatial_order = true,
-    .by_name_only = true,
 }};
 
 }  // namespace

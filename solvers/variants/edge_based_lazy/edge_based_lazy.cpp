@@ -1,9 +1,16 @@
 // `edge-based-lazy`: windows that cover no vertex cross faces in one operation (thesis 6.2.1).
-#include "solvers/core/registry.h"
-#include "solvers/edge_based/solver.h"
-#include "solvers/variants/edge_based_lazy/policies.h"
+#include "solvers/edge_based/edge_based.h"
+
+#include "solvers/variants/edge_based_lazy/chunk_lists.h"
 
 namespace geodesic::edge_based_lazy {
+
+/// Lists that carry chunks of windows across faces.
+struct Lazy : edge_based::ByDistance {
+  template <unsigned fields>
+  using Lists = ChunkLists<fields>;
+};
+
 namespace {
 
 const RegisterSolver<edge_based::EdgeBased<Lazy>> registered{{
@@ -15,7 +22,6 @@ const RegisterSolver<edge_based::EdgeBased<Lazy>> registered{{
     .space_complexity = "O(n)",
     .propagation = "chunk of windows",
     .spatial_order = true,
-    .by_name_only = true,
     .remarks = "chunks of windows that pass an apex on one side cross its face unseen",
 }};
 

@@ -1,9 +1,13 @@
 // `mmp-half-edge`: MMP with two lists of windows an edge, to measure what one list is worth.
-#include "solvers/core/registry.h"
-#include "solvers/mmp/solver.h"
-#include "solvers/variants/mmp_half_edge/policies.h"
+#include "solvers/mmp/mmp.h"
 
 namespace geodesic::mmp_half_edge {
+
+/// Windows of the two sides of an edge are kept apart.
+struct HalfEdge : mmp::ByDistance {
+  using Layout = mmp::ListPerHalfEdge;
+};
+
 namespace {
 
 const RegisterSolver<mmp::Mmp<HalfEdge>> registered{{
@@ -14,7 +18,6 @@ const RegisterSolver<mmp::Mmp<HalfEdge>> registered{{
     .time_complexity = "O(n^2 log n)",
     .space_complexity = "O(n^2)",
     .propagation = "window",
-    .by_name_only = true,
     .remarks = "windows of the two sides of an edge are not trimmed against each other",
 }};
 

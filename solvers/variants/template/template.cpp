@@ -121,7 +121,6 @@ const RegisterSolver<Unfolding> registered{{
     .time_complexity = "not known",
     .space_complexity = "not known",
     .propagation = "window",
-    .by_name_only = true,
     .abilities = {.max_vertices = 5000},
 }};
 

@@ -1,5 +1,8 @@
-// Vertices in buckets of distances that may decrease while they wait: the order of VertexHeap but
-// for the vertices of one bucket, which are first in, first out.
+// A calendar queue (bucket_ring.h) of vertices whose distances may decrease while they wait: the
+// order of VertexHeap but for the vertices of one bucket, which are first in, first out.
+//
+// A vertex is in it once and must be found to be moved, so that buckets are doubly linked through
+// the vertices themselves; they have no nodes of a pool.
 #pragma once
 
 #include <algorithm>
@@ -8,18 +11,18 @@
 #include <vector>
 
 #include "solvers/core/geometry.h"
-#include "solvers/core/queues/bucket_numbers.h"
+#include "solvers/core/queues/bucket_ring.h"
 
 namespace geodesic {
 
-/// A calendar: bucket n lies in slot n modulo kSlots, and each of its vertices knows its n, so that
+/// Bucket n lies in slot n modulo kSlots, and each of its vertices knows its n, so that
 /// keys may be farther apart than the slots reach. Popping passes over empty buckets one by one,
 /// and over more than a lap of them at once.
-class VertexBuckets {
+class VertexCalendar {
  public:
   /// @param vertices number of vertices; ids run from 0 to vertices - 1
   /// @param width keys covered by one bucket, in the keys' unit; not positive: all are in one
-  VertexBuckets(Index vertices, double width)
+  VertexCalendar(Index vertices, double width)
       : numbers_(width), vertices_(vertices), bucket_(vertices, kAbsent) {
     next_.resize(vertices + kSlots);
     previous_.resize(vertices + kSlots);

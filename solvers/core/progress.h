@@ -2,22 +2,21 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "solvers/core/mesh.h"
 
 namespace geodesic {
 
-struct Query;
-
 /// Counts the vertices that have a finite distance. Progress is their share of all vertices
 /// that some path joins to a source, so that it ends at 1 on any mesh (with a distance limit,
 /// earlier).
-class Sweep {
+class Progress {
  public:
   static constexpr std::uint64_t kSteps = 64;  // moments for samples, equally far apart
 
   /// Nothing is reached yet, not even the sources.
-  void start(const Mesh& mesh, const Query& query);
+  void start(const Mesh& mesh, std::span<const Index> sources);
 
   /// A vertex gets a new distance. @param former its distance until now
   void reach(double former) { reached_ += former == kInfinity ? 1u : 0u; }

@@ -1,8 +1,9 @@
-#include "solvers/core/vertex_order.h"
+#include "solvers/core/numbering.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 
 namespace geodesic {
 namespace {
@@ -40,6 +41,11 @@ std::vector<Keyed> curve_keys(std::span<const Vec3> positions) {
 }
 
 }  // namespace
+
+MeshNumbers::MeshNumbers(std::vector<Index> given_vertices, std::vector<Index> given_faces)
+    : given_(std::move(given_vertices)), given_faces_(std::move(given_faces)), own_(given_.size()) {
+  for (Index v = 0; v < given_.size(); ++v) own_[given_[v]] = v;
+}
 
 std::vector<Index> order_along_curve(std::span<const Vec3> positions) {
   std::vector<Keyed> keys = curve_keys(positions), sorted(keys.size());

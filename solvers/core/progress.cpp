@@ -1,14 +1,12 @@
-#include "solvers/core/sweep.h"
+#include "solvers/core/progress.h"
 
 #include <vector>
-
-#include "solvers/core/solver.h"
 
 namespace geodesic {
 namespace {
 
 // Vertices that a path along edges joins to a source, the sources included.
-std::uint64_t count_reachable(const Mesh& mesh, const Query& query) {
+std::uint64_t count_reachable(const Mesh& mesh, std::span<const Index> sources) {
   std::vector<bool> seen(mesh.vertex_count());
   std::vector<Index> open;
   std::uint64_t count = 0;
@@ -18,7 +16,7 @@ std::uint64_t count_reachable(const Mesh& mesh, const Query& query) {
     open.push_back(v);
     ++count;
   };
-  for (const Source& source : query.sources) see(source.vertex);
+  for (const Index v : sources) see(v);
   while (!open.empty()) {
     const Index v = open.back();
     open.pop_back();
@@ -32,9 +30,9 @@ std::uint64_t count_reachable(const Mesh& mesh, const Query& query) {
 
 }  // namespace
 
-void Sweep::start(const Mesh& mesh, const Query& query) {
+void Progress::start(const Mesh& mesh, std::span<const Index> sources) {
   reached_ = 0;
-  reachable_ = count_reachable(mesh, query);
+  reachable_ = count_reachable(mesh, sources);
   next_step_ = 1;
 }
 

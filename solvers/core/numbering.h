@@ -1,0 +1,45 @@
+// How a mesh numbers its vertices and faces: as they were given, or along the surface.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "solvers/core/geometry.h"
+
+namespace geodesic {
+
+/// The order of a mesh's vertices and faces in memory.
+enum class Numbering {
+  as_given,
+  along_surface,  ///< large meshes are solved faster, small ones no slower
+};
+
+/// Translates between two numberings of a mesh: the given one, which sources, distances and files
+/// have, and the mesh's own, which is that of every function of Mesh and of what solvers record.
+class MeshNumbers {
+ public:
+  /// The two numberings are the same.
+  MeshNumbers() = default;
+  /// @param given_vertices, given_faces by own number
+  MeshNumbers(std::vector<Index> given_vertices, std::vector<Index> given_faces);
+
+  bool are_given() const { return given_.empty(); }
+  Index given_vertex(Index own) const { return given_.empty() ? own : given_[own]; }
+  Index given_face(Index own) const { return given_faces_.empty() ? own : given_faces_[own]; }
+  Index own_vertex(Index given) const { return own_.empty() ? given : own_[given]; }
+
+ private:
+  std::vector<Index> given_, given_faces_;  // by own number
+  std::vector<Index> own_;                  // by given number
+};
+
+/// All vertices in the order in which a space-filling curve meets them (Morton 1966, "A computer
+/// oriented geodetic data base"), those of one cell of 1/1024 of the bounding box in their given
+/// order. Time and memory are linear: a radix sort.
+/// @param positions finite
+std::vector<Index> order_along_curve(std::span<const Vec3> positions);
+
+/// Faces in the order of their least vertex, those of one vertex in their given order; linear.
+std::vector<Index> order_by_least_vertex(std::span<const Triangle> triangles, Index vertices);
+
+}  // namespace geodesic

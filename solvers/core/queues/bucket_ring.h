@@ -1,0 +1,165 @@
+// Calendar queues: items sorted into buckets by floor(key / width), in a ring of buckets.
+//
+// Brown 1988, "Calendar queues: a fast O(1) priority queue implementation for the simulation event
+// set problem" (CACM 31(10)). A wavefront's keys lie close together and new ones lie mostly ahead,
+// so that a ring of buckets that starts where the wavefront is takes nearly all of them.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "solvers/core/mesh.h"
+#include "solvers/core/pool.h"
+
+namespace geodesic {
+
+/// The width of buckets that Xu, Wang, Liu, Liu, He 2015 publish for FWP, in the mesh's unit of
+/// length.
+inline double published_bucket_width(const Mesh& mesh) {
+  return mesh.mean_edge_length() / std::sqrt(static_cast<double>(mesh.vertex_count()));
+}
+
+/// Buckets of equal width, numbered from 0; a number never falls when a key grows. Keys too large
+/// to be numbered share the last bucket.
+class BucketNumbers {
+ public:
+  /// @param width keys covered by one bucket; not positive: one bucket takes everything
+  explicit BucketNumbers(double width)
+      : per_width_(width > 0 ? std::min(1 / width, kGreatestFactor) : 0) {}
+
+  /// @param key not negative
+  std::int64_t of(double key) const {
+    return static_cast<std::int64_t>(std::min(key * per_width_, kGreatestNumber));
+  }
+
+  /// No key of this bucket or of a later one is smaller.
+  double least_key(std::int64_t number) const {
+    return per_width_ > 0 ? static_cast<double>(number) / per_width_ * kRoundedDown : 0;
+  }
+
+ private:
+  static constexpr double kRoundedDown = 1 - 1e-15;
+  static constexpr double kGreatestFactor = 1e300;
+  static constexpr double kGreatestNumber = 9e18;  // fits std::int64_t
+
+  double per_width_;
+};
+
+/// An item in a bucket.
+template <class Item>
+struct BucketNode {
+  Item item;
+  Index next;  ///< behind it in its bucket
+};
+
+/// A bucket from which items are taken all at once, the last one first: one number.
+struct Stack {
+  Index first = kNone;
+
+  bool empty() const { return first == kNone; }
+  template <class Item>
+  void push(Pool<BucketNode<Item>>& nodes, const Item& item) {
+    first = nodes.add({item, first});
+  }
+};
+
+/// A bucket in order of arrival.
+struct Fifo {
+  Index first = kNone, last = kNone;
+  std::uint32_t count = 0;
+
+  bool empty() const { return count == 0; }
+  template <class Item>
+  void push(Pool<BucketNode<Item>>& nodes, const Item& item) {
+    const Index at = nodes.add({item, kNone});
+    (count == 0 ? first : nodes[last].next) = at;
+    last = at;
+    ++count;
+  }
+  /// Appends all items of another bucket.
+  template <class Item>
+  void append(Pool<BucketNode<Item>>& nodes, const Fifo& other) {
+    if (other.empty()) return;
+    (count == 0 ? first : nodes[last].next) = other.first;
+    last = other.last;
+    count += other.count;
+  }
+  /// Takes the first item out, if there is one, without releasing its node.
+  template <class Item>
+  void drop_first(const Pool<BucketNode<Item>>& nodes) {
+    if (count == 0) return;
+    first = nodes[first].next;
+    --count;
+  }
+};
+
+/// The buckets of as many successive numbers as the ring has places. Which numbers these are is up
+/// to its user: a place stands for one bucket as long as no two in use are `size()` apart.
+/// @tparam Bucket Stack or Fifo
+/// @tparam Item small and trivially copyable
+template <class Bucket, class Item>
+class BucketRing {
+ public:
+  /// @param size a power of two
+  explicit BucketRing(std::size_t size) : buckets_(size), mask_(size - 1) {}
+
+  std::int64_t size() const { return static_cast<std::int64_t>(mask_) + 1; }
+  /// No bucket holds an item.
+  bool empty() const { return items_ == 0; }
+
+  void clear() {
+    std::fill(buckets_.begin(), buckets_.end(), Bucket{});
+    nodes_.clear();
+    items_ = 0;
+  }
+
+  const Bucket& bucket(std::int64_t number) const { return buckets_[place(number)]; }
+
+  void push(std::int64_t number, const Item& item) {
+    buckets_[place(number)].push(nodes_, item);
+    ++items_;
+  }
+
+  /// The first bucket from `number` on that is not empty; there must be one.
+  std::int64_t next_filled(std::int64_t number) const {
+    while (bucket(number).empty()) ++number;
+    return number;
+  }
+
+  /// Empties a bucket: calls visit(item) for its items.
+  template <class Visit>
+  void drain(std::int64_t number, Visit&& visit) {
+    Bucket& bucket = buckets_[place(number)];
+    for (Index at = bucket.first; at != kNone;) {
+      const BucketNode<Item> node = nodes_.take(at);
+      visit(node.item);
+      at = node.next;
+      --items_;
+    }
+    bucket = {};
+  }
+
+  /// Moves the items of a bucket behind those of a list, which shares its nodes with the ring.
+  void move_behind(std::int64_t number, Fifo& list) {
+    Bucket& bucket = buckets_[place(number)];
+    list.append(nodes_, bucket);
+    items_ -= bucket.count;
+    bucket = {};
+  }
+
+  Pool<BucketNode<Item>>& nodes() { return nodes_; }
+  const Pool<BucketNode<Item>>& nodes() const { return nodes_; }
+
+ private:
+  std::size_t place(std::int64_t number) const { return static_cast<std::size_t>(number) & mask_; }
+
+  std::vector<Bucket> buckets_;
+  std::size_t mask_;
+  Pool<BucketNode<Item>> nodes_;
+  std::size_t items_ = 0;
+};
+
+}  // namespace geodesic

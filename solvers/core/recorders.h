@@ -1,0 +1,183 @@
+// The recorders that a solver's inner loop is compiled against.
+//
+// A solver is written as a template over its recorder. `NoRecorder` is empty: timed solves contain
+// no trace of it. `CountingRecorder` fills a Recording with counters, `WavefrontRecorder` keeps the
+// samples of the wavefront besides; `TimingRecorder` counts nothing, which would take time, and
+// reads the clock instead.
+//
+// What the compiler inlines into a timed solve depends on what else is in the file, by 1% to 3% of
+// its instructions. Timed and recorded solves are therefore compiled apart, from the same file: a
+// source named RECORDED in geodesic_add_solver is compiled as it is, and once more with
+// GEODESIC_RECORDED defined. A family's solver class declares
+//
+//   static void record(mesh, query, distances, recording);
+//
+// and defines it, as [[gnu::used]], only where GEODESIC_RECORDED is defined; there RegisterSolver
+// (registry.h) instantiates `record` in place of the solver. Nothing else depends on the macro.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "solvers/core/progress.h"
+#include "solvers/core/recording.h"
+
+namespace geodesic {
+
+/// @param for_each_window calls its argument as (Index half_edge, const Window&) for every window
+///        on the wavefront
+template <class ForEachWindow>
+WavefrontSample sample_wavefront(Index reached, const ForEachWindow& for_each_window) {
+  WavefrontSample sample{.reached = reached};
+  double squares = 0;  // of deviations from the mean, by Welford's recurrence
+  for_each_window([&](Index, const Window& w) {
+    const double distance = least_distance(w);
+    const double deviation = distance - sample.mean;
+    sample.mean += deviation / static_cast<double>(++sample.windows);
+    squares += deviation * (distance - sample.mean);
+    sample.least = std::min(sample.least, distance);
+  });
+  if (sample.windows > 0) sample.sd = std::sqrt(squares / static_cast<double>(sample.windows));
+  return sample;
+}
+
+/// The length of a window's strip of faces; an empty type when nothing is recorded.
+struct NoDepth {
+  NoDepth next() const { return {}; }
+};
+/// The same where it is counted.
+struct StripDepth {
+  std::uint32_t faces = 0;
+  StripDepth next() const { return {faces + 1}; }
+};
+
+/// What only recorded solves count is of these types, so that a timed solve that touched any of it
+/// would not compile.
+struct NoProgress {};
+struct NoCount {};
+
+/// Of timed solves: records nothing and costs nothing.
+struct NoRecorder {
+  static constexpr bool kRecords = false;
+  using Depth = NoDepth;
+  using Progress = NoProgress;
+  using Count = NoCount;
+
+  void propagated(std::uint64_t /*windows*/, Depth /*deepest*/) {}
+  void created(std::uint64_t /*windows*/) {}
+  void valid(std::uint64_t /*windows*/) {}
+  void reinserted(std::uint64_t /*windows*/) {}
+  void wavefront_size(std::uint64_t /*windows*/) {}
+
+  /// The phase that runs as long as the result lives (phase_timer.h).
+  struct [[nodiscard]] NoScope {
+    constexpr ~NoScope() {}  // NOLINT: a result without a destructor would be called unused
+  };
+  constexpr NoScope enter(Phase /*phase*/) const { return {}; }
+};
+
+/// Reads the clock whenever the phase changes, and counts nothing.
+struct TimingRecorder : NoRecorder {
+  explicit TimingRecorder(PhaseTimer& into) : timer(into) {}
+  PhaseScope<PhaseTimer> enter(Phase phase) const { return {timer, phase}; }
+
+  PhaseTimer& timer;
+};
+
+/// Fills a Recording with counters.
+struct CountingRecorder {
+  static constexpr bool kRecords = true;
+  using Depth = StripDepth;
+  using Progress = geodesic::Progress;
+  using Count = std::uint64_t;
+
+  explicit CountingRecorder(Recording& into) : recording(into) {
+    recording.window_propagations = recording.valid_windows = recording.peak_wavefront =
+        recording.strip_depth = 0;
+  }
+
+  /// `windows` windows were propagated across one face; the longest strip among them is `deepest`,
+  /// this face included.
+  void propagated(std::uint64_t windows, Depth deepest) {
+    *recording.window_propagations += windows;
+    *recording.strip_depth = std::max<std::uint64_t>(*recording.strip_depth, deepest.faces);
+  }
+  /// `windows` windows were made, and go through the filter next.
+  void created(std::uint64_t windows) {
+    recording.windows_created = recording.windows_created.value_or(0) + windows;
+  }
+  /// `windows` windows survived redundancy reduction.
+  void valid(std::uint64_t windows) { *recording.valid_windows += windows; }
+  /// `windows` windows that waited in the queue were trimmed and queued anew, which counts as
+  /// windows of their own (thesis 5.5.1, item 1).
+  void reinserted(std::uint64_t windows) {
+    recording.reinsertions = recording.reinsertions.value_or(0) + windows;
+    *recording.window_propagations += windows;
+    *recording.valid_windows += windows;
+  }
+  /// The wavefront now holds this many windows.
+  void wavefront_size(std::uint64_t windows) {
+    *recording.peak_wavefront = std::max(*recording.peak_wavefront, windows);
+  }
+
+  /// Samples the wavefront, at every step of progress.
+  /// @param for_each_window as of sample_wavefront
+  template <class ForEachWindow>
+  WavefrontSample sample(const Progress& progress, const ForEachWindow& for_each_window) {
+    const WavefrontSample sample = sample_wavefront(progress.reached(), for_each_window);
+    if (sample.windows == 0) return sample;
+    sd_sum_ += sample.sd;
+    recording.wavefront_sd = sd_sum_ / ++samples_;
+    return sample;
+  }
+
+  NoRecorder::NoScope enter(Phase /*phase*/) const { return {}; }
+
+  Recording& recording;
+
+ private:
+  double sd_sum_ = 0;
+  int samples_ = 0;
+};
+
+/// Counts, and keeps samples and snapshots of the wavefront.
+struct WavefrontRecorder : CountingRecorder {
+  using CountingRecorder::CountingRecorder;
+
+  /// As above, and keeps the sample; a wavefront without windows has none.
+  template <class ForEachWindow>
+  void sample(const Progress& progress, const ForEachWindow& for_each_window) {
+    const WavefrontSample sample = CountingRecorder::sample(progress, for_each_window);
+    if (sample.windows == 0) return;
+    recording.curve.push_back(sample);
+    for (std::size_t next = recording.snapshots.size();
+         next < recording.snapshots_at.size() && progress.share() >= recording.snapshots_at[next];
+         ++next) {
+      take_snapshot(recording.snapshots_at[next], for_each_window);
+    }
+  }
+
+ private:
+  template <class ForEachWindow>
+  void take_snapshot(double wish, const ForEachWindow& for_each_window) {
+    WavefrontSnapshot snapshot{.wish = wish, .windows = {}};
+    for_each_window([&](Index half_edge, const Window& w) {
+      snapshot.windows.push_back({half_edge, w.begin, w.end, least_distance(w)});
+    });
+    recording.snapshots.push_back(std::move(snapshot));
+  }
+};
+
+/// Calls `solve` with the recorder for what `recording` wants.
+template <class Solve>
+void solve_recording(Recording& recording, Solve&& solve) {
+  if (recording.what == Record::counters) return solve(CountingRecorder(recording));
+  if (recording.what == Record::wavefront) return solve(WavefrontRecorder(recording));
+  PhaseTimer timer;
+  solve(TimingRecorder(timer));
+  recording.phase_times = timer.times();
+}
+
+}  // namespace geodesic

@@ -1,0 +1,92 @@
+// The family edge-based as solvers: the propagation (propagation-inl.h) with a policy
+// (propagation.h), compiled for AVX2 and for every other processor (plain_lanes.h).
+//
+// To be included before anything else of Highway's. Needs Google Highway.
+#pragma once
+
+#include <memory>
+
+#undef HWY_DISABLED_TARGETS
+#define HWY_DISABLED_TARGETS (HWY_AVX3_DL | HWY_AVX3 | HWY_SSE4 | HWY_SSSE3)
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "solvers/edge_based/propagation-inl.h"
+#include <hwy/foreach_target.h>
+
+#include "solvers/core/registry.h"
+#include "solvers/edge_based/propagation-inl.h"
+
+/// Whether there is an AVX2 version beside the one for every processor of the build.
+#if (HWY_TARGETS & HWY_AVX2) != 0 && HWY_STATIC_TARGET != HWY_AVX2
+#define GEODESIC_AVX2_BESIDE_STATIC 1
+#else
+#define GEODESIC_AVX2_BESIDE_STATIC 0
+#endif
+
+namespace geodesic::edge_based {
+
+/// @param set AVX2 only when it was compiled
+template <class Policy, class Recorder>
+std::unique_ptr<Propagator> make_propagator(const Mesh& mesh, InstructionSet set) {
+#if GEODESIC_AVX2_BESIDE_STATIC
+  if (set == InstructionSet::avx2) {
+    return std::make_unique<N_AVX2::Propagation<Policy, Recorder>>(mesh);
+  }
+#endif
+  static_cast<void>(set);
+  return std::make_unique < HWY_STATIC_DISPATCH(Propagation) < Policy, Recorder >> (mesh);
+}
+
+template <class Policy>
+class EdgeBased final : public Solver {
+ public:
+  EdgeBased(const Mesh& mesh, const Description& description)
+      : Solver(mesh, description),
+        instruction_set_(compiled_for(geodesic::instruction_set())),
+        timed_(make_propagator<Policy, NoRecorder>(mesh, instruction_set_)) {}
+
+  InstructionSet instruction_set() const override { return instruction_set_; }
+
+  /// A recorded solve, compiled apart (core/recorders.h).
+  /// @param set that make_propagator takes
+  static void record(const Mesh& mesh, InstructionSet set, const Query& query,
+                     std::span<double> distances, Recording& recording);
+
+ private:
+  /// The instruction set nearest to `wanted` that was compiled.
+  static InstructionSet compiled_for(InstructionSet wanted) {
+    if (HWY_STATIC_TARGET == HWY_AVX2) return InstructionSet::avx2;
+    return GEODESIC_AVX2_BESIDE_STATIC ? wanted : InstructionSet::plain;
+  }
+
+  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+    if (recording == nullptr) return timed_->run(query, distances, nullptr);
+    record(mesh(), instruction_set_, query, distances, *recording);
+  }
+
+  InstructionSet instruction_set_;
+  std::unique_ptr<Propagator> timed_;
+};
+
+#ifdef GEODESIC_RECORDED
+template <class Policy>
+[[gnu::used]] void EdgeBased<Policy>::record(const Mesh& mesh, InstructionSet set,
+                                             const Query& query, std::span<double> distances,
+                                             Recording& recording) {
+  const auto solve = [&](std::unique_ptr<Propagator> propagator) {
+    propagator->run(query, distances, &recording);
+  };
+  switch (recording.what) {
+    case Record::counters:
+      return solve(make_propagator<Policy, CountingRecorder>(mesh, set));
+    case Record::phase_times:
+      return solve(make_propagator<Policy, TimingRecorder>(mesh, set));
+    case Record::wavefront:
+      return solve(make_propagator<Policy, WavefrontRecorder>(mesh, set));
+    case Record::windows:
+      return;  // refused: this solver does not keep them
+  }
+}
+#endif
+
+}  // namespace geodesic::edge_based

@@ -1,0 +1,73 @@
+// The family MMP as solvers: one propagation (propagation.h), with policies for what they differ
+// in.
+//
+// A policy has
+//   Queue              of windows, in the order of propagation (WindowQueueByKey)
+//   make_queue(mesh)   an empty one
+//   Layout             which windows share a list (edge_lists.h)
+#pragma once
+
+#include "solvers/core/queues/bucket_queue.h"
+#include "solvers/core/queues/calendar_queue.h"
+#include "solvers/core/registry.h"
+#include "solvers/mmp/propagation.h"
+
+namespace geodesic::mmp {
+
+/// Least distance first.
+struct ByDistance {
+  using Queue = CalendarQueue<Index>;
+  using Layout = ListPerEdge;
+  static Queue make_queue(const Mesh& mesh) { return Queue(calendar_buckets(mesh)); }
+};
+
+/// Buckets of the published width, in phases.
+struct ByBucket {
+  using Queue = BucketQueue<Index>;
+  using Layout = ListPerEdge;
+  static Queue make_queue(const Mesh& mesh) { return Queue(published_bucket_width(mesh)); }
+};
+
+template <class Policy>
+class Mmp final : public Solver {
+ public:
+  Mmp(const Mesh& mesh, const Description& description)
+      : Solver(mesh, description), propagation_(mesh) {}
+
+  /// A recorded solve, compiled apart (core/recorders.h).
+  static void record(const Mesh& mesh, const Query& query, std::span<double> distances,
+                     Recording& recording);
+
+ private:
+  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+    if (recording != nullptr && recording->what != Record::windows) {
+      return record(mesh(), query, distances, *recording);
+    }
+    propagation_.run(query, distances, recording != nullptr ? Keep::all : Keep::wavefront);
+    if constexpr (Policy::Layout::kBothSides) {
+      if (recording != nullptr) hand_over_windows(*recording->read_windows);
+    }
+  }
+
+  void hand_over_windows(const ReadWindows& read) const {
+    read([this](Index h, std::vector<Window>& windows) { propagation_.copy_windows(h, windows); });
+  }
+
+  Propagation<Policy, NoRecorder> propagation_;
+};
+
+#ifdef GEODESIC_RECORDED
+template <class Policy>
+[[gnu::used]] void Mmp<Policy>::record(const Mesh& mesh, const Query& query,
+                                       std::span<double> distances, Recording& recording) {
+  solve_recording(recording, [&](auto recorder) {
+    if constexpr (recorder.kRecords) {
+      recording.reinsertions = 0;
+      recording.window_bytes = sizeof(EdgeWindow<NoDepth>);
+    }
+    Propagation<Policy, decltype(recorder)>(mesh, recorder).run(query, distances);
+  });
+}
+#endif
+
+}  // namespace geodesic::mmp
