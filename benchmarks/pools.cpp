@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "benchmarks/per_item.h"
-#include "solvers/chen_han/stored_window.h"
-#include "solvers/core/recording.h"
+#include "solvers/chen_han/propagation.h"
+#include "solvers/core/pool.h"
+#include "solvers/core/recorders.h"
 #include "solvers/edge_based/window_lists.h"
 #include "solvers/mmp/edge_window.h"
-#include "solvers/mmp/segment_pool.h"
 
 namespace geodesic {
 namespace {
@@ -43,7 +43,7 @@ BENCHMARK(window_lists)->Arg(1)->Arg(4)->Arg(8)->Arg(17)->Arg(64);
 
 /// MMP: an edge's list outgrows its segment and moves to the next larger one.
 void segment_pool(benchmark::State& state) {
-  using Pool = mmp::SegmentPool<mmp::EdgeWindow<NoDepth>>;
+  using Pool = SegmentPool<mmp::EdgeWindow<NoDepth>>;
   constexpr std::size_t kEdges = 4096;
   struct List {
     mmp::EdgeWindow<NoDepth>* windows;
@@ -68,7 +68,7 @@ BENCHMARK(segment_pool);
 
 /// Chen-Han: a window leaves its slot and two take one, by turns with two that leave.
 void window_slots(benchmark::State& state) {
-  chen_han::Pool<chen_han::StoredWindow<NoDepth>> pool;
+  Pool<chen_han::StoredWindow<NoDepth>> pool;
   const chen_han::StoredWindow<NoDepth> window{};
   std::vector<Index> slots(20000);
   for (Index& slot : slots) slot = pool.add(window);

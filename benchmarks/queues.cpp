@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "solvers/core/queues/bucket_queue.h"
+#include "solvers/core/queues/calendar_queue.h"
 #include "solvers/core/queues/fifo_queue.h"
-#include "solvers/core/queues/priority_queue.h"
 #include "solvers/core/queues/vertex_heap.h"
 
 namespace geodesic {
@@ -47,15 +47,15 @@ void pop_and_push(benchmark::State& state, Queue queue) {
   for (auto _ : state) turn();
 }
 
-void priority_queue(benchmark::State& state) {
-  pop_and_push(state, PriorityQueue<Index>({kEdge / std::sqrt(kVertices) / 16, 1 << 14}));
+void calendar_queue(benchmark::State& state) {
+  pop_and_push(state, CalendarQueue<Index>({kEdge / std::sqrt(kVertices) / 16, 1 << 14}));
 }
 void bucket_queue(benchmark::State& state) {
   pop_and_push(state, BucketQueue<Index>(kEdge / std::sqrt(kVertices)));
 }
 void fifo_queue(benchmark::State& state) { pop_and_push(state, FifoQueue<Index>()); }
 
-BENCHMARK(priority_queue)->Arg(1000)->Arg(20000)->Arg(400000);
+BENCHMARK(calendar_queue)->Arg(1000)->Arg(20000)->Arg(400000);
 BENCHMARK(bucket_queue)->Arg(1000)->Arg(20000)->Arg(400000);
 BENCHMARK(fifo_queue)->Arg(20000);
 

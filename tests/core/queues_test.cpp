@@ -4,8 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include "solvers/core/queues/calendar_queue.h"
+#include "solvers/core/queues/concepts.h"
 #include "solvers/core/queues/fifo_queue.h"
-#include "solvers/core/queues/priority_queue.h"
 
 #include "meshes/random.h"
 
@@ -19,14 +20,14 @@ std::vector<int> drain(Queue& queue) {
   return items;
 }
 
-TEST(PriorityQueue, pops_in_order_of_keys) {
-  PriorityQueue<int> queue({1, 16});
+TEST(CalendarQueue, pops_in_order_of_keys) {
+  CalendarQueue<int> queue({1, 16});
   for (const int i : {5, 1, 4, 2, 3}) queue.push(i, i);
   EXPECT_EQ(drain(queue), (std::vector{1, 2, 3, 4, 5}));
 }
 
-TEST(PriorityQueue, pops_equal_keys_in_order_of_insertion) {
-  PriorityQueue<int> queue({2, 16});
+TEST(CalendarQueue, pops_equal_keys_in_order_of_insertion) {
+  CalendarQueue<int> queue({2, 16});
   for (int i = 0; i < 100; ++i) queue.push(i % 3, i);
   const std::vector<int> items = drain(queue);
   for (std::size_t i = 1; i < items.size(); ++i) {
@@ -35,10 +36,10 @@ TEST(PriorityQueue, pops_equal_keys_in_order_of_insertion) {
 }
 
 // Widths from "all in one bucket" to "most beyond the ring".
-TEST(PriorityQueue, equals_a_stable_sort_whatever_the_width_while_items_come_and_go) {
+TEST(CalendarQueue, equals_a_stable_sort_whatever_the_width_while_items_come_and_go) {
   for (const double width : {0.0, 1e9, 3.0, 0.1, 1e-3, 1e-300}) {
     Random random(1);
-    PriorityQueue<int> queue({width, 16});
+    CalendarQueue<int> queue({width, 16});
     std::vector<std::pair<double, int>> model;  // key, item: kept in order
     for (int i = 0; i < 5000; ++i) {
       if (random.below(3) != 0 || model.empty()) {
@@ -54,9 +55,9 @@ TEST(PriorityQueue, equals_a_stable_sort_whatever_the_width_while_items_come_and
   }
 }
 
-TEST(PriorityQueue, an_item_is_due_when_no_other_has_a_smaller_key) {
+TEST(CalendarQueue, an_item_is_due_when_no_other_has_a_smaller_key) {
   for (const double width : {0.0, 1e9, 3.0, 0.1}) {
-    PriorityQueue<int> queue({width, 16});
+    CalendarQueue<int> queue({width, 16});
     for (const double key : {1.0, 2.0, 4.0}) queue.push(key, 0);
     queue.pop();
     EXPECT_TRUE(queue.is_due(1)) << "width " << width;
@@ -65,10 +66,10 @@ TEST(PriorityQueue, an_item_is_due_when_no_other_has_a_smaller_key) {
 }
 
 // As a wavefront does: what is pushed lies ahead of what was popped.
-TEST(PriorityQueue, knows_a_key_below_all_to_come_and_less_than_a_bucket_behind) {
+TEST(CalendarQueue, knows_a_key_below_all_to_come_and_less_than_a_bucket_behind) {
   for (const double width : {3.0, 0.1}) {
     Random random(1);
-    PriorityQueue<double> queue({width, 16});
+    CalendarQueue<double> queue({width, 16});
     queue.push(1, 1);
     for (int i = 0; i < 3000 && !queue.empty(); ++i) {
       const double bound = queue.least_key();
@@ -83,8 +84,8 @@ TEST(PriorityQueue, knows_a_key_below_all_to_come_and_less_than_a_bucket_behind)
   }
 }
 
-TEST(PriorityQueue, shows_items_before_their_turn_each_once) {
-  PriorityQueue<int> queue({1, 128});
+TEST(CalendarQueue, shows_items_before_their_turn_each_once) {
+  CalendarQueue<int> queue({1, 128});
   for (int i = 0; i < 400; ++i) queue.push(i / 4.0, i);
   std::vector<int> shown;
   for (int popped = 0; popped < 400; ++popped) {
@@ -98,8 +99,9 @@ TEST(PriorityQueue, shows_items_before_their_turn_each_once) {
   std::sort(shown.begin(), shown.end());
   EXPECT_EQ(std::adjacent_find(shown.begin(), shown.end()), shown.end());
 }
-TEST(PriorityQueue, is_as_new_when_cleared) {
-  PriorityQueue<int> queue({1e-3, 16});
+
+TEST(CalendarQueue, is_as_new_when_cleared) {
+  CalendarQueue<int> queue({1e-3, 16});
   queue.push(1, 1);
   queue.push(1e6, 2);
   queue.clear();
@@ -113,6 +115,27 @@ TEST(FifoQueue, pops_in_order_of_insertion_whatever_the_keys) {
   for (const int i : {5, 1, 4, 2, 3}) queue.push(i, i);
   EXPECT_EQ(queue.size(), 5u);
   EXPECT_EQ(drain(queue), (std::vector{5, 1, 4, 2, 3}));
+}
+
+// A queue of a user's own, with no more than the concept needs.
+struct Lifo {
+  std::vector<Index> items;
+  bool empty() const { return items.empty(); }
+  void clear() { items.clear(); }
+  void push(double /*key*/, Index item) { items.push_back(item); }
+  Index pop() {
+    const Index last = items.back();
+    items.pop_back();
+    return last;
+  }
+};
+
+TEST(WindowQueue, may_leave_out_upcoming) {
+  static_assert(WindowQueue<Lifo> && WindowQueue<FifoQueue<Index>>);
+  static_assert(WindowQueueByKey<CalendarQueue<Index>> && !WindowQueueByKey<Lifo>);
+  Lifo lifo;
+  for (Index i = 0; i < 9; ++i) lifo.push(0, i);
+  EXPECT_EQ(upcoming(lifo), kNone);
 }
 
 }  // namespace

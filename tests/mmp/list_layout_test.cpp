@@ -1,5 +1,5 @@
 // Where windows of an edge's two sides do not meet, more of them are left, and none is missed.
-#include "solvers/mmp/list_layout.h"
+#include "solvers/mmp/edge_lists.h"
 
 #include <gtest/gtest.h>
 

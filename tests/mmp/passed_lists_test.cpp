@@ -5,9 +5,7 @@
 #include <set>
 
 #include "meshes/oracles/random_meshes.h"
-#include "solvers/mmp/policies.h"
-#include "solvers/mmp/propagation.h"
-#include "solvers/mmp/reached_edges.h"
+#include "solvers/mmp/mmp.h"
 
 namespace geodesic::mmp {
 namespace {
@@ -66,30 +64,30 @@ TYPED_TEST(PassedLists, change_nothing_among_collapsed_edges) {
       with_collapsed_edges(rough_terrain(4, 50, 50, 0.7), 3, 40), {{{1275, 0}}});
 }
 
-TEST(ReachedEdges, are_looked_through_five_times_each_at_most) {
-  ReachedEdges reached;
+TEST(OpenLists, are_looked_through_five_times_each_at_most) {
+  OpenLists open;
   constexpr Index kLists = 100000;
   std::size_t looks = 0;
   // None is ever done: the worst case.
   for (Index list = 0; list < kLists; ++list) {
-    reached.add(list);
-    if (reached.is_due()) reached.look_through([&](Index) { return ++looks == 0; });
+    open.add(list);
+    if (open.is_due()) open.look_through([&](Index) { return ++looks == 0; });
   }
   EXPECT_GT(looks, 0u);
   EXPECT_LE(looks, 5 * kLists);
 }
 
-TEST(ReachedEdges, are_shown_again_until_they_are_done) {
-  ReachedEdges reached;
+TEST(OpenLists, are_shown_again_until_they_are_done) {
+  OpenLists open;
   Index next = 0;
   const auto fill = [&] {
-    while (!reached.is_due()) reached.add(next++);
+    while (!open.is_due()) open.add(next++);
   };
   std::set<Index> left;
   fill();
-  reached.look_through([](Index list) { return list % 3 != 0; });
+  open.look_through([](Index list) { return list % 3 != 0; });
   fill();
-  reached.look_through([&](Index list) { return left.insert(list).second; });
+  open.look_through([&](Index list) { return left.insert(list).second; });
   for (Index list = 0; list < next; ++list) {
     const bool was_done = list % 3 != 0 && list < 1024;
     EXPECT_EQ(left.contains(list), !was_done) << list;

@@ -47,10 +47,10 @@ class BucketQueue {
 
   /// @param key not negative; less than the key of the item popped last only by rounding
   void push(double key, Item item) {
-    const std::int64_t offset = numbers_.of(key) - base_;
+    const std::int64_t number = numbers_.of(key), offset = number - base_;
     balance_ += offset >= phase_span_ ? 1 : -1;
     if (offset < kRing) {
-      put(offset, item);
+      ring_.push(std::max(number, base_), item);
     } else {
       far_.push({std::bit_cast<std::uint64_t>(key), far_serial_++, item});
     }
@@ -86,16 +86,12 @@ class BucketQueue {
   static constexpr std::int64_t kRing = 1 << 14;    // buckets; a power of two
   static constexpr std::int64_t kNoPhase = -kRing;  // everything lies beyond the ring
 
-  void put(std::int64_t offset, Item item) {
-    ring_.push(base_ + std::max<std::int64_t>(offset, 0), item);
-  }
-
   // Moves the ring's start to the first bucket that holds anything.
   void advance() {
     base_ = ring_.empty() ? numbers_.of(far_.least().key_value()) : ring_.next_filled(base_);
     while (!far_.empty() && numbers_.of(far_.least().key_value()) - base_ < kRing) {
       const auto entry = far_.pop();
-      put(numbers_.of(entry.key_value()) - base_, entry.item);
+      ring_.push(std::max(numbers_.of(entry.key_value()), base_), entry.item);
     }
   }
 

@@ -1,4 +1,4 @@
-#include "solvers/core/vertex_order.h"
+#include "solvers/core/numbering.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,63 @@
+// What the kernels make of a list of windows, the same type for all instruction sets.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "meshes/random.h"
+#include "solvers/edge_based/split.h"
+
+namespace geodesic::edge_based {
+
+struct Steps {
+  std::vector<Window> gathered;
+  std::vector<bool> suspects;     ///< by the first of two neighbours
+  std::vector<bool> left, right;  ///< which sides of the apex the lines of a gathered window pass
+  Separator separator;
+  std::vector<Window> to_left, to_right;
+};
+
+inline std::vector<std::uint64_t> bits_of(const std::vector<Window>& windows) {
+  std::vector<std::uint64_t> bits;
+  for (const Window& w : windows) {
+    for (const double value : {w.begin, w.end, w.x, w.y, w.sigma}) {
+      bits.push_back(std::bit_cast<std::uint64_t>(value));
+    }
+  }
+  return bits;
+}
+
+inline std::vector<std::uint64_t> bits_of(const Steps& steps) {
+  std::vector<std::uint64_t> bits = bits_of(steps.gathered);
+  for (const auto* flags : {&steps.suspects, &steps.left, &steps.right}) {
+    bits.insert(bits.end(), flags->begin(), flags->end());
+  }
+  bits.push_back(steps.separator.window);
+  bits.push_back(std::bit_cast<std::uint64_t>(steps.separator.distance));
+  bits.push_back(std::bit_cast<std::uint64_t>(steps.separator.crossing));
+  bits.push_back(steps.separator.rivals);
+  for (const auto* list : {&steps.to_left, &steps.to_right}) {
+    const std::vector<std::uint64_t> more = bits_of(*list);
+    bits.insert(bits.end(), more.begin(), more.end());
+  }
+  return bits;
+}
+
+/// An edge of length 1 and an apex above it.
+inline FaceFrame random_face(Random& random) {
+  FaceFrame f{};
+  f.length = 1;
+  f.apex_x = random.between(-0.3, 1.3);
+  f.apex_y = random.between(0.2, 1.5);
+  f.left = std::hypot(f.apex_x, f.apex_y);
+  f.right = std::hypot(1 - f.apex_x, f.apex_y);
+  f.left_x = f.apex_x / f.left;
+  f.left_y = f.apex_y / f.left;
+  f.right_x = (1 - f.apex_x) / f.right;
+  f.right_y = -f.apex_y / f.right;
+  return f;
+}
+
+}  // namespace geodesic::edge_based
