@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Compares two builds of geodesic-microbench, run by turns: see README.md.
+"""Compares two builds of geodesic-microbench, run alternately: see README.md.
 
-Reads Google Benchmark's JSON files of either side, in the order of the turns, and prints for each
-benchmark the least CPU time of both, their ratio, and the ratio in either half of the turns.
+Reads Google Benchmark's JSON files of either side, in the order of their runs, and prints for each
+benchmark the least CPU time of both, their ratio, and the ratio in either half of the runs.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ def main() -> int:
     parser.add_argument("--with", dest="after", nargs="+", type=Path, required=True)
     flags = parser.parse_args()
     if len(flags.before) != len(flags.after):
-        print("compare.py: both builds need as many files: a turn each", file=sys.stderr)
+        print("compare.py: both builds need the same number of files, one a run", file=sys.stderr)
         return 1
     try:
         print("\n".join(compare(sorted(flags.before), sorted(flags.after))))

@@ -5,7 +5,7 @@
 #define HWY_TARGET_INCLUDE "benchmarks/edge_based_kernels.cpp"
 #include <hwy/foreach_target.h>
 
-#include "benchmarks/window_list.h"
+#include "benchmarks/microbench.h"
 #include "solvers/edge_based/kernels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -96,7 +96,6 @@ inline constexpr microbench::Steps kSteps{gather_list, find_suspects_in_list, cl
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "benchmarks/per_item.h"
 #include "solvers/core/instruction_set.h"
 
 namespace geodesic::edge_based {

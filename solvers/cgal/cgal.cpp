@@ -42,7 +42,7 @@ class Cgal final : public Solver {
  private:
   using Vertex = Surface::Vertex_index;
 
-  // CGAL knows no isolated vertices: they stay out of its surface, and `vertex_` maps to its ids.
+  // CGAL's surface has no isolated vertices; `vertex_` maps the others to its ids.
   const Surface& build_surface() {
     vertex_.assign(mesh().vertex_count(), Surface::null_vertex());
     for (Index v = 0; v < mesh().vertex_count(); ++v) {
@@ -59,8 +59,8 @@ class Cgal final : public Solver {
     return surface_;
   }
 
-  // One source after the other: asked for several at once, CGAL 5.5 can follow a path beyond a
-  // boundary edge, which its own assertions forbid.
+  // One source after the other: with several at once, CGAL 5.5 can follow a path beyond a boundary
+  // edge, which its own assertions forbid.
   void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
     for (const Source& source : query.sources) {
       distances[source.vertex] = std::min(distances[source.vertex], source.distance);

@@ -18,14 +18,14 @@ enum class InstructionSet : std::uint8_t {
 /// "plain", "avx2"
 std::string_view name_of(InstructionSet set);
 
-/// Why solvers cannot run with it: what this processor or this build lacks. Empty when they can.
+/// What this processor or this build lacks to run solvers with it; empty when nothing.
 std::string why_unavailable(InstructionSet set);
 
 /// The widest one that the processor and the build have.
 InstructionSet widest_instruction_set();
 
 /// Solvers constructed from now on use this one, as far as they are compiled for it, and never a
-/// wider one; Solver::instruction_set tells which it became. For the whole process; may be called
+/// wider one; Solver::instruction_set is the outcome. For the whole process; may be called
 /// and read from any thread.
 /// @throws std::invalid_argument saying `why_unavailable`
 void set_instruction_set(InstructionSet set);

@@ -4,7 +4,7 @@
 // One phase runs at any moment, and the clock is read when it changes. A reading takes some 10 ns,
 // about as long as a short phase; between two of them lies exactly one reading's cost, half of the
 // first and half of the second. Times are given with that cost, together with the number of
-// readings, so that it can be taken out by whoever knows how long the solve takes without them.
+// readings, so that it can be taken out where the time of the solve without them is known.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace geodesic {
 
 enum class Phase : std::uint8_t {
   outside,      ///< not part of the solve: not reported
-  propagation,  ///< whatever is none of the others, unfolding and new distances above all
+  propagation,  ///< everything else, unfolding and new distances above all
   trimming,     ///< finding out which windows are useless, and cutting or dropping them
   queue,        ///< pushing, popping, and finding what an entry stands for
 };

@@ -161,8 +161,8 @@ struct WavefrontRecorder : CountingRecorder {
 
  private:
   template <class ForEachWindow>
-  void take_snapshot(double wish, const ForEachWindow& for_each_window) {
-    WavefrontSnapshot snapshot{.wish = wish, .windows = {}};
+  void take_snapshot(double share, const ForEachWindow& for_each_window) {
+    WavefrontSnapshot snapshot{.share = share, .windows = {}};
     for_each_window([&](Index half_edge, const Window& w) {
       snapshot.windows.push_back({half_edge, w.begin, w.end, least_distance(w)});
     });
@@ -170,7 +170,7 @@ struct WavefrontRecorder : CountingRecorder {
   }
 };
 
-/// Calls `solve` with the recorder for what `recording` wants.
+/// Calls `solve` with the recorder that `recording.what` needs.
 template <class Solve>
 void solve_recording(Recording& recording, Solve&& solve) {
   if (recording.what == Record::counters) return solve(CountingRecorder(recording));

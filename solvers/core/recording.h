@@ -33,7 +33,7 @@ struct WavefrontWindow {
 
 /// All windows on the wavefront at the moment of a sample.
 struct WavefrontSnapshot {
-  double wish;  ///< taken with the first sample that had this share of the reachable vertices
+  double share;  ///< of the reachable vertices: taken with the first sample that had so many
   std::vector<WavefrontWindow> windows;  ///< in no particular order, as many as in the sample
 
   bool operator==(const WavefrontSnapshot&) const = default;

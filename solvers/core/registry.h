@@ -52,7 +52,8 @@ const Description* find_solver(std::string_view name);
 /// @throws std::invalid_argument for an unknown name, listing the known ones
 std::unique_ptr<Solver> make_solver(std::string_view name, const Mesh& mesh);
 
-/// Whether a solver runs only when it is named: what geodesic_add_solver says of its folder.
+/// Whether a solver runs only when it is named: set by geodesic_add_solver
+/// (solvers/CMakeLists.txt).
 #ifdef GEODESIC_BY_NAME_ONLY
 inline constexpr bool kByNameOnly = true;
 #else

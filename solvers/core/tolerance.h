@@ -22,11 +22,11 @@ inline constexpr double kApexReach = 1e-6;
 
 /// A pseudo-source in the interior of an edge, the apex of a zero-area face, is taken to lie off
 /// the edge by this times the edge's length, on its own side, so that unfolding across the next
-/// face has a direction, whether or not that has an area. No distance notices: its square is zero,
+/// face has a direction, whether or not that has an area. No distance changes: its square is zero,
 /// in units in which a mesh is of ordinary extent (unit.h).
 inline constexpr double kTouchingHeight = 1e-200;
 
-/// Chen-Han: a face lower than this times its base has no angles to argue with.
+/// Chen-Han: a face lower than this times its base has no reliable angles.
 inline constexpr double kFlatFace = 1e-9;
 
 /// A window narrower than this times the length of its edge is dropped.

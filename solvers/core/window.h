@@ -124,7 +124,7 @@ inline FaceFrame face_frame(const Mesh& mesh, Index h) {
 
 /// Where the apex of a half-edge's face lies as seen from beyond: in the frame of the twin. In a
 /// face without area it may lie on the edge; between the edge's ends it is then taken to lie off it
-/// by next to nothing, so that its lines have a side. An apex that coincides with an end has none:
+/// by kTouchingHeight, so that its lines have a side. An apex that coincides with an end has none:
 /// the windows of a collapsed edge's two ends would go round it without end.
 inline Point2 apex_from_beyond(const HalfEdge& e) {
   const double margin = kWindowWidth * e.length;

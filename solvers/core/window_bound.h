@@ -11,7 +11,7 @@
 
 namespace geodesic {
 
-/// What a solve throws that exceeds its bound. The object can be asked again.
+/// Thrown by a solve that exceeds its bound. The object can be used again.
 class EndlessPropagation : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -31,30 +31,23 @@ struct Separator {
 inline constexpr double kLeastHeight = std::numeric_limits<double>::min();
 
 /// Length of the shortest path to the apex over one end of a window whose lines all pass on `side`.
-inline double bent_distance(const Window& w, Side side, const FaceFrame& face);
-
-/// Where the line from the window's source to the apex crosses the edge.
-inline double crossing(const Window& w, const FaceFrame& face);
-
-/// What remains of a window that is not the separator's own.
-/// @param seen its `sides_seen`
-/// @param best the separator's window
-/// @param rounding of coordinates (trim.h)
-inline Side sides_kept(const Window& w, Side seen, const Separator& separator, const Window& best,
-                       const FaceFrame& face, double rounding);
-
 inline double bent_distance(const Window& w, Side side, const FaceFrame& face) {
   const double bend = side == Side::left ? w.end : w.begin;
   const double dx = face.apex_x - bend;
   return distance_at(w, bend) + std::sqrt(dx * dx + face.apex_y * face.apex_y);
 }
 
+/// Where the line from the window's source to the apex crosses the edge.
 inline double crossing(const Window& w, const FaceFrame& face) {
   const double up = std::max(face.apex_y - w.y, kLeastHeight);
   const double t = w.x + (face.apex_x - w.x) * (-w.y / up);
   return std::clamp(t, w.begin, w.end);
 }
 
+/// What remains of a window that is not the separator's own.
+/// @param seen the sides that its lines pass
+/// @param best the separator's window
+/// @param rounding of coordinates (trim.h)
 inline Side sides_kept(const Window& w, Side seen, const Separator& separator, const Window& best,
                        const FaceFrame& face, double rounding) {
   if (seen == Side::both) {

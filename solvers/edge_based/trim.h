@@ -33,47 +33,33 @@ inline double coordinate_rounding(double longest_edge) { return kPathMargin * lo
 
 /// @param h the half-edge that carries the windows; it must have a twin
 /// @param rounding of coordinates
-inline Crossed crossed_face(const Mesh& mesh, Index h, double rounding);
+inline Crossed crossed_face(const Mesh& mesh, Index h, double rounding) {
+  const HalfEdge& below = mesh.half_edge(mesh.twin(h));
+  return {mesh.half_edge(h).length, below.length - below.apex_x, -below.apex_y, rounding};
+}
 
 /// True when a path of length a beats one of length b by more than rounding.
 /// @param rounding of coordinates
-inline bool is_shorter(double a, double b, double rounding);
-
-/// True when the windows follow one another so that neither can beat more of the other than the
-/// part of their overlap behind the bisector, which is not worth trimming: their ends are in order,
-/// and each source lies on its own side of the line that bounds the other window's pencil.
-inline bool in_order(const Window& first, const Window& second);
+inline bool is_shorter(double a, double b, double rounding) {
+  return a < b * (1 - kPathMargin) - rounding;
+}
 
 /// True when too narrow to matter, or emptied by trimming.
-inline bool is_void(const Window& w, double length);
+inline bool is_void(const Window& w, double length) {
+  return !(w.end - w.begin > kWindowWidth * length);
+}
 
-/// Compares two windows of one edge and trims what one beats of the other; a window that is beaten
-/// wholly becomes void. Looks at their overlap on the edge, or, when they are apart, at the place
-/// inside the face below where the lines that bound them cross. A window whose source touches the
-/// edge is left as it is, and so is the other.
-inline void trim_pair(Window& first, Window& second, const Crossed& face);
+/// True when the window's source lies almost on the edge, inside the interval: the apex of a face
+/// without area. All its lines, whatever their directions, pass the edge in one point, so that an
+/// interval that ends there does not show which of them are left.
+inline bool touches_edge(const Window& w, double length) {
+  return w.y > -kFlatFace * length && w.begin <= w.x && w.x <= w.end;
+}
 
-/// True when the window's source lies on the edge as good as, inside the interval: the apex of a
-/// face without area. All its lines, whatever their directions, pass the edge in one point, so that
-/// an interval that stops there says nothing of which of them are left.
-inline bool touches_edge(const Window& w, double length);
-
-/// True when the point (px, py) lies to the right of the window's line through t of the edge, or on
-/// it within rounding.
-inline bool is_right_of_line(const Window& w, double t, double px, double py);
-/// The same for the left.
-inline bool is_left_of_line(const Window& w, double t, double px, double py);
-/// True when rounding of coordinates alone may decide the side of that line.
-inline bool has_no_side(const Window& w, double t, double px, double py, double rounding);
-
-// What follows is inline because one window in five comes through here: out of line, a solve takes
+// Inline, as everything here, because one window in five comes through: out of line, a solve takes
 // a tenth more instructions.
 
 namespace internal {
-
-/// Two lines cross in the third vertex of the face below when they do within this share of its
-/// height.
-inline constexpr double kNearVertex = 1e-9;
 
 /// Positive when (px, py) lies to the right of the line from the source of w through t.
 inline double right_of(const Window& w, double t, double px, double py) {
@@ -83,6 +69,39 @@ inline double right_of(const Window& w, double t, double px, double py) {
 inline double right_of_scale(const Window& w, double t, double px, double py) {
   return kOnLine * (std::abs(px - w.x) * -w.y + std::abs(t - w.x) * std::abs(py - w.y));
 }
+
+}  // namespace internal
+
+/// True when the point (px, py) lies to the right of the window's line through t of the edge, or on
+/// it within rounding.
+inline bool is_right_of_line(const Window& w, double t, double px, double py) {
+  return internal::right_of(w, t, px, py) > -internal::right_of_scale(w, t, px, py);
+}
+/// The same for the left.
+inline bool is_left_of_line(const Window& w, double t, double px, double py) {
+  return internal::right_of(w, t, px, py) < internal::right_of_scale(w, t, px, py);
+}
+
+/// True when rounding of coordinates alone may decide the side of that line.
+inline bool has_no_side(const Window& w, double t, double px, double py, double rounding) {
+  const double lengths = std::abs(px - w.x) + std::abs(py - w.y) + std::abs(t - w.x) - w.y;
+  return std::abs(internal::right_of(w, t, px, py)) <= rounding * lengths;
+}
+
+/// True when the windows follow one another so that neither can beat more of the other than the
+/// part of their overlap behind the bisector, which is not worth trimming: their ends are in order,
+/// and each source lies on its own side of the line that bounds the other window's pencil.
+inline bool in_order(const Window& first, const Window& second) {
+  return first.begin <= second.begin && first.end <= second.end &&
+         is_left_of_line(second, second.begin, first.x, first.y) &&
+         is_right_of_line(first, first.end, second.x, second.y);
+}
+
+namespace internal {
+
+/// Two lines cross in the third vertex of the face below when they do within this share of its
+/// height.
+inline constexpr double kNearVertex = 1e-9;
 
 /// Where the line from the source of w through (px, py) meets the edge; w.y < py.
 inline double hit(const Window& w, double px, double py) {
@@ -190,42 +209,10 @@ inline void settle_overlap(Window& first, Window& second, const Pair& begin, con
 
 }  // namespace internal
 
-inline bool is_shorter(double a, double b, double rounding) {
-  return a < b * (1 - kPathMargin) - rounding;
-}
-
-inline Crossed crossed_face(const Mesh& mesh, Index h, double rounding) {
-  const HalfEdge& below = mesh.half_edge(mesh.twin(h));
-  return {mesh.half_edge(h).length, below.length - below.apex_x, -below.apex_y, rounding};
-}
-
-inline bool is_right_of_line(const Window& w, double t, double px, double py) {
-  return internal::right_of(w, t, px, py) > -internal::right_of_scale(w, t, px, py);
-}
-
-inline bool is_left_of_line(const Window& w, double t, double px, double py) {
-  return internal::right_of(w, t, px, py) < internal::right_of_scale(w, t, px, py);
-}
-
-inline bool has_no_side(const Window& w, double t, double px, double py, double rounding) {
-  const double lengths = std::abs(px - w.x) + std::abs(py - w.y) + std::abs(t - w.x) - w.y;
-  return std::abs(internal::right_of(w, t, px, py)) <= rounding * lengths;
-}
-
-inline bool in_order(const Window& first, const Window& second) {
-  return first.begin <= second.begin && first.end <= second.end &&
-         is_left_of_line(second, second.begin, first.x, first.y) &&
-         is_right_of_line(first, first.end, second.x, second.y);
-}
-
-inline bool is_void(const Window& w, double length) {
-  return !(w.end - w.begin > kWindowWidth * length);
-}
-
-inline bool touches_edge(const Window& w, double length) {
-  return w.y > -kFlatFace * length && w.begin <= w.x && w.x <= w.end;
-}
-
+/// Compares two windows of one edge and trims what one beats of the other; a window that is beaten
+/// wholly becomes void. Looks at their overlap on the edge, or, when they are apart, at the place
+/// inside the face below where the lines that bound them cross. A window whose source touches the
+/// edge is left as it is, and so is the other.
 inline void trim_pair(Window& first, Window& second, const Crossed& face) {
   if (in_order(first, second)) return;
   if (touches_edge(first, face.length) || touches_edge(second, face.length)) return;

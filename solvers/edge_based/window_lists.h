@@ -29,7 +29,7 @@ inline constexpr std::size_t kLaneRoom = 4;
 struct NoExtra {};
 
 /// @tparam fields number of arrays: 5, or 6 when the depth of a window's strip is recorded
-/// @tparam Extra what else a segment keeps about its windows; whoever fills the segment sets it
+/// @tparam Extra what else a segment keeps about its windows; set by what fills the segment
 template <unsigned fields, class Extra = NoExtra>
 class WindowLists {
  public:

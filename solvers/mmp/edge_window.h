@@ -39,11 +39,11 @@ struct EdgeWindow {
 
 /// What the queue holds, by its number in a Pool, in place of a window or a pseudo-source.
 ///
-/// Windows move within their list and lose parts while they wait. A waiting window knows its event
-/// and keeps it up to date, so that no entry of the queue has to be searched or replaced then: the
-/// entry of a window that is no more is recognised by its cancelled event, and one whose key has
-/// grown moves to its new place only when its turn by the old key comes. An event lasts until its
-/// entry leaves the queue.
+/// Windows move within their list and lose parts while they wait. A waiting window has the number
+/// of its event and keeps it up to date, so that no entry of the queue has to be searched or
+/// replaced then: the entry of a window that is no more is recognised by its cancelled event, and
+/// one whose key has grown moves to its new place only when its turn by the old key comes. An event
+/// lasts until its entry leaves the queue.
 struct Event {
   double begin;    ///< of the window, by which its list finds it; kVertex for a pseudo-source
   double nearest;  ///< position on the edge where the window is nearest, which decides its key

@@ -34,7 +34,7 @@ bool is_nearer(const Window& challenger, const Window& incumbent, double t) {
   return nearer(distance_at(challenger, t), distance_at(incumbent, t)) < 0;
 }
 
-/// Asks for the owner in the middle of each part, for when the ends tie or contradict the cuts.
+/// Compares the windows in the middle of each part, for when the ends tie or contradict the cuts.
 Division divide_by_midpoints(const Window& challenger, const Window& incumbent, double from,
                              double to, const Crossings& cuts) {
   Division division;

@@ -129,7 +129,7 @@ class Propagation {
     }
   }
 
-  /// Where a pseudo-source lies on an edge, the apex of a face as good as without area, all its
+  /// Where a pseudo-source lies on an edge, the apex of a face with almost no area, all its
   /// lines pass the edge in one point. Whatever came there by other ways may own the edge on both
   /// sides of that point and still not see what lies beyond: the window loses, and its children
   /// must not be lost with it. They may come to another such edge.

@@ -96,10 +96,10 @@ TEST_P(Wavefronts, of_a_snapshot_are_those_of_the_sample_at_that_moment) {
     EXPECT_EQ(recording.snapshots.size(), kMoments.size()) << name;
     for (const WavefrontSnapshot& snapshot : recording.snapshots) {
       const auto sample = std::ranges::find_if(recording.curve, [&](const WavefrontSample& each) {
-        return each.reached >= snapshot.wish * static_cast<double>(reachable);
+        return each.reached >= snapshot.share * static_cast<double>(reachable);
       });
-      ASSERT_NE(sample, recording.curve.end()) << name << " at " << snapshot.wish;
-      ASSERT_EQ(snapshot.windows.size(), sample->windows) << name << " at " << snapshot.wish;
+      ASSERT_NE(sample, recording.curve.end()) << name << " at " << snapshot.share;
+      ASSERT_EQ(snapshot.windows.size(), sample->windows) << name << " at " << snapshot.share;
       double sum = 0, least = kInfinity;
       for (const WavefrontWindow& w : snapshot.windows) {
         sum += w.distance;
@@ -126,7 +126,7 @@ TEST_P(Wavefronts, lie_on_edges_no_nearer_than_the_truth) {
         const double from_origin = distances_[mesh.origin(w.half_edge)] - w.end;
         const double from_head = distances_[mesh.head(w.half_edge)] - (length - w.begin);
         EXPECT_GE(w.distance, std::max(from_origin, from_head) - 1e-9)
-            << name << ", half-edge " << w.half_edge << " at " << snapshot.wish;
+            << name << ", half-edge " << w.half_edge << " at " << snapshot.share;
       }
     }
   }
@@ -146,7 +146,7 @@ TEST_P(Wavefronts, on_a_plane_lie_near_a_circle) {
     for (const WavefrontWindow& w : snapshot.windows) sum += w.distance;
     const double radius = sum / static_cast<double>(snapshot.windows.size());
     for (const WavefrontWindow& w : snapshot.windows) {
-      EXPECT_NEAR(w.distance, radius, 2 * mesh.mean_edge_length()) << "at " << snapshot.wish;
+      EXPECT_NEAR(w.distance, radius, 2 * mesh.mean_edge_length()) << "at " << snapshot.share;
     }
   }
 }

@@ -24,8 +24,8 @@ struct CalendarBuckets {
 };
 
 /// Measured: ICH is fastest at a sixteenth of the published width, within 5% from an eighth to a
-/// thirty-second. A child's key lies up to about one edge ahead of its parent's, which is ever more
-/// buckets as meshes become finer: there are enough for two to four mean edge lengths.
+/// thirty-second. A child's key lies up to about one edge ahead of its parent's, which is more
+/// buckets the finer a mesh is: there are enough for two to four mean edge lengths.
 inline CalendarBuckets calendar_buckets(const Mesh& mesh) {
   constexpr double kFiner = 16;
   const double an_edge = kFiner * std::sqrt(static_cast<double>(mesh.vertex_count()));

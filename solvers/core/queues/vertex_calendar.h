@@ -15,7 +15,7 @@
 
 namespace geodesic {
 
-/// Bucket n lies in slot n modulo kSlots, and each of its vertices knows its n, so that
+/// Bucket n lies in slot n modulo kSlots, and n is kept for each vertex, so that
 /// keys may be farther apart than the slots reach. Popping passes over empty buckets one by one,
 /// and over more than a lap of them at once.
 class VertexCalendar {

@@ -1,9 +1,10 @@
-// Where solvers keep their windows.
+// Where solvers keep their windows, and the mesh that they share.
 #include <benchmark/benchmark.h>
 
 #include <vector>
 
-#include "benchmarks/per_item.h"
+#include "benchmarks/microbench.h"
+#include "meshes/generators/generators.h"
 #include "solvers/chen_han/propagation.h"
 #include "solvers/core/pool.h"
 #include "solvers/core/recorders.h"
@@ -66,7 +67,7 @@ void segment_pool(benchmark::State& state) {
 }
 BENCHMARK(segment_pool);
 
-/// Chen-Han: a window leaves its slot and two take one, by turns with two that leave.
+/// Chen-Han: a window leaves its slot and two take one, alternating with two that leave.
 void window_slots(benchmark::State& state) {
   Pool<chen_han::StoredWindow<NoDepth>> pool;
   const chen_han::StoredWindow<NoDepth> window{};
@@ -84,6 +85,18 @@ void window_slots(benchmark::State& state) {
   }
 }
 BENCHMARK(window_slots);
+
+/// A terrain of range(0) by range(0) cells.
+void mesh_construction(benchmark::State& state) {
+  const ParameterValue cells = state.range(0);
+  const TriangleSoup soup = generate("terrain", {{"columns", cells}, {"rows", cells}});
+  for (auto _ : state) {
+    const Mesh mesh(soup);
+    benchmark::DoNotOptimize(&mesh);
+  }
+  microbench::report_per_item(state, "per_face", static_cast<std::int64_t>(soup.triangles.size()));
+}
+BENCHMARK(mesh_construction)->Arg(30)->Arg(300)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace geodesic

@@ -1,15 +1,24 @@
-// The windows that the benchmarks of kernels work on, the same for all instruction sets.
+// Time per item, and the windows that the benchmarks of kernels work on.
 #pragma once
 
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "solvers/core/window.h"
 
 namespace geodesic::microbench {
+
+/// Adds the time per item to the time per iteration.
+/// @param items windows, queue entries, ... that one iteration deals with
+inline void report_per_item(benchmark::State& state, const char* counter, std::int64_t items) {
+  state.counters[counter] =
+      benchmark::Counter(static_cast<double>(items), benchmark::Counter::kIsIterationInvariantRate |
+                                                         benchmark::Counter::kInvert);
+}
 
 /// The kernels as compiled for one instruction set.
 struct Steps {

@@ -1,12 +1,13 @@
-// Windows carried across a strip of faces lie where unfolding them face by face puts them.
-#include "solvers/variants/edge_based_lazy/passage.h"
-
+// Chunks of windows that cross faces as a whole lie where unfolding them face by face puts them,
+// and lists keep their order. What the solver promises besides, the conformance properties check.
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "meshes/random.h"
+#include "solvers/variants/edge_based_lazy/chunk_lists.h"
 
 namespace geodesic::edge_based_lazy {
 namespace {
@@ -102,34 +103,11 @@ TEST(Passage, puts_windows_where_unfolding_face_by_face_does) {
   EXPECT_LT(refused, crossings / 5) << "the bounds leave room for nothing";
 }
 
-TEST(Passage, of_one_source_is_refused_only_where_the_apex_is_seen_or_nearly) {
-  const Chunk chunk({{0.25, 0.5, 0.25, -1, 0}, {0.5, 0.75, 0.25, -1, 0}});
-  const double left = 0.25, right = 0.25 + 2 * (0.75 - 0.25);  // bounds at height 1
-  const auto carries = [&](double apex_x, Side side) {
-    return Passage(chunk).carry(face(1, apex_x, 1), side);
-  };
-  for (const double off : {1e-6, 0.1}) {
-    EXPECT_TRUE(carries(left - off, Side::right)) << off;
-    EXPECT_TRUE(carries(right + off, Side::left)) << off;
-  }
-  for (const Side side : {Side::left, Side::right}) {
-    EXPECT_FALSE(carries(left - 1e-11, side));
-    EXPECT_FALSE(carries(0.8, side));
-    EXPECT_FALSE(carries(right + 1e-11, side));
-  }
-}
-
 TEST(Passage, takes_no_line_whose_direction_is_uncertain) {
   for (const double depth : {0.0, 1e-12, 1e-5}) {
     EXPECT_FALSE(Passage(Chunk({{0.2, 0.4, 0.3, -depth, 0}})).carry(face(1, 5, 1), Side::left));
   }
   EXPECT_TRUE(Passage(Chunk({{0.2, 0.4, 0.3, -1, 0}})).carry(face(1, 5, 1), Side::left));
-}
-
-TEST(Passage, takes_no_face_that_its_lines_leave_at_a_small_angle) {
-  const Chunk upright({{0.4, 0.5, 0.45, -10, 0}});
-  EXPECT_TRUE(Passage(upright).carry(face(1, 1.5, 1), Side::left));
-  EXPECT_FALSE(Passage(upright).carry(face(1, 0.6, 1e5), Side::left));
 }
 
 TEST(Passage, ends_after_the_most_faces) {
@@ -147,6 +125,102 @@ TEST(Passage, ends_after_the_most_faces) {
     ++faces;
   }
   EXPECT_EQ(faces, kMostFaces);
+}
+
+using Lists = ChunkLists<edge_based::kDepth + 1>;
+using edge_based::Place;
+
+/// Narrow windows whose lines go straight up through [from, to]; sigma numbers them.
+void add_windows(Lists& lists, Index h, int count, double from, double to, int first, Place place) {
+  Lists::Segment* segment = lists.allocate(static_cast<std::size_t>(count));
+  segment->count = static_cast<std::uint32_t>(count);
+  for (int i = 0; i < count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double t = from + (to - from) * (i + 0.5) / count;
+    segment->array(edge_based::kBegin)[k] = t - 1e-4;
+    segment->array(edge_based::kEnd)[k] = t + 1e-4;
+    segment->array(edge_based::kX)[k] = t;
+    segment->array(edge_based::kY)[k] = -1e3;
+    segment->array(edge_based::kSigma)[k] = first + i;
+    segment->array(edge_based::kDepth)[k] = 5;
+  }
+  lists.add(h, segment, place);
+}
+
+struct Seen {
+  std::vector<int> numbers;
+  std::vector<double> begins, depths;
+  std::size_t longest = 0;
+};
+template <class Segment>
+void see(const Segment& chunk, Seen& seen) {
+  for (std::size_t i = 0; i < chunk.count; ++i) {
+    seen.numbers.push_back(static_cast<int>(chunk.array(edge_based::kSigma)[i]));
+    seen.begins.push_back(chunk.array(edge_based::kBegin)[i]);
+    seen.depths.push_back(chunk.array(edge_based::kDepth)[i]);
+  }
+  seen.longest = std::max<std::size_t>(seen.longest, chunk.count);
+}
+Seen consumed(Lists& lists, Index h) {
+  Seen seen;
+  lists.consume(h, [&](const auto& chunk) { see(chunk, seen); });
+  return seen;
+}
+std::vector<int> numbers(int from, int to) {
+  std::vector<int> all;
+  for (int i = from; i < to; ++i) all.push_back(i);
+  return all;
+}
+
+TEST(ChunkLists, keep_the_order_of_batches_put_at_both_ends) {
+  Lists lists(4);
+  add_windows(lists, 1, 20, 0.4, 0.6, 20, Place::back);
+  add_windows(lists, 1, 20, 0.0, 0.4, 0, Place::front);
+  add_windows(lists, 1, 3, 0.6, 1.0, 40, Place::back);
+  EXPECT_EQ(lists.size(), 43u);
+  const Seen seen = consumed(lists, 1);
+  EXPECT_EQ(seen.numbers, numbers(0, 43));
+  EXPECT_EQ(seen.longest, 7u) << "20 windows are three chunks";
+  EXPECT_TRUE(lists.empty(1));
+  EXPECT_EQ(lists.size(), 0u);
+}
+
+TEST(ChunkLists, carry_what_passes_the_apex_on_one_side) {
+  Lists lists(4);
+  add_windows(lists, 0, 64, 0, 1, 0, Place::back);  // eight chunks, none of which sees the apex
+  add_windows(lists, 1, 72, 0, 1, 0, Place::back);  // nine, the middle one does
+  for (const Index h : {0u, 1u}) {
+    lists.carry(h, face(1, 0.5, 0.5));
+    const int middle = h == 0 ? 0 : 8, carried = 32;
+    EXPECT_EQ(consumed(lists, h).numbers, numbers(carried, carried + middle));
+    std::size_t set_apart = 0;
+    lists.for_each_carried([&](const auto& chunk, std::uint32_t faces) {
+      set_apart += chunk.count;
+      EXPECT_EQ(faces, 1u);
+    });
+    EXPECT_EQ(set_apart, 64u);
+    lists.land_carried(2, 3);
+    Seen sampled;
+    lists.for_each_segment(2, [&](const auto& chunk) { see(chunk, sampled); });
+    const Seen left = consumed(lists, 2), right = consumed(lists, 3);
+    EXPECT_EQ(left.numbers, numbers(0, carried));
+    EXPECT_EQ(right.numbers, numbers(carried + middle, 64 + middle));
+    EXPECT_EQ(sampled.begins, left.begins) << "looking moved windows, or did not";
+    EXPECT_EQ(left.depths, std::vector<double>(32, 6));
+    // Straight up onto an edge at 45 degrees.
+    const double first_line = 0.5 / (h == 0 ? 64 : 72) - 1e-4;
+    EXPECT_NEAR(left.begins.front(), std::sqrt(2) * first_line, 1e-6);
+    EXPECT_EQ(lists.size(), h == 0 ? 72u : 0u);
+  }
+}
+
+TEST(ChunkLists, drop_what_is_carried_over_the_boundary) {
+  Lists lists(4);
+  add_windows(lists, 0, 64, 0, 1, 0, Place::back);
+  lists.carry(0, face(1, 0.5, 0.5));
+  lists.land_carried(kNone, 2);
+  EXPECT_EQ(lists.size(), 32u);
+  EXPECT_EQ(consumed(lists, 2).numbers, numbers(32, 64));
 }
 
 }  // namespace
