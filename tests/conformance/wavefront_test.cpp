@@ -3,6 +3,7 @@
 
 #include "meshes/generators/generators.h"
 #include "meshes/oracles/random_meshes.h"
+#include "solvers/core/progress.h"
 #include "tests/conformance/solver_test.h"
 
 namespace geodesic::conformance {
@@ -66,7 +67,7 @@ TEST_P(Wavefronts, have_a_curve_of_progress_whose_sds_have_the_counted_mean) {
     const Mesh mesh(soup);
     const Recording recording = record(mesh, 4);
     if (recording.curve.empty()) GTEST_SKIP() << GetParam() << " records no wavefront";
-    EXPECT_LE(recording.curve.size(), Sweep::kSteps) << name;
+    EXPECT_LE(recording.curve.size(), Progress::kSteps) << name;
     EXPECT_GE(recording.curve.size(), 8u) << name;
     Index reached = 0;
     double sd_sum = 0;

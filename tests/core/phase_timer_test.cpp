@@ -4,7 +4,7 @@
 
 #include <type_traits>
 
-#include "solvers/core/recording.h"
+#include "solvers/core/recorders.h"
 
 namespace geodesic {
 namespace {

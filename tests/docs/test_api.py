@@ -33,7 +33,7 @@ def test_every_header_is_documented_without_a_warning(tmp_path: Path) -> None:
     for name in ["Solver", "Query", "Mesh", "Recording", "Description", "Window"]:
         assert described[name], f"{name} has no brief description"
     contract = (tmp_path / "html" / "solver_8h.html").read_text("utf-8")
-    assert "The contract between solvers and whoever uses them" in contract
+    assert "The contract between solvers and their users" in contract
 
 
 def test_a_comment_that_is_wrong_is_an_error(tmp_path: Path) -> None:

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "solvers/core/recording.h"
+#include "solvers/core/recorders.h"
 
 namespace geodesic::mmp {
 namespace {
