@@ -1,8 +1,13 @@
 #include "harness/base/json.h"
 
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
 #include <vector>
 
 #include "harness/base/error.h"
+#include "harness/base/files.h"
 
 namespace geodesic::harness {
 namespace {
@@ -55,6 +60,26 @@ std::string reason_of(const Json::exception& error) {
 std::string shown(const Json& value) {
   if (value.is_structured()) return std::string("an ") + value.type_name();
   return excerpt(value.dump());
+}
+
+void write_json(const std::filesystem::path& path, const Json& json) {
+  AtomicFile file(path);
+  file.stream() << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  file.commit();
+}
+
+Json read_json(const std::filesystem::path& path, const std::string& wanted) {
+  const auto unreadable = [&](const char* why) {
+    return HarnessError("cannot read '" + path.string() + "': " + why +
+                        (wanted.empty() ? "" : "; name " + wanted));
+  };
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) throw unreadable("it is a folder");
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (file) text << file.rdbuf();
+  if (!file || text.bad()) throw unreadable(std::strerror(errno));
+  return parse_json(text.view(), path.string());
 }
 
 }  // namespace geodesic::harness

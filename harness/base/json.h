@@ -1,6 +1,7 @@
 // The JSON type of the whole harness: keys stay in the order in which they were written.
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -21,5 +22,13 @@ std::string reason_of(const Json::exception& error);
 /// A value as in its file, for a message; of a list or an object, which may be of any size, its
 /// type.
 std::string shown(const Json& value);
+
+/// Writes indented JSON, whole or not at all; bytes that are no UTF-8 become U+FFFD. @throws
+/// CannotWrite
+void write_json(const std::filesystem::path& path, const Json& json);
+
+/// @param wanted what a user should have named, for the message when there is no such file
+/// @throws HarnessError when the file cannot be read, and as `parse_json`
+Json read_json(const std::filesystem::path& path, const std::string& wanted = "");
 
 }  // namespace geodesic::harness

@@ -4,11 +4,13 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cerrno>
 #include <cstdlib>
 #include <memory>
 
 #include "harness/base/error.h"
-#include "harness/base/sha256.h"
+#include "harness/base/files.h"
 #include "solvers/core/registry.h"
 
 namespace geodesic::harness {
@@ -27,7 +29,7 @@ std::string demangled(const std::string& symbol) {
 }
 
 // From what the dynamic linker says: "FILE: undefined symbol: _Z...", "FILE: invalid ELF header"
-std::string reason_of(const std::string& complaint, const fs::path& file) {
+std::string load_failure(const std::string& complaint, const fs::path& file) {
   constexpr std::string_view kUndefined = "undefined symbol: ";
   if (const std::size_t at = complaint.find(kUndefined); at != std::string::npos) {
     return "it needs '" + demangled(complaint.substr(at + kUndefined.size())) +
@@ -46,12 +48,26 @@ std::vector<std::string> load_solvers(const fs::path& file) {
   const Registrations registrations = collect_registrations([&] {
     if (dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr) complaint = dlerror();
   });
-  if (!complaint.empty()) throw HarnessError(reason_of(complaint, file));
+  if (!complaint.empty()) throw HarnessError(load_failure(complaint, file));
   if (!registrations.refused.empty()) throw HarnessError(registrations.refused.front());
   if (registrations.added.empty()) {
     throw HarnessError("it registers no solver: that takes a RegisterSolver at namespace scope");
   }
   return registrations.added;
+}
+
+bool plain_word(const std::string& word) {
+  const std::string plain = "-_./:,=+@%";
+  return !word.empty() && std::ranges::all_of(word, [&](unsigned char c) {
+    return std::isalnum(c) != 0 || plain.find(static_cast<char>(c)) != std::string::npos;
+  });
+}
+
+std::string quoted(const std::string& word) {
+  if (plain_word(word)) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
 }
 
 }  // namespace
@@ -80,5 +96,13 @@ std::vector<std::string> plugin_arguments() {
 }
 
 const std::vector<Plugin>& loaded_plugins() { return plugins(); }
+
+std::string as_command_line(const std::vector<std::string>& arguments) {
+  std::string line = quoted(program_invocation_name);
+  for (const auto& words : {plugin_arguments(), arguments}) {
+    for (const std::string& word : words) line += ' ' + quoted(word);
+  }
+  return line;
+}
 
 }  // namespace geodesic::harness

@@ -1,13 +1,21 @@
 #include "harness/base/process.h"
 
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/types.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <optional>
 
-#include "harness/base/child.h"
 #include "harness/base/clock.h"
 #include "harness/base/error.h"
 #include "harness/base/interruption.h"
@@ -16,8 +24,207 @@
 namespace geodesic::harness {
 namespace {
 
+constexpr std::size_t kKeptBytes = 4096;  // of standard error
+constexpr int kMostPauseMs = 50;          // a process that ends closes its standard error at once
+
+[[noreturn]] void cannot_start(const std::string& program, int error) {
+  throw HarnessError("cannot start " + program + ": " + std::strerror(error));
+}
+
+struct Pipe {
+  int read = -1, write = -1;
+  static Pipe make(const std::string& program) {
+    std::array<int, 2> ends;
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) cannot_start(program, errno);
+    return {ends[0], ends[1]};
+  }
+};
+
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+void limit(__rlimit_resource resource, std::uint64_t most) {
+  const rlimit both{most, most};
+  setrlimit(resource, &both);
+}
+
+// In the child; only what is allowed between fork and exec in a program with threads.
+[[noreturn]] void become(char* const* argv, pid_t parent, int standard_error, int failure,
+                         std::uint64_t memory_bytes) {
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);  // it died before that took effect
+  limit(RLIMIT_CORE, 0);
+  if (kLimitsMemory && memory_bytes != RLIM_INFINITY) limit(RLIMIT_AS, memory_bytes);
+  const int null_device = open("/dev/null", O_RDWR | O_CLOEXEC);
+  if (null_device >= 0 && dup2(null_device, STDIN_FILENO) >= 0 &&
+      dup2(null_device, STDOUT_FILENO) >= 0 && dup2(standard_error, STDERR_FILENO) >= 0) {
+    execv(argv[0], argv);
+  }
+  const int error = errno;
+  const ssize_t written = write(failure, &error, sizeof error);
+  _exit(written > 0 ? 127 : 126);
+}
+
+// A child process, from its start until nothing is left of it.
+class Child {
+ public:
+  /// @param memory_bytes of address space that it may have, if `kLimitsMemory`
+  /// @throws HarnessError when the program cannot be started
+  Child(const std::string& program, const std::vector<std::string>& arguments,
+        std::uint64_t memory_bytes);
+  /// Kills it, unless it was finished.
+  ~Child();
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  bool has_ended() const;
+
+  /// Reads its standard error, for a twentieth of a second at most.
+  void listen(double most_seconds);
+
+  struct Exit {
+    int status;  ///< as waitpid gives it
+    std::int64_t peak_resident_bytes;
+    double cpu_seconds;
+    std::int64_t involuntary_switches;
+    std::string error_tail;  ///< the end of its standard error
+  };
+  /// Kills its process group, itself included where it still runs. Called once.
+  Exit finish();
+
+ private:
+  void read_available();
+
+  pid_t process_ = 0;
+  int pipe_ = -1;  // its standard error; -1 when the other end is closed
+  int pause_ms_ = 1;
+  std::string tail_;
+};
+
+Child::Child(const std::string& program, const std::vector<std::string>& arguments,
+             std::uint64_t memory_bytes) {
+  std::vector<std::string> words{program};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+
+  const Pipe standard_error = Pipe::make(program);
+  const Pipe failure = Pipe::make(program);  // closed by a successful exec
+  const pid_t parent = getpid();
+  process_ = fork();
+  if (process_ == 0) {
+    become(argv.data(), parent, standard_error.write, failure.write, memory_bytes);
+  }
+  int error = process_ < 0 ? errno : 0;
+  close(standard_error.write);
+  close(failure.write);
+  pipe_ = standard_error.read;
+  if (process_ > 0) {
+    setpgid(process_, process_);  // whoever of the two comes first
+    while (read(failure.read, &error, sizeof error) < 0 && errno == EINTR) {
+    }
+  }
+  close(failure.read);
+  if (error != 0) {
+    if (process_ > 0) waitpid(process_, nullptr, 0);
+    close(pipe_);
+    cannot_start(program, error);
+  }
+  fcntl(pipe_, F_SETFL, O_NONBLOCK);
+}
+
+Child::~Child() {
+  if (process_ > 0) finish();
+}
+
+bool Child::has_ended() const {
+  siginfo_t info{};
+  return waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+         info.si_pid == process_;
+}
+
+void Child::read_available() {
+  std::array<char, kKeptBytes> block;
+  const ssize_t bytes = read(pipe_, block.data(), block.size());
+  if (bytes < 0 && (errno == EINTR || errno == EAGAIN)) return;
+  if (bytes <= 0) {
+    close(pipe_);
+    pipe_ = -1;
+    return;
+  }
+  tail_.append(block.data(), static_cast<std::size_t>(bytes));
+  if (tail_.size() > kKeptBytes) tail_.erase(0, tail_.size() - kKeptBytes);
+}
+
+// A process that has closed its standard error has most likely ended; if not, the pauses grow.
+void Child::listen(double most_seconds) {
+  const int most_ms = static_cast<int>(std::clamp(1e3 * most_seconds, 1.0, 1.0 * kMostPauseMs));
+  if (pipe_ < 0) {
+    poll(nullptr, 0, std::min(pause_ms_, most_ms));
+    pause_ms_ = std::min(2 * pause_ms_, kMostPauseMs);
+    return;
+  }
+  pollfd readable{.fd = pipe_, .events = POLLIN, .revents = 0};
+  if (poll(&readable, 1, most_ms) > 0) read_available();
+}
+
+// Its group cannot be another's as long as it has not been waited for.
+Child::Exit Child::finish() {
+  kill(-process_, SIGKILL);
+  Exit exit{};
+  rusage usage{};
+  while (wait4(process_, &exit.status, 0, &usage) < 0 && errno == EINTR) {
+  }
+  process_ = 0;
+  constexpr int kMostBlocks = 64;  // a pipe holds no more; what left the group may write on
+  for (int i = 0; i < kMostBlocks && pipe_ >= 0; ++i) read_available();
+  if (pipe_ >= 0) close(pipe_);
+  pipe_ = -1;
+  exit.peak_resident_bytes = std::int64_t{1024} * usage.ru_maxrss;
+  exit.cpu_seconds = seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
+  exit.involuntary_switches = usage.ru_nivcsw;
+  exit.error_tail = std::move(tail_);
+  return exit;
+}
+
+constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
+
+// The number that a file begins with; nothing for "max", or where there is no such file.
+std::optional<std::uint64_t> number_in(const char* file) {
+  std::uint64_t number = 0;
+  if (std::ifstream(file) >> number) return number;
+  return std::nullopt;
+}
+
+// Control groups of version 2, and of version 1.
+std::uint64_t left_in_control_group() {
+  constexpr const char* kFiles[][2] = {
+      {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory.current"},
+      {"/sys/fs/cgroup/memory/memory.limit_in_bytes",
+       "/sys/fs/cgroup/memory/memory.usage_in_bytes"}};
+  std::uint64_t left = kUnlimited;
+  for (const auto& [limit_file, used_file] : kFiles) {
+    const auto limit = number_in(limit_file), used = number_in(used_file);
+    if (limit && used) left = std::min(left, *limit - std::min(*limit, *used));
+  }
+  return left;
+}
+
+std::uint64_t available_in_system() {
+  std::ifstream meminfo("/proc/meminfo");
+  for (std::string key; meminfo >> key;) {
+    std::uint64_t kib = 0;
+    if (key == "MemAvailable:" && meminfo >> kib) return kib * 1024;
+    meminfo.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+  }
+  return kUnlimited;
+}
+
 constexpr std::size_t kKeptLines = 3;
-constexpr double kPauseSeconds = 1;  // between two calls of `waiting`
+constexpr double kCallSeconds = 1;  // between two calls of `waiting`
 
 std::string last_lines(const std::string& text) {
   std::vector<std::string> lines;
@@ -30,13 +237,13 @@ std::string last_lines(const std::string& text) {
   return join(lines, " | ");
 }
 
-// A process that is refused memory often crashes in its own way. The kernel, when the machine has
-// none left, kills without a word.
+// A process that is refused memory crashes in various ways; the kernel kills one without a message
+// when the machine has no memory left.
 bool ran_out_of_memory(const Ended& ended, std::int64_t peak_bytes, std::uint64_t limit) {
   if (!ended.crashed || ended.timed_out) return false;
   const bool near_limit = static_cast<double>(peak_bytes) > 0.9 * static_cast<double>(limit);
   return near_limit || ended.code == SIGKILL ||
-         ended.last_words.find("std::bad_alloc") != std::string::npos;
+         ended.error_lines.find("std::bad_alloc") != std::string::npos;
 }
 
 // Of all processors since the start of the machine; 0 where there is no /proc.
@@ -74,11 +281,15 @@ Disturbance disturbance_since(const Ticks& before, const Child::Exit& exit) {
 
 }  // namespace
 
+std::uint64_t available_memory() {
+  return std::min(available_in_system(), left_in_control_group()) / 10 * 9;
+}
+
 std::string Ended::describe() const {
   std::string text = crashed
                          ? "killed by signal " + std::to_string(code) + " (" + strsignal(code) + ")"
                          : "exit code " + std::to_string(code);
-  return last_words.empty() ? text : text + ": " + last_words;
+  return error_lines.empty() ? text : text + ": " + error_lines;
 }
 
 Ended run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
@@ -87,7 +298,7 @@ Ended run_program(const std::filesystem::path& program, const std::vector<std::s
   const Ticks before = Ticks::now();
   Child child(program.string(), arguments, limits.memory_bytes);
   Ended ended;
-  double told_seconds = 0;
+  double called_seconds = 0;
   while (!child.has_ended()) {
     throw_if_interrupted();
     const double seconds = watch.real_seconds();
@@ -95,9 +306,9 @@ Ended run_program(const std::filesystem::path& program, const std::vector<std::s
       ended.timed_out = true;
       break;
     }
-    if (seconds - told_seconds >= kPauseSeconds) {
+    if (seconds - called_seconds >= kCallSeconds) {
       waiting();
-      told_seconds = seconds;
+      called_seconds = seconds;
     }
     child.listen(limits.seconds - seconds);
   }
@@ -105,7 +316,7 @@ Ended run_program(const std::filesystem::path& program, const std::vector<std::s
   ended.crashed = WIFSIGNALED(exit.status);
   ended.code = ended.crashed ? WTERMSIG(exit.status) : WEXITSTATUS(exit.status);
   ended.disturbance = disturbance_since(before, exit);
-  ended.last_words = last_lines(exit.last_words);
+  ended.error_lines = last_lines(exit.error_tail);
   ended.out_of_memory = ran_out_of_memory(ended, exit.peak_resident_bytes, limits.memory_bytes);
   return ended;
 }

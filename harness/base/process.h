@@ -1,14 +1,35 @@
-// Other processes: above all this program, started again.
+// Other processes, with limits of time and memory: above all this program, started again.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
-#include "harness/base/limits.h"
-
 namespace geodesic::harness {
+
+/// False in builds with sanitizers, which reserve more address space than any machine has memory,
+/// handle some signals themselves, and are slow.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool kLimitsMemory = false;
+#elif defined(__has_feature)
+inline constexpr bool kLimitsMemory =
+    !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
+#else
+inline constexpr bool kLimitsMemory = true;
+#endif
+
+struct ProcessLimits {
+  double seconds = std::numeric_limits<double>::infinity();  ///< then the process is killed
+  /// Of address space, enforced if `kLimitsMemory`.
+  std::uint64_t memory_bytes = std::numeric_limits<std::uint64_t>::max();
+};
+
+/// Memory available for new processes together, in bytes: nine tenths of what Linux calls
+/// available, or of what the control group of this process leaves where that is less.
+std::uint64_t available_memory();
 
 /// What else the machine did while a process ran.
 struct Disturbance {
@@ -26,23 +47,23 @@ struct Ended {
   bool out_of_memory = false;  ///< crashed, and its memory had come to its limit or the machine's
   int code = 0;                ///< exit code, or the signal's number
   Disturbance disturbance = {};
-  std::string last_words;  ///< the last lines of its standard error, joined by " | "
+  std::string error_lines;  ///< the last lines of its standard error, joined by " | "
 
   bool succeeded() const { return !crashed && code == 0; }
   /// "killed by signal 11 (Segmentation fault): ...", "exit code 1: ..."
   std::string describe() const;
 };
 
-/// Runs a program and waits for it. Standard input and output are closed to it. It is the head of a
-/// process group of its own: what it started and left behind is killed when it has ended, and it is
-/// killed when this process dies, by whatever.
+/// Runs a program and waits for it. Its standard input and output are /dev/null. It leads a process
+/// group of its own: processes that it leaves behind are killed when it has ended, and it is killed
+/// when this process dies.
 /// @param waiting called about once a second until the process has ended
 /// @throws HarnessError when the program cannot be started
 /// @throws Interrupted (interruption.h), after the process has been killed
 Ended run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                   const std::function<void()>& waiting, const ProcessLimits& limits = {});
 
-/// Runs this very program with other arguments and the same plug-ins. As run_program.
+/// Runs this program with other arguments and the same plug-ins. As run_program.
 Ended run_this_program(const std::vector<std::string>& arguments,
                        const std::function<void()>& waiting, const ProcessLimits& limits = {});
 

@@ -1,15 +1,17 @@
 #include "harness/cells/cell.h"
 
+#include <iostream>
 #include <memory>
+#include <new>
 
 #include "harness/base/clock.h"
+#include "harness/base/error.h"
 #include "harness/corpus/vectors.h"
 #include "harness/measure/benchmark.h"
 #include "harness/measure/recorded_solve.h"
 #include "harness/recordings/files.h"
 #include "harness/recordings/folders.h"
 #include "harness/recordings/isolines/solve.h"
-#include "harness/results/row.h"
 #include "harness/verify/choose.h"
 #include "harness/verify/distance_file.h"
 #include "harness/verify/verify.h"
@@ -19,6 +21,59 @@
 namespace geodesic::harness {
 namespace {
 
+// Exit codes of cells and references beside 0 and 1; 2 is the program's own for a wrong answer.
+constexpr int kOutOfMemory = 3;
+constexpr int kCannotWrite = 4;
+
+template <class Spec, class Visit>
+void for_each_member(Spec& spec, const Visit& visit) requires requires {
+  spec.benchmark_flags;
+}
+{
+  visit("solver", spec.solver);
+  visit("mesh", spec.mesh);
+  visit("mesh_file", spec.mesh_file);
+  visit("source", spec.source);
+  visit("reference", spec.reference);
+  visit("reference_file", spec.reference_file);
+  visit("output", spec.output);
+  visit("run_folder", spec.run_folder);
+  visit("counted", spec.counted);
+  visit("pictured", spec.pictured);
+  visit("vectors", spec.vectors);
+  visit("benchmark_flags", spec.benchmark_flags);
+  visit("context", spec.context);
+  visit("repair", spec.repair);
+}
+
+template <class Spec, class Visit>
+void for_each_member(Spec& spec, const Visit& visit) {
+  visit("solver", spec.solver);
+  visit("mesh_file", spec.mesh_file);
+  visit("source", spec.source);
+  visit("output", spec.output);
+  visit("repair", spec.repair);
+}
+
+template <class Spec>
+void write_members(Json& json, const Spec& spec) {
+  json = Json::object();
+  for_each_member(spec, [&](const char* key, const auto& value) { json[key] = value; });
+}
+
+template <class Spec>
+void read_members(const Json& json, Spec& spec) {
+  for_each_member(spec, [&](const char* key, auto& value) {
+    if (json.contains(key)) json.at(key).get_to(value);
+  });
+}
+
+std::vector<double> solve_once(const std::string& solver, const Mesh& mesh, const Query& query) {
+  std::vector<double> distances(mesh.vertex_count());
+  make_solver(solver, mesh)->solve(query, distances);
+  return distances;
+}
+
 class Measurement {
  public:
   Measurement(const CellSpec& spec, const TriangleSoup& soup, const Mesh& mesh)
@@ -27,15 +82,24 @@ class Measurement {
         mesh_(mesh),
         query_{.sources = {{.vertex = spec.source}}},
         verified_(mesh.vertex_count()),
-        solved_(mesh.vertex_count()) {}
+        solved_(mesh.vertex_count()) {
+    row_.solver = spec.solver;
+    row_.mesh = spec.mesh;
+    row_.source = spec.source;
+  }
 
-  Timing measure();
+  /// Writes the result file. @param mesh_ms what building the mesh took
+  void run(double mesh_ms);
 
  private:
+  // Why the distances are wrong; empty when they are right. Times solves only of the latter, and
+  // fills in the row.
+  std::string measure();
   std::string verify_warm_up(Solver& solver);
-  const Description& description() const { return *find_solver(spec_.solver); }
-  Json record();
+  void count();
+  void record();
   void record_isolines(const std::filesystem::path& folder);
+  const Description& description() const { return *find_solver(spec_.solver); }
 
   const CellSpec& spec_;
   const TriangleSoup& soup_;
@@ -43,16 +107,10 @@ class Measurement {
   const Query query_;
   std::vector<double> verified_;  // distances of the warm-up solve
   std::vector<double> solved_;    // of the solve that came last
-  double max_relative_error_ = 0;
+  Timing timing_;
+  Row row_;  // what all repetitions have in common
 };
 
-std::vector<double> solve_once(const std::string& solver, const Mesh& mesh, const Query& query) {
-  std::vector<double> distances(mesh.vertex_count());
-  make_solver(solver, mesh)->solve(query, distances);
-  return distances;
-}
-
-// Empty when the distances are right. Leaves them in verified_.
 std::string Measurement::verify_warm_up(Solver& solver) {
   solver.solve(query_, verified_);
   const std::vector<double> reference = read_distances(spec_.reference_file, mesh_.vertex_count());
@@ -64,14 +122,22 @@ std::string Measurement::verify_warm_up(Solver& solver) {
   }
   const Verdict verdict = verify(mesh_, std::vector{spec_.source}, description().exactness,
                                  verified_, {spec_.reference, reference}, edge_graph);
-  max_relative_error_ = verdict.max_relative_error;
+  row_.reference = spec_.reference;
+  row_.max_relative_error = verdict.max_relative_error;
   return verdict.error;
 }
 
-// What to say of it in the rows: where it is, or why it is not there. A full disk takes no time
-// away that was measured.
-Json Measurement::record() {
-  Recording recording = wavefront_wish();
+void Measurement::count() {
+  const RecordedSolve recorded = record_solve(spec_.solver, mesh_, query_, solved_);
+  row_.counters = recorded.counters;
+  row_.phase_seconds = recorded.phases;
+  row_.solver_peak_bytes = recorded.peak_bytes;
+  row_.unreachable_vertices = unreachable_vertices(solved_);
+}
+
+// A full disk costs no time that was measured.
+void Measurement::record() {
+  Recording recording = wavefront_recording();
   make_solver(spec_.solver, mesh_)->solve(query_, solved_, &recording);
   const RecordingFolders folders = recording_folders(spec_.mesh, spec_.source, spec_.solver);
   const std::filesystem::path run = spec_.run_folder;
@@ -82,80 +148,118 @@ Json Measurement::record() {
     write_wavefront(run / folders.solver, mesh_, recording);
     if (description().final_windows && !has_isolines(run / folders.source))
       record_isolines(run / folders.source);
+    row_.recordings = folders.solver.string();
   } catch (const std::exception& error) {
-    return {{"recordings_error", error.what()}};
+    row_.recordings_error = error.what();
   }
-  return {{"recordings", folders.solver.string()}};
 }
 
-// The first solver that can does it for all of this source.
+// By the first solver of the source that keeps its windows.
 void Measurement::record_isolines(const std::filesystem::path& folder) {
   std::vector<double> distances = verified_;
-  const std::vector<double> levels = isoline_levels(verified_, wavefront_wish().snapshots_at);
+  const std::vector<double> levels = isoline_levels(verified_, wavefront_recording().snapshots_at);
   write_isolines(folder, solve_isolines(spec_.solver, mesh_, query_, levels, distances));
   if (!identical(distances, verified_)) solved_ = distances;
 }
 
-Timing Measurement::measure() {
-  const auto wrong = [&](const std::string& why) -> Timing {
-    return {benchmark_context(),
-            {error_row(spec_.solver, spec_.mesh, spec_.source, outcome::kWrongAnswer, why)}};
-  };
+std::string Measurement::measure() {
   const Stopwatch preparation;
   std::unique_ptr<Solver> solver = make_solver(spec_.solver, mesh_);
-  const double prepare_ms = 1e3 * preparation.cpu_seconds();
+  row_.prepare_time = 1e3 * preparation.cpu_seconds();
 
   const std::string error = verify_warm_up(*solver);
-  if (!error.empty()) return wrong(error);
-  Timing timing = time_repetitions(row_name(spec_.solver, spec_.mesh, spec_.source),
-                                   spec_.benchmark_flags, [&] { solver->solve(query_, solved_); });
+  if (!error.empty()) return error;
+  timing_ = time_repetitions(spec_.benchmark_flags, [&] { solver->solve(query_, solved_); });
   if (!identical(solved_, verified_))
-    return wrong("a timed solve gave other distances than the first one");
-  const auto resident = peak_resident_bytes();
-  const std::string_view instructions = name_of(solver->instruction_set());
+    return "a timed solve gave other distances than the first one";
+  row_.process_peak_bytes = peak_resident_bytes();
+  row_.instruction_set = name_of(solver->instruction_set());
   solver.reset();
 
-  Json recorded = Json::object();
-  if (spec_.counted) recorded = record_solve(spec_.solver, mesh_, query_, solved_);
-  if (spec_.pictured && recorded.contains("wavefront_sd") && identical(solved_, verified_))
-    recorded.update(record());
+  if (spec_.counted) count();
+  if (spec_.pictured && row_.counters.wavefront_sd && identical(solved_, verified_)) record();
   if (!identical(solved_, verified_))
-    return wrong("a recorded solve gave other distances than timed ones");
-  for (Json& row : timing.rows) {
-    row.update({{"solver", spec_.solver},
-                {"mesh", spec_.mesh},
-                {"source", spec_.source},
-                {"outcome", outcome::kOk},
-                {"instruction_set", instructions},
-                {"prepare_time", prepare_ms}});
-    row.update(recorded);
-    if (resident) row["process_peak_bytes"] = *resident;
-    row["max_relative_error"] = max_relative_error_;
-    row["reference"] = spec_.reference;
+    return "a recorded solve gave other distances than timed ones";
+  return {};
+}
+
+void Measurement::run(double mesh_ms) {
+  const Row cell = row_;
+  std::vector<Row> rows;
+  const std::string wrong = measure();
+  row_.mesh_time = mesh_ms;
+  row_.repetitions = static_cast<int>(timing_.repetitions.size());
+  for (const Repetition& repetition : timing_.repetitions) {
+    row_.repetition_index = static_cast<int>(rows.size());
+    row_.iterations = repetition.iterations;
+    row_.real_time = repetition.real_ms;
+    row_.cpu_time = repetition.cpu_ms;
+    rows.push_back(row_);
   }
-  return timing;
+  if (!wrong.empty()) {
+    rows = {cell};
+    rows.front().outcome = Outcome::wrong_answer;
+    rows.front().error_message = wrong;
+    timing_.context = benchmark_context();
+  }
+  write_result_file(spec_.output, timing_.context, spec_.context, rows);
 }
 
 }  // namespace
 
+void to_json(Json& json, const CellSpec& spec) { write_members(json, spec); }
+void from_json(const Json& json, CellSpec& spec) { read_members(json, spec); }
+void to_json(Json& json, const ReferenceSpec& spec) { write_members(json, spec); }
+void from_json(const Json& json, ReferenceSpec& spec) { read_members(json, spec); }
+
 void run_cell(const CellSpec& spec) {
   set_instruction_set(instruction_set_named(spec.vectors));
-  const TriangleSoup soup = load_mesh(spec.mesh_file).soup;
+  const TriangleSoup soup = load_mesh(spec.mesh_file, {.repair = spec.repair}).soup;
   const Stopwatch building;
   const Mesh mesh(soup, Numbering::along_surface);
   const double mesh_ms = 1e3 * building.cpu_seconds();
   restart_peak_resident_bytes();
-  Timing timing = Measurement(spec, soup, mesh).measure();
-  for (Json& row : timing.rows) {
-    if (row.at("outcome") == outcome::kOk) row["mesh_time"] = mesh_ms;
-  }
-  write_result_file(spec.output, timing.context, spec.context, timing.rows);
+  Measurement(spec, soup, mesh).run(mesh_ms);
 }
 
 void run_reference(const ReferenceSpec& spec) {
-  const Mesh mesh(load_mesh(spec.mesh_file).soup, Numbering::along_surface);
+  const Mesh mesh(load_mesh(spec.mesh_file, {.repair = spec.repair}).soup,
+                  Numbering::along_surface);
   write_distances(spec.output,
                   solve_once(spec.solver, mesh, {.sources = {{.vertex = spec.source}}}));
+}
+
+int exit_code_of(const std::function<void()>& work) {
+  try {
+    work();
+    return 0;
+  } catch (const std::bad_alloc& error) {
+    std::cerr << "no memory left" << std::endl;
+    return kOutOfMemory;
+  } catch (const CannotWrite& error) {
+    std::cerr << error.what() << std::endl;
+    return kCannotWrite;
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << std::endl;
+    return 1;
+  }
+}
+
+Failure failure_of(const Ended& ended, const ProcessLimits& limits) {
+  if (ended.timed_out) {
+    return {Outcome::time_out, "not finished after " + significant(limits.seconds, 6) +
+                                   " s (time limit)" +
+                                   (ended.error_lines.empty() ? "" : ": " + ended.error_lines)};
+  }
+  if (!ended.crashed && ended.code == kCannotWrite) throw CannotWrite(ended.error_lines);
+  if (ended.out_of_memory || (!ended.crashed && ended.code == kOutOfMemory)) {
+    const std::string limit =
+        limits.memory_bytes == ProcessLimits().memory_bytes
+            ? "no memory left"
+            : "memory limit " + std::to_string(limits.memory_bytes >> 20) + " MiB";
+    return {Outcome::out_of_memory, ended.crashed ? limit + ", " + ended.describe() : limit};
+  }
+  return {ended.crashed ? Outcome::crashed : Outcome::error, ended.describe()};
 }
 
 }  // namespace geodesic::harness

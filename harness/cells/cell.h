@@ -1,18 +1,74 @@
-// The work of a cell, done in a process of its own.
+// The processes that a run starts, `geodesic-bench cell SPEC` and `geodesic-bench reference SPEC`.
+// SPEC is JSON. A cell is one solver on one mesh from one source.
+//
+// A run may measure older builds (run --program), so SPEC is an interface between revisions:
+// members keep their names and meanings, and new ones are optional, with the old behaviour as
+// default.
 #pragma once
 
-#include "harness/cells/spec.h"
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "harness/base/json.h"
+#include "harness/base/process.h"
+#include "harness/corpus/outcome.h"
+#include "solvers/core/geometry.h"
 
 namespace geodesic::harness {
 
-/// Prepares the solver, verifies a warm-up solve, times solves, and, in a counted cell, records
-/// some more on fresh solver objects; then writes the result file, after the recordings of a
-/// pictured cell. Distances that are wrong, or that differ between these solves, make a file with
-/// an error row and no time.
-/// @throws whatever the reader, the solver or the disk does; the run makes an error row of it
+struct CellSpec {
+  std::string solver;
+  std::string mesh;       ///< name
+  std::string mesh_file;  ///< path
+  Index source = 0;
+  std::string reference = {};       ///< the solver that the distances are compared with
+  std::string reference_file = {};  ///< its distances (verify/distance_file.h)
+  std::string output = {};          ///< the result file to write
+  std::string run_folder = {};
+  bool counted = true;    ///< solve some more, for counters, memory and phases
+  bool pictured = false;  ///< leave recordings in the run folder; only of counted cells
+  std::string vectors;    ///< corpus/vectors.h
+  std::vector<std::string> benchmark_flags = {};
+  Json context = {};    ///< context.geodesic_bench of the result file
+  bool repair = false;  ///< repair the mesh first
+};
+void to_json(Json& json, const CellSpec& spec);
+void from_json(const Json& json, CellSpec& spec);
+
+/// Distances to verify others by.
+struct ReferenceSpec {
+  std::string solver;
+  std::string mesh_file;
+  Index source = 0;
+  std::string output;   ///< distance file to write
+  bool repair = false;  ///< repair the mesh first
+};
+void to_json(Json& json, const ReferenceSpec& spec);
+void from_json(const Json& json, ReferenceSpec& spec);
+
+/// Prepares the solver, verifies a warm-up solve, times solves and, in a counted cell, records more
+/// on new solver objects; then writes the result file, after the recordings of a pictured cell.
+/// Distances that are wrong, or that differ between these solves, make a file with an error row and
+/// no time.
+/// @throws what the reader, the solver or the disk throws; the run makes an error row of it
 void run_cell(const CellSpec& spec);
 
 /// Solves once and writes the distances. @throws as run_cell
 void run_reference(const ReferenceSpec& spec);
+
+/// Does the work of such a process. What it throws becomes a line on standard error and an exit
+/// code for failure_of.
+int exit_code_of(const std::function<void()>& work);
+
+struct Failure {
+  Outcome outcome;
+  std::string why;
+};
+
+/// Why such a process failed.
+/// @param limits of the process
+/// @throws CannotWrite when that was its reason: later cells could not write either
+Failure failure_of(const Ended& ended, const ProcessLimits& limits);
 
 }  // namespace geodesic::harness

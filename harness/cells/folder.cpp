@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "harness/base/error.h"
-#include "harness/base/folders.h"
+#include "harness/base/files.h"
 #include "harness/results/context.h"
 
 namespace geodesic::harness {
@@ -28,24 +28,23 @@ void make_folders(const fs::path& folder) {
 
 }  // namespace
 
-ResultFolder ResultFolder::make(const std::optional<fs::path>& out, const std::string& kind,
-                                const std::string& name) {
+RunFolder RunFolder::make(const std::optional<fs::path>& out, const std::string& corpus) {
   std::string time = utc_now();
   std::erase_if(time, [](char c) { return c == '-' || c == ':'; });
-  const fs::path path = out.value_or(results_folder() / kind / (time + "-" + name));
+  const fs::path path = out.value_or(results_folder() / "runs" / (time + "-" + corpus));
   make_folders(path);
-  ResultFolder folder(path);
+  RunFolder folder(path);
   const auto holds = [&](const char* file) { return fs::exists(folder.path() / file); };
   if (std::ranges::any_of(std::array{"run.json", "request.json", "cells"}, holds)) {
     const bool unfinished = holds("request.json") && !holds("run.json");
     throw HarnessError("'" + folder.path().string() + "' holds a run already: remove it, " +
-                       (unfinished ? "go on with it with --resume, " : "") +
+                       (unfinished ? "continue it with --resume, " : "") +
                        "or give another folder with --out");
   }
   return folder;
 }
 
-ResultFolder::ResultFolder(fs::path path)
+RunFolder::RunFolder(fs::path path)
     : path_(std::move(path)), lock_(open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
   if (lock_ < 0) {
     throw HarnessError("cannot open the folder '" + path_.string() + "': " + std::strerror(errno));
@@ -57,14 +56,14 @@ ResultFolder::ResultFolder(fs::path path)
   }
 }
 
-ResultFolder::ResultFolder(ResultFolder&& other) noexcept
+RunFolder::RunFolder(RunFolder&& other) noexcept
     : path_(std::move(other.path_)), lock_(std::exchange(other.lock_, -1)) {}
 
-ResultFolder::~ResultFolder() {
+RunFolder::~RunFolder() {
   if (lock_ >= 0) close(lock_);
 }
 
-void ResultFolder::make_subfolders() const {
+void RunFolder::make_subfolders() const {
   make_folders(path_ / "cells");
   make_folders(path_ / "references");
 }

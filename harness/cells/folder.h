@@ -1,4 +1,4 @@
-// The folder that a run or a ranking writes its results to.
+// The folder that a run writes its results to.
 #pragma once
 
 #include <filesystem>
@@ -7,23 +7,21 @@
 
 namespace geodesic::harness {
 
-/// Locked while it lives: no other process can have it. The system releases the lock, however the
-/// process ends; a file system without locks keeps nobody out.
-class ResultFolder {
+/// Locked for other processes during its lifetime. The system releases the lock however the process
+/// ends; file systems without locks do not protect the folder.
+class RunFolder {
  public:
-  /// An empty folder, made where it is not there.
-  /// @param out by default `results/<kind>/<UTC time>-<name>` of the checkout
-  /// @param kind "runs", "ranks"
+  /// A new folder for results.
+  /// @param out by default `results/runs/<UTC time>-<corpus>` of the checkout
   /// @throws HarnessError when it cannot be made, another process has it, or it holds results
   ///         already: those never change
-  static ResultFolder make(const std::optional<std::filesystem::path>& out, const std::string& kind,
-                           const std::string& name);
-  /// One that an earlier process made. @throws HarnessError when there is no such folder, or
-  ///         another process has it
-  explicit ResultFolder(std::filesystem::path path);
-  ResultFolder(ResultFolder&& other) noexcept;
-  ResultFolder& operator=(ResultFolder&&) = delete;
-  ~ResultFolder();
+  static RunFolder make(const std::optional<std::filesystem::path>& out, const std::string& corpus);
+  /// One that an earlier process made.
+  /// @throws HarnessError when there is no such folder, or another process has it
+  explicit RunFolder(std::filesystem::path path);
+  RunFolder(RunFolder&& other) noexcept;
+  RunFolder& operator=(RunFolder&&) = delete;
+  ~RunFolder();
 
   const std::filesystem::path& path() const { return path_; }
   /// Makes `cells/` and `references/`. @throws HarnessError when they cannot be made

@@ -27,10 +27,13 @@ std::vector<const Description*> chosen_solvers(const Suite& suite) {
   return solvers;
 }
 
-std::vector<MeshEntry> chosen_meshes(const Suite& suite, const std::filesystem::path& manifest) {
-  if (suite.meshes.empty()) return Manifest(manifest, dataset_cache()).corpus(suite.corpus);
+std::vector<MeshEntry> chosen_meshes(const RunRequest& request) {
+  const Suite& suite = request.suite;
+  if (suite.meshes.empty()) {
+    return Manifest(request.manifest, dataset_cache()).corpus(suite.corpus);
+  }
   std::vector<MeshEntry> meshes;
-  for (const std::string& name : suite.meshes) meshes.push_back(find_mesh(name, manifest));
+  for (const std::string& name : suite.meshes) meshes.push_back(find_mesh(name, request.manifest));
   return meshes;
 }
 
@@ -44,13 +47,30 @@ void check_no_repetition(const std::string& kind, const Items& items, Name name)
   }
 }
 
-PlannedMesh plan_mesh(const MeshEntry& entry, const Suite& suite) {
-  const TriangleSoup soup = load_mesh(entry.file).soup;
-  const Mesh mesh(soup);
-  PlannedMesh planned{.entry = entry,
-                      .vertices = mesh.vertex_count(),
-                      .facts = describe(entry, soup, mesh),
-                      .sources = choose_sources(soup, entry.name, suite.sources, suite.seed)};
+// Leaves out what has none of the cells.
+void restrict_to(const std::vector<std::string>& cells, std::vector<const Description*>& solvers,
+                 std::vector<MeshEntry>& meshes) {
+  const auto none = [&](const auto& holds) { return std::ranges::none_of(cells, holds); };
+  std::erase_if(solvers, [&](const Description* solver) {
+    return none([&](const std::string& cell) { return cell.starts_with(solver->name + '/'); });
+  });
+  std::erase_if(meshes, [&](const MeshEntry& mesh) {
+    return none([&](const std::string& cell) {
+      return cell.find('/' + mesh.name + "/src:") != std::string::npos;
+    });
+  });
+}
+
+PlannedMesh plan_mesh(const MeshEntry& entry, const RunRequest& request) {
+  const LoadedMesh loaded = load_mesh(entry.file, {.repair = request.repair});
+  const Mesh mesh(loaded.soup);
+  const Suite& suite = request.suite;
+  PlannedMesh planned{
+      .entry = entry,
+      .vertices = mesh.vertex_count(),
+      .facts = describe(entry, loaded.soup, mesh),
+      .sources = choose_sources(loaded.soup, entry.name, suite.sources, suite.seed)};
+  if (!loaded.repairs.empty()) planned.facts["repaired"] = true;
   for (const Description* solver : registered_solvers()) {
     const std::string why = unsupported(*solver, mesh);
     if (!why.empty()) planned.unsupported[solver->name] = why;
@@ -58,51 +78,47 @@ PlannedMesh plan_mesh(const MeshEntry& entry, const Suite& suite) {
   return planned;
 }
 
-}  // namespace
-
-Plan make_plan(const Suite& suite, const std::filesystem::path& manifest,
-               const std::vector<std::string>& only) {
-  Plan plan{.solvers = chosen_solvers(suite), .only = only};
-  std::vector<MeshEntry> entries = chosen_meshes(suite, manifest);
-  check_no_repetition("solvers", plan.solvers, [](const auto* solver) { return solver->name; });
-  check_no_repetition("meshes", entries, [](const auto& entry) { return entry.name; });
-  if (!only.empty()) {
-    std::erase_if(plan.solvers, [&](const Description* solver) {
-      return std::ranges::none_of(
-          only, [&](const std::string& cell) { return cell.starts_with(solver->name + '/'); });
-    });
-    std::erase_if(entries, [&](const MeshEntry& entry) {
-      return std::ranges::none_of(only, [&](const std::string& cell) {
-        return cell.find('/' + entry.name + "/src:") != std::string::npos;
-      });
-    });
-  }
+[[noreturn]] void refuse_empty(const Plan& plan, const std::vector<MeshEntry>& entries,
+                               const std::string& corpus) {
+  std::string why = "nothing to run: ";
+  why +=
+      entries.empty() ? "the corpus '" + corpus + "' is empty" : "no mesh of the suite can be read";
   std::vector<MeshEntry> absent;
   for (const MeshEntry& entry : entries) {
+    if (!entry.available()) absent.push_back(entry);
+  }
+  if (!absent.empty()) why += "; " + how_to_get(absent);
+  for (const SkippedMesh& skipped : plan.skipped) {
+    if (skipped.unreadable) why += "; " + skipped.why;
+  }
+  throw HarnessError(why);
+}
+
+}  // namespace
+
+Plan make_plan(const RunRequest& request) {
+  Plan plan{.solvers = chosen_solvers(request.suite), .only = request.cells};
+  std::vector<MeshEntry> entries = chosen_meshes(request);
+  check_no_repetition("solvers", plan.solvers, [](const auto* solver) { return solver->name; });
+  check_no_repetition("meshes", entries, [](const auto& entry) { return entry.name; });
+  if (!plan.only.empty()) restrict_to(plan.only, plan.solvers, entries);
+  for (const MeshEntry& entry : entries) {
     if (!entry.available()) {
-      absent.push_back(entry);
       plan.skipped.push_back({entry.name, how_to_get(entry)});
       continue;
     }
     try {
-      plan.meshes.push_back(plan_mesh(entry, suite));
+      plan.meshes.push_back(plan_mesh(entry, request));
     } catch (const std::exception& error) {
       plan.skipped.push_back({entry.name, error.what(), true});
     }
   }
-  if (plan.meshes.empty()) {
-    std::string why = "nothing to run: ";
-    why += entries.empty() ? "the corpus '" + suite.corpus + "' is empty"
-                           : "no mesh of the suite can be read";
-    if (!absent.empty()) why += "; " + how_to_get(absent);
-    for (const SkippedMesh& skipped : plan.skipped) {
-      if (skipped.unreadable) why += "; " + skipped.why;
-    }
-    throw HarnessError(why);
+  if (plan.meshes.empty() && plan.only.empty()) {
+    refuse_empty(plan, entries, request.suite.corpus);
   }
   std::set<std::string> known;
   for (const Cell& cell : plan.cells()) known.insert(cell.name());
-  for (const std::string& name : only) {
+  for (const std::string& name : plan.only) {
     if (!known.contains(name)) throw HarnessError("the run has no cell '" + name + "'");
   }
   return plan;
@@ -110,24 +126,17 @@ Plan make_plan(const Suite& suite, const std::filesystem::path& manifest,
 
 std::string Cell::name() const { return row_name(solver->name, mesh->entry.name, source); }
 
-std::vector<Cell> Plan::chosen(std::vector<Cell> cells) const {
-  if (!only.empty()) {
-    const std::set<std::string> names(only.begin(), only.end());
-    std::erase_if(cells, [&](const Cell& cell) { return !names.contains(cell.name()); });
-  }
-  return cells;
+const std::string* Cell::unsupported() const {
+  const auto why = mesh->unsupported.find(solver->name);
+  return why == mesh->unsupported.end() ? nullptr : &why->second;
 }
 
-std::vector<Cell> Plan::cells() const {
-  std::vector<Cell> all;
-  for (const PlannedMesh& mesh : meshes) {
-    for (const Index source : mesh.sources) {
-      for (const Description* solver : solvers) {
-        all.push_back({.mesh = &mesh, .source = source, .solver = solver});
-      }
-    }
-  }
-  return chosen(std::move(all));
+bool leaves_recordings(const Cell& cell, Recordings choice) {
+  if (!cell.is_first_repetition()) return false;
+  if (choice != Recordings::automatic) return choice == Recordings::all;
+  const PlannedMesh& mesh = *cell.mesh;
+  return cell.solver->exactness == Exactness::exact && cell.source == mesh.sources.front() &&
+         mesh.vertices >= kLeastRecorded && mesh.vertices <= kMostRecorded;
 }
 
 std::vector<Cell> Plan::interleaved_cells(int repetitions) const {
@@ -135,20 +144,61 @@ std::vector<Cell> Plan::interleaved_cells(int repetitions) const {
   for (const MeasuredProgram& program : programs) measured.push_back(&program);
   if (measured.empty()) measured.push_back(nullptr);
   std::vector<Cell> all;
-  for (const PlannedMesh& mesh : meshes) {
-    for (const Index source : mesh.sources) {
-      for (int repetition = 0; repetition < repetitions; ++repetition) {
-        const auto first = static_cast<std::ptrdiff_t>(all.size());
-        for (const Description* solver : solvers) {
-          for (const MeasuredProgram* program : measured) {
-            all.push_back({&mesh, source, solver, program, repetition, repetitions});
-          }
-        }
-        if (repetition % 2 == 1) std::reverse(all.begin() + first, all.end());
+  const auto add_repetition = [&](const PlannedMesh& mesh, Index source, int repetition) {
+    const auto first = static_cast<std::ptrdiff_t>(all.size());
+    for (const Description* solver : solvers) {
+      for (const MeasuredProgram* program : measured) {
+        all.push_back({&mesh, source, solver, program, repetition, std::max(repetitions, 1)});
       }
     }
+    if (repetition % 2 == 1) std::reverse(all.begin() + first, all.end());
+  };
+  for (const PlannedMesh& mesh : meshes) {
+    for (const Index source : mesh.sources) {
+      if (repetitions < 0) add_repetition(mesh, source, -1);
+      for (int r = 0; r < repetitions; ++r) add_repetition(mesh, source, r);
+    }
   }
-  return chosen(std::move(all));
+  if (!only.empty()) {
+    const std::set<std::string> names(only.begin(), only.end());
+    std::erase_if(all, [&](const Cell& cell) { return !names.contains(cell.name()); });
+  }
+  return all;
+}
+
+Json run_context(const RunRequest& request, const Plan& plan, const PlannedMesh* mesh,
+                 const Description* solver) {
+  const Suite& suite = request.suite;
+  Json json = program_context();
+  json["started"] = utc_now();
+  json["corpus"] = suite.corpus;
+  json["seed"] = suite.seed;
+  json["repetitions"] = suite.repetitions;
+  json["time_limit"] = suite.time_limit;
+  if (suite.memory_limit) json["memory_limit"] = *suite.memory_limit;
+  json["expected"] = Json::object();
+  for (const auto& [cell, outcome] : suite.expected) json["expected"][cell] = name_of(outcome);
+  json["command"] = request.command;
+  json["meshes"] = Json::array();
+  json["sources"] = Json::object();
+  for (const PlannedMesh& each : plan.meshes) {
+    if (mesh != nullptr && mesh != &each) continue;
+    json["meshes"].push_back(each.facts);
+    json["sources"][each.entry.name] = each.sources;
+  }
+  json["solvers"] = Json::array();
+  for (const Description* each : plan.solvers) {
+    if (solver == nullptr || solver == each) json["solvers"].push_back(describe(*each));
+  }
+  json["skipped"] = Json::array();
+  if (mesh == nullptr) {
+    for (const SkippedMesh& skipped : plan.skipped) {
+      json["skipped"].push_back(
+          {{"mesh", skipped.name}, {"solver", nullptr}, {"why", skipped.why}});
+    }
+  }
+  if (request.interleave) json["interleaved"] = true;
+  return json;
 }
 
 }  // namespace geodesic::harness

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "harness/base/json.h"
+#include "harness/cells/request.h"
 #include "harness/corpus/manifest.h"
-#include "harness/corpus/suite.h"
 #include "solvers/core/solver.h"
 
 namespace geodesic::harness {
@@ -39,7 +39,9 @@ struct Cell {
 
   /// "<solver>/<mesh>/src:<vertex>"
   std::string name() const;
-  bool is_first() const { return repetition <= 0; }
+  bool is_first_repetition() const { return repetition <= 0; }
+  /// Why the solver cannot do the mesh; null when it can.
+  const std::string* unsupported() const;
 };
 
 struct SkippedMesh {
@@ -55,24 +57,32 @@ struct Plan {
   std::vector<MeasuredProgram> programs = {};  ///< empty: this one alone
   std::vector<std::string> only = {};          ///< names of cells; empty: all
 
-  /// For each mesh, for each source, for each solver: a drift of the machine hits all solvers of a
-  /// mesh alike. The cells point into this plan.
-  std::vector<Cell> cells() const;
+  /// For each mesh, source and solver: drift of the machine affects all solvers of a mesh alike.
+  /// The cells point into this plan.
+  std::vector<Cell> cells() const { return interleaved_cells(-1); }
 
   /// For each mesh and source, each repetition by itself: for each solver, for each program, and in
   /// the opposite order for odd repetitions, so that none always comes first.
+  /// @param repetitions -1: all repetitions of a cell in one process, as `cells`
   std::vector<Cell> interleaved_cells(int repetitions) const;
-
- private:
-  std::vector<Cell> chosen(std::vector<Cell> cells) const;
 };
 
+inline constexpr Index kLeastRecorded = 1000;    ///< vertices: a wavefront needs some to show
+inline constexpr Index kMostRecorded = 250'000;  ///< files grow with the mesh
+
+/// Whether the cell leaves recordings for figures.
+bool leaves_recordings(const Cell& cell, Recordings choice);
+
 /// Reads every mesh of the suite and chooses its sources. Meshes of a corpus that are not in the
-/// cache, and meshes that cannot be read, are skipped.
-/// @param only names of cells: those that the plan is restricted to; empty: all
+/// cache, and meshes that cannot be read, are skipped. Meshes and solvers that have none of
+/// `request.cells` are left out.
 /// @throws HarnessError for an unknown name, for a mesh that the suite names itself and that is not
-///         there, or when no mesh is left
-Plan make_plan(const Suite& suite, const std::filesystem::path& manifest,
-               const std::vector<std::string>& only = {});
+///         there, for an unknown cell, or when no mesh is left
+Plan make_plan(const RunRequest& request);
+
+/// context.geodesic_bench (results/README.md) of some cells of a run, which starts now.
+/// @param mesh,solver null: all of the plan
+Json run_context(const RunRequest& request, const Plan& plan, const PlannedMesh* mesh = nullptr,
+                 const Description* solver = nullptr);
 
 }  // namespace geodesic::harness

@@ -2,10 +2,10 @@
 
 #include <set>
 
-#include "harness/base/atomic_file.h"
 #include "harness/base/error.h"
+#include "harness/base/files.h"
+#include "harness/base/json.h"
 #include "harness/base/process.h"
-#include "harness/base/sha256.h"
 #include "harness/corpus/names.h"
 
 namespace geodesic::harness {
@@ -45,7 +45,7 @@ void check_programs(const std::vector<ProgramFile>& programs) {
   }
   std::set<std::string> names;
   for (const auto& [name, file] : programs) {
-    check_name("program", name);
+    check_name("program name", name);
     if (!names.insert(name).second) throw HarnessError("two programs are named '" + name + "'");
     if (!fs::is_regular_file(file)) {
       throw HarnessError("program '" + name + "': no such file: " + file.string());

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
-
-#include "harness/results/row.h"
+#include <set>
+#include <tuple>
 
 namespace geodesic::harness {
 namespace {
@@ -15,11 +15,16 @@ namespace {
 constexpr double kSecondsBetweenLogLines = 60;
 constexpr const char* kEraseLine = "\r\033[K";  // on a terminal
 
-// Windows grow about as n^1.5; the constant is the start of a process. A guess serves: it only
-// weighs large meshes against small ones.
-double estimated_work(const Cell& cell) {
-  if (cell.mesh->unsupported.contains(cell.solver->name)) return 0;
-  return 5e4 + std::pow(cell.mesh->vertices, 1.5);
+// Priors of the forecast, from runs on a processor of 2023; measured paces replace them.
+constexpr double kProcessSeconds = 0.1;
+constexpr double kFastestSeconds = 0.07;  // solve of relative time 1 on 50,000 vertices
+constexpr double kUnknownRelativeTime = 10;
+constexpr double kGrowth = 1.3;       // exponent of the vertex count; 1.2 to 1.5 were measured
+constexpr double kSearchShare = 0.5;  // of min_time: finding the number of iterations
+
+double expected_solve_seconds(const Description& solver, Index vertices) {
+  const double relative = solver.relative_time > 0 ? solver.relative_time : kUnknownRelativeTime;
+  return kFastestSeconds * relative * std::pow(vertices / 5e4, kGrowth);
 }
 
 std::string duration(double seconds) {
@@ -34,18 +39,42 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-Progress::Progress(const std::vector<Cell>& cells)
-    : cells_(cells), on_terminal_(isatty(STDERR_FILENO) == 1) {}
+Forecast::Forecast(const std::vector<Cell>& cells, const Suite& suite) : cells_(cells) {
+  for (const Cell& cell : cells) {
+    Expected& expected = expected_.emplace_back();
+    if (cell.unsupported() != nullptr) continue;
+    const double solve = expected_solve_seconds(*cell.solver, cell.mesh->vertices);
+    const double repetitions = cell.repetition < 0 ? suite.repetitions : 1;
+    // The warm-up, and with counters and phases four more; long solves are timed once a repetition.
+    const double solves = 1 + (cell.is_first_repetition() ? 4 : 0);
+    expected.fixed = kProcessSeconds;
+    if (solve < suite.min_time) expected.fixed += repetitions * suite.min_time * (1 + kSearchShare);
+    expected.scaled = solve * (solves + (solve < suite.min_time ? 0 : repetitions));
+  }
+}
 
-double Progress::seconds_left() const {
+void Forecast::measured(std::size_t cell, double seconds) {
+  const Expected& expected = expected_[cell];
+  if (expected.scaled == 0) return;
+  for (Pace* pace : {&all_, &paces_[cells_[cell].solver]}) {
+    pace->seconds += std::max(0.0, seconds - expected.fixed);
+    pace->expected += expected.scaled;
+  }
+}
+
+double Forecast::seconds_left(std::size_t first) const {
+  const double machine = all_.ratio_or(1, 1);
   double seconds = 0;
-  for (std::size_t i = done_; i < cells_.size(); ++i) {
-    const auto known = paces_.find(cells_[i].solver->name);
-    const Pace& pace = known == paces_.end() ? paces_.at("") : known->second;
-    if (pace.work > 0) seconds += estimated_work(cells_[i]) * pace.seconds / pace.work;
+  for (std::size_t i = first; i < cells_.size(); ++i) {
+    const auto pace = paces_.find(cells_[i].solver);
+    const double ratio = pace == paces_.end() ? machine : pace->second.ratio_or(machine, 0.1);
+    seconds += expected_[i].fixed + expected_[i].scaled * ratio;
   }
   return seconds;
 }
+
+Progress::Progress(const std::vector<Cell>& cells, const Suite& suite)
+    : cells_(cells), forecast_(cells, suite), on_terminal_(isatty(STDERR_FILENO) == 1) {}
 
 // "[3/40] mmp/horse/src:0  "
 std::string Progress::heading() const {
@@ -62,25 +91,22 @@ void Progress::working(const std::string& work) {
   const std::string line = heading() + work + ", " + duration(seconds_in_cell());
   if (on_terminal_) {
     std::cerr << kEraseLine << line << std::flush;
-  } else if (now - std::max(told_seconds_, last_seconds_) >= kSecondsBetweenLogLines) {
-    told_seconds_ = now;
+  } else if (now - std::max(logged_seconds_, last_seconds_) >= kSecondsBetweenLogLines) {
+    logged_seconds_ = now;
     std::cerr << line << " so far" << std::endl;
   }
 }
 
 void Progress::ended(const std::string& result) {
   const std::string line = heading() + result;
-  const Cell& cell = cells_[done_++];
   const double seconds = seconds_in_cell();
-  for (const std::string& solver : {cell.solver->name, std::string()}) {
-    Pace& pace = paces_[solver];
-    pace.seconds += seconds;
-    pace.work += estimated_work(cell);
-  }
+  forecast_.measured(done_++, seconds);
   last_seconds_ += seconds;
   if (on_terminal_) std::cerr << kEraseLine;
   std::cerr << line << "  (" << duration(seconds);
-  if (done_ < cells_.size()) std::cerr << ", about " << duration(seconds_left()) << " left";
+  if (done_ < cells_.size()) {
+    std::cerr << ", about " << duration(forecast_.seconds_left(done_)) << " left";
+  }
   std::cerr << ')' << std::endl;
 }
 

@@ -1,5 +1,5 @@
 // A line on standard error for every cell, with an estimate of the time left; in between, what a
-// long cell is at and for how long.
+// long cell is doing and for how long.
 #pragma once
 
 #include <map>
@@ -11,39 +11,60 @@
 
 namespace geodesic::harness {
 
+/// Estimates how long cells take: from the solvers' relative times and the sizes of the meshes,
+/// corrected by the cells that have been measured.
+class Forecast {
+ public:
+  /// @param cells must outlive it
+  Forecast(const std::vector<Cell>& cells, const Suite& suite);
+
+  void measured(std::size_t cell, double seconds);
+  /// Of this cell and those after it.
+  double seconds_left(std::size_t first) const;
+
+ private:
+  struct Expected {
+    double fixed = 0;   // seconds, whatever the solver
+    double scaled = 0;  // seconds of solves, on a machine of the assumed speed
+  };
+  struct Pace {
+    double seconds = 0, expected = 0;  // of solves measured so far
+    double ratio_or(double prior, double weight) const {
+      return (seconds + weight * prior) / (expected + weight);
+    }
+  };
+  const std::vector<Cell>& cells_;
+  std::vector<Expected> expected_;            // by cell
+  Pace all_;                                  // pace of the machine
+  std::map<const Description*, Pace> paces_;  // of each solver
+};
+
 class Progress {
  public:
-  explicit Progress(const std::vector<Cell>& cells);
+  /// @param cells must outlive it
+  Progress(const std::vector<Cell>& cells, const Suite& suite);
 
   /// To be called about once a second while the next cell is worked on. On a terminal one line is
   /// kept up to date; elsewhere (a log) a line is written every minute.
   /// @param work what is being done: "reference by mmp"
   void working(const std::string& work);
 
-  /// The next cell, in the order of the constructor's, has its result from an earlier start.
-  void kept() { ++done_; }
-
-  /// The next cell is not measured.
-  void left_out() { ++done_; }
+  /// The next cell, in the order of the constructor's, is not measured.
+  void leave_out() { ++done_; }
 
   /// The next cell has ended.
   /// @param result its outcome, and its time or what went wrong
   void ended(const std::string& result);
 
  private:
-  double seconds_left() const;
   double seconds_in_cell() const { return watch_.real_seconds() - last_seconds_; }
   std::string heading() const;
 
-  // A solver's pace on the meshes it has done so far; solvers differ by factors of a thousand.
-  struct Pace {
-    double seconds = 0, work = 0;
-  };
   const std::vector<Cell>& cells_;
   std::size_t done_ = 0;
-  std::map<std::string, Pace> paces_;  // by solver, and of all under ""
-  double last_seconds_ = 0;            // when the last cell ended
-  double told_seconds_ = 0;            // when a log was last written to
+  Forecast forecast_;
+  double last_seconds_ = 0;    // when the last cell ended
+  double logged_seconds_ = 0;  // when a log was last written to
   const bool on_terminal_;
   Stopwatch watch_;
 };

@@ -5,8 +5,8 @@
 #include "harness/base/error.h"
 #include "harness/base/process.h"
 #include "harness/base/threads.h"
-#include "harness/cells/ending.h"
-#include "harness/cells/spec.h"
+#include "harness/cells/cell.h"
+#include "harness/cells/isolated.h"
 #include "harness/verify/choose.h"
 #include "harness/verify/closed_form.h"
 #include "harness/verify/distance_file.h"
@@ -18,11 +18,12 @@ namespace {
 
 // Empty when the distances were written; otherwise why not, which is also told: the mesh is then
 // not the one that the manifest describes.
-std::string write_closed_form(const Cell& cell, const std::filesystem::path& file) {
+std::string write_closed_form(const Cell& cell, bool repair, const std::filesystem::path& file) {
   try {
     const MeshEntry& entry = cell.mesh->entry;
-    write_distances(file,
-                    closed_form_distances(entry, load_mesh(entry.file).soup, cell.source).value());
+    write_distances(file, closed_form_distances(
+                              entry, load_mesh(entry.file, {.repair = repair}).soup, cell.source)
+                              .value());
     return {};
   } catch (const std::exception& error) {
     std::cerr << "geodesic-bench: " << error.what() << '\n';
@@ -39,8 +40,9 @@ std::string References::solve(const Cell& cell, const std::string& solver,
   const ReferenceSpec spec{.solver = solver,
                            .mesh_file = cell.mesh->entry.file.string(),
                            .source = cell.source,
-                           .output = file.string()};
-  const ProcessLimits limits = limits_of(suite_);
+                           .output = file.string(),
+                           .repair = request_.repair};
+  const ProcessLimits limits = limits_of(request_.suite);
   const auto waiting = [&] {
     const std::lock_guard lock(mutex_);
     waiting_(solver);
@@ -48,7 +50,7 @@ std::string References::solve(const Cell& cell, const std::string& solver,
   const Ended ended = run_this_program({"reference", Json(spec).dump()}, waiting, limits);
   if (ended.succeeded()) return {};
   const Failure failure = failure_of(ended, limits);
-  return solver + ": " + failure.outcome + ": " + failure.why;
+  return solver + ": " + std::string(name_of(failure.outcome)) + ": " + failure.why;
 }
 
 const std::string& References::compute(const Cell& cell, const std::string& solver,
@@ -57,18 +59,18 @@ const std::string& References::compute(const Cell& cell, const std::string& solv
   const auto [at, first] = tried_.try_emplace(file.filename().string());
   lock.unlock();
   if (!first) return at->second;
-  return at->second =
-             solver == kClosedForm ? write_closed_form(cell, file) : solve(cell, solver, file);
+  return at->second = solver == kClosedForm ? write_closed_form(cell, request_.repair, file)
+                                            : solve(cell, solver, file);
 }
 
 std::vector<std::string> References::candidates(const Cell& cell) const {
   std::vector<std::string> names;
   for (const Description* solver :
-       rank_references(*cell.solver, registered_solvers(), suite_.reference)) {
+       rank_references(*cell.solver, registered_solvers(), request_.suite.reference)) {
     names.push_back(solver->name);
   }
   if (has_closed_form(cell.mesh->entry)) {
-    const bool named_is_first = !names.empty() && names.front() == suite_.reference;
+    const bool named_is_first = !names.empty() && names.front() == request_.suite.reference;
     names.insert(names.begin() + (named_is_first ? 1 : 0), kClosedForm);
   }
   return names;
@@ -90,8 +92,7 @@ Reference References::find(const Cell& cell) {
 void References::compute_ahead(std::span<const Cell> cells, unsigned threads) {
   std::map<Index, std::vector<const Cell*>> by_source;
   for (const Cell& cell : cells) {
-    if (!cell.mesh->unsupported.contains(cell.solver->name))
-      by_source[cell.source].push_back(&cell);
+    if (cell.unsupported() == nullptr) by_source[cell.source].push_back(&cell);
   }
   std::vector<std::vector<const Cell*>> sources;
   for (auto& [source, of_source] : by_source) sources.push_back(std::move(of_source));

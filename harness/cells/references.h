@@ -23,12 +23,12 @@ struct Reference {
 class References {
  public:
   /// @param folder exists
-  /// @param suite names the solver that others are verified by, and the limits; outlives this
-  /// @param waiting called about once a second while a solver works: with whose reference it is;
+  /// @param request names the solver that others are verified by, and the limits; outlives this
+  /// @param waiting called about once a second while a solver computes a reference, with its name;
   ///        never by two threads at once
-  References(std::filesystem::path folder, const Suite& suite,
+  References(std::filesystem::path folder, const RunRequest& request,
              std::function<void(const std::string& solver)> waiting)
-      : folder_(std::move(folder)), suite_(suite), waiting_(std::move(waiting)) {}
+      : folder_(std::move(folder)), request_(request), waiting_(std::move(waiting)) {}
 
   /// Distances to verify this cell by: from the solver that the suite names, the closed form of the
   /// mesh, or the best ranked solver (verify/choose.h) that supports the mesh and succeeds.
@@ -47,7 +47,7 @@ class References {
   std::string solve(const Cell& cell, const std::string& solver, const std::filesystem::path& file);
 
   std::filesystem::path folder_;
-  const Suite& suite_;
+  const RunRequest& request_;
   std::function<void(const std::string&)> waiting_;
   std::mutex mutex_;  // of the map, not of its values: those are of one source, thus of one thread
   std::map<std::string, std::string> tried_;  // by file name: what `compute` returned

@@ -1,5 +1,4 @@
-// What a run is asked for, and request.json: the same in its folder, by which it can be gone on
-// with.
+// What a run is asked to do: the command `run` fills it in, request.json keeps it (resume.h).
 #pragma once
 
 #include <filesystem>
@@ -7,11 +6,19 @@
 #include <string>
 #include <vector>
 
-#include "harness/cells/pictured.h"
-#include "harness/cells/plan.h"
 #include "harness/corpus/suite.h"
 
 namespace geodesic::harness {
+
+/// Which cells leave recordings for figures.
+enum class Recordings {
+  none,
+  automatic,  ///< the first source of each mesh of 1,000 to 250,000 vertices, exact solvers
+  all,
+};
+
+/// "none", "auto" or "all". @throws HarnessError for any other word
+Recordings recordings_named(const std::string& word);
 
 /// Another build of geodesic-bench, whose solvers a run measures.
 struct ProgramFile {
@@ -20,37 +27,25 @@ struct ProgramFile {
 };
 
 struct RunRequest {
-  Suite suite;
-  std::filesystem::path manifest;
-  std::optional<std::filesystem::path> out;  ///< by default `results/runs/<UTC time>-<corpus>`
-  std::vector<std::string> benchmark_flags;
-  Pictured pictured = Pictured::automatic;
-  bool interleave = false;            ///< every repetition a process of its own (Plan::cells)
-  std::vector<ProgramFile> programs;  ///< measured in place of this one; none, or two or more
-  std::vector<std::string> cells;     ///< names of rows: only these; empty: all
-  unsigned threads = 1;  ///< reference distances computed at a time; nothing is timed meanwhile
-  std::string command;   ///< the command line, for the record
-  std::optional<std::filesystem::path> resume = {};  ///< folder of the run to go on with
-  bool accept_changes = false;                       ///< though it was asked for something else
+  Suite suite = {};
+  std::filesystem::path manifest = {};
+  std::vector<std::string> benchmark_flags = {};
+  Recordings recordings = Recordings::automatic;
+  bool repair = false;                     ///< repair meshes with defects
+  bool interleave = false;                 ///< every repetition a process of its own (Plan::cells)
+  std::vector<ProgramFile> programs = {};  ///< measured in place of this one; none, or two or more
+  std::vector<std::string> cells = {};     ///< names of rows: only these; empty: all
+
+  // What follows does not change the results.
+  std::optional<std::filesystem::path> out = {};  ///< default: `results/runs/<UTC time>-<corpus>`
+  unsigned threads = 1;      ///< reference distances computed at a time; nothing is timed meanwhile
+  std::string command = {};  ///< the command line, for the record
+  std::optional<std::filesystem::path> resume = {};  ///< folder of the run to resume
+  bool accept_changes = false;                       ///< resume though the request has changed
 };
 
-/// What decides about the results of a run: the program, the options, the solvers, the meshes.
-Json identity(const RunRequest& request, const Plan& plan);
-
-struct SavedRequest {
-  RunRequest request;
-  Json identity;                     ///< when it was last gone on with
-  std::string started;               ///< as utc_now has it
-  std::vector<std::string> changes;  ///< accepted since then
-};
-
-/// Writes request.json.
-void save_request(const SavedRequest& saved, const std::filesystem::path& folder);
-
-/// Reads request.json. @throws HarnessError when there is none, or it is not what was written
-SavedRequest saved_request(const std::filesystem::path& folder);
-
-/// "options/seed is 2 and was 1", for every value of two identities that differs.
-std::vector<std::string> differences(const Json& before, const Json& now);
+/// The members that decide about the results.
+void to_json(Json& json, const RunRequest& request);
+void from_json(const Json& json, RunRequest& request);
 
 }  // namespace geodesic::harness

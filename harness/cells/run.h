@@ -1,16 +1,17 @@
 // A run: every cell of a suite in a process of its own, and run.json made of what they wrote.
 #pragma once
 
-#include "harness/cells/failures.h"
 #include "harness/cells/request.h"
+#include "harness/cells/summary.h"
 
 namespace geodesic::harness {
 
 /// Runs the suite. Whatever happens inside a cell becomes a row and never ends the run. Progress
-/// goes to standard error, the path of run.json to standard output. A run that ends early, by
-/// exception or by being killed, keeps the cells that it has finished; it says how to go on.
+/// goes to standard error, a table of results and the path of run.json to standard output. A run
+/// that ends early, by an exception or by being killed, keeps the cells that it has finished; the
+/// command that measures the others goes to standard error.
 /// @throws HarnessError when the request makes no sense, the run folder cannot be written or
-///         belongs to another run, or a run is to be gone on with that was asked for something else
+///         belongs to another run, or the run to resume had another request
 /// @throws Interrupted (interruption.h)
 RunResult run(RunRequest request);
 

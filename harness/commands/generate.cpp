@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/base/atomic_file.h"
 #include "harness/base/error.h"
+#include "harness/base/files.h"
 #include "meshes/generators/generators.h"
 #include "meshes/mesh_file.h"
 

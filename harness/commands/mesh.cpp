@@ -7,8 +7,8 @@
 #include <sstream>
 #include <string>
 
-#include "harness/base/atomic_file.h"
 #include "harness/base/error.h"
+#include "harness/base/files.h"
 #include "harness/base/json.h"
 #include "meshes/load.h"
 #include "meshes/mesh_file.h"

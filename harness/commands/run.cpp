@@ -4,169 +4,150 @@
 
 #include "harness/base/error.h"
 #include "harness/cells/cell.h"
-#include "harness/cells/ending.h"
+#include "harness/cells/resume.h"
 #include "harness/cells/run.h"
+#include "harness/commands/values.h"
 #include "harness/corpus/manifest.h"
 
 namespace geodesic::harness {
 namespace {
 
-struct RunFlags {
-  std::vector<std::string> words;  // the suite, and Google Benchmark's flags after --
-  std::optional<std::string> corpus;
-  std::optional<std::vector<std::string>> solvers, meshes;
-  std::optional<int> sources, repetitions;
-  std::optional<std::uint64_t> seed;
-  std::optional<double> min_time;
-  std::optional<double> time_limit;
-  std::optional<std::uint64_t> memory_limit;
-  std::optional<std::string> recordings;
-  unsigned threads = 1;
-  std::optional<std::string> reference, vectors, out, manifest, resume;
-  bool accept_changes = false, interleave = false;
-  std::vector<std::string> programs, cells;
-};
+namespace fs = std::filesystem;
+
+constexpr const char* kExamples = R"(
+Examples:
+  geodesic-bench run --solvers mmp,ich --meshes bunny.ply,horse
+  geodesic-bench run --corpus quick --repetitions 9 --out results/runs/mine)";
 
 // "head=build/release/geodesic-bench"
 ProgramFile program_of(const std::string& word) {
   const std::size_t equals = word.find('=');
   if (equals == std::string::npos) throw HarnessError("--program " + word + ": not NAME=PATH");
-  return {word.substr(0, equals), std::filesystem::absolute(word.substr(equals + 1))};
+  return {word.substr(0, equals), fs::absolute(word.substr(equals + 1))};
 }
 
-template <class T>
-void override_with(const std::optional<T>& flag, T& value) {
-  if (flag) value = *flag;
-}
-
-// Results do not change with the folder that one happens to stand in.
-void make_absolute(RunRequest& request) {
-  for (std::string& mesh : request.suite.meshes) {
-    if (std::filesystem::is_regular_file(mesh)) mesh = std::filesystem::absolute(mesh).string();
-  }
-  request.manifest = std::filesystem::absolute(request.manifest);
-}
-
-// What the flags change: the default suite, or the run that is gone on with.
-RunRequest starting_point(const RunFlags& flags) {
-  if (!flags.resume) {
-    RunRequest fresh;
-    fresh.manifest = default_manifest();
-    fresh.out = flags.out;
-    return fresh;
-  }
-  if (flags.out) throw HarnessError("--resume names the folder already: leave out --out");
-  return saved_request(*flags.resume).request;
-}
-
-RunRequest request_of(const RunFlags& flags, const std::string& command) {
-  RunRequest request = starting_point(flags);
-  request.threads = flags.threads;
-  request.accept_changes = flags.accept_changes;
-  request.command = command;
-  std::vector<std::string> benchmark_flags;
-  std::string suite_file;
-  for (const std::string& word : flags.words) {
+// A suite, and flags of Google Benchmark.
+void read_words(const std::vector<std::string>& words, RunRequest& request) {
+  std::string suite;
+  request.benchmark_flags.clear();
+  for (const std::string& word : words) {
     if (word.starts_with("--")) {
-      benchmark_flags.push_back(word);
-    } else if (suite_file.empty()) {
-      suite_file = word;
+      request.benchmark_flags.push_back(word);
+    } else if (suite.empty()) {
+      suite = word;
     } else {
-      throw HarnessError("a run takes one suite, not both '" + suite_file + "' and '" + word + "'");
+      throw HarnessError("a run takes one suite, not both '" + suite + "' and '" + word + "'");
     }
   }
-  if (!benchmark_flags.empty()) request.benchmark_flags = benchmark_flags;
-  if (flags.recordings) request.pictured = pictured_named(*flags.recordings);
-  if (flags.manifest) request.manifest = *flags.manifest;
+  if (!suite.empty()) request.suite = read_suite(suite);
+}
+
+// Results do not depend on the current folder.
+void make_absolute(RunRequest& request) {
+  for (std::string& mesh : request.suite.meshes) {
+    if (fs::is_regular_file(mesh)) mesh = fs::absolute(mesh).string();
+  }
+  request.manifest = fs::absolute(request.manifest);
+}
+
+// Options take effect in the order in which they are added here: each changes the request.
+void add_request_options(CLI::App& command, RunRequest& request) {
   Suite& suite = request.suite;
-  if (!suite_file.empty()) {
-    suite = read_suite(suite_file);
-  } else if (!flags.resume) {
-    suite = read_suite(default_suite());
-  }
-  if (flags.corpus) suite.meshes.clear();  // a corpus named here replaces the suite's meshes
-  override_with(flags.corpus, suite.corpus);
-  override_with(flags.solvers, suite.solvers);
-  override_with(flags.meshes, suite.meshes);
-  override_with(flags.sources, suite.sources);
-  override_with(flags.repetitions, suite.repetitions);
-  override_with(flags.seed, suite.seed);
-  override_with(flags.min_time, suite.min_time);
-  override_with(flags.vectors, suite.vectors);
-  override_with(flags.time_limit, suite.time_limit);
-  if (flags.memory_limit) suite.memory_limit = flags.memory_limit;
-  if (flags.reference) suite.reference = flags.reference;
-  request.interleave |= flags.interleave;
-  if (!flags.programs.empty()) {
-    request.programs.clear();
-    for (const std::string& word : flags.programs) request.programs.push_back(program_of(word));
-  }
-  if (!flags.cells.empty()) request.cells = flags.cells;
-  make_absolute(request);
-  return request;
+  const auto option = [&](const std::string& name, auto& value, const std::string& help) {
+    return command.add_option(name, value, help);
+  };
+  const auto call = [&](const std::string& name, const auto& use, const std::string& help) {
+    return command.add_option_function<std::string>(name, use, help);
+  };
+  call(
+      "--resume", [&](const std::string& folder) { request = saved_request(folder).request; },
+      "continue an interrupted run in this folder, with the options that it had")
+      ->type_name("DIR");
+  command
+      .add_option_function<std::vector<std::string>>(
+          "suite", [&](const auto& words) { read_words(words, request); },
+          "suite in JSON (harness/suites/default.json); after --, flags of Google Benchmark")
+      ->type_name("[SUITE.json] [-- --benchmark_...]");
+  call(
+      "--corpus",
+      [&](const std::string& corpus) {
+        suite.corpus = corpus;
+        suite.meshes.clear();  // of the suite
+      },
+      "corpus of the manifest")
+      ->type_name("NAME");
+  option("--meshes", suite.meshes, "mesh files, or names of the manifest, in place of a corpus")
+      ->delimiter(',')
+      ->type_name("NAMES");
+  option("--solvers", suite.solvers, "default: all that `list` marks as run always")
+      ->delimiter(',')
+      ->type_name("NAMES");
+  option("--cells", request.cells, "only these cells, named as rows: mmp/horse/src:0,...")
+      ->delimiter(',')
+      ->type_name("NAMES");
+  option("--sources", suite.sources, "number of source vertices of each mesh");
+  option("--repetitions", suite.repetitions, "number of timed repetitions of each cell");
+  option("--seed", suite.seed, "seed of the choice of source vertices");
+  option("--min-time", suite.min_time, "minimum duration of a repetition in seconds");
+  option("--reference", suite.reference, "exact solver to verify the others by")->type_name("NAME");
+  option("--time-limit", suite.time_limit, "seconds after which a cell is stopped (default 3600)");
+  option("--memory-limit", suite.memory_limit,
+         "memory limit of a cell in bytes, or as 500M, 8G (default: 90% of what is available)")
+      ->transform(CLI::AsSizeValue(false))
+      ->type_name("SIZE");
+  option("--vectors", suite.vectors, "instruction set of the solvers: auto, plain or avx2");
+  call(
+      "--recordings", [&](const std::string& word) { request.recordings = recordings_named(word); },
+      "cells that record the wavefront for figures: none, all, or auto (default: the first source "
+      "of each mesh of 1,000 to 250,000 vertices, exact solvers)");
+  command.add_flag("--repair", request.repair, "repair meshes that have defects");
+  command.add_flag("--interleave", request.interleave,
+                   "run each repetition in a process of its own, alternating between the solvers "
+                   "of a mesh and source: their times can be compared in pairs");
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--program",
+          [&](const auto& words) {
+            request.programs.clear();
+            for (const std::string& word : words) request.programs.push_back(program_of(word));
+          },
+          "build of geodesic-bench to measure instead of this one; give two or more, which "
+          "alternate as solvers do (implies --interleave)")
+      ->allow_extra_args(false)
+      ->type_name("NAME=PATH");
+  option("--threads", request.threads,
+         "reference distances to compute at a time; solves are timed "
+         "one by one")
+      ->check(from_to(1, 1024));
+  option("--out", request.out, "folder to write to (default: results/runs/<UTC time>-<corpus>)")
+      ->type_name("DIR");
+  option("--manifest", request.manifest, "list of meshes and corpora")->type_name("FILE");
+  command.add_flag("--accept-changes", request.accept_changes,
+                   "resume although the program, an option or a mesh has changed");
 }
 
 }  // namespace
 
 void add_run_command(CLI::App& app, const std::string& command_line) {
-  const auto flags = std::make_shared<RunFlags>();
-  CLI::App* run_command = app.add_subcommand("run", "Measure solvers on meshes, by a suite");
-  run_command
-      ->add_option("suite", flags->words,
-                   "suite in JSON (harness/suites/default.json); after --, flags of Google "
-                   "Benchmark")
-      ->type_name("[SUITE.json] [-- --benchmark_...]");
-  const auto option = [&](const std::string& name, auto& value, const std::string& help) {
-    return run_command->add_option(name, value, help);
-  };
-  option("--corpus", flags->corpus, "a corpus of the manifest")->type_name("NAME");
-  option("--solvers", flags->solvers,
-         "names, separated by commas (default: those that list says always run)")
-      ->delimiter(',');
-  option("--meshes", flags->meshes, "names of the manifest or files, separated by commas")
-      ->delimiter(',');
-  option("--sources", flags->sources, "source vertices a mesh");
-  option("--repetitions", flags->repetitions, "timed repetitions a cell");
-  option("--seed", flags->seed, "of the choice of sources");
-  option("--min-time", flags->min_time, "least seconds of a repetition");
-  option("--reference", flags->reference, "exact solver to verify others by");
-  option("--time-limit", flags->time_limit, "seconds that a cell may take (3600)");
-  option("--memory-limit", flags->memory_limit,
-         "memory that a cell may have, in bytes or as 500M, 8G (nine tenths of what is available)")
-      ->transform(CLI::AsSizeValue(false))
-      ->type_name("SIZE");
-  option("--recordings", flags->recordings,
-         "cells that leave the wavefront and the distances for figures: none, auto (default: the "
-         "first source of each mesh of 1,000 to 250,000 vertices, exact solvers) or all");
-  option("--threads", flags->threads,
-         "reference distances to compute at a time; solvers are timed one by one")
-      ->check(CLI::Range(1, 1024));
-  run_command->add_flag("--interleave", flags->interleave,
-                        "run every repetition in a process of its own, and alternate the solvers "
-                        "of a mesh and source, so that their times can be compared in pairs");
-  option("--program", flags->programs,
-         "measure the solvers of this build of geodesic-bench; given two times or more, the "
-         "builds alternate as solvers do (implies --interleave)")
-      ->allow_extra_args(false)
-      ->type_name("NAME=PATH");
-  option("--cells", flags->cells,
-         "only these cells, by the names of their rows: mmp/horse/src:0,ich/horse/src:0")
-      ->delimiter(',')
-      ->type_name("NAMES");
-  option("--vectors", flags->vectors, "instructions to solve with: auto, plain or avx2");
-  option("--out", flags->out, "folder of the run (results/runs/<UTC time>-<corpus>)");
-  option("--resume", flags->resume,
-         "folder of a run that was interrupted: measure what is missing, by the options it had")
-      ->type_name("DIR");
-  run_command->add_flag("--accept-changes", flags->accept_changes,
-                        "resume though the program, an option or a mesh has changed");
-  option("--manifest", flags->manifest,
-         "list of meshes and corpora (" + default_manifest().string() + ")");
-  run_command->callback([flags, command_line] {
-    if (flags->accept_changes && !flags->resume) {
-      throw HarnessError("--accept-changes is for a run that is gone on with: give --resume DIR");
+  const auto request = std::make_shared<RunRequest>();
+  request->manifest = default_manifest();
+  CLI::App* command = app.add_subcommand("run", "Measure solvers on meshes");
+  add_request_options(*command, *request);
+  command->footer(kExamples);
+  command->preparse_callback([request, command_line](std::size_t) {
+    require_text(command_line);
+    request->suite = read_suite(default_suite());
+  });
+  command->callback([request, command_line] {
+    if (request->accept_changes && !request->resume) {
+      throw HarnessError("--accept-changes is for a run that is resumed: give --resume DIR");
     }
-    const RunResult result = run(request_of(*flags, command_line));
+    if (request->resume && request->out) {
+      throw HarnessError("--resume names the folder already: leave out --out");
+    }
+    request->command = command_line;
+    make_absolute(*request);
+    const RunResult result = run(*request);
     if (result != RunResult::ok) throw CLI::RuntimeError(static_cast<int>(result));
   });
 }

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "harness/base/error.h"
-#include "harness/base/folders.h"
+#include "harness/base/files.h"
 #include "harness/base/plugins.h"
 #include "harness/base/process.h"
 

@@ -8,9 +8,9 @@
 #include <memory>
 #include <tuple>
 
-#include "harness/base/atomic_file.h"
 #include "harness/base/clock.h"
 #include "harness/base/error.h"
+#include "harness/base/files.h"
 #include "harness/commands/values.h"
 #include "harness/corpus/manifest.h"
 #include "harness/corpus/solvers.h"
@@ -94,12 +94,17 @@ Solved solve(const SolveFlags& flags, const Description& solver, const Mesh& mes
   solved.json["real_time_s"] = watch.real_seconds();
   solved.json["prepare_time_s"] = prepare_time;
   solved.json["instruction_set"] = name_of(prepared->instruction_set());
-  for (const std::string& name : counter_names()) solved.json[name] = nullptr;
   const auto resident = peak_resident_bytes();
   prepared.reset();
 
   std::vector<double> recorded(mesh.vertex_count());
-  solved.json.update(record_solve(solver.name, mesh, query, recorded));
+  const RecordedSolve counted = record_solve(solver.name, mesh, query, recorded);
+  for_each_counter(counted.counters, [&](const char* name, const auto& value) {
+    solved.json[name] = value ? Json(*value) : Json(nullptr);
+  });
+  if (counted.phases) solved.json["phase_seconds"] = *counted.phases;
+  solved.json["solver_peak_bytes"] = counted.peak_bytes;
+  solved.json["unreachable_vertices"] = unreachable_vertices(recorded);
   solved.json["process_peak_bytes"] = resident ? Json(*resident) : Json(nullptr);
   if (!identical(recorded, solved.distances)) {
     throw WrongAnswer(solver.name + ": a recorded solve gave other distances than the timed one");

@@ -3,7 +3,10 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <string>
+
+#include "harness/base/error.h"
 
 namespace geodesic::harness {
 namespace {
@@ -26,16 +29,16 @@ std::string why_no_integer(const std::string& word) {
   const bool digits = word.find_first_not_of("0123456789") == std::string::npos;
   if (digits) return quoted(word) + "is too large";
   return quoted(word) +
-         (std::is_signed_v<Integer> ? "is no whole number" : "is no whole number of 0 or more");
+         (std::is_signed_v<Integer> ? "is not an integer" : "is not a non-negative integer");
 }
 
 std::string why_no_number(const std::string& word) {
   double number = 0;
   if (parse(word, number) && !std::isnan(number)) return {};
-  return quoted(word) + "is no number, such as 0.5 or 1e-3";
+  return quoted(word) + "is not a number, such as 0.5 or 1e-3";
 }
 
-CLI::Validator number_that(bool (*holds)(double), const std::string& words) {
+CLI::Validator number_that(const std::function<bool(double)>& holds, const std::string& words) {
   const auto check = [holds, words](const std::string& word) {
     const std::string why = why_no_number(word);
     double number = 0;
@@ -45,29 +48,49 @@ CLI::Validator number_that(bool (*holds)(double), const std::string& words) {
   return {[check](std::string& word) { return check(word); }, ""};
 }
 
-std::string (*check_of(const std::string& type))(const std::string& word) {
-  if (type.starts_with("UINT")) return why_no_integer<std::uint64_t>;
-  if (type.starts_with("INT")) return why_no_integer<int>;
-  if (type.starts_with("FLOAT")) return why_no_number;
-  return [](const std::string&) -> std::string { return {}; };
+struct Type {
+  std::string shown;  // in help; empty: as CLI11 shows it
+  std::string (*check)(const std::string& word);
+};
+
+// By the name that CLI11 gives a type.
+Type type_of(const std::string& name) {
+  if (name.starts_with("UINT")) return {"N", why_no_integer<std::uint64_t>};
+  if (name.starts_with("INT")) return {"N", why_no_integer<int>};
+  if (name.starts_with("FLOAT")) return {"X", why_no_number};
+  return {"", [](const std::string&) -> std::string { return {}; }};
 }
 
 }  // namespace
 
 void check_values(CLI::App& command) {
   for (CLI::Option* option : command.get_options()) {
-    option->check([check = check_of(option->get_type_name())](const std::string& word) {
+    const Type type = type_of(option->get_type_name());
+    if (!type.shown.empty()) option->type_name(type.shown);
+    option->check([check = type.check](const std::string& word) {
       return word.empty() ? "must not be empty" : check(word);
     });
   }
 }
 
+void require_text(const std::string& command_line) {
+  if (harmless(command_line) == command_line) return;
+  throw HarnessError(
+      "a word of the command line has a control character, or bytes that are not UTF-8, which no "
+      "result file can hold: rename the file or folder");
+}
+
 CLI::Validator above_zero() {
-  return number_that([](double x) { return x > 0; }, "above 0");
+  return number_that([](double x) { return x > 0; }, "greater than 0");
 }
 
 CLI::Validator zero_or_above() {
-  return number_that([](double x) { return x >= 0; }, "0 or above");
+  return number_that([](double x) { return x >= 0; }, "0 or greater");
+}
+
+CLI::Validator from_to(int least, int most) {
+  return number_that([=](double x) { return x >= least && x <= most; },
+                     "from " + std::to_string(least) + " to " + std::to_string(most));
 }
 
 }  // namespace geodesic::harness

@@ -4,9 +4,8 @@
 #include <cstdlib>
 #include <utility>
 
-#include "harness/base/atomic_file.h"
 #include "harness/base/error.h"
-#include "harness/base/folders.h"
+#include "harness/base/files.h"
 
 namespace geodesic::harness {
 namespace fs = std::filesystem;

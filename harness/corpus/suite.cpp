@@ -7,12 +7,11 @@
 #include <map>
 #include <utility>
 
-#include "harness/base/atomic_file.h"
 #include "harness/base/error.h"
-#include "harness/base/folders.h"
+#include "harness/base/files.h"
+#include "harness/base/json.h"
 #include "harness/corpus/names.h"
 #include "harness/corpus/vectors.h"
-#include "harness/results/outcome.h"
 
 namespace geodesic::harness {
 namespace {
@@ -24,12 +23,26 @@ using Setter = std::function<void(Suite&, const Json&)>;
 // A whole number that fits; nlohmann would turn 2.5 into 2 and -1 into a large one.
 template <class Integer>
 void set_integer(Integer& into, const Json& value) {
-  if (!value.is_number_unsigned()) throw HarnessError("is no whole number of 0 or more");
+  if (!value.is_number_unsigned()) throw HarnessError("is not a non-negative integer");
   if (!std::in_range<Integer>(value.get<std::uint64_t>())) {
     throw HarnessError("is too large: at most " +
                        std::to_string(std::numeric_limits<Integer>::max()));
   }
   into = value.get<Integer>();
+}
+
+void set_expected(Suite& suite, const Json& value) {
+  for (const auto& [cell, name] : value.get<std::map<std::string, std::string>>()) {
+    if (cell.find('/') == std::string::npos) {
+      throw HarnessError("expected: '" + cell + "' is not solver/mesh, such as mmp/horse");
+    }
+    std::vector<std::string> known;
+    for (const Outcome outcome : kExpectable) known.emplace_back(name_of(outcome));
+    if (std::ranges::find(known, name) == known.end()) {
+      throw HarnessError(unknown_name("outcome that can be expected", name, known));
+    }
+    suite.expected[cell] = outcome_named(name);
+  }
 }
 
 const std::map<std::string, Setter>& setters() {
@@ -45,7 +58,7 @@ const std::map<std::string, Setter>& setters() {
       {"vectors", [](Suite& s, const Json& v) { v.get_to(s.vectors); }},
       {"time_limit", [](Suite& s, const Json& v) { v.get_to(s.time_limit); }},
       {"memory_limit", [](Suite& s, const Json& v) { set_integer(s.memory_limit.emplace(), v); }},
-      {"expected", [](Suite& s, const Json& v) { v.get_to(s.expected); }},
+      {"expected", set_expected},
   };
   return all;
 }
@@ -63,16 +76,6 @@ void set(Suite& suite, const std::string& key, const Json& value) {
     throw HarnessError("\"" + key + "\": " + shown(value) + ": " + reason_of(error));
   } catch (const HarnessError& error) {
     throw HarnessError("\"" + key + "\": " + shown(value) + ' ' + error.what());
-  }
-}
-
-void check_expectation(const std::string& cell, const std::string& outcome) {
-  if (cell.find('/') == std::string::npos) {
-    throw HarnessError("expected: '" + cell + "' names no solver and mesh (mmp/horse)");
-  }
-  if (std::ranges::find(outcome::kExpectable, outcome) == outcome::kExpectable.end()) {
-    throw HarnessError(unknown_name("outcome that can be expected", outcome,
-                                    {outcome::kExpectable.begin(), outcome::kExpectable.end()}));
   }
 }
 
@@ -100,7 +103,8 @@ void to_json(Json& json, const Suite& suite) {
           {"meshes", suite.meshes},           {"sources", suite.sources},
           {"repetitions", suite.repetitions}, {"seed", suite.seed},
           {"min_time", suite.min_time},       {"vectors", suite.vectors},
-          {"time_limit", suite.time_limit},   {"expected", suite.expected}};
+          {"time_limit", suite.time_limit},   {"expected", Json::object()}};
+  for (const auto& [cell, outcome] : suite.expected) json["expected"][cell] = name_of(outcome);
   if (suite.reference) json["reference"] = *suite.reference;
   if (suite.memory_limit) json["memory_limit"] = *suite.memory_limit;
 }
@@ -117,7 +121,6 @@ void check_suite(const Suite& suite) {
   check(!suite.memory_limit || *suite.memory_limit >= kLeastMemory,
         "memory_limit: a cell needs at least " + std::to_string(kLeastMemory >> 20) +
             " MiB: the program itself takes that");
-  for (const auto& [cell, outcome] : suite.expected) check_expectation(cell, outcome);
   check_name("corpus name", suite.corpus);
   instruction_set_named(suite.vectors);
 }

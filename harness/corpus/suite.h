@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "harness/base/json.h"
+#include "harness/corpus/outcome.h"
 
 namespace geodesic::harness {
 
@@ -26,7 +27,7 @@ struct Suite {
   double time_limit = 3600;      ///< seconds that the process of a cell may take
   std::optional<std::uint64_t> memory_limit =
       {};  ///< bytes that it may have; by default what the machine has to give
-  std::map<std::string, std::string> expected =
+  std::map<std::string, Outcome> expected =
       {};  ///< by "solver/mesh": an outcome that is no failure there
 };
 

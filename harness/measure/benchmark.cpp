@@ -62,11 +62,11 @@ void check_benchmark_flags(const std::vector<std::string>& flags) {
     for (const RefusedFlag& refused : kRefused) {
       if (flag.substr(0, flag.find('=')) == refused.name) {
         throw HarnessError(std::string(refused.name) +
-                           " is not for a run: " + std::string(refused.why));
+                           " cannot be used in a run: " + std::string(refused.why));
       }
     }
     if (!flag.starts_with("--benchmark_")) {
-      throw HarnessError("'" + flag + "' after -- is no flag of Google Benchmark");
+      throw HarnessError("'" + flag + "' after -- is not a flag of Google Benchmark");
     }
   }
   const std::vector<std::string> left = initialize(flags);
@@ -77,21 +77,21 @@ void check_benchmark_flags(const std::vector<std::string>& flags) {
   }
 }
 
-Timing time_repetitions(const std::string& name, const std::vector<std::string>& flags,
-                        const std::function<void()>& solve) {
+Timing time_repetitions(const std::vector<std::string>& flags, const std::function<void()>& solve) {
   initialize(flags);
   benchmark::ClearRegisteredBenchmarks();
-  benchmark::RegisterBenchmark(name.c_str(), [&](benchmark::State& state) {
+  benchmark::RegisterBenchmark("solve", [&](benchmark::State& state) {
     for (auto _ : state) solve();
   })->Unit(benchmark::kMillisecond);
   JsonText out;
   benchmark::RunSpecifiedBenchmarks(&out.reporter());
   const Json json = out.parse();
-  Timing timing{.context = json.at("context"), .rows = {}};
+  Timing timing{.context = json.at("context"), .repetitions = {}};
   for (const Json& row : json.at("benchmarks")) {
-    if (row.at("run_type") == "iteration") timing.rows.push_back(row);
+    if (row.at("run_type") != "iteration") continue;  // an aggregate
+    timing.repetitions.push_back({row.at("iterations"), row.at("real_time"), row.at("cpu_time")});
   }
-  if (timing.rows.empty()) throw HarnessError("Google Benchmark timed nothing");
+  if (timing.repetitions.empty()) throw HarnessError("Google Benchmark timed nothing");
   return timing;
 }
 

@@ -1,6 +1,7 @@
 // Google Benchmark as a function: what to time goes in, its own JSON comes out.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -14,14 +15,18 @@ namespace geodesic::harness {
 ///         run's own files
 void check_benchmark_flags(const std::vector<std::string>& flags);
 
-struct Timing {
-  Json context;            ///< Google Benchmark's own keys
-  std::vector<Json> rows;  ///< one a repetition, times in milliseconds; no aggregates
+struct Repetition {
+  std::int64_t iterations;
+  double real_ms, cpu_ms;  ///< of one iteration
 };
 
-/// Times calls of `solve`, all repetitions that the flags ask for. What it throws passes through.
-Timing time_repetitions(const std::string& name, const std::vector<std::string>& flags,
-                        const std::function<void()>& solve);
+struct Timing {
+  Json context;  ///< Google Benchmark's own keys
+  std::vector<Repetition> repetitions;
+};
+
+/// Times calls of `solve`, as many repetitions as the flags say. @throws what `solve` throws
+Timing time_repetitions(const std::vector<std::string>& flags, const std::function<void()>& solve);
 
 /// Google Benchmark's own context keys, without timing anything.
 Json benchmark_context();

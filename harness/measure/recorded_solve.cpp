@@ -5,32 +5,76 @@
 #include <memory>
 #include <vector>
 
+#include "harness/base/clock.h"
 #include "harness/measure/allocation_meter.h"
-#include "harness/measure/phases.h"
-#include "harness/results/counters.h"
 #include "solvers/core/registry.h"
 
 namespace geodesic::harness {
-Json record_solve(const std::string& solver, const Mesh& mesh, const Query& query,
-                  std::span<double> distances) {
+namespace {
+
+constexpr double kLong = 2;  // seconds
+
+// Wall seconds of a first solve, on memory as fresh as that of the solve with timers.
+double untimed_seconds(const std::string& solver, const Mesh& mesh, const Query& query) {
+  std::vector<double> distances(mesh.vertex_count());
+  const std::unique_ptr<Solver> fresh = make_solver(solver, mesh);
+  const Stopwatch watch;
+  fresh->solve(query, distances);
+  return watch.real_seconds();
+}
+
+// Three solves on new solver objects, the second with timers; of a solve of seconds only two.
+std::optional<PhaseSeconds> time_phases(const std::string& solver, const Mesh& mesh,
+                                        const Query& query, std::span<double> distances) {
+  const double before = untimed_seconds(solver, mesh, query);
   Recording recording;
-  std::int64_t peak = 0;
+  recording.what = Record::phase_times;
+  make_solver(solver, mesh)->solve(query, distances, &recording);
+  if (!recording.phase_times) return std::nullopt;
+  // Drift of the machine matters less over a long solve.
+  const double least =
+      before < kLong ? std::min(before, untimed_seconds(solver, mesh, query)) : before;
+  return phase_seconds(*recording.phase_times, least);
+}
+
+}  // namespace
+
+RecordedSolve record_solve(const std::string& solver, const Mesh& mesh, const Query& query,
+                           std::span<double> distances) {
+  RecordedSolve recorded;
+  Recording recording;
   {
     const AllocationMeter meter;
     make_solver(solver, mesh)->solve(query, distances, &recording);
-    peak = meter.peak_bytes();
+    recorded.peak_bytes = meter.peak_bytes();
   }
-  Json json = counters(recording, mesh);
-  // A solver that counts nothing tells no phases apart either.
-  if (!json.empty()) {
+  recorded.counters = counters_of(recording, mesh);
+  // A solver that counts nothing has no phases either.
+  if (recorded.counters != Counters()) {
     std::vector<double> timed(distances.size());
-    if (const auto phases = time_phases(solver, mesh, query, timed))
-      json["phase_seconds"] = *phases;
-    if (!identical(timed, distances)) std::copy(timed.begin(), timed.end(), distances.begin());
+    recorded.phases = time_phases(solver, mesh, query, timed);
+    if (!identical(timed, distances)) std::ranges::copy(timed, distances.begin());
   }
-  json["solver_peak_bytes"] = peak;
-  json["unreachable_vertices"] = unreachable_vertices(distances);
-  return json;
+  return recorded;
+}
+
+PhaseSeconds phase_seconds(const PhaseTimes& times, double untimed) {
+  double timed = 0, readings = 0;
+  for (const PhaseTimes::Share* share : {&times.propagation, &times.trimming, &times.queue}) {
+    timed += share->seconds;
+    readings += static_cast<double>(share->readings);
+  }
+  const double cost = std::clamp((timed - untimed) / std::max(readings, 1.0), 0.0, times.reading);
+  PhaseSeconds phases;
+  const auto net = [&](const PhaseTimes::Share& share) {
+    const double overhead = std::min(share.seconds, cost * static_cast<double>(share.readings));
+    phases.timer_overhead += overhead;
+    return share.seconds - overhead;
+  };
+  phases.propagation = net(times.propagation);
+  phases.trimming = net(times.trimming);
+  phases.queue = net(times.queue);
+  return phases;
 }
 
 bool identical(std::span<const double> a, std::span<const double> b) {

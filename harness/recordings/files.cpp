@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/base/atomic_file.h"
 #include "harness/base/error.h"
+#include "harness/base/files.h"
 #include "meshes/formats/npy.h"
 
 namespace geodesic::harness {
@@ -59,7 +59,7 @@ std::vector<WindowOfFile> as_in_file(const std::vector<WavefrontWindow>& windows
 
 }  // namespace
 
-Recording wavefront_wish() {
+Recording wavefront_recording() {
   Recording recording;
   recording.what = Record::wavefront;
   for (const int moment : kMoments) recording.snapshots_at.push_back(share(moment));

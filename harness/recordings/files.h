@@ -9,8 +9,8 @@
 
 namespace geodesic::harness {
 
-/// A Recording that wishes for what `write_wavefront` writes.
-Recording wavefront_wish();
+/// A Recording with the options for what `write_wavefront` writes.
+Recording wavefront_recording();
 
 /// Writes vertices.npy and faces.npy unless they are there.
 /// @throws HarnessError when a file cannot be written, as all of these

@@ -4,8 +4,8 @@
 #include <fstream>
 
 #include "harness/base/build_info.h"
+#include "harness/base/files.h"
 #include "harness/base/plugins.h"
-#include "harness/base/sha256.h"
 #include "meshes/summary.h"
 
 namespace geodesic::harness {

@@ -2,68 +2,126 @@
 
 #include <algorithm>
 
-#include "harness/base/atomic_file.h"
-#include "harness/base/sha256.h"
+#include "harness/base/files.h"
+#include "harness/base/json.h"
 #include "harness/results/context.h"
 
 namespace geodesic::harness {
 namespace {
 
-// Bytes that are no UTF-8 as write_json writes them.
+// Calls visit(key, member) for every member that may be absent, in the order of result files.
+template <class SomeRow, class Visit>
+void for_each_optional(SomeRow& row, const Visit& visit) {
+  visit("program", row.program);
+  visit("stolen_share", row.stolen_share);
+  visit("involuntary_switches_per_s", row.involuntary_switches_per_s);
+  visit("instruction_set", row.instruction_set);
+  visit("prepare_time", row.prepare_time);
+  for_each_counter(row.counters, visit);
+  visit("phase_seconds", row.phase_seconds);
+  visit("solver_peak_bytes", row.solver_peak_bytes);
+  visit("unreachable_vertices", row.unreachable_vertices);
+  visit("recordings", row.recordings);
+  visit("recordings_error", row.recordings_error);
+  visit("process_peak_bytes", row.process_peak_bytes);
+  visit("max_relative_error", row.max_relative_error);
+  visit("reference", row.reference);
+  visit("mesh_time", row.mesh_time);
+}
+
+// Bytes that are not UTF-8 as write_json writes them.
 std::string compact(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace
 
+void to_json(Json& json, const PhaseSeconds& phases) {
+  json = {{"propagation", phases.propagation},
+          {"trimming", phases.trimming},
+          {"queue", phases.queue},
+          {"timer_overhead", phases.timer_overhead}};
+}
+
+void from_json(const Json& json, PhaseSeconds& phases) {
+  json.at("propagation").get_to(phases.propagation);
+  json.at("trimming").get_to(phases.trimming);
+  json.at("queue").get_to(phases.queue);
+  json.at("timer_overhead").get_to(phases.timer_overhead);
+}
+
 std::string row_name(const std::string& solver, const std::string& mesh, Index source) {
   return solver + "/" + mesh + "/src:" + std::to_string(source);
 }
 
-Json error_row(const std::string& solver, const std::string& mesh, Index source,
-               const char* outcome, std::string why) {
-  std::replace(why.begin(), why.end(), '\n', ' ');
-  const std::string name = row_name(solver, mesh, source);
-  return {
-      {"name", name},
-      {"family_index", 0},
-      {"per_family_instance_index", 0},
-      {"run_name", name},
-      {"run_type", "iteration"},
-      {"repetitions", 1},
-      {"repetition_index", 0},
-      {"threads", 1},
-      {"error_occurred", true},
-      {"error_message", why},
-      {"iterations", 0},
-      {"real_time", 0.0},
-      {"cpu_time", 0.0},
-      {"time_unit", "ms"},
-      {"solver", solver},
-      {"mesh", mesh},
-      {"source", source},
-      {"outcome", outcome},
-  };
+std::string Row::name() const { return row_name(solver, mesh, source); }
+
+void to_json(Json& json, const Row& row) {
+  json = {{"name", row.name()},
+          {"family_index", row.family_index},
+          {"per_family_instance_index", 0},
+          {"run_name", row.name()},
+          {"run_type", "iteration"},
+          {"repetitions", row.repetitions},
+          {"repetition_index", row.repetition_index},
+          {"threads", 1}};
+  if (!row.ok()) {
+    std::string line = row.error_message;
+    std::ranges::replace(line, '\n', ' ');
+    json["error_occurred"] = true;
+    json["error_message"] = line;
+  }
+  json.update({{"iterations", row.iterations},
+               {"real_time", row.real_time},
+               {"cpu_time", row.cpu_time},
+               {"time_unit", "ms"},
+               {"solver", row.solver},
+               {"mesh", row.mesh},
+               {"source", row.source},
+               {"outcome", name_of(row.outcome)}});
+  for_each_optional(row, [&](const char* key, const auto& value) {
+    if (value) json[key] = *value;
+  });
+}
+
+void from_json(const Json& json, Row& row) {
+  json.at("solver").get_to(row.solver);
+  json.at("mesh").get_to(row.mesh);
+  json.at("source").get_to(row.source);
+  json.at("repetitions").get_to(row.repetitions);
+  json.at("repetition_index").get_to(row.repetition_index);
+  row.outcome = outcome_named(json.at("outcome").get<std::string>());
+  row.error_message = json.value("error_message", "");
+  json.at("iterations").get_to(row.iterations);
+  json.at("real_time").get_to(row.real_time);
+  json.at("cpu_time").get_to(row.cpu_time);
+  for_each_optional(row, [&](const char* key, auto& value) {
+    if (json.contains(key)) json.at(key).get_to(value.emplace());
+  });
 }
 
 void write_result_file(const std::filesystem::path& file, Json benchmark_context, Json context,
-                       const std::vector<Json>& rows, const Json& more) {
+                       const std::vector<Row>& rows) {
   context["finished"] = utc_now();
   benchmark_context["geodesic_bench"] = std::move(context);
   Json json{{"context", std::move(benchmark_context)}, {"benchmarks", rows}};
-  json.update(more);
   json["context"]["geodesic_bench"]["checksum"] = sha256_of(compact(json));
   write_json(file, json);
 }
 
-bool is_intact(Json result_file) {
+CellFile read_cell_file(const std::filesystem::path& file) {
+  Json json = read_json(file);
   try {
-    Json& ours = result_file.at("context").at("geodesic_bench");
+    Json& ours = json.at("context").at("geodesic_bench");
     const std::string checksum = ours.at("checksum");
     ours.erase("checksum");
-    return checksum == sha256_of(compact(result_file));
+    if (checksum != sha256_of(compact(json))) throw HarnessError("is not as it was written");
+    CellFile cell{.benchmark_context = json.at("context"), .rows = json.at("benchmarks")};
+    cell.benchmark_context.erase("geodesic_bench");
+    if (cell.rows.empty()) throw HarnessError("has no row");
+    return cell;
   } catch (const Json::exception&) {
-    return false;
+    throw HarnessError("is not as it was written");
   }
 }
 

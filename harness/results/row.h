@@ -1,33 +1,82 @@
-// Rows of result files, and the files of single cells.
+// Rows of result files: run.json and the files of single cells (results/README.md,
+// run.schema.json).
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "harness/base/json.h"
-#include "harness/results/outcome.h"
+#include "harness/corpus/outcome.h"
+#include "harness/results/counters.h"
 #include "solvers/core/geometry.h"
 
 namespace geodesic::harness {
 
-/// "<solver>/<mesh>/src:<vertex>", the name of a row
+/// Where the wall time of a solve went, in seconds; timer_overhead is in none of the others.
+struct PhaseSeconds {
+  double propagation = 0, trimming = 0, queue = 0, timer_overhead = 0;
+};
+
+void to_json(Json& json, const PhaseSeconds& phases);
+void from_json(const Json& json, PhaseSeconds& phases);
+
+/// One timed repetition of a cell, or why the cell has none.
+struct Row {
+  std::string solver, mesh;
+  Index source = 0;
+  std::optional<std::string> program = {};  ///< of a run of several programs: which it was
+  int repetitions = 1, repetition_index = 0;
+  int family_index = 0;  ///< of the cell in its file
+
+  Outcome outcome = Outcome::ok;
+  std::string error_message = {};  ///< one line, unless the outcome is ok
+
+  std::int64_t iterations = 0;         ///< solves in this repetition
+  double real_time = 0, cpu_time = 0;  ///< of one solve, in milliseconds
+  /// Process.h, Disturbance: of the process that measured the row.
+  std::optional<double> stolen_share = {}, involuntary_switches_per_s = {};
+  std::optional<std::string> instruction_set = {};
+  std::optional<double> prepare_time = {}, mesh_time = {};  ///< CPU milliseconds
+
+  Counters counters = {};
+  std::optional<PhaseSeconds> phase_seconds = {};
+  std::optional<std::int64_t> solver_peak_bytes = {}, process_peak_bytes = {};
+  std::optional<std::uint64_t> unreachable_vertices = {};
+  std::optional<std::string> recordings = {}, recordings_error = {};
+  std::optional<double> max_relative_error = {};
+  std::optional<std::string> reference = {};
+
+  /// "<solver>/<mesh>/src:<vertex>"
+  std::string name() const;
+  bool ok() const { return outcome == Outcome::ok; }
+};
+
+/// @see Row::name
 std::string row_name(const std::string& solver, const std::string& mesh, Index source);
 
-/// The row of a cell that has no time, in the shape that Google Benchmark gives a failed one: times
-/// and iterations are 0 and mean nothing.
-/// @param why becomes one line
-Json error_row(const std::string& solver, const std::string& mesh, Index source,
-               const char* outcome, std::string why);
+/// In the shape of a row of Google Benchmark. Members that are absent are left out.
+void to_json(Json& json, const Row& row);
+/// @throws Json::exception, HarnessError when the row is not as results/run.schema.json has it
+void from_json(const Json& json, Row& row);
 
-/// Writes {"context": {..., "geodesic_bench": context}, "benchmarks": rows}, whole or not at all.
-/// The finishing time and the file's own checksum are added here.
-/// @param more keys beside these two
+/// Writes {"context": {..., "geodesic_bench": context}, "benchmarks": rows}, whole or not at all,
+/// with the present time as `finished` and a checksum.
+/// @param benchmark_context Google Benchmark's own keys
 void write_result_file(const std::filesystem::path& file, Json benchmark_context, Json context,
-                       const std::vector<Json>& rows, const Json& more = Json::object());
+                       const std::vector<Row>& rows);
 
-/// Whether a result file is as it was written: context.geodesic_bench.checksum is the SHA-256 of
-/// the file without that key, as compact JSON.
-bool is_intact(Json result_file);
+struct CellFile {
+  Json benchmark_context;  ///< Google Benchmark's own keys
+  std::vector<Row> rows;   ///< at least one
+};
+
+/// Reads what write_result_file wrote.
+/// @throws HarnessError when the file cannot be read, has no row, or is not as it was written:
+///         context.geodesic_bench.checksum is the SHA-256 of the file without that key, as compact
+///         JSON
+CellFile read_cell_file(const std::filesystem::path& file);
 
 }  // namespace geodesic::harness

@@ -2,8 +2,8 @@
 
 #include <fstream>
 
-#include "harness/base/atomic_file.h"
 #include "harness/base/error.h"
+#include "harness/base/files.h"
 
 namespace geodesic::harness {
 

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "harness/base/atomic_file.h"
 #include "harness/base/error.h"
+#include "harness/base/files.h"
+#include "harness/base/json.h"
 #include "harness/base/process.h"
 #include "harness/corpus/solvers.h"
 #include "harness/corpus/vectors.h"
@@ -129,7 +130,7 @@ Report Examiner::run(ExaminationSpec spec, double seconds) const {
   seconds = std::min(seconds, time_limit_);
   const harness::Ended ended =
       harness::run_this_program({"examine", Json(spec).dump()}, [] {},
-                                {.seconds = seconds, .memory_bytes = harness::memory_to_give()});
+                                {.seconds = seconds, .memory_bytes = harness::available_memory()});
   Report report;
   if (std::filesystem::exists(file)) report = harness::read_json(file).get<Report>();
   if (report.outcome == Outcome::wrong) return report;  // whatever became of the explanation

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "harness/base/atomic_file.h"
 #include "harness/base/error.h"
+#include "harness/base/files.h"
 #include "harness/base/plugins.h"
 #include "harness/base/process.h"
 #include "harness/corpus/vectors.h"
@@ -66,7 +66,7 @@ class Reproduction {
 
   static harness::Ended run(const Words& words, double seconds) {
     return harness::run_this_program(
-        words, [] {}, {.seconds = seconds, .memory_bytes = harness::memory_to_give()});
+        words, [] {}, {.seconds = seconds, .memory_bytes = harness::available_memory()});
   }
 
   bool solves_wrongly(Smallest& smallest) const {
@@ -88,7 +88,7 @@ class Reproduction {
     if (failed_.outcome == Outcome::crashed) return ended.crashed;
     if (!failed_.what.starts_with(kThrew)) return ended.code == kFails;
     const std::string message = failed_.what.substr(std::string(kThrew).size());
-    return ended.last_words.find(message) != std::string::npos;
+    return ended.error_lines.find(message) != std::string::npos;
   }
 
   bool fails_on_file(Smallest& smallest) const {

@@ -4,8 +4,8 @@
 #include <iostream>
 #include <set>
 
-#include "harness/base/command_line.h"
 #include "harness/base/error.h"
+#include "harness/base/plugins.h"
 #include "harness/corpus/manifest.h"
 #include "harness/corpus/solvers.h"
 #include "harness/corpus/sources.h"

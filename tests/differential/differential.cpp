@@ -13,8 +13,8 @@
 #include <thread>
 #include <tuple>
 
-#include "harness/base/atomic_file.h"
 #include "harness/base/clock.h"
+#include "harness/base/files.h"
 #include "harness/corpus/solvers.h"
 #include "harness/verify/choose.h"
 #include "harness/verify/property.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/base/atomic_file.h"
+#include "harness/base/files.h"
 #include "meshes/formats/npy.h"
 #include "meshes/generators/generators.h"
 #include "meshes/mesh_file.h"

@@ -38,7 +38,8 @@ TEST_F(RunTest, EveryRepetitionIsARowAndSolversAlternate) {
   const Output run =
       run_suite(PROGRAM, {"--solvers", exact_solver() + ",dijkstra", "--sources", "2"});
   ASSERT_EQ(run.code, 0) << run.err;
-  EXPECT_EQ(run.out, (out_ / "run.json").string() + "\n");
+  EXPECT_TRUE(run.out.ends_with("\n" + (out_ / "run.json").string() + "\n")) << run.out;
+  EXPECT_TRUE(run.out.starts_with("  mesh")) << run.out;
   std::vector<std::string> order;
   for (const json& each : rows()) {
     EXPECT_EQ(each.at("outcome"), "ok");
@@ -143,7 +144,7 @@ std::string npy_numbers(const std::string& file) {
   return file.substr(file.find('\n') + 1);
 }
 
-TEST_F(RunTest, PicturedCellsLeaveTheWavefrontTheDistancesAndTheMesh) {
+TEST_F(RunTest, RecordedCellsLeaveTheWavefrontTheDistancesAndTheMesh) {
   write("an odd name.off", read(folder_ / "hill.off"));
   const std::string mesh = (folder_ / "an odd name.off").string();
   const Output run = run_suite(PROGRAM, {"--solvers", exact_solver() + ",dijkstra", "--sources",
@@ -170,7 +171,7 @@ TEST_F(RunTest, PicturedCellsLeaveTheWavefrontTheDistancesAndTheMesh) {
 }
 
 // By whichever solver of the run keeps its windows: the one that knows how many they are.
-TEST_F(RunTest, PicturedSourcesGetIsolinesFromASolverThatKeepsItsWindows) {
+TEST_F(RunTest, RecordedSourcesGetIsolinesFromASolverThatKeepsItsWindows) {
   std::string solvers;
   const json list = json::parse(run(PROGRAM, {"list", "--json"}).out);
   for (const json& solver : list.at("solvers")) {
@@ -345,10 +346,89 @@ TEST_F(RunTest, FailingCellsLeaveRowsAndHarmNoOther) {
   EXPECT_EQ(row("dijkstra/tetrahedron/src:0").at("outcome"), "ok");
 }
 
-TEST_F(RunTest, UnsupportedMeshesAreExpected) {
-  const Output run = run_suite(
-      kFaultyProgram, {"--solvers", "tiny,dijkstra", "--meshes", "tetrahedron", "--sources", "1"});
+TEST_F(RunTest, UnsupportedMeshesAreExpectedAndOneLineASolver) {
+  const Output run = run_suite(kFaultyProgram, {"--solvers", "tiny,dijkstra", "--sources", "2"});
   EXPECT_EQ(run.code, 0) << run.err;
+  const std::string line = "\ntiny: 4 cells unsupported (hill, tetrahedron): tiny is limited to";
+  EXPECT_NE(run.err.find(line), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("4 of 8 cells ok, 4 unsupported as declared"), std::string::npos);
+}
+
+TEST_F(RunTest, InterleavedRepetitionsAreProcessesAndAlternate) {
+  const Output run = run_suite(PROGRAM, {"--solvers", exact_solver() + ",dijkstra", "--meshes",
+                                         "hill,tetrahedron", "--sources", "1", "--interleave"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json all = rows();
+  ASSERT_EQ(all.size(), 8u);
+  for (std::size_t i = 0; i < all.size(); i += 4) {
+    const std::string solvers[] = {exact_solver(), "dijkstra", "dijkstra", exact_solver()};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const json& each = all[i + k];
+      EXPECT_EQ(each.at("solver"), solvers[k]);
+      EXPECT_EQ(each.at("repetitions"), 2);
+      EXPECT_EQ(each.at("repetition_index"), k / 2);
+      EXPECT_EQ(each.contains("solver_peak_bytes"), k < 2) << "counted once";
+      EXPECT_TRUE(each.contains("stolen_share") && each.contains("involuntary_switches_per_s"));
+    }
+  }
+  EXPECT_EQ(read_json(out_ / "run.json").at("context").at("geodesic_bench").at("interleaved"),
+            true);
+  EXPECT_TRUE(std::filesystem::exists(out_ / "cells" / "dijkstra__tetrahedron__src0__rep1.json"));
+}
+
+TEST_F(RunTest, ACellThatFailedHasNoFurtherRepetitions) {
+  const Output run = run_suite(kFaultyProgram, {"--solvers", "crashing,dijkstra", "--meshes",
+                                                "tetrahedron", "--sources", "1", "--interleave"});
+  EXPECT_EQ(run.code, 1) << run.err;
+  EXPECT_EQ(rows().size(), 3u) << rows();
+  EXPECT_EQ(row("crashing/tetrahedron/src:0").at("outcome"), "crashed");
+}
+
+TEST_F(RunTest, OtherProgramsAreMeasuredInPlaceOfThisOne) {
+  const std::string program = PROGRAM;
+  const Output run =
+      run_suite(kFaultyProgram, {"--solvers", "dijkstra,tiny", "--meshes", "tetrahedron",
+                                 "--sources", "1", "--cells", "dijkstra/tetrahedron/src:0",
+                                 "--program", "base=" + program, "--program", "head=" + program});
+  ASSERT_EQ(run.code, 0) << run.err;
+  std::vector<std::string> programs;
+  for (const json& each : rows()) programs.push_back(each.at("program"));
+  EXPECT_EQ(programs, (std::vector<std::string>{"base", "head", "head", "base"}));
+  const json context = read_json(out_ / "run.json").at("context").at("geodesic_bench");
+  ASSERT_EQ(context.at("programs").size(), 2u);
+  EXPECT_EQ(context.at("programs")[1].at("name"), "head");
+  EXPECT_EQ(context.at("programs")[1].at("revision"), context.at("revision"));
+}
+
+TEST_F(RunTest, ProgramsAndCellsThatMakeNoSenseAreRefused) {
+  const std::string program = PROGRAM;
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{"--program", "a=" + program}, "--program is given once"},
+      {{"--program", program}, "not NAME=PATH"},
+      {{"--program", "a=" + program, "--program", "b=/none"}, "no such file: /none"},
+      {{"--program", "a=" + program, "--program", "a=" + program}, "two programs are named 'a'"},
+      {{"--cells", "dijkstra/hill/src:99"}, "the run has no cell 'dijkstra/hill/src:99'"}};
+  for (const auto& [words, message] : cases) {
+    const Output run = run_suite(PROGRAM, words);
+    EXPECT_EQ(run.code, 1);
+    EXPECT_NE(run.err.find(message), std::string::npos) << run.err;
+  }
+}
+
+TEST_F(RunTest, MeshesWithDefectsAreRepairedOnRequest) {
+  // Two triangles that share an edge in the same direction, and one without an area.
+  const auto mesh = write("dirty.off",
+                          "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n"
+                          "3 0 1 2\n3 1 2 3\n3 0 0 1\n");
+  const std::vector<std::string> words{"--solvers",   "dijkstra",  "--meshes",
+                                       mesh.string(), "--sources", "1"};
+  EXPECT_EQ(run_suite(PROGRAM, words).code, 1);
+  std::vector<std::string> repaired = words;
+  repaired.emplace_back("--repair");
+  const Output run = run_suite(PROGRAM, repaired);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json context = read_json(out_ / "run.json").at("context").at("geodesic_bench");
+  EXPECT_EQ(context.at("meshes")[0].at("repaired"), true);
 }
 
 TEST_F(RunTest, AReferenceThatFailsIsReplacedByTheNext) {

@@ -1,7 +1,6 @@
 #include <filesystem>
 
-#include "harness/base/atomic_file.h"
-#include "harness/base/sha256.h"
+#include "harness/base/files.h"
 #include "harness/corpus/manifest.h"
 #include "harness/verify/distance_file.h"
 #include "solvers/core/geometry.h"

@@ -1,7 +1,7 @@
 // What a solver may do to its own cell, and not to any other: limits, and what is told of them.
 #include <map>
 
-#include "harness/base/child.h"
+#include "harness/base/process.h"
 #include "tests/harness/run_test.h"
 
 namespace geodesic::harness {

@@ -36,14 +36,61 @@ TEST(MissingMeshes, AreFetchedByOneCommand) {
   EXPECT_TRUE(how.ends_with("fetch.py a b")) << how;
 }
 
-TEST(ErrorRow, HasNoTimeAndASingleLine) {
-  const Json row = error_row("s", "m", 4, outcome::kError, "first\nsecond");
-  EXPECT_EQ(row["name"], "s/m/src:4");
-  EXPECT_EQ(row["error_occurred"], true);
-  EXPECT_EQ(row["error_message"], "first second");
-  EXPECT_EQ(row["real_time"], 0.0);
-  EXPECT_EQ(row["cpu_time"], 0.0);
-  EXPECT_EQ(row["iterations"], 0);
+TEST(InterleavedCells, AlternateTheOrderOfSolversAndProgramsFromRepetitionToRepetition) {
+  Description a{}, b{};
+  a.name = "a";
+  b.name = "b";
+  Plan plan{.solvers = {&a, &b},
+            .programs = {{.name = "x", .file = {}}, {.name = "y", .file = {}}}};
+  plan.meshes.resize(1);
+  plan.meshes[0].entry.name = "m";
+  plan.meshes[0].sources = {0, 7};
+  plan.only = {"a/m/src:0", "b/m/src:7"};
+  std::string order;
+  for (const Cell& cell : plan.interleaved_cells(3)) {
+    EXPECT_EQ(cell.repetitions, 3);
+    order += cell.name() + " " + std::to_string(cell.repetition) + cell.program->name + "\n";
+  }
+  EXPECT_EQ(order,
+            "a/m/src:0 0x\na/m/src:0 0y\na/m/src:0 1y\na/m/src:0 1x\na/m/src:0 2x\na/m/src:0 2y\n"
+            "b/m/src:7 0x\nb/m/src:7 0y\nb/m/src:7 1y\nb/m/src:7 1x\nb/m/src:7 2x\nb/m/src:7 2y\n");
+  plan.only.clear();
+  const std::vector<Cell> all = plan.interleaved_cells(2);
+  ASSERT_EQ(all.size(), 16u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(all[i].solver, all[7 - i].solver) << i;
+    EXPECT_EQ(all[i].program, all[7 - i].program) << i;
+  }
+}
+
+TEST(Row, OfAFailureHasNoTimeAndASingleLine) {
+  const Json json = Row{.solver = "s",
+                        .mesh = "m",
+                        .source = 4,
+                        .outcome = Outcome::error,
+                        .error_message = "first\nsecond"};
+  EXPECT_EQ(json["name"], "s/m/src:4");
+  EXPECT_EQ(json["error_occurred"], true);
+  EXPECT_EQ(json["error_message"], "first second");
+  EXPECT_EQ(json["real_time"], 0.0);
+  EXPECT_EQ(json["cpu_time"], 0.0);
+  EXPECT_EQ(json["iterations"], 0);
+}
+
+TEST(Row, IsReadAsItWasWritten) {
+  Row row{.solver = "s", .mesh = "m", .source = 4, .program = "base"};
+  row.repetitions = 3;
+  row.repetition_index = 2;
+  row.iterations = 7;
+  row.cpu_time = 0.1;
+  row.stolen_share = 0.25;
+  row.counters.window_limit = 12;
+  row.counters.strip_b = 1.5;
+  row.phase_seconds = PhaseSeconds{.propagation = 1, .trimming = 2, .queue = 3};
+  row.reference = "t";
+  const Json json = row;
+  EXPECT_EQ(Json(json.get<Row>()), json);
+  EXPECT_FALSE(json.contains("peak_wavefront")) << "absent where the solver has none";
 }
 
 }  // namespace

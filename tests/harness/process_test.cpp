@@ -13,7 +13,7 @@ Ended run_in_shell(const std::string& script, double time_limit) {
   return run_program("/bin/sh", {"-c", script}, [] {}, {.seconds = time_limit});
 }
 
-TEST(RunProgram, tells_how_the_process_ended_and_its_last_words) {
+TEST(RunProgram, tells_how_the_process_ended_and_its_error_lines) {
   const Ended ended = run_in_shell("echo one >&2; echo two >&2; exit 3", kLong);
   EXPECT_FALSE(ended.crashed || ended.timed_out || ended.succeeded());
   EXPECT_EQ(ended.describe(), "exit code 3: one | two");
@@ -26,7 +26,7 @@ TEST(RunProgram, tells_how_the_process_ended_and_its_last_words) {
 TEST(RunProgram, kills_what_does_not_end_in_time) {
   const Ended ended = run_in_shell("echo last words >&2; exec sleep 600", 0.5);
   EXPECT_TRUE(ended.timed_out);
-  EXPECT_EQ(ended.last_words, "last words");
+  EXPECT_EQ(ended.error_lines, "last words");
 }
 
 TEST(RunProgram, kills_what_closed_its_standard_error_and_waits_for_what_ends_after_that) {

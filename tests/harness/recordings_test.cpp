@@ -1,5 +1,5 @@
 // Recordings: which cells leave them, and in which folders.
-#include "harness/cells/pictured.h"
+#include "harness/cells/plan.h"
 
 #include <algorithm>
 #include <set>
@@ -10,7 +10,7 @@
 namespace geodesic::harness {
 namespace {
 
-class PicturedCells : public ::testing::Test {
+class RecordedCells : public ::testing::Test {
  protected:
   Cell cell(Index vertices, Index source, const Description& solver) {
     mesh_.vertices = vertices;
@@ -27,19 +27,20 @@ class PicturedCells : public ::testing::Test {
   const Description bound_ = solver(Exactness::upper_bound);
 };
 
-TEST_F(PicturedCells, AreByDefaultTheFirstSourceOfMeshesOfReasonableSizeWithExactSolvers) {
-  EXPECT_TRUE(is_pictured(cell(1000, 7, exact_), Pictured::automatic));
-  EXPECT_TRUE(is_pictured(cell(250'000, 7, exact_), Pictured::automatic));
-  EXPECT_FALSE(is_pictured(cell(999, 7, exact_), Pictured::automatic));
-  EXPECT_FALSE(is_pictured(cell(250'001, 7, exact_), Pictured::automatic));
-  EXPECT_FALSE(is_pictured(cell(1000, 9, exact_), Pictured::automatic));
-  EXPECT_FALSE(is_pictured(cell(1000, 7, bound_), Pictured::automatic));
+TEST_F(RecordedCells, AreByDefaultTheFirstSourceOfMeshesOfReasonableSizeWithExactSolvers) {
+  EXPECT_TRUE(leaves_recordings(cell(1000, 7, exact_), Recordings::automatic));
+  EXPECT_TRUE(leaves_recordings(cell(250'000, 7, exact_), Recordings::automatic));
+  EXPECT_FALSE(leaves_recordings(cell(999, 7, exact_), Recordings::automatic));
+  EXPECT_FALSE(leaves_recordings(cell(250'001, 7, exact_), Recordings::automatic));
+  EXPECT_FALSE(leaves_recordings(cell(1000, 9, exact_), Recordings::automatic));
+  EXPECT_FALSE(leaves_recordings(cell(1000, 7, bound_), Recordings::automatic));
 }
 
-TEST_F(PicturedCells, AreAllOrNoneWhereThatIsWished) {
-  EXPECT_TRUE(is_pictured(cell(3, 9, bound_), pictured_named("all")));
-  EXPECT_FALSE(is_pictured(cell(1000, 7, exact_), pictured_named("none")));
-  expect_error([] { pictured_named("non"); }, {"'non'", "did you mean 'none'", "none, auto, all"});
+TEST_F(RecordedCells, AreAllOrNoneWhereThatIsWished) {
+  EXPECT_TRUE(leaves_recordings(cell(3, 9, bound_), recordings_named("all")));
+  EXPECT_FALSE(leaves_recordings(cell(1000, 7, exact_), recordings_named("none")));
+  expect_error([] { recordings_named("non"); },
+               {"'non'", "did you mean 'none'", "none, auto, all"});
 }
 
 TEST(RecordingFolders, AreNamedByMeshSourceAndSolver) {

@@ -1,12 +1,15 @@
-#include "harness/base/atomic_file.h"
+#include "harness/base/files.h"
 
 #include <fcntl.h>
+#include <openssl/evp.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
-#include <sstream>
+#include <memory>
 
+#include "harness/base/build_info.h"
 #include "harness/base/error.h"
 
 namespace geodesic::harness {
@@ -24,6 +27,36 @@ bool create(const fs::path& path) {
   unlink(path.c_str());
   const int file = open(path.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, kMode);
   return file >= 0 && close(file) == 0;
+}
+
+class Digest {
+ public:
+  Digest() { EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr); }
+
+  void add(const char* bytes, std::size_t count) { EVP_DigestUpdate(context_.get(), bytes, count); }
+
+  std::string hexadecimal() {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
+    unsigned int size = 0;
+    EVP_DigestFinal_ex(context_.get(), digest.data(), &size);
+    std::string hex;
+    for (unsigned int i = 0; i < size; ++i) {
+      hex += "0123456789abcdef"[digest[i] >> 4];
+      hex += "0123456789abcdef"[digest[i] & 15];
+    }
+    return hex;
+  }
+
+ private:
+  const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_{EVP_MD_CTX_new(),
+                                                                         EVP_MD_CTX_free};
+};
+
+// Empty where the program is not installed. Relative to the program: the prefix may be moved.
+fs::path installed_data() {
+  const fs::path program = fs::read_symlink("/proc/self/exe");
+  const fs::path data = (program.parent_path() / build_info().installed_data).lexically_normal();
+  return fs::exists(data / "datasets" / "manifest.json") ? data : fs::path();
 }
 
 }  // namespace
@@ -67,24 +100,31 @@ void write_bytes(const fs::path& path, std::string_view bytes) {
   file.commit();
 }
 
-void write_json(const fs::path& path, const Json& json) {
-  AtomicFile file(path);
-  file.stream() << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-  file.commit();
+std::string sha256_of(std::string_view bytes) {
+  Digest digest;
+  digest.add(bytes.data(), bytes.size());
+  return digest.hexadecimal();
 }
 
-Json read_json(const fs::path& path, const std::string& wanted) {
-  const auto unreadable = [&](const char* why) {
-    return HarnessError("cannot read '" + path.string() + "': " + why +
-                        (wanted.empty() ? "" : "; name " + wanted));
-  };
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) throw unreadable("it is a folder");
+std::string sha256_of_file(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (file) text << file.rdbuf();
-  if (!file || text.bad()) throw unreadable(std::strerror(errno));
-  return parse_json(text.view(), path.string());
+  if (!file) throw HarnessError("cannot read '" + path.string() + "'");
+  Digest digest;
+  std::array<char, 1 << 16> block;
+  while (file.read(block.data(), block.size()) || file.gcount() > 0) {
+    digest.add(block.data(), static_cast<std::size_t>(file.gcount()));
+  }
+  return digest.hexadecimal();
+}
+
+fs::path data_folder() {
+  const fs::path installed = installed_data();
+  return installed.empty() ? fs::path(build_info().source_folder) : installed;
+}
+
+fs::path results_folder() {
+  const fs::path root = installed_data().empty() ? data_folder() : fs::current_path();
+  return root / "results";
 }
 
 }  // namespace geodesic::harness

@@ -1,4 +1,4 @@
-// A file that appears whole or not at all.
+// Files that appear whole or not at all, their checksums, and the folders of this program.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,6 @@
 #include <ostream>
 #include <string>
 #include <string_view>
-
-#include "harness/base/json.h"
 
 namespace geodesic::harness {
 
@@ -40,12 +38,18 @@ class AtomicFile {
 /// Writes a file, whole or not at all. @throws CannotWrite
 void write_bytes(const std::filesystem::path& path, std::string_view bytes);
 
-/// Writes indented JSON, whole or not at all; bytes that are no UTF-8 become U+FFFD. @throws
-/// CannotWrite
-void write_json(const std::filesystem::path& path, const Json& json);
+/// SHA-256 (FIPS 180-4), as 64 lower-case hexadecimal digits.
+std::string sha256_of(std::string_view bytes);
 
-/// @param wanted what a user should have named, for the message when there is no such file
-/// @throws HarnessError when the file cannot be read, and as `parse_json`
-Json read_json(const std::filesystem::path& path, const std::string& wanted = "");
+/// The same of a file's bytes. @throws HarnessError when the file cannot be read
+std::string sha256_of_file(const std::filesystem::path& path);
+
+/// The root of the checkout that the program was built from; of an installed program, the folder
+/// with the same files at the same places (share/geodesic-bench beside its bin).
+std::filesystem::path data_folder();
+
+/// The folder for what is measured and was given none: results of the checkout, and of the current
+/// folder where the program is installed.
+std::filesystem::path results_folder();
 
 }  // namespace geodesic::harness

@@ -1,0 +1,168 @@
+#include "harness/cells/resume.h"
+
+#include <dlfcn.h>
+
+#include <iostream>
+#include <map>
+
+#include "harness/base/error.h"
+#include "harness/base/files.h"
+#include "harness/base/json.h"
+#include "harness/results/context.h"
+#include "solvers/core/registry.h"
+
+namespace geodesic::harness {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr int kVersion = 2;  // of request.json
+constexpr const char* kFile = "request.json";
+
+// A revision does not include later changes, so the files that hold the code are part of it.
+Json program_identity() {
+  Json program = program_context();
+  program["executable"] = sha256_of_file("/proc/self/exe");
+  Dl_info library{};
+  if (dladdr(reinterpret_cast<const void*>(&registered_solvers), &library) != 0) {
+    program["solvers"] = sha256_of_file(library.dli_fname);
+  }
+  return program;
+}
+
+Json identity(const RunRequest& request, const Plan& plan) {
+  Json solvers = Json::array(), meshes = Json::object(), programs = Json::object();
+  for (const Description* solver : plan.solvers) solvers.push_back(solver->name);
+  for (const PlannedMesh& mesh : plan.meshes) {
+    meshes[mesh.entry.name] = {{"sha256", mesh.facts.at("sha256")}, {"sources", mesh.sources}};
+  }
+  for (const auto& [name, file] : request.programs) programs[name] = sha256_of_file(file);
+  return {{"program", program_identity()},
+          {"programs", std::move(programs)},
+          {"options", request},
+          {"solvers", std::move(solvers)},
+          {"meshes", std::move(meshes)}};
+}
+
+// By its path ("options/suite/seed") every value that is not an object.
+std::map<std::string, Json> values_of(const Json& json) {
+  std::map<std::string, Json> values;
+  const auto add = [&](const auto& self, const std::string& path, const Json& part) -> void {
+    if (!part.is_object()) {
+      values[path] = part;
+      return;
+    }
+    for (const auto& [key, value] : part.items()) {
+      self(self, path.empty() ? key : path + '/' + key, value);
+    }
+  };
+  add(add, "", json);
+  return values;
+}
+
+// "options/seed is 2 and was 1", for every value of two identities that differs.
+std::vector<std::string> differences(const Json& before, const Json& now) {
+  const auto old_values = values_of(before), new_values = values_of(now);
+  std::vector<std::string> all;
+  for (const auto& [path, value] : new_values) {
+    const auto old_value = old_values.find(path);
+    if (old_value == old_values.end()) {
+      all.push_back(path + " is " + value.dump() + " and was absent");
+    } else if (old_value->second != value) {
+      all.push_back(path + " is " + value.dump() + " and was " + old_value->second.dump());
+    }
+  }
+  for (const auto& [path, value] : old_values) {
+    if (!new_values.contains(path)) all.push_back(path + " is absent and was " + value.dump());
+  }
+  return all;
+}
+
+// @throws std::exception saying what is wrong with them
+std::vector<Row> sound_rows(const Cell& cell, const CellSpec& spec) {
+  std::vector<Row> rows = read_cell_file(spec.output).rows;
+  for (const Row& row : rows) {
+    if (row.name() != cell.name()) throw HarnessError("is of another cell");
+    if (row.recordings && !fs::exists(fs::path(spec.run_folder) / *row.recordings)) {
+      throw HarnessError("has lost its recordings");
+    }
+  }
+  const Row& first = rows.front();
+  const bool complete = cell.repetition < 0
+                            ? static_cast<std::size_t>(first.repetitions) == rows.size()
+                            : first.repetition_index == cell.repetition;
+  if (!complete) throw HarnessError("has not all its repetitions");
+  if (first.program.value_or("") != (cell.program == nullptr ? "" : cell.program->name)) {
+    throw HarnessError("is of another program");
+  }
+  return rows;
+}
+
+}  // namespace
+
+SavedRequest identify(const RunRequest& request, const Plan& plan) {
+  SavedRequest saved{request, identity(request, plan), utc_now(), {}};
+  if (!request.resume) return saved;
+  const SavedRequest before = saved_request(*request.resume);
+  saved.started = before.started;
+  saved.changes = before.changes;
+  saved.request.command = before.request.command;
+  const std::vector<std::string> changes = differences(before.identity, saved.identity);
+  if (!changes.empty() && !request.accept_changes) {
+    throw HarnessError("cannot resume the run in '" + request.resume->string() +
+                       "': " + join(changes, "; ") +
+                       ": start a new run, or mix both results with --accept-changes");
+  }
+  for (const std::string& change : changes) std::cerr << "accepted: " << change << '\n';
+  saved.changes.insert(saved.changes.end(), changes.begin(), changes.end());
+  return saved;
+}
+
+void save_request(const SavedRequest& saved, const fs::path& folder) {
+  write_json(folder / kFile, {{"schema_version", kVersion},
+                              {"command", saved.request.command},
+                              {"started", saved.started},
+                              {"changes", saved.changes},
+                              {"identity", saved.identity}});
+}
+
+SavedRequest saved_request(const fs::path& folder) {
+  const fs::path file = folder / kFile;
+  if (!fs::exists(file)) {
+    throw HarnessError("'" + folder.string() + "' holds no run to resume (it has no " + kFile +
+                       "): give the folder of one, or start one without --resume");
+  }
+  const Json json = read_json(file);
+  try {
+    if (json.at("schema_version") != kVersion) throw HarnessError("another version wrote it");
+    SavedRequest saved;
+    saved.identity = json.at("identity");
+    json.at("started").get_to(saved.started);
+    json.at("changes").get_to(saved.changes);
+    saved.identity.at("options").get_to(saved.request);
+    json.at("command").get_to(saved.request.command);
+    saved.request.resume = folder;
+    return saved;
+  } catch (const std::exception& error) {
+    throw HarnessError("cannot resume the run: " + file.string() + ": " + error.what());
+  }
+}
+
+void remove_parts_of_files(const fs::path& folder) {
+  std::error_code ignored;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() == kPartOfFile) fs::remove(entry.path(), ignored);
+  }
+}
+
+std::optional<std::vector<Row>> kept_rows(const Cell& cell, const CellSpec& spec) {
+  if (!fs::exists(spec.output)) return std::nullopt;
+  try {
+    return sound_rows(cell, spec);
+  } catch (const std::exception& error) {
+    std::cerr << spec.output << ' ' << error.what() << ": the cell is measured again\n";
+    fs::remove(spec.output);
+    return std::nullopt;
+  }
+}
+
+}  // namespace geodesic::harness

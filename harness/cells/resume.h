@@ -1,0 +1,43 @@
+// What an interrupted run left, and whether a run may continue it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/cells/cell.h"
+#include "harness/cells/plan.h"
+#include "harness/results/row.h"
+
+namespace geodesic::harness {
+
+/// request.json of a run folder.
+struct SavedRequest {
+  RunRequest request;
+  Json identity;                     ///< what decides about the results, when last started
+  std::string started;               ///< as utc_now has it
+  std::vector<std::string> changes;  ///< accepted since then
+};
+
+/// The request with the program, the solvers and the meshes. One that resumes a run keeps the
+/// command and the start of that run.
+/// @throws HarnessError when the run to resume had another identity, unless that is accepted, which
+///         is then said on standard error
+SavedRequest identify(const RunRequest& request, const Plan& plan);
+
+/// Writes request.json.
+void save_request(const SavedRequest& saved, const std::filesystem::path& folder);
+
+/// Reads request.json. @throws HarnessError when there is none, or it is not what was written
+SavedRequest saved_request(const std::filesystem::path& folder);
+
+/// Removes unfinished files of processes that were killed.
+void remove_parts_of_files(const std::filesystem::path& folder);
+
+/// The rows of the cell's result file; nothing where there is none. A file that is damaged or
+/// belongs to another cell, or whose recordings are missing, is named on standard error and
+/// removed.
+std::optional<std::vector<Row>> kept_rows(const Cell& cell, const CellSpec& spec);
+
+}  // namespace geodesic::harness

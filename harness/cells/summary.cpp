@@ -1,0 +1,132 @@
+#include "harness/cells/summary.h"
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+
+#include "harness/base/error.h"
+#include "harness/results/text_table.h"
+
+namespace geodesic::harness {
+namespace {
+
+bool is_expected(const Row& row, const Suite& suite) {
+  const auto expected = suite.expected.find(row.solver + '/' + row.mesh);
+  return expected != suite.expected.end() && expected->second == row.outcome;
+}
+
+RunResult report_failure(const Row& row, const Suite& suite) {
+  const std::string cell = row.name() + (row.program ? " by " + *row.program : "");
+  if (row.outcome == Outcome::unsupported) return RunResult::ok;  // report_unsupported
+  if (row.ok()) {
+    if (row.repetition_index != 0 || !row.recordings_error) return RunResult::ok;
+    std::cerr << cell << ": not recorded: " << *row.recordings_error << '\n';
+    return RunResult::error;
+  }
+  const bool expected = is_expected(row, suite);
+  std::cerr << cell << ": " << name_of(row.outcome) << (expected ? ", as expected: " : ": ")
+            << row.error_message << '\n';
+  if (expected || row.outcome == Outcome::skipped) return RunResult::ok;
+  return row.outcome == Outcome::wrong_answer ? RunResult::wrong_answer : RunResult::error;
+}
+
+// One line a solver.
+void report_unsupported(const std::vector<Row>& rows) {
+  std::map<std::string, std::vector<const Row*>> by_solver;
+  for (const Row& row : rows) {
+    if (row.outcome == Outcome::unsupported) by_solver[row.solver].push_back(&row);
+  }
+  for (const auto& [solver, cells] : by_solver) {
+    std::vector<std::string> meshes;
+    for (const Row* row : cells) {
+      if (std::ranges::find(meshes, row->mesh) == meshes.end()) meshes.push_back(row->mesh);
+    }
+    std::cerr << solver << ": " << cells.size() << " cells unsupported (" << join(meshes)
+              << "): " << cells.front()->error_message << '\n';
+  }
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  if (values.size() % 2 == 1) return *middle;
+  return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
+std::string time_text(double ms) {
+  if (ms < 1) return significant(1e3 * ms, 4) + " us";
+  return ms < 1e3 ? significant(ms, 4) + " ms" : significant(1e-3 * ms, 4) + " s";
+}
+
+// Of a solver on a mesh, over sources and repetitions.
+struct Summary {
+  std::vector<double> ms = {};
+  double max_relative_error = 0;
+  std::map<std::string_view, int> failures = {};  // by outcome
+
+  double median_ms() const { return ms.empty() ? kInfinity : median(ms); }
+  std::string outcome() const {
+    std::vector<std::string> words;
+    if (!ms.empty()) words.emplace_back("ok");
+    for (const auto& [name, count] : failures) {
+      words.push_back(ms.empty() ? std::string(name)
+                                 : std::to_string(count) + ' ' + std::string(name));
+    }
+    return join(words);
+  }
+};
+
+}  // namespace
+
+RunResult report_failures(const std::vector<Row>& rows, const Plan& plan, const Suite& suite) {
+  RunResult result = RunResult::ok;
+  for (const Row& row : rows) result = std::max(result, report_failure(row, suite));
+  report_unsupported(rows);
+  for (const SkippedMesh& skipped : plan.skipped) {
+    std::cerr << "skipped " << skipped.name << ": " << skipped.why << '\n';
+    if (skipped.unreadable) result = std::max(result, RunResult::error);
+  }
+  return result;
+}
+
+std::string one_line(const std::vector<Row>& rows) {
+  const Row& first = rows.front();
+  if (!first.ok()) return std::string(name_of(first.outcome)) + ": " + first.error_message;
+  std::vector<double> times;
+  for (const Row& row : rows) times.push_back(row.cpu_time);
+  return "ok  " + time_text(median(times));
+}
+
+std::string result_table(const std::vector<Row>& rows) {
+  std::vector<std::string> meshes;  // in their order
+  std::map<std::string, std::map<std::string, Summary>> summaries;
+  for (const Row& row : rows) {
+    if (!summaries.contains(row.mesh)) meshes.push_back(row.mesh);
+    Summary& summary = summaries[row.mesh][row.solver + (row.program ? " by " + *row.program : "")];
+    if (row.ok()) {
+      summary.ms.push_back(row.cpu_time);
+      summary.max_relative_error =
+          std::max(summary.max_relative_error, row.max_relative_error.value_or(0));
+    } else {
+      ++summary.failures[name_of(row.outcome)];
+    }
+  }
+  TextTable table{{"mesh", "solver", "time", "ratio", "max error", "outcome"}};
+  for (const std::string& mesh : meshes) {
+    std::vector<std::pair<std::string, Summary>> solvers(summaries[mesh].begin(),
+                                                         summaries[mesh].end());
+    std::ranges::stable_sort(solvers, {},
+                             [](const auto& solver) { return solver.second.median_ms(); });
+    const double best = solvers.front().second.median_ms();
+    for (const auto& [solver, summary] : solvers) {
+      const bool timed = !summary.ms.empty();
+      const double ms = summary.median_ms();
+      table.push_back({mesh, solver, timed ? time_text(ms) : "",
+                       timed ? significant(ms / best, 3) : "",
+                       timed ? significant(summary.max_relative_error, 2) : "", summary.outcome()});
+    }
+  }
+  return as_text(table);
+}
+
+}  // namespace geodesic::harness
