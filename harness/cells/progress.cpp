@@ -9,18 +9,23 @@
 #include <set>
 #include <tuple>
 
+#include "harness/verify/choose.h"
+#include "harness/verify/closed_form.h"
+#include "solvers/core/registry.h"
+
 namespace geodesic::harness {
 namespace {
 
 constexpr double kSecondsBetweenLogLines = 60;
 constexpr const char* kEraseLine = "\r\033[K";  // on a terminal
 
-// Priors of the forecast, from runs on a processor of 2023; measured paces replace them.
+// Priors of the forecast, from runs of the corpora quick and real; measured paces replace them.
 constexpr double kProcessSeconds = 0.1;
-constexpr double kFastestSeconds = 0.07;  // solve of relative time 1 on 50,000 vertices
+constexpr double kFastestSeconds = 0.07;  // a solve of relative time 1 on 50,000 vertices
 constexpr double kUnknownRelativeTime = 10;
-constexpr double kGrowth = 1.3;       // exponent of the vertex count; 1.2 to 1.5 were measured
-constexpr double kSearchShare = 0.5;  // of min_time: finding the number of iterations
+constexpr double kGrowth = 1.2;       // exponent of the vertex count: 1.1 to 1.5 by solver
+constexpr double kSearchShare = 0.5;  // of min_time: to find the number of iterations
+constexpr double kMachineWeight = 1, kSolverWeight = 0.1;  // of priors, in expected seconds
 
 double expected_solve_seconds(const Description& solver, Index vertices) {
   const double relative = solver.relative_time > 0 ? solver.relative_time : kUnknownRelativeTime;
@@ -39,42 +44,73 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-Forecast::Forecast(const std::vector<Cell>& cells, const Suite& suite) : cells_(cells) {
+Forecast::Forecast(const std::vector<Cell>& cells, const Suite& suite,
+                   const std::vector<const Description*>& solvers)
+    : cells_(cells) {
+  std::set<std::tuple<const PlannedMesh*, Index, const Description*>> references;
   for (const Cell& cell : cells) {
     Expected& expected = expected_.emplace_back();
     if (cell.unsupported() != nullptr) continue;
     const double solve = expected_solve_seconds(*cell.solver, cell.mesh->vertices);
-    const double repetitions = cell.repetition < 0 ? suite.repetitions : 1;
-    // The warm-up, and with counters and phases four more; long solves are timed once a repetition.
-    const double solves = 1 + (cell.is_first_repetition() ? 4 : 0);
+    const int repetitions = cell.repetition < 0 ? suite.repetitions : 1;
+    // The warm-up, and with counters and phases four more.
+    expected.solves = solve * (cell.is_first_repetition() ? 5 : 1);
     expected.fixed = kProcessSeconds;
-    if (solve < suite.min_time) expected.fixed += repetitions * suite.min_time * (1 + kSearchShare);
-    expected.scaled = solve * (solves + (solve < suite.min_time ? 0 : repetitions));
+    if (solve < suite.min_time) {
+      expected.fixed += repetitions * suite.min_time * (1 + kSearchShare);
+    } else {
+      expected.solves += repetitions * solve;
+    }
+    if (has_closed_form(cell.mesh->entry)) continue;
+    for (const Description* reference : rank_references(*cell.solver, solvers, suite.reference)) {
+      if (cell.mesh->unsupported.contains(reference->name)) continue;
+      if (references.insert({cell.mesh, cell.source, reference}).second) {
+        expected.reference = reference;
+        expected.reference_solve = expected_solve_seconds(*reference, cell.mesh->vertices);
+      }
+      break;
+    }
   }
+}
+
+double Forecast::pace_of(const Description& solver) const {
+  const double machine = (all_.seconds + kMachineWeight) / (all_.expected + kMachineWeight);
+  const auto pace = paces_.find(&solver);
+  if (pace == paces_.end()) return machine;
+  return (pace->second.seconds + kSolverWeight * machine) / (pace->second.expected + kSolverWeight);
 }
 
 void Forecast::measured(std::size_t cell, double seconds) {
   const Expected& expected = expected_[cell];
-  if (expected.scaled == 0) return;
-  for (Pace* pace : {&all_, &paces_[cells_[cell].solver]}) {
-    pace->seconds += std::max(0.0, seconds - expected.fixed);
-    pace->expected += expected.scaled;
+  const Description& solver = *cells_[cell].solver;
+  if (expected.solves == 0) return;
+  if (expected.reference != nullptr) {
+    seconds -= expected.reference_solve * pace_of(*expected.reference);
   }
+  const auto add = [&](Pace& pace) {
+    pace.seconds += std::max(0.0, seconds - expected.fixed);
+    pace.expected += expected.solves;
+  };
+  add(paces_[&solver]);
+  if (solver.relative_time > 0) add(all_);
 }
 
 double Forecast::seconds_left(std::size_t first) const {
-  const double machine = all_.ratio_or(1, 1);
   double seconds = 0;
   for (std::size_t i = first; i < cells_.size(); ++i) {
-    const auto pace = paces_.find(cells_[i].solver);
-    const double ratio = pace == paces_.end() ? machine : pace->second.ratio_or(machine, 0.1);
-    seconds += expected_[i].fixed + expected_[i].scaled * ratio;
+    const Expected& expected = expected_[i];
+    seconds += expected.fixed + expected.solves * pace_of(*cells_[i].solver);
+    if (expected.reference != nullptr) {
+      seconds += expected.reference_solve * pace_of(*expected.reference);
+    }
   }
   return seconds;
 }
 
 Progress::Progress(const std::vector<Cell>& cells, const Suite& suite)
-    : cells_(cells), forecast_(cells, suite), on_terminal_(isatty(STDERR_FILENO) == 1) {}
+    : cells_(cells),
+      forecast_(cells, suite, registered_solvers()),
+      on_terminal_(isatty(STDERR_FILENO) == 1) {}
 
 // "[3/40] mmp/horse/src:0  "
 std::string Progress::heading() const {

@@ -16,7 +16,9 @@ namespace geodesic::harness {
 class Forecast {
  public:
   /// @param cells must outlive it
-  Forecast(const std::vector<Cell>& cells, const Suite& suite);
+  /// @param solvers that can give reference distances
+  Forecast(const std::vector<Cell>& cells, const Suite& suite,
+           const std::vector<const Description*>& solvers);
 
   void measured(std::size_t cell, double seconds);
   /// Of this cell and those after it.
@@ -24,18 +26,19 @@ class Forecast {
 
  private:
   struct Expected {
-    double fixed = 0;   // seconds, whatever the solver
-    double scaled = 0;  // seconds of solves, on a machine of the assumed speed
+    double fixed = 0;                        // seconds, whatever the solver
+    double solves = 0;                       // seconds at the assumed speed
+    const Description* reference = nullptr;  // null: has been computed, or is a closed form
+    double reference_solve = 0;              // seconds at the assumed speed
   };
   struct Pace {
     double seconds = 0, expected = 0;  // of solves measured so far
-    double ratio_or(double prior, double weight) const {
-      return (seconds + weight * prior) / (expected + weight);
-    }
   };
+  double pace_of(const Description& solver) const;
+
   const std::vector<Cell>& cells_;
   std::vector<Expected> expected_;            // by cell
-  Pace all_;                                  // pace of the machine
+  Pace all_;                                  // of solvers whose relative time is known
   std::map<const Description*, Pace> paces_;  // of each solver
 };
 

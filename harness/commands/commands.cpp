@@ -1,32 +1,31 @@
 #include "harness/commands/commands.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "harness/base/build_info.h"
 #include "harness/base/error.h"
+#include "harness/base/interruption.h"
 #include "harness/base/plugins.h"
-#include "harness/commands/generate.h"
-#include "harness/commands/list.h"
-#include "harness/commands/mesh.h"
-#include "harness/commands/run.h"
-#include "harness/commands/scripts.h"
-#include "harness/commands/solve.h"
 #include "harness/commands/values.h"
-#include "harness/commands/verify.h"
 
 namespace geodesic::harness {
 namespace {
 
-// Options are looked at before any command runs.
+// Plug-ins are loaded while options are parsed, before any command runs.
 void add_plugin_option(CLI::App& app) {
   app.add_option_function<std::vector<std::string>>(
          "--plugin",
          [](const std::vector<std::string>& files) {
            for (const std::string& file : files) load_plugin(file);
          },
-         "a shared library with more solvers; may be given several times")
+         "shared library with more solvers; repeatable")
       ->allow_extra_args(false)
       ->type_name("FILE");
 }
-
-}  // namespace
 
 void add_commands(CLI::App& app, const std::string& command_line) {
   add_list_command(app);
@@ -46,6 +45,116 @@ void add_commands(CLI::App& app, const std::string& command_line) {
       [command_line](std::size_t) { require_text(command_line); });
   add_cell_commands(app);
   add_examine_command(app);
+}
+
+// The subcommand that the user gave, as far as it was understood.
+const CLI::App& innermost(const CLI::App& app) {
+  const std::vector<CLI::App*> given = app.get_subcommands();
+  return given.empty() ? app : innermost(*given.front());
+}
+
+std::vector<std::string> options_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->nonpositional()) names.push_back(option->get_name());
+  }
+  return names;
+}
+
+// Commands without a group are the program's own (cells/).
+std::vector<std::string> commands_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands(nullptr)) {
+    if (!command->get_group().empty()) names.push_back(command->get_name());
+  }
+  return names;
+}
+
+// "no option of solve named '--sorce' (did you mean '--source'?); there are: --help, --solver"
+// Empty when every word means something.
+std::string unknown_word(const CLI::App& at) {
+  const std::vector<std::string> extras = at.remaining();
+  const std::vector<std::string> commands = commands_of(at);
+  if (extras.empty() || at.get_allow_extras()) return {};
+  if (extras.front().starts_with("-")) {
+    return unknown_name("option of " + at.get_name(), extras.front(), options_of(at));
+  }
+  if (!commands.empty()) return unknown_name("command", extras.front(), commands);
+  return at.get_name() + ": unexpected '" + extras.front() + "'";
+}
+
+// CLI11 says some things in words of its own.
+std::string in_our_words(const CLI::ParseError& error) {
+  const std::string said = error.what(), conversion = "Could not convert: ";
+  if (const std::size_t at = said.find(": 1 required"); at != std::string::npos) {
+    return said.substr(0, at) + " needs a value";
+  }
+  // Whatever is no number was found before (values.h).
+  return said.starts_with(conversion) ? said.substr(conversion.size()) + " is too large" : said;
+}
+
+std::string explain(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& at = innermost(app);
+  std::string what = unknown_word(at);
+  if (what.empty()) {
+    const bool no_command = dynamic_cast<const CLI::RequiredError*>(&error) && &at == &app;
+    what = no_command ? "which command? There are: " + join(commands_of(app)) : in_our_words(error);
+  }
+  return what + " (see geodesic-bench " + (&at == &app ? "" : at.get_name() + ' ') + "--help)";
+}
+
+int complain(const std::string& message, int code) {
+  std::cerr << "geodesic-bench: " << harmless(message) << '\n';
+  return code;
+}
+
+// The number of a closed stream would be that of the next file to be opened, and what is printed
+// would end up in there. Using these fails as before.
+void occupy_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) >= 0) continue;
+    if (open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;
+  }
+}
+
+int run(CLI::App& app, int argc, char** argv) {
+  try {
+    add_commands(app, join({argv, argv + argc}, " "));
+    app.parse(argc, argv);
+  } catch (const CLI::RuntimeError& finished) {  // said already why
+    return finished.get_exit_code();
+  } catch (const CLI::Success& help) {
+    const std::string unknown = unknown_word(innermost(app));
+    return unknown.empty() ? app.exit(help) : complain(unknown, 1);
+  } catch (const CLI::ParseError& error) {
+    return complain(explain(app, error), 1);
+  } catch (const Interrupted& error) {
+    return complain(error.what(), error.exit_code());
+  } catch (const WrongAnswer& error) {
+    return complain(error.what(), 2);
+  } catch (const std::exception& error) {
+    return complain(error.what(), 1);
+  }
+  return 0;
+}
+
+// What was printed must have arrived: on a full disk nothing went well.
+int finish(int code) {
+  if (std::cout.flush()) return code;
+  return complain(
+      "not all could be written to the standard output: is it closed, or its disk full?",
+      std::max(code, 1));
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  occupy_closed_streams();
+  CLI::App app("Exact geodesic distances on triangle meshes: solvers and their benchmark",
+               "geodesic-bench");
+  app.set_version_flag("--version", build_info().version + " (" + build_info().revision + ")");
+  app.require_subcommand(1);
+  return finish(run(app, argc, argv));
 }
 
 }  // namespace geodesic::harness

@@ -1,4 +1,4 @@
-#include "harness/commands/generate.h"
+#include "harness/commands/commands.h"
 
 #include <algorithm>
 #include <iomanip>
@@ -91,10 +91,13 @@ void generate_file(const GenerateArguments& arguments, const std::vector<std::st
 void add_generate_command(CLI::App& app) {
   auto arguments = std::make_shared<GenerateArguments>();
   CLI::App* const command =
-      app.add_subcommand("generate", "make a mesh: generate NAME [--parameter value ...] -o FILE");
-  command->add_option("name", arguments->name, "the generator");
+      app.add_subcommand("generate", "Make a mesh: generate NAME [--PARAMETER VALUE ...] -o FILE");
+  command->add_option("name", arguments->name, "generator (see --list)")->type_name("NAME");
   command->add_option("-o,--output", arguments->output, "mesh file to write: .ply, .obj or .off");
-  command->add_flag("--list", arguments->list, "generators and their parameters");
+  command->add_flag("--list", arguments->list, "print the generators and their parameters");
+  command->footer(
+      "\nExamples:\n  geodesic-bench generate icosphere --frequency 20 -o sphere.ply\n"
+      "  geodesic-bench generate --list");
   command->allow_extras();
   command->callback([arguments, command] { generate_file(*arguments, command->remaining()); });
 }

@@ -1,4 +1,4 @@
-#include "harness/commands/list.h"
+#include "harness/commands/commands.h"
 
 #include <algorithm>
 #include <iostream>
@@ -92,10 +92,14 @@ void run_list(const ListFlags& flags) {
 
 void add_list_command(CLI::App& app) {
   const auto flags = std::make_shared<ListFlags>();
-  CLI::App* command = app.add_subcommand("list", "What there is: solvers and meshes");
-  command->add_option("--corpus", flags->corpus, "only the meshes of this corpus");
-  command->add_flag("--json", flags->json, "everything known about them, as JSON");
-  command->add_option("--manifest", flags->manifest, "list of meshes and corpora");
+  CLI::App* command = app.add_subcommand("list", "List the solvers and meshes");
+  command->add_option("--corpus", flags->corpus, "only the meshes of this corpus")
+      ->type_name("NAME");
+  command->add_flag("--json", flags->json, "print all that is known of them as JSON");
+  command->add_option("--manifest", flags->manifest, "list of meshes and corpora")
+      ->type_name("FILE");
+  command->footer(
+      "\nExamples:\n  geodesic-bench list --corpus quick\n  geodesic-bench list --json");
   command->callback([flags] { run_list(*flags); });
 }
 

@@ -1,4 +1,4 @@
-#include "harness/commands/mesh.h"
+#include "harness/commands/commands.h"
 
 #include <iomanip>
 #include <iostream>
@@ -167,6 +167,9 @@ void add_mesh_command(CLI::App& app) {
       "mesh",
       "Describe a mesh file: counts, topology, lengths, angles and defects; fails when the "
       "mesh has defects that make distances meaningless");
+  command->footer(
+      "\nExamples:\n  geodesic-bench mesh bunny.ply\n"
+      "  geodesic-bench mesh scan.stl --repair --output scan.ply");
   command->add_option("FILE", flags->file, "OBJ, OFF, PLY or STL")->required();
   command->add_flag("--json", flags->json, "print a JSON object");
   command->add_flag("--repair", flags->repair, "repair the mesh first and say what was done");

@@ -1,4 +1,4 @@
-#include "harness/commands/run.h"
+#include "harness/commands/commands.h"
 
 #include <memory>
 

@@ -1,4 +1,4 @@
-#include "harness/commands/scripts.h"
+#include "harness/commands/commands.h"
 
 #include <unistd.h>
 

@@ -1,11 +1,13 @@
-#include "harness/commands/solve.h"
+#include "harness/commands/commands.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <sstream>
 #include <tuple>
 
 #include "harness/base/clock.h"
@@ -22,6 +24,7 @@
 #include "harness/verify/trial.h"
 #include "harness/verify/verify.h"
 #include "meshes/load.h"
+#include "meshes/mesh_file.h"
 #include "solvers/core/registry.h"
 
 namespace geodesic::harness {
@@ -30,7 +33,7 @@ namespace {
 struct SolveFlags {
   std::string mesh, solver;
   std::vector<Index> sources;
-  std::string output;
+  std::string sources_file, output;
   bool repair = false, each = false, check = false;
   unsigned threads = 1;
   double limit = kInfinity;
@@ -208,19 +211,43 @@ void check_output(const std::string& output, const std::filesystem::path& mesh) 
   }
 }
 
-void run_solve(const SolveFlags& flags) {
+// Vertex indices separated by white space or commas.
+std::vector<Index> read_sources(const std::string& file) {
+  std::string text = read_bytes(file);
+  std::ranges::replace(text, ',', ' ');
+  std::istringstream words(text);
+  std::vector<Index> sources;
+  for (std::string word; words >> word;) {
+    const auto [end, error] =
+        std::from_chars(word.data(), word.data() + word.size(), sources.emplace_back());
+    if (error != std::errc() || end != word.data() + word.size()) {
+      throw HarnessError("--sources-file '" + file + "': '" + excerpt(word) +
+                         "' is not a vertex index");
+    }
+  }
+  return sources;
+}
+
+void run_solve(SolveFlags flags) {
   if (flags.threads > 1 && !flags.each) {
-    throw HarnessError("--threads is for --each: a single solve takes one thread");
+    throw HarnessError("--threads is for --each: a single solve uses one thread");
   }
   if (flags.check && std::isfinite(flags.limit)) {
     throw HarnessError("--check is for distances without --limit");
   }
+  if (!flags.sources_file.empty()) {
+    const std::vector<Index> more = read_sources(flags.sources_file);
+    flags.sources.insert(flags.sources.end(), more.begin(), more.end());
+  }
+  if (flags.sources.empty()) throw HarnessError("--source or --sources-file is required");
   const Description& solver = solver_named(flags.solver);
   set_instruction_set(instruction_set_named(flags.vectors));
   const MeshEntry entry = find_mesh(flags.mesh, flags.manifest);
   check_output(flags.output, entry.file);
   std::optional<AtomicFile> output;  // opened before the work: a bad path costs no solve
-  if (!flags.output.empty()) output.emplace(flags.output);
+  const bool to_standard_output = flags.output == "-";
+  if (!flags.output.empty() && !to_standard_output) output.emplace(flags.output);
+  std::ostream* distances = to_standard_output ? &std::cout : output ? &output->stream() : nullptr;
   const TriangleSoup soup = load(flags, entry);
   const Mesh mesh(soup, Numbering::along_surface);
   const std::string unable = unsupported(solver, mesh);
@@ -232,39 +259,54 @@ void run_solve(const SolveFlags& flags) {
             {"vertices", mesh.vertex_count()},
             {"faces", mesh.face_count()},
             {"limit", std::isinf(flags.limit) ? Json(nullptr) : Json(flags.limit)}};
-  json.update((flags.each ? solve_separately : solve_jointly)(
-      problem, output ? &output->stream() : nullptr));
+  json.update((flags.each ? solve_separately : solve_jointly)(problem, distances));
   if (output) output->commit();
-  std::cout << json.dump(2) << std::endl;
+  (to_standard_output ? std::cerr : std::cout) << json.dump(2) << std::endl;
 }
 
 }  // namespace
 
 void add_solve_command(CLI::App& app) {
   const auto flags = std::make_shared<SolveFlags>();
-  CLI::App* command = app.add_subcommand("solve", "Distances in a file, numbers as JSON");
-  command->add_option("mesh", flags->mesh, "a file, or a mesh of the manifest")
+  CLI::App* command =
+      app.add_subcommand("solve", "Compute distances; print times and counters as JSON");
+  command->add_option("mesh", flags->mesh, "mesh file, or name of the manifest")
       ->required()
       ->type_name("MESH");
-  command->add_option("--solver", flags->solver, "its name (geodesic-bench list)")->required();
+  command->add_option("--solver", flags->solver, "solver (see geodesic-bench list)")
+      ->required()
+      ->type_name("NAME");
   command
       ->add_option("--source", flags->sources,
-                   "a vertex, counted from 0; of several, each vertex's nearest counts")
-      ->required()
+                   "source vertex, 0-based, repeatable; distances are to the nearest source")
+      ->delimiter(',')
       ->allow_extra_args(false);
-  command->add_flag("--each", flags->each, "solve from each source by itself");
-  command->add_option("--threads", flags->threads, "solve from as many sources at a time (--each)")
-      ->check(CLI::Range(1, 1024));
-  command->add_option("--output", flags->output,
-                      "file for the distances, one a line; with --each, a line a source");
-  command->add_flag("--check", flags->check,
-                    "compare with brute force on up to 400 faces, else with another exact solver");
-  command->add_flag("--repair", flags->repair, "mend defects of the mesh, and say which");
-  command->add_option("--limit", flags->limit, "vertices farther than this are unreachable")
+  command
+      ->add_option("--sources-file", flags->sources_file,
+                   "file of source vertices, separated by white space or commas")
+      ->type_name("FILE");
+  command->add_flag("--each", flags->each, "solve from each source separately");
+  command->add_option("--threads", flags->threads, "number of sources to solve at a time (--each)")
+      ->check(from_to(1, 1024));
+  command
+      ->add_option("--output", flags->output,
+                   "file for the distances, one per line; with --each, one line per source; - is "
+                   "standard output, and the JSON object then goes to standard error")
+      ->type_name("FILE");
+  command->add_flag(
+      "--check", flags->check,
+      "compare with brute force on up to 400 faces, otherwise with another exact solver");
+  command->add_flag("--repair", flags->repair, "repair defects of the mesh, and say which");
+  command->add_option("--limit", flags->limit, "distance beyond which vertices are unreachable")
       ->check(zero_or_above());
   command->add_option("--vectors", flags->vectors,
-                      "instructions to solve with: auto, plain or avx2");
-  command->add_option("--manifest", flags->manifest, "list of meshes and corpora");
+                      "instruction set of the solver: auto, plain or avx2");
+  command->add_option("--manifest", flags->manifest, "list of meshes and corpora")
+      ->type_name("FILE");
+  command->footer(
+      "\nExamples:\n  geodesic-bench solve bunny.ply --solver edge-based --source 0 --output "
+      "d.txt\n"
+      "  geodesic-bench solve bunny.ply --solver mmp --source 0,17,99 --each --threads 4");
   command->callback([flags] { run_solve(*flags); });
 }
 

@@ -1,4 +1,4 @@
-#include "harness/commands/verify.h"
+#include "harness/commands/commands.h"
 
 #include <charconv>
 #include <filesystem>

@@ -86,8 +86,11 @@ MeshEntry find_mesh(const std::string& file_or_name, const fs::path& manifest) {
   if (fs::is_regular_file(status)) {
     return {.name = harmless(file.stem().string()), .file = file, .kind = "file"};
   }
-  if (fs::exists(status)) throw HarnessError("'" + file_or_name + "' is no regular file");
-  if (file_or_name.find('/') != std::string::npos) {
+  if (fs::exists(status)) throw HarnessError("'" + file_or_name + "' is not a regular file");
+  const std::string extension = file.extension().string();
+  const bool is_path = file_or_name.find('/') != std::string::npos || extension == ".obj" ||
+                       extension == ".off" || extension == ".ply" || extension == ".stl";
+  if (is_path) {
     throw HarnessError("there is no file '" + file_or_name +
                        "': " + (unknown ? unknown.message() : "check the path"));
   }

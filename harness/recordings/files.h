@@ -3,11 +3,23 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 
 #include "harness/recordings/isolines/isolines.h"
 #include "solvers/core/solver.h"
 
 namespace geodesic::harness {
+
+/// Folders below the run folder.
+struct RecordingFolders {
+  std::filesystem::path mesh;    ///< `recordings/<mesh>`
+  std::filesystem::path source;  ///< `recordings/<mesh>/src<vertex>`
+  std::filesystem::path solver;  ///< `recordings/<mesh>/src<vertex>/<solver>`
+};
+
+/// Any name gives a folder of its own: what is no letter, digit, ".", "_" or "-" is written %XX.
+RecordingFolders recording_folders(const std::string& mesh, Index source,
+                                   const std::string& solver);
 
 /// A Recording with the options for what `write_wavefront` writes.
 Recording wavefront_recording();

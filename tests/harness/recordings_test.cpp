@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "harness/recordings/folders.h"
+#include "harness/recordings/files.h"
 #include "tests/harness/expect_error.h"
 
 namespace geodesic::harness {

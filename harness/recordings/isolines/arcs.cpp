@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/recordings/isolines/plane.h"
 #include "solvers/core/tolerance.h"
 
 namespace geodesic::harness {

@@ -8,12 +8,24 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
 #include "solvers/core/window.h"
 
 namespace geodesic::harness {
+
+inline Point2 operator+(const Point2& a, const Point2& b) { return {a.x + b.x, a.y + b.y}; }
+inline Point2 operator-(const Point2& a, const Point2& b) { return {a.x - b.x, a.y - b.y}; }
+inline Point2 operator*(double s, const Point2& a) { return {s * a.x, s * a.y}; }
+
+inline double dot(const Point2& a, const Point2& b) { return a.x * b.x + a.y * b.y; }
+/// Positive when b points to the left of a.
+inline double cross(const Point2& a, const Point2& b) { return a.x * b.y - a.y * b.x; }
+inline Point2 left_of(const Point2& a) { return {-a.y, a.x}; }
+inline double norm(const Point2& a) { return std::sqrt(dot(a, a)); }
+inline double separation(const Point2& a, const Point2& b) { return norm(b - a); }
 
 /// The rays from a centre that enter the face between two points, which lie on one of its edges
 /// (a window's ends) or are two of its corners (the centre being the third).

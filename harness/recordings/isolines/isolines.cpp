@@ -8,7 +8,7 @@
 #include "harness/recordings/isolines/arcs.h"
 #include "harness/recordings/isolines/crossings.h"
 #include "harness/recordings/isolines/lines.h"
-#include "harness/recordings/isolines/plane.h"
+#include "solvers/core/registry.h"
 #include "solvers/core/tolerance.h"
 
 namespace geodesic::harness {
@@ -221,6 +221,20 @@ Isolines trace_isolines(const Mesh& mesh, const FinalWindows& windows,
                         std::span<const Source> sources, std::span<const double> distances,
                         std::span<const double> levels) {
   return Tracer(mesh, windows, sources, distances).trace(levels);
+}
+
+Isolines solve_isolines(const std::string& solver, const Mesh& mesh, const Query& query,
+                        std::span<const double> levels, std::span<double> distances) {
+  const std::vector<double> known(distances.begin(), distances.end());
+  Isolines isolines;
+  const ReadWindows read = [&](const FinalWindows& windows) {
+    isolines = trace_isolines(mesh, windows, query.sources, known, levels);
+  };
+  Recording recording;
+  recording.what = Record::windows;
+  recording.read_windows = &read;
+  make_solver(solver, mesh)->solve(query, distances, &recording);
+  return isolines;
 }
 
 }  // namespace geodesic::harness

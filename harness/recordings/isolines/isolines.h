@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "solvers/core/recording.h"
@@ -48,5 +49,12 @@ struct Isolines {
 Isolines trace_isolines(const Mesh& mesh, const FinalWindows& windows,
                         std::span<const Source> sources, std::span<const double> distances,
                         std::span<const double> levels);
+
+/// Solves on a fresh solver object and traces the isolines before its windows are gone.
+/// @param solver one that keeps its windows (Description::final_windows)
+/// @param levels ascending
+/// @param distances one entry a vertex; those of an earlier solve, and then those of this one
+Isolines solve_isolines(const std::string& solver, const Mesh& mesh, const Query& query,
+                        std::span<const double> levels, std::span<double> distances);
 
 }  // namespace geodesic::harness

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/recordings/isolines/plane.h"
-
 namespace geodesic::harness {
 namespace {
 
