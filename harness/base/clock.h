@@ -21,7 +21,7 @@ class Stopwatch {
 /// CPU time of the calling thread, in seconds since it began.
 double thread_cpu_seconds();
 
-/// Makes `peak_resident_bytes` count from now on; what reading a mesh took is no solver's memory.
+/// Resets the peak of `peak_resident_bytes`, so that it excludes the memory for reading the mesh.
 /// Without effect where the kernel does not offer it (Linux does).
 void restart_peak_resident_bytes();
 

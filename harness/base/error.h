@@ -12,7 +12,7 @@ class HarnessError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What was asked for could not be written: the disk is full, or the folder is gone.
+/// A result could not be written: the disk is full, or the folder is gone.
 class CannotWrite : public HarnessError {
  public:
   using HarnessError::HarnessError;

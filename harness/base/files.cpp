@@ -20,7 +20,7 @@ namespace {
   throw CannotWrite("cannot write '" + path.string() + "': " + std::strerror(errno));
 }
 
-// Makes a new file: a link that somebody else has put there is not followed.
+// Makes a new file: an existing symbolic link is not followed.
 // @return whether it could
 bool create(const fs::path& path) {
   constexpr mode_t kMode = 0666;  // less what the umask takes away

@@ -13,8 +13,8 @@ namespace geodesic::harness {
 inline constexpr const char* kPartOfFile = ".part";
 
 /// Writes to a temporary name in the same folder; `commit` gives the file its name. Destroyed
-/// without a commit it leaves nothing behind. A path that is no regular file (a pipe, /dev/stderr)
-/// is written to directly.
+/// without a commit it leaves nothing behind. A path that is not a regular file (a pipe,
+/// /dev/stderr) is written to directly.
 class AtomicFile {
  public:
   /// @throws CannotWrite when the file cannot be written, before anything is computed

@@ -1,4 +1,4 @@
-// The user's Ctrl-C, and its like, as an exception: what was computed is kept, and said.
+// Ctrl-C, SIGTERM and SIGHUP as an exception, so that what was computed is kept.
 #pragma once
 
 #include <array>
@@ -7,7 +7,8 @@
 
 namespace geodesic::harness {
 
-/// Not a HarnessError: it is no cell's failure. main exits with 128 + signal, as a shell does.
+/// Not a HarnessError, since it is not a failure of a cell. main exits with 128 + signal, as a
+/// shell does.
 class Interrupted : public std::runtime_error {
  public:
   explicit Interrupted(int signal);
@@ -17,9 +18,9 @@ class Interrupted : public std::runtime_error {
   int signal_;
 };
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP end nothing by themselves but make
-/// throw_if_interrupted throw; a second one ends the program at once. A signal that is ignored
-/// stays ignored (nohup). At most one lives at a time.
+/// During its lifetime SIGINT, SIGTERM and SIGHUP make throw_if_interrupted throw instead of ending
+/// the program; a second signal ends it at once. A signal that is ignored stays ignored (nohup). At
+/// most one guard exists at a time.
 class InterruptionGuard {
  public:
   InterruptionGuard();

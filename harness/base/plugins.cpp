@@ -37,7 +37,7 @@ std::string load_failure(const std::string& complaint, const fs::path& file) {
            "against this program's package";
   }
   const std::string prefix = file.string() + ": ";
-  return "it is no shared library that can be loaded: " +
+  return "it is not a shared library that can be loaded: " +
          (complaint.starts_with(prefix) ? complaint.substr(prefix.size()) : complaint);
 }
 
@@ -75,7 +75,7 @@ std::string quoted(const std::string& word) {
 void load_plugin(const fs::path& file) {
   try {
     if (!fs::exists(file)) throw HarnessError("there is no such file");
-    if (!fs::is_regular_file(file)) throw HarnessError("it is no regular file");
+    if (!fs::is_regular_file(file)) throw HarnessError("it is not a regular file");
     const fs::path whole = fs::canonical(file);
     if (std::ranges::find(plugins(), whole, &Plugin::file) != plugins().end()) {
       throw HarnessError("it is loaded already: name it once");

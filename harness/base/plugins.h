@@ -1,4 +1,4 @@
-// Plug-ins: shared libraries from outside of this program, which bring solvers.
+// Plug-ins: shared libraries with solvers.
 #pragma once
 
 #include <filesystem>
@@ -13,10 +13,11 @@ struct Plugin {
   std::vector<std::string> solvers;  ///< names, as they were registered
 };
 
-/// Loads the library, whose solvers are from now on as those of the program. Nothing unloads it.
-/// @throws HarnessError when there is no such file, it is loaded already, it is no shared library
-///         or lacks a symbol, or it registers no solver, one of another version of the contract
-///         (solvers/core/solver.h), or one whose name is taken
+/// Loads the library for the rest of the process; its solvers are then registered like those of
+/// the program.
+/// @throws HarnessError when there is no such file, it is loaded already, it is not a shared
+///         library or lacks a symbol, or it registers no solver, one of another version of the
+///         contract (solvers/core/solver.h), or one whose name is taken
 void load_plugin(const std::filesystem::path& file);
 
 /// The arguments that make another process of this program load the same plug-ins.

@@ -16,7 +16,7 @@
 namespace geodesic::harness {
 namespace {
 
-// Empty when the distances were written; otherwise why not, which is also told: the mesh is then
+// Empty when the distances were written; otherwise why not, which is also printed: the mesh is then
 // not the one that the manifest describes.
 std::string write_closed_form(const Cell& cell, bool repair, const std::filesystem::path& file) {
   try {

@@ -83,13 +83,13 @@ std::string unknown_word(const CLI::App& at) {
   return at.get_name() + ": unexpected '" + extras.front() + "'";
 }
 
-// CLI11 says some things in words of its own.
-std::string in_our_words(const CLI::ParseError& error) {
+// Replaces messages of CLI11 that would puzzle users.
+std::string reworded(const CLI::ParseError& error) {
   const std::string said = error.what(), conversion = "Could not convert: ";
   if (const std::size_t at = said.find(": 1 required"); at != std::string::npos) {
     return said.substr(0, at) + " needs a value";
   }
-  // Whatever is no number was found before (values.h).
+  // Words that are not numbers were refused before (values.h).
   return said.starts_with(conversion) ? said.substr(conversion.size()) + " is too large" : said;
 }
 
@@ -98,7 +98,7 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
   std::string what = unknown_word(at);
   if (what.empty()) {
     const bool no_command = dynamic_cast<const CLI::RequiredError*>(&error) && &at == &app;
-    what = no_command ? "which command? There are: " + join(commands_of(app)) : in_our_words(error);
+    what = no_command ? "which command? There are: " + join(commands_of(app)) : reworded(error);
   }
   return what + " (see geodesic-bench " + (&at == &app ? "" : at.get_name() + ' ') + "--help)";
 }
@@ -108,8 +108,8 @@ int complain(const std::string& message, int code) {
   return code;
 }
 
-// The number of a closed stream would be that of the next file to be opened, and what is printed
-// would end up in there. Using these fails as before.
+// The descriptor of a closed stream would be reused for the next file that is opened, which would
+// then receive what is printed. Using these fails as before.
 void occupy_closed_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) >= 0) continue;
@@ -121,7 +121,7 @@ int run(CLI::App& app, int argc, char** argv) {
   try {
     add_commands(app, join({argv, argv + argc}, " "));
     app.parse(argc, argv);
-  } catch (const CLI::RuntimeError& finished) {  // said already why
+  } catch (const CLI::RuntimeError& finished) {  // with its message
     return finished.get_exit_code();
   } catch (const CLI::Success& help) {
     const std::string unknown = unknown_word(innermost(app));
@@ -138,11 +138,11 @@ int run(CLI::App& app, int argc, char** argv) {
   return 0;
 }
 
-// What was printed must have arrived: on a full disk nothing went well.
+// On a full disk the exit code is an error.
 int finish(int code) {
   if (std::cout.flush()) return code;
   return complain(
-      "not all could be written to the standard output: is it closed, or its disk full?",
+      "standard output could not be written completely: is it closed, or the disk full?",
       std::max(code, 1));
 }
 

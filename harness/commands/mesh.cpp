@@ -24,7 +24,7 @@ struct Flags {
   bool repair = false;
 };
 
-// What the command found out: about the repaired mesh where a repair was asked for.
+// After the repair, if any.
 struct Findings {
   std::string format;
   MeshSummary summary;

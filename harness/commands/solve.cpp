@@ -69,7 +69,7 @@ Query query_of(const SolveFlags& flags) {
   return query;
 }
 
-// What to solve, read and checked.
+// The problem, read and checked.
 struct Problem {
   const SolveFlags& flags;
   const Description& solver;

@@ -90,7 +90,7 @@ CLI::Validator zero_or_above() {
 
 CLI::Validator from_to(int least, int most) {
   return number_that([=](double x) { return x >= least && x <= most; },
-                     "from " + std::to_string(least) + " to " + std::to_string(most));
+                     "between " + std::to_string(least) + " and " + std::to_string(most));
 }
 
 }  // namespace geodesic::harness

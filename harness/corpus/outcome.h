@@ -35,7 +35,7 @@ constexpr std::string_view name_of(Outcome outcome) {
   return kOutcomeNames[static_cast<std::size_t>(outcome)];
 }
 
-/// @throws HarnessError for a word that is no outcome
+/// @throws HarnessError for a word that is not an outcome
 inline Outcome outcome_named(std::string_view word) {
   const auto at = std::ranges::find(kOutcomeNames, word);
   if (at == kOutcomeNames.end()) {

@@ -9,8 +9,8 @@
 
 namespace geodesic::harness {
 
-/// Steele, Lea, Flood 2014, "Fast splittable pseudorandom number generators": the same sequence on
-/// every machine, whatever its standard library.
+/// Steele, Lea, Flood 2014, "Fast splittable pseudorandom number generators": the same sequence
+/// with every standard library.
 class SplitMix64 {
  public:
   explicit SplitMix64(std::uint64_t seed) : state_(seed) {}

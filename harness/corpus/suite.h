@@ -1,4 +1,4 @@
-// What a run does: solvers x meshes x sources x repetitions, as a file and as flags.
+// A suite: solvers x meshes x sources x repetitions, as a file and as flags.
 #pragma once
 
 #include <cstdint>
@@ -20,15 +20,15 @@ struct Suite {
   int sources = 3;                        ///< a mesh
   int repetitions = 3;                    ///< timed, a cell
   std::uint64_t seed = 1;                 ///< of the choice of sources
-  double min_time = 0.05;                 ///< seconds that a repetition lasts at least
+  double min_time = 0.05;                 ///< seconds, minimum of a repetition
   std::optional<std::string> reference =
       {};                        ///< solver to verify by; by default one of another kind
-  std::string vectors = "auto";  ///< instructions that solvers are timed with (corpus/vectors.h)
-  double time_limit = 3600;      ///< seconds that the process of a cell may take
+  std::string vectors = "auto";  ///< instruction set (corpus/vectors.h)
+  double time_limit = 3600;      ///< seconds for the process of a cell
   std::optional<std::uint64_t> memory_limit =
-      {};  ///< bytes that it may have; by default what the machine has to give
+      {};  ///< bytes for that process; by default what the machine has available
   std::map<std::string, Outcome> expected =
-      {};  ///< by "solver/mesh": an outcome that is no failure there
+      {};  ///< by "solver/mesh": an outcome that is not a failure there
 };
 
 /// Reads a suite; keys that the file leaves out keep the values above.

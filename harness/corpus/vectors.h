@@ -1,4 +1,4 @@
-// Vector instructions as users name them: --vectors auto|plain|avx2.
+// Instruction sets as users name them: --vectors auto|plain|avx2.
 #pragma once
 
 #include <string>

@@ -25,7 +25,7 @@ void count_allocation(void* block) {
 void* allocate(std::size_t bytes, std::size_t alignment) {
   if (bytes == 0) bytes = 1;
   for (;;) {
-    // aligned_alloc wants a whole number of alignments.
+    // aligned_alloc takes a multiple of the alignment.
     void* block = alignment <= alignof(std::max_align_t)
                       ? std::malloc(bytes)
                       : std::aligned_alloc(alignment, (bytes + alignment - 1) & ~(alignment - 1));

@@ -8,8 +8,9 @@
 
 namespace geodesic::harness {
 
-/// Counts from its construction to its destruction, in the sizes that the allocator really hands
-/// out (malloc_usable_size). One meter at a time; memory obtained by malloc directly is not seen.
+/// Counts from its construction to its destruction, in the sizes that the allocator really
+/// provides (malloc_usable_size). One meter at a time; memory obtained by malloc directly is not
+/// seen.
 class AllocationMeter {
  public:
   AllocationMeter();

@@ -11,7 +11,7 @@
 namespace geodesic::harness {
 namespace {
 
-/// Takes items in any order, from several threads, and hands them on in order.
+/// Accepts items in any order, from several threads, and delivers them in order.
 class InOrder {
  public:
   explicit InOrder(const std::function<void(Kept)>& deliver) : deliver_(deliver) {}

@@ -1,4 +1,4 @@
-// The files of recordings (results/README.md describes every one): what figures are drawn from.
+// The files of recordings, from which figures are drawn (results/README.md describes each).
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,8 @@ struct RecordingFolders {
   std::filesystem::path solver;  ///< `recordings/<mesh>/src<vertex>/<solver>`
 };
 
-/// Any name gives a folder of its own: what is no letter, digit, ".", "_" or "-" is written %XX.
+/// Different names give different folders: bytes other than letters, digits, ".", "_" and "-" are
+/// written %XX.
 RecordingFolders recording_folders(const std::string& mesh, Index source,
                                    const std::string& solver);
 
@@ -35,7 +36,7 @@ void write_vertex_distances(const std::filesystem::path& folder, std::span<const
 void write_wavefront(const std::filesystem::path& folder, const Mesh& mesh,
                      const Recording& recording);
 
-/// Whether `write_isolines` has been there.
+/// Whether `write_isolines` has written the folder.
 bool has_isolines(const std::filesystem::path& folder);
 
 /// Writes isoline_points.npy and isoline_pieces.npy.

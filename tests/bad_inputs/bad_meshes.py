@@ -98,7 +98,7 @@ CASES = [
     mesh("compressed", "a.ply", b"\x1f\x8b\x08\x00", "a.ply: a compressed file", "unpack it first"),
     mesh("a program", "a.obj", b"\x7fELF\x02\x01\x01\x00", "a.obj", *UNKNOWN),
     Case("a folder", "geodesic-bench solve folder --solver mmp --source 0",
-         ["'folder' is no regular file"], given="mkdir folder"),
+         ["'folder' is not a regular file"], given="mkdir folder"),
     Case("a pipe, which nobody waits for", "geodesic-bench mesh pipe",
          ["pipe: not a regular file; name a mesh file"], given="mkfifo pipe"),
     Case("an endless device", "geodesic-bench mesh /dev/zero", ["/dev/zero: not a regular file"]),

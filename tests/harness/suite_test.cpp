@@ -39,8 +39,8 @@ TEST_F(SuiteFile, RefusesUnknownKeysAndListsTheKnownOnes) {
 TEST_F(SuiteFile, RefusesValuesOutOfRange) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {R"({"sources": 0})", "at least one source"},
-      {R"({"sources": 2.5})", "whole number"},
-      {R"({"sources": -1})", "whole number"},
+      {R"({"sources": 2.5})", "not a non-negative integer"},
+      {R"({"sources": -1})", "not a non-negative integer"},
       {R"({"sources": 4294967297})", "too large"},
       {R"({"repetitions": 0})", "at least one repetition"},
       {R"({"min_time": 0})", "positive number of seconds"},

@@ -140,7 +140,7 @@ def test_a_folder_without_a_run_is_refused(world: World) -> None:
         ended = subprocess.run(
             [str(world.bench), "run", "--resume", str(folder)], capture_output=True, text=True
         )
-        assert ended.returncode == 1 and "holds no run to go on with" in ended.stderr
+        assert ended.returncode == 1 and "holds no run to resume" in ended.stderr
         assert len(ended.stderr.splitlines()) == 1
 
 
