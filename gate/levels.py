@@ -13,7 +13,7 @@ from results.reader import Cell
 
 from gate.cells import MEMORY, MEMORY_FLOOR, UNSUPPORTED, WRONG, Measured
 from gate.findings import REGRESSION, WRONG_ANSWER, LevelResult, Weight
-from gate.program import Program, Verified
+from gate.program import NotCountableError, Program, Verified
 
 INSTRUCTIONS_FAIL = 0.02
 INSTRUCTIONS_WARN = 0.005
@@ -108,10 +108,14 @@ def instructions(
         return result
     both = [after.cell for _, after in common(base_run, head_run)]
     cells = [cell for cell in both if cell.mesh in CALLGRIND_MESHES]
-    with ThreadPoolExecutor(processes) as pool:
-        old_counts = pool.map(base.instructions, cells)
-        new_counts = pool.map(head.instructions, cells)
-        counts = list(zip(cells, old_counts, new_counts, strict=True))
+    try:
+        with ThreadPoolExecutor(processes) as pool:
+            old_counts = pool.map(base.instructions, cells)
+            new_counts = pool.map(head.instructions, cells)
+            counts = list(zip(cells, old_counts, new_counts, strict=True))
+    except NotCountableError as error:
+        result.skipped = str(error)
+        return result
     result.heading = ["row", "base", "head", "change"]
     for cell, old, new in counts:
         _judge_instructions(result, cell, old, new)

@@ -25,6 +25,10 @@ SOLVE = "geodesic::Solver::solve(*"
 """The function that callgrind counts in: every solve of any solver."""
 
 
+class NotCountableError(GateError):
+    """Callgrind cannot run the program on this machine."""
+
+
 @dataclass(frozen=True)
 class Verified:
     """What one run of a program has."""
@@ -86,7 +90,7 @@ class Program:
         return {cell: paired(old[cell], new[cell]) for cell in cells}
 
     def instructions(self, cell: Cell) -> int:
-        """Instructions inside one solve."""
+        """Instructions inside one solve. @raises NotCountableError, GateError"""
         words = ["solve", cell.mesh, "--solver", cell.solver, "--each", "--source"]
         with tempfile.TemporaryDirectory() as folder:
             out = Path(folder) / "callgrind.out"
@@ -114,6 +118,8 @@ class Program:
             ended = subprocess.run(command, capture_output=True, text=True, env=environment)
         except OSError as error:
             raise GateError(f"cannot start {command[0]}: {error.strerror}") from None
+        if before and "Unrecognised instruction" in ended.stderr:
+            raise NotCountableError("valgrind lacks an instruction that the program executes here")
         if ended.returncode != 0 and not may_fail():
             last = (ended.stderr.strip().splitlines() or ["it printed no error"])[-1]
             raise GateError(f"`{words[0]}` of the {self.name} failed: {last}")

@@ -50,6 +50,7 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
     )
     how.add_argument("--reference", metavar="NAME", help="exact solver that others are verified by")
     how.add_argument("--vectors", metavar="SET", help="instruction set: auto, plain or avx2")
+    how.add_argument("--repair", action="store_true", help="repair meshes that need it")
     how.add_argument("--plugin", metavar="FILE", action="append", default=[], help="a plug-in")
     how.add_argument("--manifest", metavar="FILE", help="list of meshes and corpora")
     where = parser.add_argument_group("folders")
@@ -105,6 +106,8 @@ def run_command(options: argparse.Namespace, folder: Path) -> list[str]:
         words += ["--meshes", options.meshes]
     if options.corpus or not options.meshes:
         words += ["--corpus", options.corpus or "quick"]
+    if options.repair:
+        words.append("--repair")
     for name in PASSED_ON:
         if (value := getattr(options, name)) is not None:
             words += [f"--{name.replace('_', '-')}", value]

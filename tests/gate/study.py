@@ -27,7 +27,7 @@ sys.path.insert(0, str(ROOT))
 
 from gate import baseline, check, levels  # noqa: E402  (needs the path above)
 from gate.findings import GOOD, REGRESSION, WRONG_ANSWER, Weight  # noqa: E402
-from gate.program import Program  # noqa: E402
+from gate.program import NotCountableError, Program  # noqa: E402
 from gate.verdict import Verdict  # noqa: E402
 
 SOLVERS = ("ich", "fwp-mmp", "mmp")
@@ -184,7 +184,11 @@ def main() -> int:
             if runs == 0:
                 continue
             began = time.monotonic()
-            results = repeat(study, fault, runs, loaded)
+            try:
+                results = repeat(study, fault, runs, loaded)
+            except NotCountableError as error:
+                print(f"| {fault.what} | | {error} | | |", flush=True)
+                continue
             print(line(fault, where, results, time.monotonic() - began), flush=True)
             missed |= sum(r.found(fault) for r in results) < fault.promised * runs
     return int(missed)

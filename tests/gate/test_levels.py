@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -134,6 +135,17 @@ def test_without_valgrind_level_2_is_skipped_and_says_why(
     assert "Level 2. Instructions inside solve, counted by callgrind: skipped: valgrind" in as_text(
         verdict
     )
+
+
+def test_level_2_is_skipped_where_valgrind_cannot_run_the_program(
+    world: World, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    tool = tmp_path / "valgrind"
+    tool.write_text("#!/bin/sh\necho 'valgrind: Unrecognised instruction at 0x1.' >&2; exit 132\n")
+    tool.chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path), prepend=":")
+    monkeypatch.setattr(levels, "CALLGRIND_MESHES", ("cube",))
+    assert world.gate(levels=(0, 2)).levels[1].skipped.startswith("valgrind lacks an instruction")
 
 
 def test_renamed_solver_is_an_error_that_says_so(world: World) -> None:
