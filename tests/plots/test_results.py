@@ -13,10 +13,18 @@ import jsonschema
 import numpy as np
 import pytest
 
+from plots import catalogue
 from plots.recordings import CURVE, SNAPSHOT
-from results.reader import SCHEMA, ResultError, Run, newest_run, read_file, read_run
+from results.reader import SCHEMA, Cell, ResultError, Run, newest_run, read_file, read_run
 
 Changed = Callable[[Callable[[dict[str, Any]], object]], Path]
+
+
+PROGRAMS = [
+    {"name": name, "path": f"/bin/{name}", "sha256": 64 * "a", "revision": "unknown",
+     "modified": None, "compiler": "g++", "compiler_flags": "", "build_type": "Release"}
+    for name in ("base", "head")
+]  # fmt: skip
 
 
 def error_of(folder: Path) -> str:
@@ -211,3 +219,40 @@ def test_every_cell_of_a_real_run_has_a_file_to_the_schema(real_run: Path) -> No
         return row.mesh, row.solver, row.source, row.repetition
 
     assert sorted(map(key, cells)) == sorted(map(key, read_run(real_run).rows))
+
+
+def test_an_interleaved_run_has_its_programs_and_their_rows_apart(changed: Changed) -> None:
+    def change(data: dict[str, Any]) -> None:
+        head = [{**row, "program": "head"} for row in data["benchmarks"]]
+        for row in data["benchmarks"]:
+            row["program"] = "base"
+        data["benchmarks"] += head
+        data["context"]["geodesic_bench"]["interleaved"] = True
+        data["context"]["geodesic_bench"]["programs"] = PROGRAMS
+
+    folder = changed(change)
+    run = read_run(folder)
+    cell = Cell("mmp", "horse", 0)
+    assert run.interleaved and str(cell) == "mmp/horse/src:0"
+    assert len(run.cells()[cell]) == 2 * len(run.cells("head")[cell]) == 4
+    assert {row.program for row in run.cells("base")[cell]} == {"base"}
+    with pytest.raises(ResultError, match="several programs"):
+        catalogue.draw(run)
+
+
+def test_a_file_of_another_revision_is_read_without_the_schema(changed: Changed) -> None:
+    folder = changed(lambda data: [row.update(novelty=7) for row in data["benchmarks"]])
+    with pytest.raises(ResultError, match="novelty"):
+        read_file(folder / "run.json")
+    run = read_file(folder / "run.json", of_any_revision=True)
+    assert run.rows[0].numbers["novelty"] == 7 and run.rows[0].data["novelty"] == 7
+    folder = changed(lambda data: data["context"].pop("geodesic_bench"))
+    with pytest.raises(ResultError, match="not a result file of geodesic-bench"):
+        read_file(folder / "run.json", of_any_revision=True)
+
+
+def test_a_run_of_some_meshes_has_their_rows_only(golden_run: Run) -> None:
+    some = golden_run.of_meshes(["horse"])
+    assert {row.mesh for row in some.rows} == {"horse"} == set(some.meshes)
+    with pytest.raises(ResultError, match="no mesh 'dragon'; it has horse, rocker-arm"):
+        golden_run.of_meshes(["dragon"])

@@ -11,6 +11,7 @@ import re
 import subprocess
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +22,9 @@ from plots.catalogue import TABLES
 from results import published
 from results.console import ROOT
 from results.reader import ResultError, Run, read_run
-from results.table import FORMATS, BLANK, Cell, Table, mark, to_csv, to_latex, to_markdown, write
+from results.table import (
+    BLANK, FORMATS, Cell, Table, mark, to_csv, to_latex, to_markdown, to_tabular, to_text, write,
+)  # fmt: skip
 
 Changed = Callable[[Callable[[dict[str, Any]], object]], Path]
 
@@ -368,3 +371,28 @@ def test_write_makes_the_folder_and_every_format(tmp_path: Path) -> None:
     files = write(small_table(), tmp_path / "new" / "folder")
     assert [file.suffix for file in files] == list(FORMATS)
     assert all(file.stat().st_size for file in files)
+
+
+SMALL = Table(
+    "small", "Ratios", ["Solver", "Ratio"], 1,
+    [[Cell("a_b%"), Cell("1.5", note="one mesh")], [Cell("c|d"), Cell("10.25")]], ["A $ remark."],
+)  # fmt: skip
+
+
+def test_a_terminal_gets_aligned_columns() -> None:
+    assert to_text(SMALL).splitlines() == [
+        "Ratios", "  Solver  Ratio", "  a_b%    1.5 a", "  c|d     10.25", "A $ remark.",
+        "a: one mesh",
+    ]  # fmt: skip
+
+
+def test_a_table_without_a_title_has_no_heading() -> None:
+    table = replace(SMALL, title="")
+    assert to_markdown(table).startswith("| Solver |") and to_text(table).startswith("  Solver")
+
+
+def test_markdown_and_latex_are_escaped_and_control_characters_shown() -> None:
+    assert r"c\|d" in to_markdown(SMALL) and r"A \$ remark." in to_markdown(SMALL)
+    assert r"a\_b\% & 1.5 \\" in to_tabular(SMALL)
+    odd = replace(SMALL, rows=[[Cell("\x1b[2J"), Cell("1")]])
+    assert "\x1b" not in to_text(odd) and r"\x1b[2J" in to_text(odd)
