@@ -12,7 +12,7 @@ if __name__ == "__main__":
     console.prepare()  # before imports that may fail
 
 from plots.catalogue import EVERYTHING, draw, write
-from results.reader import ResultError, newest_run, read_run
+from results.reader import ResultError, read_run, run_folder
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -32,7 +32,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if unknown := [name for name in options.names if name not in EVERYTHING]:
         parser.error(f"unknown table or figure: {', '.join(unknown)}")
     try:
-        folder = options.run or newest_run()
+        folder = run_folder(options.run)
         run = read_run(folder)
         if options.meshes:
             run = run.of_meshes(options.meshes)

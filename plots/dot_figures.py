@@ -10,7 +10,8 @@ from matplotlib.ticker import FuncFormatter, LogLocator
 
 from plots import style
 from plots.dots import (
-    AT_THE_EDGE, Dot, Row, draw_rows, hollow_mark, mesh_rows, ratio_axis, sentences, without_value,
+    AT_THE_EDGE, Dot, Row, draw_rows, hollow_mark, mesh_rows, ratio_axis, sentences, styles_of,
+    without_value,
 )  # fmt: skip
 from plots.drawing import Drawing
 from plots.measures import (
@@ -61,11 +62,9 @@ def speedup(run: Run) -> Drawing:
             label = f"geometric mean,\n{len(meshes)} {words}"
             hollow = {s: [replace(d, hollow=words == "stand-ins") for d in dots[s]] for s in dots}
             rows.append(Row(label, hollow, mean=True))
-    styles = style.solver_styles(run.solvers)
     marks = [hollow_mark("hollow: a stand-in")] if any(m.stand_in for m in models) else []
-    figure = draw_rows(
-        rows, style.plain(ratio.label), {s: styles[s] for s in solvers}, marks=marks, numbers=True
-    )
+    label = style.plain(ratio.label)
+    figure = draw_rows(rows, label, styles_of(run), marks=marks, numbers=True)
     ratio_axis(figure.axes[0].xaxis)
     return Drawing(
         title=f"Speed-up over {base}",
@@ -96,8 +95,7 @@ def estimates(
     """The drawing of one estimate for each mesh and solver."""
     solvers = measured_solvers(run)
     rows = mesh_rows(run, label, solvers, measured, published_of)
-    styles = style.solver_styles(run.solvers)
-    figure = draw_rows(rows, label, {s: styles[s] for s in solvers}, left=left)
+    figure = draw_rows(rows, label, styles_of(run), left=left)
     with_value = [s for s in solvers if any(s in row.dots for row in rows)]
     caption = sentences(*words, AT_THE_EDGE, without_value(run, with_value))
     return Drawing(title, caption, figure)
@@ -164,10 +162,8 @@ def accuracy(run: Run) -> Drawing:
 
     solvers = [s for s in measured_solvers(run) if run.solvers[s].exact]
     rows = mesh_rows(run, ERROR.label, solvers, measured)
-    every = style.solver_styles(run.solvers)
-    styles = {solver: every[solver] for solver in solvers}
     mark = hollow_mark("hollow: against a solver")
-    figure = draw_rows(rows, "largest relative error", styles, marks=[mark])
+    figure = draw_rows(rows, "largest relative error", styles_of(run), marks=[mark])
     axes = figure.axes[0]
     axes.set_xscale("log")
     axes.xaxis.set_major_locator(LogLocator(numticks=20))

@@ -14,7 +14,7 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, MaxNLocator, NullLocator
 
 from plots import style
-from plots.measures import failure
+from plots.measures import columns, failure
 from plots.models import ordered_meshes
 from plots.style import SolverStyle
 from results.published import THESIS_SOLVERS
@@ -69,6 +69,12 @@ class Row:
 def two_lines(mesh: Mesh) -> str:
     """The mesh's label as a drawn text."""
     return style.plain(mesh.label).replace(" (", "\n(")
+
+
+def styles_of(run: Run) -> dict[str, SolverStyle]:
+    """In the order in which solvers are drawn."""
+    styles = style.solver_styles(run.solvers)
+    return {solver: styles[solver] for solver in columns(run)}
 
 
 def mesh_rows(

@@ -9,12 +9,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from plots.measures import (
-    CREATED, EDGE_BASED, LIMIT, LIMIT_SOLVER, PEAK, PEAK_BYTES, PROPAGATIONS, REINSERTIONS, SPACE,
-    TIME, VALID, Measure, by_source, limit_solver, values,
+    ABSENT, CREATED, EDGE_BASED, LIMIT, LIMIT_SOLVER, PEAK, PEAK_BYTES, PROPAGATIONS, REINSERTIONS,
+    SPACE, TIME, VALID, Measure, by_source, failure, limit_solver, partial_failure, values,
 )  # fmt: skip
 from results import published
 from results.reader import Run
 from results.statistics import Estimate, Sample, geometric_mean
+from results.table import Cell, estimate_cell
 
 RIVAL = "the solver in the column"
 
@@ -75,6 +76,15 @@ class Ratio:
         if isinstance(above, int | float) and isinstance(below, int | float):
             return above / below
         return None
+
+    def cell(self, run: Run, mesh: str, solver: str) -> Cell:
+        """The mean over sources and repetitions, or why there is none."""
+        sample = self.measured(run, mesh, solver)
+        if not sample:
+            return failure(run, mesh, solver) or Cell(ABSENT)
+        estimate = geometric_mean([sample])
+        note = partial_failure(run, mesh, solver)
+        return estimate_cell(estimate, self.interval(estimate), note)
 
     def interval(self, estimate: Estimate) -> str:
         ends = sorted([estimate.low, estimate.high], reverse=self.falling)

@@ -22,7 +22,7 @@ from plots.html_table import to_html
 from plots.models import of_thesis
 from plots.style import DPI
 from results import published
-from results.reader import ResultError, Run, newest_run, read_run
+from results.reader import ResultError, Run, read_run, run_folder
 from results.table import Table
 
 HERE = Path(__file__).resolve().parent
@@ -219,7 +219,7 @@ def _reproduce(run: Run, folder: str, left_out: Sequence[LeftOut]) -> str:
 def main(arguments: Sequence[str] | None = None) -> int:
     options = console.run_parser(__doc__).parse_args(arguments)
     try:
-        folder = options.run or newest_run()
+        folder = run_folder(options.run)
         run = read_run(folder)
         items, left_out = draw(run)
         for one in left_out:

@@ -9,7 +9,7 @@ from plots.measures import (
 from plots.models import left_out, ordered_meshes
 from plots.ratios import Ratio, over_meshes, time_over
 from results.reader import Mesh, Run
-from results.statistics import geometric_mean, median
+from results.statistics import median
 from results.table import BLANK, Cell, Table, estimate_cell
 
 ALL = "all meshes"
@@ -51,7 +51,7 @@ def _block(run: Run, mesh: Mesh, ratio: Ratio) -> list[list[Cell]]:
             note = partial_failure(run, mesh.name, solver)
             cells = [
                 estimate_cell(times[solver], unit.text(times[solver].value), note),
-                _ratio(run, mesh.name, solver, ratio),
+                ratio.cell(run, mesh.name, solver),
                 *(our_cell(run, mesh.name, solver, m) for m in (PROPAGATIONS, PEAK_BYTES, ERROR)),
             ]
         rows.append([Cell("" if rows else mesh.name, mesh.label), _name(run, solver), *cells])
@@ -60,14 +60,6 @@ def _block(run: Run, mesh: Mesh, ratio: Ratio) -> list[list[Cell]]:
 
 def _name(run: Run, solver: str) -> Cell:
     return Cell(solver if run.solvers[solver].exact else f"{solver} (upper bound)", solver)
-
-
-def _ratio(run: Run, mesh: str, solver: str, ratio: Ratio) -> Cell:
-    sample = ratio.measured(run, mesh, solver)
-    if not sample:
-        return BLANK
-    estimate = geometric_mean([sample])
-    return estimate_cell(estimate, ratio.interval(estimate))
 
 
 def _means(run: Run, ratio: Ratio) -> list[list[Cell]]:

@@ -5,13 +5,12 @@ from __future__ import annotations
 import math
 from itertools import pairwise
 
-from plots.measures import ABSENT, columns, failure, partial_failure
+from plots.measures import ABSENT, columns, failure
 from plots.models import left_out, of_thesis, ordered_meshes
 from plots.ratios import BY_KEY, RATIOS, Mean, Ratio, over_meshes
 from results import published
 from results.published import Claim
 from results.reader import Mesh, ResultError, Run
-from results.statistics import geometric_mean
 from results.table import BLANK, Cell, Table, estimate_cell
 
 REMARKS = [
@@ -44,7 +43,7 @@ def ratios(run: Run) -> Table:
 
 
 def _our_row(run: Run, mesh: Mesh, ratio: Ratio) -> list[Cell]:
-    cells = [_ours(run, mesh.name, solver, ratio) for solver in columns(run)]
+    cells = [ratio.cell(run, mesh.name, solver) for solver in columns(run)]
     return [Cell(ratio.label, note=ratio.note), Cell(mesh.label), Cell("ours"), *cells]
 
 
@@ -58,17 +57,6 @@ def _published_rows(run: Run, mesh: Mesh, ratio: Ratio) -> list[list[Cell]]:
     cells = [Cell(ABSENT) if v is None else Cell(ratio.show(v), v) for v in values]
     source = "published, context only" if mesh.stand_in else "published"
     return [[Cell(ratio.label, note=ratio.note), Cell(mesh.thesis_model), Cell(source), *cells]]
-
-
-def _ours(run: Run, mesh: str, solver: str, ratio: Ratio) -> Cell:
-    failed = failure(run, mesh, solver)
-    if failed is not None:
-        return failed
-    sample = ratio.measured(run, mesh, solver)
-    if not sample:
-        return Cell(ABSENT)
-    estimate = geometric_mean([sample])
-    return estimate_cell(estimate, ratio.interval(estimate), partial_failure(run, mesh, solver))
 
 
 def _mean_row(run: Run, ratio: Ratio) -> list[Cell]:

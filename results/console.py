@@ -92,7 +92,7 @@ def prepare(name: str = "") -> None:
 def _end(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
     ours = isinstance(error, ImportError) and (ROOT / str(error.name).split(".")[0]).exists()
     if isinstance(error, ImportError) and not ours:
-        complain(ImportError(f"{error}: install {PACKAGES}, and use Debian's /usr/bin/python3"))
+        complain(ImportError(f"{error}: it needs {PACKAGES}, as Debian's /usr/bin/python3 has them"))
     elif isinstance(error, OSError):
         complain(error)
     elif isinstance(error, KeyboardInterrupt):

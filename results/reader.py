@@ -171,11 +171,15 @@ class Run:
 def read_run(path: Path) -> Run:
     """@param path a run folder with a run.json in it, or a result file
     @raises ResultError as read_file does"""
-    if path.is_file():
-        return read_file(path)
-    if not path.is_dir():
-        raise ResultError(f"{path}: no such folder; ./run_all.sh run makes one")
-    return read_file(path / "run.json")
+    return read_file(path if path.is_file() else run_folder(path) / "run.json")
+
+
+def run_folder(path: Path | None) -> Path:
+    """The folder of --run, or the newest. @raises ResultError when it is not there"""
+    folder = path or newest_run()
+    if not folder.is_dir():
+        raise ResultError(f"{folder}: no such folder; ./run_all.sh run makes one")
+    return folder
 
 
 def read_file(file: Path, *, of_any_revision: bool = False) -> Run:
