@@ -1,13 +1,14 @@
 # shellcheck shell=bash disable=SC2034,SC2154
 # Sourced by tools/common.sh: finds what tools/packages.txt lists and installs what is missing.
 
-# find_python MODULE...: sets `python` to an interpreter that imports them all. Debian's own comes
-# first: another python3 on the PATH cannot import Debian's packages.
+# find_python MODULE...: sets `python` to an interpreter that has them all; they are looked for, not
+# imported, which takes a second. Debian's own comes first: another python3 on the PATH does not
+# have the modules of Debian's packages.
 find_python() {
-  local candidate imports
-  imports=$(IFS=,; echo "import sys, $*")
+  local candidate
+  local look='import sys, importlib.util as u; sys.exit(not all(map(u.find_spec, sys.argv[1:])))'
   while read -r candidate; do
-    if [[ -x $candidate ]] && "$candidate" -c "$imports" >/dev/null 2>&1; then
+    if [[ -x $candidate ]] && "$candidate" -c "$look" "$@" >/dev/null 2>&1; then
       python=$candidate
       return 0
     fi
@@ -61,8 +62,8 @@ set_up() {
   fi
   if [[ " $* " == *" gate "* ]]; then want_optional "$install" optional-gate; fi
   mapfile -t modules < <(listed "$@" | sed -n 's/.* python://p')
-  [[ ${#modules[@]} -eq 0 ]] || find_python "${modules[@]}" || die "no python3 can import ${modules[*]}; Debian's packages of" \
-    "them belong to /usr/bin/python3, which is tried first"
+  [[ ${#modules[@]} -eq 0 ]] || find_python "${modules[@]}" || die "no python3 has ${modules[*]}; Debian's packages of them" \
+    "belong to /usr/bin/python3, which is tried first"
 }
 
 check_cmake() {

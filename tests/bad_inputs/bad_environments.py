@@ -92,7 +92,7 @@ CASES = [
     Case("rank: no Python", "without-python geodesic-bench rank --solver mmp --against ich",
          ["no python3", "numpy", "was found: install"], needs="without-python"),
     Case("run_all.sh: no Python", "without-python run_all.sh fetch --no-install",
-         ["run_all.sh: no python3 can import", "/usr/bin/python3"], needs="without-python"),
+         ["run_all.sh: no python3 has", "/usr/bin/python3"], needs="without-python"),
     Case("run_all.sh: no cmake, and nothing may be installed",
          "PATH=$PWD/few checkout/run_all.sh build --no-install",
          ["run_all.sh: missing: ", "cmake", "Install with:", "sudo apt-get install"], lines=3,

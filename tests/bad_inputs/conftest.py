@@ -11,7 +11,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from shell import BENCH, HERE, ROOT, SYSTEM_PATH, Bash, Ended  # noqa: E402  (needs the path above)
+from shell import ANSWERS, BENCH, HERE, ROOT, SYSTEM_PATH, Bash, Ended  # noqa: E402  (needs the path above)
 
 SCRIPTS = ["run_all.sh", "run_tests.sh", "check_performance.sh", "new_solver.sh"]
 MODULES = {"plots": "plots", "check.py": "plots.check", "report.py": "plots.report"}
@@ -54,24 +54,39 @@ def programs(checkout: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-@pytest.fixture
-def bash(tmp_path: Path, programs: Path, checkout: Path) -> Bash:
-    """bash(command) runs it in a folder that holds a good mesh only."""
-    folder = tmp_path / "here"
-    folder.mkdir()
-    (folder / "hill.obj").write_text(HILL)
+def shell_in(folder: Path, programs: Path, checkout: Path) -> Bash:
+    """bash(command) runs it in `here`, a new folder in this one, which holds a good mesh only."""
+    here = folder / "here"
+    here.mkdir()
+    (here / "hill.obj").write_text(HILL)
     environment = {
         "PATH": f"{programs}:{SYSTEM_PATH}",
-        "HOME": str(tmp_path),
+        "HOME": str(folder),
         "LC_ALL": "C.UTF-8",
-        "GEODESIC_DATASETS": str(tmp_path / "cache"),
+        "GEODESIC_DATASETS": str(folder / "cache"),
         "CHECKOUT": str(checkout),
     }
 
     def run(command: str) -> Ended:
         return subprocess.run(
-            ["bash", "-c", command], cwd=folder, env=environment, stdin=subprocess.DEVNULL,
+            ["bash", "-c", command], cwd=here, env=environment, stdin=subprocess.DEVNULL,
             capture_output=True, text=True, errors="replace", timeout=SECONDS,
         )  # fmt: skip
 
     return run
+
+
+@pytest.fixture
+def bash(tmp_path: Path, programs: Path, checkout: Path) -> Bash:
+    return shell_in(tmp_path, programs, checkout)
+
+
+@pytest.fixture(scope="session")
+def plain(programs: Path, checkout: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of a shell in which the commands of ANSWERS were run with their name `plain`."""
+    folder = tmp_path_factory.mktemp("plain")
+    bash = shell_in(folder, programs, checkout)
+    for command in ANSWERS:
+        ended = bash(command.format("plain"))
+        assert ended.returncode == 0, ended
+    return folder / "here"

@@ -10,7 +10,7 @@ from pages import ROOT
 
 CASE = re.compile(r"^TEST(?:_[FP])?\((\w+), (\w+)\)", re.MULTILINE)
 OF_CTEST = re.compile(r"add_test\(NAME (\w+)\.(\w+)")
-NAMED = re.compile(r"`([A-Z]\w+)\.(\*|\w+)`")
+NAMED = re.compile(r"`([A-Z]\w+)\.(\*|\w+)(?<!\.txt)`")
 PROPERTY = re.compile(r'^      \{"([a-z0-9-]+)",$|^.* kDistancesProperty = "([a-z0-9-]+)";$', re.MULTILINE)
 NAMED_PROPERTY = re.compile(r"`((?:[a-z0-9]+-){2,}[a-z0-9]+|\*(?:-[a-z0-9]+)+|[a-z0-9]+(?:-[a-z0-9]+)*-\*)`")
 """A whole name, or a pattern with * at one end."""
@@ -25,9 +25,7 @@ def existing() -> set[tuple[str, str]]:
 
 
 def properties() -> set[str]:
-    files = (ROOT / "harness" / "conformance").rglob("propert*/*.cpp")
-    header = ROOT / "harness" / "conformance" / "property.h"
-    texts = [file.read_text("utf-8") for file in [header, *files]]
+    texts = [file.read_text("utf-8") for file in (ROOT / "harness" / "verify").rglob("*.*")]
     return {first or second for text in texts for first, second in PROPERTY.findall(text)}
 
 
