@@ -111,7 +111,7 @@ def paired(first: Measured, second: Measured) -> Pairs:
         for row in second.rows
         if row.repetition in by_repetition and _timed(row)
     ]
-    quiet = [pair for pair in both if not any(map(disturbance, pair))]
+    quiet = [pair for pair in both if not any(map(disturbed, pair))]
     kept = quiet if len(quiet) >= least_for_interval(DECISION_CONFIDENCE) else both
     return Pairs(
         first=[a.numbers[TIME] for a, _ in kept],
@@ -122,23 +122,19 @@ def paired(first: Measured, second: Measured) -> Pairs:
 
 def together(parts: Iterable[Pairs]) -> Pairs:
     """The pairs of several sources, or of several runs, as one sample."""
-    first, second, disturbed = [], [], 0
-    for part in parts:
-        first += part.first
-        second += part.second
-        disturbed += part.disturbed
-    return Pairs(first, second, disturbed)
+    all_parts = list(parts)
+    return Pairs(
+        first=[time for part in all_parts for time in part.first],
+        second=[time for part in all_parts for time in part.second],
+        disturbed=sum(part.disturbed for part in all_parts),
+    )
 
 
-def disturbance(row: Row) -> str:
-    """What disturbed the process of this row; empty when nothing did."""
+def disturbed(row: Row) -> bool:
+    """Whether the hypervisor or other processes took too much of the time of this row's process."""
     stolen = row.numbers.get("stolen_share", 0.0)
     switches = row.numbers.get("involuntary_switches_per_s", 0.0)
-    if stolen > MOST_STOLEN:
-        return f"{stolen:.1%} of the time was stolen by the hypervisor"
-    if switches > MOST_SWITCHES:
-        return f"{switches:.0f} involuntary switches a second"
-    return ""
+    return stolen > MOST_STOLEN or switches > MOST_SWITCHES
 
 
 def _timed(row: Row) -> bool:

@@ -181,7 +181,7 @@ def test_margin_below_the_measured_noise_is_refused(repository: Repository) -> N
         (["main", "--levels", "5"], "levels are 0, 1, 2, 3 and 4"),
         (["main", "--margin", "0.9"], "a margin is a ratio above 1, as in 1.10"),
         (["--a-a", "0"], "at least one session"),
-        (["main", "--a-b", "1"], "unknown option --a-b; there are --levels"),
+        (["main", "--a-b", "1"], "unknown option --a-b; see check_performance.sh --help"),
         (["main", "--reason", "why"], "--reason is for --update-baseline"),
         (["a", "b", "c"], "unrecognized arguments: c"),
     ],
