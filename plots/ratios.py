@@ -1,4 +1,4 @@
-"""The ratios that the thesis's text speaks of, from our rows and from its Table 5.2.
+"""The ratios that the thesis's text mentions, from our rows and from its Table 5.2.
 
 Ours are paired: both numbers of a ratio come from the same source and the same repetition.
 """
