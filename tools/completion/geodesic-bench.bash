@@ -1,0 +1,15 @@
+# Completion of geodesic-bench for bash. Installed beside an installed program; from a checkout:
+#   source tools/completion/geodesic-bench.bash
+_geodesic_bench_words=${BASH_SOURCE[0]%/*}/words.sh
+[[ -x $_geodesic_bench_words ]] ||
+  _geodesic_bench_words=${BASH_SOURCE[0]%/*}/../../geodesic-bench/completion/words.sh
+
+_geodesic_bench() {
+  local word=${COMP_WORDS[COMP_CWORD]} command='' before=''
+  [[ $COMP_CWORD -le 1 ]] || command=${COMP_WORDS[1]}
+  if [[ $word == *,* ]]; then before=${word%,*},; fi  # a list of names: --solvers mmp,ich
+  local words
+  words=$("$_geodesic_bench_words" "$1" "$command" "${COMP_WORDS[COMP_CWORD - 1]}")
+  mapfile -t COMPREPLY < <(compgen -P "$before" -W "$words" -- "${word##*,}")
+}
+complete -o bashdefault -o default -F _geodesic_bench geodesic-bench

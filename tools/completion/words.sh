@@ -1,0 +1,45 @@
+#!/bin/sh
+# words.sh PROGRAM COMMAND PREVIOUS: what may follow the word PREVIOUS on a command line of
+# geodesic-bench, one word a line, as the program itself lists it; nothing where files may follow.
+# COMMAND is empty where it is itself to be completed.
+program=$1 command=$2 previous=$3
+
+# names KIND: the first column of a table of `list`, whose heading begins with "solver" or "mesh".
+names() {
+  "$program" list | awk -v kind="$1" '
+    $1 == "solver" || $1 == "mesh" { table = $1; next }
+    table == kind && NF { print $1 }'
+}
+
+corpora() {
+  "$program" list --json | awk '
+    /^  "corpora": / { inside = 1; next }
+    /^  }/ { inside = 0 }
+    inside && match($0, /"[^"]+": \[/) { print substr($0, RSTART + 1, RLENGTH - 5) }'
+}
+
+# commands: the first words below "Subcommands:" or "Commands:".
+commands() {
+  "$program" --help | awk '/ommands:$/ { inside = 1; next } inside && NF { print $1 }'
+}
+
+options() {
+  "$program" "$command" --help | grep -oE '^ +(-[a-z], ?)?--[a-z][a-z-]*' | grep -oE -- '--[a-z-]+'
+}
+
+{
+  case $previous in
+    --solver | --solvers | --against | --reference) names solver ;;
+    --mesh | --meshes) names mesh ;;
+    --corpus) corpora ;;
+    --vectors) printf '%s\n' auto plain avx2 ;;
+    --output | --out | -o | --plugin | --manifest | --run | --resume) ;;
+    *)
+      if [ -z "$command" ]; then commands; else options; fi
+      case $command in
+        solve) names mesh ;;
+        generate) "$program" generate --list | awk '/^[a-z]/ { print $1 }' ;;
+      esac
+      ;;
+  esac
+} 2>/dev/null
