@@ -61,7 +61,9 @@ def as_csv(counters: Counters) -> str:
     return text.getvalue()
 
 
-def compare(baseline: Counters, run: Verified, solvers: Collection[str] | None = None) -> LevelResult:
+def compare(
+    baseline: Counters, run: Verified, solvers: Collection[str] | None = None
+) -> LevelResult:
     """@param solvers those that were asked for; by default all"""
     result = LevelResult(1, "The algorithms' counters against the committed baseline")
     result.heading = ["row", "counter", "baseline", "head", "change"]

@@ -104,11 +104,11 @@ def _build(tree: Tree, options: list[str], log: Path) -> None:
     compile_and_link = ["cmake", "--build", str(BUILD), "--parallel", jobs, "-t", "geodesic-bench"]
     environment = dict(os.environ, CCACHE_BASEDIR=str(tree.folder), CCACHE_NOHASHDIR="1")
     with log.open("wb") as out:
-        built = all(
-            subprocess.run(words, cwd=tree.folder, stdout=out, stderr=out, env=environment).returncode
-            == 0
-            for words in (configure, compile_and_link)
-        )
+        def done(words: list[str]) -> bool:
+            ended = subprocess.run(words, cwd=tree.folder, stdout=out, stderr=out, env=environment)
+            return ended.returncode == 0
+
+        built = done(configure) and done(compile_and_link)
     if not built or not tree.program.exists():
         lines = log.read_text(errors="replace").strip().splitlines()
         errors = [line for line in lines if "error" in line.lower()] or lines or ["no output"]

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from results.reader import Cell, Row, Run
-from results.statistics import DECISION_CONFIDENCE, Estimate, least_for_interval, median_interval
+from results.statistics import DECISION_CONFIDENCE, least_for_interval
 
 TIME = "cpu_time"
 MEMORY = "solver_peak_bytes"
@@ -90,11 +90,6 @@ class Pairs:
     def ratios(self) -> list[float]:
         """The second side's time over the first's."""
         return [b / a for a, b in zip(self.first, self.second, strict=True)]
-
-    @property
-    def ratio(self) -> Estimate:
-        """The median over pairs. @raises ValueError without any pair"""
-        return median_interval(self.ratios)
 
     def __len__(self) -> int:
         return len(self.first)

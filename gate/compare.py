@@ -182,7 +182,8 @@ def _comparison(
     changes = [Change(old[cell], after) for cell, after in new.items() if cell in old]
     for change in changes:
         if times and change.old.ok and change.new.ok:
-            change.measure_pairs() if interleaved else change.measure()
+            measure = change.measure_pairs if interleaved else change.measure
+            measure()
     timed = [change for change in changes if change.time]
     solvers = sorted({change.new.cell.solver for change in timed})
     groups = [(name, [c for c in timed if c.new.cell.solver == name]) for name in solvers]
@@ -197,8 +198,11 @@ def _comparison(
 def _mean(changes: Sequence[Change]) -> Estimate:
     if all(change.ratios for change in changes):
         return geometric_mean_of_medians([change.ratios for change in changes])
-    sides = [(change.old.times, change.new.times) for change in changes]
-    return geometric_mean_of_ratios([tuple([t for t in x if t > 0] for x in s) for s in sides])
+    positive = [
+        ([t for t in change.old.times if t > 0], [t for t in change.new.times if t > 0])
+        for change in changes
+    ]
+    return geometric_mean_of_ratios(positive)
 
 
 def parse_limits(text: str) -> Limits:
@@ -227,7 +231,8 @@ def exceeded(comparison: Comparison, limits: Limits) -> list[str]:
 
 def _failures(change: Change, limits: Limits) -> list[str]:
     lines = [f"was ok, now {change.new.state}"] if change.lost else []
-    lines += [f"{name} {c}" for name, c in change.counters.items() if c.above(limits.get("counters"))]
+    limit = limits.get("counters")
+    lines += [f"{name} {c}" for name, c in change.counters.items() if c.above(limit)]
     memory = change.number(MEMORY, " B")
     if memory and memory.above(limits.get("memory")) and memory.new - memory.old > MEMORY_FLOOR:
         lines.append(f"memory {memory}")
@@ -328,7 +333,7 @@ def as_json(comparison: Comparison, limits: Limits) -> str:
 
 def _json(change: Change) -> dict[str, Any]:
     def numbers(name: str, number: Number | None) -> dict[str, Any] | None:
-        return number and {"name": name, "old": number.old, "new": number.new}
+        return {"name": name, "old": number.old, "new": number.new} if number else None
 
     time = change.time
     return {
@@ -336,8 +341,8 @@ def _json(change: Change) -> dict[str, Any]:
         "solver": change.new.cell.solver,
         "old_failed": None if change.old.ok else change.old.state,
         "new_failed": None if change.new.ok else change.new.state,
-        "time": time and {"old_ms": time.old, "new_ms": time.new, "ratio": time.ratio,
-                          "resolved": change.resolved, **change.evidence},
+        "time": {"old_ms": time.old, "new_ms": time.new, "ratio": time.ratio,
+                 "resolved": change.resolved, **change.evidence} if time else None,
         "memory": numbers(MEMORY, change.number(MEMORY)),
         "counters": [numbers(name, number) for name, number in change.counters.items()],
     }  # fmt: skip

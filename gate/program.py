@@ -69,8 +69,8 @@ class Program:
         return Verified(*_contents(file, None))
 
     def measure_pairs(
-        self, base: Program, head: Program, chosen: Sequence[str], cells: Sequence[Cell], pairs: int,
-        out: Path,
+        self, base: Program, head: Program, chosen: Sequence[str], cells: Sequence[Cell],
+        pairs: int, out: Path,
     ) -> dict[Cell, Pairs]:
         """Times two programs in pairs, by this one's `run --program`, into the folder `out`.
 

@@ -166,7 +166,8 @@ def as_latex(ranking: Ranking, run: Run) -> str:
         + _latex_table(by_mesh, f"Time of the solver in the column over that of {name} on every"
                                 " mesh: median of pairs, with its 95% interval.")
         + "\n\\IfFileExists{rank.pdf}{%\n\\begin{figure}\n\\centering\n"
-        + f"\\includegraphics{{rank.pdf}}\n\\caption{{{escape_latex(figure)}}}\n\\end{{figure}}}}{{}}\n"
+        + f"\\includegraphics{{rank.pdf}}\n\\caption{{{escape_latex(figure)}}}\n"
+        + "\\end{figure}}{}\n"
     )  # fmt: skip
 
 

@@ -91,8 +91,9 @@ class Timing:
         slower until its interval is narrow enough to show half of what the margin allows."""
         judged = decide(self.pairs[cell].ratios, self.margin)
         wide = judged.ratio.high - judged.ratio.value > (self.margin - 1) / 2
-        decision = Decision.UNDECIDED if judged.decision == Decision.SAME and wide else judged.decision
-        return self._confirmed(decision, [cell])
+        if judged.decision == Decision.SAME and wide:
+            return Decision.UNDECIDED
+        return self._confirmed(judged.decision, [cell])
 
     def mean_decision(self, solver: str) -> Decision:
         mean = self.mean(solver)
@@ -166,8 +167,9 @@ def _report_row(
     judged = decide(pairs.ratios, timing.margin)
     ratio = judged.ratio
     result.compared += 1
+    old, new = statistics.median(pairs.first), statistics.median(pairs.second)
     result.table.append([
-        str(cell), f"{statistics.median(pairs.first):.4g}", f"{statistics.median(pairs.second):.4g}",
+        str(cell), f"{old:.4g}", f"{new:.4g}",
         f"{ratio.value:.3f}", f"{ratio.low:.3f} to {ratio.high:.3f}", str(len(pairs)),
         "NOT RESOLVED" if decision == Decision.UNDECIDED else str(decision),
     ])  # fmt: skip

@@ -42,7 +42,9 @@ def test_after_a_wrong_answer_nothing_is_timed(
     assert verdict.levels[1].skipped == "there is a wrong answer: nothing is timed"
 
 
-@pytest.mark.parametrize(("outcome", "code"), [("crashed", WRONG_ANSWER), ("unsupported", REGRESSION)])
+@pytest.mark.parametrize(
+    ("outcome", "code"), [("crashed", WRONG_ANSWER), ("unsupported", REGRESSION)]
+)
 def test_no_answer_where_the_base_has_one_is_a_failure(
     world: World, outcome: str, code: int
 ) -> None:

@@ -45,7 +45,8 @@ class Machine:
         self.sessions.append(list(cells))
         self.seed += len(cells)
         return {
-            cell: made(self.ratios[cell], self.spread, self.seed + i) for i, cell in enumerate(cells)
+            cell: made(self.ratios[cell], self.spread, self.seed + i)
+            for i, cell in enumerate(cells)
         }
 
     def verdict(self, most: int = 6, **options: Any) -> Verdict:
