@@ -97,10 +97,8 @@ class Cache:
         removing it would let a third process in beside a waiting second one."""
         folder = self.folder / WORK / "locks"
         self._make(folder)
-        try:
+        with self._writing():
             file = (folder / f"{name}.lock").open("ab")  # and no more: it may be a link
-        except OSError as error:
-            raise self._unwritable(error) from error
         with file:
             try:
                 fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -110,16 +108,18 @@ class Cache:
             yield
 
     def _make(self, folder: Path) -> None:
-        try:
+        with self._writing():
             folder.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise self._unwritable(error) from error
 
-    def _unwritable(self, error: OSError) -> FetchError:
-        return FetchError(
-            f"cannot write to the dataset cache {self.folder} ({reason_of(error)}): "
-            "make it writable, or name another with --cache or GEODESIC_DATASETS"
-        )
+    @contextmanager
+    def _writing(self) -> Iterator[None]:
+        try:
+            yield
+        except OSError as error:
+            raise FetchError(
+                f"cannot write to the dataset cache {self.folder} ({reason_of(error)}): "
+                "make it writable, or name another with --cache or GEODESIC_DATASETS"
+            ) from error
 
     def _recipe_path(self, file: str) -> Path:
         return self.folder / f"{file}.recipe.json"

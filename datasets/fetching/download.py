@@ -141,12 +141,11 @@ class Downloader:
 
 def _cause_of(error: BaseException) -> str:
     """The innermost reason: 'Connection refused' instead of the names of five exceptions."""
-    while (inner := _inner(error)) is not None:
-        error = inner
+    while True:
+        inner = [error.__cause__, getattr(error, "reason", None), *error.args, error.__context__]
+        nested = [each for each in inner if isinstance(each, BaseException)]
+        if not nested:
+            break
+        error = nested[0]
     strerror = getattr(error, "strerror", None)
     return str(strerror or error or type(error).__name__).split("\n")[0]
-
-
-def _inner(error: BaseException) -> BaseException | None:
-    candidates = [error.__cause__, getattr(error, "reason", None), *error.args, error.__context__]
-    return next((c for c in candidates if isinstance(c, BaseException)), None)

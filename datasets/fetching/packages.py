@@ -19,24 +19,23 @@ WITH_DATA_PATH = ("matplotlib",)
 
 
 def file_of_package(package: Package, scratch: Path) -> Path:
-    """The file that an entry's `package` names: a copy in the scratch folder, or the installed one.
+    """A copy in the scratch folder, or the installed file.
 
     Raises Unavailable when the package or the file in it cannot be had.
     """
-    if package.manager == "npm":
-        return _from_npm(package.name, package.version, package.file, scratch)
-    return _from_python(package.name, package.file)
+    return _from_npm(package, scratch) if package.manager == "npm" else _from_python(package)
 
 
-def _from_npm(name: str, version: str, file: str, scratch: Path) -> Path:
+def _from_npm(package: Package, scratch: Path) -> Path:
     """npm packs the package, checked against its registry's own hash; no script in it is run."""
     npm = shutil.which("npm")
     if npm is None:
         raise Unavailable(
-            f"is in the npm package {name}, and there is no npm: install it (Debian: npm)"
+            f"is in the npm package {package.name}, and there is no npm: install it (Debian: npm)"
         )
+    what = f"{package.name}@{package.version}"
     options = ["--json", "--ignore-scripts", "--prefer-offline", "--fetch-retries=0"]
-    command = [npm, "pack", f"{name}@{version}", *options, "--pack-destination", str(scratch)]
+    command = [npm, "pack", what, *options, "--pack-destination", str(scratch)]
     try:
         done = subprocess.run(
             command,
@@ -47,12 +46,12 @@ def _from_npm(name: str, version: str, file: str, scratch: Path) -> Path:
             timeout=NPM_SECONDS,
         )
     except subprocess.TimeoutExpired:
-        raise Unavailable(f"npm pack {name}@{version} took over {NPM_SECONDS} s") from None
+        raise Unavailable(f"npm pack {what} took over {NPM_SECONDS} s") from None
     tarballs = list(scratch.glob("*.tgz"))
     if done.returncode != 0 or len(tarballs) != 1:
-        raise Unavailable(f"npm pack {name}@{version} failed: {_npm_reason(done)}")
-    target = scratch / Path(file).name
-    extract(tarballs[0], f"package/{file}", target)
+        raise Unavailable(f"npm pack {what} failed: {_npm_reason(done)}")
+    target = scratch / Path(package.file).name
+    extract(tarballs[0], f"package/{package.file}", target)
     return target
 
 
@@ -66,11 +65,12 @@ def _npm_reason(done: subprocess.CompletedProcess[str]) -> str:
     return " ".join(words.split()) or f"exit code {done.returncode}"
 
 
-def _from_python(name: str, file: str) -> Path:
+def _from_python(package: Package) -> Path:
     """Below the package's data folder, or else below the package.
 
     A manifest is data: the package is found, but only one of WITH_DATA_PATH is imported for it.
     """
+    name, file = package.name, package.file
     spec = importlib.util.find_spec(name) if name.isidentifier() else None
     folders = list(spec.submodule_search_locations or []) if spec else []
     if not folders:

@@ -87,7 +87,7 @@ class Manifest:
         self._entries = {entry.name: entry for entry in entries}
 
     def entry(self, name: str) -> Entry:
-        """A mesh or elevation grid. Raises FetchError for an unknown one, listing the known."""
+        """A mesh or elevation grid. Raises FetchError for an unknown one, listing those known."""
         return _find(self._entries, name, "mesh")
 
     def select(self, corpora: Iterable[str], names: Iterable[str]) -> list[Entry]:
