@@ -1,4 +1,4 @@
-"""The performance gate: does a revision give right answers, at no higher price than its base?
+"""Verdicts over result files: comparing runs, ranking a solver, gating a change; and exports.
 
-`python -m gate`, or rather ./check_performance.sh; docs/regression-gate.md describes the levels.
+`python -m gate` is the gate itself, ./check_performance.sh; docs/regression-gate.md describes it.
 """
