@@ -119,7 +119,7 @@ std::size_t drop_faces(TriangleSoup& soup, const std::vector<bool>& dropped);
 struct Orientation {
   std::vector<bool> flipped;  ///< one a triangle: it must run the other way round
   std::size_t flips = 0;
-  /// Edges whose two faces run against one another whatever is flipped: the surface has one side
+  /// Edges whose two faces run against one another in every orientation: the surface has one side
   /// only, like a Moebius strip. 0 when it is orientable.
   std::size_t one_sided_edges = 0;
 };

@@ -18,7 +18,7 @@ namespace geodesic {
 enum class DefectKind {
   index_out_of_range,     ///< face that names a vertex that the file does not have
   repeated_vertex,        ///< face that names a vertex twice
-  non_finite_coordinate,  ///< vertex with a coordinate that is no number, infinite, or so large
+  non_finite_coordinate,  ///< vertex with a coordinate that is NaN, infinite, or so large
                           ///< (kLargestCoordinate) that lengths overflow
   repeated_face,          ///< face of the same three vertices as an earlier one, either way round
   non_manifold_edge,      ///< edge of more than two faces

@@ -20,8 +20,8 @@ struct LoadedMesh {
   std::string format;
   DefectReport defects;               ///< of the file, before any repair
   std::vector<RepairAction> repairs;  ///< empty without LoadOptions::repair
-  std::vector<std::string> warnings;  ///< one line each, without the file's name: whatever a user
-                                      ///< should know, defects and repairs included
+  std::vector<std::string> warnings;  ///< one line each, without the file's name: defects, repairs
+                                      ///< and what the parser noticed
 };
 
 /// @throws MeshError when the file cannot be read, and when it has errors among its defects and is
@@ -29,13 +29,13 @@ struct LoadedMesh {
 LoadedMesh load_mesh(const std::filesystem::path& path, const LoadOptions& options = {});
 
 /// As `load_mesh` on a file that has been read.
-/// @param name what messages call the file
+/// @param name of the file, for messages
 LoadedMesh load_mesh(MeshFile file, const std::string& name, const LoadOptions& options);
 
 /// Refuses what solvers should not be given.
 /// @param soup after the repair, if any
 /// @param defects of the file, before it
-/// @param name what messages call the file
+/// @param name of the file, for messages
 /// @throws MeshError as `load_mesh`
 void require_measurable(const TriangleSoup& soup, const DefectReport& defects,
                         const std::string& name, bool repaired);

@@ -167,7 +167,7 @@ MeshFile parse_mesh(std::string_view bytes, const std::string& name) {
   MeshFile file = format.parser(bytes, name);
   const std::string extension = lower_extension(name);
   if (!extension.empty() && extension != format.extension) {
-    file.warnings.push_back("the content is " + file.format + ", whatever the name says");
+    file.warnings.push_back("the content is " + file.format + ", not what the extension means");
   }
   if (file.soup.positions.empty()) {
     throw MeshError(name + ": empty mesh: no vertices; is it the right file?");

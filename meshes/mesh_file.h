@@ -4,7 +4,7 @@
 // Vertex ids are the order of the vertices in the file, from 0, and isolated vertices stay; an STL
 // file has no vertices of its own, so equal corners are joined and numbered by first appearance.
 // Polygons become triangles in the order of the file. Coordinates are the doubles nearest to the
-// decimal numbers of the file, whatever the locale. Topology is not looked at: see defects.h.
+// decimal numbers of the file, in any locale. Topology is not checked: see defects.h.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace geodesic {
 
-/// Where the elements of a text file stand, lines counted from 1; both empty for a binary file.
+/// Lines of the elements of a text file, counted from 1; both empty for a binary file.
 struct FileLines {
   std::vector<std::uint32_t> vertices;   ///< one a vertex
   std::vector<std::uint32_t> triangles;  ///< one a triangle
@@ -41,7 +41,7 @@ std::string read_bytes(const std::filesystem::path& path);
 MeshFile read_mesh(const std::filesystem::path& path);
 
 /// As `read_mesh` on a file's bytes.
-/// @param name what messages call the file; its extension is the hint
+/// @param name of the file, for messages; its extension is the hint
 MeshFile parse_mesh(std::string_view bytes, const std::string& name);
 
 /// The bytes of a mesh file, by the extension of its path: .obj and .off with the 17 digits that

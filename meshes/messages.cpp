@@ -71,7 +71,7 @@ std::string unknown_name(std::string_view kind, std::string_view name,
   std::size_t least = tolerated + 1;
   std::string_view nearest;
   for (const std::string& candidate : known) {
-    // The distance is no less than that of the lengths, and not looked for in vain.
+    // The distance is at least the difference of the lengths.
     if (candidate.size() > name.size() + tolerated || name.size() > candidate.size() + tolerated) {
       continue;
     }

@@ -20,9 +20,9 @@ std::string unknown_name(std::string_view kind, std::string_view name,
                          const std::vector<std::string>& known);
 
 /// A message, or a name in it, as it may be shown on any terminal and stored in any result file:
-/// control characters (ESC, a line end, ...) and bytes that are no UTF-8 are spelt out in
-/// hexadecimal digits. What a file says can then neither move the cursor nor pass for a line of the
-/// program.
+/// control characters (ESC, a line end, ...) and bytes that are not UTF-8 become
+/// hexadecimal digits, so that the content of a file can neither move the cursor nor imitate a line
+/// of the program.
 std::string harmless(std::string_view text);
 
 /// The same of text of any length: cut off after `longest` bytes.

@@ -1,29 +1,42 @@
 // Pseudo-random numbers that are the same on every machine and standard library; the distributions
-// of
-// `<random>` are not.
+// of `<random>` are not.
 #pragma once
 
 #include <cstdint>
 #include <random>
+#include <utility>
 
 namespace geodesic {
 
+/// g: 2^64 over the golden ratio, odd.
+inline constexpr std::uint64_t kSplitMixStep = 0x9e3779b97f4a7c15u;
+
 /// The output function of SplitMix64: a bijection of 64-bit words whose outputs on 0, g, 2g, ...
-/// (g the odd constant) pass statistical test suites. Steele, Lea, Flood 2014, "Fast splittable
-/// pseudorandom number generators", with the multipliers of Stafford's variant 13.
+/// pass statistical test suites. Steele, Lea, Flood 2014, "Fast splittable pseudorandom number
+/// generators", with the multipliers of Stafford's variant 13.
 inline std::uint64_t split_mix(std::uint64_t state) {
-  std::uint64_t z = state + 0x9e3779b97f4a7c15u;
+  std::uint64_t z = state + kSplitMixStep;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
   return z ^ (z >> 31);
 }
+
+/// The outputs on seed, seed + g, seed + 2g, ...
+class SplitMix64 {
+ public:
+  explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
+  std::uint64_t next() { return split_mix(std::exchange(state_, state_ + kSplitMixStep)); }
+
+ private:
+  std::uint64_t state_;
+};
 
 /// A number in [-1, 1) from the upper 53 bits of a random word.
 inline double to_signed_unit(std::uint64_t word) {
   return static_cast<double>(word >> 11) * 0x1p-52 - 1;
 }
 
-/// A sequence of random numbers.
+/// Uniform random numbers.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : bits_(seed) {}

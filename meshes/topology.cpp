@@ -101,7 +101,7 @@ class Builder {
     surface.add_property(topology_.file_face, "file_face");
     handles_.resize(twins_.size());
     for (Index h = 0; h < twins_.size(); ++h) {
-      handles_[h] = twins_[h] < h  // the edge's other side made it already; kNone is no less
+      handles_[h] = twins_[h] < h  // made with the edge's other side; kNone is not less
                         ? surface.opposite_halfedge_handle(handles_[twins_[h]])
                         : surface.new_edge(vertex_handle(vertex_of_[h]),
                                            vertex_handle(vertex_of_[next_in_face(h)]));
@@ -120,7 +120,7 @@ class Builder {
 
   // Outside half-edge h runs another half-edge from its head to its origin. The next one of the
   // boundary starts at that origin, at the other end of the fan there, which a turn around the
-  // origin finds. OpenMesh wants a boundary vertex to point at the half-edge outside.
+  // origin finds. In OpenMesh a boundary vertex refers to the half-edge outside.
   void link_boundaries() {
     Surface& surface = topology_.surface;
     for (Index h = 0; h < twins_.size(); ++h) {

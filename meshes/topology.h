@@ -2,7 +2,7 @@
 //
 // OpenMesh refuses faces at non-manifold edges and vertices, and its importer replaces them with
 // isolated triangles of copied vertices. Here every surface fits: a vertex becomes one OpenMesh
-// vertex a fan of faces around it (each knows its id in the file), an edge of more than two faces
+// vertex a fan of faces around it (each has its id in the file), an edge of more than two faces
 // one boundary edge a face, exactly as in solvers/core/mesh.h. What is left out or changed on the
 // way is counted.
 #pragma once
@@ -38,7 +38,7 @@ struct Topology {
   bool orientable() const { return one_sided_edges == 0; }
 };
 
-/// Builds the half-edge structure in expected linear time, whatever the valences.
+/// Builds the half-edge structure in expected linear time, for any valences.
 /// @throws MeshError for more half-edges than OpenMesh can number (2^31)
 Topology build_topology(const TriangleSoup& soup);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "meshes/random.h"
+
 namespace geodesic::harness {
 namespace {
 
@@ -40,13 +42,6 @@ std::vector<bool> on_boundary(const TriangleSoup& soup) {
 }
 
 }  // namespace
-
-std::uint64_t SplitMix64::next() {
-  std::uint64_t z = (state_ += 0x9e3779b97f4a7c15);
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-  return z ^ (z >> 31);
-}
 
 std::vector<Index> choose_sources(const TriangleSoup& soup, std::string_view mesh, int count,
                                   std::uint64_t seed) {

@@ -9,17 +9,6 @@
 
 namespace geodesic::harness {
 
-/// Steele, Lea, Flood 2014, "Fast splittable pseudorandom number generators": the same sequence
-/// with every standard library.
-class SplitMix64 {
- public:
-  explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t next();
-
- private:
-  std::uint64_t state_;
-};
-
 /// Chooses distinct source vertices, never one that no face has: vertex 0 first where it can be,
 /// then a random boundary vertex where there is one, then random ones. Fewer sources are a prefix
 /// of more.

@@ -14,13 +14,13 @@ namespace {
 
 using namespace std::string_view_literals;
 
-// Statements that say nothing about the surface's shape.
+// Statements that do not concern the shape of the surface.
 constexpr std::array kAppearance = {
     "vt"sv,     "vn"sv,     "g"sv,          "s"sv,         "o"sv,    "mg"sv,       "usemtl"sv,
     "mtllib"sv, "usemap"sv, "maplib"sv,     "bevel"sv,     "lod"sv,  "c_interp"sv, "d_interp"sv,
     "ctech"sv,  "stech"sv,  "shadow_obj"sv, "trace_obj"sv, "call"sv, "csh"sv};
 
-// Geometry that is no polygon.
+// Geometry other than polygons.
 constexpr std::array kOtherGeometry = {
     "l"sv,     "p"sv,    "vp"sv,   "cstype"sv, "deg"sv,  "bmat"sv, "step"sv, "curv"sv,
     "curv2"sv, "surf"sv, "parm"sv, "trim"sv,   "hole"sv, "scrv"sv, "sp"sv,   "end"sv,

@@ -69,7 +69,7 @@ class OffParser {
   // six bytes ("0 0 0" and a line end, which only the last line may lack), a face eight.
   void check_room() {
     if (6 * vertices_ + 8 * faces_ > reader_.bytes_left() + 1) {
-      reader_.fail("the header promises " + std::to_string(vertices_) + " vertices and " +
+      reader_.fail("the header declares " + std::to_string(vertices_) + " vertices and " +
                    std::to_string(faces_) + " faces, but only " +
                    std::to_string(reader_.bytes_left()) +
                    " bytes follow: the file is truncated; get a whole copy");
@@ -79,9 +79,9 @@ class OffParser {
     polygons_.reserve(faces_);
   }
 
-  void next_line_of(const std::string& what, std::size_t i, std::size_t promised) {
+  void next_line_of(const std::string& what, std::size_t i, std::size_t declared) {
     if (reader_.next_line()) return;
-    fail_truncated(what + " " + std::to_string(i) + " of " + std::to_string(promised));
+    fail_truncated(what + " " + std::to_string(i) + " of " + std::to_string(declared));
   }
 
   void read_vertex(std::size_t i) {

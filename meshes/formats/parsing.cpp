@@ -13,7 +13,7 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; 
 
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
-// std::from_chars knows no plus sign.
+// std::from_chars does not take a plus sign.
 std::string_view without_plus(std::string_view word) {
   const bool plus = word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+';
   return plus ? word.substr(1) : word;
@@ -95,7 +95,7 @@ double TextReader::to_number(std::string_view word, std::string_view what) const
   double value = 0;
   std::errc error = parse(digits, value);
   if (error == std::errc::result_out_of_range) {
-    // Too small or too large for a double; the wider type tells which.
+    // Too small or too large for a double; the wider type decides which.
     long double wide = 0;
     error = parse(digits, wide);
     value = static_cast<double>(wide);

@@ -18,7 +18,7 @@ MeshFile parse_ply(std::string_view bytes, const std::string& name);
 MeshFile parse_stl_ascii(std::string_view text, const std::string& name);
 MeshFile parse_stl_binary(std::string_view bytes, const std::string& name);
 
-/// True when the size of the file is what a binary STL file's own count asks for.
+/// True when the size of the file is that of a binary STL file with the count it contains.
 bool has_size_of_binary_stl(std::string_view bytes);
 
 struct TextRules {
@@ -29,7 +29,7 @@ struct TextRules {
 /// Walks through a text line by line and word by word. Lines end with LF, CR LF or CR.
 class TextReader {
  public:
-  /// @param name what messages call the file
+  /// @param name of the file, for messages
   TextReader(std::string_view text, std::string name, TextRules rules = {});
 
   /// Moves to the next line that is not blank. @return false at the end of the text
@@ -60,7 +60,7 @@ class TextReader {
 
   /// @throws MeshError "<name>, line <line>: <what>"
   [[noreturn]] void fail(const std::string& what) const;
-  /// @throws MeshError that says that the file ends too early
+  /// @throws MeshError: the file ends before `missing`
   [[noreturn]] void fail_truncated(const std::string& missing) const;
 
  private:
@@ -76,7 +76,7 @@ class TextReader {
   std::uint32_t next_line_ = 1;
 };
 
-/// What a text that does not end with a line end may have lost.
+/// Warning for a text that does not end with a line end.
 inline constexpr const char* kNoLineEnd =
     "the last line has no line end: if the file was cut off there, its last number may be wrong "
     "and more may be missing";

@@ -4,7 +4,7 @@
 //
 // A list of "tristrips" holds triangle strips, as range scanners write them: each vertex makes a
 // triangle with the two before it, every second one turned, and -1 starts a new strip. A triangle
-// that names a vertex twice joins two parts of a strip and is no part of the surface.
+// that names a vertex twice joins two parts of a strip and is not part of the surface.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -194,88 +194,82 @@ class HeaderParser {
   PlyHeader header_;
 };
 
-// The values of an ASCII file: a line a row.
-class AsciiValues {
+// The values behind the header: numbers in words, a line a row, or binary.
+class Values {
  public:
-  explicit AsciiValues(TextReader& reader) : reader_(reader) {}
+  /// @param reader behind the header
+  Values(TextReader& reader, std::string_view bytes, Encoding encoding, const std::string& name)
+      : reader_(reader),
+        bytes_(bytes),
+        offset_(bytes.size() - reader.bytes_left()),
+        ascii_(encoding == Encoding::ascii),
+        order_(encoding == Encoding::big_endian ? std::endian::big : std::endian::little),
+        name_(name) {}
 
-  std::size_t bytes_left() const { return reader_.bytes_left() + 1; }  // a last line end may lack
-  static std::size_t least_bytes(const Property& /*property*/) { return 2; }
-  std::uint32_t line() const { return reader_.line(); }
-
-  void begin_row(const std::string_view element, std::uint64_t number) {
-    if (!reader_.next_line()) reader_.fail_truncated(row_text(element, number));
+  std::size_t bytes_left() const {
+    return ascii_ ? reader_.bytes_left() + 1  // the last line end may lack
+                  : bytes_.size() - offset_;
   }
-  double real(const Type& /*type*/) { return reader_.number("value"); }
-  std::int64_t integer(const Type& /*type*/) { return reader_.integer("value"); }
-  void skip(const Type& /*type*/) { reader_.number("value"); }
-  void end_row() {
-    if (!reader_.at_line_end()) reader_.fail("more numbers than the header's properties");
+  /// Of a property in a row.
+  std::size_t least_bytes(const Property& property) const {
+    return ascii_ ? 2 : property.count_type.value_or(property.type).bytes;
   }
-  void end_file(MeshFile& file) {
-    if (reader_.next_line()) reader_.fail("more lines than the header's counts; correct them");
-    if (!reader_.ends_with_line_end()) file.warnings.push_back(kNoLineEnd);
-  }
-  [[noreturn]] void fail(const std::string& what) const { reader_.fail(what); }
+  /// 0 in a binary file.
+  std::uint32_t line() const { return ascii_ ? reader_.line() : 0; }
 
-  static std::string row_text(std::string_view element, std::uint64_t number) {
-    return "element " + std::to_string(number) + " of " + in_quotes(element);
-  }
-
- private:
-  TextReader& reader_;
-};
-
-// The values of a binary file.
-class BinaryValues {
- public:
-  BinaryValues(std::string_view bytes, std::size_t offset, std::endian order,
-               const std::string& name)
-      : bytes_(bytes), offset_(offset), order_(order), name_(name) {}
-
-  std::size_t bytes_left() const { return bytes_.size() - offset_; }
-  static std::size_t least_bytes(const Property& property) {
-    return property.count_type.value_or(property.type).bytes;
-  }
-  static std::uint32_t line() { return 0; }
-
-  void begin_row(const std::string_view element, std::uint64_t number) {
+  void begin_row(std::string_view element, std::uint64_t number) {
     element_ = element;
     number_ = number;
+    if (ascii_ && !reader_.next_line()) reader_.fail_truncated(row());
   }
-  double real(const Type& type) { return type.load(advance(type.bytes), order_); }
-  std::int64_t integer(const Type& type) { return static_cast<std::int64_t>(real(type)); }
-  void skip(const Type& type) { advance(type.bytes); }
-  void end_row() {}
-  void end_file(MeshFile& /*file*/) const {
-    if (bytes_.find_first_not_of(" \t\r\n", offset_) == std::string_view::npos) return;
-    fail(std::to_string(bytes_left()) +
-         " bytes behind the last element of the header; correct its counts");
+  double real(const Type& type) {
+    return ascii_ ? reader_.number("value") : type.load(advance(type.bytes), order_);
   }
+  std::int64_t integer(const Type& type) {
+    return ascii_ ? reader_.integer("value") : static_cast<std::int64_t>(real(type));
+  }
+  void end_row() {
+    if (ascii_ && !reader_.at_line_end()) fail("more numbers than the header's properties");
+  }
+  void end_file(MeshFile& file) {
+    if (!ascii_) {
+      if (bytes_.find_first_not_of(" \t\r\n", offset_) == std::string_view::npos) return;
+      fail(std::to_string(bytes_left()) +
+           " bytes behind the last element of the header; correct its counts");
+    }
+    if (reader_.next_line()) fail("more lines than the header's counts; correct them");
+    if (!reader_.ends_with_line_end()) file.warnings.push_back(kNoLineEnd);
+  }
+
   [[noreturn]] void fail(const std::string& what) const {
+    if (ascii_) reader_.fail(what);
     throw MeshError(name_ + ", byte " + std::to_string(offset_) + ": " + what);
   }
 
  private:
+  std::string row() const {
+    return "element " + std::to_string(number_) + " of " + in_quotes(element_);
+  }
+
   const char* advance(std::size_t size) {
     if (size > bytes_left()) {
-      fail("the file ends inside " + AsciiValues::row_text(element_, number_) +
-           ": it is truncated; get a whole copy");
+      fail("the file ends inside " + row() + ": it is truncated; get a whole copy");
     }
     const char* const at = bytes_.data() + offset_;
     offset_ += size;
     return at;
   }
 
+  TextReader& reader_;
   std::string_view bytes_;
   std::size_t offset_;
+  bool ascii_;
   std::endian order_;
   const std::string& name_;
   std::string_view element_;  // the row that is being read, for messages
   std::uint64_t number_ = 0;
 };
 
-template <class Values>
 class BodyParser {
  public:
   BodyParser(Values values, MeshFile& file, Polygons& polygons)
@@ -297,9 +291,9 @@ class BodyParser {
   // Nothing is allocated for a count that the rest of the file cannot hold.
   void check_room(const Element& element) {
     std::size_t row = 0;
-    for (const Property& property : element.properties) row += Values::least_bytes(property);
+    for (const Property& property : element.properties) row += values_.least_bytes(property);
     if (element.count * row > values_.bytes_left()) {
-      values_.fail("the header promises " + std::to_string(element.count) + " times " +
+      values_.fail("the header declares " + std::to_string(element.count) + " times " +
                    in_quotes(element.name) + ", at least " + std::to_string(element.count * row) +
                    " bytes, but only " + std::to_string(values_.bytes_left()) +
                    " are left: the file is truncated; get a whole copy");
@@ -326,7 +320,7 @@ class BodyParser {
           break;
         case Role::skip:
           const std::int64_t count = property.count_type ? list_length(property) : 1;
-          for (std::int64_t k = 0; k < count; ++k) values_.skip(property.type);
+          for (std::int64_t k = 0; k < count; ++k) values_.real(property.type);
           break;
       }
     }
@@ -402,16 +396,10 @@ MeshFile parse_ply(std::string_view bytes, const std::string& name) {
   const PlyHeader header = HeaderParser(reader).parse();
   MeshFile file;
   Polygons polygons;
-  if (header.encoding == Encoding::ascii) {
-    file.format = "PLY ASCII";
-    BodyParser(AsciiValues(reader), file, polygons).parse(header.elements);
-  } else {
-    const bool little = header.encoding == Encoding::little_endian;
-    file.format = little ? "PLY binary little-endian" : "PLY binary big-endian";
-    const BinaryValues values(bytes, bytes.size() - reader.bytes_left(),
-                              little ? std::endian::little : std::endian::big, name);
-    BodyParser(values, file, polygons).parse(header.elements);
-  }
+  constexpr std::array kFormats = {"PLY ASCII", "PLY binary little-endian",
+                                   "PLY binary big-endian"};  // as Encoding
+  file.format = kFormats[static_cast<std::size_t>(header.encoding)];
+  BodyParser(Values(reader, bytes, header.encoding, name), file, polygons).parse(header.elements);
   polygons.triangulate(file, name);
   return file;
 }

@@ -26,7 +26,7 @@ class Polygons {
   /// A polygon that is seen whole from its first corner becomes the fan around that corner. Others
   /// lose one ear after another (Meisters 1975), in the projection along the coordinate in which
   /// their normal is longest. A polygon that crosses itself or has no area has no triangulation: it
-  /// becomes a fan, and file.warnings says how many did.
+  /// becomes a fan, and file.warnings counts them.
   /// @throws MeshError for a polygon that needs ears and has more than kMostCornersWithEars corners
   void triangulate(MeshFile& file, const std::string& name);
 

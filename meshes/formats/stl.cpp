@@ -146,14 +146,14 @@ MeshFile parse_stl_binary(std::string_view bytes, const std::string& name) {
   if (bytes.size() < kHeaderBytes) {
     throw MeshError(name + ", byte " + std::to_string(bytes.size()) + ": a binary STL file has " +
                     std::to_string(kHeaderBytes) +
-                    " bytes before its first triangle: the file is truncated or no STL");
+                    " bytes before its first triangle: the file is truncated or not STL");
   }
   if (!has_size_of_binary_stl(bytes)) {
     const std::size_t present = (bytes.size() - kHeaderBytes) / kTriangleBytes;
-    throw MeshError(name + ", byte 80: a binary STL header promises " +
+    throw MeshError(name + ", byte 80: a binary STL header declares " +
                     std::to_string(triangle_count(bytes)) + " triangles, but the file has " +
                     std::to_string(bytes.size()) + " bytes, which is " + std::to_string(present) +
-                    " triangles: it is truncated, damaged or no STL; get a whole copy");
+                    " triangles: it is truncated, damaged or not STL; get a whole copy");
   }
   MeshFile file;
   file.format = "STL binary";

@@ -165,7 +165,7 @@ class Unfolder {
     corner[to] = next.far ? size_[to] : 0;
     Vec3 other = corner;
     other[along] = size_[along];
-    // Beyond the edge the way goes on against the outer normal of the side that is left.
+    // Beyond the edge the path continues against the outer normal of the side that is left.
     Layout there = {next, corner, here.lay_out(corner), here.steps};
     const Real sign = here.side.far == next.far ? -1 : 1;
     there.steps[from] = {sign * here.steps[to].x, sign * here.steps[to].y};

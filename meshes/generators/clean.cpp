@@ -44,7 +44,7 @@ std::vector<bool> find_pairs(const TriangleSoup& soup, const std::vector<bool>& 
   return paired;
 }
 
-/// Takes back the flags of connected faces that are all flagged.
+/// Clears the flags of connected faces that are all flagged.
 void spare_whole_groups(const TriangleSoup& soup, const std::vector<bool>& usable,
                         std::vector<bool>& paired) {
   DisjointSets groups = join_vertices(soup.triangles, usable, soup.positions.size());
@@ -75,7 +75,7 @@ double side_length(const TriangleSoup& soup, const Triangle& face, std::size_t k
 }
 
 /// Joins the ends of the face's sides that have no length to speak of.
-/// @return the number of vertices that are gone
+/// @return the number of vertices that disappear
 std::size_t join_short_sides(const TriangleSoup& soup, const Triangle& face, DisjointSets& joined) {
   std::array<double, 3> lengths;
   for (std::size_t k = 0; k < 3; ++k) lengths[k] = side_length(soup, face, k);

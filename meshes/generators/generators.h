@@ -79,7 +79,7 @@ TriangleSoup generate(std::string_view name, const GeneratorParameters& paramete
                       std::vector<std::string>* remarks = nullptr);
 
 /// Geodesic distances from a vertex to all vertices, in the unit of the positions, to the last bit
-/// or two: truth to hold solvers against. The formulas and their sources stand beside each family.
+/// or two: reference values for solvers. The formulas and their sources are beside each family.
 /// @param soup what `generate(name, parameters)` gives
 /// @return nothing when the generator has no closed form (`GeneratorDescription::closed_form`)
 /// @throws std::invalid_argument as `generate`, and when `soup` is another mesh or has no such

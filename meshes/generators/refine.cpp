@@ -140,7 +140,7 @@ TriangleSoup make_refine(const CheckedParameters& parameters) {
     throw std::invalid_argument("refine: parameter vertices is " + ParameterValue(vertices).text() +
                                 ", but the mesh of " + parameters.text("input") + " has " +
                                 ParameterValue(soup.positions.size()).text() +
-                                " without the isolated ones; ask for more");
+                                " without the isolated ones; choose more");
   }
   Refiner(soup).refine_to(vertices);
   return soup;

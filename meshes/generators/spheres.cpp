@@ -56,7 +56,7 @@ class Icosphere {
     return add(add(scale(n_ - i - j, kCorners[a]), scale(i, kCorners[b])), scale(j, kCorners[c]));
   }
 
-  /// Vertex k / n of the way from corner a to corner b, made when first asked for.
+  /// Vertex k / n of the way from corner a to corner b, made at the first call.
   Index on_edge(Index a, Index b, Index k) {
     if (k == 0) return a;
     if (k == n_) return b;

@@ -1,7 +1,7 @@
 // Meshes made from another mesh: its faces cut into smaller ones, or its vertices moved at random.
 //
-// Any triangles will do: an edge is what its two vertices say, whichever way its faces run and
-// however many they are, and an isolated vertex stays as it is. Old vertices keep their ids.
+// Any triangles are taken: an edge is determined by its two vertices, not by the direction and the
+// number of its faces, and an isolated vertex stays as it is. Old vertices keep their ids.
 #include <cmath>
 #include <span>
 #include <utility>
@@ -58,7 +58,7 @@ TriangleSoup quarter(const TriangleSoup& soup, const EdgeTable& edges, OnEdge on
   return result;
 }
 
-/// What Loop's rule for an old vertex needs to know of its edges.
+/// The quantities of an old vertex's edges that Loop's rule uses.
 struct Surroundings {
   Vec3 neighbours = {};     // the sum of their positions
   Vec3 along_creases = {};  // of those at the other ends of creases
@@ -172,7 +172,7 @@ TriangleSoup make_subdivide(const CheckedParameters& parameters) {
   return soup;
 }
 
-/// Over undirected edges, whatever the number of their faces.
+/// Over undirected edges, each counted once.
 double mean_edge_length(const TriangleSoup& soup) {
   double sum = 0;
   double count = 0;

@@ -25,7 +25,7 @@ TriangleSoup make_cylinder(const CheckedParameters& parameters) {
 std::vector<double> cylinder_distances(const CheckedParameters& parameters,
                                        const TriangleSoup& soup, Index source) {
   const Index sides = parameters.integer("sides");
-  // Where the corners come to lie in the strip; the last entry is corner 0 again.
+  // Positions of the corners in the strip; the last entry is corner 0 again.
   std::vector<Real> along{0};
   for (Index i = 0; i < sides; ++i) {
     const Vec3 &a = soup.positions[i], &b = soup.positions[(i + 1) % sides];

@@ -54,7 +54,7 @@ class LastPiece {
     return true;
   }
 
-  // The target looks at the origin of the piece, which is travelled the other way.
+  // The view is from the target to the origin of the piece, against the direction of travel.
   std::vector<EdgeCrossing> crossings_of(const Sight& sight) const {
     const PlanePoint& p = sight.at;
     const auto side = [&](const PlanePoint& q) { return p.x * q.y - p.y * q.x; };

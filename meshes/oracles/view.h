@@ -21,7 +21,7 @@ struct Sight {
   Index vertex;
   PlanePoint at;
   Real length;
-  /// Valid as long as the call that hands it over; empty when the line runs along edges, as it does
+  /// Valid during the call of `see`; empty when the line runs along edges, as it does
   /// in a face without area.
   std::span<const EdgeInView> strip;
 };
@@ -33,7 +33,7 @@ Real straight_distance(const Mesh& mesh, Index a, Index b);
 /// `reach` and enters no face twice, which a shortest path never does; nothing else is pruned.
 /// However degenerate the faces are, it ends. Lengths are taken from the positions; only the
 /// topology (twins) is the mesh's. A line that runs through a vertex ends there, and neighbours
-/// along edges are not seen across a strip: neither is handed over.
+/// along edges are not seen across a strip: `see` gets neither.
 void view_from(const Mesh& mesh, Index v, Real reach, const std::function<void(const Sight&)>& see);
 
 }  // namespace geodesic

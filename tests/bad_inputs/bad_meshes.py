@@ -65,7 +65,7 @@ CASES = [
     mesh("escape sequences", "a.obj", b"v 0 0 0\nv 1 0 \x1b[2J\n", "a.obj: wrong format"),
     # OFF
     mesh("4 billion vertices in 24 bytes", "a.off", f"OFF\n{BILLIONS} 1 0\n0 0 0\n",
-         "a.off, line 2: the header promises 4000000000 vertices", WHOLE_COPY),
+         "a.off, line 2: the header declares 4000000000 vertices", WHOLE_COPY),
     mesh("cut", "a.off", OFF, "a.off, line", "truncated", WHOLE_COPY),
     not_there("an index out of range", "a.off", OFF + "3 0 1 7\n"),
     not_there("a negative index", "a.off", OFF + "3 0 1 -2\n"),
@@ -89,7 +89,7 @@ CASES = [
     mesh("cut", "a.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n",
          "a.stl, line 5: the file ends before 'vertex'", WHOLE_COPY),
     mesh("4 billion triangles", "a.stl", stl(BILLIONS, CORNERS),
-         "a.stl, byte 80", "promises 4000000000 triangles", WHOLE_COPY),
+         "a.stl, byte 80", "declares 4000000000 triangles", WHOLE_COPY),
     mesh("NaN", "a.stl", stl(1, struct.pack("<9f", *8 * [0.0], float("nan"))),
          "a.stl", "not finite", *MEANINGLESS),
     # Whatever the name

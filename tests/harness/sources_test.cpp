@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "meshes/random.h"
+
 namespace geodesic::harness {
 namespace {
 

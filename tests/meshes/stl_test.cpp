@@ -72,7 +72,7 @@ TEST(Stl, JoinsManyCornersAsOneByOneComparisonWould) {
 
 TEST(Stl, RefusesSizesThatDoNotFitTheCount) {
   const std::string bytes = binary_stl("binary");
-  EXPECT_TRUE(contains(refusal(bytes + "1", "a.stl"), "promises 4 triangles, but the file has 285"))
+  EXPECT_TRUE(contains(refusal(bytes + "1", "a.stl"), "declares 4 triangles, but the file has 285"))
       << refusal(bytes + "1", "a.stl");
   EXPECT_TRUE(contains(refusal(bytes.substr(0, 200), "a.stl"), "which is 2 triangles"))
       << refusal(bytes.substr(0, 200), "a.stl");

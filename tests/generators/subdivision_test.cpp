@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "solvers/core/geometry.h"
-#include "tests/datasets/input_files.h"
-#include "tests/datasets/soup_hash.h"
-#include "tests/datasets/soup_topology.h"
+#include "tests/generators/input_files.h"
+#include "tests/generators/soup_hash.h"
+#include "tests/generators/soup_topology.h"
 #include "tests/harness/expect_error.h"
 
 namespace geodesic {

@@ -6,9 +6,9 @@
 
 #include "meshes/formats/npy.h"
 #include "meshes/generators/families.h"
-#include "tests/datasets/input_files.h"
-#include "tests/datasets/soup_hash.h"
-#include "tests/datasets/soup_topology.h"
+#include "tests/generators/input_files.h"
+#include "tests/generators/soup_hash.h"
+#include "tests/generators/soup_topology.h"
 #include "tests/harness/expect_error.h"
 
 namespace geodesic {

@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "meshes/generators/families.h"
-#include "tests/datasets/soup_hash.h"
-#include "tests/datasets/soup_topology.h"
+#include "tests/generators/soup_hash.h"
+#include "tests/generators/soup_topology.h"
 
 namespace geodesic {
 namespace {

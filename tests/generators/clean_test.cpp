@@ -8,7 +8,7 @@
 #include "meshes/defects.h"
 #include "meshes/summary.h"
 #include "solvers/core/mesh.h"
-#include "tests/datasets/input_files.h"
+#include "tests/generators/input_files.h"
 #include "tests/harness/expect_error.h"
 
 namespace geodesic {

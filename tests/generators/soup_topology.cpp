@@ -1,4 +1,4 @@
-#include "tests/datasets/soup_topology.h"
+#include "tests/generators/soup_topology.h"
 
 #include <algorithm>
 #include <cmath>
