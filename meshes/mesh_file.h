@@ -3,7 +3,7 @@
 //
 // Vertex ids are the order of the vertices in the file, from 0, and isolated vertices stay; an STL
 // file has no vertices of its own, so equal corners are joined and numbered by first appearance.
-// Polygons become triangles in the order of the file. Coordinates are the doubles nearest to the
+// Polygons and strips become triangles, in order. Coordinates are the doubles nearest to the
 // decimal numbers of the file, in any locale. Topology is not checked: see defects.h.
 #pragma once
 

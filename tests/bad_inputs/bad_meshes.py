@@ -67,6 +67,8 @@ CASES = [
     mesh("4 billion vertices in 24 bytes", "a.off", f"OFF\n{BILLIONS} 1 0\n0 0 0\n",
          "a.off, line 2: the header declares 4000000000 vertices", WHOLE_COPY),
     mesh("cut", "a.off", OFF, "a.off, line", "truncated", WHOLE_COPY),
+    mesh("a face cut off between two lines", "a.off", OFF + "4 0 1\n2\n",
+         "a.off, line 8: the file ends before corner 3 of face 0", "truncated", WHOLE_COPY),
     not_there("an index out of range", "a.off", OFF + "3 0 1 7\n"),
     not_there("a negative index", "a.off", OFF + "3 0 1 -2\n"),
     mesh("counts that are none", "a.off", "OFF\n3 x 0\n0 0 0\n1 0 0\n",
@@ -83,6 +85,9 @@ CASES = [
          "a.ply", "4000000000", "truncated", WHOLE_COPY),
     mesh("binary and cut in the faces", "a.ply",
          ply(CORNERS + b"\x03", encoding="binary_little_endian"), "a.ply, byte", WHOLE_COPY),
+    mesh("a triangle strip of two vertices", "a.ply",
+         ply("0 0 0\n1 0 0\n0 1 0\n5 0 1 2 -1 1\n").replace(b"element face", b"element tristrips"),
+         "a.ply, line 13: a triangle strip of list 0 has 1 vertices and needs three"),
     mesh("another word than ply", "a.ply", "plx\nformat ascii 1.0\n", "a.ply", *UNKNOWN),
     not_there("an index out of range", "a.ply", ply("0 0 0\n1 0 0\n0 1 0\n3 0 1 9\n").decode()),
     # STL
