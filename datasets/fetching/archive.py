@@ -84,7 +84,7 @@ def _tar_member(archive: Path, member: str) -> Iterator[IO[bytes]]:
 
 
 def _no_plain_file(archive: Path, member: str) -> Unavailable:
-    return Unavailable(f"{member} in {archive.name} is a link or no plain file: not unpacked")
+    return Unavailable(f"{member} in {archive.name} is not a regular file: not unpacked")
 
 
 def _copy(source: IO[bytes] | gzip.GzipFile, target: Path, what: str) -> None:
