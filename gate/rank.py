@@ -118,13 +118,14 @@ def measure(command: list[str]) -> int:
     """The exit code of the run, whose progress goes to the terminal. A signal is passed on once:
     the run has a process group of its own, so that the terminal does not send it a second one."""
     running = subprocess.Popen(command, stdout=subprocess.DEVNULL, process_group=0)
-    for number in FORWARDED:
-        if signal.getsignal(number) != signal.SIG_IGN:
-            signal.signal(number, lambda received, _: running.send_signal(received))
+    handled = [number for number in FORWARDED if signal.getsignal(number) != signal.SIG_IGN]
+    before = {
+        number: signal.signal(number, lambda received, _: running.send_signal(received))
+        for number in handled
+    }
     code = running.wait()
-    for number in FORWARDED:
-        if signal.getsignal(number) != signal.SIG_IGN:
-            signal.signal(number, signal.SIG_DFL)
+    for number, handler in before.items():
+        signal.signal(number, handler)
     return code if code >= 0 else 128 - code
 
 
