@@ -7,6 +7,8 @@
 namespace geodesic::harness {
 namespace {
 
+constexpr std::uint64_t kSplitMixStep = 0x9e3779b97f4a7c15;  // meshes/random.h
+
 // Fowler, Noll, Vo: FNV-1a with 64 bits.
 std::uint64_t hash(std::string_view text) {
   std::uint64_t h = 0xcbf29ce484222325;
@@ -47,12 +49,13 @@ std::vector<Index> choose_sources(const TriangleSoup& soup, std::string_view mes
                                   std::uint64_t seed) {
   std::vector<Index> candidates = vertices_of_faces(soup);
   const std::size_t wanted = std::min(static_cast<std::size_t>(count), candidates.size());
-  SplitMix64 random(seed ^ hash(mesh));
+  std::uint64_t state = seed ^ hash(mesh);
   std::size_t chosen = !candidates.empty() && candidates.front() == 0 ? 1 : 0;
   // Fisher-Yates, as far as it is needed, of what `chosen` leaves: first of the boundary vertices,
   // so that one of them is the next source, then of all.
   const auto take_one_of_first = [&](std::size_t many) {
-    std::swap(candidates[chosen], candidates[chosen + random.next() % many]);
+    std::swap(candidates[chosen], candidates[chosen + split_mix(state) % many]);
+    state += kSplitMixStep;
     ++chosen;
   };
   if (chosen < wanted) {

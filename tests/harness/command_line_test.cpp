@@ -213,5 +213,56 @@ TEST_F(CommandLine, ASourceThatIsNotThereIsAnErrorWithoutOutput) {
   EXPECT_FALSE(std::filesystem::exists(file));
 }
 
+TEST_F(CommandLine, SourcesAreListedRepeatedOrInAFile) {
+  const auto file = write("sources.txt", "1, 36\n7");
+  const auto solve = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"solve", "hill", "--solver", exact_solver()});
+    const Output output = run(PROGRAM, words);
+    EXPECT_EQ(output.code, 0) << output.err;
+    return nlohmann::json::parse(output.out).at("sources");
+  };
+  const nlohmann::json expected{1, 36, 7};
+  EXPECT_EQ(solve({"--source", "1,36,7"}), expected);
+  EXPECT_EQ(solve({"--source", "1", "--source", "36", "--source", "7"}), expected);
+  EXPECT_EQ(solve({"--sources-file", file.string()}), expected);
+
+  const auto bad = write("bad.txt", "1 2.5");
+  const Output refused =
+      run(PROGRAM, {"solve", "hill", "--solver", exact_solver(), "--sources-file", bad.string()});
+  EXPECT_EQ(refused.code, 1);
+  expect_words(refused.err, {"bad.txt", "'2.5' is not a vertex index"});
+  const Output none = run(PROGRAM, {"solve", "hill", "--solver", exact_solver()});
+  EXPECT_EQ(none.code, 1);
+  expect_words(none.err, {"--source or --sources-file is required"});
+}
+
+TEST_F(CommandLine, DistancesOnStandardOutputLeaveTheJsonObjectToStandardError) {
+  const Output solve = run(PROGRAM, {"solve", "tetrahedron", "--solver", exact_solver(), "--source",
+                                     "0", "--output", "-"});
+  ASSERT_EQ(solve.code, 0) << solve.err;
+  EXPECT_EQ(solve.out, "0\n1\n1\n1\n");
+  EXPECT_EQ(nlohmann::json::parse(solve.err).at("vertices"), 4);
+}
+
+TEST_F(CommandLine, AMissingMeshFileIsNamedWithoutAListOfMeshes) {
+  const Output solve =
+      run(PROGRAM, {"solve", "missing.ply", "--solver", exact_solver(), "--source", "0"});
+  EXPECT_EQ(solve.code, 1);
+  expect_words(solve.err, {"there is no file 'missing.ply'", "No such file or directory"});
+  EXPECT_EQ(solve.err.find("tetrahedron"), std::string::npos) << solve.err;
+}
+
+// Scripts are Python modules of the data folder; `check` is one.
+TEST_F(CommandLine, ScriptsAreCommandsWithTheirOwnHelpAndExitCode) {
+  expect_words(run_plainly(PROGRAM, {"--help"}).out,
+               {"compare", "rank", "export", "report", "check"});
+  const Output help = run_plainly(PROGRAM, {"check", "--help"});
+  EXPECT_EQ(help.code, 0) << help.err;
+  expect_words(help.out, {"usage: ", "--run"});
+  const Output refused = run_plainly(PROGRAM, {"check", "--nonsense"});
+  EXPECT_NE(refused.code, 0);
+  expect_words(refused.err, {"--nonsense"});
+}
+
 }  // namespace
 }  // namespace geodesic::harness

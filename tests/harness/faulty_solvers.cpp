@@ -32,10 +32,12 @@ class Faulty : public Solver {
  protected:
   // Both in the mesh's own numbering, as `run` has it; `solve` speaks of the numbers given.
   void solve_soundly(Query query, std::span<double> distances) {
-    for (Source& source : query.sources) source.vertex = mesh().numbers().given_vertex(source.vertex);
+    for (Source& source : query.sources)
+      source.vertex = mesh().numbers().given_vertex(source.vertex);
     std::vector<double> given(distances.size());
     make_solver(sound_solver().name, mesh())->solve(query, given);
-    for (Index v = 0; v < distances.size(); ++v) distances[v] = given[mesh().numbers().given_vertex(v)];
+    for (Index v = 0; v < distances.size(); ++v)
+      distances[v] = given[mesh().numbers().given_vertex(v)];
   }
   // The last vertex of the file; the relative error is far above rounding and far below what a plot
   // shows.
