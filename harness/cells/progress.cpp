@@ -21,11 +21,11 @@ constexpr const char* kEraseLine = "\r\033[K";  // on a terminal
 
 // Priors of the forecast, from runs of the corpora quick and real; measured paces replace them.
 constexpr double kProcessSeconds = 0.1;
-constexpr double kFastestSeconds = 0.07;  // a solve of relative time 1 on 50,000 vertices
+constexpr double kFastestSeconds = 0.1;  // a solve of relative time 1 on 50,000 vertices
 constexpr double kUnknownRelativeTime = 10;
-constexpr double kGrowth = 1.2;       // exponent of the vertex count: 1.1 to 1.5 by solver
+constexpr double kGrowth = 1.3;       // exponent of the vertex count: 1.1 to 1.5 by solver
 constexpr double kSearchShare = 0.5;  // of min_time: to find the number of iterations
-constexpr double kMachineWeight = 1, kSolverWeight = 0.1;  // of priors, in expected seconds
+constexpr double kMachineWeight = 1, kSolverWeight = 0.5;  // of priors, in expected seconds
 
 double expected_solve_seconds(const Description& solver, Index vertices) {
   const double relative = solver.relative_time > 0 ? solver.relative_time : kUnknownRelativeTime;
