@@ -11,9 +11,8 @@
 #include "harness/measure/recorded_solve.h"
 #include "harness/recordings/files.h"
 #include "harness/recordings/isolines/isolines.h"
-#include "harness/verify/choose.h"
-#include "harness/verify/distance_file.h"
-#include "harness/verify/verify.h"
+#include "harness/verify/distance_check.h"
+#include "harness/verify/references.h"
 #include "meshes/load.h"
 #include "solvers/core/registry.h"
 
@@ -67,12 +66,6 @@ void read_members(const Json& json, Spec& spec) {
   });
 }
 
-std::vector<double> solve_once(const std::string& solver, const Mesh& mesh, const Query& query) {
-  std::vector<double> distances(mesh.vertex_count());
-  make_solver(solver, mesh)->solve(query, distances);
-  return distances;
-}
-
 class Measurement {
  public:
   Measurement(const CellSpec& spec, const TriangleSoup& soup, const Mesh& mesh)
@@ -114,13 +107,13 @@ std::string Measurement::verify_warm_up(Solver& solver) {
   solver.solve(query_, verified_);
   const std::vector<double> reference = read_distances(spec_.reference_file, mesh_.vertex_count());
   std::vector<double> bound;
-  std::optional<Distances> edge_graph;
+  std::optional<NamedDistances> edge_graph;
   if (const Description* chosen = choose_upper_bound(registered_solvers())) {
     bound = solve_once(chosen->name, mesh_, query_);
     edge_graph = {chosen->name, bound};
   }
-  const Verdict verdict = verify(mesh_, std::vector{spec_.source}, description().exactness,
-                                 verified_, {spec_.reference, reference}, edge_graph);
+  const Verdict verdict = verify_distances(mesh_, query_, description().exactness, verified_,
+                                           {spec_.reference, reference}, edge_graph);
   row_.reference = spec_.reference;
   row_.max_relative_error = verdict.max_relative_error;
   return verdict.error;

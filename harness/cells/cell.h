@@ -23,7 +23,7 @@ struct CellSpec {
   std::string mesh_file;  ///< path
   Index source = 0;
   std::string reference = {};       ///< the solver that the distances are compared with
-  std::string reference_file = {};  ///< its distances (verify/distance_file.h)
+  std::string reference_file = {};  ///< its distances (verify/references.h)
   std::string output = {};          ///< the result file to write
   std::string run_folder = {};
   bool counted = true;    ///< solve some more, for counters, memory and phases

@@ -9,8 +9,7 @@
 #include <set>
 #include <tuple>
 
-#include "harness/verify/choose.h"
-#include "harness/verify/closed_form.h"
+#include "harness/verify/references.h"
 #include "solvers/core/registry.h"
 
 namespace geodesic::harness {

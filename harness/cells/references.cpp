@@ -7,9 +7,7 @@
 #include "harness/base/threads.h"
 #include "harness/cells/cell.h"
 #include "harness/cells/isolated.h"
-#include "harness/verify/choose.h"
-#include "harness/verify/closed_form.h"
-#include "harness/verify/distance_file.h"
+#include "harness/verify/references.h"
 #include "meshes/load.h"
 #include "solvers/core/registry.h"
 
@@ -21,9 +19,9 @@ namespace {
 std::string write_closed_form(const Cell& cell, bool repair, const std::filesystem::path& file) {
   try {
     const MeshEntry& entry = cell.mesh->entry;
-    write_distances(file, closed_form_distances(
-                              entry, load_mesh(entry.file, {.repair = repair}).soup, cell.source)
-                              .value());
+    const TriangleSoup soup = load_mesh(entry.file, {.repair = repair}).soup;
+    const std::span source(&cell.source, 1);
+    write_distances(file, closed_form_distances(entry, soup, source).value());
     return {};
   } catch (const std::exception& error) {
     std::cerr << "geodesic-bench: " << error.what() << '\n';
@@ -63,22 +61,11 @@ const std::string& References::compute(const Cell& cell, const std::string& solv
                                             : solve(cell, solver, file);
 }
 
-std::vector<std::string> References::candidates(const Cell& cell) const {
-  std::vector<std::string> names;
-  for (const Description* solver :
-       rank_references(*cell.solver, registered_solvers(), request_.suite.reference)) {
-    names.push_back(solver->name);
-  }
-  if (has_closed_form(cell.mesh->entry)) {
-    const bool named_is_first = !names.empty() && names.front() == request_.suite.reference;
-    names.insert(names.begin() + (named_is_first ? 1 : 0), kClosedForm);
-  }
-  return names;
-}
-
 Reference References::find(const Cell& cell) {
   std::vector<std::string> failures;
-  for (const std::string& solver : candidates(cell)) {
+  for (const std::string& solver : reference_candidates(
+           *cell.solver,
+           {.named = request_.suite.reference, .closed_form = has_closed_form(cell.mesh->entry)})) {
     const std::string name = cell.mesh->entry.name + "__src" + std::to_string(cell.source) + "__" +
                              solver + ".distances";
     const std::string& failure = compute(cell, solver, folder_ / name);

@@ -31,7 +31,7 @@ class References {
       : folder_(std::move(folder)), request_(request), waiting_(std::move(waiting)) {}
 
   /// Distances to verify this cell by: from the solver that the suite names, the closed form of the
-  /// mesh, or the best ranked solver (verify/choose.h) that supports the mesh and succeeds.
+  /// mesh, or the best ranked solver (verify/references.h) that supports the mesh and succeeds.
   /// @throws HarnessError saying why each candidate gave none
   Reference find(const Cell& cell);
 
@@ -40,7 +40,6 @@ class References {
   void compute_ahead(std::span<const Cell> cells, unsigned threads);
 
  private:
-  std::vector<std::string> candidates(const Cell& cell) const;
   // Empty when it was computed; otherwise why not.
   const std::string& compute(const Cell& cell, const std::string& solver,
                              const std::filesystem::path& file);

@@ -25,12 +25,12 @@ void add_generate_command(CLI::App& app);
 /// several threads; a JSON object on standard output, distances in a file.
 void add_solve_command(CLI::App& app);
 
-/// `verify --solver NAME [--corpus NAME]`: which properties of the conformance suite hold, which
+/// `verify --solver NAME [--corpus NAME]`: which properties of solvers hold, which
 /// fail, and for those the smallest case, the command that reproduces it and where it went wrong.
 void add_verify_command(CLI::App& app);
 
 /// The process that `verify` starts; not shown in the help.
-void add_examine_command(CLI::App& app);
+void add_check_property_command(CLI::App& app);
 
 /// `run [SUITE.json] [-- --benchmark_...]`: measures every cell of a suite.
 /// @param command_line the whole of it, for the record

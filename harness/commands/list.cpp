@@ -8,7 +8,7 @@
 #include "harness/corpus/manifest.h"
 #include "harness/results/context.h"
 #include "harness/results/text_table.h"
-#include "harness/verify/closed_form.h"
+#include "harness/verify/references.h"
 #include "solvers/core/registry.h"
 
 namespace geodesic::harness {

@@ -8,7 +8,6 @@
 #include <iostream>
 #include <memory>
 #include <sstream>
-#include <tuple>
 
 #include "harness/base/clock.h"
 #include "harness/base/error.h"
@@ -20,9 +19,8 @@
 #include "harness/measure/recorded_solve.h"
 #include "harness/measure/solve_each.h"
 #include "harness/results/counters.h"
-#include "harness/verify/closed_form.h"
-#include "harness/verify/trial.h"
-#include "harness/verify/verify.h"
+#include "harness/verify/distance_check.h"
+#include "harness/verify/references.h"
 #include "meshes/load.h"
 #include "meshes/mesh_file.h"
 #include "solvers/core/registry.h"
@@ -63,9 +61,9 @@ TriangleSoup load(const SolveFlags& flags, const MeshEntry& entry) {
   return std::move(loaded.soup);
 }
 
-Query query_of(const SolveFlags& flags) {
-  Query query{.sources = {}, .limit = flags.limit};
-  for (const Index v : flags.sources) query.sources.push_back({.vertex = v});
+Query query_from(std::span<const Index> sources, double limit = kInfinity) {
+  Query query{.sources = {}, .limit = limit};
+  for (const Index v : sources) query.sources.push_back({.vertex = v});
   return query;
 }
 
@@ -84,7 +82,7 @@ struct Solved {
 };
 
 Solved solve(const SolveFlags& flags, const Description& solver, const Mesh& mesh) {
-  const Query query = query_of(flags);
+  const Query query = query_from(flags.sources, flags.limit);
   Solved solved{.distances = std::vector<double>(mesh.vertex_count()), .json = Json::object()};
   restart_peak_resident_bytes();
   const Stopwatch preparation;
@@ -115,55 +113,44 @@ Solved solve(const SolveFlags& flags, const Description& solver, const Mesh& mes
   return solved;
 }
 
-// The closed form's distances from the nearest of the sources; nothing where it is not known.
-std::optional<std::vector<double>> known_distances(const Problem& problem,
-                                                   std::span<const Index> sources) {
+struct NamedReference {
+  std::string name;
+  std::vector<double> distances;
+};
+
+// The closed form; where there is none and the user asks for a check, brute force or another exact
+// solver. Nothing otherwise.
+std::optional<NamedReference> reference_for(const Problem& problem,
+                                            std::span<const Index> sources) {
   if (std::isfinite(problem.flags.limit)) return std::nullopt;
-  std::optional<std::vector<double>> least;
   try {
-    for (const Index source : sources) {
-      const auto known = closed_form_distances(problem.entry, problem.soup, source);
-      if (!known) return std::nullopt;
-      if (!least) least.emplace(known->size(), kInfinity);
-      for (std::size_t v = 0; v < known->size(); ++v) {
-        (*least)[v] = std::min((*least)[v], (*known)[v]);
-      }
-    }
+    auto known = closed_form_distances(problem.entry, problem.soup, sources);
+    if (known) return NamedReference{kClosedForm, *std::move(known)};
   } catch (const HarnessError& error) {
     warn(error.what());
-    return std::nullopt;
   }
-  return least;
-}
-
-// Brute force or another exact solver, when the user asks for it.
-std::pair<std::string, std::vector<double>> reference_distances(const Problem& problem,
-                                                                std::span<const Index> sources) {
+  if (!problem.flags.check) return std::nullopt;
   const Mesh as_given(problem.soup);  // whose numbers the sources are
-  conformance::Reference reference(problem.solver, as_given);
-  return {reference.name(),
-          reference.distances(conformance::from({sources.begin(), sources.end()}))};
+  LocalReference local(problem.solver, as_given);
+  return NamedReference{local.name(), local.distances(query_from(sources))};
 }
 
 // What the distances were compared with, and how far they are from it. @throws WrongAnswer
-Json verify_distances(const Problem& problem, std::span<const Index> sources,
-                      std::span<const double> distances) {
-  std::string reference = kClosedForm;
-  auto right = known_distances(problem, sources);
-  if (!right && problem.flags.check) {
-    std::tie(reference, right.emplace()) = reference_distances(problem, sources);
-  }
-  if (!right) return {{"reference", nullptr}, {"max_relative_error", nullptr}};
-  const Verdict verdict = verify(problem.mesh, sources, problem.solver.exactness, distances,
-                                 {reference, *right}, std::nullopt);
+Json compare_with_reference(const Problem& problem, std::span<const Index> sources,
+                            std::span<const double> distances) {
+  const auto reference = reference_for(problem, sources);
+  if (!reference) return {{"reference", nullptr}, {"max_relative_error", nullptr}};
+  const Verdict verdict =
+      verify_distances(problem.mesh, query_from(sources), problem.solver.exactness, distances,
+                       {reference->name, reference->distances}, std::nullopt);
   if (!verdict.error.empty()) throw WrongAnswer(problem.solver.name + ": " + verdict.error);
-  return {{"reference", reference}, {"max_relative_error", verdict.max_relative_error}};
+  return {{"reference", reference->name}, {"max_relative_error", verdict.max_relative_error}};
 }
 
 // From the nearest of the sources: distances one a line.
 Json solve_jointly(const Problem& problem, std::ostream* output) {
   Solved solved = solve(problem.flags, problem.solver, problem.mesh);
-  solved.json.update(verify_distances(problem, problem.flags.sources, solved.distances));
+  solved.json.update(compare_with_reference(problem, problem.flags.sources, solved.distances));
   if (output != nullptr) *output << separated(solved.distances, '\n');
   Json json{{"sources", problem.flags.sources}};
   json.update(solved.json);
@@ -179,7 +166,7 @@ Json solve_separately(const Problem& problem, std::ostream* output) {
                        {"instruction_set", name_of(solve.instruction_set)},
                        {"unreachable_vertices", unreachable_vertices(solve.distances)}},
               .text = {}};
-    kept.json.update(verify_distances(problem, std::span(&solve.source, 1), solve.distances));
+    kept.json.update(compare_with_reference(problem, std::span(&solve.source, 1), solve.distances));
     if (output != nullptr) {
       kept.text = separated(solve.distances, ' ');
       if (!kept.text.empty()) kept.text.back() = '\n';

@@ -10,14 +10,11 @@
 #include "harness/commands/values.h"
 #include "harness/corpus/manifest.h"
 #include "harness/corpus/vectors.h"
-#include "harness/verify/examine.h"
-#include "harness/verify/verification.h"
+#include "harness/verify/isolated_check.h"
+#include "harness/verify/verify_solver.h"
 
 namespace geodesic::harness {
 namespace {
-
-using conformance::Property;
-using conformance::VerifyRequest;
 
 struct VerifyFlags {
   VerifyRequest request;
@@ -26,10 +23,9 @@ struct VerifyFlags {
 };
 
 void list_properties() {
-  for (const Property& property : conformance::all_properties()) {
+  for (const Property& property : all_properties()) {
     std::cout << property.name << "\n    " << property.statement;
-    std::vector<std::string> needs;
-    for (const conformance::Claim& claim : property.needs) needs.emplace_back(claim.words);
+    const std::vector<std::string> needs = needs_of(property);
     if (!needs.empty()) std::cout << " (needs " << join(needs) << ')';
     if (!property.on_any_mesh) std::cout << " (on its own meshes only)";
     std::cout << '\n';
@@ -60,11 +56,9 @@ void check_request(const VerifyRequest& request) {
   if (!on_meshes && (!request.sources.empty() || request.limit < kInfinity)) {
     throw HarnessError("--source and --limit are for --meshes: properties have their own");
   }
-  if (!request.property.empty() && on_meshes &&
-      !conformance::property_named(request.property).on_any_mesh) {
+  if (!request.property.empty() && on_meshes && !property_named(request.property).on_any_mesh) {
     throw HarnessError("property '" + request.property +
-                       "' says something about its own meshes only: leave --meshes and --corpus "
-                       "out");
+                       "' holds on its own meshes only: leave --meshes and --corpus out");
   }
   if (std::filesystem::exists(request.out) && !std::filesystem::is_directory(request.out)) {
     throw HarnessError("--out '" + request.out.string() +
@@ -78,7 +72,7 @@ void run_verify(const VerifyFlags& flags) {
   for (const std::string& word : flags.sources) request.sources.push_back(source_of(word));
   check_request(request);
   const InterruptionGuard guard;  // temporary files are removed
-  if (!conformance::verify_solver(request)) throw CLI::RuntimeError(2);
+  if (!verify_solver(request)) throw CLI::RuntimeError(2);
 }
 
 }  // namespace
@@ -121,13 +115,11 @@ void add_verify_command(CLI::App& app) {
   command->callback([flags] { run_verify(*flags); });
 }
 
-void add_examine_command(CLI::App& app) {
-  const auto spec = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("examine", "")->group("");
-  command->add_option("spec", *spec)->required();
-  command->callback([spec] {
-    conformance::run_examination(Json::parse(*spec).get<conformance::ExaminationSpec>());
-  });
+void add_check_property_command(CLI::App& app) {
+  const auto task = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("check-property", "")->group("");
+  command->add_option("task", *task)->required();
+  command->callback([task] { run_isolated_check(*task); });
 }
 
 }  // namespace geodesic::harness

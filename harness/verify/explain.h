@@ -1,9 +1,9 @@
 // Where a distance went wrong first, and the windows that should have carried the right one there.
 #pragma once
 
-#include "harness/verify/trial.h"
+#include "harness/verify/property.h"
 
-namespace geodesic::conformance {
+namespace geodesic::harness {
 
 /// Larger meshes are not explained: a path is found by unfolding all that a vertex sees.
 inline constexpr Index kExplainedFaces = 2000;
@@ -12,9 +12,9 @@ inline constexpr Index kExplainedFaces = 2000;
 /// distances, and the path that should have got there, piece by piece from the source, with the
 /// edges that it crosses and the windows that hold there: those of another solver that hands its
 /// windows over, and the solver's own if it does.
-/// @return empty when the failure is not one of distances, or the mesh is too large; a line that
+/// @return empty when the violation is not one of distances, or the mesh is too large; a line that
 ///         says so when the distances are those of the reference
-std::vector<std::string> explain_failure(const Description& solver, const Case& given,
-                                         const Failure& failure);
+std::vector<std::string> explain_violation(const Description& solver, const Case& given,
+                                           const Violation& violation);
 
-}  // namespace geodesic::conformance
+}  // namespace geodesic::harness

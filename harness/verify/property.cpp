@@ -1,14 +1,34 @@
 #include "harness/verify/property.h"
 
 #include <algorithm>
-#include <stdexcept>
+#include <cctype>
 
 #include "harness/base/error.h"
 #include "harness/corpus/solvers.h"
-#include "harness/verify/properties/properties.h"
 
-namespace geodesic::conformance {
+namespace geodesic::harness {
 namespace {
+
+struct ClaimInWords {
+  Claim claim;
+  const char* words;
+  bool (*made_by)(const Description& solver);
+};
+
+constexpr ClaimInWords kClaims[] = {
+    {kExactDistances, "exact distances",
+     [](const Description& d) { return d.exactness == Exactness::exact; }},
+    {kDistanceLimit, "a distance limit",
+     [](const Description& d) { return d.abilities.distance_limit; }},
+    {kInitialDistances, "initial distances",
+     [](const Description& d) { return d.abilities.initial_distances; }},
+    {kMultipleSources, "multiple sources",
+     [](const Description& d) { return d.abilities.multiple_sources; }},
+    {kFinalWindows, "windows that it keeps", [](const Description& d) { return d.final_windows; }},
+    {kNoFinalWindows, "to keep no windows", [](const Description& d) { return !d.final_windows; }},
+    {kOwnKernel, "the window kernel of this project",
+     [](const Description& d) { return !d.independent_oracle; }},
+};
 
 Finding must_refuse(const Trial& trial, const std::string& why) {
   try {
@@ -16,35 +36,67 @@ Finding must_refuse(const Trial& trial, const std::string& why) {
   } catch (const std::invalid_argument&) {
     return {};
   }
-  return Failure{.what = "the mesh was accepted, though " + why};
+  return Violation{.what = "the mesh was accepted, though " + why};
+}
+
+// "limit 1.5e-7 of 12" becomes "limit # of #".
+std::string without_numbers(const std::string& text) {
+  std::string kept;
+  bool in_number = false;
+  for (const char c : text) {
+    const bool digit = std::isdigit(static_cast<unsigned char>(c)) != 0;
+    if (digit && !in_number) kept += '#';
+    in_number = digit || (in_number && std::string_view(".e+-").find(c) != std::string::npos);
+    if (!in_number) kept += c;
+  }
+  return kept;
+}
+
+// With the role of the vertex on this mesh.
+std::string kind_of(const Violation& violation, const Mesh& mesh) {
+  if (violation.kind.empty()) return without_numbers(violation.what);
+  const std::string kind = without_numbers(violation.kind);
+  if (violation.vertex >= mesh.vertex_count()) return kind;
+  return kind + ", at: " + role_of(violation.vertex, mesh, violation.query);
 }
 
 }  // namespace
 
-const std::vector<Property>& all_properties() {
-  static const std::vector<Property> all = [] {
-    std::vector<Property> properties;
-    for (const auto& group :
-         {query_properties(), component_properties(), repetition_properties(),
-          recording_properties(), invariance_properties(), instruction_set_properties(),
-          closed_form_properties(), non_manifold_properties(), degenerate_properties(),
-          extreme_properties(), random_mesh_properties(), rival_properties()}) {
-      properties.insert(properties.end(), group.begin(), group.end());
-    }
-    return properties;
-  }();
-  return all;
+std::vector<double> Trial::expected(const Query& query) const {
+  return given_.known ? given_.known(query) : reference_.distances(query);
 }
 
-const Property* find_property(std::string_view name) {
-  const auto at = std::ranges::find(all_properties(), name, &Property::name);
-  return at == all_properties().end() ? nullptr : &*at;
+Finding Trial::correct(const Query& query, std::span<const double> got,
+                       std::span<const double> expected) const {
+  const bool exact = solver_.exactness == Exactness::exact;
+  return check_distances(query, got, expected, exact ? Relation::equal : Relation::upper_bound,
+                         given_.tolerance);
+}
+
+Finding distances_are_right(const Trial& trial) {
+  const auto solver = trial.prepare();
+  for (const Query& query : trial.queries()) {
+    const auto got = trial.solve(*solver, query);
+    if (auto wrong = trial.correct(query, got, trial.expected(query))) return wrong;
+    if (query.limit < kInfinity) continue;  // beyond it, distances become infinite
+    if (auto wrong = check_edges(trial.mesh(), query, got, trial.tolerance())) return wrong;
+  }
+  return {};
+}
+
+std::vector<std::string> needs_of(const Property& property) {
+  std::vector<std::string> needs;
+  for (const ClaimInWords& each : kClaims) {
+    if ((property.needs & each.claim) != 0) needs.emplace_back(each.words);
+  }
+  return needs;
 }
 
 std::string unclaimed(const Property& property, const Description& solver) {
   std::vector<std::string> missing;
-  for (const Claim& claim : property.needs) {
-    if (!claim.made_by(solver)) missing.emplace_back(claim.words);
+  for (const ClaimInWords& each : kClaims) {
+    const bool needed = (property.needs & each.claim) != 0;
+    if (needed && !each.made_by(solver)) missing.emplace_back(each.words);
   }
   return missing.empty() ? "" : "does not claim: " + join(missing);
 }
@@ -56,16 +108,32 @@ bool too_large(const Case& given, const Description& solver) {
 Finding check_case(const Property& property, const Description& solver, const Case& given) {
   try {
     const Trial trial(solver, given);
-    const std::string unsupported = harness::unsupported(solver, trial.mesh());
-    Finding finding = unsupported.empty() ? property.check(trial) : must_refuse(trial, unsupported);
+    const std::string why_not = unsupported(solver, trial.mesh());
+    Finding finding = why_not.empty() ? property.check(trial) : must_refuse(trial, why_not);
     if (finding) finding->kind = kind_of(*finding, trial.mesh());
     return finding;
   } catch (const NoReference&) {
     throw;
   } catch (const std::exception& error) {
     const std::string what = kThrew + std::string(error.what());
-    return Failure{.what = what, .kind = without_numbers(what)};
+    return Violation{.what = what, .kind = without_numbers(what)};
   }
 }
 
-}  // namespace geodesic::conformance
+std::string role_of(Index v, const Mesh& mesh, const Query& query) {
+  const auto is_v = [v](const Source& source) { return source.vertex == v; };
+  if (std::ranges::any_of(query.sources, is_v)) return "source";
+  if (mesh.outgoing(v).empty()) return "isolated vertex";
+  if (mesh.is_boundary(v)) return "boundary vertex";
+  return mesh.is_pseudo_source(v) ? "saddle vertex" : "ordinary vertex";
+}
+
+Query from(Index source) { return from(std::vector<Index>{source}); }
+
+Query from(const std::vector<Index>& sources) {
+  Query query;
+  for (const Index v : sources) query.sources.push_back({v, 0});
+  return query;
+}
+
+}  // namespace geodesic::harness

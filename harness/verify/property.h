@@ -1,39 +1,114 @@
-// What every solver is held to, as data: a property says one thing about answers, knows the meshes
-// it is asked on, and can be asked on any other.
+// What every solver is held to, as data: a property states one thing about answers, has meshes of
+// its own that it is checked on, and most can be checked on any other mesh.
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "harness/verify/trial.h"
+#include "harness/verify/distance_check.h"
+#include "harness/verify/references.h"
 
-namespace geodesic::conformance {
+namespace geodesic::harness {
 
-/// What a solver must claim about itself for a property to concern it.
-struct Claim {
-  const char* words;  ///< "a distance limit"
-  bool (*made_by)(const Description& solver);
+/// A mesh and the queries on it.
+struct Case {
+  std::string mesh;  ///< its name
+  TriangleSoup soup;
+  std::vector<Query> queries;
+  /// Distances that are known; empty: those of LocalReference.
+  std::function<std::vector<double>(const Query&)> known = {};
+  /// Another one where the mesh's own numbers allow no better, which the property explains.
+  Tolerance tolerance = {};
+};
+
+/// One solver on one case.
+class Trial {
+ public:
+  /// Both must outlive it. @throws std::invalid_argument when the mesh cannot be built
+  Trial(const Description& solver, const Case& given)
+      : solver_(solver), given_(given), mesh_(given.soup), reference_(solver, mesh_) {}
+  Trial(const Trial&) = delete;
+  Trial& operator=(const Trial&) = delete;
+
+  const Description& solver() const { return solver_; }
+  const Mesh& mesh() const { return mesh_; }
+  const TriangleSoup& soup() const { return given_.soup; }
+  const Tolerance& tolerance() const { return given_.tolerance; }
+  const std::vector<Query>& queries() const { return given_.queries; }
+  const Query& query() const { return queries().front(); }  ///< the first
+
+  /// A new solver object.
+  std::unique_ptr<Solver> prepare() const { return make_solver(solver_.name, mesh_); }
+
+  /// Distances on the case's mesh by an object that may have solved before.
+  std::vector<double> solve(Solver& object, const Query& query,
+                            Recording* recording = nullptr) const {
+    return solve_with(object, mesh_, query, recording);
+  }
+
+  /// Distances by a new object, on the case's mesh or another one.
+  std::vector<double> solve(const Query& query) const { return solve(mesh_, query); }
+  std::vector<double> solve(const Mesh& mesh, const Query& query,
+                            Recording* recording = nullptr) const {
+    return solve_once(solver_.name, mesh, query, recording);
+  }
+
+  /// The right distances on the case's mesh. @throws NoReference
+  std::vector<double> expected(const Query& query) const;
+
+  /// Equal up to rounding for an exact solver, not below for an upper bound.
+  Finding correct(const Query& query, std::span<const double> got,
+                  std::span<const double> expected) const;
+
+ private:
+  const Description& solver_;
+  const Case& given_;
+  const Mesh mesh_;
+  mutable LocalReference reference_;  // keeps what it found out about the mesh
+};
+
+/// Every distance, by one solver object for all queries, is the expected one; neighbours differ by
+/// no more than their edge is long.
+Finding distances_are_right(const Trial& trial);
+
+/// What a solver must claim about itself for a property to concern it: bits.
+enum Claim : unsigned {
+  kNoClaim = 0,
+  kExactDistances = 1,
+  kMultipleSources = 2,
+  kInitialDistances = 4,
+  kDistanceLimit = 8,
+  kFinalWindows = 16,
+  kNoFinalWindows = 32,
+  kOwnKernel = 64,  ///< not an independent oracle
 };
 
 struct Property {
-  std::string name;       ///< lower case with hyphens, unique: "single-triangle-has-its-edges"
-  std::string statement;  ///< one sentence
-  std::vector<Claim> needs;
-  std::vector<Case> (*cases)();          ///< what it is asked on, small ones first
-  Finding (*check)(const Trial& trial);  ///< one solver on one case; may throw
-  bool on_any_mesh = true;               ///< whether it holds on other meshes too
+  std::string name;              ///< unique: "refusals-name-the-solver"
+  std::string statement;         ///< one sentence
+  std::vector<Case> (*cases)();  ///< small meshes first
+  Finding (*check)(const Trial& trial) = distances_are_right;  ///< on one case; may throw
+  unsigned needs = kNoClaim;                                   ///< claims
+  bool on_any_mesh = true;  ///< whether it holds on other meshes than its own
 };
 
-/// All of them, from cheap to dear.
+/// All of them, the fast ones first.
 const std::vector<Property>& all_properties();
 
 /// @return null when no property has that name
 const Property* find_property(std::string_view name);
 
-/// Distances equal those of the reference (Trial::expected): what is asked on any mesh of a user.
+/// @throws HarnessError naming the known ones
+const Property& property_named(const std::string& name);
+
+/// Distances equal those of the reference: what is checked on a user's mesh.
 inline constexpr const char* kDistancesProperty = "distances-equal-the-reference";
+
+/// In words: "a distance limit".
+std::vector<std::string> needs_of(const Property& property);
 
 /// "does not claim: a distance limit, multiple sources"; empty when the property concerns it.
 std::string unclaimed(const Property& property, const Description& solver);
@@ -45,7 +120,14 @@ bool too_large(const Case& given, const Description& solver);
 inline constexpr const char* kThrew = "threw: ";
 
 /// Checks one case. A mesh that the solver declares not to support must be refused. What the solver
-/// throws is a failure. @throws NoReference
+/// throws is a violation. @throws NoReference
 Finding check_case(const Property& property, const Description& solver, const Case& given);
 
-}  // namespace geodesic::conformance
+/// What the vertex is to paths from the query's sources: "source", "boundary vertex", "saddle
+/// vertex", "isolated vertex", "ordinary vertex".
+std::string role_of(Index v, const Mesh& mesh, const Query& query);
+
+Query from(Index source);
+Query from(const std::vector<Index>& sources);
+
+}  // namespace geodesic::harness

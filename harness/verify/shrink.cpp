@@ -6,7 +6,7 @@
 
 #include "harness/base/clock.h"
 
-namespace geodesic::conformance {
+namespace geodesic::harness {
 namespace {
 
 std::vector<bool> vertices_of_sources(const Case& given) {
@@ -17,7 +17,7 @@ std::vector<bool> vertices_of_sources(const Case& given) {
   return is_source;
 }
 
-// Without the vertices that nothing needs.
+// Without the vertices that neither a face nor a source has.
 Case compact(const Case& given) {
   std::vector<bool> needed = vertices_of_sources(given);
   for (const Triangle& t : given.soup.triangles) {
@@ -156,7 +156,7 @@ class Shrinking {
   Case smallest_;
   const std::function<bool(const Case&)>& still_fails_;
   double seconds_;
-  harness::Stopwatch watch_;
+  Stopwatch watch_;
 };
 
 }  // namespace
@@ -166,4 +166,4 @@ Case shrink(const Case& given, const Query& suspect,
   return Shrinking(given, still_fails, seconds).shrink(suspect);
 }
 
-}  // namespace geodesic::conformance
+}  // namespace geodesic::harness

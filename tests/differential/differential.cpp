@@ -16,10 +16,8 @@
 #include "harness/base/clock.h"
 #include "harness/base/files.h"
 #include "harness/corpus/solvers.h"
-#include "harness/verify/choose.h"
 #include "harness/verify/property.h"
 #include "harness/verify/shrink.h"
-#include "harness/verify/smallest.h"
 #include "meshes/mesh_file.h"
 #include "meshes/messages.h"
 #include "tests/differential/scratch.h"
@@ -27,9 +25,8 @@
 namespace geodesic::differential {
 namespace {
 
-using conformance::ask;
-using conformance::Case;
-using conformance::Finding;
+using harness::Case;
+using harness::Finding;
 
 constexpr const char* kBruteForce = "brute force";
 // Brute force takes a second for so many faces; beyond, an independent oracle judges.
@@ -54,10 +51,10 @@ struct Disagreement {
 };
 
 double largest_error(const std::vector<double>& got, const std::vector<double>& want,
-                     const conformance::Tolerance& tolerance) {
+                     const harness::Tolerance& tolerance) {
   double largest = 0;
   for (std::size_t v = 0; v < got.size(); ++v) {
-    const double error = conformance::relative_error(got[v], want[v], tolerance.least);
+    const double error = harness::relative_error(got[v], want[v], tolerance.least);
     largest = std::max(largest, std::abs(error));
   }
   return largest;
@@ -142,7 +139,7 @@ class Differential {
       try {
         answer.distances = solver->independent_oracle
                                ? ask_in_a_process(*solver, mesh, query)
-                               : ask(*make_solver(solver->name, mesh), mesh, query);
+                               : harness::solve_once(solver->name, mesh, query);
       } catch (const std::exception& error) {
         if (solver->independent_oracle) {
           const std::lock_guard lock(mutex_);
@@ -223,20 +220,19 @@ class Differential {
   }
 
   void show(const Disagreement& each) const {
-    const conformance::Property& property =
-        *conformance::find_property(conformance::kDistancesProperty);
+    const harness::Property& property = *harness::find_property(harness::kDistancesProperty);
     const Case given = random_case(request_.seed, each.number, Scratch().folder());
-    const Finding failed = conformance::check_case(property, *each.solver, given);
+    const Finding failed = harness::check_case(property, *each.solver, given);
     const std::string stem = each.solver->name + "-seed-" + std::to_string(request_.seed) +
                              "-mesh-" + std::to_string(each.number);
     const std::filesystem::path file = request_.out / (stem + ".obj");
     Case small = given;
     if (failed) {
       const auto still_fails = [&](const Case& smaller) {
-        const Finding finding = conformance::check_case(property, *each.solver, smaller);
+        const Finding finding = harness::check_case(property, *each.solver, smaller);
         return finding && finding->kind == failed->kind;
       };
-      small = conformance::shrink(given, given.queries.front(), still_fails, request_.shrink);
+      small = harness::shrink(given, given.queries.front(), still_fails, request_.shrink);
     }
     std::filesystem::create_directories(request_.out);
     harness::write_bytes(file, mesh_bytes(small.soup, file));

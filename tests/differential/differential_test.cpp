@@ -11,7 +11,7 @@
 namespace geodesic::differential {
 namespace {
 
-using conformance::Case;
+using harness::Case;
 
 class Differential : public harness::TemporaryFolder {
  protected:
@@ -37,8 +37,8 @@ class Differential : public harness::TemporaryFolder {
   }
 
   bool fails_on(const Case& given, const std::string& solver) const {
-    const auto& property = *conformance::find_property(conformance::kDistancesProperty);
-    return conformance::check_case(property, *find_solver(solver), given).has_value();
+    const auto& property = *harness::find_property(harness::kDistancesProperty);
+    return harness::check_case(property, *find_solver(solver), given).has_value();
   }
 
   std::string report_;
@@ -50,7 +50,7 @@ TEST_F(Differential, finds_shrinks_and_saves_where_a_solver_knows_no_bends_at_bo
   EXPECT_LE(small.soup.triangles.size(), 4u) << report_;
   bool fails = false;
   for (Index v = 0; v < small.soup.positions.size(); ++v) {
-    small.queries = {conformance::from(v)};
+    small.queries = {harness::from(v)};
     fails |= fails_on(small, "boundary-blind");
   }
   EXPECT_TRUE(fails) << report_;

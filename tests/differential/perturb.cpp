@@ -11,7 +11,7 @@
 namespace geodesic::differential {
 namespace {
 
-using conformance::Case;
+using harness::Case;
 
 // Brute force takes a tenth of a second for so many faces.
 constexpr std::size_t kMostFaces = 300;
@@ -97,7 +97,7 @@ void perturb(const Request& request, unsigned times, std::ostream& report) {
          << significant(sum.relative.value, 2) << " of themselves, at mesh " << sum.relative.at
          << '\n'
          << "  " << sum.far << " on " << sum.meshes_of << " meshes by more than "
-         << significant(conformance::kExactTolerance, 2) << '\n';
+         << significant(harness::kExactTolerance, 2) << '\n';
   if (sum.far == 0) return;
   report << "  of these the farthest by that part of 1/" << significant(1 / sum.edge_part.value, 3)
          << " of the longest edge, at mesh " << sum.edge_part.at << '\n';

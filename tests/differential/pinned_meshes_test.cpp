@@ -5,7 +5,7 @@
 #include <set>
 
 #include "harness/corpus/solvers.h"
-#include "harness/verify/trial.h"
+#include "harness/verify/property.h"
 #include "meshes/mesh_file.h"
 
 namespace geodesic::differential {
@@ -50,7 +50,7 @@ TEST_P(PinnedMesh, is_right_by_every_exact_solver_and_instruction_set) {
   const Pin& pin = GetParam();
   const std::string file = std::string(PINNED_MESHES) + "/" + pin.mesh + ".obj";
   const Mesh mesh(read_mesh(file).soup);
-  const Query query = conformance::from(pin.source);
+  const Query query = harness::from(pin.source);
   const auto expected = BruteForce(mesh).distances(query.sources);
   for (const Description* solver : registered_solvers()) {
     // An independent oracle is not ours to repair.
@@ -60,7 +60,8 @@ TEST_P(PinnedMesh, is_right_by_every_exact_solver_and_instruction_set) {
       set_instruction_set(set);
       const auto made = make_solver(solver->name, mesh);
       if (made->instruction_set() != set) continue;  // has plain ones only
-      const auto wrong = conformance::agree(query, conformance::ask(*made, mesh, query), expected);
+      const auto wrong =
+          harness::check_distances(query, harness::solve_with(*made, mesh, query), expected);
       EXPECT_FALSE(wrong) << solver->name << ", " << name_of(set)
                           << " instructions: " << wrong->what;
     }

@@ -13,7 +13,7 @@
 namespace geodesic::differential {
 namespace {
 
-using conformance::Case;
+using harness::Case;
 
 // Above so many faces nothing makes a mesh larger, and brute force gives way to another solver.
 constexpr double kManyFaces = 150;

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "harness/verify/trial.h"
+#include "harness/verify/property.h"
 
 namespace geodesic::differential {
 
@@ -34,7 +34,7 @@ Kind kind_of(const Mesh& mesh);
 /// vertices, another component, ...), sources and, at times, initial distances and a limit. The
 /// same seed and number give the same bits. Case::mesh is the recipe: "torus, noise, holes".
 /// @param scratch a folder for the meshes that generators read; one for each thread
-conformance::Case random_case(std::uint64_t seed, std::uint64_t number,
-                              const std::filesystem::path& scratch);
+harness::Case random_case(std::uint64_t seed, std::uint64_t number,
+                          const std::filesystem::path& scratch);
 
 }  // namespace geodesic::differential

@@ -2,7 +2,7 @@
 
 #include "harness/base/files.h"
 #include "harness/corpus/manifest.h"
-#include "harness/verify/distance_file.h"
+#include "harness/verify/references.h"
 #include "solvers/core/geometry.h"
 #include "tests/harness/expect_error.h"
 #include "tests/harness/temporary_folder.h"

@@ -139,7 +139,7 @@ INSTANTIATE_TEST_SUITE_P(
               "recordings-of-what-is-counted-are-positive-and-bounded",
               320,
               " verify ",
-              {"strip_depth is 1, not between"}}),
+              {"strip_depth: expected at least 4, got 1"}}),
     [](const auto& fault) {
       std::string name = fault.param.solver + "_by_" + fault.param.property;
       std::ranges::replace(name, '-', '_');
@@ -196,7 +196,7 @@ TEST_F(VerifyCommand, SavesMeshesOfOneNameInFilesOfTheirOwn) {
 TEST_F(VerifyCommand, GivesUpOnASolverThatNeverEnds) {
   const Output found = verify("looping", {"--time-limit", "0.2", "--shrink", "0"});
   EXPECT_EQ(found.code, 2) << found.out << found.err;
-  expect_words(found.out, {" 3 fail", "not asked, after 3 did not end", "--time-limit"});
+  expect_words(found.out, {" 3 fail", "not checked, after 3 did not end", "--time-limit"});
 }
 
 TEST_F(VerifyCommand, OnACorpusSaysWhichMeshesAreNotThere) {
@@ -263,7 +263,7 @@ TEST_F(VerifyCommand, SolveComparesDistancesWhenAsked) {
   EXPECT_EQ(nlohmann::json::parse(sound.out).at("reference"), "brute force");
   const Output wrong = check("wrong", {});
   EXPECT_EQ(wrong.code, 2) << wrong.out;
-  expect_words(wrong.err, {"wrong: vertex 36", "brute force has", "relative error 1e-09"});
+  expect_words(wrong.err, {"wrong: compared with brute force", "first at vertex 36", "relative error 1e-09"});
   const Output each = check("forgetful", {"--source", "2", "--each"});
   EXPECT_EQ(each.code, 2) << each.out;
   const Output limited = check(exact_solver(), {"--limit", "1"});

@@ -1,22 +1,43 @@
 #include "harness/verify/properties/properties.h"
 
-#include <cmath>
+#include <algorithm>
 
-namespace geodesic::conformance {
+#include "harness/base/error.h"
 
-Finding distances_are_right(const Trial& trial) {
-  const auto solver = trial.prepare();
-  for (const Query& query : trial.queries()) {
-    const auto got = ask(*solver, trial.mesh(), query);
-    if (auto wrong = trial.correct(query, got, trial.expected(query))) return wrong;
-    if (query.limit < kInfinity) continue;  // beyond it, distances become infinite
-    if (auto wrong = satisfies_edges(trial.mesh(), query, got, trial.tolerance())) return wrong;
-  }
-  return {};
+namespace geodesic::harness {
+
+const std::vector<Property>& all_properties() {
+  static const std::vector<Property> all = [] {
+    std::vector<Property> properties;
+    for (const auto& group :
+         {query_properties(), component_properties(), repetition_properties(),
+          recording_properties(), invariance_properties(), closed_form_properties(),
+          unclean_mesh_properties(), extreme_mesh_properties(), rough_mesh_properties()}) {
+      properties.insert(properties.end(), group.begin(), group.end());
+    }
+    return properties;
+  }();
+  return all;
 }
 
-std::vector<Case> random_mesh_cases(const std::vector<Query>& queries) {
-  std::vector<Case> cases;
+const Property* find_property(std::string_view name) {
+  const auto at = std::ranges::find(all_properties(), name, &Property::name);
+  return at == all_properties().end() ? nullptr : &*at;
+}
+
+const Property& property_named(const std::string& name) {
+  if (const Property* property = find_property(name)) return *property;
+  std::vector<std::string> known;
+  for (const Property& property : all_properties()) known.push_back(property.name);
+  throw HarnessError(unknown_name("property", name, known));
+}
+
+Cases one(const std::string& name, const TriangleSoup& soup, const Query& query) {
+  return {{name, soup, {query}}};
+}
+
+Cases random_mesh_cases(const std::vector<Query>& queries) {
+  Cases cases;
   for (const auto& [name, soup] : random_meshes()) cases.push_back({name, soup, queries});
   return cases;
 }
@@ -26,13 +47,49 @@ std::vector<Query> some_sources(const TriangleSoup& soup) {
   return {from(0), from(count / 2), from(count - 1)};
 }
 
-std::vector<double> straight_lines(const TriangleSoup& soup, const Query& query) {
-  const Vec3& s = soup.positions[query.sources.front().vertex];
-  std::vector<double> lines;
-  for (const Vec3& p : soup.positions) {
-    lines.push_back(std::hypot(p[0] - s[0], p[1] - s[1], p[2] - s[2]));
-  }
-  return lines;
+std::vector<Query> every_source(const TriangleSoup& soup) {
+  std::vector<Query> queries;
+  for (Index v = 0; v < soup.positions.size(); ++v) queries.push_back(from(v));
+  return queries;
 }
 
-}  // namespace geodesic::conformance
+Case closed_form_case(const std::string& generator, const GeneratorParameters& parameters,
+                      const std::vector<Index>& sources) {
+  const TriangleSoup soup = generate(generator, parameters);
+  std::vector<Query> queries;
+  for (const Index source : sources) queries.push_back(from(source));
+  if (queries.empty()) queries = every_source(soup);
+  return {generator, soup, queries, [=](const Query& query) {
+            const Index source = query.sources.front().vertex;
+            return known_distances(generator, parameters, soup, source).value();
+          }};
+}
+
+Case plane_case(const std::string& name, const TriangleSoup& soup,
+                const std::vector<Query>& queries, const TriangleSoup& flat) {
+  return {name, soup, queries, [=](const Query& query) { return straight_lines(flat, query); }};
+}
+
+TriangleSoup scaled(TriangleSoup soup, double factor) {
+  for (Vec3& p : soup.positions) {
+    for (double& c : p) c *= factor;
+  }
+  return soup;
+}
+
+Query within(double limit, Query query) {
+  query.limit = limit;
+  return query;
+}
+
+Finding require(bool holds, const std::string& otherwise) {
+  if (holds) return {};
+  return Violation{.what = otherwise};
+}
+
+Finding same_bits(const Query& query, std::span<const double> got,
+                  std::span<const double> expected) {
+  return check_distances(query, got, expected, Relation::same_bits);
+}
+
+}  // namespace geodesic::harness

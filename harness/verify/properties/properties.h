@@ -1,46 +1,59 @@
-// The properties by what they are about, each group in a file of its own, cheap ones first.
+// The properties in groups, and what they share.
 #pragma once
 
 #include <stdexcept>
 
 #include "harness/verify/property.h"
+#include "meshes/generators/generators.h"
 #include "meshes/oracles/random_meshes.h"
 
-namespace geodesic::conformance {
+namespace geodesic::harness {
 
 std::vector<Property> query_properties();
 std::vector<Property> component_properties();
 std::vector<Property> repetition_properties();
 std::vector<Property> recording_properties();
 std::vector<Property> invariance_properties();
-std::vector<Property> instruction_set_properties();
 std::vector<Property> closed_form_properties();
-std::vector<Property> non_manifold_properties();
-std::vector<Property> degenerate_properties();
-std::vector<Property> extreme_properties();
-std::vector<Property> random_mesh_properties();
-std::vector<Property> rival_properties();
+std::vector<Property> unclean_mesh_properties();
+std::vector<Property> extreme_mesh_properties();
+std::vector<Property> rough_mesh_properties();
 
-// What properties share.
+using Cases = std::vector<Case>;
 
-inline constexpr Claim kExactDistances{
-    "exact distances", [](const Description& d) { return d.exactness == Exactness::exact; }};
-inline constexpr Claim kMultipleSources{
-    "multiple sources", [](const Description& d) { return d.abilities.multiple_sources; }};
-inline constexpr Claim kInitialDistances{
-    "initial distances", [](const Description& d) { return d.abilities.initial_distances; }};
-inline constexpr Claim kDistanceLimit{
-    "a distance limit", [](const Description& d) { return d.abilities.distance_limit; }};
-inline constexpr Claim kFinalWindows{"windows that it keeps",
-                                     [](const Description& d) { return d.final_windows; }};
-inline constexpr Claim kNoFinalWindows{"to keep no windows",
-                                       [](const Description& d) { return !d.final_windows; }};
+Cases one(const std::string& name, const TriangleSoup& soup, const Query& query);
 
-/// Every distance, by one solver object for all queries, is the expected one; along every edge they
-/// differ by no more than it is long.
-Finding distances_are_right(const Trial& trial);
+/// The random meshes for every solver, each with these queries.
+Cases random_mesh_cases(const std::vector<Query>& queries);
 
-/// A failure unless the call throws std::invalid_argument.
+/// From vertex 0, one in the middle, and the last one.
+std::vector<Query> some_sources(const TriangleSoup& soup);
+std::vector<Query> every_source(const TriangleSoup& soup);
+
+/// A generated mesh with distances in closed form.
+/// @param sources empty: every vertex
+Case closed_form_case(const std::string& generator, const GeneratorParameters& parameters,
+                      const std::vector<Index>& sources = {});
+
+/// A convex piece of a plane: distances are straight lines.
+/// @param flat the same mesh, before a rotation rounded its coordinates if there was one
+Case plane_case(const std::string& name, const TriangleSoup& soup,
+                const std::vector<Query>& queries, const TriangleSoup& flat);
+
+/// With every coordinate times a factor.
+TriangleSoup scaled(TriangleSoup soup, double factor);
+
+/// The query with another limit.
+Query within(double limit, Query query);
+
+/// A violation unless the statement holds.
+/// @param otherwise what to say then
+Finding require(bool holds, const std::string& otherwise);
+
+Finding same_bits(const Query& query, std::span<const double> got,
+                  std::span<const double> expected);
+
+/// A violation unless the call throws std::invalid_argument.
 /// @param what was accepted then
 template <class Call>
 Finding refused(const std::string& what, Call&& call) {
@@ -49,16 +62,7 @@ Finding refused(const std::string& what, Call&& call) {
   } catch (const std::invalid_argument&) {
     return {};
   }
-  return Failure{.what = what + " was accepted"};
+  return Violation{.what = what + " was accepted"};
 }
 
-/// The random meshes for every solver, each with these queries.
-std::vector<Case> random_mesh_cases(const std::vector<Query>& queries);
-
-/// Vertex 0, one in the middle, the last one.
-std::vector<Query> some_sources(const TriangleSoup& soup);
-
-/// From the first source to every vertex, through space.
-std::vector<double> straight_lines(const TriangleSoup& soup, const Query& query);
-
-}  // namespace geodesic::conformance
+}  // namespace geodesic::harness

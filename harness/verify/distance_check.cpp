@@ -1,0 +1,184 @@
+#include "harness/verify/distance_check.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "meshes/messages.h"
+
+namespace geodesic::harness {
+namespace {
+
+std::string sources_of(const Query& query) {
+  constexpr std::size_t kShown = 4;
+  std::string text = query.sources.size() == 1 ? " from vertex " : " from vertices ";
+  for (std::size_t i = 0; i < std::min(query.sources.size(), kShown); ++i) {
+    text += (i > 0 ? ", " : "") + std::to_string(query.sources[i].vertex);
+  }
+  return query.sources.size() > kShown ? text + ", ..." : text;
+}
+
+std::string direction(double got, double expected) {
+  if (std::isnan(got)) return "not a number";
+  if (std::isinf(got)) return "not reached";
+  if (std::isinf(expected)) return "reached";
+  return got > expected ? "too long" : "too short";
+}
+
+// By how much a distance breaks the relation, relative as relative_error; 0 or less: it does not.
+double excess(double got, double expected, Relation relation, double least) {
+  const double error = relative_error(got, expected, least);
+  if (std::isnan(error)) return kInfinity;
+  switch (relation) {
+    case Relation::equal:
+      return std::abs(error);
+    case Relation::same_bits:
+      if (std::bit_cast<std::uint64_t>(got) == std::bit_cast<std::uint64_t>(expected)) return 0;
+      return std::max(std::abs(error), std::numeric_limits<double>::min());
+    case Relation::upper_bound:
+      return std::isinf(error) ? kInfinity : -error;
+    case Relation::at_least:
+      return -error;
+    case Relation::at_most:
+      return error;
+  }
+  return kInfinity;
+}
+
+Violation violation(const Query& query, std::span<const double> got, const std::string& what) {
+  return {.what = what, .query = query, .got = {got.begin(), got.end()}};
+}
+
+template <class PositionOf>
+std::vector<double> lines_to(Index vertices, const Query& query, const PositionOf& position) {
+  std::vector<double> lines(vertices, kInfinity);
+  for (const Source& source : query.sources) {
+    const Vec3& a = position(source.vertex);
+    for (Index v = 0; v < vertices; ++v) {
+      const Vec3& b = position(v);
+      const double line = std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+      lines[v] = std::min(lines[v], source.distance + line);
+    }
+  }
+  return lines;
+}
+
+}  // namespace
+
+Finding in(const std::string& circumstances, Finding finding) {
+  if (!finding) return finding;
+  finding->what = circumstances + ": " + finding->what;
+  if (!finding->kind.empty()) finding->kind = circumstances + ", " + finding->kind;
+  return finding;
+}
+
+double relative_error(double got, double expected, double least) {
+  if (got == expected) return 0;
+  if (std::isinf(got) || std::isinf(expected)) return got - expected;
+  return (got - expected) / std::max(expected, least);
+}
+
+Finding check_distances(const Query& query, std::span<const double> got,
+                        std::span<const double> expected, Relation relation,
+                        const Tolerance& tolerance) {
+  const std::string counts = std::to_string(got.size()) + " distances";
+  if (got.size() != expected.size()) {
+    return violation(query, got, counts + " instead of " + std::to_string(expected.size()));
+  }
+  const double allowed = relation == Relation::same_bits ? 0 : tolerance.relative;
+  const auto error = [&](std::size_t v) {
+    return excess(got[v], expected[v], relation, tolerance.least);
+  };
+  std::size_t wrong = 0, first = 0;
+  double largest = 0;
+  for (std::size_t v = 0; v < got.size(); ++v) {
+    const double e = error(v);
+    if (e <= allowed) continue;
+    if (wrong++ == 0 || expected[v] < expected[first]) first = v;
+    largest = std::max(largest, e);
+  }
+  if (wrong == 0) return {};
+  Violation found = violation(
+      query, got,
+      std::to_string(wrong) + " of " + counts + (wrong == 1 ? " is wrong" : " are wrong") +
+          sources_of(query) + ", first at vertex " + std::to_string(first) + ": " +
+          significant(got[first]) + " instead of " + significant(expected[first]) +
+          " (relative error " + significant(error(first), 3) +
+          (wrong > 1 ? ", largest " + significant(largest, 3) : "") + ")");
+  found.kind =
+      relation == Relation::same_bits ? "other bits" : direction(got[first], expected[first]);
+  found.vertex = static_cast<Index>(first);
+  return found;
+}
+
+Finding check_edges(const Mesh& mesh, const Query& query, std::span<const double> distances,
+                    const Tolerance& tolerance) {
+  double worst = tolerance.relative;
+  Index at = kNone;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    const double a = distances[mesh.numbers().given_vertex(mesh.origin(h))];
+    const double b = distances[mesh.numbers().given_vertex(mesh.head(h))];
+    if (a == b) continue;  // infinite, perhaps
+    double excess =
+        (std::abs(a - b) - mesh.half_edge(h).length) / std::max({a, b, tolerance.least});
+    if (std::isnan(excess)) excess = kInfinity;  // one is infinite or not a number
+    if (excess <= worst) continue;
+    worst = excess;
+    at = h;
+  }
+  if (at == kNone) return {};
+  Index far = mesh.numbers().given_vertex(mesh.origin(at)),
+        near = mesh.numbers().given_vertex(mesh.head(at));
+  if (distances[far] < distances[near]) std::swap(far, near);
+  Violation found =
+      violation(query, distances,
+                "vertex " + std::to_string(far) + " has distance " + significant(distances[far]) +
+                    sources_of(query) + ", but its neighbour " + std::to_string(near) + " has " +
+                    significant(distances[near]) + " and their edge has length " +
+                    significant(mesh.half_edge(at).length));
+  found.kind = "farther than along an edge";
+  found.vertex = far;
+  return found;
+}
+
+std::vector<double> straight_lines(const Mesh& mesh, const Query& query) {
+  return lines_to(mesh.vertex_count(), query, [&](Index v) -> const Vec3& {
+    return mesh.position(mesh.numbers().own_vertex(v));
+  });
+}
+
+std::vector<double> straight_lines(const TriangleSoup& soup, const Query& query) {
+  return lines_to(static_cast<Index>(soup.positions.size()), query,
+                  [&](Index v) -> const Vec3& { return soup.positions[v]; });
+}
+
+Verdict verify_distances(const Mesh& mesh, const Query& query, Exactness exactness,
+                         std::span<const double> distances, const NamedDistances& reference,
+                         const std::optional<NamedDistances>& edge_graph) {
+  const bool exact = exactness == Exactness::exact;
+  Verdict verdict;
+  for (std::size_t v = 0; v < distances.size(); ++v) {
+    const double error = std::abs(relative_error(distances[v], reference.values[v]));
+    if (std::isfinite(error)) {
+      verdict.max_relative_error = std::max(verdict.max_relative_error, error);
+    }
+  }
+  Finding finding = in("compared with " + reference.by,
+                       check_distances(query, distances, reference.values,
+                                       exact ? Relation::equal : Relation::at_least));
+  if (!finding) {
+    finding =
+        in("less than the straight line",
+           check_distances(query, distances, straight_lines(mesh, query), Relation::at_least));
+  }
+  if (!finding && exact && edge_graph) {
+    finding = in("more than along edges (" + edge_graph->by + ")",
+                 check_distances(query, distances, edge_graph->values, Relation::at_most));
+  }
+  if (!finding) finding = check_edges(mesh, query, distances);
+  if (finding) verdict.error = finding->what;
+  return verdict;
+}
+
+}  // namespace geodesic::harness

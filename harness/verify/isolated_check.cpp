@@ -1,0 +1,202 @@
+#include "harness/verify/isolated_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "harness/base/error.h"
+#include "harness/base/files.h"
+#include "harness/base/process.h"
+#include "harness/corpus/solvers.h"
+#include "harness/corpus/vectors.h"
+#include "harness/verify/explain.h"
+#include "meshes/mesh_file.h"
+#include "meshes/messages.h"
+
+namespace nlohmann {
+
+template <>
+struct adl_serializer<geodesic::Query> {
+  static void to_json(nlohmann::json& json, const geodesic::Query& query) {
+    json = {{"sources", nlohmann::json::array()}, {"limit", nullptr}};
+    for (const auto& [vertex, distance] : query.sources) {
+      json["sources"].push_back({vertex, distance});
+    }
+    if (std::isfinite(query.limit)) json["limit"] = query.limit;
+  }
+  static void from_json(const nlohmann::json& json, geodesic::Query& query) {
+    for (const auto& source : json.at("sources")) query.sources.push_back({source[0], source[1]});
+    if (!json.at("limit").is_null()) query.limit = json.at("limit");
+  }
+};
+
+}  // namespace nlohmann
+
+namespace geodesic::harness {
+
+struct CheckTask {
+  std::string solver, property, vectors;
+  std::string mesh_file = {};       // empty: the property's own cases
+  std::vector<Query> queries = {};  // on the mesh file
+  bool explain = false;             // a failure on the mesh file
+  std::string result_file;
+};
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckTask, solver, property, vectors, mesh_file, queries,
+                                   explain, result_file)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckResult, outcome, what, kind, at_case, query, explanation)
+
+namespace {
+
+// Checks case by case, and before each step writes the result that stands when the process does not
+// survive it.
+class CheckProcess {
+ public:
+  explicit CheckProcess(const CheckTask& task)
+      : task_(task), solver_(solver_named(task.solver)), property_(property_named(task.property)) {}
+
+  void run() const {
+    const std::vector<Case> cases = all_cases();
+    CheckResult result{.outcome = Outcome::not_claimed,
+                       .what = "is meant for at most " +
+                               std::to_string(solver_.abilities.max_vertices) + " vertices"};
+    for (std::size_t i = 0; i < cases.size() && !result.failed(); ++i) {
+      if (!too_large(cases[i], solver_)) result = check(cases[i], i);
+    }
+    write(result);
+  }
+
+ private:
+  std::vector<Case> all_cases() const {
+    if (task_.mesh_file.empty()) return property_.cases();
+    return {{task_.mesh_file, read_mesh(task_.mesh_file).soup, task_.queries}};
+  }
+
+  CheckResult check(Case given, std::size_t at_case) const {
+    const CheckResult in_solver{.outcome = Outcome::crashed, .at_case = at_case};
+    const Mesh mesh(given.soup);
+    LocalReference reference(solver_, mesh);
+    if (!given.known) {
+      given.known = [&](const Query& query) {
+        write({.outcome = Outcome::not_known,
+               .what = "the reference, " + reference.name() + ',',
+               .at_case = at_case});
+        const auto distances = reference.distances(query);
+        write(in_solver);
+        return distances;
+      };
+    }
+    write(in_solver);
+    try {
+      const Finding finding = check_case(property_, solver_, given);
+      return finding ? explained(given, *finding, at_case) : sound(mesh);
+    } catch (const NoReference& error) {
+      return {.outcome = Outcome::not_known, .what = error.what(), .at_case = at_case};
+    }
+  }
+
+  // A mesh of the user that was rightly refused says nothing about the property.
+  CheckResult sound(const Mesh& mesh) const {
+    const std::string why = unsupported(solver_, mesh);
+    if (task_.mesh_file.empty() || why.empty()) return {.outcome = Outcome::holds};
+    return {.outcome = Outcome::not_claimed, .what = "refuses the mesh: " + why};
+  }
+
+  CheckResult explained(const Case& given, const Violation& violation, std::size_t at_case) const {
+    CheckResult result{.outcome = Outcome::wrong,
+                       .what = violation.what,
+                       .kind = violation.kind,
+                       .at_case = at_case,
+                       .query = violation.query};
+    if (!task_.explain) return result;
+    write(result);  // the solver runs again, and may not come back
+    result.explanation = explain_violation(solver_, given, violation);
+    return result;
+  }
+
+  // What solvers throw may not be UTF-8.
+  void write(const CheckResult& result) const {
+    write_bytes(task_.result_file, nlohmann::json(result).dump(
+                                       -1, ' ', false, nlohmann::json::error_handler_t::replace));
+  }
+
+  const CheckTask& task_;
+  const Description& solver_;
+  const Property& property_;
+};
+
+CheckResult wait_for(const CheckTask& task, double seconds) {
+  std::filesystem::remove(task.result_file);
+  const Ended ended = run_this_program({"check-property", nlohmann::json(task).dump()}, [] {},
+                                       {.seconds = seconds, .memory_bytes = available_memory()});
+  CheckResult result;
+  if (std::filesystem::exists(task.result_file)) {
+    result = nlohmann::json::parse(std::ifstream(task.result_file)).get<CheckResult>();
+  }
+  if (result.outcome == Outcome::wrong) return result;  // whatever became of the explanation
+  if (ended.succeeded() && result.outcome != Outcome::crashed) return result;
+  const std::string end = ended.timed_out ? "did not end within " + significant(seconds, 6) + " s"
+                                          : "ended the process: " + ended.describe();
+  if (result.outcome == Outcome::not_known) {
+    result.what += ' ' + end;
+    return result;
+  }
+  result.outcome = ended.timed_out ? Outcome::timed_out : Outcome::crashed;
+  result.what = end;
+  result.kind = (ended.crashed ? "signal " : "exit code ") + std::to_string(ended.code);
+  return result;
+}
+
+}  // namespace
+
+void run_isolated_check(const std::string& task_json) {
+  const auto task = nlohmann::json::parse(task_json).get<CheckTask>();
+  set_instruction_set(instruction_set_named(task.vectors));
+  CheckProcess(task).run();
+}
+
+IsolatedCheck::IsolatedCheck(const Description& solver, std::string vectors, double time_limit)
+    : solver_(solver), vectors_(std::move(vectors)), time_limit_(time_limit) {
+  std::error_code error;
+  const std::filesystem::path temporary = std::filesystem::temp_directory_path(error);
+  std::string name = (temporary / "geodesic-verify-XXXXXX").string();
+  if (error || mkdtemp(name.data()) == nullptr) {
+    throw HarnessError("cannot make a folder like '" + name +
+                       "' for temporary files; set TMPDIR to one that can be written to");
+  }
+  folder_ = name;
+}
+
+IsolatedCheck::~IsolatedCheck() {
+  std::error_code ignored;
+  std::filesystem::remove_all(folder_, ignored);
+}
+
+CheckResult IsolatedCheck::on_own_cases(const Property& property) const {
+  const std::string missing = unclaimed(property, solver_);
+  if (!missing.empty()) return {.outcome = Outcome::not_claimed, .what = missing};
+  return wait_for({.solver = solver_.name,
+                   .property = property.name,
+                   .vectors = vectors_,
+                   .result_file = folder_ / "result.json"},
+                  time_limit_);
+}
+
+CheckResult IsolatedCheck::on_case(const Property& property, const Case& given, double seconds,
+                                   bool explain) const {
+  const std::string missing = unclaimed(property, solver_);
+  if (!missing.empty()) return {.outcome = Outcome::not_claimed, .what = missing};
+  const std::filesystem::path mesh_file = folder_ / "case.obj";
+  write_bytes(mesh_file, mesh_bytes(given.soup, mesh_file));
+  return wait_for({.solver = solver_.name,
+                   .property = property.name,
+                   .vectors = vectors_,
+                   .mesh_file = mesh_file,
+                   .queries = given.queries,
+                   .explain = explain,
+                   .result_file = folder_ / "result.json"},
+                  std::min(seconds, time_limit_));
+}
+
+}  // namespace geodesic::harness

@@ -1,0 +1,232 @@
+// Recordings: they change no distance, and what they hold makes sense.
+#include <algorithm>
+
+#include "harness/verify/properties/properties.h"
+
+namespace geodesic::harness {
+namespace {
+
+Finding change_no_distance(const Trial& trial) {
+  const Query& query = trial.query();
+  const auto solver = trial.prepare();
+  Recording recording;
+  const auto recorded = trial.solve(*solver, query, &recording);
+  return in("recorded, beside a timed solve",
+            same_bits(query, recorded, trial.solve(*solver, query)));
+}
+
+Finding repeat_on_every_run(const Trial& trial) {
+  const auto solver = trial.prepare();
+  Recording first, second;
+  trial.solve(*solver, trial.query(), &first);
+  trial.solve(*solver, trial.query(), &second);
+  return require(first == second, "a counter changed from one solve to the next");
+}
+
+// A counter with the least and the largest value that its definition allows.
+struct Bound {
+  const char* counter;
+  std::optional<std::uint64_t> value;
+  std::uint64_t least;
+  std::optional<std::uint64_t> most = {};
+
+  Finding check() const {
+    const bool below = value && *value < least, above = value && most && *value > *most;
+    if (!below && !above) return {};
+    return Violation{
+        .what = std::string(counter) + ": expected " +
+                (below ? "at least " + std::to_string(least) : "at most " + std::to_string(*most)) +
+                ", got " + std::to_string(*value)};
+  }
+};
+
+Finding are_bounded(const Trial& trial) {
+  const Mesh& mesh = trial.mesh();
+  Recording r;
+  trial.solve(mesh, trial.query(), &r);
+  std::optional<std::uint64_t> thrice;  // a propagated window and at most two children
+  if (r.window_propagations) thrice = 3 * *r.window_propagations;
+  for (const Bound& bound : {
+           Bound{"window_propagations", r.window_propagations, mesh.vertex_count()},
+           Bound{"valid_windows", r.valid_windows, 1, thrice},
+           Bound{"window_limit", r.window_limit, mesh.edge_count() / 2},
+           Bound{"peak_wavefront", r.peak_wavefront, 3, thrice},
+           // A geodesic on this rough sphere crosses several faces and none twice.
+           Bound{"strip_depth", r.strip_depth, 4, mesh.face_count()},
+           Bound{"window_bytes", r.window_bytes, 4 * sizeof(double), 512},
+       }) {
+    if (auto wrong = bound.check()) return wrong;
+  }
+  return require(!r.wavefront_sd || (*r.wavefront_sd > 0 && *r.wavefront_sd < 4),
+                 "wavefront_sd is not between 0 and the diameter");
+}
+
+// On one triangle a window starts opposite to the source and is propagated across no face.
+Finding count_nothing_beyond_a_triangle(const Trial& trial) {
+  Recording r;
+  trial.solve(trial.mesh(), trial.query(), &r);
+  for (const Bound& bound : {Bound{"window_propagations", r.window_propagations, 0, 1},
+                             Bound{"strip_depth", r.strip_depth, 0, 1}}) {
+    if (auto wrong = bound.check()) return wrong;
+  }
+  return {};
+}
+
+Finding phase_times_change_nothing(const Trial& trial) {
+  const Query& query = trial.query();
+  const auto solver = trial.prepare();
+  Recording before, after, timed;
+  timed.what = Record::phase_times;
+  const auto counted = trial.solve(*solver, query, &before);
+  if (auto wrong = same_bits(query, trial.solve(*solver, query, &timed), counted))
+    return in("with phases timed", wrong);
+  if (auto wrong = same_bits(query, trial.solve(*solver, query), counted))
+    return in("after phases were timed", wrong);
+  trial.solve(*solver, query, &after);
+  if (before != after) return Violation{.what = "a counter changed after phases were timed"};
+  return require(!before.phase_times, "phase times were recorded without being requested");
+}
+
+Finding phase_times_hold_nothing_else(const Trial& trial) {
+  Recording counters, timed;
+  timed.what = Record::phase_times;
+  trial.solve(trial.mesh(), trial.query(), &counters);
+  trial.solve(trial.mesh(), trial.query(), &timed);
+  if (timed.phase_times.has_value() != counters.window_propagations.has_value())
+    return Violation{.what = "a solver has phase times if and only if it counts windows"};
+  if (!timed.phase_times) return {};
+  const PhaseTimes& phases = *timed.phase_times;
+  const bool complete = phases.propagation.readings > 0 && phases.trimming.readings > 0 &&
+                        phases.queue.readings > trial.mesh().vertex_count() &&
+                        phases.propagation.seconds > 0;
+  if (!complete) return Violation{.what = "a phase was never entered"};
+  Recording only;
+  only.what = timed.what;
+  only.phase_times = timed.phase_times;
+  return require(timed == only, "something else was recorded beside the phase times");
+}
+
+// On every edge: in order, without overlap, no nearer than the vertices are, and at a vertex the
+// nearest of all its edges is as near as the vertex.
+class WindowsCheck {
+ public:
+  WindowsCheck(const Mesh& mesh, const Query& query)
+      : mesh_(mesh), nearest_(mesh.vertex_count(), kInfinity) {
+    for (const Source& source : query.sources) nearest_[source.vertex] = source.distance;
+  }
+
+  void read(const FinalWindows& windows_on) {
+    ++calls_;
+    std::vector<Window> windows;
+    for (Index h = 0; h < mesh_.half_edge_count() && !finding_; ++h) {
+      windows_on(h, windows);
+      check_edge(h, windows);
+    }
+  }
+
+  Finding finding() const {
+    if (finding_) return finding_;
+    return require(calls_ == 1,
+                   "the windows were handed over " + std::to_string(calls_) + " times");
+  }
+  /// By vertex, by the windows alone.
+  const std::vector<double>& nearest() const { return nearest_; }
+
+ private:
+  void check_edge(Index h, const std::vector<Window>& windows) {
+    const Index own = std::min(h, mesh_.twin(h));
+    const double length = mesh_.half_edge(own).length;
+    double end = 0;
+    for (const Window& w : windows) {
+      if (!(end <= w.begin && w.begin < w.end && w.end <= length)) {
+        finding_ = Violation{.what = "half-edge " + std::to_string(h) +
+                                     " has windows that overlap, are empty or leave the edge"};
+        return;
+      }
+      end = w.end;
+      double& at_origin = nearest_[mesh_.origin(own)];
+      double& at_head = nearest_[mesh_.head(own)];
+      at_origin = std::min(at_origin, distance_at(w, w.begin) + w.begin);
+      at_head = std::min(at_head, distance_at(w, w.end) + length - w.end);
+    }
+  }
+
+  const Mesh& mesh_;
+  std::vector<double> nearest_;
+  Finding finding_;
+  int calls_ = 0;
+};
+
+Recording recording_of_windows(const ReadWindows& read) {
+  Recording recording;
+  recording.what = Record::windows;
+  recording.read_windows = &read;
+  return recording;
+}
+
+Finding windows_give_the_distances(const Trial& trial) {
+  const Query& query = trial.query();
+  const auto solver = trial.prepare();
+  const auto distances = trial.solve(*solver, query);
+  WindowsCheck check(trial.mesh(), query);
+  const ReadWindows read = [&](const FinalWindows& windows_on) { check.read(windows_on); };
+  Recording recording = recording_of_windows(read);
+  if (auto wrong = same_bits(query, trial.solve(*solver, query, &recording), distances))
+    return in("with windows handed over", wrong);
+  if (auto wrong = check.finding()) return wrong;
+  return in("by the windows alone", check_distances(query, check.nearest(), distances));
+}
+
+Finding windows_are_refused(const Trial& trial) {
+  bool called = false;
+  const ReadWindows read = [&](const FinalWindows&) { called = true; };
+  Recording recording = recording_of_windows(read);
+  if (auto wrong = refused("a request for windows",
+                           [&] { trial.solve(trial.mesh(), trial.query(), &recording); }))
+    return wrong;
+  return require(!called, "windows were handed over before the refusal");
+}
+
+Cases triangle() {
+  return {{"triangle", {{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}, {{0, 1, 2}}}, {from(0)}}};
+}
+
+Cases sphere(std::uint64_t seed, int levels = 2) {
+  return one("sphere", rough_sphere(seed, levels, 0.3), from(4));
+}
+
+Cases random_meshes_from_vertex_4() { return random_mesh_cases({from(4)}); }
+
+}  // namespace
+
+std::vector<Property> recording_properties() {
+  return {
+      {"recordings-of-a-single-triangle-count-no-propagation-beyond-it",
+       "on one triangle at most one window is propagated", triangle,
+       count_nothing_beyond_a_triangle, kNoClaim,
+       /*on_any_mesh=*/false},
+      {"recordings-of-windows-are-refused-by-solvers-that-keep-none",
+       "a solver that declares no final windows throws std::invalid_argument when asked for them",
+       [] { return sphere(54, 0); }, windows_are_refused, kNoFinalWindows},
+      {"recordings-are-the-same-on-every-run", "counters are the same from one solve to the next",
+       [] { return sphere(51); }, repeat_on_every_run},
+      {"recordings-of-what-is-counted-are-positive-and-bounded",
+       "every counter lies between bounds that follow from its definition",
+       [] { return sphere(52); }, are_bounded, kNoClaim,
+       /*on_any_mesh=*/false},
+      {"recordings-of-phase-times-hold-nothing-else-and-lose-none",
+       "timing the phases enters each of them and records nothing beside",
+       [] { return sphere(53); }, phase_times_hold_nothing_else, kNoClaim,
+       /*on_any_mesh=*/false},
+      {"recordings-change-no-distance", "a recorded solve gives the bits of a timed one",
+       random_meshes_from_vertex_4, change_no_distance},
+      {"recordings-of-phase-times-change-no-distance-and-no-counter",
+       "timing the phases changes no bit of a distance and no later counter",
+       random_meshes_from_vertex_4, phase_times_change_nothing},
+      {"recordings-of-windows-hand-over-those-that-give-the-distances",
+       "the windows of every edge are in order and give the distances of its ends",
+       random_meshes_from_vertex_4, windows_give_the_distances, kFinalWindows},
+  };
+}
+
+}  // namespace geodesic::harness

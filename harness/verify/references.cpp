@@ -1,0 +1,128 @@
+#include "harness/verify/references.h"
+
+#include <algorithm>
+#include <fstream>
+#include <tuple>
+
+#include "harness/base/error.h"
+#include "harness/base/files.h"
+#include "harness/corpus/solvers.h"
+#include "meshes/generators/generators.h"
+
+namespace geodesic::harness {
+
+std::vector<const Description*> rank_references(const Description& verified,
+                                                const std::vector<const Description*>& solvers,
+                                                const std::optional<std::string>& named) {
+  std::vector<const Description*> candidates;
+  for (const Description* solver : solvers) {
+    if (solver->exactness != Exactness::exact || solver->name == verified.name) continue;
+    if (!solver->by_name_only || solver->name == named) candidates.push_back(solver);
+  }
+  std::ranges::sort(candidates, {}, [&](const Description* solver) {
+    const double time = solver->relative_time > 0 ? solver->relative_time : kInfinity;
+    return std::tuple(solver->name != named, !solver->independent_oracle,
+                      solver->family == verified.family, time, solver->name);
+  });
+  return candidates;
+}
+
+std::vector<std::string> reference_candidates(const Description& verified,
+                                              const ReferenceSources& sources) {
+  std::vector<std::string> names;
+  for (const Description* solver : rank_references(verified, registered_solvers(), sources.named)) {
+    names.push_back(solver->name);
+  }
+  const bool named_is_first = !names.empty() && names.front() == sources.named;
+  const auto others = names.begin() + (named_is_first ? 1 : 0);
+  std::vector<std::string> known;
+  if (sources.closed_form) known.emplace_back(kClosedForm);
+  if (sources.brute_force) known.emplace_back(kBruteForce);
+  names.insert(others, known.begin(), known.end());
+  return names;
+}
+
+const Description* choose_upper_bound(const std::vector<const Description*>& solvers) {
+  const auto at = std::ranges::find(solvers, Exactness::upper_bound, &Description::exactness);
+  return at == solvers.end() ? nullptr : *at;
+}
+
+bool has_closed_form(const MeshEntry& entry) {
+  return entry.recipe && std::ranges::any_of(generator_descriptions(), [&](const auto& generator) {
+           return generator.name == entry.recipe->generator && !generator.closed_form.empty();
+         });
+}
+
+std::optional<std::vector<double>> closed_form_distances(const MeshEntry& entry,
+                                                         const TriangleSoup& soup,
+                                                         std::span<const Index> sources) {
+  if (!has_closed_form(entry)) return std::nullopt;
+  std::vector<double> least(soup.positions.size(), kInfinity);
+  try {
+    for (const Index source : sources) {
+      const auto known =
+          known_distances(entry.recipe->generator, entry.recipe->parameters, soup, source);
+      std::ranges::transform(least, known.value(), least.begin(),
+                             [](double a, double b) { return std::min(a, b); });
+    }
+  } catch (const std::invalid_argument& error) {
+    throw HarnessError("mesh '" + entry.name +
+                       "' cannot be verified by its closed form: " + error.what());
+  }
+  return least;
+}
+
+std::vector<double> solve_with(Solver& object, const Mesh& mesh, const Query& query,
+                               Recording* recording) {
+  std::vector<double> distances(mesh.vertex_count());
+  object.solve(query, distances, recording);
+  return distances;
+}
+
+std::vector<double> solve_once(const std::string& solver, const Mesh& mesh, const Query& query,
+                               Recording* recording) {
+  return solve_with(*make_solver(solver, mesh), mesh, query, recording);
+}
+
+LocalReference::LocalReference(const Description& verified, const Mesh& mesh) : mesh_(mesh) {
+  const bool small = mesh.face_count() <= kBruteForceFaces;
+  for (const std::string& name : reference_candidates(verified, {.brute_force = small})) {
+    if (name != kBruteForce && !unsupported(*find_solver(name), mesh).empty()) continue;
+    name_ = name;
+    return;
+  }
+}
+
+std::vector<double> LocalReference::distances(const Query& query) {
+  std::vector<double> distances;
+  if (name_ == kBruteForce) {
+    if (!brute_force_) brute_force_.emplace(mesh_);
+    distances = brute_force_->distances(query.sources);
+  } else if (find_solver(name_) != nullptr) {
+    distances = solve_once(name_, mesh_, {.sources = query.sources});
+  } else {
+    throw NoReference("no other exact solver supports this mesh of " +
+                      std::to_string(mesh_.face_count()) +
+                      " faces, which is too large for brute force");
+  }
+  for (double& d : distances) d = d > query.limit ? kInfinity : d;
+  return distances;
+}
+
+void write_distances(const std::filesystem::path& file, std::span<const double> distances) {
+  write_bytes(file, {reinterpret_cast<const char*>(distances.data()), distances.size_bytes()});
+}
+
+std::vector<double> read_distances(const std::filesystem::path& file, std::size_t vertices) {
+  std::vector<double> distances(vertices);
+  const auto bytes = static_cast<std::streamsize>(vertices * sizeof(double));
+  std::ifstream in(file, std::ios::binary);
+  in.read(reinterpret_cast<char*>(distances.data()), bytes);
+  if (in.gcount() != bytes || in.peek() != std::ifstream::traits_type::eof()) {
+    throw HarnessError("'" + file.string() + "' does not hold " + std::to_string(vertices) +
+                       " distances");
+  }
+  return distances;
+}
+
+}  // namespace geodesic::harness

@@ -1,0 +1,162 @@
+#include "harness/verify/reproduce.h"
+
+#include <algorithm>
+
+#include "harness/base/error.h"
+#include "harness/base/files.h"
+#include "harness/base/process.h"
+#include "harness/corpus/vectors.h"
+#include "harness/verify/shrink.h"
+#include "meshes/mesh_file.h"
+#include "meshes/messages.h"
+
+namespace geodesic::harness {
+namespace {
+
+using Words = std::vector<std::string>;
+
+// Exit code of solve and verify.
+constexpr int kFails = 2;
+
+// Seconds that a smaller case may take; those that do not end cost as much at every attempt.
+constexpr double kAttempt = 10;
+constexpr double kLoop = 2;
+
+Ended run(const Words& words, double seconds = kInfinity) {
+  return run_this_program(words, [] {}, {.seconds = seconds, .memory_bytes = available_memory()});
+}
+
+// Many queries of one source each, or one query.
+bool fits_on_a_command_line(const Case& given) {
+  const auto plain = [](const Query& query) {
+    return query.sources.size() == 1 && query.limit == kInfinity;
+  };
+  return given.queries.size() == 1 || std::ranges::all_of(given.queries, plain);
+}
+
+// `solve` takes no initial distances, and checks no distances with a limit.
+bool fits_solve(const Query& query) {
+  const auto starts_late = [](const Source& source) { return source.distance > 0; };
+  return query.limit == kInfinity && std::ranges::none_of(query.sources, starts_late);
+}
+
+void append_sources(Words& words, const Case& given) {
+  for (const Query& query : given.queries) {
+    for (const Source& source : query.sources) {
+      const std::string initial = source.distance > 0 ? ':' + significant(source.distance) : "";
+      words.insert(words.end(), {"--source", std::to_string(source.vertex) + initial});
+    }
+  }
+  if (given.queries.size() > 1) words.emplace_back("--each");
+}
+
+class Reproducer {
+ public:
+  Reproducer(const IsolatedCheck& check, const FailedProperty& failed)
+      : check_(check),
+        failed_(failed),
+        attempt_(std::min(check.time_limit(), timed_out() ? kLoop : kAttempt)) {}
+
+  Case shrunk(double seconds) const {
+    const auto fails_within = [&](const Case& smaller, double limit) {
+      return check_.on_case(*failed_.property, smaller, limit).fails_like(failed_.result);
+    };
+    Case smallest = shrink(
+        failed_.given, failed_.result.query,
+        [&](const Case& smaller) { return fails_within(smaller, attempt_); }, seconds);
+    // What takes longer than an attempt may end all the same.
+    const bool in_doubt = timed_out() && attempt_ < check_.time_limit();
+    return in_doubt && !fails_within(smallest, kInfinity) ? failed_.given : smallest;
+  }
+
+  // Looks for a command that makes the saved case fail again, by running it.
+  void find_command(Reproduction& saved) const {
+    const bool on_file = !saved.file.empty() && failed_.property->on_any_mesh;
+    if (on_file && fits_on_a_command_line(saved.given)) {
+      for (const Words& words : {solve_words(saved), verify_words(&saved)}) {
+        if (words.empty()) continue;
+        saved.command = words;
+        saved.repeated = repeats_it(words);
+        if (saved.repeated) return;
+      }
+    }
+    if (failed_.own || saved.command.empty()) saved.command = verify_words(nullptr);
+    if (failed_.own) saved.repeated = repeats_it(saved.command);
+  }
+
+ private:
+  bool timed_out() const { return failed_.result.outcome == Outcome::timed_out; }
+
+  // Empty where `solve` cannot ask the queries.
+  Words solve_words(const Reproduction& saved) const {
+    if (!std::ranges::all_of(saved.given.queries, fits_solve)) return {};
+    Words words{"solve", saved.file.string(), "--solver", check_.solver().name};
+    append_sources(words, saved.given);
+    append_vectors(words);
+    words.emplace_back("--check");
+    return words;
+  }
+
+  // @param saved null: on the property's own cases
+  Words verify_words(const Reproduction* saved) const {
+    Words words{"verify",   "--solver", check_.solver().name, "--property", failed_.property->name,
+                "--shrink", "0"};
+    append_vectors(words);
+    if (timed_out()) words.insert(words.end(), {"--time-limit", significant(check_.time_limit())});
+    if (saved == nullptr) return words;
+    words.insert(words.end(), {"--meshes", saved->file.string()});
+    append_sources(words, saved->given);
+    const double limit = saved->given.queries.front().limit;
+    if (limit < kInfinity) words.insert(words.end(), {"--limit", significant(limit)});
+    return words;
+  }
+
+  void append_vectors(Words& words) const {
+    if (check_.vectors() == kAutoVectors) return;
+    words.insert(words.end(), {"--vectors", check_.vectors()});
+  }
+
+  bool repeats_it(const Words& words) const {
+    if (words.front() == "verify") return run(words).code == kFails;
+    const Ended ended = run(words, attempt_);
+    if (timed_out()) return ended.timed_out;
+    if (failed_.result.outcome == Outcome::crashed) return ended.crashed;
+    if (!failed_.result.what.starts_with(kThrew)) return ended.code == kFails;
+    const std::string message = failed_.result.what.substr(std::string(kThrew).size());
+    return ended.error_lines.find(message) != std::string::npos;
+  }
+
+  const IsolatedCheck& check_;
+  const FailedProperty& failed_;
+  const double attempt_;
+};
+
+void save(const Case& given, const std::filesystem::path& file) {
+  std::error_code error;
+  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
+  if (error) {
+    throw HarnessError("cannot make the folder '" + file.parent_path().string() +
+                       "' for failing meshes: " + error.message() + "; --out names another");
+  }
+  write_bytes(file, mesh_bytes(given.soup, file));
+}
+
+}  // namespace
+
+Reproduction save_smallest(const IsolatedCheck& check, const FailedProperty& failed,
+                           const std::filesystem::path& file, double seconds) {
+  const Reproducer reproducer(check, failed);
+  Reproduction saved{.given = failed.given, .file = {}, .command = {}, .result = failed.result};
+  if (!failed.given.soup.triangles.empty()) {
+    if (failed.property->on_any_mesh) saved.given = reproducer.shrunk(seconds);
+    saved.file = file;
+    save(saved.given, file);
+  }
+  reproducer.find_command(saved);
+  if (failed.result.outcome != Outcome::wrong || saved.file.empty()) return saved;
+  const CheckResult explained = check.on_case(*failed.property, saved.given, kInfinity, true);
+  if (explained.failed()) saved.result = explained;
+  return saved;
+}
+
+}  // namespace geodesic::harness

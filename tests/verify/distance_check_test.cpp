@@ -1,0 +1,242 @@
+#include "harness/verify/distance_check.h"
+
+#include <cmath>
+
+#include "tests/verify/solver_test.h"
+
+namespace geodesic::harness {
+namespace {
+
+using Values = std::vector<double>;
+
+const Query kFromZero = from(0);
+
+TEST(DistanceCheck, exact_distances_may_differ_by_rounding_only) {
+  EXPECT_TRUE(nothing(
+      check_distances(kFromZero, Values{0, 1 + 1e-13, kInfinity}, Values{0, 1, kInfinity})));
+  EXPECT_FALSE(nothing(check_distances(kFromZero, Values{0, 1 + 1e-11}, Values{0, 1})));
+  EXPECT_FALSE(nothing(check_distances(kFromZero, Values{0, 1 - 1e-11}, Values{0, 1})));
+}
+
+TEST(DistanceCheck, upper_bounds_may_be_farther_and_not_nearer) {
+  const auto check = [](const Values& got, const Values& expected) {
+    return check_distances(kFromZero, got, expected, Relation::upper_bound);
+  };
+  EXPECT_TRUE(nothing(check({0, 2, kInfinity}, {0, 1, kInfinity})));
+  EXPECT_FALSE(nothing(check({0, 1 - 1e-11}, {0, 1})));
+}
+
+TEST(DistanceCheck, infinities_belong_in_the_same_places_and_everything_is_a_number) {
+  for (const Relation relation : {Relation::equal, Relation::upper_bound, Relation::same_bits}) {
+    const auto check = [&](const Values& got, const Values& expected) {
+      return check_distances(kFromZero, got, expected, relation);
+    };
+    for (const double got : {kInfinity, std::nan("")}) {
+      EXPECT_FALSE(nothing(check({0, got}, {0, 1}))) << got;
+    }
+    EXPECT_FALSE(nothing(check({0, 1}, {0, kInfinity})));
+    EXPECT_FALSE(nothing(check({1e-300}, {0})));
+    EXPECT_FALSE(nothing(check({0}, {0, 1})));
+  }
+}
+
+TEST(DistanceCheck, bounds_hold_on_one_side_and_for_numbers_only) {
+  const auto check = [](double got, double expected, Relation relation) {
+    return check_distances(kFromZero, Values{got}, Values{expected}, relation);
+  };
+  for (const double far : {2.0, kInfinity}) {
+    EXPECT_TRUE(nothing(check(far, 1, Relation::at_least))) << far;
+    EXPECT_FALSE(nothing(check(1, far, Relation::at_least))) << far;
+    EXPECT_TRUE(nothing(check(1, far, Relation::at_most))) << far;
+    EXPECT_FALSE(nothing(check(far, 1, Relation::at_most))) << far;
+  }
+  for (const Relation relation : {Relation::at_least, Relation::at_most}) {
+    EXPECT_FALSE(nothing(check(std::nan(""), 1, relation)));
+    EXPECT_TRUE(nothing(check(1 + 1e-13, 1, relation)));
+    EXPECT_TRUE(nothing(check(1 - 1e-13, 1, relation)));
+  }
+}
+
+TEST(DistanceCheck, short_distances_may_be_off_as_much_as_the_least) {
+  const auto check = [](double got, Relation relation) {
+    return check_distances(kFromZero, Values{0, got}, Values{0, 1}, relation,
+                           {.relative = 1e-3, .least = 10});
+  };
+  EXPECT_TRUE(nothing(check(1.009, Relation::equal)));
+  EXPECT_FALSE(nothing(check(1.011, Relation::equal)));
+  EXPECT_TRUE(nothing(check(0.991, Relation::upper_bound)));
+  EXPECT_FALSE(nothing(check(0.989, Relation::upper_bound)));
+}
+
+TEST(DistanceCheck, same_bits_means_to_the_last_bit) {
+  const auto check = [](double got, double expected) {
+    return check_distances(kFromZero, Values{0, got}, Values{0, expected}, Relation::same_bits);
+  };
+  EXPECT_TRUE(nothing(check(1, 1)));
+  EXPECT_FALSE(nothing(check(std::nextafter(1.0, 2.0), 1)));
+  EXPECT_FALSE(nothing(check(-0.0, 0)));
+}
+
+TEST(DistanceCheck, failures_name_where_it_went_wrong_first_and_the_largest_error) {
+  const Values want{3, 1, 2, 0}, got{3.5, 1, 2.5, 0};
+  const Finding finding = check_distances(from(3), got, want);
+  ASSERT_TRUE(finding);
+  EXPECT_EQ(finding->what,
+            "2 of 4 distances are wrong from vertex 3, first at vertex 2: 2.5 instead of 2 "
+            "(relative error 0.25, largest 0.25)");
+  EXPECT_EQ(finding->got, got);
+  EXPECT_EQ(finding->query.sources.front().vertex, 3u);
+}
+
+TEST(DistanceCheck, no_edge_joins_distances_that_differ_by_more_than_it_is_long) {
+  const Mesh mesh(TriangleSoup{{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}, {{0, 1, 2}}});
+  EXPECT_TRUE(nothing(check_edges(mesh, kFromZero, Values{0, 3, 4})));
+  EXPECT_FALSE(nothing(check_edges(mesh, kFromZero, Values{0, 3.1, 4})));
+  EXPECT_FALSE(nothing(check_edges(mesh, kFromZero, Values{0, 3, std::nan("")})));
+}
+
+// Four by four vertices of a flat square: the exact distances are those of the plane.
+class VerifyDistances : public ::testing::Test {
+ protected:
+  static constexpr Index kSide = 4;
+
+  static TriangleSoup square() {
+    TriangleSoup soup;
+    for (Index y = 0; y < kSide; ++y) {
+      for (Index x = 0; x < kSide; ++x) soup.positions.push_back({double(x), double(y), 0});
+    }
+    for (Index v = 0; v + kSide + 1 < kSide * kSide; ++v) {
+      if (v % kSide + 1 == kSide) continue;
+      soup.triangles.push_back({v, v + 1, v + kSide + 1});
+      soup.triangles.push_back({v, v + kSide + 1, v + kSide});
+    }
+    soup.positions.push_back({9, 9, 9});  // isolated
+    return soup;
+  }
+
+  VerifyDistances() {
+    for (Index v = 0; v < kSide * kSide; ++v) {
+      const double x = v % kSide, y = v / kSide;
+      exact_.push_back(std::hypot(x, y));
+      // Edges lie along the axes and the rising diagonal.
+      along_edges_.push_back(std::max(x, y) - std::min(x, y) + std::sqrt(2) * std::min(x, y));
+    }
+    exact_.push_back(kInfinity);
+    along_edges_.push_back(kInfinity);
+  }
+
+  // The verdict on `distances`, with right ones to compare with unless others are given.
+  Verdict verdict(const std::vector<double>& distances,
+                  Exactness exactness = Exactness::exact) const {
+    return verdict(distances, exact_, exactness);
+  }
+  Verdict verdict(const std::vector<double>& distances, const std::vector<double>& reference,
+                  Exactness exactness = Exactness::exact) const {
+    return verify_distances(mesh_, from(0), exactness, distances, {"oracle", reference},
+                            NamedDistances{"edges", along_edges_});
+  }
+
+  std::vector<double> off_by(Index v, double factor) const {
+    std::vector<double> distances = exact_;
+    distances[v] *= factor;
+    return distances;
+  }
+
+  void expect_error(const Verdict& verdict, const std::vector<std::string>& words) const {
+    for (const std::string& word : words) {
+      EXPECT_NE(verdict.error.find(word), std::string::npos)
+          << "'" << word << "' is missing in: '" << verdict.error << "'";
+    }
+  }
+
+  const Mesh mesh_{square()};
+  std::vector<double> exact_;
+  std::vector<double> along_edges_;
+};
+
+TEST_F(VerifyDistances, AcceptsExactDistances) {
+  const Verdict right = verdict(exact_);
+  EXPECT_EQ(right.error, "");
+  EXPECT_EQ(right.max_relative_error, 0);
+}
+
+TEST_F(VerifyDistances, AcceptsRounding) {
+  const Verdict right = verdict(off_by(9, 1 + 1e-13));
+  EXPECT_EQ(right.error, "");
+  EXPECT_NEAR(right.max_relative_error, 1e-13, 1e-15);
+}
+
+TEST_F(VerifyDistances, NamesTheNearestWrongVertexBothDistancesAndTheError) {
+  std::vector<double> distances = off_by(9, 1 + 1e-9);
+  distances[7] *= 1 + 1e-10;
+  const Verdict wrong = verdict(distances);
+  expect_error(wrong,
+               {"compared with oracle: 2 of 17 distances are wrong", "vertex 9: 2.2360679797",
+                " instead of 2.2360679774", "relative error 1e-09"});
+  EXPECT_NEAR(wrong.max_relative_error, 1e-9, 1e-12);
+}
+
+TEST_F(VerifyDistances, CatchesTooShortAsWellAsTooLong) {
+  expect_error(verdict(off_by(9, 1 - 1e-9)), {"vertex 9", "relative error 1e-09"});
+}
+
+TEST_F(VerifyDistances, CatchesAnotherUnreachableSet) {
+  std::vector<double> distances = exact_;
+  distances[5] = kInfinity;
+  expect_error(verdict(distances), {"vertex 5: inf instead of "});
+  distances = exact_;
+  distances.back() = 1;
+  expect_error(verdict(distances), {"vertex 16: 1 instead of inf"});
+}
+
+TEST_F(VerifyDistances, CatchesWhatIsNoDistance) {
+  std::vector<double> distances = exact_;
+  distances[3] = std::nan("");
+  expect_error(verdict(distances), {"vertex 3: nan instead of 3"});
+  distances[3] = -1;
+  expect_error(verdict(distances), {"vertex 3: -1 instead of 3"});
+}
+
+TEST_F(VerifyDistances, CatchesADistanceAtTheSource) {
+  std::vector<double> distances = exact_;
+  distances[0] = 1e-300;
+  expect_error(verdict(distances), {"vertex 0: 1"});
+}
+
+TEST_F(VerifyDistances, UpperBoundsMayBeLongerButNotShorter) {
+  const Verdict longer = verdict(along_edges_, Exactness::upper_bound);
+  EXPECT_EQ(longer.error, "");
+  EXPECT_GT(longer.max_relative_error, 0.05);
+  std::vector<double> shorter = along_edges_;
+  shorter[9] = exact_[9] * (1 - 1e-9);
+  expect_error(verdict(shorter, Exactness::upper_bound), {"vertex 9", "compared with oracle"});
+}
+
+// With a reference that makes the same mistake, the bounds must catch it.
+TEST_F(VerifyDistances, CatchesLessThanTheStraightLine) {
+  const std::vector<double> wrong = off_by(9, 1 - 1e-9);
+  expect_error(verdict(wrong, wrong),
+               {"less than the straight line", "vertex 9", "instead of 2.2360679"});
+}
+
+TEST_F(VerifyDistances, CatchesMoreThanAlongEdges) {
+  const std::vector<double> wrong = off_by(3, 1 + 1e-9);
+  expect_error(verdict(wrong, wrong),
+               {"more than along edges (edges)", "vertex 3", "instead of 3"});
+}
+
+TEST_F(VerifyDistances, CatchesABrokenTriangleInequality) {
+  along_edges_[15] = 100;  // or that bound would catch it first
+  std::vector<double> wrong = exact_;
+  wrong[15] = 9;
+  expect_error(verdict(wrong, wrong), {"vertex 15 has distance 9", "their edge has length 1"});
+}
+
+TEST_F(VerifyDistances, CatchesAnUnreachableNeighbour) {
+  std::vector<double> wrong = exact_;
+  wrong[15] = kInfinity;
+  expect_error(verdict(wrong, wrong), {"vertex 15 has distance inf"});
+}
+
+}  // namespace
+}  // namespace geodesic::harness
