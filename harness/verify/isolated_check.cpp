@@ -58,7 +58,7 @@ class CheckProcess {
 
   void run() const {
     const std::vector<Case> cases = all_cases();
-    CheckResult result{.outcome = Outcome::not_claimed,
+    CheckResult result{.outcome = CheckOutcome::not_claimed,
                        .what = "is meant for at most " +
                                std::to_string(solver_.abilities.max_vertices) + " vertices"};
     for (std::size_t i = 0; i < cases.size() && !result.failed(); ++i) {
@@ -74,12 +74,12 @@ class CheckProcess {
   }
 
   CheckResult check(Case given, std::size_t at_case) const {
-    const CheckResult in_solver{.outcome = Outcome::crashed, .at_case = at_case};
+    const CheckResult in_solver{.outcome = CheckOutcome::crashed, .at_case = at_case};
     const Mesh mesh(given.soup);
     LocalReference reference(solver_, mesh);
     if (!given.known) {
       given.known = [&](const Query& query) {
-        write({.outcome = Outcome::not_known,
+        write({.outcome = CheckOutcome::not_known,
                .what = "the reference, " + reference.name() + ',',
                .at_case = at_case});
         const auto distances = reference.distances(query);
@@ -92,19 +92,19 @@ class CheckProcess {
       const Finding finding = check_case(property_, solver_, given);
       return finding ? explained(given, *finding, at_case) : sound(mesh);
     } catch (const NoReference& error) {
-      return {.outcome = Outcome::not_known, .what = error.what(), .at_case = at_case};
+      return {.outcome = CheckOutcome::not_known, .what = error.what(), .at_case = at_case};
     }
   }
 
   // A mesh of the user that was rightly refused says nothing about the property.
   CheckResult sound(const Mesh& mesh) const {
     const std::string why = unsupported(solver_, mesh);
-    if (task_.mesh_file.empty() || why.empty()) return {.outcome = Outcome::holds};
-    return {.outcome = Outcome::not_claimed, .what = "refuses the mesh: " + why};
+    if (task_.mesh_file.empty() || why.empty()) return {.outcome = CheckOutcome::holds};
+    return {.outcome = CheckOutcome::not_claimed, .what = "refuses the mesh: " + why};
   }
 
   CheckResult explained(const Case& given, const Violation& violation, std::size_t at_case) const {
-    CheckResult result{.outcome = Outcome::wrong,
+    CheckResult result{.outcome = CheckOutcome::wrong,
                        .what = violation.what,
                        .kind = violation.kind,
                        .at_case = at_case,
@@ -134,15 +134,15 @@ CheckResult wait_for(const CheckTask& task, double seconds) {
   if (std::filesystem::exists(task.result_file)) {
     result = nlohmann::json::parse(std::ifstream(task.result_file)).get<CheckResult>();
   }
-  if (result.outcome == Outcome::wrong) return result;  // whatever became of the explanation
-  if (ended.succeeded() && result.outcome != Outcome::crashed) return result;
+  if (result.outcome == CheckOutcome::wrong) return result;  // whatever became of the explanation
+  if (ended.succeeded() && result.outcome != CheckOutcome::crashed) return result;
   const std::string end = ended.timed_out ? "did not end within " + significant(seconds, 6) + " s"
                                           : "ended the process: " + ended.describe();
-  if (result.outcome == Outcome::not_known) {
+  if (result.outcome == CheckOutcome::not_known) {
     result.what += ' ' + end;
     return result;
   }
-  result.outcome = ended.timed_out ? Outcome::timed_out : Outcome::crashed;
+  result.outcome = ended.timed_out ? CheckOutcome::timed_out : CheckOutcome::crashed;
   result.what = end;
   result.kind = (ended.crashed ? "signal " : "exit code ") + std::to_string(ended.code);
   return result;
@@ -175,7 +175,7 @@ IsolatedCheck::~IsolatedCheck() {
 
 CheckResult IsolatedCheck::on_own_cases(const Property& property) const {
   const std::string missing = unclaimed(property, solver_);
-  if (!missing.empty()) return {.outcome = Outcome::not_claimed, .what = missing};
+  if (!missing.empty()) return {.outcome = CheckOutcome::not_claimed, .what = missing};
   return wait_for({.solver = solver_.name,
                    .property = property.name,
                    .vectors = vectors_,
@@ -186,7 +186,7 @@ CheckResult IsolatedCheck::on_own_cases(const Property& property) const {
 CheckResult IsolatedCheck::on_case(const Property& property, const Case& given, double seconds,
                                    bool explain) const {
   const std::string missing = unclaimed(property, solver_);
-  if (!missing.empty()) return {.outcome = Outcome::not_claimed, .what = missing};
+  if (!missing.empty()) return {.outcome = CheckOutcome::not_claimed, .what = missing};
   const std::filesystem::path mesh_file = folder_ / "case.obj";
   write_bytes(mesh_file, mesh_bytes(given.soup, mesh_file));
   return wait_for({.solver = solver_.name,

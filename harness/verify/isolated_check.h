@@ -8,7 +8,7 @@
 
 namespace geodesic::harness {
 
-enum class Outcome : std::uint8_t {
+enum class CheckOutcome : std::uint8_t {
   holds,
   not_claimed,  ///< does not concern the solver
   not_known,    ///< there were no right distances to compare with
@@ -18,14 +18,14 @@ enum class Outcome : std::uint8_t {
 };
 
 struct CheckResult {
-  Outcome outcome = Outcome::crashed;  ///< until the process says something else
-  std::string what = {};               ///< one line; empty when the property holds
-  std::string kind = {};               ///< of a failure, as Violation::kind
-  std::size_t at_case = 0;             ///< of the property's own cases, the one checked last
-  Query query = {};                    ///< answered wrongly; without sources when no single one was
+  CheckOutcome outcome = CheckOutcome::crashed;  ///< until the process says something else
+  std::string what = {};                         ///< one line; empty when the property holds
+  std::string kind = {};                         ///< of a failure, as Violation::kind
+  std::size_t at_case = 0;  ///< of the property's own cases, the one checked last
+  Query query = {};         ///< answered wrongly; without sources when no single one was
   std::vector<std::string> explanation = {};  ///< lines
 
-  bool failed() const { return outcome >= Outcome::wrong; }
+  bool failed() const { return outcome >= CheckOutcome::wrong; }
   bool fails_like(const CheckResult& other) const {
     return failed() && outcome == other.outcome && kind == other.kind;
   }

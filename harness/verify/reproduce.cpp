@@ -85,7 +85,7 @@ class Reproducer {
   }
 
  private:
-  bool timed_out() const { return failed_.result.outcome == Outcome::timed_out; }
+  bool timed_out() const { return failed_.result.outcome == CheckOutcome::timed_out; }
 
   // Empty where `solve` cannot ask the queries.
   Words solve_words(const Reproduction& saved) const {
@@ -120,7 +120,7 @@ class Reproducer {
     if (words.front() == "verify") return run(words).code == kFails;
     const Ended ended = run(words, attempt_);
     if (timed_out()) return ended.timed_out;
-    if (failed_.result.outcome == Outcome::crashed) return ended.crashed;
+    if (failed_.result.outcome == CheckOutcome::crashed) return ended.crashed;
     if (!failed_.result.what.starts_with(kThrew)) return ended.code == kFails;
     const std::string message = failed_.result.what.substr(std::string(kThrew).size());
     return ended.error_lines.find(message) != std::string::npos;
@@ -153,7 +153,7 @@ Reproduction save_smallest(const IsolatedCheck& check, const FailedProperty& fai
     save(saved.given, file);
   }
   reproducer.find_command(saved);
-  if (failed.result.outcome != Outcome::wrong || saved.file.empty()) return saved;
+  if (failed.result.outcome != CheckOutcome::wrong || saved.file.empty()) return saved;
   const CheckResult explained = check.on_case(*failed.property, saved.given, kInfinity, true);
   if (explained.failed()) saved.result = explained;
   return saved;

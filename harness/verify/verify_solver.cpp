@@ -141,17 +141,17 @@ class Verification {
 
   void report(const Property& property, const std::string& name, const CheckResult& result) {
     switch (result.outcome) {
-      case Outcome::holds:
+      case CheckOutcome::holds:
         ++count_.hold;
         return print_line("holds", name, "");
-      case Outcome::not_claimed:
+      case CheckOutcome::not_claimed:
         ++count_.not_claimed;
         return print_line("not claimed", name, check_.solver().name + ' ' + result.what);
-      case Outcome::not_known:
+      case CheckOutcome::not_known:
         ++count_.not_known;
         return print_line("not known", name, result.what);
       default:
-        if (result.outcome == Outcome::timed_out) ++count_.timed_out;
+        if (result.outcome == CheckOutcome::timed_out) ++count_.timed_out;
         ++count_.failed;
         print_line("FAILS", name, property.statement);
         print_line("", "  " + result.what, "");
@@ -166,7 +166,8 @@ class Verification {
     std::cout << '\n' << failed.name << '\n';
     if (request_.shrink > 0) {
       save(failed);
-    } else if (failed.result.outcome == Outcome::wrong && !failed.given.soup.triangles.empty()) {
+    } else if (failed.result.outcome == CheckOutcome::wrong &&
+               !failed.given.soup.triangles.empty()) {
       print_explanation(check_.on_case(*failed.property, failed.given, kInfinity, true));
     }
   }
