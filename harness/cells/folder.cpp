@@ -4,11 +4,8 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
-#include <utility>
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"
@@ -26,42 +23,42 @@ void make_folders(const fs::path& folder) {
   }
 }
 
-}  // namespace
-
-RunFolder RunFolder::make(const std::optional<fs::path>& out, const std::string& corpus) {
+fs::path make_folder(const std::optional<fs::path>& path, const std::string& corpus) {
   std::string time = utc_now();
   std::erase_if(time, [](char c) { return c == '-' || c == ':'; });
-  const fs::path path = out.value_or(results_folder() / "runs" / (time + "-" + corpus));
-  make_folders(path);
-  RunFolder folder(path);
-  const auto holds = [&](const char* file) { return fs::exists(folder.path() / file); };
-  if (std::ranges::any_of(std::array{"run.json", "request.json", "cells"}, holds)) {
-    const bool unfinished = holds("request.json") && !holds("run.json");
-    throw HarnessError("'" + folder.path().string() + "' holds a run already: remove it, " +
-                       (unfinished ? "continue it with --resume, " : "") +
-                       "or give another folder with --out");
+  const fs::path folder = path.value_or(results_folder() / "runs" / (time + "-" + corpus));
+  make_folders(folder);
+  return folder;
+}
+
+int lock_folder(const fs::path& path) {
+  const int folder = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0) {
+    throw HarnessError("cannot open the folder '" + path.string() + "': " + std::strerror(errno));
+  }
+  if (flock(folder, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    close(folder);
+    throw HarnessError("another process is writing to '" + path.string() +
+                       "': wait for it to end, or give another folder with --out");
   }
   return folder;
 }
 
-RunFolder::RunFolder(fs::path path)
-    : path_(std::move(path)), lock_(open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-  if (lock_ < 0) {
-    throw HarnessError("cannot open the folder '" + path_.string() + "': " + std::strerror(errno));
-  }
-  if (flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    close(lock_);
-    throw HarnessError("another process is writing to '" + path_.string() +
-                       "': wait for it to end, or give another folder with --out");
-  }
+}  // namespace
+
+RunFolder::RunFolder(const std::optional<fs::path>& path, const std::string& corpus)
+    : RunFolder(make_folder(path, corpus)) {
+  const auto holds = [&](const char* file) { return fs::exists(path_ / file); };
+  if (!holds("run.json") && !holds("request.json") && !holds("cells")) return;
+  const bool unfinished = holds("request.json") && !holds("run.json");
+  throw HarnessError("'" + path_.string() + "' holds a run already: remove it, " +
+                     (unfinished ? "continue it with --resume, " : "") +
+                     "or give another folder with --out");
 }
 
-RunFolder::RunFolder(RunFolder&& other) noexcept
-    : path_(std::move(other.path_)), lock_(std::exchange(other.lock_, -1)) {}
+RunFolder::RunFolder(const fs::path& path) : path_(path), lock_(lock_folder(path)) {}
 
-RunFolder::~RunFolder() {
-  if (lock_ >= 0) close(lock_);
-}
+RunFolder::~RunFolder() { close(lock_); }
 
 void RunFolder::make_subfolders() const {
   make_folders(path_ / "cells");

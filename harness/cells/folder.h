@@ -11,16 +11,15 @@ namespace geodesic::harness {
 /// ends; file systems without locks do not protect the folder.
 class RunFolder {
  public:
-  /// A new folder for results.
-  /// @param out by default `results/runs/<UTC time>-<corpus>` of the checkout
+  /// A new folder for results: `path` or `results/runs/<UTC time>-<corpus>` of the checkout.
   /// @throws HarnessError when it cannot be made, another process has it, or it holds results
   ///         already: those never change
-  static RunFolder make(const std::optional<std::filesystem::path>& out, const std::string& corpus);
+  RunFolder(const std::optional<std::filesystem::path>& path, const std::string& corpus);
   /// One that an earlier process made.
   /// @throws HarnessError when there is no such folder, or another process has it
-  explicit RunFolder(std::filesystem::path path);
-  RunFolder(RunFolder&& other) noexcept;
-  RunFolder& operator=(RunFolder&&) = delete;
+  explicit RunFolder(const std::filesystem::path& path);
+  RunFolder(const RunFolder&) = delete;
+  RunFolder& operator=(const RunFolder&) = delete;
   ~RunFolder();
 
   const std::filesystem::path& path() const { return path_; }
@@ -28,8 +27,8 @@ class RunFolder {
   void make_subfolders() const;
 
  private:
-  std::filesystem::path path_;
-  int lock_;  // descriptor of the folder; -1: moved away
+  const std::filesystem::path path_;
+  const int lock_;  // descriptor of the folder
 };
 
 }  // namespace geodesic::harness

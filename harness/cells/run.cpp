@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -208,15 +209,16 @@ RunResult run(RunRequest request) {
     request.suite.memory_limit = available_memory() / request.threads;  // in equal parts
   }
   Plan plan = make_plan(request);
-  const RunFolder folder = request.resume ? RunFolder(*request.resume)
-                                          : RunFolder::make(request.out, request.suite.corpus);
+  const auto folder = request.resume
+                          ? std::make_unique<RunFolder>(*request.resume)
+                          : std::make_unique<RunFolder>(request.out, request.suite.corpus);
   const SavedRequest saved = identify(request, plan);
-  save_request(saved, folder.path());
-  folder.make_subfolders();
+  save_request(saved, folder->path());
+  folder->make_subfolders();
 
   const InterruptionGuard guard;
-  plan.programs = measured_programs(request.programs, folder.path());
-  Run run(saved, plan, folder.path());
+  plan.programs = measured_programs(request.programs, folder->path());
+  Run run(saved, plan, folder->path());
   if (request.resume) run.keep_measured_cells();
   try {
     run.measure();

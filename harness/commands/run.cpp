@@ -93,7 +93,7 @@ void add_request_options(CLI::App& command, RunRequest& request) {
   option("--time-limit", suite.time_limit, "seconds after which a cell is stopped (default 3600)");
   option("--memory-limit", suite.memory_limit,
          "memory limit of a cell in bytes, or as 500M, 8G (default: 90% of what is available)")
-      ->transform(CLI::AsSizeValue(false))
+      ->transform(CLI::Validator(CLI::AsSizeValue(false)).description(""))
       ->type_name("SIZE");
   option("--vectors", suite.vectors, "instruction set of the solvers: auto, plain or avx2");
   call(
