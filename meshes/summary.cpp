@@ -4,93 +4,165 @@
 #include <cmath>
 #include <numbers>
 
+#include "meshes/connectivity.h"
 #include "meshes/defects.h"
-#include "meshes/topology.h"
 #include "solvers/core/tolerance.h"
 
 namespace geodesic {
 namespace {
 
-// Angle at the corner from which the half-edge starts, in radians. By the tangent: the cosine
-// loses half the digits of small angles.
-double corner_angle(const Surface& surface, OpenMesh::HalfedgeHandle h) {
-  const OpenMesh::HalfedgeHandle before = surface.prev_halfedge_handle(h);
-  const auto& corner = surface.point(surface.from_vertex_handle(h));
-  const auto along = surface.point(surface.to_vertex_handle(h)) - corner;
-  const auto back = surface.point(surface.from_vertex_handle(before)) - corner;
-  return std::atan2(along.cross(back).norm(), along.dot(back));
+// The usable faces, oriented alike, with the twin of every half-edge and the fan of every corner.
+class Surface {
+ public:
+  explicit Surface(const TriangleSoup& soup) : soup_(soup), usable_(take_census(soup).usable) {
+    const Orientation orientation =
+        orient(soup.triangles, EdgeTable(soup.triangles, usable_, soup.positions.size()));
+    orientable_ = orientation.one_sided_edges == 0;
+    for (Index f = 0; f < soup.triangles.size(); ++f) {
+      if (!usable_[f]) continue;
+      const Triangle& t = soup.triangles[f];
+      triangles_.push_back(orientation.flipped[f] ? flip(t) : t);
+    }
+    const std::vector<bool> all(triangles_.size(), true);
+    twins_ = pair_half_edges(triangles_, EdgeTable(triangles_, all, soup.positions.size()));
+    fans_ = join_fans(twins_);
+  }
+
+  void count(MeshSummary& summary);
+  void measure_edges(MeshSummary& summary) const;
+  void measure_angles(MeshSummary& summary);
+
+ private:
+  Index half_edges() const { return static_cast<Index>(twins_.size()); }
+  bool is_boundary(Index h) const { return twins_[h] == kNone; }
+  // Of an edge with two sides, the one of lower number stands for both.
+  bool stands_for_edge(Index h) const { return is_boundary(h) || h < twins_[h]; }
+  const Vec3& corner(Index h) const { return soup_.positions[origin_of(triangles_, h)]; }
+  Vec3 along(Index h) const { return subtract(corner(next_in_face(h)), corner(h)); }
+  std::size_t count_boundary_loops() const;
+  std::size_t count_components() const;
+  std::size_t count_pieces() const;
+
+  const TriangleSoup& soup_;
+  const std::vector<bool> usable_;
+  bool orientable_ = true;
+  std::vector<Triangle> triangles_;
+  std::vector<Index> twins_;
+  DisjointSets fans_{0};  // of corners
+};
+
+std::size_t count_sets(DisjointSets& sets, Index elements) {
+  std::size_t count = 0;
+  for (Index e = 0; e < elements; ++e) count += sets.find(e) == e ? 1u : 0u;
+  return count;
 }
 
-double edge_length(const Surface& surface, OpenMesh::EdgeHandle edge) {
-  const OpenMesh::HalfedgeHandle h = surface.halfedge_handle(edge, 0);
-  return (surface.point(surface.to_vertex_handle(h)) - surface.point(surface.from_vertex_handle(h)))
-      .norm();
+// The boundary runs against the half-edge. It goes on at its origin, at the other end of the fan
+// there, which a turn around the origin finds.
+std::size_t Surface::count_boundary_loops() const {
+  std::vector<bool> seen(twins_.size(), false);
+  std::size_t loops = 0;
+  for (Index start = 0; start < half_edges(); ++start) {
+    if (!is_boundary(start) || seen[start]) continue;
+    ++loops;
+    for (Index h = start; !seen[h];) {
+      seen[h] = true;
+      h = previous_in_face(h);
+      while (!is_boundary(h)) h = previous_in_face(twins_[h]);
+    }
+  }
+  return loops;
 }
 
-void measure_edges(const Surface& surface, MeshSummary& summary) {
-  if (surface.n_edges() == 0) return;
+// Parts that are connected across edges.
+std::size_t Surface::count_pieces() const {
+  DisjointSets pieces = fans_;
+  for (Index h = 0; h < half_edges(); h += 3) {
+    pieces.join(h, h + 1);
+    pieces.join(h, h + 2);
+  }
+  return count_sets(pieces, half_edges());
+}
+
+std::size_t Surface::count_components() const {
+  DisjointSets vertices = join_vertices(soup_.triangles, usable_, soup_.positions.size());
+  std::vector<bool> seen(soup_.positions.size(), false);
+  std::size_t components = 0;
+  for (const Triangle& t : triangles_) {
+    const Index root = vertices.find(t[0]);
+    components += seen[root] ? 0u : 1u;
+    seen[root] = true;
+  }
+  return components;
+}
+
+void Surface::count(MeshSummary& summary) {
+  std::vector<bool> has_face(soup_.positions.size(), false);
+  for (Index h = 0; h < half_edges(); ++h) {
+    has_face[origin_of(triangles_, h)] = true;
+    summary.edges += stands_for_edge(h) ? 1u : 0u;
+    summary.boundary_edges += is_boundary(h) ? 1u : 0u;
+  }
+  const auto isolated = std::count(has_face.begin(), has_face.end(), false);
+  summary.isolated_vertices = static_cast<std::size_t>(isolated);
+  summary.left_out_faces = soup_.triangles.size() - triangles_.size();
+  summary.components = count_components();
+  summary.boundary_loops = count_boundary_loops();
+  summary.orientable = orientable_;
+  if (!orientable_) return;
+  // Euler: vertices - edges + faces = sum over pieces of (2 - 2 genus - loops), a vertex a fan.
+  summary.genus = (2 * count_pieces() + summary.edges - summary.boundary_loops -
+                   count_sets(fans_, half_edges()) - triangles_.size()) /
+                  2;
+}
+
+void Surface::measure_edges(MeshSummary& summary) const {
+  if (triangles_.empty()) return;
   EdgeLengths lengths{.least = kInfinity};
   double sum = 0;
-  for (const OpenMesh::EdgeHandle edge : surface.edges()) {
-    const double length = edge_length(surface, edge);
+  for (Index h = 0; h < half_edges(); ++h) {
+    if (!stands_for_edge(h)) continue;
+    const double length = norm(along(h));
     sum += length;
     lengths.least = std::min(lengths.least, length);
     lengths.greatest = std::max(lengths.greatest, length);
-    if (surface.is_boundary(edge)) ++summary.boundary_edges;
   }
-  lengths.mean = sum / static_cast<double>(surface.n_edges());
+  lengths.mean = sum / static_cast<double>(summary.edges);
   summary.edge_lengths = lengths;
 }
 
-void measure_angles(const TriangleSoup& soup, const Topology& topology, MeshSummary& summary) {
-  const Surface& surface = topology.surface;
-  std::vector<double> totals(surface.n_vertices(), 0.0);
+void Surface::measure_angles(MeshSummary& summary) {
+  std::vector<double> totals(twins_.size(), 0.0);  // by the fan's least corner
+  std::vector<bool> on_boundary(twins_.size(), false);
   double smallest = kInfinity;
-  for (const OpenMesh::FaceHandle face : surface.faces()) {
-    const Triangle& triangle = soup.triangles[surface.property(topology.file_face, face)];
-    const bool flat = has_zero_area(soup.positions, triangle);
-    for (const OpenMesh::HalfedgeHandle h : surface.fh_range(face)) {
-      const double angle = corner_angle(surface, h);
-      totals[static_cast<std::size_t>(surface.from_vertex_handle(h).idx())] += angle;
-      if (!flat) smallest = std::min(smallest, angle);
-    }
+  for (Index h = 0; h < half_edges(); ++h) {
+    const Index before = previous_in_face(h);
+    const Vec3 back = scale(-1, along(before));
+    // By the tangent: the cosine loses half the digits of small angles.
+    const double angle =
+        std::atan2(norm(geodesic::cross(along(h), back)), geodesic::dot(along(h), back));
+    const Index fan = fans_.find(h);
+    totals[fan] += angle;
+    if (is_boundary(h) || is_boundary(before)) on_boundary[fan] = true;
+    if (!has_zero_area(soup_.positions, triangles_[h / 3])) smallest = std::min(smallest, angle);
   }
   if (smallest < kInfinity) summary.smallest_angle = smallest * 180 / std::numbers::pi;
-  for (const OpenMesh::VertexHandle v : surface.vertices()) {
-    const bool saddle =
-        totals[static_cast<std::size_t>(v.idx())] > 2 * std::numbers::pi + kSaddleAngleExcess;
-    if (saddle && !surface.is_boundary(v)) ++summary.saddle_vertices;
+  for (Index fan = 0; fan < half_edges(); ++fan) {
+    const bool saddle = totals[fan] > 2 * std::numbers::pi + kSaddleAngleExcess;
+    summary.saddle_vertices += saddle && !on_boundary[fan] ? 1u : 0u;
   }
-}
-
-void measure_topology(const Topology& topology, MeshSummary& summary) {
-  const Surface& surface = topology.surface;
-  summary.left_out_faces = topology.left_out_faces;
-  summary.edges = surface.n_edges();
-  summary.components = count_components(topology);
-  summary.boundary_loops = count_boundary_loops(surface);
-  for (const OpenMesh::VertexHandle v : surface.vertices()) {
-    if (surface.is_isolated(v)) ++summary.isolated_vertices;
-  }
-  summary.orientable = topology.orientable();
-  if (!summary.orientable) return;
-  // Euler: vertices - edges + faces = sum over parts of (2 - 2 genus - loops).
-  const std::size_t vertices = surface.n_vertices() - summary.isolated_vertices;
-  summary.genus = (2 * count_pieces(surface) + surface.n_edges() - summary.boundary_loops -
-                   vertices - surface.n_faces()) /
-                  2;
 }
 
 }  // namespace
 
 MeshSummary summarize(const TriangleSoup& soup) {
-  const Topology topology = build_topology(soup);
+  Surface surface(soup);
   MeshSummary summary;
   summary.vertices = soup.positions.size();
   summary.faces = soup.triangles.size();
-  measure_topology(topology, summary);
-  measure_edges(topology.surface, summary);
-  measure_angles(soup, topology, summary);
+  surface.count(summary);
+  surface.measure_edges(summary);
+  surface.measure_angles(summary);
   return summary;
 }
 

@@ -39,7 +39,7 @@ struct MeshSummary {
   std::size_t saddle_vertices = 0;
 };
 
-/// @throws MeshError for more half-edges than OpenMesh can number (2^31)
+/// In expected linear time, for any triangles and valences.
 MeshSummary summarize(const TriangleSoup& soup);
 
 }  // namespace geodesic

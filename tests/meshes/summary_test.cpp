@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
+#include "meshes/repair.h"
 #include "solvers/core/mesh.h"
 #include "tests/meshes/mesh_samples.h"
 
@@ -155,6 +157,70 @@ TEST(Summary, OfAVertexOfManyFacesCostsNoQuadraticTime) {
     soup.triangles.push_back({0, 1 + i, 1 + (i + 1) % kRim});
   }
   EXPECT_EQ(summarize(soup).boundary_loops, 1u);
+}
+
+TEST(Summary, CountsTheFansOfANonManifoldVertexAsOneComponent) {
+  TriangleSoup soup = tetrahedron();  // and another one that shares vertex 3 only
+  for (const Vec3& p : {Vec3{1, 0, 2}, Vec3{0, 1, 2}, Vec3{0, 0, 2}}) soup.positions.push_back(p);
+  for (const Triangle& t : std::vector<Triangle>{{3, 4, 5}, {3, 5, 6}, {3, 6, 4}, {4, 6, 5}}) {
+    soup.triangles.push_back(t);
+  }
+  const MeshSummary s = summarize(soup);
+  EXPECT_EQ(s.components, 1u);
+  EXPECT_EQ(s.genus, 0u);
+  EXPECT_EQ(s.edges, 12u);
+}
+
+TEST(Summary, CountsAnEdgeOfThreeFacesForEachOfThem) {
+  const MeshSummary s =
+      summarize({.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}},
+                 .triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}});
+  EXPECT_EQ(s.edges, 9u);
+  EXPECT_EQ(s.boundary_edges, 9u);
+  EXPECT_EQ(s.boundary_loops, 3u);
+  EXPECT_EQ(s.components, 1u);
+  EXPECT_EQ(s.genus, 0u);
+}
+
+TEST(Summary, LeavesOutUnusableFacesAndOrientsTheOthers) {
+  TriangleSoup soup = tetrahedron();
+  std::swap(soup.triangles[1][1], soup.triangles[1][2]);
+  for (const Triangle& t : {Triangle{0, 0, 1}, {0, 1, 7}, {0, 2, 1}}) soup.triangles.push_back(t);
+  const MeshSummary s = summarize(soup);
+  EXPECT_EQ(s.left_out_faces, 3u);
+  EXPECT_EQ(s.boundary_edges, 0u);
+  EXPECT_EQ(s.genus, 0u);
+}
+
+// Euler's formula gives whole numbers only if edges, loops, fans and pieces belong together.
+TEST(Summary, OfAnyRepairedTrianglesIsThatOfTheSolversMesh) {
+  std::mt19937 random(11);
+  for (int round = 0; round < 300; ++round) {
+    TriangleSoup soup;
+    const std::size_t vertices = 4 + random() % 8;
+    for (std::size_t v = 0; v < vertices; ++v) {
+      soup.positions.push_back({static_cast<double>(random() % 100),
+                                static_cast<double>(random() % 100), static_cast<double>(v)});
+    }
+    for (std::size_t f = 0; f < 3 + random() % 20; ++f) {
+      const auto vertex = [&] { return static_cast<Index>(random() % vertices); };
+      soup.triangles.push_back({vertex(), vertex(), vertex()});
+    }
+    repair(soup);
+    const MeshSummary s = summarize(soup);
+    const Mesh mesh(soup);
+    std::size_t boundary = 0;
+    for (Index h = 0; h < mesh.half_edge_count(); ++h) boundary += mesh.twin(h) == kNone ? 1u : 0u;
+    EXPECT_EQ(s.edges, mesh.edge_count()) << "round " << round;
+    EXPECT_EQ(s.boundary_edges, boundary) << "round " << round;
+    EXPECT_LE(s.components + s.boundary_loops, boundary + mesh.face_count()) << "round " << round;
+    if (s.genus) {
+      EXPECT_LE(*s.genus, mesh.face_count()) << "round " << round;
+    }
+    if (s.edge_lengths) {
+      EXPECT_DOUBLE_EQ(s.edge_lengths->mean, mesh.mean_edge_length()) << "round " << round;
+    }
+  }
 }
 
 }  // namespace

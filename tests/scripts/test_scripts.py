@@ -131,7 +131,7 @@ def test_no_install_prints_the_line_that_would_and_stops(
     assert ended.returncode == 1 and "installed" not in ended.stderr
     line = ended.stderr.splitlines()[-1]
     assert line.startswith("  sudo apt-get install --no-install-recommends ")
-    assert {"g++", "cmake", "ninja-build", "libopenmesh-dev"} <= set(line.split())
+    assert {"g++", "cmake", "ninja-build", "libcli11-dev"} <= set(line.split())
 
 
 def test_without_root_and_sudo_the_line_is_printed(
