@@ -9,7 +9,7 @@
 namespace geodesic {
 namespace {
 
-constexpr double kRounding = 1e-14;
+constexpr double kUnfoldedRounding = 1e-14;
 
 Point2 operator-(const Point2& a, const Point2& b) { return {a.x - b.x, a.y - b.y}; }
 double cross(const Point2& a, const Point2& b) { return a.x * b.y - a.y * b.x; }
@@ -40,11 +40,11 @@ const std::vector<Window> kWindows = {{.begin = 0.1, .end = 0.9, .x = 0.4, .y = 
 TEST(FaceFrame, holds_the_lengths_of_the_face) {
   for (const Triangle2& t : kTriangles) {
     const FaceFrame f = t.frame();
-    EXPECT_NEAR(f.length, norm(t.head), kRounding);
-    EXPECT_NEAR(f.left, norm(t.apex), kRounding);
-    EXPECT_NEAR(f.right, norm(t.apex - t.head), kRounding);
-    EXPECT_NEAR(f.apex_x, t.apex.x, kRounding);
-    EXPECT_NEAR(f.apex_y, t.apex.y, kRounding);
+    EXPECT_NEAR(f.length, norm(t.head), kUnfoldedRounding);
+    EXPECT_NEAR(f.left, norm(t.apex), kUnfoldedRounding);
+    EXPECT_NEAR(f.right, norm(t.apex - t.head), kUnfoldedRounding);
+    EXPECT_NEAR(f.apex_x, t.apex.x, kUnfoldedRounding);
+    EXPECT_NEAR(f.apex_y, t.apex.y, kUnfoldedRounding);
   }
 }
 
@@ -58,9 +58,9 @@ TEST(Unfolding, a_ray_meets_an_edge_where_two_lines_meet) {
         const double on_left = meeting_point(source, through, {0, 0}, t.apex);
         const double on_right = meeting_point(source, through, t.apex, t.head);
         if (to_the_left) {
-          EXPECT_NEAR(f.on_left(w, at), f.left * on_left, kRounding * f.left);
+          EXPECT_NEAR(f.on_left(w, at), f.left * on_left, kUnfoldedRounding * f.left);
         } else {
-          EXPECT_NEAR(f.on_right(w, at), f.right * on_right, kRounding * f.right);
+          EXPECT_NEAR(f.on_right(w, at), f.right * on_right, kUnfoldedRounding * f.right);
         }
       }
     }
@@ -101,17 +101,19 @@ TEST(Unfolding, moves_points_rigidly_with_the_edge_onto_the_x_axis) {
   for (const Triangle2& t : kTriangles) {
     const FaceFrame f = t.frame();
     const double size = f.length + f.left + f.right;
-    EXPECT_NEAR(norm(f.to_left(0, 0)), 0, kRounding);
-    EXPECT_NEAR(norm(f.to_left(t.apex.x, t.apex.y) - Point2{f.left, 0}), 0, kRounding * size);
-    EXPECT_NEAR(norm(f.to_right(t.apex.x, t.apex.y)), 0, kRounding);
-    EXPECT_NEAR(norm(f.to_right(t.head.x, t.head.y) - Point2{f.right, 0}), 0, kRounding * size);
+    EXPECT_NEAR(norm(f.to_left(0, 0)), 0, kUnfoldedRounding);
+    EXPECT_NEAR(norm(f.to_left(t.apex.x, t.apex.y) - Point2{f.left, 0}), 0,
+                kUnfoldedRounding * size);
+    EXPECT_NEAR(norm(f.to_right(t.apex.x, t.apex.y)), 0, kUnfoldedRounding);
+    EXPECT_NEAR(norm(f.to_right(t.head.x, t.head.y) - Point2{f.right, 0}), 0,
+                kUnfoldedRounding * size);
     for (const Window& w : kWindows) {
       const Point2 source = {w.x, w.y};
       const Point2 left = f.to_left(w.x, w.y), right = f.to_right(w.x, w.y);
-      EXPECT_NEAR(norm(left), norm(source), kRounding * 10);
-      EXPECT_NEAR(norm(left - Point2{f.left, 0}), norm(source - t.apex), kRounding * 10);
-      EXPECT_NEAR(norm(right), norm(source - t.apex), kRounding * 10);
-      EXPECT_NEAR(norm(right - Point2{f.right, 0}), norm(source - t.head), kRounding * 10);
+      EXPECT_NEAR(norm(left), norm(source), kUnfoldedRounding * 10);
+      EXPECT_NEAR(norm(left - Point2{f.left, 0}), norm(source - t.apex), kUnfoldedRounding * 10);
+      EXPECT_NEAR(norm(right), norm(source - t.apex), kUnfoldedRounding * 10);
+      EXPECT_NEAR(norm(right - Point2{f.right, 0}), norm(source - t.head), kUnfoldedRounding * 10);
     }
   }
 }
@@ -143,8 +145,8 @@ TEST(Unfolding, of_a_face_without_area_continues_straight) {
   const FaceFrame f = Triangle2{{2, 0}, {0.5, 0}}.frame();
   const Window w = {.begin = 0, .end = 2, .x = 1, .y = -1, .sigma = 0};
   EXPECT_EQ(f.apex_y, 0);
-  EXPECT_NEAR(f.on_left(w, 0.25), 0.25, kRounding);
-  EXPECT_NEAR(f.on_right(w, 1.25), 0.75, kRounding);
+  EXPECT_NEAR(f.on_left(w, 0.25), 0.25, kUnfoldedRounding);
+  EXPECT_NEAR(f.on_right(w, 1.25), 0.75, kUnfoldedRounding);
   EXPECT_EQ(f.on_left(w, 1.0), 0.5);
   EXPECT_EQ(f.on_right(w, 0.25), 0);
 }
@@ -207,7 +209,7 @@ TEST(WindowDistance, beyond_the_edge_is_straight_or_bent_at_an_end) {
         sampled = std::min(sampled, distance_at(w, t) + norm(target - Point2{t, 0}));
       }
       const double least = least_distance_to(w, target.x, target.y);
-      EXPECT_LE(least, sampled + kRounding);
+      EXPECT_LE(least, sampled + kUnfoldedRounding);
       EXPECT_NEAR(least, sampled, 1e-7);
     }
   }

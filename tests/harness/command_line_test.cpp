@@ -9,19 +9,13 @@ namespace {
 
 using CommandLine = ProgramTest;
 
-void expect_words(const std::string& text, const std::vector<std::string>& words) {
-  for (const std::string& word : words) {
-    EXPECT_NE(text.find(word), std::string::npos) << "'" << word << "' is missing in: " << text;
-  }
-}
-
 // A linker must not drop a solver that registers itself.
 TEST_F(CommandLine, ListHasTheSolversOfEveryFolder) {
   const Output list = run(PROGRAM, {"list", "--json"});
   ASSERT_EQ(list.code, 0) << list.err;
   std::vector<std::string> listed;
-  const nlohmann::json json = nlohmann::json::parse(list.out);
-  for (const nlohmann::json& solver : json.at("solvers")) {
+  const nlohmann::json printed = nlohmann::json::parse(list.out);
+  for (const nlohmann::json& solver : printed.at("solvers")) {
     listed.push_back(solver.at("name"));
   }
   std::istringstream expected(SOLVER_NAMES);
@@ -76,21 +70,21 @@ TEST_F(CommandLine, SolveWritesAJsonObjectAndDistancesInFileOrder) {
   const Output solve = run(PROGRAM, {"solve", (folder_ / "tetrahedron.obj").string(), "--solver",
                                      exact_solver(), "--source", "0", "--output", file.string()});
   ASSERT_EQ(solve.code, 0) << solve.err;
-  const nlohmann::json json = nlohmann::json::parse(solve.out);
-  EXPECT_EQ(json.at("solver"), exact_solver());
-  EXPECT_EQ(json.at("mesh"), "tetrahedron");
-  EXPECT_EQ(json.at("vertices"), 4);
-  EXPECT_EQ(json.at("faces"), 4);
-  EXPECT_EQ(json.at("sources"), nlohmann::json::array({0}));
-  EXPECT_EQ(json.at("unreachable_vertices"), 0);
+  const nlohmann::json printed = nlohmann::json::parse(solve.out);
+  EXPECT_EQ(printed.at("solver"), exact_solver());
+  EXPECT_EQ(printed.at("mesh"), "tetrahedron");
+  EXPECT_EQ(printed.at("vertices"), 4);
+  EXPECT_EQ(printed.at("faces"), 4);
+  EXPECT_EQ(printed.at("sources"), nlohmann::json::array({0}));
+  EXPECT_EQ(printed.at("unreachable_vertices"), 0);
   for (const char* key : {"cpu_time_s", "real_time_s", "prepare_time_s", "space_thesis_mb",
                           "solver_peak_bytes", "process_peak_bytes", "window_propagations"}) {
-    ASSERT_TRUE(json.contains(key)) << key;
-    EXPECT_TRUE(json.at(key).is_number()) << key;
+    ASSERT_TRUE(printed.contains(key)) << key;
+    EXPECT_TRUE(printed.at(key).is_number()) << key;
   }
   for (const char* key : {"valid_windows", "window_limit", "peak_wavefront", "strip_depth",
                           "strip_b", "wavefront_sd"}) {
-    EXPECT_TRUE(json.contains(key)) << key << " is null where the solver has none, not absent";
+    EXPECT_TRUE(printed.contains(key)) << key << " is null where the solver has none, not absent";
   }
   EXPECT_EQ(read(file), "0\n1\n1\n1\n");
 }
@@ -132,14 +126,14 @@ TEST_F(CommandLine, SolvesOfEachSourceAreTheSameInAnyNumberOfThreads) {
   };
   const auto one = folder_ / "one.txt", three = folder_ / "three.txt";
   solve({"--each", "--output", one.string()});
-  const nlohmann::json json = solve({"--each", "--threads", "3", "--output", three.string()});
+  const nlohmann::json printed = solve({"--each", "--threads", "3", "--output", three.string()});
   EXPECT_EQ(read(one), read(three));
-  EXPECT_EQ(json.at("threads"), 3);
-  ASSERT_EQ(json.at("solves").size(), sources.size());
+  EXPECT_EQ(printed.at("threads"), 3);
+  ASSERT_EQ(printed.at("solves").size(), sources.size());
 
   std::istringstream lines(read(three));
   for (std::size_t i = 0; i < sources.size(); ++i) {
-    EXPECT_EQ(json.at("solves")[i].at("source").dump(), sources[i]);
+    EXPECT_EQ(printed.at("solves")[i].at("source").dump(), sources[i]);
     const auto alone = folder_ / "alone.txt";
     run(PROGRAM, {"solve", "hill", "--solver", exact_solver(), "--source", sources[i], "--output",
                   alone.string()});

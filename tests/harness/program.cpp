@@ -50,6 +50,12 @@ constexpr const char* kManifest = R"({
 
 }  // namespace
 
+void expect_words(const std::string& text, const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    EXPECT_NE(text.find(word), std::string::npos) << "'" << word << "' is missing in: " << text;
+  }
+}
+
 ProgramTest::ProgramTest() : manifest_(write("manifest.json", whole_manifest(kManifest))) {
   write("hill.off", hill(6));
   write("tetrahedron.obj", kTetrahedron);

@@ -27,6 +27,8 @@ struct Output {
   std::string err;
 };
 
+void expect_words(const std::string& text, const std::vector<std::string>& words);
+
 /// A test with two tiny meshes in a manifest of its own: "hill" (open terrain, one isolated vertex)
 /// and "tetrahedron"; "absent" is in the manifest and not in the cache.
 class ProgramTest : public TemporaryFolder {

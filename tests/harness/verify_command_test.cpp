@@ -44,12 +44,6 @@ class VerifyCommand : public ProgramTest {
   }
 };
 
-void expect_words(const std::string& text, const std::vector<std::string>& words) {
-  for (const std::string& word : words) {
-    EXPECT_NE(text.find(word), std::string::npos) << "'" << word << "' is missing in: " << text;
-  }
-}
-
 struct Fault {
   std::string solver;
   std::string property;                 ///< that it breaks

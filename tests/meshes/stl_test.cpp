@@ -9,7 +9,7 @@ namespace geodesic {
 namespace {
 
 // By first appearance the tetrahedron's corners come as 0, 2, 1, 3.
-void expect_tetrahedron(const std::string& bytes, const std::string& format) {
+void expect_joined_tetrahedron(const std::string& bytes, const std::string& format) {
   const MeshFile file = parse_mesh(bytes, "test.stl");
   EXPECT_EQ(file.soup.positions, (std::vector<Vec3>{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}}));
   EXPECT_EQ(file.soup.triangles,
@@ -18,12 +18,12 @@ void expect_tetrahedron(const std::string& bytes, const std::string& format) {
 }
 
 TEST(Stl, JoinsEqualCornersByFirstAppearance) {
-  expect_tetrahedron(ascii_stl(), "STL ASCII");
-  expect_tetrahedron(binary_stl("made by hand"), "STL binary");
+  expect_joined_tetrahedron(ascii_stl(), "STL ASCII");
+  expect_joined_tetrahedron(binary_stl("made by hand"), "STL binary");
 }
 
 TEST(Stl, RecognisesBinaryFilesThatBeginWithSolid) {
-  expect_tetrahedron(binary_stl("solid tetrahedron"), "STL binary");
+  expect_joined_tetrahedron(binary_stl("solid tetrahedron"), "STL binary");
 }
 
 TEST(Stl, ReadsSeveralSolidsAndCapitals) {
@@ -32,7 +32,7 @@ TEST(Stl, ReadsSeveralSolidsAndCapitals) {
   EXPECT_EQ(twice.soup.triangles.size(), 8u);
   std::string capitals = ascii_stl();
   for (char& c : capitals) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  expect_tetrahedron(capitals, "STL ASCII");
+  expect_joined_tetrahedron(capitals, "STL ASCII");
 }
 
 TEST(Stl, KeepsFullDoublePrecisionOfAsciiFiles) {

@@ -10,15 +10,15 @@
 namespace geodesic::mmp {
 namespace {
 
-struct Solved {
+struct Kept {
   std::vector<std::uint64_t> distances;  // bits
   Recording recording;
   Index windows_kept = 0;
 };
 
 template <class Policy>
-Solved solve(const Mesh& mesh, const Query& query, Keep keep) {
-  Solved solved;
+Kept solve(const Mesh& mesh, const Query& query, Keep keep) {
+  Kept solved;
   Propagation<Policy, CountingRecorder> propagation(mesh, CountingRecorder(solved.recording));
   std::vector<double> distances(mesh.vertex_count(), kInfinity);
   propagation.run(query, distances, keep);
@@ -35,8 +35,8 @@ Solved solve(const Mesh& mesh, const Query& query, Keep keep) {
 template <class Policy>
 void expect_only_memory_to_change(const TriangleSoup& soup, const Query& query) {
   const Mesh mesh(soup);
-  const Solved all = solve<Policy>(mesh, query, Keep::all);
-  const Solved few = solve<Policy>(mesh, query, Keep::wavefront);
+  const Kept all = solve<Policy>(mesh, query, Keep::all);
+  const Kept few = solve<Policy>(mesh, query, Keep::wavefront);
   EXPECT_EQ(few.distances, all.distances);
   EXPECT_EQ(few.recording, all.recording);
   EXPECT_EQ(all.windows_kept, *all.recording.window_limit);
