@@ -235,8 +235,8 @@ TEST_F(CommandLine, DistancesOnStandardOutputLeaveTheJsonObjectToStandardError) 
                                      "0", "--output", "-"});
   ASSERT_EQ(solve.code, 0) << solve.err;
   EXPECT_EQ(solve.out, "0\n1\n1\n1\n");
-  const std::string json = solve.err.substr(solve.err.find("{\n"));  // after warnings
-  EXPECT_EQ(nlohmann::json::parse(json).at("vertices"), 4);
+  const std::string printed = solve.err.substr(solve.err.find("{\n"));  // after warnings
+  EXPECT_EQ(nlohmann::json::parse(printed).at("vertices"), 4);
 }
 
 TEST_F(CommandLine, AMissingMeshFileIsNamedWithoutAListOfMeshes) {
