@@ -30,15 +30,14 @@ class BucketQueue {
   ///        the usual choice. Not positive: one bucket takes everything.
   explicit BucketQueue(double width) : numbers_(width), ring_(kRing) {}
 
-  bool empty() const { return size_ == 0; }
-  std::size_t size() const { return size_; }
+  bool empty() const { return phase_.empty() && ring_.empty() && far_.empty(); }
+  std::size_t size() const { return phase_.count + ring_.items() + far_.size(); }
 
   void clear() {
     ring_.clear();
     far_.clear();
     far_serial_ = 0;
     phase_ = ahead_ = {};
-    size_ = 0;
     phase_span_ = 0;
     base_ = kNoPhase;
     target_ = kMinimum;
@@ -54,7 +53,6 @@ class BucketQueue {
     } else {
       far_.push({std::bit_cast<std::uint64_t>(key), far_serial_++, item});
     }
-    ++size_;
   }
 
   /// True when the running phase takes items of this key, so that one need not be queued.
@@ -76,7 +74,6 @@ class BucketQueue {
     phase_.drop_first(ring_.nodes());
     ahead_.drop_first(ring_.nodes());
     if (!ahead_.empty()) ring_.nodes().prefetch(ahead_.first);
-    --size_;
     return ring_.nodes().take(at).item;
   }
 
@@ -113,9 +110,8 @@ class BucketQueue {
   std::int64_t phase_span_ = 0;   // buckets that the running phase took
   KeyHeap<Item> far_;             // what lies beyond the ring
   std::uint32_t far_serial_ = 0;
-  Fifo phase_;  // what is left of the running phase
-  Fifo ahead_;  // the part of it that starts with `upcoming`
-  std::size_t size_ = 0;
+  Fifo phase_;                        // what is left of the running phase
+  Fifo ahead_;                        // the part of it that starts with `upcoming`
   std::ptrdiff_t target_ = kMinimum;  // K: windows a phase should cover
   std::ptrdiff_t balance_ = 0;        // pushed above minus pushed below the phase's upper bound
 };

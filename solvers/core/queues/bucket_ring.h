@@ -108,6 +108,7 @@ class BucketRing {
   std::int64_t size() const { return static_cast<std::int64_t>(mask_) + 1; }
   /// No bucket holds an item.
   bool empty() const { return items_ == 0; }
+  std::size_t items() const { return items_; }
 
   void clear() {
     std::fill(buckets_.begin(), buckets_.end(), Bucket{});
