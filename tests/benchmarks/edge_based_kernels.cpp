@@ -2,10 +2,10 @@
 #undef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS (HWY_AVX3_DL | HWY_AVX3 | HWY_SSE4 | HWY_SSSE3)
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "benchmarks/edge_based_kernels.cpp"
+#define HWY_TARGET_INCLUDE "tests/benchmarks/edge_based_kernels.cpp"
 #include <hwy/foreach_target.h>
 
-#include "benchmarks/microbench.h"
+#include "tests/benchmarks/microbench.h"
 #include "solvers/edge_based/kernels-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "benchmarks/microbench.h"
+#include "tests/benchmarks/microbench.h"
 #include "meshes/generators/generators.h"
 #include "solvers/chen_han/propagation.h"
 #include "solvers/core/pool.h"

@@ -43,7 +43,10 @@ inline std::vector<Window> windows_in_order(std::size_t count) {
 
 /// An uneven triangle above that edge.
 inline FaceFrame crossed_face_frame() {
-  FaceFrame face{.length = 1, .apex_x = 0.4, .apex_y = 0.8};
+  FaceFrame face{};
+  face.length = 1;
+  face.apex_x = 0.4;
+  face.apex_y = 0.8;
   face.left = std::hypot(face.apex_x, face.apex_y);
   face.right = std::hypot(1 - face.apex_x, face.apex_y);
   face.left_x = face.apex_x / face.left;
