@@ -1,4 +1,4 @@
-#include "harness/commands/mesh.h"
+#include "harness/commands/commands.h"
 
 #include <gtest/gtest.h>
 
