@@ -1,4 +1,4 @@
-"""The dependency rule of docs/architecture.md, held against what files include and import."""
+"""The order of layers in docs/architecture.md, checked against `#include` and `import` lines."""
 
 from __future__ import annotations
 
@@ -10,94 +10,142 @@ from pathlib import Path
 import pytest
 from pages import ROOT
 
-INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
-SHARED = "solvers/core"
-"""With the contract, the files right in solvers/: what every solver and the harness builds on."""
-OUTSIDE = ("harness", "meshes", "datasets", "benchmarks", "tests", "examples")
-"""What no solver sees."""
+INCLUDE = re.compile(r'^\s*#\s*include\s+(?:"([^"]+)"|<([^>]+)>)', re.MULTILINE)
+
+CONTRACT = {f"solvers/core/{name}" for name in ("solver", "contract", "registry", "rescaled")}
+"""Files of core, without extension, that make up the contract: the rest of core knows none of them."""
+
+ORDER = [
+    "solvers/core",
+    "contract",
+    "family",
+    "variant",
+    "meshes",
+    "harness/base",
+    "harness/corpus",
+    "harness/results",
+    "harness/measure",
+    "harness/recordings",
+    "harness/verify",
+    "harness/cells",
+    "harness/commands",
+    "harness/main",
+]
+"""A file includes files of its own layer and of layers to the left."""
+
+HARNESS_ONLY = {"family", "variant"}
+"""Layers that nothing to their right includes: solvers are reached through the registry."""
+
+LIBRARIES = {
+    "hwy/": {"solvers/core", "family", "variant"},
+    "CGAL/": {"family"},
+    "nlohmann/": {"harness/base"},
+    "openssl/": {"harness/base"},
+    "benchmark/": {"harness/measure"},
+    "CLI/": {"harness/commands", "harness/main"},
+}
+"""Third-party headers and the layers that include them; every other `<...>` is a system header."""
+
+SYSTEM = re.compile(r"[a-z_0-9]+(\.h)?|sys/[a-z]+\.h")
 
 Includes = dict[str, list[str]]
-"""By file, seen from the root: the files that it includes."""
+"""By file, relative to the root: what it includes."""
 
 
-def part(file: str) -> str:
-    """solvers/core of the contract and the core, solvers/<family> of a family, or a folder."""
-    top, *below = file.split("/")
-    if top != "solvers":
-        return top
-    return f"solvers/{below[0]}" if len(below) > 1 else SHARED
+def layer(file: str) -> str:
+    """@raises ValueError for a file that belongs to no layer"""
+    parts = Path(file).parts
+    if str(Path(file).with_suffix("")) in CONTRACT:
+        return "contract"
+    if parts[0] == "solvers":
+        return {"core": "solvers/core", "variants": "variant"}.get(parts[1], "family")
+    if parts[0] == "meshes":
+        return "meshes"
+    name = "/".join(parts[:2]).removesuffix(".cpp")
+    if name not in ORDER:
+        raise ValueError(f"{file} belongs to no layer")
+    return name
 
 
-def is_family(name: str) -> bool:
-    return name.startswith("solvers/") and name != SHARED
+def family(file: str) -> Path:
+    """The folder of a family or of a variant."""
+    parts = Path(file).parts
+    return Path(*parts[: 3 if parts[1] == "variants" else 2])
 
 
 def includes() -> Includes:
-    files = [*ROOT.glob("solvers/**/*"), *ROOT.glob("harness/**/*"), *ROOT.glob("meshes/**/*")]
     return {
-        str(file.relative_to(ROOT)): INCLUDE.findall(file.read_text("utf-8"))
-        for file in files
+        str(file.relative_to(ROOT)): [a or b for a, b in INCLUDE.findall(file.read_text("utf-8"))]
+        for folder in ("solvers", "meshes", "harness")
+        for file in sorted((ROOT / folder).rglob("*"))
         if file.suffix in (".h", ".cpp")
     }
 
 
-def crossings(of: Includes) -> Iterator[tuple[str, str, str, str]]:
-    """(file, its part, included file, that one's part) wherever the parts differ."""
+def is_own(included: str) -> bool:
+    return included.split("/")[0] in ("solvers", "meshes", "harness")
+
+
+def reason_against(file: str, included: str) -> str:
+    """Why `file` must not include `included`; empty when it may."""
+    here = layer(file)
+    if not is_own(included):
+        for prefix, layers in LIBRARIES.items():
+            if included.startswith(prefix):
+                return "" if here in layers else f"{prefix} belongs to {', '.join(sorted(layers))}"
+        return "" if SYSTEM.fullmatch(included) else "it is in no table of libraries"
+    there = layer(included)
+    if ORDER.index(there) > ORDER.index(here):
+        return f"{there} is above {here}"
+    if here == there and here in HARNESS_ONLY and family(file) != family(included):
+        return f"one {here} includes another"
+    if there in HARNESS_ONLY and here not in HARNESS_ONLY:
+        return "solvers are reached through the registry"
+    return ""
+
+
+def violations(of: Includes) -> Iterator[str]:
     for file, included in of.items():
         for other in included:
-            if part(file) != part(other):
-                yield file, part(file), other, part(other)
+            if why := reason_against(file, other):
+                yield f"{file} includes {other}: {why}"
 
 
-def violations(of: Includes) -> list[str]:
-    """Lines "file includes file: why it must not"."""
-    crossed = list(crossings(of))
-    composed = {there for _, here, _, there in crossed if is_family(here) and is_family(there)}
-    found = []
-    for file, here, other, there in crossed:
-        why = ""
-        if here.startswith("solvers/") and there in OUTSIDE:
-            why = "a solver sees nothing but solvers"
-        elif here == SHARED and is_family(there):
-            why = "the core knows no family"
-        elif here == "harness" and is_family(there):
-            why = "it names no solver"
-        elif here == "meshes" and there != SHARED:
-            why = "meshes build on solvers/core alone"
-        elif is_family(here) and is_family(there) and here in composed:
-            why = f"a variant composes families, but {here} is composed by others itself"
-        if why:
-            found.append(f"{file} includes {other}: {why}")
-    return found
-
-
-def test_the_includes_keep_the_rule() -> None:
+def test_includes_keep_the_total_order_of_layers() -> None:
     found = includes()
     assert sum(map(len, found.values())) > 500
-    assert violations(found) == []
+    assert list(violations(found)) == []
+
+
+def test_every_layer_has_files() -> None:
+    assert {layer(file) for file in includes()} == set(ORDER)
 
 
 @pytest.mark.parametrize(
     ("file", "included"),
     [
         ("solvers/mmp/mmp.cpp", "harness/base/error.h"),
-        ("solvers/core/mesh.h", "solvers/mmp/orders.h"),
-        ("solvers/core/registry.cpp", "solvers/mmp/orders.h"),
-        ("harness/cells/cell.cpp", "solvers/mmp/orders.h"),
-        ("meshes/generators/cones.cpp", "solvers/mmp/orders.h"),
-        ("meshes/load.cpp", "harness/base/error.h"),
+        ("solvers/core/mesh.h", "solvers/core/solver.h"),
+        ("solvers/core/mesh.h", "solvers/mmp/mmp.h"),
+        ("solvers/core/mesh.h", "CLI/CLI.hpp"),
+        ("solvers/mmp/mmp.cpp", "solvers/chen_han/chen_han.h"),
+        ("solvers/mmp/mmp.cpp", "solvers/variants/lazy/lazy.h"),
+        ("solvers/variants/lazy/lazy.cpp", "solvers/variants/lazier/lazier.h"),
+        ("meshes/defects.cpp", "harness/base/error.h"),
+        ("harness/cells/cell.cpp", "solvers/mmp/mmp.h"),
+        ("harness/results/row.h", "harness/cells/plan.h"),
+        ("harness/base/json.h", "harness/corpus/suite.h"),
+        ("harness/results/row.h", "unknown/library.hpp"),
     ],
 )
-def test_an_include_against_the_rule_is_found(file: str, included: str) -> None:
+def test_an_include_against_the_order_is_found(file: str, included: str) -> None:
     (line,) = violations({file: [included]})
     assert line.startswith(f"{file} includes {included}: ")
 
 
-def test_a_variant_composes_families_and_nobody_composes_a_variant() -> None:
-    variant: Includes = {"solvers/lazy/lazy.cpp": ["solvers/mmp/orders.h", "solvers/core/solver.h"]}
-    assert violations(variant) == []
-    (line,) = violations(variant | {"solvers/lazier/lazier.cpp": ["solvers/lazy/lazy.h"]})
-    assert line.startswith("solvers/lazy/lazy.cpp includes solvers/mmp/orders.h: a variant")
+def test_a_variant_composes_families() -> None:
+    composed = ["solvers/mmp/mmp.h", "solvers/chen_han/chen_han.h", "solvers/core/solver.h"]
+    assert list(violations({"solvers/variants/lazy/lazy.cpp": composed})) == []
 
 
 def imported(files: Iterable[Path]) -> set[str]:
@@ -112,23 +160,15 @@ def imported(files: Iterable[Path]) -> set[str]:
     return names
 
 
-MODULES = {
-    "plots": {"plots"},
-    "gate": {"gate"},
-    "results": {"results"},
-    "datasets": {"fetch", "fetching"},
-}
-"""By folder, the names that an import from elsewhere would have."""
-USED = {"plots": {"results"}, "gate": {"plots", "results"}}
-"""By folder, the folders that it may import; all others meet in files only."""
+PACKAGES = {"results": set[str](), "plots": {"results"}, "gate": {"results", "plots"}, "datasets": set[str]()}
+"""By Python package, the others that it imports."""
 
 
-@pytest.mark.parametrize("folder", MODULES)
-def test_python_folders_import_in_one_direction(folder: str) -> None:
-    found = imported((ROOT / folder).rglob("*.py"))
+@pytest.mark.parametrize("package", PACKAGES)
+def test_python_packages_keep_their_order(package: str) -> None:
+    found = imported((ROOT / package).rglob("*.py"))
     assert "__future__" in found
-    for other, modules in MODULES.items():
-        assert other in {folder, *USED.get(folder, set())} or not found & modules
+    assert found & (PACKAGES.keys() | {"fetching"}) - {package, "fetching"} <= PACKAGES[package]
 
 
 def test_figures_are_drawn_from_files_without_starting_a_program() -> None:
