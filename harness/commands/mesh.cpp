@@ -91,7 +91,7 @@ void print_json(const Flags& flags, const Findings& findings) {
   std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 
-std::string shown(double value) {
+std::string six_digits(double value) {
   std::ostringstream text;
   text << std::setprecision(6) << value;
   return text.str();
@@ -117,11 +117,11 @@ void print_summary(const MeshSummary& s) {
   print_row("boundary edges", s.boundary_edges);
   print_row("genus", s.genus ? std::to_string(*s.genus) : "none: the surface has one side only");
   if (s.edge_lengths) {
-    print_row("edge length", shown(s.edge_lengths->least) + " to " +
-                                 shown(s.edge_lengths->greatest) + ", mean " +
-                                 shown(s.edge_lengths->mean));
+    print_row("edge length", six_digits(s.edge_lengths->least) + " to " +
+                                 six_digits(s.edge_lengths->greatest) + ", mean " +
+                                 six_digits(s.edge_lengths->mean));
   }
-  if (s.smallest_angle) print_row("smallest angle", shown(*s.smallest_angle) + " degrees");
+  if (s.smallest_angle) print_row("smallest angle", six_digits(*s.smallest_angle) + " degrees");
   print_row("saddle vertices", s.saddle_vertices);
   print_row("isolated vertices", s.isolated_vertices);
 }
