@@ -40,8 +40,7 @@ constexpr const char* kHasPackages =
     "('numpy', 'scipy', 'matplotlib'))))";
 
 bool has_packages(const fs::path& python) {
-  std::error_code unreadable;
-  if (!fs::exists(python, unreadable)) return false;
+  if (access(python.c_str(), X_OK) != 0) return false;
   return run_program(python, {"-c", kHasPackages}, [] {}).succeeded();
 }
 

@@ -12,7 +12,7 @@ MEASURE = (
     " --min-time 0.00001"
 )
 BIG = "geodesic-bench generate icosphere --frequency 20 -o"
-STREAM = ["standard output", "is it closed, or its disk full?"]
+STREAM = ["standard output", "is it closed, or the disk full?"]
 FULL = "No space left on device"
 NO_PYTHON_MODULES = "as Debian's /usr/bin/python3 has them"
 

@@ -83,7 +83,7 @@ CASES = [
     Case("geodesic-bench compare: another mesh", f"geodesic-bench compare '{GOLDEN}' b",
          ["is another file in b"], files={"b": OTHER_MESH}),
     Case("geodesic-bench compare: another corpus", f"geodesic-bench compare '{GOLDEN}' b",
-         ["different corpora cannot be compared", "b of other"], files={"b": OTHER_CORPUS}),
+         ["different corpora cannot be compared", "b is of other"], files={"b": OTHER_CORPUS}),
     Case("geodesic-bench compare: a run that was interrupted", "geodesic-bench compare . .",
          ["run.json: no such file; was the run interrupted?"]),
     Case("check.py: a run that was interrupted", "check.py --run .",

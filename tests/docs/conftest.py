@@ -18,10 +18,11 @@ BENCH = Path(os.environ.get("GEODESIC_BENCH") or ROOT / "build" / "release" / "g
 PROGRAM = """#!/bin/bash
 # Built elsewhere, the program knows another manifest than that of this checkout, and needs a solver
 # of this checkout as a plug-in (build_solver.py).
-plugin=()
+plugin=() manifest=()
 if [[ -f {plugin} ]]; then plugin=(--plugin {plugin}); fi
+if [[ " $* " != *" --manifest "* ]]; then manifest=(--manifest {manifest}); fi
 case $1 in
-  list | solve | run | rank | verify) exec {bench} "${{plugin[@]}}" "$@" --manifest {manifest} ;;
+  list | solve | run | rank | verify) exec {bench} "${{plugin[@]}}" "$@" "${{manifest[@]}}" ;;
   *) exec {bench} "$@" ;;
 esac
 """
