@@ -7,7 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-COMPARE = Path(__file__).resolve().parent.parent.parent / "benchmarks" / "compare.py"
+COMPARE = Path(__file__).resolve().parent.parent.parent / "tests" / "benchmarks" / "compare.py"
 
 
 def write(folder: Path, name: str, times: dict[str, list[float]]) -> str:

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-COPIED = ["cmake", "meshes/generators", "harness", "solvers", "tools"]
+COPIED = ["cmake", "harness", "meshes", "solvers", "tools"]
 STARTS = ["template", "edge-based", "mmp", "chen-han"]
 LONG = "a-variant-with-the-longest-name2"
 NAMES = {start: f"my-{start}" for start in STARTS}

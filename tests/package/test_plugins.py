@@ -178,8 +178,8 @@ def test_refused_what_is_no_library(installed: Installed, tmp_path: Path) -> Non
     (tmp_path / "text.so").write_text("no library")
     for name, why in {
         "absent.so": "there is no such file",
-        ".": "no regular file",
-        "text.so": "no shared library",
+        ".": "not a regular file",
+        "text.so": "not a shared library",
     }.items():
         line = refusal(installed, tmp_path, "--plugin", name, "list")
         assert f"'{name}'" in line
