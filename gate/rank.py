@@ -148,7 +148,7 @@ def draw(ranking: Ranking, folder: Path) -> str:
 
         meshes = {
             mesh: {one.solver: mark(on.time) for one in ranking.standings if (on := one.on(mesh))}
-            for mesh in ranking.contest.meshes
+            for mesh in ranking.measurements.meshes
         }
         means = {one.solver: mark(one.time) for one in ranking.standings if one.time}
         figure.write(figure.draw(ranking.candidate, meshes, means), folder)

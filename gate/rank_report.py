@@ -105,22 +105,22 @@ def _of_mesh(ranking: Ranking, run: Run, mesh: str) -> Table:
 
 
 def _mesh_row(ranking: Ranking, one: Standing, mesh: str) -> list[str]:
-    contest = ranking.contest
-    failed = contest.failure(one.solver, mesh)
+    measurements = ranking.measurements
+    failed = measurements.failure(one.solver, mesh)
     if failed is not None:
         return [one.solver, failed.outcome, *[NOTHING] * 6]
 
     def typical(key: str, unit: float, digits: int) -> str:
-        values = contest.numbers(one.solver, mesh, key)
+        values = measurements.numbers(one.solver, mesh, key)
         return f"{statistics.median(values) / unit:.{digits}f}" if values else NOTHING
 
-    times = [time for cell in contest.of(one.solver, mesh) for time in cell.times]
+    times = [time for cell in measurements.of(one.solver, mesh) for time in cell.times]
     on = one.on(mesh)
     milliseconds = on.milliseconds if on else statistics.median(times)
     return [
         one.solver, f"{milliseconds:.4g}", *_ratios(on),
         typical(WINDOWS, 1, 0), typical(MEMORY, 1e6, 2),
-        _error(max(contest.numbers(one.solver, mesh, ERROR), default=None)),
+        _error(max(measurements.numbers(one.solver, mesh, ERROR), default=None)),
     ]  # fmt: skip
 
 
@@ -134,7 +134,7 @@ def _ratios(on: OnMesh | None) -> list[str]:
 def as_markdown(ranking: Ranking, run: Run) -> str:
     others = [one.solver for one in ranking.standings if one.solver != ranking.candidate]
     lines = [f"- {escape_markdown(remark)}\n" for remark in ranking.remarks]
-    tables = [to_markdown(_of_mesh(ranking, run, mesh)) for mesh in ranking.contest.meshes]
+    tables = [to_markdown(_of_mesh(ranking, run, mesh)) for mesh in ranking.measurements.meshes]
     return "\n".join([
         f"# {ranking.candidate} against {', '.join(others)}\n",
         f"{escape_markdown(verdict(ranking))}\n",
@@ -149,7 +149,7 @@ def as_latex(ranking: Ranking, run: Run) -> str:
     name = ranking.candidate
     others = [one for one in ranking.standings if one.solver != name]
     rows = []
-    for mesh in ranking.contest.meshes:
+    for mesh in ranking.measurements.meshes:
         found = [one.on(mesh) for one in others]
         times = [_with_interval(on.time) if on else NOTHING for on in found]
         rows.append(text_cells([mesh, str(run.meshes[mesh].vertices), *times]))

@@ -77,7 +77,7 @@ class Standing:
         return next((one for one in self.meshes if one.mesh == mesh), None)
 
 
-class Contest:
+class Measurements:
     """The cells of the run by mesh and solver."""
 
     def __init__(self, run: Run) -> None:
@@ -125,7 +125,7 @@ class Contest:
 @dataclass
 class Ranking:
     candidate: str
-    contest: Contest
+    measurements: Measurements
     standings: list[Standing]
     """Fastest first; those without a mean last."""
     remarks: list[str]
@@ -137,10 +137,11 @@ class Ranking:
     @property
     def wrong(self) -> list[str]:
         """Solvers with a wrong answer somewhere."""
-        return [one.solver for one in self.standings if any(
-            row is not None and row.outcome == WRONG
-            for row in (self.contest.failure(one.solver, mesh) for mesh in self.contest.meshes)
-        )]  # fmt: skip
+        found = self.measurements
+        failures = [(one.solver, found.failure(one.solver, mesh))
+                    for one in self.standings for mesh in found.meshes]  # fmt: skip
+        wrong = (solver for solver, row in failures if row is not None and row.outcome == WRONG)
+        return list(dict.fromkeys(wrong))
 
 
 def rank(run: Run, candidate: str | None = None) -> Ranking:
@@ -152,31 +153,31 @@ def rank(run: Run, candidate: str | None = None) -> Ranking:
     candidate = candidate or solvers[0]
     if candidate not in solvers:
         raise GateError(f"{run.file}: has no solver {candidate}; it has {', '.join(solvers)}")
-    contest = Contest(run)
-    standings = [_standing(contest, candidate, solver) for solver in solvers]
-    ranking = Ranking(candidate, contest, standings, [])
+    measurements = Measurements(run)
+    standings = [_standing(measurements, candidate, solver) for solver in solvers]
+    ranking = Ranking(candidate, measurements, standings, [])
     ranking.standings.sort(key=lambda one: _order(one, candidate))
     _give_ranks(ranking)
     ranking.remarks = [*_failures(ranking), *_about_means(ranking, run)]
     return ranking
 
 
-def _standing(contest: Contest, candidate: str, solver: str) -> Standing:
-    right = [mesh for mesh in contest.meshes if contest.failure(solver, mesh) is None]
-    errors = [value for mesh in right for value in contest.numbers(solver, mesh, ERROR)]
-    standing = Standing(solver, len(right), len(contest.meshes), max(errors, default=None))
+def _standing(measurements: Measurements, candidate: str, solver: str) -> Standing:
+    right = [mesh for mesh in measurements.meshes if measurements.failure(solver, mesh) is None]
+    errors = [value for mesh in right for value in measurements.numbers(solver, mesh, ERROR)]
+    standing = Standing(solver, len(right), len(measurements.meshes), max(errors, default=None))
     if solver == candidate:
         return standing
-    for mesh in contest.meshes:
-        if pairs := contest.pairs(candidate, solver, mesh):
-            windows = contest.ratio(candidate, solver, mesh, WINDOWS)
-            memory = contest.ratio(candidate, solver, mesh, MEMORY)
+    for mesh in measurements.meshes:
+        if pairs := measurements.pairs(candidate, solver, mesh):
+            windows = measurements.ratio(candidate, solver, mesh, WINDOWS)
+            memory = measurements.ratio(candidate, solver, mesh, MEMORY)
             time = Ratio(median_interval(pairs.ratios), len(pairs))
             milliseconds = statistics.median(pairs.second)
             standing.meshes.append(
                 OnMesh(mesh, time, milliseconds, pairs.ratios, windows, memory)
             )
-    standing.time = contest.mean(candidate, solver)
+    standing.time = measurements.mean(candidate, solver)
     standing.windows = _mean([one.windows for one in standing.meshes])
     standing.memory = _mean([one.memory for one in standing.meshes])
     return standing
@@ -201,7 +202,7 @@ def _give_ranks(ranking: Ranking) -> None:
         if _order(standing, ranking.candidate) == float("inf"):
             continue
         if first is not None:
-            between = ranking.contest.mean(first.solver, standing.solver)
+            between = ranking.measurements.mean(first.solver, standing.solver)
             if between is not None and not between.resolved:
                 standing.rank = first.rank
                 continue
@@ -211,14 +212,14 @@ def _give_ranks(ranking: Ranking) -> None:
 def _failures(ranking: Ranking) -> list[str]:
     return [
         f"{standing.solver} has no time on {mesh}: {row.outcome}: {row.message}"
-        for mesh in ranking.contest.meshes
+        for mesh in ranking.measurements.meshes
         for standing in ranking.standings
-        if (row := ranking.contest.failure(standing.solver, mesh)) is not None
+        if (row := ranking.measurements.failure(standing.solver, mesh)) is not None
     ]
 
 
 def _about_means(ranking: Ranking, run: Run) -> list[str]:
-    count, lines = len(ranking.contest.meshes), []
+    count, lines = len(ranking.measurements.meshes), []
     timed = [one for one in ranking.standings if one.time is not None]
     for one in timed:
         if len(one.meshes) < count:
@@ -230,8 +231,8 @@ def _about_means(ranking: Ranking, run: Run) -> list[str]:
         least = least_for_interval(CONFIDENCE)
         lines.append(f"fewer than {least} pairs resolve nothing (~): rank with more --pairs")
     disturbed = sum(
-        ranking.contest.pairs(ranking.candidate, one.solver, mesh).disturbed
-        for one in timed for mesh in ranking.contest.meshes
+        ranking.measurements.pairs(ranking.candidate, one.solver, mesh).disturbed
+        for one in timed for mesh in ranking.measurements.meshes
     )  # fmt: skip
     if disturbed:
         lines.append(

@@ -329,7 +329,7 @@ void take_steps(TriangleSoup& soup, const std::string& file, Log& log) {
                   " rounds of cleaning");
 }
 
-Made make_clean(const CheckedParameters& parameters) {
+GeneratedMesh make_clean(const CheckedParameters& parameters) {
   const std::string& file = parameters.text("input");
   TriangleSoup soup = read_mesh(file).soup;
   Log log;

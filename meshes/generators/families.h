@@ -43,8 +43,8 @@ ParameterDescription words_parameter(std::string name, std::vector<std::string> 
 ParameterDescription file_parameter(std::string name, std::string description);
 
 /// A mesh, and one line for each change that was made to the input file's mesh.
-struct Made {
-  Made(TriangleSoup mesh, std::vector<std::string> lines = {})
+struct GeneratedMesh {
+  GeneratedMesh(TriangleSoup mesh, std::vector<std::string> lines = {})
       : soup(std::move(mesh)), remarks(std::move(lines)) {}
 
   TriangleSoup soup;
@@ -53,7 +53,7 @@ struct Made {
 
 struct Family {
   GeneratorDescription description;
-  std::function<Made(const CheckedParameters& parameters)> make;
+  std::function<GeneratedMesh(const CheckedParameters& parameters)> make;
   /// The closed form where there is one: distances of all vertices from `source`, in the unit of
   /// the positions, on the mesh that `make` returns. It is evaluated on the stored positions in
   /// `long double`: rounding of a position (1e-16 of the mesh's size) is part of the mesh, and

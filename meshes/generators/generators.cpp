@@ -183,7 +183,8 @@ const std::vector<GeneratorDescription>& generator_descriptions() {
 TriangleSoup generate(std::string_view name, const GeneratorParameters& parameters,
                       std::vector<std::string>* remarks) {
   const Family& family = find_family(name);
-  Made made = family.make(CheckedParameters(name, family.description.parameters, parameters));
+  GeneratedMesh made =
+      family.make(CheckedParameters(name, family.description.parameters, parameters));
   if (remarks != nullptr) *remarks = std::move(made.remarks);
   return std::move(made.soup);
 }
