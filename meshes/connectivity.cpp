@@ -51,7 +51,7 @@ std::vector<SortedFace> sort_faces(std::span<const Triangle> triangles,
   for (Index f = 0; f < triangles.size(); ++f) {
     if (!usable[f]) continue;
     Triangle t = triangles[f];
-    std::ranges::rotate(t, std::ranges::min_element(t));
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     const bool even = t[1] < t[2];
     faces.push_back({even ? t : flip(t), even, f});
   }
