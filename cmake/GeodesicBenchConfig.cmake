@@ -1,5 +1,6 @@
 # find_package(GeodesicBench) gives
 #   GeodesicBench::geodesic        the solvers as a library
+#   GeodesicBench::meshes          files of meshes, their defects and repair; static, with the solvers
 #   GeodesicBench::geodesic-bench  the program
 #   geodesic_add_solver            solvers of one's own, as a plug-in of the program
 include(${CMAKE_CURRENT_LIST_DIR}/GeodesicBenchTargets.cmake)

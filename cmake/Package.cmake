@@ -4,7 +4,7 @@ include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/GeodesicBench)
 
 install(
-  TARGETS geodesic geodesic-bench
+  TARGETS geodesic geodesic_meshes geodesic-bench
   EXPORT GeodesicBenchTargets
   FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/geodesic-bench)
 install(EXPORT GeodesicBenchTargets NAMESPACE GeodesicBench:: DESTINATION ${package_folder})

@@ -94,6 +94,26 @@ def test_library_computes_distances(installed: Installed, tmp_path: Path) -> Non
     assert distances == pytest.approx([0, 1, 2**0.5, 1, 1, 2**0.5, FAR_CORNER, 2**0.5], rel=1e-12)
 
 
+def test_library_reads_meshes_and_solves_in_threads(
+    installed: Installed, tmp_path: Path, cube: Path
+) -> None:
+    build = installed.build(ROOT / "examples" / "library", tmp_path / "build")
+    sources = ["0", "6", "0", "1"]
+    ended = subprocess.run(
+        [build / "many_sources", cube, *sources], capture_output=True, text=True, check=True
+    )
+    lines = [line.split() for line in ended.stdout.splitlines()]
+    assert [source for source, _, _ in lines] == sources
+    assert lines[0] == lines[2]
+    assert [float(distance) for _, _, distance in lines[:2]] == pytest.approx([FAR_CORNER] * 2)
+    for words in ([cube, "8"], [tmp_path / "none.obj", "0"]):
+        refused = subprocess.run(
+            [build / "many_sources", *words], capture_output=True, text=True, check=False
+        )
+        assert refused.returncode == 1
+        assert str(words[-1] if words[0] is cube else words[0]) in refused.stderr
+
+
 def test_headers_compile_alone_and_need_the_standard_library_only(
     installed: Installed, tmp_path: Path
 ) -> None:
