@@ -17,8 +17,7 @@ def study(tmp_path_factory: pytest.TempPathFactory) -> Study:
     program = os.environ.get("GEODESIC_BENCH")
     if program is None:
         pytest.skip("GEODESIC_BENCH names no program; ./run_tests.sh sets it")
-    folder = tmp_path_factory.mktemp("study")
-    return Study(Path(program).parent, folder, folder / "meshes")
+    return Study(Path(program).parent, tmp_path_factory.mktemp("study"))
 
 
 @pytest.mark.parametrize(
