@@ -90,6 +90,53 @@ DisjointSets join_vertices(std::span<const Triangle> triangles, const std::vecto
   return sets;
 }
 
+std::vector<Index> first_faces(std::span<const Triangle> triangles, const std::vector<bool>& usable,
+                               std::size_t vertex_count) {
+  DisjointSets components = join_vertices(triangles, usable, vertex_count);
+  std::vector<bool> seen(vertex_count, false);
+  std::vector<Index> first;
+  for (Index f = 0; f < triangles.size(); ++f) {
+    if (!usable[f]) continue;
+    const Index root = components.find(triangles[f][0]);
+    if (!seen[root]) first.push_back(f);
+    seen[root] = true;
+  }
+  return first;
+}
+
+std::vector<bool> used_vertices(std::span<const Triangle> triangles, std::size_t vertex_count) {
+  std::vector<bool> used(vertex_count, false);
+  for (const Triangle& face : triangles) {
+    for (const Index v : face) used[v] = true;
+  }
+  return used;
+}
+
+std::vector<bool> boundary_vertices(const TriangleSoup& soup) {
+  std::vector<std::pair<Index, Index>> sides;
+  sides.reserve(3 * soup.triangles.size());
+  for (const auto& [a, b, c] : soup.triangles) {
+    sides.insert(sides.end(), {{a, b}, {b, c}, {c, a}});
+  }
+  std::ranges::sort(sides);
+  std::vector<bool> boundary(soup.positions.size(), false);
+  for (const auto& [from, to] : sides) {
+    if (!std::ranges::binary_search(sides, std::pair(to, from))) {
+      boundary[from] = boundary[to] = true;
+    }
+  }
+  return boundary;
+}
+
+TriangleSoup side_by_side(TriangleSoup first, const TriangleSoup& second) {
+  const auto offset = static_cast<Index>(first.positions.size());
+  first.positions.insert(first.positions.end(), second.positions.begin(), second.positions.end());
+  for (const auto& [a, b, c] : second.triangles) {
+    first.triangles.push_back({a + offset, b + offset, c + offset});
+  }
+  return first;
+}
+
 std::size_t drop_faces(TriangleSoup& soup, const std::vector<bool>& dropped) {
   std::size_t f = 0;
   return std::erase_if(soup.triangles, [&](const Triangle&) { return dropped[f++]; });

@@ -111,6 +111,20 @@ DisjointSets join_fans(std::span<const Index> twins);
 DisjointSets join_vertices(std::span<const Triangle> triangles, const std::vector<bool>& usable,
                            std::size_t vertex_count);
 
+/// One flag a vertex: whether a face has it.
+std::vector<bool> used_vertices(std::span<const Triangle> triangles, std::size_t vertex_count);
+
+/// One flag a vertex: whether it lies on an edge along which no face runs in the opposite
+/// direction.
+std::vector<bool> boundary_vertices(const TriangleSoup& soup);
+
+/// Both meshes as separate components: vertices and faces of the second follow those of the first.
+TriangleSoup side_by_side(TriangleSoup first, const TriangleSoup& second);
+
+/// The first of each set of usable faces that vertices connect, in order.
+std::vector<Index> first_faces(std::span<const Triangle> triangles, const std::vector<bool>& usable,
+                               std::size_t vertex_count);
+
 /// Removes the flagged faces; the others keep their order.
 /// @return the number removed
 std::size_t drop_faces(TriangleSoup& soup, const std::vector<bool>& dropped);

@@ -179,18 +179,11 @@ class Finder {
   }
 
   void report_components() {
-    DisjointSets components = join_vertices(triangles_, census_.usable, positions_.size());
-    std::vector<bool> seen(positions_.size(), false);
-    std::vector<Index> first_faces;
-    for (Index f = 0; f < triangles_.size(); ++f) {
-      if (!census_.usable[f]) continue;
-      const Index root = components.find(triangles_[f][0]);
-      if (!seen[root]) first_faces.push_back(f);
-      seen[root] = true;
-    }
-    if (first_faces.size() < 2) return;
-    report(DefectKind::several_components, first_faces.size(),
-           "the second holds " + face(first_faces[1]));
+    const std::vector<Index> first_of_each =
+        first_faces(triangles_, census_.usable, positions_.size());
+    if (first_of_each.size() < 2) return;
+    report(DefectKind::several_components, first_of_each.size(),
+           "the second holds " + face(first_of_each[1]));
   }
 
   std::span<const Vec3> positions_;

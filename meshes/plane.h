@@ -1,11 +1,16 @@
 // Points of a plane in extended precision: what surfaces unfold to.
 #pragma once
 
+#include <array>
 #include <cmath>
+
+#include "solvers/core/geometry.h"
 
 namespace geodesic {
 
 using Real = long double;
+
+inline std::array<Real, 3> extended(const Vec3& p) { return {p[0], p[1], p[2]}; }
 
 struct PlanePoint {
   Real x = 0;

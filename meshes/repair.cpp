@@ -8,58 +8,51 @@
 namespace geodesic {
 namespace {
 
-class Actions {
- public:
-  void add(std::string key, std::string text, std::size_t count, bool changed = true) {
-    if (count > 0) list.push_back({std::move(key), std::move(text), count, changed});
-  }
-
-  std::vector<RepairAction> list;
-};
-
-void drop_unusable(TriangleSoup& soup, Actions& done) {
+std::vector<RepairAction> drop_unusable(TriangleSoup& soup) {
   FaceCensus census = take_census(soup);
-  done.add("dropped_index_out_of_range", "faces that name a vertex that does not exist dropped",
-           census.index_out_of_range.size());
-  done.add("dropped_repeated_vertex", "faces that name a vertex twice dropped",
-           census.repeated_vertex.size());
-  done.add("dropped_at_non_finite_vertex", "faces at a vertex that is not finite dropped",
-           census.at_non_finite_vertex.size());
   for (std::size_t v = 0; v < soup.positions.size(); ++v) {
     if (!census.finite_vertices[v]) soup.positions[v] = {0, 0, 0};
   }
-  done.add("moved_non_finite_vertex", "vertices that are not finite moved to the origin, isolated",
-           static_cast<std::size_t>(std::ranges::count(census.finite_vertices, false)));
-  done.add("dropped_repeated_face", "repeated faces dropped, the first of each kept",
-           census.repeated_face.size());
   census.usable.flip();
   drop_faces(soup, census.usable);
+  return {{"dropped_index_out_of_range", "faces that name a vertex that does not exist dropped",
+           census.index_out_of_range.size()},
+          {"dropped_repeated_vertex", "faces that name a vertex twice dropped",
+           census.repeated_vertex.size()},
+          {"dropped_at_non_finite_vertex", "faces at a vertex that is not finite dropped",
+           census.at_non_finite_vertex.size()},
+          {"moved_non_finite_vertex", "vertices that are not finite moved to the origin, isolated",
+           static_cast<std::size_t>(std::ranges::count(census.finite_vertices, false))},
+          {"dropped_repeated_face", "repeated faces dropped, the first of each kept",
+           census.repeated_face.size()}};
 }
 
 }  // namespace
 
 std::vector<RepairAction> repair(TriangleSoup& soup) {
-  Actions done;
-  drop_unusable(soup, done);
+  std::vector<RepairAction> done = drop_unusable(soup);
   // Edges of more than two faces stay so when faces are flipped.
   const EdgeTable edges(soup);
   const Orientation orientation = orient(soup.triangles, edges);
   for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
     if (orientation.flipped[f]) soup.triangles[f] = flip(soup.triangles[f]);
   }
-  done.add("flipped_faces", "faces flipped to run the same way round as their neighbours",
-           orientation.flips);
   std::size_t non_manifold = 0;
   edges.for_each_edge(
       [&](std::span<const EdgeSide> sides) { non_manifold += sides.size() > 2 ? 1U : 0U; });
-  done.add("cut_non_manifold_edges",
-           "non-manifold edges cut, so that paths cross them at their end vertices only",
-           non_manifold, false);
-  done.add("cut_one_sided_edges",
-           "edges cut because the surface has one side only, so that paths cross them at their end "
-           "vertices only",
-           orientation.one_sided_edges, false);
-  return std::move(done.list);
+  done.insert(
+      done.end(),
+      {{"flipped_faces", "faces flipped to run the same way round as their neighbours",
+        orientation.flips},
+       {"cut_non_manifold_edges",
+        "non-manifold edges cut, so that paths cross them at their end vertices only", non_manifold,
+        false},
+       {"cut_one_sided_edges",
+        "edges cut because the surface has one side only, so that paths cross them at their end "
+        "vertices only",
+        orientation.one_sided_edges, false}});
+  std::erase_if(done, [](const RepairAction& action) { return action.count == 0; });
+  return done;
 }
 
 }  // namespace geodesic

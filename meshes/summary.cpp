@@ -40,7 +40,6 @@ class Surface {
   const Vec3& corner(Index h) const { return soup_.positions[origin_of(triangles_, h)]; }
   Vec3 along(Index h) const { return subtract(corner(next_in_face(h)), corner(h)); }
   std::size_t count_boundary_loops() const;
-  std::size_t count_components() const;
   std::size_t count_pieces() const;
 
   const TriangleSoup& soup_;
@@ -84,29 +83,16 @@ std::size_t Surface::count_pieces() const {
   return count_sets(pieces, half_edges());
 }
 
-std::size_t Surface::count_components() const {
-  DisjointSets vertices = join_vertices(soup_.triangles, usable_, soup_.positions.size());
-  std::vector<bool> seen(soup_.positions.size(), false);
-  std::size_t components = 0;
-  for (const Triangle& t : triangles_) {
-    const Index root = vertices.find(t[0]);
-    components += seen[root] ? 0u : 1u;
-    seen[root] = true;
-  }
-  return components;
-}
-
 void Surface::count(MeshSummary& summary) {
-  std::vector<bool> has_face(soup_.positions.size(), false);
   for (Index h = 0; h < half_edges(); ++h) {
-    has_face[origin_of(triangles_, h)] = true;
     summary.edges += stands_for_edge(h) ? 1u : 0u;
     summary.boundary_edges += is_boundary(h) ? 1u : 0u;
   }
-  const auto isolated = std::count(has_face.begin(), has_face.end(), false);
+  const auto isolated =
+      std::ranges::count(used_vertices(triangles_, soup_.positions.size()), false);
   summary.isolated_vertices = static_cast<std::size_t>(isolated);
   summary.left_out_faces = soup_.triangles.size() - triangles_.size();
-  summary.components = count_components();
+  summary.components = first_faces(soup_.triangles, usable_, soup_.positions.size()).size();
   summary.boundary_loops = count_boundary_loops();
   summary.orientable = orientable_;
   if (!orientable_) return;

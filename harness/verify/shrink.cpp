@@ -5,6 +5,7 @@
 #include <queue>
 
 #include "harness/base/clock.h"
+#include "meshes/connectivity.h"
 
 namespace geodesic::harness {
 namespace {
@@ -19,17 +20,15 @@ std::vector<bool> vertices_of_sources(const Case& given) {
 
 // Without the vertices that neither a face nor a source has.
 Case compact(const Case& given) {
-  std::vector<bool> needed = vertices_of_sources(given);
-  for (const Triangle& t : given.soup.triangles) {
-    for (const Index v : t) needed[v] = true;
-  }
-  std::vector<Index> number(needed.size(), kNone);
+  const std::vector<bool> is_source = vertices_of_sources(given);
+  const std::vector<bool> has_face = used_vertices(given.soup.triangles, is_source.size());
+  std::vector<Index> number(is_source.size(), kNone);
   Case small{.mesh = given.mesh,
              .soup = {{}, given.soup.triangles},
              .queries = given.queries,
              .tolerance = given.tolerance};
-  for (Index v = 0; v < needed.size(); ++v) {
-    if (!needed[v]) continue;
+  for (Index v = 0; v < number.size(); ++v) {
+    if (!is_source[v] && !has_face[v]) continue;
     number[v] = static_cast<Index>(small.soup.positions.size());
     small.soup.positions.push_back(given.soup.positions[v]);
   }

@@ -155,6 +155,9 @@ void Polygons::end_polygon(std::uint32_t line) {
 void Polygons::triangulate(MeshFile& file, const std::string& name) {
   std::vector<Triangle>& triangles = file.soup.triangles;
   triangles.reserve(corners_.size() - 2 * ends_.size());
+  const auto place = [&](std::size_t i) {
+    return lines_[i] > 0 ? "line " + std::to_string(lines_[i]) : "face " + std::to_string(i);
+  };
   std::size_t not_simple = 0;
   std::size_t first_not_simple = 0;
   std::size_t begin = 0;
@@ -162,11 +165,8 @@ void Polygons::triangulate(MeshFile& file, const std::string& name) {
     const std::span<const Index> corners(corners_.data() + begin, ends_[i] - begin);
     begin = ends_[i];
     const Outcome outcome = append_polygon(file.soup.positions, corners, triangles);
-    const auto place = [&] {
-      return lines_[i] > 0 ? "line " + std::to_string(lines_[i]) : "face " + std::to_string(i);
-    };
     if (outcome == Outcome::too_many_corners) {
-      throw MeshError(name + ", " + place() + ": a face that is not convex has " +
+      throw MeshError(name + ", " + place(i) + ": a face that is not convex has " +
                       std::to_string(corners.size()) + " corners, more than the " +
                       std::to_string(kMostCornersWithEars) + " that are triangulated; split it");
     }
@@ -174,13 +174,11 @@ void Polygons::triangulate(MeshFile& file, const std::string& name) {
     if (lines_[i] > 0) file.lines.triangles.resize(triangles.size(), lines_[i]);
   }
   if (not_simple > 0) {
-    const std::uint32_t line = lines_[first_not_simple];
     file.warnings.push_back(
         std::to_string(not_simple) +
         " faces of more than three corners cross themselves or have no area, and became fans that "
         "may be folded (first: " +
-        (line > 0 ? "line " + std::to_string(line) : "face " + std::to_string(first_not_simple)) +
-        ")");
+        place(first_not_simple) + ")");
   }
 }
 

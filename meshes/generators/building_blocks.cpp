@@ -2,6 +2,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "meshes/connectivity.h"
 #include "meshes/generators/families.h"
 #include "meshes/mesh_file.h"
 
@@ -92,12 +93,11 @@ std::vector<Triangle> sheet_faces(const Sheet& sheet, const CellFilter& keeps) {
 }
 
 void drop_isolated_vertices(TriangleSoup& soup) {
-  std::vector<Index> renumbered(soup.positions.size(), kNone);
-  for (const Triangle& face : soup.triangles)
-    for (const Index v : face) renumbered[v] = 0;
+  const std::vector<bool> used = used_vertices(soup.triangles, soup.positions.size());
+  std::vector<Index> renumbered(used.size());
   Index kept = 0;
-  for (Index v = 0; v < renumbered.size(); ++v) {
-    if (renumbered[v] == kNone) continue;
+  for (Index v = 0; v < used.size(); ++v) {
+    if (!used[v]) continue;
     soup.positions[kept] = soup.positions[v];
     renumbered[v] = kept++;
   }

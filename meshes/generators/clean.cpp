@@ -352,7 +352,6 @@ Family clean() {
            .description = "a mesh made measurable for every solver: oriented, manifold, without "
                           "repeated faces, zero-length edges, faces without area and isolated "
                           "vertices; what was in order stays as it was",
-           .closed_form = "",
            .parameters = {input_parameter(),
                           choice_parameter(
                               "parts", {"all", "largest"},

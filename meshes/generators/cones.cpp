@@ -92,14 +92,9 @@ struct Polar {
 };
 
 /// The angle at the origin between two points.
-Real angle_between(const Vec3& a, const Vec3& b) {
-  Real dot = 0, cross[3];
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    dot += Real{a[k]} * b[k];
-    cross[k] = Real{a[i]} * b[j] - Real{a[j]} * b[i];
-  }
-  return std::atan2(std::hypot(cross[0], cross[1], cross[2]), dot);
+Real angle_between(const std::array<Real, 3>& a, const std::array<Real, 3>& b) {
+  const auto [x, y, z] = cross(a, b);
+  return std::atan2(std::hypot(x, y, z), dot(a, b));
 }
 
 /// The unrolled fan: every vertex in polar coordinates about the apex, vertex 0. Neighbours on a
@@ -113,9 +108,9 @@ class UnrolledFan {
       const Index count = sectors * r;
       Real angle = 0;
       for (Index i = 0; i < count; ++i) {
-        const Vec3& here = soup.positions[first + i];
-        polar_.push_back({std::hypot(Real{here[0]}, Real{here[1]}, Real{here[2]}), angle});
-        angle += angle_between(here, soup.positions[first + (i + 1) % count]);
+        const auto here = extended(soup.positions[first + i]);
+        polar_.push_back({std::hypot(here[0], here[1], here[2]), angle});
+        angle += angle_between(here, extended(soup.positions[first + (i + 1) % count]));
       }
       total_ = angle;
     }

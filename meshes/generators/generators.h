@@ -60,7 +60,7 @@ struct ParameterDescription {
 struct GeneratorDescription {
   std::string name;                              ///< lower case with hyphens: "torus-knot"
   std::string description;                       ///< shape, counts and unit of length
-  std::string closed_form;                       ///< geodesic distances in closed form, or empty
+  std::string closed_form = {};                  ///< geodesic distances in closed form, or empty
   std::vector<ParameterDescription> parameters;  ///< all but files have a default
 };
 

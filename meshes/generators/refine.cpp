@@ -152,7 +152,6 @@ Family refine() {
   return {{.name = "refine",
            .description = "a mesh without its isolated vertices whose longest edge is cut in the "
                           "middle until there are `vertices`; the surface stays the same",
-           .closed_form = "",
            .parameters = {input_parameter(), integer_parameter("vertices", 100000, 3, 500000000,
                                                                "of the refined mesh")}},
           make_refine};

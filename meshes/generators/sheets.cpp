@@ -152,7 +152,6 @@ std::vector<Family> sheets() {
         .description = "unit square with holes x holes round holes whose rims follow the cells, "
                        "so that every second rim vertex is a corner that paths bend at; flat or "
                        "bulging; one outer boundary loop and one a hole",
-        .closed_form = "",
         .parameters = {integer_parameter("holes", 3, 1, 1000, "along x and along y"),
                        integer_parameter("pitch", 16, 4, 1000, "cells from hole to hole"),
                        real_parameter("hole-radius", 0.25, 0.15, 0.45, "by the pitch"),
@@ -162,7 +161,6 @@ std::vector<Family> sheets() {
       {{.name = "egg-carton",
         .description = "z = height / bumps sin(2 pi bumps x) sin(2 pi bumps y) over the unit "
                        "square, (cells + 1)^2 vertices; about half of them are saddles",
-        .closed_form = "",
         .parameters = {integer_parameter("cells", 48, 2, 20000, "cells along x and along y"),
                        real_parameter("bumps", 4, 0.5, 10000, "periods along x and along y"),
                        real_parameter("height", 0.3, 0, 10, "of a bump by its period"),

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "meshes/connectivity.h"
 #include "meshes/generators/families.h"
 
 namespace geodesic {
@@ -98,25 +99,15 @@ TriangleSoup make_icosphere(const CheckedParameters& parameters) {
   return Icosphere(parameters.integer("frequency"), parameters.real("radius")).take();
 }
 
-/// Adds `part` moved along x, its ids after those that are there.
-void append(TriangleSoup& soup, const TriangleSoup& part, double x_shift) {
-  const auto first = static_cast<Index>(soup.positions.size());
-  for (const auto& [x, y, z] : part.positions) soup.positions.push_back({x + x_shift, y, z});
-  for (const auto& [a, b, c] : part.triangles)
-    soup.triangles.push_back({first + a, first + b, first + c});
-}
-
 TriangleSoup make_two_components(const CheckedParameters& parameters) {
   TriangleSoup soup = generate("icosphere", {{"frequency", parameters.integer("frequency")}});
   soup.positions.push_back({2, 2, 2});
   const Index cells = parameters.integer("cells");
-  append(
-      soup,
-      generate(
-          "box",
-          {{"x-cells", cells}, {"y-cells", cells}, {"z-cells", cells}, {"spacing", 1.0 / cells}}),
-      3);
-  return soup;
+  TriangleSoup cube = generate(
+      "box",
+      {{"x-cells", cells}, {"y-cells", cells}, {"z-cells", cells}, {"spacing", 1.0 / cells}});
+  for (Vec3& p : cube.positions) p[0] += 3;
+  return side_by_side(std::move(soup), cube);
 }
 
 }  // namespace
@@ -126,14 +117,12 @@ std::vector<Family> spheres() {
       {{.name = "icosphere",
         .description = "icosahedron with every edge cut into `frequency` parts and pushed out to "
                        "the sphere, 10 frequency^2 + 2 vertices",
-        .closed_form = "",
         .parameters = {integer_parameter("frequency", 16, 1, 8000, "parts of an edge"),
                        real_parameter("radius", 1, 1e-6, 1e6, "of the sphere")}},
        make_icosphere},
       {{.name = "two-components",
         .description = "a unit icosphere, then one isolated vertex, then a cube of side 1: each "
                        "unreachable from the others",
-        .closed_form = "",
         .parameters = {integer_parameter("frequency", 10, 1, 4000, "of the icosphere"),
                        integer_parameter("cells", 8, 1, 4000, "along a side of the cube")}},
        make_two_components}};

@@ -219,7 +219,6 @@ Family subdivide() {
        .description = "a mesh with its faces cut: midpoint makes 4 faces of one and a vertex of "
                       "every edge, loop the same and smooths the surface, barycentric 6 "
                       "faces of one and a vertex of every edge and face",
-       .closed_form = "",
        .parameters = {input_parameter(),
                       words_parameter("steps", {"midpoint", "loop", "barycentric"},
                                       "what to do, in this order")}},
@@ -230,7 +229,6 @@ Family noise() {
   return {{.name = "noise",
            .description = "a mesh whose vertices are moved at random along their normals; isolated "
                           "ones stay",
-           .closed_form = "",
            .parameters = {input_parameter(),
                           real_parameter("amplitude", 0.1, 0, 1000,
                                          "farthest move by the mean edge length"),

@@ -158,7 +158,6 @@ std::vector<Family> terrains() {
       {{.name = "terrain",
         .description = "bumpy open terrain of fractal value noise, 1 wide along x, "
                        "(columns + 1)(rows + 1) vertices on square cells",
-        .closed_form = "",
         .parameters =
             {integer_parameter("columns", 56, 1, 40000, "cells along x"),
              integer_parameter("rows", 56, 1, 40000, "cells along y"),
@@ -173,7 +172,6 @@ std::vector<Family> terrains() {
         .description = "open terrain through a grid of heights in metres, an array of two "
                        "dimensions whose first row lies in the north: a natural bicubic spline at "
                        "(columns + 1)(rows + 1) vertices, x to the east, y to the north, in metres",
-        .closed_form = "",
         .parameters = {file_parameter("input", "the heights, a .npy file"),
                        integer_parameter("columns", 1024, 1, 40000, "cells along x"),
                        integer_parameter("rows", 1536, 1, 40000, "cells along y"),

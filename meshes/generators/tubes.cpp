@@ -179,7 +179,6 @@ std::vector<Family> tubes() {
         .description = "open tube of very thin triangles, rings of radius 1 and 1 - waist in "
                        "turn, sides (rows + 1) vertices; every vertex of an inner narrow ring is "
                        "a saddle",
-        .closed_form = "",
         .parameters = {integer_parameter("sides", 240, 3, 1000000, "vertices of a ring"),
                        integer_parameter("rows", 8, 1, 40000, "bands of needles"),
                        real_parameter("aspect", 100, 1, 1e6, "length of a needle by its width"),
@@ -189,7 +188,6 @@ std::vector<Family> tubes() {
       {{.name = "torus",
         .description = "tube around the unit circle of the plane z = 0, rings x sides vertices; "
                        "closed, genus 1",
-        .closed_form = "",
         .parameters = {integer_parameter("rings", 64, 3, 100000, "cells around the hole"),
                        integer_parameter("sides", 32, 3, 100000, "cells around the tube"),
                        real_parameter("tube-radius", 0.4, 0.001, 0.99, "of the tube"),
@@ -199,7 +197,6 @@ std::vector<Family> tubes() {
         .description = "tube around the (p, q) torus knot on a torus of radii 2 and 1, rings at "
                        "equal distances, rings x sides vertices; closed, genus 1; the defaults "
                        "are a trefoil of 28,800 vertices and 57,600 faces",
-        .closed_form = "",
         .parameters = {integer_parameter("p", 2, 1, 20, "times round the axis"),
                        integer_parameter("q", 3, 1, 20, "times through the hole"),
                        integer_parameter("rings", 576, 8, 100000, "cells along the tube"),

@@ -57,12 +57,11 @@ class LastPiece {
   // The view is from the target to the origin of the piece, against the direction of travel.
   std::vector<EdgeCrossing> crossings_of(const Sight& sight) const {
     const PlanePoint& p = sight.at;
-    const auto side = [&](const PlanePoint& q) { return p.x * q.y - p.y * q.x; };
     std::vector<EdgeCrossing> crossings;
     for (const EdgeInView& edge : sight.strip) {
-      const Real left = side(edge.origin), right = side(edge.head);
+      const Real left = turn({}, p, edge.origin), right = turn({}, p, edge.head);
       const Real share = right / (right - left);  // of the edge, from its head
-      const Real length = std::hypot(edge.head.x - edge.origin.x, edge.head.y - edge.origin.y);
+      const Real length = geodesic::distance(edge.origin, edge.head);
       const Real x = edge.head.x + share * (edge.origin.x - edge.head.x);
       const Real y = edge.head.y + share * (edge.origin.y - edge.head.y);
       crossings.push_back({.half_edge = mesh_.twin(edge.half_edge),

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
-#include <set>
-#include <utility>
 
+#include "meshes/connectivity.h"
+#include "meshes/generators/generators.h"
 #include "meshes/random.h"
 
 namespace geodesic {
@@ -18,48 +17,6 @@ void add_cell(TriangleSoup& soup, Index a, Index b, Index c, Index d, Random& ra
   } else {
     soup.triangles.insert(soup.triangles.end(), {{a, b, d}, {b, c, d}});
   }
-}
-
-TriangleSoup icosahedron() {
-  const double g = std::numbers::phi;
-  TriangleSoup soup;
-  soup.positions = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
-                    {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
-  soup.triangles = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
-                    {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-                    {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
-                    {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
-  return soup;
-}
-
-TriangleSoup subdivide(const TriangleSoup& coarse) {
-  TriangleSoup fine{coarse.positions, {}};
-  std::map<std::pair<Index, Index>, Index> middles;
-  const auto middle = [&](Index a, Index b) {
-    const auto [entry, added] =
-        middles.try_emplace(std::minmax(a, b), static_cast<Index>(fine.positions.size()));
-    if (added) {
-      fine.positions.push_back(scale(0.5, add(coarse.positions[a], coarse.positions[b])));
-    }
-    return entry->second;
-  };
-  for (const auto& [a, b, c] : coarse.triangles) {
-    const Index ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-    fine.triangles.insert(fine.triangles.end(),
-                          {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
-  }
-  return fine;
-}
-
-// True for the ends of edges that only one face has.
-std::vector<bool> border_vertices(const TriangleSoup& soup) {
-  std::set<std::pair<Index, Index>> sides;
-  for (const auto& [a, b, c] : soup.triangles) sides.insert({{a, b}, {b, c}, {c, a}});
-  std::vector<bool> at_border(soup.positions.size(), false);
-  for (const auto& [a, b] : sides) {
-    if (!sides.contains({b, a})) at_border[a] = at_border[b] = true;
-  }
-  return at_border;
 }
 
 }  // namespace
@@ -85,12 +42,8 @@ TriangleSoup rough_terrain(std::uint64_t seed, Index columns, Index rows, double
 
 TriangleSoup rough_sphere(std::uint64_t seed, int levels, double noise) {
   Random random(seed);
-  TriangleSoup soup = icosahedron();
-  for (int level = 0; level < levels; ++level) soup = subdivide(soup);
-  for (Vec3& p : soup.positions) {
-    const double scale = random.between(1 - noise, 1 + noise) / std::hypot(p[0], p[1], p[2]);
-    for (double& c : p) c *= scale;
-  }
+  TriangleSoup soup = generate("icosphere", {{"frequency", 1 << levels}});
+  for (Vec3& p : soup.positions) p = scale(random.between(1 - noise, 1 + noise), p);
   return soup;
 }
 
@@ -115,7 +68,7 @@ TriangleSoup rough_torus(std::uint64_t seed, Index around, Index across, double 
 
 TriangleSoup with_holes(TriangleSoup soup, std::uint64_t seed, Index holes) {
   Random random(seed);
-  std::vector<bool> taken = border_vertices(soup);  // those at or beside a hole follow
+  std::vector<bool> taken = boundary_vertices(soup);  // those at or beside a hole follow
   const auto touches = [](const Triangle& t, Index v) { return std::ranges::count(t, v) > 0; };
   for (Index made = 0, tries = 0; made < holes && tries < 1000; ++tries) {
     const Index centre = random.below(static_cast<Index>(soup.positions.size()));
@@ -162,15 +115,6 @@ TriangleSoup with_flat_caps(TriangleSoup soup, std::uint64_t seed, std::uint32_t
     soup.triangles.push_back({a, b, m});
   }
   return soup;
-}
-
-TriangleSoup side_by_side(TriangleSoup first, const TriangleSoup& second) {
-  const Index offset = static_cast<Index>(first.positions.size());
-  first.positions.insert(first.positions.end(), second.positions.begin(), second.positions.end());
-  for (const auto& [a, b, c] : second.triangles) {
-    first.triangles.push_back({a + offset, b + offset, c + offset});
-  }
-  return first;
 }
 
 std::vector<NamedMesh> random_meshes() {

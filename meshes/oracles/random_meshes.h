@@ -38,9 +38,6 @@ TriangleSoup with_collapsed_edges(TriangleSoup soup, std::uint64_t seed, std::ui
 /// the slit with a face of no area.
 TriangleSoup with_flat_caps(TriangleSoup soup, std::uint64_t seed, std::uint32_t one_in);
 
-/// Two meshes side by side as two components, the second after the first.
-TriangleSoup side_by_side(TriangleSoup first, const TriangleSoup& second);
-
 /// Clean manifold meshes of up to 200 faces, with and without boundary, for every solver.
 std::vector<NamedMesh> random_meshes();
 

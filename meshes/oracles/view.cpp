@@ -8,26 +8,8 @@
 namespace geodesic {
 namespace {
 
-// Twice the signed area of (0, a, b): positive when b lies to the left of the ray through a.
-Real cross(const PlanePoint& a, const PlanePoint& b) { return a.x * b.y - a.y * b.x; }
-
-using Vector = std::array<Real, 3>;
-
-Vector vector_between(const Mesh& mesh, Index a, Index b) {
-  Vector v;
-  for (std::size_t k = 0; k < 3; ++k) {
-    v[k] = static_cast<Real>(mesh.position(b)[k]) - static_cast<Real>(mesh.position(a)[k]);
-  }
-  return v;
-}
-
-Real dot(const Vector& u, const Vector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
-
-// Twice the area of a triangle by two of its sides.
-Real twice_area(const Vector& u, const Vector& v) {
-  const Vector n = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                    u[0] * v[1] - u[1] * v[0]};
-  return std::sqrt(dot(n, n));
+std::array<Real, 3> vector_between(const Mesh& mesh, Index a, Index b) {
+  return subtract(extended(mesh.position(b)), extended(mesh.position(a)));
 }
 
 // The apex of half-edge h's face when h is laid from p to q, which differ, with the face on its
@@ -36,14 +18,14 @@ Real twice_area(const Vector& u, const Vector& v) {
 // which rounding turns where they are close, is made a unit vector by what they are apart in the
 // plane: a turn changes no length of a line that runs through there, another unit would.
 PlanePoint lay_out_apex(const Mesh& mesh, Index h, const PlanePoint& p, const PlanePoint& q) {
-  const Vector base = vector_between(mesh, mesh.origin(h), mesh.head(h));
-  const Vector left = vector_between(mesh, mesh.origin(h), mesh.apex(h));
-  const Vector right = vector_between(mesh, mesh.head(h), mesh.apex(h));
+  const std::array<Real, 3> base = vector_between(mesh, mesh.origin(h), mesh.head(h));
+  const std::array<Real, 3> left = vector_between(mesh, mesh.origin(h), mesh.apex(h));
+  const std::array<Real, 3> right = vector_between(mesh, mesh.head(h), mesh.apex(h));
   const Real longest = std::max({dot(base, base), dot(left, left), dot(right, right)});
-  const Real area = dot(base, base) == longest   ? twice_area(left, right)
-                    : dot(left, left) == longest ? twice_area(base, right)
-                                                 : twice_area(base, left);
-  const Real length = std::sqrt(dot(base, base)), laid = std::hypot(q.x - p.x, q.y - p.y);
+  const Real area = dot(base, base) == longest   ? norm(cross(left, right))
+                    : dot(left, left) == longest ? norm(cross(base, right))
+                                                 : norm(cross(base, left));
+  const Real length = norm(base), laid = std::hypot(q.x - p.x, q.y - p.y);
   const Real along = dot(base, left) / length, across = area / length;
   const PlanePoint e = {(q.x - p.x) / laid, (q.y - p.y) / laid};
   return {p.x + along * e.x - across * e.y, p.y + along * e.y + across * e.x};
@@ -52,8 +34,8 @@ PlanePoint lay_out_apex(const Mesh& mesh, Index h, const PlanePoint& p, const Pl
 // True when the rays through r and l enclose something, up to a half-plane: what a vertex in the
 // middle of an edge (of a face without area) sees across it.
 bool opens(const PlanePoint& r, const PlanePoint& l) {
-  const Real turn = cross(r, l);
-  return turn > 0 || (turn == 0 && r.x * l.x + r.y * l.y < 0);
+  const Real area = turn({}, r, l);
+  return area > 0 || (area == 0 && r.x * l.x + r.y * l.y < 0);
 }
 
 Real nearest(const PlanePoint& a, const PlanePoint& b) {
@@ -95,8 +77,9 @@ class View {
     // The apex splits what is seen; a line through it exactly is continued by the bend there.
     const Index left_edge = mesh_.twin(Mesh::previous(h));
     const Index right_edge = mesh_.twin(Mesh::next(h));
-    const Real from_l = cross(apex, l), from_r = cross(r, apex);
-    const bool half_plane = cross(r, l) == 0;  // no narrow cone, whose lines both round to the apex
+    const Real from_l = turn({}, apex, l), from_r = turn({}, r, apex);
+    const bool half_plane =
+        turn({}, r, l) == 0;  // no narrow cone, whose lines both round to the apex
     if (half_plane && from_l == 0 && from_r == 0) {
       // A face without area, seen from a point of its line: one of its edges has the half-plane.
       see_({mesh_.apex(h), apex, std::hypot(apex.x, apex.y), {}});
@@ -124,8 +107,7 @@ class View {
 }  // namespace
 
 Real straight_distance(const Mesh& mesh, Index a, Index b) {
-  const Vector v = vector_between(mesh, a, b);
-  return std::sqrt(dot(v, v));
+  return norm(vector_between(mesh, a, b));
 }
 
 void view_from(const Mesh& mesh, Index v, Real reach,

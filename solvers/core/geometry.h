@@ -24,18 +24,26 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 using Vec3 = std::array<double, 3>;
 
 inline Vec3 add(const Vec3& a, const Vec3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-inline Vec3 subtract(const Vec3& a, const Vec3& b) {
+template <class Number>
+std::array<Number, 3> subtract(const std::array<Number, 3>& a, const std::array<Number, 3>& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 inline Vec3 scale(double factor, const Vec3& a) {
   return {factor * a[0], factor * a[1], factor * a[2]};
 }
-inline double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-inline Vec3 cross(const Vec3& a, const Vec3& b) {
+template <class Number>
+Number dot(const std::array<Number, 3>& a, const std::array<Number, 3>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+template <class Number>
+std::array<Number, 3> cross(const std::array<Number, 3>& a, const std::array<Number, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 /// Euclidean length.
-inline double norm(const Vec3& a) { return std::sqrt(dot(a, a)); }
+template <class Number>
+Number norm(const std::array<Number, 3>& a) {
+  return std::sqrt(dot(a, a));
+}
 inline bool is_finite(const Vec3& a) {
   return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
 }

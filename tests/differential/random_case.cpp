@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "harness/base/files.h"
+#include "meshes/connectivity.h"
 #include "meshes/formats/npy.h"
 #include "meshes/generators/generators.h"
 #include "meshes/mesh_file.h"

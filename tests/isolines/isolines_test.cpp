@@ -10,6 +10,7 @@
 #include <set>
 
 #include "harness/recordings/isolines/crossings.h"
+#include "meshes/connectivity.h"
 #include "meshes/generators/generators.h"
 #include "meshes/oracles/brute_force.h"
 #include "meshes/oracles/random_meshes.h"

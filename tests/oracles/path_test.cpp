@@ -1,5 +1,6 @@
 // Shortest paths traced back from distances: as long as these, over the edges that they cross.
 #include "meshes/oracles/path.h"
+#include "meshes/connectivity.h"
 
 #include <gtest/gtest.h>
 

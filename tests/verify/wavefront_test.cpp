@@ -1,6 +1,7 @@
 // Samples and snapshots of the wavefront: windows on edges, at distances that can be.
 #include <numeric>
 
+#include "meshes/connectivity.h"
 #include "meshes/generators/generators.h"
 #include "meshes/oracles/random_meshes.h"
 #include "solvers/core/progress.h"

@@ -1,6 +1,7 @@
 // A solve that goes on without end is told apart from a long one, and ends with an error.
 #include "solvers/core/window_bound.h"
 
+#include "meshes/connectivity.h"
 #include "meshes/oracles/random_meshes.h"
 #include "tests/verify/solver_test.h"
 

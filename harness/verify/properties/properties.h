@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "harness/verify/property.h"
+#include "meshes/connectivity.h"
 #include "meshes/generators/generators.h"
 #include "meshes/oracles/random_meshes.h"
 
