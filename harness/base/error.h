@@ -1,6 +1,8 @@
 // What a user did wrong or must do, in one line; main prints it and exits with 1.
 #pragma once
 
+#include <algorithm>
+#include <functional>
 #include <stdexcept>
 
 #include "meshes/messages.h"
@@ -23,5 +25,18 @@ class WrongAnswer : public HarnessError {
  public:
   using HarnessError::HarnessError;
 };
+
+/// The item of a list that has a name.
+/// @param kind what the name should have been: "solver"
+/// @param name_of an item's name, as std::ranges::find takes it
+/// @throws HarnessError listing the known names
+template <class Items, class NameOf = std::identity>
+auto& named(std::string_view kind, Items& items, std::string_view name, NameOf name_of = {}) {
+  const auto at = std::ranges::find(items, name, name_of);
+  if (at != std::ranges::end(items)) return *at;
+  std::vector<std::string> known;
+  for (const auto& item : items) known.emplace_back(std::invoke(name_of, item));
+  throw HarnessError(unknown_name(kind, name, known));
+}
 
 }  // namespace geodesic::harness

@@ -23,49 +23,6 @@ namespace {
 constexpr int kOutOfMemory = 3;
 constexpr int kCannotWrite = 4;
 
-template <class Spec, class Visit>
-void for_each_member(Spec& spec, const Visit& visit) requires requires {
-  spec.benchmark_flags;
-}
-{
-  visit("solver", spec.solver);
-  visit("mesh", spec.mesh);
-  visit("mesh_file", spec.mesh_file);
-  visit("source", spec.source);
-  visit("reference", spec.reference);
-  visit("reference_file", spec.reference_file);
-  visit("output", spec.output);
-  visit("run_folder", spec.run_folder);
-  visit("counted", spec.counted);
-  visit("pictured", spec.pictured);
-  visit("vectors", spec.vectors);
-  visit("benchmark_flags", spec.benchmark_flags);
-  visit("context", spec.context);
-  visit("repair", spec.repair);
-}
-
-template <class Spec, class Visit>
-void for_each_member(Spec& spec, const Visit& visit) {
-  visit("solver", spec.solver);
-  visit("mesh_file", spec.mesh_file);
-  visit("source", spec.source);
-  visit("output", spec.output);
-  visit("repair", spec.repair);
-}
-
-template <class Spec>
-void write_members(Json& json, const Spec& spec) {
-  json = Json::object();
-  for_each_member(spec, [&](const char* key, const auto& value) { json[key] = value; });
-}
-
-template <class Spec>
-void read_members(const Json& json, Spec& spec) {
-  for_each_member(spec, [&](const char* key, auto& value) {
-    if (json.contains(key)) json.at(key).get_to(value);
-  });
-}
-
 class Measurement {
  public:
   Measurement(const CellSpec& spec, const TriangleSoup& soup, const Mesh& mesh)
@@ -198,11 +155,6 @@ void Measurement::run(double mesh_ms) {
 }
 
 }  // namespace
-
-void to_json(Json& json, const CellSpec& spec) { write_members(json, spec); }
-void from_json(const Json& json, CellSpec& spec) { read_members(json, spec); }
-void to_json(Json& json, const ReferenceSpec& spec) { write_members(json, spec); }
-void from_json(const Json& json, ReferenceSpec& spec) { read_members(json, spec); }
 
 void run_cell(const CellSpec& spec) {
   set_instruction_set(instruction_set_named(spec.vectors));

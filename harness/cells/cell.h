@@ -33,8 +33,8 @@ struct CellSpec {
   Json context = {};    ///< context.geodesic_bench of the result file
   bool repair = false;  ///< repair the mesh first
 };
-void to_json(Json& json, const CellSpec& spec);
-void from_json(const Json& json, CellSpec& spec);
+GEODESIC_JSON_MEMBERS(CellSpec, solver, mesh, mesh_file, source, reference, reference_file, output,
+                      run_folder, counted, pictured, vectors, benchmark_flags, context, repair)
 
 /// Distances to verify others by.
 struct ReferenceSpec {
@@ -44,8 +44,7 @@ struct ReferenceSpec {
   std::string output;   ///< distance file to write
   bool repair = false;  ///< repair the mesh first
 };
-void to_json(Json& json, const ReferenceSpec& spec);
-void from_json(const Json& json, ReferenceSpec& spec);
+GEODESIC_JSON_MEMBERS(ReferenceSpec, solver, mesh_file, source, output, repair)
 
 /// Prepares the solver, verifies a warm-up solve, times solves and, in a counted cell, records more
 /// on new solver objects; then writes the result file, after the recordings of a pictured cell.

@@ -19,12 +19,15 @@ enum class Recordings {
 
 /// "none", "auto" or "all". @throws HarnessError for any other word
 Recordings recordings_named(const std::string& word);
+void to_json(Json& json, Recordings choice);
+void from_json(const Json& json, Recordings& choice);
 
 /// Another build of geodesic-bench, whose solvers a run measures.
 struct ProgramFile {
   std::string name;
   std::filesystem::path file;
 };
+GEODESIC_JSON_MEMBERS(ProgramFile, name, file)
 
 struct RunRequest {
   Suite suite = {};
@@ -44,8 +47,8 @@ struct RunRequest {
   bool accept_changes = false;                       ///< resume though the request has changed
 };
 
-/// The members that decide about the results.
-void to_json(Json& json, const RunRequest& request);
-void from_json(const Json& json, RunRequest& request);
+// The members that decide about the results.
+GEODESIC_JSON_MEMBERS(RunRequest, suite, manifest, recordings, benchmark_flags, repair, interleave,
+                      programs, cells)
 
 }  // namespace geodesic::harness

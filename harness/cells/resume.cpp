@@ -3,7 +3,6 @@
 #include <dlfcn.h>
 
 #include <iostream>
-#include <map>
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"
@@ -15,7 +14,7 @@ namespace geodesic::harness {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int kVersion = 2;  // of request.json
+constexpr int kVersion = 3;  // of request.json
 constexpr const char* kFile = "request.json";
 
 // A revision does not include later changes, so the files that hold the code are part of it.
@@ -43,36 +42,21 @@ Json identity(const RunRequest& request, const Plan& plan) {
           {"meshes", std::move(meshes)}};
 }
 
-// By its path ("options/suite/seed") every value that is not an object.
-std::map<std::string, Json> values_of(const Json& json) {
-  std::map<std::string, Json> values;
-  const auto add = [&](const auto& self, const std::string& path, const Json& part) -> void {
-    if (!part.is_object()) {
-      values[path] = part;
-      return;
-    }
-    for (const auto& [key, value] : part.items()) {
-      self(self, path.empty() ? key : path + '/' + key, value);
-    }
-  };
-  add(add, "", json);
-  return values;
-}
-
 // "options/seed is 2 and was 1", for every value of two identities that differs.
 std::vector<std::string> differences(const Json& before, const Json& now) {
-  const auto old_values = values_of(before), new_values = values_of(now);
+  const Json old_values = before.flatten(), new_values = now.flatten();
   std::vector<std::string> all;
-  for (const auto& [path, value] : new_values) {
-    const auto old_value = old_values.find(path);
-    if (old_value == old_values.end()) {
-      all.push_back(path + " is " + value.dump() + " and was absent");
-    } else if (old_value->second != value) {
-      all.push_back(path + " is " + value.dump() + " and was " + old_value->second.dump());
+  for (const auto& [path, value] : new_values.items()) {
+    const std::string was =
+        old_values.contains(path) ? "was " + old_values[path].dump() : "was absent";
+    if (was != "was " + value.dump()) {
+      all.push_back(path.substr(1) + " is " + value.dump() + " and " + was);
     }
   }
-  for (const auto& [path, value] : old_values) {
-    if (!new_values.contains(path)) all.push_back(path + " is absent and was " + value.dump());
+  for (const auto& [path, value] : old_values.items()) {
+    if (!new_values.contains(path)) {
+      all.push_back(path.substr(1) + " is absent and was " + value.dump());
+    }
   }
   return all;
 }

@@ -67,7 +67,7 @@ Json to_json(const Manifest& manifest, const std::vector<MeshEntry>& meshes) {
     const Json& entries = manifest.json()["meshes"];
     Json entry =
         *std::ranges::find_if(entries, [&](const Json& each) { return each["name"] == mesh.name; });
-    entry.update({{"thesis_model", mesh.thesis_model ? Json(*mesh.thesis_model) : Json(nullptr)},
+    entry.update({{"thesis_model", mesh.thesis_model},
                   {"stand_in", mesh.stand_in},
                   {"corpora", corpora_with(manifest, mesh.name)},
                   {"distances_known", has_closed_form(mesh)},

@@ -33,11 +33,6 @@ struct Findings {
   std::vector<std::string> warnings;  // of reading
 };
 
-template <class Value>
-Json or_null(const std::optional<Value>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
 Json edge_lengths_json(const std::optional<EdgeLengths>& lengths) {
   if (!lengths) return nullptr;
   return {{"min", lengths->least}, {"mean", lengths->mean}, {"max", lengths->greatest}};
@@ -76,10 +71,10 @@ void print_json(const Flags& flags, const Findings& findings) {
                {"components", s.components},
                {"boundary_loops", s.boundary_loops},
                {"boundary_edges", s.boundary_edges},
-               {"genus", or_null(s.genus)},
+               {"genus", s.genus},
                {"orientable", s.orientable},
                {"edge_length", edge_lengths_json(s.edge_lengths)},
-               {"smallest_angle_degrees", or_null(s.smallest_angle)},
+               {"smallest_angle_degrees", s.smallest_angle},
                {"saddle_vertices", s.saddle_vertices},
                {"isolated_vertices", s.isolated_vertices},
                {"left_out_faces", s.left_out_faces},

@@ -95,18 +95,16 @@ Solved solve(const SolveFlags& flags, const Description& solver, const Mesh& mes
   solved.json["real_time_s"] = watch.real_seconds();
   solved.json["prepare_time_s"] = prepare_time;
   solved.json["instruction_set"] = name_of(prepared->instruction_set());
-  const auto resident = peak_resident_bytes();
+  solved.json["process_peak_bytes"] = peak_resident_bytes();
   prepared.reset();
 
   std::vector<double> recorded(mesh.vertex_count());
   const RecordedSolve counted = record_solve(solver.name, mesh, query, recorded);
-  for_each_counter(counted.counters, [&](const char* name, const auto& value) {
-    solved.json[name] = value ? Json(*value) : Json(nullptr);
-  });
+  for_each_counter(counted.counters,
+                   [&](const char* name, const auto& value) { solved.json[name] = value; });
   if (counted.phases) solved.json["phase_seconds"] = *counted.phases;
   solved.json["solver_peak_bytes"] = counted.peak_bytes;
   solved.json["unreachable_vertices"] = unreachable_vertices(recorded);
-  solved.json["process_peak_bytes"] = resident ? Json(*resident) : Json(nullptr);
   if (!identical(recorded, solved.distances)) {
     throw WrongAnswer(solver.name + ": a recorded solve gave other distances than the timed one");
   }
@@ -182,11 +180,10 @@ Json solve_separately(const Problem& problem, std::ostream* output) {
   const Stopwatch watch;
   solve_each(problem.solver.name, problem.mesh, problem.flags.sources, problem.flags.limit,
              problem.flags.threads, keep, deliver);
-  const auto resident = peak_resident_bytes();
   return {{"threads", problem.flags.threads},
           {"cpu_time_s", watch.cpu_seconds()},
           {"real_time_s", watch.real_seconds()},
-          {"process_peak_bytes", resident ? Json(*resident) : Json(nullptr)},
+          {"process_peak_bytes", peak_resident_bytes()},
           {"solves", solves}};
 }
 

@@ -51,23 +51,15 @@ Manifest::Manifest(Json json, const std::string& name, const fs::path& cache)
 }
 
 const MeshEntry& Manifest::mesh(std::string_view name) const {
-  const auto at = std::find_if(meshes_.begin(), meshes_.end(),
-                               [&](const MeshEntry& entry) { return entry.name == name; });
-  if (at != meshes_.end()) return *at;
-  std::vector<std::string> known;
-  for (const MeshEntry& entry : meshes_) known.push_back(entry.name);
-  throw HarnessError(unknown_name("mesh", name, known));
+  return named("mesh", meshes_, name, &MeshEntry::name);
 }
 
 std::vector<MeshEntry> Manifest::corpus(const std::string& name) const {
-  const auto at = corpora_.find(name);
-  if (at == corpora_.end()) {
-    std::vector<std::string> known;
-    for (const auto& [other, members] : corpora_) known.push_back(other);
-    throw HarnessError(unknown_name("corpus", name, known));
-  }
   std::vector<MeshEntry> members;
-  for (const std::string& member : at->second) members.push_back(mesh(member));
+  for (const std::string& member :
+       named("corpus", corpora_, name, &Corpora::value_type::first).second) {
+    members.push_back(mesh(member));
+  }
   return members;
 }
 

@@ -37,6 +37,9 @@ struct MeshEntry {
   }
 };
 
+/// Names of meshes by the name of the corpus.
+using Corpora = std::map<std::string, std::vector<std::string>>;
+
 class Manifest {
  public:
   /// @throws HarnessError when the file cannot be read or says something it must not
@@ -48,7 +51,7 @@ class Manifest {
   /// As in the file.
   const Json& json() const { return json_; }
   const std::vector<MeshEntry>& meshes() const { return meshes_; }
-  const std::map<std::string, std::vector<std::string>>& corpora() const { return corpora_; }
+  const Corpora& corpora() const { return corpora_; }
 
   /// @throws HarnessError for an unknown name, listing the known ones
   const MeshEntry& mesh(std::string_view name) const;
@@ -57,7 +60,7 @@ class Manifest {
  private:
   Json json_;
   std::vector<MeshEntry> meshes_;
-  std::map<std::string, std::vector<std::string>> corpora_;  // names of meshes
+  Corpora corpora_;
 };
 
 /// Checks a manifest's content: keys, types, names, and what they refer to.

@@ -133,7 +133,7 @@ Rule object_of(std::vector<Key> keys) {
 }
 
 // An object whose keys are names of the manifest's own choice.
-Rule named(const Rule& rule) {
+Rule by_name(const Rule& rule) {
   return [rule](const Json& object) {
     must_be(object.is_object(), "an object", object);
     for (const auto& [name, value] : object.items()) {
@@ -192,8 +192,8 @@ void check_entry(const Json& entry, const std::vector<std::string>& kinds, std::
                            {"credit", is_text, of_others}});
   if (kind == "generated") {
     keys.insert(keys.end(), {{"generator", is_name},
-                             {"parameters", named(is_parameter)},
-                             {"inputs", filled(named(is_name)), false}});
+                             {"parameters", by_name(is_parameter)},
+                             {"inputs", filled(by_name(is_name)), false}});
   } else {
     keys.push_back(kind == "package" ? Key{"package", is_package} : Key{"path", is_path});
     keys.insert(keys.end(), {{"upstream_sha256", is_sha256}, {"archive_member", is_text, false}});
@@ -260,8 +260,8 @@ void check_references(const Json& entry, const Json& sources, const std::set<std
 void check_manifest(const Json& manifest) {
   object_of({{"$schema", is_text, false},
              {"schema_version", [](const Json& value) { must_be(value == 1, "1", value); }},
-             {"sources", named(is_source)},
-             {"corpora", named(filled(is_list_of_names))},
+             {"sources", by_name(is_source)},
+             {"corpora", by_name(filled(is_list_of_names))},
              {"meshes", entries(is_mesh)},
              {"elevation_grids", entries(is_elevation_grid)}})(manifest);
   std::set<std::string> known, meshes, files;
@@ -277,9 +277,7 @@ void check_manifest(const Json& manifest) {
   }
   for (const auto& [corpus, members] : manifest["corpora"].items()) {
     for (const std::string member : members) {
-      if (meshes.contains(member)) continue;
-      throw HarnessError("corpora: " + corpus + ": " +
-                         unknown_name("mesh", member, {meshes.begin(), meshes.end()}));
+      at_place("corpora: " + corpus, [&] { named("mesh", meshes, member); });
     }
   }
 }

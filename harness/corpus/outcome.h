@@ -1,9 +1,7 @@
 // How a cell can end.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <string>
 #include <string_view>
 
 #include "harness/base/error.h"
@@ -37,11 +35,7 @@ constexpr std::string_view name_of(Outcome outcome) {
 
 /// @throws HarnessError for a word that is not an outcome
 inline Outcome outcome_named(std::string_view word) {
-  const auto at = std::ranges::find(kOutcomeNames, word);
-  if (at == kOutcomeNames.end()) {
-    throw HarnessError(unknown_name("outcome", word, {kOutcomeNames.begin(), kOutcomeNames.end()}));
-  }
-  return static_cast<Outcome>(at - kOutcomeNames.begin());
+  return static_cast<Outcome>(&named("outcome", kOutcomeNames, word) - kOutcomeNames.data());
 }
 
 }  // namespace geodesic::harness

@@ -19,6 +19,7 @@ namespace {
 constexpr std::uint64_t kLeastMemory = std::uint64_t{128} << 20;  // of address space
 
 using Setter = std::function<void(Suite&, const Json&)>;
+using Setters = std::map<std::string, Setter>;
 
 // A whole number that fits; nlohmann would turn 2.5 into 2 and -1 into a large one.
 template <class Integer>
@@ -36,17 +37,12 @@ void set_expected(Suite& suite, const Json& value) {
     if (cell.find('/') == std::string::npos) {
       throw HarnessError("expected: '" + cell + "' is not solver/mesh, such as mmp/horse");
     }
-    std::vector<std::string> known;
-    for (const Outcome outcome : kExpectable) known.emplace_back(name_of(outcome));
-    if (std::ranges::find(known, name) == known.end()) {
-      throw HarnessError(unknown_name("outcome that can be expected", name, known));
-    }
-    suite.expected[cell] = outcome_named(name);
+    suite.expected[cell] = named("outcome that can be expected", kExpectable, name, name_of);
   }
 }
 
-const std::map<std::string, Setter>& setters() {
-  static const std::map<std::string, Setter> all{
+const Setters& setters() {
+  static const Setters all{
       {"solvers", [](Suite& s, const Json& v) { v.get_to(s.solvers); }},
       {"corpus", [](Suite& s, const Json& v) { v.get_to(s.corpus); }},
       {"meshes", [](Suite& s, const Json& v) { v.get_to(s.meshes); }},
@@ -64,14 +60,10 @@ const std::map<std::string, Setter>& setters() {
 }
 
 void set(Suite& suite, const std::string& key, const Json& value) {
-  const auto at = setters().find(key);
-  if (at == setters().end()) {
-    std::vector<std::string> known;
-    for (const auto& [name, setter] : setters()) known.push_back(name);
-    throw HarnessError(unknown_name("key of a suite", key, known));
-  }
+  const Setter& setter =
+      named("key of a suite", setters(), key, &Setters::value_type::first).second;
   try {
-    at->second(suite, value);
+    setter(suite, value);
   } catch (const Json::exception& error) {
     throw HarnessError("\"" + key + "\": " + shown(value) + ": " + reason_of(error));
   } catch (const HarnessError& error) {

@@ -41,6 +41,7 @@ Suite parse_suite(const Json& json, const std::string& name);
 
 /// All keys, as a suite that read_suite takes.
 void to_json(Json& json, const Suite& suite);
+inline void from_json(const Json& json, Suite& suite) { suite = parse_suite(json, "the suite"); }
 
 /// @throws HarnessError naming the first value out of range
 void check_suite(const Suite& suite);

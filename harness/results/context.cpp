@@ -47,9 +47,9 @@ Json describe(const MeshEntry& entry, const TriangleSoup& soup, const Mesh& mesh
       {"edges", summary.edges},
       {"components", summary.components},
       {"boundary_loops", summary.boundary_loops},
-      {"genus", summary.genus ? Json(*summary.genus) : Json(nullptr)},
+      {"genus", summary.genus},
       {"mean_edge_length", mesh.mean_edge_length()},
-      {"thesis_model", entry.thesis_model ? Json(*entry.thesis_model) : Json(nullptr)},
+      {"thesis_model", entry.thesis_model},
       {"stand_in", entry.stand_in},
   };
 }
@@ -84,7 +84,7 @@ Json program_context() {
   return {
       {"schema_version", kSchemaVersion},
       {"revision", build.revision},
-      {"modified", build.modified ? Json(*build.modified) : Json(nullptr)},
+      {"modified", build.modified},
       {"compiler", build.compiler},
       {"compiler_flags", build.compiler_flags},
       {"build_type", build.build_type},

@@ -36,20 +36,6 @@ std::string compact(const Json& json) {
 
 }  // namespace
 
-void to_json(Json& json, const PhaseSeconds& phases) {
-  json = {{"propagation", phases.propagation},
-          {"trimming", phases.trimming},
-          {"queue", phases.queue},
-          {"timer_overhead", phases.timer_overhead}};
-}
-
-void from_json(const Json& json, PhaseSeconds& phases) {
-  json.at("propagation").get_to(phases.propagation);
-  json.at("trimming").get_to(phases.trimming);
-  json.at("queue").get_to(phases.queue);
-  json.at("timer_overhead").get_to(phases.timer_overhead);
-}
-
 std::string row_name(const std::string& solver, const std::string& mesh, Index source) {
   return solver + "/" + mesh + "/src:" + std::to_string(source);
 }

@@ -20,8 +20,7 @@ struct PhaseSeconds {
   double propagation = 0, trimming = 0, queue = 0, timer_overhead = 0;
 };
 
-void to_json(Json& json, const PhaseSeconds& phases);
-void from_json(const Json& json, PhaseSeconds& phases);
+GEODESIC_JSON_MEMBERS(PhaseSeconds, propagation, trimming, queue, timer_overhead)
 
 /// One timed repetition of a cell, or why the cell has none.
 struct Row {
