@@ -8,12 +8,15 @@ root=$(unset CDPATH; cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
 source "$root/tools/common.sh"
 
 all_steps=(build fetch run check plot)
+known_steps=(build peers fetch run check plot)
 presets=(release ci)
 preset=release
 corpus=standard
 out=
 old_run=
 resumed=
+peers=
+solvers=
 install=yes
 run_options=()
 steps=()
@@ -32,6 +35,8 @@ Without a step, all of them, in this order:
   run     solve, verify and time every solver on every mesh
   check   fail unless every cell of the run is there and verified
   plot    write the tables and figures of the run, and a page that shows them
+Only when it is named, or --peers is given:
+  peers   fetch and compile the public codes of peers/
 Without run, check and plot take the newest run, or the one that --run names. They solve nothing:
 every table, figure and the page can be drawn again from an old run.
 
@@ -39,6 +44,7 @@ Options:
   --corpus NAME        meshes to run on (default: standard, that is the quick ones, and horse,
                        bunny and rocker arm where available; see geodesic-bench list)
   --solvers A,B        only these solvers
+  --peers all|A,B      these public codes too: built by peers, measured by run
   --meshes A,B         only these meshes of the corpus
   --sources N          source vertices of each mesh
   --repetitions N      timed solves of each solver, mesh and source
@@ -54,6 +60,7 @@ Environment:
   GEODESIC_DATASETS          dataset cache (default: datasets/cache)
   GEODESIC_DATASETS_MIRROR   folder, file:// or http:// address with a copy of the upstream
                              meshes, which fetch then takes from there
+  GEODESIC_PEERS_MIRROR      the same with the sources of the public codes, for peers
 
 What is missing is installed with apt, given root or sudo. Log: build/logs/run_all.log
 EOF
@@ -67,21 +74,24 @@ parse_options() {
     case $1 in
       --help | -h) usage; exit 0 ;;
       --no-install) install=no; shift ;;
-      --preset | --corpus | --out | --run | --resume | --solvers | --meshes | --sources | --repetitions)
+      --preset | --corpus | --out | --run | --resume | --peers | --solvers | --meshes | --sources | --repetitions)
         value=$(value_of "$@")
         take_option "$1" "$value"
         shift 2
         ;;
       -*) unknown_option "$1" ;;
       *)
-        [[ " ${all_steps[*]} " == *" $1 "* ]] ||
-          die "unknown step $1; steps are ${all_steps[*]}"
+        [[ " ${known_steps[*]} " == *" $1 "* ]] ||
+          die "unknown step $1; steps are ${known_steps[*]}"
         steps+=("$1")
         shift
         ;;
     esac
   done
-  [[ ${#steps[@]} -gt 0 ]] || steps=("${all_steps[@]}")
+  if [[ ${#steps[@]} -eq 0 ]]; then
+    steps=("${all_steps[@]}")
+    if [[ -n $peers ]]; then steps+=(peers); fi
+  fi
   if has_step run; then
     [[ -z $old_run ]] || die "--run is for check and plot of an old run; run writes to --out DIR"
     if [[ -n $resumed ]]; then
@@ -98,6 +108,8 @@ take_option() {
   case $1 in
     --preset) preset=$(known_preset "$2" "${presets[@]}") ;;
     --corpus) corpus=$2 ;;
+    --peers) peers=$2 ;;
+    --solvers) solvers=$2 ;;
     --out) out=$(absolute "$2") ;;
     --run) old_run=$(absolute "$2") ;;
     --resume) resumed=$(absolute "$2") ;;
@@ -120,6 +132,18 @@ step_build() {
   build_preset "$preset" --target geodesic-bench
 }
 
+# build_peers OPTION...: peers/build.py for those of --peers, by default all.
+build_peers() {
+  local names=()
+  if [[ -n $peers && $peers != all ]]; then IFS=, read -ra names <<<"$peers"; fi
+  "$python" "$root/peers/build.py" --bench "$bench" "$@" "${names[@]}"
+}
+
+step_peers() {
+  need_bench
+  logged build_peers
+}
+
 step_fetch() {
   need_bench
   local status=0 bars=()
@@ -133,7 +157,13 @@ step_fetch() {
 
 step_run() {
   need_bench
-  local status=0 what=(--corpus "$corpus") where=(--out "$out")
+  local status=0 what=(--corpus "$corpus") where=(--out "$out") words
+  if [[ -n $peers ]]; then
+    words=$(build_peers --words "$solvers")
+    mapfile -t -O "${#run_options[@]}" run_options <<<"$words"
+  elif [[ -n $solvers ]]; then
+    run_options+=(--solvers "$solvers")
+  fi
   if [[ -n $resumed ]]; then
     what=()
     where=(--resume "$resumed")
@@ -206,7 +236,7 @@ expected_left() {
 
 run_steps() {
   local ordered=() step number=0 left began took
-  for step in "${all_steps[@]}"; do
+  for step in "${known_steps[@]}"; do
     if has_step "$step"; then ordered+=("$step"); fi
   done
   for step in "${ordered[@]}"; do
@@ -248,6 +278,7 @@ start_log run_all
 trap report_failure EXIT
 groups=(python)
 if has_step build; then groups+=(build); fi
+if has_step peers; then groups+=(peers); fi
 set_up "$install" "${groups[@]}"
 run_steps
 finish

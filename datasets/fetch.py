@@ -34,6 +34,7 @@ except ImportError as error:
         " /usr/bin/python3 has them"
     )
 
+MIRROR_VARIABLE = "GEODESIC_DATASETS_MIRROR"
 EXIT_ERROR = 1
 EXIT_MISSING = 3
 EXIT_INTERRUPTED = 130
@@ -93,10 +94,10 @@ def fetch_all(fetcher: Fetcher, entries: list[Entry]) -> int:
 def fetch(arguments: argparse.Namespace) -> int:
     manifest = Manifest(arguments.bench, arguments.manifest)
     entries = manifest.select(arguments.corpus, arguments.names)
-    origin = origin_from_environment(manifest.sources)
+    origin = origin_from_environment(MIRROR_VARIABLE, manifest.address)
     cache = Cache(arguments.cache)
     progress = Progress(arguments.bars)
-    with contextlib.closing(Downloader(progress)) as downloader:
+    with contextlib.closing(Downloader(progress, MIRROR_VARIABLE)) as downloader:
         fetcher = Fetcher(manifest, cache, arguments.bench, origin, progress, downloader, say)
         return fetch_all(fetcher, entries)
 

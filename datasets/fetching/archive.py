@@ -1,4 +1,4 @@
-"""Taking one named file out of an archive, wherever the archive's own names point."""
+"""Taking named files out of an archive, wherever the archive's own names point."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ import stat
 import tarfile
 import zipfile
 import zlib
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path, PurePosixPath
 from typing import IO
 
@@ -28,19 +28,21 @@ DAMAGE = (
 )
 
 
-def extract(archive: Path, member: str, target: Path) -> None:
-    """Writes one member of a zip, npz or tgz archive to `target`. Nothing else is unpacked.
+def extract(archive: Path, targets: Mapping[str, Path]) -> None:
+    """Writes members of a zip, npz or tgz archive to their targets. Nothing else is unpacked.
 
-    Raises Unavailable when the member's name points outside the archive, when it is missing or no
+    Raises Unavailable when a member's name points outside the archive, when it is missing or no
     plain file, when it unpacks to more than MAX_BYTES, or when the archive is damaged.
     """
-    if points_outside(member):
+    for member in filter(points_outside, targets):
         raise Unavailable(f"'{member}' points outside {archive.name}: not unpacked")
-    read = _zip_member if archive.suffix in (".zip", ".npz") else _tar_member
-    what = f"{member} in {archive.name}"
+    opened = _zip_reader if archive.suffix in (".zip", ".npz") else _tar_reader
+    member = ""
     try:
-        with read(archive, member) as source:
-            _copy(source, target, what)
+        with opened(archive) as read:
+            for member, target in targets.items():
+                with read(member) as source:
+                    _copy(source, target, f"{member} in {archive.name}")
     except KeyError:
         raise Unavailable(f"{archive.name} holds no {member}") from None
     except DAMAGE as error:
@@ -62,25 +64,35 @@ def gunzip(packed: Path, target: Path) -> None:
         raise Unavailable(f"{packed.name} cannot be unpacked: {error}") from error
 
 
+Reader = Callable[[str], AbstractContextManager[IO[bytes]]]
+"""Opens a member of an archive. Raises KeyError when it is missing."""
+
+
 @contextmanager
-def _zip_member(archive: Path, member: str) -> Iterator[IO[bytes]]:
+def _zip_reader(archive: Path) -> Iterator[Reader]:
     with zipfile.ZipFile(archive) as opened:
-        mode = opened.getinfo(member).external_attr >> 16  # 0 when made where there are no modes
-        if stat.S_IFMT(mode) not in (0, stat.S_IFREG) or member.endswith("/"):
-            raise _no_plain_file(archive, member)
-        with opened.open(member) as source:
-            yield source
+
+        def read(member: str) -> IO[bytes]:
+            mode = opened.getinfo(member).external_attr >> 16  # 0 when made where there are no modes
+            if stat.S_IFMT(mode) not in (0, stat.S_IFREG) or member.endswith("/"):
+                raise _no_plain_file(archive, member)
+            return opened.open(member)
+
+        yield read
 
 
 @contextmanager
-def _tar_member(archive: Path, member: str) -> Iterator[IO[bytes]]:
+def _tar_reader(archive: Path) -> Iterator[Reader]:
     with tarfile.open(archive, "r:gz") as opened:
-        info = opened.getmember(member)
-        source = opened.extractfile(info) if info.isreg() else None
-        if source is None:
-            raise _no_plain_file(archive, member)
-        with source:
-            yield source
+
+        def read(member: str) -> IO[bytes]:
+            info = opened.getmember(member)
+            source = opened.extractfile(info) if info.isreg() else None
+            if source is None:
+                raise _no_plain_file(archive, member)
+            return source
+
+        yield read
 
 
 def _no_plain_file(archive: Path, member: str) -> Unavailable:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from pathlib import Path
 from urllib.parse import urlsplit
 from urllib.request import url2pathname
@@ -14,24 +14,22 @@ from .archive import MAX_BYTES, PIECE
 from .cache import sha256_of
 from .reporting import FetchError, Progress, Unavailable
 
-MIRROR_VARIABLE = "GEODESIC_DATASETS_MIRROR"
 TIMEOUTS = (10.0, 30.0)  # seconds until a connection stands, and without a byte on it
 OK, PARTIAL, GONE, NO_SUCH_RANGE = 200, 206, (404, 410), 416
 
-# From the `path` of an entry to its file: a Path in a folder, or an http(s) address.
+# From the path of an upstream file to that file: a Path in a folder, or an http(s) address.
 Origin = Callable[[str], Path | str]
 
 
-def origin_from_environment(sources: Mapping[str, str]) -> Origin:
-    """The mirror that $GEODESIC_DATASETS_MIRROR names, or else the sites of the manifest.
+def origin_from_environment(variable: str, upstream: Callable[[str], str]) -> Origin:
+    """The mirror that an environment variable names, or else the upstream sites.
 
-    `sources`: the address of each by its name, the first folder of a path. A mirror is a folder,
-    or a file:// or http(s):// address, below which every path lies as it is. Raises FetchError for
-    any other kind of address.
+    `upstream`: the address of a path there. A mirror is a folder, or a file:// or http(s)://
+    address, below which every path lies as it is. Raises FetchError for any other kind of address.
     """
-    place = os.environ.get(MIRROR_VARIABLE)
+    place = os.environ.get(variable)
     if not place:
-        return lambda path: sources[path.split("/")[0]] + path.split("/", 1)[1]
+        return upstream
     parts = urlsplit(place)
     if parts.scheme in ("http", "https") and parts.netloc:
         return lambda path: f"{place.rstrip('/')}/{path}"
@@ -39,7 +37,7 @@ def origin_from_environment(sources: Mapping[str, str]) -> Origin:
         return lambda path: Path(url2pathname(parts.path)) / path
     if "://" in place:
         raise FetchError(
-            f"{MIRROR_VARIABLE} is {place}: it must be a folder, or an address that begins with "
+            f"{variable} is {place}: it must be a folder, or an address that begins with "
             "file:///, http:// or https://"
         )
     return lambda path: Path(place) / path
@@ -48,8 +46,10 @@ def origin_from_environment(sources: Mapping[str, str]) -> Origin:
 class Downloader:
     """One session with all sites. A host that could not be reached is not asked again."""
 
-    def __init__(self, progress: Progress) -> None:
+    def __init__(self, progress: Progress, mirror_variable: str) -> None:
+        """`mirror_variable`: what messages advise to set."""
         self._progress = progress
+        self._mirror_variable = mirror_variable
         self._session = requests.Session()
         # Compressed on the way, the bytes would not be those that a range counts.
         self._session.headers["Accept-Encoding"] = "identity"
@@ -66,17 +66,20 @@ class Downloader:
         begun = part.exists()
         if begun and sha256_of(part) == sha256:
             return
-        self._transfer(url, part, label)
+        self.transfer(url, part, label)
         if begun and sha256_of(part) != sha256:  # a wrong beginning, or not the rest of it
             part.unlink()
-            self._transfer(url, part, label)
+            self.transfer(url, part, label)
         found = sha256_of(part)
         if found != sha256:
             part.unlink()
             raise Unavailable(f"{url} has sha256 {found}, the manifest says {sha256}: not used")
 
-    def _transfer(self, url: str, part: Path, label: str) -> None:
-        """Appends what is missing to `part`, or writes it anew if the server cannot go on there."""
+    def transfer(self, url: str, part: Path, label: str) -> None:
+        """Appends what is missing to `part`, or writes it anew if the server cannot go on there.
+
+        For a file whose sum is not known; what is in it is to be checked. Raises Unavailable.
+        """
         have = part.stat().st_size if part.exists() else 0
         with self._request(url, have) as response:
             status = response.status_code
@@ -88,11 +91,11 @@ class Downloader:
             elif status in GONE:
                 raise Unavailable(
                     f"is no longer at {url} ({status} {response.reason}); "
-                    f"{MIRROR_VARIABLE} can name a mirror that still has it"
+                    f"{self._mirror_variable} can name a mirror that still has it"
                 )
             else:
                 raise Unavailable(f"{url} answers {status} {response.reason}")
-        self._transfer(url, part, label)  # without a beginning, so this happens once
+        self.transfer(url, part, label)  # without a beginning, so this happens once
 
     def _request(self, url: str, have: int) -> requests.Response:
         host = urlsplit(url).netloc
@@ -104,7 +107,7 @@ class Downloader:
         except requests.ConnectionError as error:
             self._unreachable[host] = (
                 f"cannot reach {host} ({_cause_of(error)}): check the network, "
-                f"or set {MIRROR_VARIABLE} to a mirror"
+                f"or set {self._mirror_variable} to a mirror"
             )
             raise Unavailable(self._unreachable[host]) from error
         except requests.RequestException as error:

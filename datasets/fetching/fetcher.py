@@ -102,7 +102,7 @@ class Fetcher:
         folder.mkdir()
         upstream = self._upstream_file(entry, folder)
         if entry.archive_member:
-            extract(upstream, entry.archive_member, whole)
+            extract(upstream, {entry.archive_member: whole})
         elif upstream.suffix == ".gz":
             gunzip(upstream, whole)
         else:

@@ -51,7 +51,7 @@ def _from_npm(package: Package, scratch: Path) -> Path:
     if done.returncode != 0 or len(tarballs) != 1:
         raise Unavailable(f"npm pack {what} failed: {_npm_reason(done)}")
     target = scratch / Path(package.file).name
-    extract(tarballs[0], f"package/{package.file}", target)
+    extract(tarballs[0], {f"package/{package.file}": target})
     return target
 
 

@@ -79,12 +79,17 @@ class Manifest:
         if done.returncode != 0:
             raise FetchError(_last_line(done).removeprefix("geodesic-bench: "))
         data = json.loads(done.stdout)
-        self.sources: dict[str, str] = {
+        self._sources: dict[str, str] = {
             name: source["base"] for name, source in data["sources"].items()
         }
         self.corpora: dict[str, list[str]] = data["corpora"]
         entries = map(Entry.of, data["meshes"] + data["elevation_grids"])
         self._entries = {entry.name: entry for entry in entries}
+
+    def address(self, path: str) -> str:
+        """Of an entry's `path`, whose first folder names a source."""
+        source, file = path.split("/", 1)
+        return self._sources[source] + file
 
     def entry(self, name: str) -> Entry:
         """A mesh or elevation grid. Raises FetchError for an unknown one, listing those known."""

@@ -148,6 +148,12 @@ def test_a_variant_composes_families() -> None:
     assert list(violations({"solvers/variants/lazy/lazy.cpp": composed})) == []
 
 
+def test_peers_see_the_contract_only() -> None:
+    adapters = [*ROOT.glob("peers/*.h"), *ROOT.glob("peers/*/*.cpp")]
+    own = {a for file in adapters for a, _ in INCLUDE.findall(file.read_text("utf-8")) if is_own(a)}
+    assert {layer(file) for file in own} == {"contract"}
+
+
 def imported(files: Iterable[Path]) -> set[str]:
     """Top-level names of the modules that Python files import."""
     names = set()
@@ -160,15 +166,21 @@ def imported(files: Iterable[Path]) -> set[str]:
     return names
 
 
-PACKAGES = {"results": set[str](), "plots": {"results"}, "gate": {"results", "plots"}, "datasets": set[str]()}
-"""By Python package, the others that it imports."""
+PACKAGES = {
+    "results": set[str](),
+    "plots": {"results"},
+    "gate": {"results", "plots"},
+    "datasets": {"fetching"},
+    "peers": {"fetching"},
+}
+"""By Python package, the others that it imports; `fetching` is what datasets is made of."""
 
 
 @pytest.mark.parametrize("package", PACKAGES)
 def test_python_packages_keep_their_order(package: str) -> None:
     found = imported((ROOT / package).rglob("*.py"))
     assert "__future__" in found
-    assert found & (PACKAGES.keys() | {"fetching"}) - {package, "fetching"} <= PACKAGES[package]
+    assert found & (PACKAGES.keys() | {"fetching"}) - {package} <= PACKAGES[package]
 
 
 def test_figures_are_drawn_from_files_without_starting_a_program() -> None:

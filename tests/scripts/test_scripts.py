@@ -67,7 +67,7 @@ def test_help_lists_every_option_from_any_folder(checkout: Path, script: str) ->
     ended = run(checkout / script, "--help")
     assert ended.returncode == 0 and ended.stderr == ""
     text = (checkout / script).read_text()
-    steps = ["build", "fetch", "run", "check", "plot"] if script == "run_all.sh" else []
+    steps = ["build", "peers", "fetch", "run", "check", "plot"] if script == "run_all.sh" else []
     options = [word for word in ["--corpus", "--preset", "--out", "--run", "--jobs"] if f"{word})" in text]
     for word in ["--no-install", "--help", *steps, *options]:
         assert word in ended.stdout
@@ -84,7 +84,7 @@ def test_unknown_option_names_the_help(checkout: Path, script: str) -> None:
 def test_unknown_step_lists_the_steps(checkout: Path) -> None:
     ended = run(checkout / "run_all.sh", "biuld")
     assert ended.returncode == 1
-    assert "unknown step biuld; steps are build fetch run check plot" in ended.stderr
+    assert "unknown step biuld; steps are build peers fetch run check plot" in ended.stderr
 
 
 def test_unknown_preset_lists_the_presets(checkout: Path) -> None:
@@ -256,7 +256,7 @@ def test_options_reach_the_program(checkout: Path) -> None:
         "--meshes", "cube", "--repetitions", "2", "--out", str(out), env=dict(os.environ),
     )  # fmt: skip
     assert ended.returncode == 0, ended.stderr
-    asked = f"run --corpus tiny --solvers mmp,ich --meshes cube --repetitions 2 --out {out}"
+    asked = f"run --corpus tiny --meshes cube --repetitions 2 --solvers mmp,ich --out {out}"
     assert f"asked: {asked}" in ended.stdout
     assert ended.stdout.splitlines()[-1] == f"Results: {out}/run.json"
 

@@ -1,0 +1,130 @@
+#!/usr/bin/python3
+"""Builds the peers, public codes of the field, as plug-ins of geodesic-bench.
+
+Their sources come from github.com at the commits of peers/NAME/peer.json, or from the mirror that
+GEODESIC_PEERS_MIRROR names (a folder, or a file:// or http:// address) with the same layout,
+OWNER/NAME/archive/COMMIT.tar.gz. Every file is checked before it is compiled. The plug-ins lie
+beside the program: build/release/peers/NAME/libNAME.so.
+
+Exit codes: 0 built, or nothing was asked for by name; 3 a peer that was named could not be had;
+1 wrong use or an error that concerns all; 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "datasets"))  # downloads and archives are those of meshes
+
+try:
+    from building.compiler import Compiler, install_package
+    from building.description import PEERS, Peer, select_peers
+    from building.flags import Bench, loading
+    from building.plugin import Builder
+    from building.sources import Sources, github
+    from fetching.download import Downloader, origin_from_environment
+    from fetching.reporting import FetchError, Progress, Unavailable, printable, reason_of
+except ImportError as error:
+    sys.exit(
+        f"peers/build.py: {error}: it needs python3-jsonschema, python3-requests and python3-tqdm, "
+        "as Debian's /usr/bin/python3 has them"
+    )
+
+MIRROR_VARIABLE = "GEODESIC_PEERS_MIRROR"
+EXIT_ERROR = 1
+EXIT_MISSING = 3
+EXIT_INTERRUPTED = 130
+
+
+def parse_arguments(words: Sequence[str] | None) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("names", nargs="*", metavar="NAME", help="a peer (default: all)")
+    parser.add_argument(
+        "--bench", type=Path, default=ROOT / "build" / "release" / "geodesic-bench",
+        help="program to build them for, in its build folder",
+    )  # fmt: skip
+    parser.add_argument("--peers", type=Path, default=PEERS, help="folder of their descriptions")
+    parser.add_argument(
+        "--words", metavar="SOLVERS", help="build nothing: print the words that make geodesic-bench "
+        "run the peers that are there beside SOLVERS (empty: beside those that it runs by itself)"
+    )
+    return parser.parse_args(words)
+
+
+def build_all(builder: Builder, peers: Sequence[Peer]) -> int:
+    """Builds one after the other, with a line for each; counts those that are missing."""
+    missing = 0
+    for peer in peers:
+        try:
+            said = builder.build(peer)
+            line = "there already" if said is None else f"built with {said}"
+        except Unavailable as error:
+            missing += 1
+            line = f"missing: {error}"
+        print(printable(f"{peer.name}: {line}"), flush=True)
+    print(f"{len(peers)} peers: {len(peers) - missing} built, {missing} missing")
+    return missing
+
+
+def words_of_run(bench: Bench, plugins: Sequence[Path], solvers: str) -> list[str]:
+    """Words of `geodesic-bench run`: the plug-ins, and its solvers with theirs."""
+    beside = solvers or ",".join(each.name for each in bench.solvers() if not each.by_name_only)
+    names = [beside, *bench.solvers_of(*plugins)]
+    return [*loading(plugins), "--solvers", ",".join(names)]
+
+
+def plugins_there(builder: Builder, peers: Sequence[Peer], named: bool) -> list[Path]:
+    """Raises FetchError when one that was named is not there, or none is."""
+    plugins = [builder.plugin(peer) for peer in peers]
+    there = [plugin for plugin in plugins if plugin.is_file()]
+    if not there or (named and there != plugins):
+        missing = next(plugin for plugin in plugins if not plugin.is_file())
+        raise FetchError(f"there is no {missing}: build it (./run_all.sh peers)")
+    return there
+
+
+def run(arguments: argparse.Namespace) -> int:
+    program = arguments.bench.resolve()
+    if not program.is_file():
+        raise FetchError(
+            f"there is no {program}: build it (./run_all.sh build) or name it with --bench"
+        )
+    folder = program.parent / "peers"
+    peers = select_peers(arguments.peers, arguments.names)
+    bench = Bench(program, folder / "terrain.ply")
+    origin = origin_from_environment(MIRROR_VARIABLE, github)
+    with contextlib.closing(Downloader(Progress(sys.stderr), MIRROR_VARIABLE)) as downloader:
+        sources = Sources(origin, downloader, folder / "archives")
+        builder = Builder(folder, sources, Compiler(folder / "package"), bench)
+        if arguments.words is not None:
+            plugins = plugins_there(builder, peers, named=bool(arguments.names))
+            print("\n".join(words_of_run(bench, plugins, arguments.words)))
+            return 0
+        install_package(program.parent, folder / "package")
+        bench.make_mesh()
+        missing = build_all(builder, peers)
+    return EXIT_MISSING if missing and arguments.names else 0
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    try:
+        return run(parse_arguments(words))
+    except (FetchError, Unavailable) as error:
+        print(printable(f"peers/build.py: {error}"), file=sys.stderr)
+    except OSError as error:
+        print(printable(f"peers/build.py: {reason_of(error)}"), file=sys.stderr)
+    except KeyboardInterrupt:
+        print("peers/build.py: interrupted", file=sys.stderr)
+        return EXIT_INTERRUPTED
+    return EXIT_ERROR
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,1 @@
+"""What peers/build.py is made of: from a peer's description to its plug-in."""

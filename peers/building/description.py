@@ -1,0 +1,89 @@
+"""What peers/NAME/peer.json says (peers/peer.schema.json)."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+from fetching.reporting import FetchError, reason_of
+
+PEERS = Path(__file__).resolve().parents[1]
+
+
+@dataclass(frozen=True)
+class Repository:
+    """A repository at a commit, and the files of it that are compiled."""
+
+    repository: str
+    commit: str
+    licence: str | None
+    files: Mapping[str, str]
+    """SHA-256 sums by path."""
+
+    @property
+    def name(self) -> str:
+        return self.repository.split("/")[1]
+
+    @property
+    def archive(self) -> str:
+        """Its path on github.com, and in a mirror."""
+        return f"{self.repository}/archive/{self.commit}.tar.gz"
+
+
+@dataclass(frozen=True)
+class Peer:
+    """A public code, and the folder with its description, adapter and patches."""
+
+    folder: Path
+    upstream: tuple[Repository, ...]
+    authors_flags: str
+    our_flags: str
+    packages: tuple[str, ...]
+
+    @property
+    def name(self) -> str:
+        return self.folder.name
+
+    @property
+    def patches(self) -> list[Path]:
+        return sorted(self.folder.glob("patches/*.patch"))
+
+
+def read_peer(folder: Path) -> Peer:
+    """Raises FetchError with what is wrong with the description, and where."""
+    file = folder / "peer.json"
+    try:
+        data = json.loads(file.read_text("utf-8"))
+        jsonschema.validate(data, json.loads((PEERS / "peer.schema.json").read_text("utf-8")))
+    except OSError as error:
+        raise FetchError(reason_of(error)) from error
+    except ValueError as error:
+        raise FetchError(f"{file} is not JSON: {error}") from error
+    except jsonschema.ValidationError as error:
+        where = "/".join(map(str, error.absolute_path)) or "the description"
+        raise FetchError(f"{file}: {where}: {error.message}") from error
+    return _peer(folder, data)
+
+
+def _peer(folder: Path, data: dict[str, Any]) -> Peer:
+    return Peer(
+        folder=folder,
+        upstream=tuple(Repository(**each) for each in data["upstream"]),
+        authors_flags=data["flags"]["authors"],
+        our_flags=data["flags"]["ours"],
+        packages=tuple(data.get("packages", [])),
+    )
+
+
+def select_peers(folder: Path, names: Iterable[str]) -> list[Peer]:
+    """Those named, or all. Raises FetchError for an unknown name, listing those known."""
+    known = {file.parent.name: file.parent for file in sorted(folder.glob("*/peer.json"))}
+    chosen = list(names) or list(known)
+    for name in chosen:
+        if name not in known:
+            raise FetchError(f"no peer named '{name}'; there are: {', '.join(known)}")
+    return [read_peer(known[name]) for name in dict.fromkeys(chosen)]

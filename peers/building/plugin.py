@@ -1,0 +1,82 @@
+"""From a peer to its plug-in, ready to load; nothing is done twice."""
+
+from __future__ import annotations
+
+import hashlib
+import subprocess
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from fetching.reporting import Unavailable
+
+from .compiler import Compiler
+from .description import PEERS, Peer
+from .flags import Bench, median_seconds, remark
+from .sources import Sources
+
+
+@dataclass(frozen=True)
+class Builder:
+    folder: Path
+    """For everything that is built, a folder a peer."""
+    sources: Sources
+    compiler: Compiler
+    bench: Bench
+
+    def plugin(self, peer: Peer) -> Path:
+        return self.folder / peer.name / f"lib{peer.name}.so"
+
+    def build(self, peer: Peer) -> str | None:
+        """What it was built with, or None when it was there before. Raises Unavailable."""
+        stamp = self._stamp(peer)
+        noted = self.plugin(peer).with_suffix(".stamp")
+        if self.plugin(peer).is_file() and noted.is_file() and noted.read_text() == stamp:
+            return None
+        noted.unlink(missing_ok=True)
+        self.plugin(peer).unlink(missing_ok=True)
+        check_packages(peer.packages)
+        authors = self.folder / peer.name / "sources"
+        self.sources.prepare(peer, authors)
+        said = self._compile(peer, authors)
+        noted.write_text(stamp)
+        return said
+
+    def _compile(self, peer: Peer, authors: Path) -> str:
+        folder = self.folder / peer.name
+        compiled = {
+            flags: self.compiler.compile(peer, authors, folder / name, flags)
+            for name, flags in (("authors", peer.authors_flags), ("ours", peer.our_flags))
+        }
+        solver = self.bench.solvers_of(compiled[peer.our_flags])[0]
+        best, said = remark(median_seconds(self.bench, compiled, solver), peer.authors_flags)
+        chosen = self.compiler.compile(peer, authors, compiled[best].parent, best, said)
+        chosen.replace(self.plugin(peer))
+        return said
+
+    def _stamp(self, peer: Peer) -> str:
+        """Of everything that the plug-in depends on."""
+        contract = self.compiler.package / "include" / "geodesic-bench" / "solvers" / "core"
+        files = [*peer.folder.rglob("*"), *PEERS.glob("peer.*"), *contract.glob("*.h")]
+        compiler = subprocess.run(["c++", "--version"], capture_output=True, check=False).stdout
+        sums = hashlib.sha256(compiler)
+        for file in sorted(file for file in files if file.is_file()):
+            sums.update(str(file).encode() + file.read_bytes())
+        return sums.hexdigest()
+
+
+def check_packages(packages: Iterable[str]) -> None:
+    """Raises Unavailable when a Debian package is missing; elsewhere CMake says what it lacks."""
+    missing = [package for package in packages if not _is_installed(package)]
+    if missing:
+        words = " ".join(missing)
+        raise Unavailable(f"needs {words}: apt-get install --no-install-recommends {words}")
+
+
+def _is_installed(package: str) -> bool:
+    query = ["dpkg-query", "-W", "-f", "${db:Status-Status}", package]
+    try:
+        done = subprocess.run(query, capture_output=True, text=True, check=False)
+    except FileNotFoundError:
+        return True
+    return done.stdout == "installed"

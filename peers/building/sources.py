@@ -1,0 +1,82 @@
+"""The authors' sources: fetched at the pinned commit, checked file by file, patched."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+
+from fetching.archive import extract
+from fetching.cache import sha256_of
+from fetching.download import Downloader, Origin
+from fetching.reporting import Unavailable
+
+from .description import Peer, Repository
+
+
+def github(path: str) -> str:
+    return f"https://github.com/{path}"
+
+
+@dataclass(frozen=True)
+class Sources:
+    """Where sources come from, and where archives are kept."""
+
+    origin: Origin
+    downloader: Downloader
+    archives: Path
+
+    def prepare(self, peer: Peer, target: Path) -> None:
+        """Fills a folder with the files of the description, one folder a repository, patched.
+
+        Raises Unavailable where a file cannot be had or is another one than described, or where a
+        patch does not apply.
+        """
+        shutil.rmtree(target, ignore_errors=True)
+        for repository in peer.upstream:
+            self._unpack(repository, target / repository.name)
+        for patch in peer.patches:
+            _apply(patch, target)
+
+    def _unpack(self, repository: Repository, target: Path) -> None:
+        archive = self._archive(repository)
+        top = f"{repository.name}-{repository.commit}"
+        targets = {f"{top}/{path}": target / path for path in repository.files}
+        for file in targets.values():
+            file.parent.mkdir(parents=True, exist_ok=True)
+        extract(archive, targets)
+        # The sums are the files': the same archive is compressed differently from year to year.
+        for path, expected in repository.files.items():
+            found = sha256_of(target / path)
+            if found != expected:
+                raise Unavailable(
+                    f"{path} of {repository.repository} has sha256 {found}, peer.json says "
+                    f"{expected}: not used"
+                )
+
+    def _archive(self, repository: Repository) -> Path:
+        place = self.origin(repository.archive)
+        if isinstance(place, Path):
+            if not place.is_file():
+                raise Unavailable(f"is not in the mirror: there is no {place}")
+            return place
+        whole = self.archives / repository.archive
+        if not whole.is_file():
+            whole.parent.mkdir(parents=True, exist_ok=True)
+            part = whole.with_suffix(".part")
+            self.downloader.transfer(place, part, repository.repository)
+            part.replace(whole)
+        return whole
+
+
+def _apply(patch: Path, target: Path) -> None:
+    done = subprocess.run(
+        ["patch", "-p1", "--batch", "--forward", "--binary", "-i", str(patch), "-d", str(target)],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    if done.returncode != 0:
+        said = " ".join(done.stdout.split()) or done.stderr.strip()
+        raise Unavailable(f"{patch.name} does not apply: {said}")

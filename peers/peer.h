@@ -1,0 +1,40 @@
+// What the adapters of peers share: the mesh as the flat arrays that most codes begin with.
+//
+// An adapter converts the mesh, asks the authors' code, and converts its answer. It adds no checks
+// and no repairs: what the code does is what is measured.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solvers/core/registry.h"
+
+namespace geodesic::peer {
+
+/// "-O3 -march=native, 12% faster than its authors' -O2": made by peers/build.py.
+const char* built_with();
+
+/// The remarks of a description: what is to be known of a peer, and what it was built with.
+inline std::string remarks(const std::string& known) {
+  return known + "; compiled with " + built_with();
+}
+
+/// x, y, z of every vertex.
+inline std::vector<double> coordinates(const Mesh& mesh) {
+  std::vector<double> all;
+  all.reserve(3 * std::size_t{mesh.vertex_count()});
+  for (const Vec3& p : mesh.positions()) all.insert(all.end(), p.begin(), p.end());
+  return all;
+}
+
+/// The three vertices of every face.
+template <class Number>
+std::vector<Number> corners(const Mesh& mesh) {
+  std::vector<Number> all;
+  all.reserve(mesh.half_edge_count());
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    all.push_back(static_cast<Number>(mesh.origin(h)));
+  return all;
+}
+
+}  // namespace geodesic::peer

@@ -1,0 +1,60 @@
+// VTP by its authors: vertex-oriented triangle propagation.
+#include <cstring>
+#include <memory>
+
+#include "peer.h"
+
+#define geodesic vtp_authors  // their namespace has the name of ours
+#include "geodesic_algorithm_exact.h"
+#include "geodesic_mesh.h"
+#undef geodesic
+
+namespace geodesic {
+namespace {
+
+class Vtp final : public Solver {
+ public:
+  Vtp(const Mesh& mesh, const Description& description)
+      : Solver(mesh, description),
+        coordinates_(peer::coordinates(mesh)),
+        corners_(peer::corners<unsigned>(mesh)) {}
+
+ private:
+  // Distances and states lie in the authors' mesh, and nothing there clears them: every source
+  // takes a new one.
+  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+    vtp_authors::Mesh authors;
+    authors.initialize_mesh_data(coordinates_, corners_);
+    vtp_authors::GeodesicAlgorithmExact algorithm(&authors);
+    algorithm.propagate(query.sources.front().vertex);
+    for (Index v = 0; v < distances.size(); ++v) {
+      const double d = authors.vertices()[v].geodesic_distance();
+      if (d < vtp_authors::GEODESIC_INF) distances[v] = d;
+    }
+    if (recording != nullptr) {
+      recording->window_propagations = vtp_authors::m_windows_propagation;
+      recording->peak_wavefront = vtp_authors::m_windows_peak;
+      recording->window_bytes = sizeof(vtp_authors::Interval);
+    }
+  }
+
+  std::vector<double> coordinates_;
+  std::vector<unsigned> corners_;
+};
+
+const RegisterSolver<Vtp> registered{{
+    .name = "vtp",
+    .family = "VTP",
+    .paper = "Qin, Han, Yu, Yu, Zhang 2016, Fast and exact discrete geodesic computation based on "
+             "triangle-oriented wavefront propagation",
+    .data_structure = "priority queue of vertices",
+    .time_complexity = "O(n^2)",
+    .space_complexity = "O(n)",
+    .propagation = "window list",
+    .abilities = {.multiple_sources = false, .initial_distances = false},
+    .remarks = peer::remarks("the authors' code; it keeps its state in its mesh, which is built "
+                             "again for every source and is part of the solve's time"),
+}};
+
+}  // namespace
+}  // namespace geodesic
