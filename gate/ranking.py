@@ -241,4 +241,4 @@ def _about_means(ranking: Ranking, run: Run) -> list[str]:
         )
     if count == 1:
         lines.append("one mesh does not show how the solvers compare on others")
-    return lines + [f"skipped {skip.mesh}: {skip.why}" for skip in run.skipped if not skip.solver]
+    return lines + [f"skipped {skip.mesh}: {skip.why}" for skip in run.not_measured]

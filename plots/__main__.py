@@ -36,13 +36,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         run = read_run(folder)
         if options.meshes:
             run = run.of_meshes(options.meshes)
-        items, left_out = draw(run, options.names)
-        for item in items:
-            write(item, folder, options.out)
+        drawn, left_out = draw(run, options.names)
+        for name, one in drawn.items():
+            write(name, one, folder, options.out)
         if options.names and left_out:
-            raise ResultError(left_out[0].why)
-        for one in left_out:
-            print(f"left out: {one.name}: {one.why}")
+            raise ResultError(next(iter(left_out.values())))
+        for name, why in left_out.items():
+            print(f"left out: {name}: {why}")
     except (ResultError, OSError) as error:
         return console.complain(error)
     return 0

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from plots import (
     curves, dot_figures, drawing, figure_5_9, figure_6_4, growth, overview, summary, table_5_1,
-    table_5_2, table_5_2_ratios, table_5_3, wavefronts,
+    table_5_2, table_5_2_ratios, table_5_3, table_thesis, wavefronts,
 )  # fmt: skip
 from plots.drawing import Drawing
 from results import table
@@ -17,6 +16,7 @@ from results.table import Table
 
 TABLES: dict[str, Callable[[Run], Table]] = {
     "summary": summary.table,
+    "table_thesis": table_thesis.table,
     "table_5_1": table_5_1.table,
     "table_5_2": table_5_2.table,
     "table_5_2_ratios": table_5_2_ratios.ratios,
@@ -45,39 +45,26 @@ the data."""
 EVERYTHING: dict[str, Callable[[Run], Table | Drawing]] = {**TABLES, **FIGURES}
 
 
-@dataclass(frozen=True)
-class Item:
-    name: str
-    """In EVERYTHING."""
-    drawn: Table | Drawing
-
-
-@dataclass(frozen=True)
-class LeftOut:
-    name: str
-    why: str
-
-
-def draw(run: Run, names: Sequence[str] = ()) -> tuple[list[Item], list[LeftOut]]:
-    """What the run has the data for, and what it has not.
+def draw(run: Run, names: Sequence[str] = ()) -> tuple[dict[str, Table | Drawing], dict[str, str]]:
+    """What the run has the data for; and why not, of what it has not. Both by name.
 
     @param names of EVERYTHING; empty: all of it
     @raises ResultError for a run of several programs"""
     if len({row.program for row in run.rows}) > 1:
         raise ResultError(f"{run.file}: a run of several programs; the gate compares them")
-    items, left_out = [], []
+    drawn, left_out = {}, {}
     for name in names or EVERYTHING:
         try:
-            items.append(Item(name, EVERYTHING[name](run)))
+            drawn[name] = EVERYTHING[name](run)
         except ResultError as error:
-            left_out.append(LeftOut(name, str(error)))
-    return items, left_out
+            left_out[name] = str(error)
+    return drawn, left_out
 
 
-def write(item: Item, run_folder: Path, out: Path | None = None) -> None:
+def write(name: str, drawn: Table | Drawing, run_folder: Path, out: Path | None = None) -> None:
     """Writes it in every format and prints the file's name."""
-    if isinstance(item.drawn, Table):
-        file, *others = table.write(item.drawn, out or run_folder / "tables")
+    if isinstance(drawn, Table):
+        file, *others = table.write(drawn, out or run_folder / "tables")
     else:
-        file, *others = drawing.write(item.drawn, item.name, out or run_folder / "figures")
+        file, *others = drawing.write(drawn, name, out or run_folder / "figures")
     print(f"{file} (also {', '.join(other.suffix for other in others)})")

@@ -1,7 +1,8 @@
 """Whether every cell of a run is there and verified; exit code 1 and a list of what is not.
 
 A solver that declares that it does not support a mesh, an outcome that the suite expects, and a
-cell that was skipped for a stated reason, are listed but are no failures.
+solver that was skipped on a mesh for a stated reason, are listed but are no failures. A mesh that
+was skipped whole is one, unless --allow-skipped is given.
 """
 
 from __future__ import annotations
@@ -48,6 +49,11 @@ def failures(run: Run) -> list[str]:
     return failed + missing
 
 
+def skipped(run: Run) -> list[str]:
+    """One line a solver, or all solvers, that the run skipped on a mesh."""
+    return [f"{skip.mesh}, {skip.solver or 'all solvers'}: {skip.why}" for skip in run.skipped]
+
+
 def largest_errors(run: Run) -> list[str]:
     """For each exact solver its largest relative error against closed forms, which are the truth,
     and against other solvers: a line for each of the two that there is, with whom and where."""
@@ -80,13 +86,17 @@ def checked_against_truth(run: Run) -> str:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    options = console.run_parser(__doc__).parse_args(arguments)
+    parser = console.run_parser(__doc__)
+    parser.add_argument(
+        "--allow-skipped", action="store_true", help="accept meshes that were skipped whole"
+    )
+    options = parser.parse_args(arguments)
     try:
         run = read_run(options.run or newest_run())
     except ResultError as error:
         return console.complain(error)
-    for skip in run.skipped:
-        print(f"skipped: {skip.mesh}, {skip.solver or 'all solvers'}: {skip.why}")
+    for words in skipped(run):
+        print(f"NOT MEASURED: {words}")
     for row in allowed(run):
         print(f"without a time: {line(row)}")
     for largest in largest_errors(run):
@@ -96,8 +106,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"FAILED: {failure}")
     passed = cells([row for row in run.rows if row.ok])
     print(checked_against_truth(run))
-    print(f"cells: {passed} verified, {len(failed)} failed")
-    return 1 if failed or not passed else 0
+    lacking = len(run.not_measured)
+    meshes = f"; meshes not measured: {lacking}" if lacking else ""
+    print(f"cells: {passed} verified, {len(failed)} failed{meshes}")
+    return 1 if failed or not passed or (lacking and not options.allow_skipped) else 0
 
 
 if __name__ == "__main__":

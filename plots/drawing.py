@@ -18,11 +18,6 @@ class Drawing:
     """Sentences: what is drawn from which numbers, and how to read the marks."""
     figure: Figure
 
-    @property
-    def alternative(self) -> str:
-        """The text in place of the picture."""
-        return f"{self.title}. {self.caption}"
-
 
 def write(drawing: Drawing, name: str, folder: Path) -> list[Path]:
     """Writes the figure as PNG and PDF, its caption as Markdown, and returns the files."""

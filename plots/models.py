@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from results import published
-from results.reader import Mesh, Run
+from results.reader import Mesh, ResultError, Run
 
 
 def ordered_meshes(run: Run) -> list[Mesh]:
@@ -29,10 +29,19 @@ def of_thesis(run: Run) -> list[Mesh]:
     return [mesh for mesh in ordered_meshes(run) if mesh.thesis_model]
 
 
+def groups_of_thesis(run: Run) -> dict[str, list[Mesh]]:
+    """Its own models, and stand-ins for them; either may be empty.
+
+    @raises ResultError when both are"""
+    measured = of_thesis(run)
+    if not measured:
+        raise ResultError(f"{run.file}: no mesh is or stands for a model of the thesis")
+    return {
+        "the thesis's models": [mesh for mesh in measured if not mesh.stand_in],
+        "stand-ins": [mesh for mesh in measured if mesh.stand_in],
+    }
+
+
 def left_out(run: Run) -> list[str]:
     """A sentence for each mesh of the corpus that the run skipped whole."""
-    return [
-        f"{skip.mesh} was skipped: {skip.why}"
-        for skip in run.skipped
-        if skip.solver is None and skip.mesh not in run.meshes
-    ]
+    return [f"{skip.mesh} was skipped: {skip.why}" for skip in run.not_measured]

@@ -6,11 +6,11 @@ import math
 from itertools import pairwise
 
 from plots.measures import ABSENT, columns, failure
-from plots.models import left_out, of_thesis, ordered_meshes
+from plots.models import groups_of_thesis, left_out, ordered_meshes
 from plots.ratios import BY_KEY, RATIOS, Mean, Ratio, over_meshes
 from results import published
 from results.published import Claim
-from results.reader import Mesh, ResultError, Run
+from results.reader import Mesh, Run
 from results.table import BLANK, Cell, Table, estimate_cell
 
 REMARKS = [
@@ -18,9 +18,6 @@ REMARKS = [
     "over sources and repetitions. Definitions: docs/metrics.md.",
     f"Published: computed from the values of {published.citation()}, Table 5.2.",
 ]
-
-
-MODELS, STAND_INS = "the thesis's models", "stand-ins"
 
 
 def ratios(run: Run) -> Table:
@@ -70,14 +67,13 @@ def _mean_row(run: Run, ratio: Ratio) -> list[Cell]:
 
 def claims(run: Run) -> Table:
     """@raises ResultError when no mesh has to do with the thesis"""
-    models = of_thesis(run)
-    if not models:
-        raise ResultError(f"{run.file}: no mesh is or stands for a model of the thesis")
-    groups = {
-        MODELS: [mesh.name for mesh in models if not mesh.stand_in],
-        STAND_INS: [mesh.name for mesh in models if mesh.stand_in],
-        "all meshes": list(run.meshes),
-    }
+    of_thesis = groups_of_thesis(run)
+    groups = {words: [mesh.name for mesh in meshes] for words, meshes in of_thesis.items()}
+    groups["all meshes"] = list(run.meshes)
+    listed = "; ".join(
+        f"{words}: {', '.join(mesh.label for mesh in meshes) or 'none'}"
+        for words, meshes in of_thesis.items()
+    )
     return Table(
         name="table_5_2_claims",
         title="The thesis's claims about Table 5.2",
@@ -95,9 +91,7 @@ def claims(run: Run) -> Table:
             *REMARKS,
             "Ranges are over meshes (over sources and repetitions when there is one mesh). All "
             "meshes include those too small for meaningful times. Stand-ins are context: "
-            "they are other meshes than those that the thesis measured. "
-            f"In this run, the thesis's models: {_listed(run, groups[MODELS])}; "
-            f"stand-ins: {_listed(run, groups[STAND_INS])}.",
+            f"they are other meshes than those that the thesis measured. In this run, {listed}.",
         ],
     )  # fmt: skip
 
@@ -151,7 +145,3 @@ def _no_ratio(run: Run, solver: str, meshes: list[str]) -> Cell:
     """Why no mesh has the ratio: the solver's failure on the first, or no such mesh or number."""
     failed = failure(run, meshes[0], solver) if meshes else Cell("no such mesh")
     return failed or Cell(ABSENT)
-
-
-def _listed(run: Run, meshes: list[str]) -> str:
-    return ", ".join(run.meshes[name].label for name in meshes) or "none"

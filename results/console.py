@@ -15,7 +15,7 @@ from types import TracebackType
 from typing import NoReturn
 
 ROOT = Path(__file__).resolve().parent.parent
-PACKAGES = "python3-jsonschema, python3-matplotlib, python3-numpy and python3-scipy"
+PACKAGES = "python3-jinja2, python3-jsonschema, python3-matplotlib, python3-numpy and python3-scipy"
 
 
 def printable(text: str) -> str:

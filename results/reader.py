@@ -161,6 +161,11 @@ class Run:
             rows=[row for row in self.rows if row.mesh in names],
         )
 
+    @property
+    def not_measured(self) -> list[Skip]:
+        """Meshes that were skipped whole."""
+        return [skip for skip in self.skipped if skip.solver is None]
+
     def skip(self, mesh: str, solver: str) -> Skip | None:
         """The reason if the run skipped this solver on this mesh."""
         return next(

@@ -23,6 +23,7 @@ which of two solvers is faster.
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -30,7 +31,6 @@ from enum import StrEnum
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import stats
 
 Sample = Sequence[Sequence[float]]
 Array = NDArray[np.float64]
@@ -151,9 +151,9 @@ def median_interval(values: Sequence[float], confidence: float = CONFIDENCE) -> 
     if not values:
         raise ValueError("a median needs at least one value")
     ordered = sorted(values)
-    outside = np.arange(len(ordered) // 2)
-    cut = int(np.sum(2 * stats.binom.cdf(outside, len(ordered), 0.5) <= 1 - confidence))
-    k = max(cut - 1, 0)
+    n = len(ordered)
+    tails = itertools.accumulate(math.comb(n, i) for i in range(n // 2))  # of 2^n, either side
+    k = max(sum(tail / 2 ** (n - 1) <= 1 - confidence for tail in tails) - 1, 0)
     return Estimate(
         float(np.median(ordered)), ordered[k], ordered[-1 - k], ordered[0], ordered[-1]
     )
@@ -181,9 +181,11 @@ def decide(
 def rank_test(a: Sequence[float], b: Sequence[float]) -> float:
     """Two-sided p-value of the Mann-Whitney U test: the probability of samples at least as
     different in rank when both come from one distribution. 1 when a sample is empty."""
+    from scipy.stats import mannwhitneyu  # here: SciPy takes longer to start than most commands
+
     if not a or not b:
         return 1.0
-    return float(stats.mannwhitneyu(a, b, alternative="two-sided").pvalue)
+    return float(mannwhitneyu(a, b, alternative="two-sided").pvalue)
 
 
 @dataclass(frozen=True)
@@ -203,6 +205,8 @@ def power_law(x: Sequence[float], y: Sequence[float]) -> PowerLaw:
     """Least squares of log y on log x.
 
     @param x at least three values, all > 0 and not all the same; y as many, all > 0"""
+    from scipy import stats
+
     fit = stats.linregress(np.log(x), np.log(y))
     half = float(stats.t.ppf(0.5 + CONFIDENCE / 2, len(x) - 2)) * float(fit.stderr)
     slope = float(fit.slope)

@@ -17,6 +17,7 @@ def keep_only_good(data: dict[str, Any]) -> None:
     """Leaves the cells of the horse, all of which are ok or skipped."""
     ours = data["context"]["geodesic_bench"]
     ours["meshes"] = ours["meshes"][:1]
+    ours["skipped"] = [skip for skip in ours["skipped"] if skip["solver"]]
     data["benchmarks"] = [row for row in data["benchmarks"] if row["mesh"] == "horse"]
 
 
@@ -30,12 +31,27 @@ def test_failed_and_missing_cells_fail_and_are_listed(
     assert "FAILED: fwp-mmp/rocker-arm/src:7: missing" in printed
     assert "FAILED: ch/" not in printed
     assert "without a time: ch/rocker-arm/src:7: unsupported" in printed
-    assert printed.splitlines()[-1] == "cells: 28 verified, 3 failed"
+    assert printed.splitlines()[-1] == "cells: 28 verified, 3 failed; meshes not measured: 1"
 
 
 def test_verified_run_passes(changed: Changed, capsys: pytest.CaptureFixture[str]) -> None:
     assert check.main(["--run", str(changed(keep_only_good))]) == 0
     assert capsys.readouterr().out.splitlines()[-1] == "cells: 12 verified, 0 failed"
+
+
+def test_a_mesh_that_was_skipped_fails_unless_allowed(
+    changed: Changed, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def change(data: dict[str, Any]) -> None:
+        keep_only_good(data)
+        skip = {"mesh": "bunny", "solver": None, "why": "not in the dataset cache"}
+        data["context"]["geodesic_bench"]["skipped"].append(skip)
+
+    run = str(changed(change))
+    assert [check.main(["--run", run, *more]) for more in ([], ["--allow-skipped"])] == [1, 0]
+    printed = capsys.readouterr().out
+    assert "NOT MEASURED: bunny, all solvers: not in the dataset cache" in printed
+    assert "NOT MEASURED: horse, ch: ch is for meshes of at most 20000 vertices" in printed
 
 
 def test_nothing_verified_is_a_failure(changed: Changed) -> None:

@@ -1,21 +1,18 @@
-"""The report page: whole, alone, and with everything that failed; what differs, in words."""
+"""The report page: whole, alone, and with everything that failed."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from plots import differences, report
+from plots import report
 from plots.catalogue import EVERYTHING
-from plots.html_table import to_html
-from plots.models import of_thesis
-from results.reader import Run, read_run
+from results.reader import Run
 from results.table import Cell, Table
 
 Changed = Callable[[Callable[[dict[str, Any]], object]], Path]
@@ -113,63 +110,14 @@ def test_a_broken_run_ends_in_one_line(tmp_path: Path, capsys: pytest.CaptureFix
     assert len(capsys.readouterr().err.splitlines()) == 1
 
 
-def test_cells_carry_the_number_they_are_sorted_by_and_their_footnote() -> None:
+def test_cells_carry_the_number_they_are_sorted_by_and_their_footnote(golden_run: Run) -> None:
     table = Table(
         "t", "T", ["Model", "Time"], 1,
         [[Cell("10 vertices", "horse"), Cell("1,234", 1234, note="why")],
          [Cell("knot"), Cell("crashed")]],
     )  # fmt: skip
-    page = Page(to_html(table))
+    page = Page(report.page(golden_run, {"t": table}, {}, Path()))
     cells = [attributes for tag, attributes in page.tags if tag == "td"]
     assert [cell.get("data-value") for cell in cells] == ["horse", "1234", None, None]
     assert "#t-a" in page.all_of("href") and "t-a" in page.all_of("id")
     assert "10 vertices horse 1,234" in page.text
-
-
-def test_what_differs_is_told_apart_for_models_and_stand_ins(golden_run: Run) -> None:
-    own, stand_ins = differences.paragraphs(golden_run)
-    assert own.startswith("On the thesis's own models in this run (horse): time over that of")
-    assert "mmp 4.96 (4.95)" in own
-    assert "The order from fastest to slowest is the thesis's: edge-based, fwp-mmp, fwp-ch" in own
-    assert "all within 10% of the thesis" in own
-    assert "rocker-arm for rocker arm" in stand_ins and "context only" in stand_ins
-    assert "within" not in stand_ins and "more than" not in stand_ins
-
-
-def change_numbers(run: Run, solver: str, key: str, factor: float) -> Run:
-    rows = [
-        replace(row, numbers=row.numbers | {key: row.numbers[key] * factor})
-        if row.solver == solver and key in row.numbers
-        else row
-        for row in run.rows
-    ]
-    return replace(run, rows=rows)
-
-
-def test_another_order_and_a_far_count_are_said(golden_run: Run) -> None:
-    slow = change_numbers(golden_run, "fwp-mmp", "cpu_time", 10)
-    assert (
-        "they are edge-based, fwp-ch, mmp, ich, fwp-mmp, but in the thesis edge-based, fwp-mmp"
-        in differences.paragraphs(slow)[0]
-    )
-    many = change_numbers(golden_run, "ich", "window_propagations", 1.2)
-    assert "more than 10% from the thesis: ich (what is counted: docs" in differences.paragraphs(many)[0]
-
-
-def test_means_are_over_models_that_have_both_numbers(golden_run: Run) -> None:
-    rows = [r for r in golden_run.rows if (r.solver, r.mesh) != ("ich", "rocker-arm")]
-    run = replace(golden_run, rows=rows)
-    both = of_thesis(run)
-    pairs = differences.compare(run, both, differences.SPEED)
-    assert (pairs["ich"].models, pairs["mmp"].models) == (1, 2)
-    assert pairs["ich"].thesis == pytest.approx(5.14, abs=0.01)
-
-
-def test_a_run_without_the_thesis_s_models_says_so(changed: Changed) -> None:
-    def change(data: dict[str, Any]) -> None:
-        for mesh in data["context"]["geodesic_bench"]["meshes"]:
-            mesh.update(thesis_model=None, stand_in=False)
-
-    assert differences.paragraphs(read_run(changed(change))) == [
-        "None of the thesis's own models was measured in this run."
-    ]

@@ -1,0 +1,91 @@
+"""The run beside the thesis's Table 5.2, in means: time, order of the solvers, windows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from statistics import geometric_mean
+
+from plots.measures import COUNTING
+from plots.models import groups_of_thesis, relation
+from plots.ratios import BY_KEY, Ratio
+from results import published, statistics
+from results.published import THESIS_SOLVERS
+from results.reader import Mesh, Run
+from results.table import BLANK, Cell, Table
+
+SPEED, WINDOWS = BY_KEY["speed-up"], BY_KEY["propagations over the limit"]
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Geometric means over the models for which both numbers are there."""
+
+    ours: float
+    thesis: float
+    models: int
+
+
+def compare(run: Run, meshes: list[Mesh], ratio: Ratio) -> dict[str, Pair]:
+    """By solver, for those that have the ratio here and in the thesis on some model."""
+    pairs = {}
+    for solver in THESIS_SOLVERS:
+        both = [
+            (statistics.geometric_mean([sample]).value, thesis)
+            for mesh in meshes
+            if (sample := ratio.measured(run, mesh.name, solver))
+            and (thesis := ratio.published(str(mesh.thesis_model), solver)) is not None
+        ]
+        if both:
+            ours, thesis = map(geometric_mean, zip(*both, strict=True))
+            pairs[solver] = Pair(ours, thesis, len(both))
+    return pairs
+
+
+def table(run: Run) -> Table:
+    """@raises ResultError when no mesh has to do with the thesis"""
+    groups = groups_of_thesis(run)
+    listed = [
+        f"{mesh.name} ({relation(mesh)})" for meshes in groups.values() for mesh in meshes
+    ]
+    return Table(
+        name="table_thesis",
+        title="Means of Table 5.2, ours and the thesis's",
+        header=[
+            "Meshes", "Solver", SPEED.label, f"{SPEED.label}, published", "Place",
+            "Place, published", WINDOWS.label, f"{WINDOWS.label}, published", "Difference",
+        ],
+        text_columns=2,
+        rows=[row for words, meshes in groups.items() for row in _rows(run, words, meshes)],
+        remarks=[
+            f"Geometric means over {', '.join(listed)}, as far as both numbers are there; places "
+            "are by time. Stand-ins are other meshes than the thesis measured: what is published "
+            "is context only.",
+            f"Published: {published.citation()}, Table 5.2, measured on {published.machine()}. "
+            f"{COUNTING}",
+        ],
+    )  # fmt: skip
+
+
+def _rows(run: Run, group: str, meshes: list[Mesh]) -> list[list[Cell]]:
+    speed, windows = compare(run, meshes, SPEED), compare(run, meshes, WINDOWS)
+    rows = []
+    for solver in [one for one in THESIS_SOLVERS if one in speed or one in windows]:
+        fewest = min(pairs[solver].models for pairs in (speed, windows) if solver in pairs)
+        note = f"{solver}: on {fewest} of {len(meshes)} models." if fewest < len(meshes) else ""
+        cells = [Cell("" if rows else group, group), Cell(solver, note=note)]
+        cells += _means(speed.get(solver))
+        for side in ("ours", "thesis"):
+            order = sorted(speed, key=lambda one: float(getattr(speed[one], side)))
+            place = order.index(solver) + 1 if solver in speed else None
+            cells.append(BLANK if place is None else Cell(str(place), place))
+        cells += _means(windows.get(solver))
+        change = windows[solver].ours / windows[solver].thesis - 1 if solver in windows else None
+        cells.append(BLANK if change is None else Cell(f"{change:+.1%}", change))
+        rows.append(cells)
+    return rows
+
+
+def _means(pair: Pair | None) -> list[Cell]:
+    if pair is None:
+        return [BLANK, BLANK]
+    return [Cell(f"{mean:.2f}", mean) for mean in (pair.ours, pair.thesis)]

@@ -1,0 +1,58 @@
+"""The comparison with the thesis: means of the models that have both numbers, apart for stand-ins."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from plots import table_thesis
+from plots.models import of_thesis
+from results.reader import ResultError, Run
+
+
+def texts(run: Run) -> dict[tuple[str, str], list[str]]:
+    """By group and solver: the cells from the time on."""
+    rows = table_thesis.table(run).rows
+    return {(str(row[0].value), row[1].text): [cell.text for cell in row[2:]] for row in rows}
+
+
+def test_models_and_stand_ins_are_apart_and_places_are_by_time(golden_run: Run) -> None:
+    rows = texts(golden_run)
+    assert rows["the thesis's models", "mmp"] == [
+        "4.96", "4.95", "4", "4", "1.52", "1.52", "-0.1%",
+    ]  # fmt: skip
+    assert rows["stand-ins", "mmp"][1] == "7.04"
+    remark = table_thesis.table(golden_run).remarks[0]
+    assert "horse (the thesis's horse), rocker-arm (stand-in for rocker arm)" in remark
+
+
+def change_numbers(run: Run, solver: str, key: str, factor: float) -> Run:
+    rows = [
+        replace(row, numbers=row.numbers | {key: row.numbers[key] * factor})
+        if row.solver == solver and key in row.numbers
+        else row
+        for row in run.rows
+    ]
+    return replace(run, rows=rows)
+
+
+def test_another_order_and_a_far_count_are_shown(golden_run: Run) -> None:
+    slow = texts(change_numbers(golden_run, "fwp-mmp", "cpu_time", 10))
+    places = {solver: row[2:4] for (group, solver), row in slow.items() if group != "stand-ins"}
+    assert places["fwp-mmp"] == ["5", "2"] and places["edge-based"] == ["1", "1"]
+    many = texts(change_numbers(golden_run, "ich", "window_propagations", 1.2))
+    assert many["the thesis's models", "ich"][-1] == "+18.0%"
+
+
+def test_means_are_over_models_that_have_both_numbers(golden_run: Run) -> None:
+    rows = [r for r in golden_run.rows if (r.solver, r.mesh) != ("ich", "rocker-arm")]
+    run = replace(golden_run, rows=rows)
+    pairs = table_thesis.compare(run, of_thesis(run), table_thesis.SPEED)
+    assert (pairs["ich"].models, pairs["mmp"].models) == (1, 2)
+    assert pairs["ich"].thesis == pytest.approx(5.14, abs=0.01)
+
+
+def test_a_run_without_the_thesis_s_models_has_none(golden_run: Run) -> None:
+    with pytest.raises(ResultError, match="no mesh is or stands for a model of the thesis"):
+        table_thesis.table(golden_run.of_meshes(["flat-grid"]))
