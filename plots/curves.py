@@ -24,21 +24,29 @@ MODELS = 2
 BETWEEN_MARKS = 8
 """Samples; solvers have their marks at different ones, so that marks do not cover each other."""
 
+THICKEST, THINNEST = 2.6, 0.9
+"""Points: of the curve that is drawn first, and of the last; one under another shows beside it."""
+
 Curve = Callable[[Recording, str], tuple[Floats, Floats]]
 
 
 def windows(run: Run) -> Drawing:
-    """Figure 5.8. @raises ResultError without recordings of the two solvers that it compares"""
-    found = recordings(run, EDGE_BASED, RIVAL)[:MODELS]
-    solvers = _solvers(run, found)
+    """Figure 5.8; without the thesis's two solvers only with all that were recorded.
+
+    @raises ResultError without recordings"""
+    pair = [RIVAL, EDGE_BASED]
+    as_in_thesis = set(pair) <= set(run.solvers)
+    found = recordings(run, *sorted(pair if as_in_thesis else []))[:MODELS]
+    kinds = {"all recorded": _solvers(run, found)}
+    if as_in_thesis:
+        kinds = {"as in the thesis": pair} | kinds
     figure = style.new_figure(0.7 + 2.5 * len(found))
-    grid = figure.subplots(len(found), 2, squeeze=False, sharex=True)
+    grid = figure.subplots(len(found), len(kinds), squeeze=False, sharex=True)
     letters = iter("abcd")
     for panels, recording in zip(grid, found, strict=True):
-        for axes, shown in zip(panels, ([RIVAL, EDGE_BASED], solvers), strict=True):
+        for axes, (which, shown) in zip(panels, kinds.items(), strict=True):
             _draw(axes, run, recording, shown, levels_and_windows)
             axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: count(value)))
-            which = "as in the thesis" if axes is panels[0] else "all recorded"
             name = f"{title(recording.mesh)}\n" if axes is panels[0] else ""
             axes.set_title(f"{name}({next(letters)}) {which}", loc="left")
         panels[0].set_ylabel("windows on the wavefront")
@@ -50,13 +58,15 @@ def windows(run: Run) -> Drawing:
         title="Figure 5.8: windows on the wavefront",
         caption=sentences(
             "Windows on the wavefront, at equal steps of the vertices reached, over the mean "
-            f"distance of these windows. Left {RIVAL} and {EDGE_BASED} as in the thesis, right "
-            "every solver that was recorded; the axis ends where one is far beyond the thesis's.",
-            *(_fewer(recording) for recording in found),
-            "The thesis: close to each other, and most of the time fewer for its own.",
+            "distance of these windows. The axis ends where a solver is far beyond the thesis's.",
+            *([f"Left {RIVAL} and {EDGE_BASED} as in the thesis, right every solver that was "
+               "recorded.",
+               *(_fewer(recording) for recording in found),
+               "The thesis: close to each other, and most of the time fewer for its own."]
+              if as_in_thesis else []),
         ),
         figure=figure,
-    )
+    )  # fmt: skip
 
 
 def spread(run: Run) -> Drawing:
@@ -113,9 +123,10 @@ def _draw(
         if solver in curves:
             look = styles[solver]
             first = index * BETWEEN_MARKS // len(solvers)
+            width = THICKEST * (THINNEST / THICKEST) ** (index / max(len(solvers) - 1, 1))
             axes.plot(
                 *curves[solver], label=style.plain(solver), color=look.color,
-                linestyle=look.line, linewidth=1.0, marker=look.marker, markersize=3.8,
+                linestyle=look.line, linewidth=width, marker=look.marker, markersize=3.8,
                 markevery=(first, BETWEEN_MARKS),
             )  # fmt: skip
     axes.grid(True)

@@ -6,21 +6,19 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from matplotlib.ticker import FuncFormatter, LogLocator
-
 from plots import style
 from plots.dots import (
-    AT_THE_EDGE, Dot, Row, draw_rows, hollow_mark, mesh_rows, ratio_axis, sentences, styles_of,
-    without_value,
+    AT_THE_EDGE, Dot, Row, draw_rows, hollow_mark, mesh_rows, sentences, styles_of, without_value,
 )  # fmt: skip
 from plots.drawing import Drawing
+from plots.logarithmic import logarithmic, ratio_axis
 from plots.measures import (
-    ERROR, LIMIT_SOLVER, TIME, Measure, baseline, by_source, measured_solvers, values,
+    ERROR, LIMIT, LIMIT_SOLVER, TIME, Measure, baseline, by_source, measured_solvers, values,
 )  # fmt: skip
 from plots.models import of_thesis
 from plots.ratios import BY_KEY, RIVAL, Ratio, over_meshes
 from results import published
-from results.reader import Run
+from results.reader import ResultError, Run
 from results.statistics import geometric_mean, median
 
 OVER_LIMIT = BY_KEY["propagations over the limit"]
@@ -103,6 +101,8 @@ def estimates(
 
 def windows_over_limit(run: Run) -> Drawing:
     """@raises ResultError when no solver counts windows, or none keeps them all"""
+    if not any(LIMIT.key in row.numbers for row in run.rows):
+        raise ResultError(f"{run.file}: no solver of the MMP family, which counts the window limit")
 
     def measured(mesh: str, solver: str) -> list[Dot]:
         sample = OVER_LIMIT.measured(run, mesh, solver)
@@ -110,9 +110,8 @@ def windows_over_limit(run: Run) -> Drawing:
 
     words = [
         "Windows propagated across a face over the windows that MMP leaves on the edges: a solver "
-        "at 1 propagates no window in vain. Less than 1 is possible on a mesh with a boundary: "
-        "windows on boundary edges count towards the limit, and have no face to be propagated "
-        "across. Geometric means over sources with 95% bootstrap intervals.",
+        "at 1 propagates no window in vain. Geometric means over sources with 95% bootstrap "
+        "intervals.",
         OVER_LIMIT.note,
     ]
     if of_thesis(run):
@@ -165,9 +164,7 @@ def accuracy(run: Run) -> Drawing:
     mark = hollow_mark("hollow: against a solver")
     figure = draw_rows(rows, "largest relative error", styles_of(run), marks=[mark])
     axes = figure.axes[0]
-    axes.set_xscale("log")
-    axes.xaxis.set_major_locator(LogLocator(numticks=20))
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.0e}"))
+    logarithmic(axes.xaxis)
     axes.set_xlim(left=FLOOR / 2, right=max(axes.get_xlim()[1], 4 * BOUND))
     axes.axvline(BOUND, color=style.INK, linewidth=1, linestyle=(0, (4, 2)))
     axes.annotate(

@@ -8,12 +8,11 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from matplotlib.axes import Axes
-from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.ticker import FuncFormatter, MaxNLocator, NullLocator
 
 from plots import style
+from plots.logarithmic import logarithmic
 from plots.measures import columns, failure
 from plots.models import ordered_meshes
 from plots.style import SolverStyle
@@ -25,9 +24,8 @@ DOT_INCHES, NUMBER_INCHES = 0.07, 0.125
 """Height of a dot alone, and of one with its number."""
 ROW_INCHES, SPREAD = 0.36, 0.8
 """Least height of a row, and the share of it over which its solvers are spread."""
-WIDE, NARROW = 20.0, 4.0
-"""Values that differ by more than the one need a logarithmic axis; an axis between whose ends is
-less than the other needs more ticks than 1, 2 and 5."""
+WIDE = 20.0
+"""Values that differ by more need a logarithmic axis."""
 FEW = 3
 """Number of meshes that a caption names; more are counted."""
 NEAR = 1.3
@@ -134,7 +132,7 @@ def draw_rows(
                 if numbers:
                     beside = known if 1 < known / dot.high < NEAR else dot.high
                     axes.annotate(
-                        _number(dot.value) + dot.note, (beside, y), (4, 0), va="center",
+                        number(dot.value) + dot.note, (beside, y), (4, 0), va="center",
                         textcoords="offset points", fontsize=7,
                     )  # fmt: skip
             if solver in row.published:
@@ -154,20 +152,6 @@ def draw_rows(
     contexts = {row.context for row in rows if row.published}
     style.legend_above(figure, [*handles, *marks, *_published_marks(contexts)])
     return figure
-
-
-def ratio_axis(axis: Axis) -> None:
-    """A logarithmic axis of ratios with a line at 1, which is always shown."""
-    style.plain_logarithmic(axis)
-    axis.axes.autoscale(axis="x")
-    low, high = axis.get_view_interval()
-    low, high = min(low, 0.97), max(high, 1.03)
-    if high < NARROW * low:
-        axis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
-        axis.set_minor_locator(NullLocator())
-        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-    axis.axes.set_xlim(low, high)
-    axis.axes.axvline(1, color=style.INK, linewidth=0.8, zorder=1)
 
 
 def hollow_mark(label: str) -> Line2D:
@@ -190,14 +174,14 @@ def reach(values: Mapping[str, Sequence[float]]) -> float:
     return BEYOND * max(of_thesis) if of_thesis else math.inf
 
 
-def _number(value: float) -> str:
+def number(value: float) -> str:
     return f"{value:,.0f}" if value >= 100 else f"{value:#.3g}"
 
 
 def _draw_dot(axes: Axes, y: float, dot: Dot, look: SolverStyle, *, limit: float) -> None:
     if dot.value > limit:
         axes.annotate(
-            f"{_number(dot.value)} \N{RIGHTWARDS ARROW}", (1, y), (-2, 0),
+            f"{number(dot.value)} \N{RIGHTWARDS ARROW}", (1, y), (-2, 0),
             ("axes fraction", "data"), textcoords="offset points", ha="right", va="center",
             fontsize=8, color=look.color,
         )  # fmt: skip
@@ -237,7 +221,7 @@ def _scale(axes: Axes, values: list[float], left: float) -> None:
     """A horizontal axis for the values: logarithmic for wide ranges, else from `left` on."""
     least = min((value for value in values if value > 0), default=0)
     if least and max(values) > WIDE * least:
-        style.plain_logarithmic(axes.xaxis)
+        logarithmic(axes.xaxis)
     else:
         axes.set_xlim(left=left if min(values) >= left else axes.get_xlim()[0])  # with a margin
 

@@ -9,12 +9,12 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from matplotlib.axis import Axis
 from matplotlib.lines import Line2D
 
 from plots import style
 from plots.dots import sentences
 from plots.drawing import Drawing
+from plots.logarithmic import logarithmic
 from plots.measures import (
     PROPAGATIONS, TIME, Measure, TimeUnit, by_source, columns, count, time_unit, values,
 )  # fmt: skip
@@ -25,8 +25,6 @@ from results.table import Cell, Table
 LEAST_MESHES = 3
 LEAST_SPAN = 4
 """Of the largest mesh over the smallest, in vertices: less shows no growth."""
-PLAIN = 1000
-"""An axis with more than this between its ends shows powers of ten."""
 
 
 @dataclass(frozen=True)
@@ -166,7 +164,7 @@ def figure(run: Run) -> Drawing:
         label = f"{style.plain(solver)}: {label}"
         handles.append(Line2D([], [], linestyle=look.line, label=label, **mark))
     for axis in (axes.xaxis, axes.yaxis):
-        _logarithmic(axis)
+        logarithmic(axis)
     axes.set_xlabel("vertices $n$")
     axes.set_ylabel("CPU time of one solve (s)")
     axes.grid()
@@ -186,11 +184,3 @@ def figure(run: Run) -> Drawing:
         ),
         figure=picture,
     )
-
-
-def _logarithmic(axis: Axis) -> None:
-    low, high = axis.get_data_interval()
-    if high < PLAIN * low:
-        style.plain_logarithmic(axis)
-    else:
-        axis.axes.set(**{f"{axis.axis_name}scale": "log"})

@@ -8,10 +8,11 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from plots import style
-from plots.dots import ratio_axis, sentences
+from plots.dots import number, sentences
 from plots.drawing import Drawing
+from plots.logarithmic import ratio_axis
 from plots.measures import EDGE_BASED, baseline, measured_solvers
-from plots.ratios import BY_KEY, Ratio, time_over
+from plots.ratios import BELOW_1, BY_KEY, Ratio, time_over
 from results.reader import Mesh, ResultError, Run
 from results.statistics import geometric_mean
 
@@ -54,18 +55,17 @@ def figure(run: Run) -> Drawing:
         markeredgewidth=1.8,
     )  # fmt: skip
     style.legend_above(picture, [*marks, mean])
-    limit = "over the window limit"
+    both_panels = len(panels) > 1
     return Drawing(
         title="Overview",
         caption=sentences(
             "Geometric means, a mark a mesh, of each exact solver's CPU time over that of "
-            f"{base} (left)"
-            + (f", and of window propagations {limit} (right)" if panels[1:] else "")
-            + "; ratios are paired by source and repetition. The number is the mean over the "
-            "meshes that have a mark.",
-            f"No window propagations {limit}: the run has no solver of the MMP family."
-            if not panels[1:]
-            else "",
+            f"{base}{' (left), and of window propagations over the window limit (right)' * both_panels}; "
+            "ratios are paired by source and repetition. The number is the mean over the meshes "
+            "that have a mark.",
+            BELOW_1
+            if both_panels
+            else "No window propagations over the window limit: the run has no solver of the MMP family.",
             "Hollow: a stand-in for a model of the thesis." if counts["stand-in for one"] else "",
         ),
         figure=picture,
@@ -101,7 +101,7 @@ def _draw(axes: Axes, run: Run, means: dict[str, dict[str, float]]) -> None:
             mean = geometric_mean([[[mean] for mean in by_mesh.values()]]).value
             axes.plot([mean], [place], "|", color=style.INK, markersize=17, markeredgewidth=1.8)
             axes.annotate(
-                f"{mean:.2f}", (mean, place), (0, 10), textcoords="offset points", ha="center"
+                number(mean), (mean, place), (0, 10), textcoords="offset points", ha="center"
             )
     axes.set_yticks(range(len(means)), [style.plain(solver) for solver in means])
     axes.set_ylim(len(means) - 0.5, -0.6)

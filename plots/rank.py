@@ -12,7 +12,8 @@ from pathlib import Path
 from matplotlib.figure import Figure
 
 from plots import style
-from plots.dots import Dot, Row, draw_rows, hollow_mark, ratio_axis
+from plots.dots import Dot, Row, draw_rows, hollow_mark
+from plots.logarithmic import ratio_axis
 from results.reader import ResultError
 from results.statistics import Estimate
 

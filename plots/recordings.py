@@ -152,6 +152,8 @@ def recordings(run: Run, *solvers: str, isolines: bool = False) -> list[Recordin
     @param isolines whether isolines must have been recorded, which needs a solver that keeps its
            windows
     @raises ResultError when there is none"""
+    if missing := set(solvers) - set(run.solvers):
+        raise ResultError(f"{run.file}: no {' and no '.join(sorted(missing))} in this run")
     found: dict[str, Recording] = {}
     for row in run.rows:
         if row.recordings is None:

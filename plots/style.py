@@ -19,10 +19,8 @@ from typing import Any
 import matplotlib
 
 matplotlib.use("Agg")
-from matplotlib.axis import Axis
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 WIDTH = 6.3
 """Inches: the text of an A4 page."""
@@ -51,6 +49,7 @@ matplotlib.rcParams.update(
         "legend.handletextpad": 0.5,
         "legend.columnspacing": 1.4,
         "lines.linewidth": 1.2,
+        "lines.scale_dashes": False,
         "lines.markersize": 5,
         "xtick.labelsize": 9,
         "ytick.labelsize": 9,
@@ -120,14 +119,6 @@ def new_figure(height: float, width: float = WIDTH) -> Figure:
     figure = Figure(figsize=(width, height), layout="constrained")
     FigureCanvasAgg(figure)
     return figure
-
-
-def plain_logarithmic(axis: Axis) -> None:
-    """A logarithmic axis labelled 0.5, 1, 2 instead of powers of ten: for few decades."""
-    axis.axes.set(**{f"{axis.axis_name}scale": "log"})
-    axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
-    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.10g}"))
-    axis.set_minor_formatter(NullFormatter())
 
 
 def legend_above(figure: Figure, handles: list[Any], columns: int = 5) -> None:

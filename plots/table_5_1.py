@@ -3,27 +3,29 @@
 from __future__ import annotations
 
 from plots.measures import EDGE_BASED, Measure, count, our_cell
-from plots.models import left_out, ordered_meshes, relation
+from plots.models import left_out, of_thesis, ordered_meshes, relation
 from results import published
 from results.reader import Mesh, ResultError, Run
-from results.table import BLANK, Cell, Table
+from results.table import BLANK, Cell, Table, without_empty_columns
 
 DEPTH = Measure("strip_depth", "log_b n", count, spread=True)
 BASE = Measure("strip_b", "b", lambda value: f"{value:.4f}", spread=True)
-REMARKS = [
+OURS = (
     "log_b n is the strip depth: the longest chain of faces that a window is propagated across, "
     "from its source or pseudo-source. n is the number of vertices and b = n^(1 / log_b n). "
-    "Medians over sources with 95% bootstrap intervals.",
+    "Medians over sources with 95% bootstrap intervals."
+)
+PUBLISHED = (
     f"Published: {published.citation()}, Table 5.1; its source vertices are not known. A stand-in "
-    "is another mesh of the same shape or size: the published values beside it are context.",
-]
+    "is another mesh of the same shape or size: the published values beside it are context."
+)
 
 
 def table(run: Run) -> Table:
     """@raises ResultError when the edge-based solver was not run"""
     if EDGE_BASED not in run.solvers:
         raise ResultError(f"{run.file}: no {EDGE_BASED}, whose window tree this table measures")
-    return Table(
+    return without_empty_columns(Table(
         name="table_5_1",
         title="Table 5.1: depth of the window tree of the edge-based solver",
         header=[
@@ -32,8 +34,8 @@ def table(run: Run) -> Table:
         ],
         text_columns=2,
         rows=[_row(run, mesh) for mesh in ordered_meshes(run)],
-        remarks=REMARKS + left_out(run),
-    )  # fmt: skip
+        remarks=[OURS, *([PUBLISHED] if of_thesis(run) else []), *left_out(run)],
+    ))  # fmt: skip
 
 
 def _row(run: Run, mesh: Mesh) -> list[Cell]:

@@ -9,7 +9,7 @@ from plots.measures import (
 from plots.models import left_out, of_thesis, ordered_meshes, relation
 from results import published
 from results.reader import Mesh, Run
-from results.table import BLANK, Cell, Table
+from results.table import BLANK, Cell, Table, without_empty_columns
 
 OURS = (
     "Ours: medians over sources and repetitions; times are CPU times of one solve without "
@@ -28,14 +28,14 @@ SPACE = (
 
 
 def table(run: Run) -> Table:
-    return Table(
+    return without_empty_columns(Table(
         name="table_5_2",
         title="Table 5.2: performance of exact geodesic solvers",
         header=["Model", "Measure", *columns(run), "Window limit"],
         text_columns=2,
         rows=[row for mesh in ordered_meshes(run) for row in _block(run, mesh)],
         remarks=[OURS, *([PUBLISHED] if of_thesis(run) else []), SPACE, *left_out(run)],
-    )
+    ))  # fmt: skip
 
 
 def _block(run: Run, mesh: Mesh) -> list[list[Cell]]:

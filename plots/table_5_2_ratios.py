@@ -6,18 +6,18 @@ import math
 from itertools import pairwise
 
 from plots.measures import ABSENT, columns, failure
-from plots.models import groups_of_thesis, left_out, ordered_meshes
+from plots.models import groups_of_thesis, left_out, of_thesis, ordered_meshes
 from plots.ratios import BY_KEY, RATIOS, Mean, Ratio, over_meshes
 from results import published
 from results.published import Claim
 from results.reader import Mesh, Run
 from results.table import BLANK, Cell, Table, estimate_cell
 
-REMARKS = [
+OURS = (
     "Ours: geometric means of ratios paired by source and repetition, with 95% bootstrap intervals "
-    "over sources and repetitions. Definitions: docs/metrics.md.",
-    f"Published: computed from the values of {published.citation()}, Table 5.2.",
-]
+    "over sources and repetitions. Definitions: docs/metrics.md."
+)
+PUBLISHED = f"Published: computed from the values of {published.citation()}, Table 5.2."
 
 
 def ratios(run: Run) -> Table:
@@ -35,7 +35,7 @@ def ratios(run: Run) -> Table:
         header=["Ratio", "Model", "From", *columns(run)],
         text_columns=3,
         rows=rows,
-        remarks=REMARKS + left_out(run),
+        remarks=[OURS, *([PUBLISHED] if of_thesis(run) else []), *left_out(run)],
     )
 
 
@@ -67,12 +67,12 @@ def _mean_row(run: Run, ratio: Ratio) -> list[Cell]:
 
 def claims(run: Run) -> Table:
     """@raises ResultError when no mesh has to do with the thesis"""
-    of_thesis = groups_of_thesis(run)
-    groups = {words: [mesh.name for mesh in meshes] for words, meshes in of_thesis.items()}
+    models = groups_of_thesis(run)
+    groups = {words: [mesh.name for mesh in meshes] for words, meshes in models.items()}
     groups["all meshes"] = list(run.meshes)
     listed = "; ".join(
         f"{words}: {', '.join(mesh.label for mesh in meshes) or 'none'}"
-        for words, meshes in of_thesis.items()
+        for words, meshes in models.items()
     )
     return Table(
         name="table_5_2_claims",
@@ -88,7 +88,8 @@ def claims(run: Run) -> Table:
             for row in _claim_rows(run, claim, list(groups.values()))
         ],
         remarks=[
-            *REMARKS,
+            OURS,
+            PUBLISHED,
             "Ranges are over meshes (over sources and repetitions when there is one mesh). All "
             "meshes include those too small for meaningful times. Stand-ins are context: "
             f"they are other meshes than those that the thesis measured. In this run, {listed}.",

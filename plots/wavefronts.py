@@ -108,7 +108,9 @@ def appendix(name: str) -> Callable[[Run], Drawing]:
     def draw(run: Run) -> Drawing:
         recording = recordings(run)[0]
         if solver not in recording.solvers:
-            raise ResultError(f"{run.file}: no recordings of {solver} on {recording.mesh.name}")
+            where = f"recordings of {solver} on {recording.mesh.name}"
+            lacking = where if solver in run.solvers else f"{solver} in this run"
+            raise ResultError(f"{run.file}: no {lacking}")
         look = style.solver_styles(run.solvers)[solver]
         wavefront = recording.wavefront(solver, MOMENT)
         base = next(one for one in THESIS_SOLVERS if one in recording.solvers)

@@ -7,7 +7,7 @@ import csv
 import io
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from results.console import printable
@@ -55,6 +55,17 @@ class Table:
     def notes(self) -> list[str]:
         """The footnotes in the order in which their cells come."""
         return list(dict.fromkeys(cell.note for row in self.rows for cell in row if cell.note))
+
+
+def without_empty_columns(table: Table) -> Table:
+    """Without the columns in which no cell has a text."""
+    kept = [i for i in _columns(table) if any(row[i].text for row in table.rows)]
+    return replace(
+        table,
+        header=[table.header[i] for i in kept],
+        text_columns=sum(i < table.text_columns for i in kept),
+        rows=[[row[i] for i in kept] for row in table.rows],
+    )
 
 
 def mark(index: int) -> str:

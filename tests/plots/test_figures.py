@@ -9,6 +9,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -24,6 +25,7 @@ from matplotlib.text import Text
 from plots import catalogue, dot_figures, figure_5_9, growth, style
 from plots.catalogue import FIGURES
 from plots.dots import BEYOND
+from plots.logarithmic import logarithmic
 from results.console import ROOT
 from results.published import THESIS_SOLVERS
 from results.reader import ResultError, Row, Run
@@ -112,6 +114,24 @@ def cut_texts(figure: Figure) -> list[str]:
     ]
 
 
+def touching_labels(figure: Figure) -> list[tuple[str, str]]:
+    """Neighbours among the labels that are drawn on an axis with less than a pixel between them."""
+    figure.canvas.draw()
+    renderer = figure.canvas.get_renderer()
+    hidden = beyond_the_axis(figure)
+    found = []
+    for axis in [axis for axes in figure.axes for axis in (axes.xaxis, axes.yaxis)]:
+        end = 0 if axis.axis_name == "x" else 1
+        labels = [tick.label1 for tick in (*axis.get_major_ticks(), *axis.get_minor_ticks())]
+        boxes = sorted(
+            (*text.get_window_extent(renderer).get_points()[:, end], text.get_text())
+            for text in labels
+            if text.get_text() and text.get_visible() and text not in hidden
+        )
+        found += [(a[2], b[2]) for a, b in pairwise(boxes) if b[0] - a[1] < 1]
+    return found
+
+
 def beyond_the_axis(figure: Figure) -> set[Text]:
     """Labels of ticks that exist but are not drawn."""
     labels = {text for axes in figure.axes if not axes.axison for text in axes.findobj(Text)}
@@ -151,9 +171,12 @@ def dots_of(figure: Figure, marker: str) -> list[Line2D]:
 
 @pytest.mark.parametrize("name", FIGURES)
 class TestEveryFigure:
-    def test_no_text_is_cut_and_nothing_drawn_is_infinite(self, name: str, run: Run) -> None:
+    def test_no_text_is_cut_or_touched_and_nothing_drawn_is_infinite(
+        self, name: str, run: Run
+    ) -> None:
         figure = figure_of(name, run)
         assert cut_texts(figure) == []
+        assert touching_labels(figure) == []
         assert all(map(math.isfinite, drawn_numbers(figure)))
         assert all(axes.lines or axes.patches or axes.collections for axes in figure.axes)
 
@@ -240,6 +263,29 @@ def test_all_draws_what_it_can_and_says_what_it_leaves_out(golden_run: Run) -> N
     ]  # fmt: skip
     assert all("no recordings" in words for words in why.values())
     assert {"table_5_2", "speedup", "overview"} <= drawn.keys()
+
+
+@pytest.mark.parametrize("name", ["overview", "speedup", "time_over_vertices"])
+def test_labels_of_a_wide_range_do_not_touch(name: str, run: Run) -> None:
+    far = with_number(run, "ch", "flat-grid", "cpu_time", 1e5)
+    far = with_number(far, "ch", "flat-grid", "window_propagations", 1e6)
+    assert touching_labels(figure_of(name, far)) == []
+
+
+@pytest.mark.parametrize("inches", [0.7, 1.5, 6])
+@pytest.mark.parametrize(("low", "high"), [(0.9, 1.2), (0.5, 40), (0.4, 4e3), (1e-17, 1e9)])
+def test_a_logarithmic_axis_has_labels_as_far_as_there_is_room(
+    low: float, high: float, inches: float
+) -> None:
+    figure = style.new_figure(inches + 1, inches + 1)
+    axes = figure.subplots()
+    axes.plot([low, high], [low, high])
+    for axis in (axes.xaxis, axes.yaxis):
+        logarithmic(axis)
+    assert touching_labels(figure) == []
+    for axis in (axes.xaxis, axes.yaxis):
+        shown = set(axis.get_ticklabels()) - beyond_the_axis(figure)
+        assert sum(bool(text.get_text()) for text in shown) >= (1 if inches < 1 else 2)
 
 
 def test_solvers_differ_in_colour_mark_and_most_of_all_in_grey() -> None:
