@@ -36,7 +36,7 @@ def windows(run: Run) -> Drawing:
     @raises ResultError without recordings"""
     pair = [RIVAL, EDGE_BASED]
     as_in_thesis = set(pair) <= set(run.solvers)
-    found = recordings(run, *sorted(pair if as_in_thesis else []))[:MODELS]
+    found = (recordings(run, EDGE_BASED, RIVAL) if as_in_thesis else recordings(run))[:MODELS]
     kinds = {"all recorded": _solvers(run, found)}
     if as_in_thesis:
         kinds = {"as in the thesis": pair} | kinds
