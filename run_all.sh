@@ -164,6 +164,8 @@ step_run() {
   elif [[ -n $solvers ]]; then
     run_options+=(--solvers "$solvers")
   fi
+  local suite=$root/harness/suites/$corpus.json
+  if [[ -f $suite ]]; then what=("$suite"); fi
   if [[ -n $resumed ]]; then
     what=()
     where=(--resume "$resumed")

@@ -8,6 +8,7 @@
 #include "harness/corpus/sources.h"
 #include "harness/results/context.h"
 #include "harness/results/row.h"
+#include "harness/verify/references.h"
 #include "meshes/load.h"
 #include "solvers/core/registry.h"
 
@@ -15,7 +16,8 @@ namespace geodesic::harness {
 namespace {
 
 std::vector<const Description*> chosen_solvers(const Suite& suite) {
-  if (suite.reference && solver_named(*suite.reference).exactness != Exactness::exact) {
+  if (suite.reference && *suite.reference != kBruteForce &&
+      solver_named(*suite.reference).exactness != Exactness::exact) {
     throw HarnessError("'" + *suite.reference + "' is not exact: others cannot be verified by it");
   }
   std::vector<const Description*> solvers;
@@ -61,15 +63,25 @@ void restrict_to(const std::vector<std::string>& cells, std::vector<const Descri
   });
 }
 
+// Those that the manifest names, or else by the seed.
+std::vector<Index> sources_of(const MeshEntry& entry, const TriangleSoup& soup,
+                              const Suite& suite) {
+  if (entry.sources.empty()) return choose_sources(soup, entry.name, suite.sources, suite.seed);
+  std::vector<Index> sources = entry.sources;
+  if (std::cmp_less(suite.sources, sources.size())) {
+    sources.resize(static_cast<std::size_t>(suite.sources));
+  }
+  return sources;
+}
+
 PlannedMesh plan_mesh(const MeshEntry& entry, const RunRequest& request) {
   const LoadedMesh loaded = load_mesh(entry.file, {.repair = request.repair});
   const Mesh mesh(loaded.soup);
   const Suite& suite = request.suite;
-  PlannedMesh planned{
-      .entry = entry,
-      .vertices = mesh.vertex_count(),
-      .facts = describe(entry, loaded.soup, mesh),
-      .sources = choose_sources(loaded.soup, entry.name, suite.sources, suite.seed)};
+  PlannedMesh planned{.entry = entry,
+                      .vertices = mesh.vertex_count(),
+                      .facts = describe(entry, loaded.soup, mesh),
+                      .sources = sources_of(entry, loaded.soup, suite)};
   if (!loaded.repairs.empty()) planned.facts["repaired"] = true;
   for (const Description* solver : registered_solvers()) {
     const std::string why = unsupported(*solver, mesh);

@@ -14,14 +14,16 @@
 namespace geodesic::harness {
 namespace {
 
-// Empty when the distances were written; otherwise why not, which is also printed: the mesh is then
-// not the one that the manifest describes.
-std::string write_closed_form(const Cell& cell, bool repair, const std::filesystem::path& file) {
+// By kClosedForm or kBruteForce. Empty when the distances were written; otherwise why not, which is
+// also printed: the mesh is then not the one that the manifest describes.
+std::string write_known(const std::string& by, const Cell& cell, bool repair,
+                        const std::filesystem::path& file) {
   try {
     const MeshEntry& entry = cell.mesh->entry;
     const TriangleSoup soup = load_mesh(entry.file, {.repair = repair}).soup;
     const std::span source(&cell.source, 1);
-    write_distances(file, closed_form_distances(entry, soup, source).value());
+    write_distances(file, by == kBruteForce ? brute_force_distances(Mesh(soup), cell.source)
+                                            : closed_form_distances(entry, soup, source).value());
     return {};
   } catch (const std::exception& error) {
     std::cerr << "geodesic-bench: " << error.what() << '\n';
@@ -57,15 +59,19 @@ const std::string& References::compute(const Cell& cell, const std::string& solv
   const auto [at, first] = tried_.try_emplace(file.filename().string());
   lock.unlock();
   if (!first) return at->second;
-  return at->second = solver == kClosedForm ? write_closed_form(cell, request_.repair, file)
-                                            : solve(cell, solver, file);
+  const bool known = solver == kClosedForm || solver == kBruteForce;
+  return at->second =
+             known ? write_known(solver, cell, request_.repair, file) : solve(cell, solver, file);
 }
 
 Reference References::find(const Cell& cell) {
   std::vector<std::string> failures;
-  for (const std::string& solver : reference_candidates(
-           *cell.solver,
-           {.named = request_.suite.reference, .closed_form = has_closed_form(cell.mesh->entry)})) {
+  const std::optional<std::string>& named = request_.suite.reference;
+  const ReferenceSources sources{
+      .named = named,
+      .closed_form = has_closed_form(cell.mesh->entry),
+      .brute_force = named == kBruteForce && cell.mesh->facts["faces"] <= kBruteForceFaces};
+  for (const std::string& solver : reference_candidates(*cell.solver, sources)) {
     const std::string name = cell.mesh->entry.name + "__src" + std::to_string(cell.source) + "__" +
                              solver + ".distances";
     const std::string& failure = compute(cell, solver, folder_ / name);

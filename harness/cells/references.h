@@ -1,5 +1,5 @@
-// Reference distances, computed once a run and kept in the run folder: by a closed form, or by a
-// solver in a process of its own.
+// Reference distances, computed once a run and kept in the run folder: by a closed form, by brute
+// force, or by a solver in a process of its own.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@
 namespace geodesic::harness {
 
 struct Reference {
-  std::string solver;  ///< or kClosedForm
+  std::string solver;  ///< or kClosedForm, kBruteForce
   std::filesystem::path file;
 };
 
@@ -31,7 +31,8 @@ class References {
       : folder_(std::move(folder)), request_(request), waiting_(std::move(waiting)) {}
 
   /// Distances to verify this cell by: from the solver that the suite names, the closed form of the
-  /// mesh, or the best ranked solver (verify/references.h) that supports the mesh and succeeds.
+  /// mesh, brute force where the suite names it and the mesh is small enough, or the best ranked
+  /// solver (verify/references.h) that supports the mesh and succeeds.
   /// @throws HarnessError saying why each candidate gave none
   Reference find(const Cell& cell);
 

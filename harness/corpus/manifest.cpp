@@ -28,7 +28,10 @@ MeshEntry entry_of(const Json& mesh, const fs::path& cache) {
                   .vertices = mesh["vertices"],
                   .faces = mesh["faces"],
                   .stand_in = mesh.value("stand_in", false),
-                  .recipe = recipe_of(mesh)};
+                  .recipe = recipe_of(mesh),
+                  .why = mesh["why"],
+                  .sources = mesh.value("sources", std::vector<Index>()),
+                  .reports = mesh.value("reports", std::vector<std::string>())};
   if (mesh.contains("thesis_model")) entry.thesis_model = mesh["thesis_model"];
   return entry;
 }

@@ -29,7 +29,10 @@ struct MeshEntry {
   std::size_t vertices = 0, faces = 0;           ///< of the manifest's meshes; of other files 0
   std::optional<std::string> thesis_model = {};  ///< its row in the thesis's tables
   bool stand_in = false;                         ///< stands for that model without being it
-  std::optional<Recipe> recipe = {};  ///< of a generated mesh that is made from no other file
+  std::optional<Recipe> recipe = {};      ///< of a generated mesh that is made from no other file
+  std::string why = {};                   ///< it is in the corpus; one line
+  std::vector<Index> sources = {};        ///< to solve from; empty: chosen by the seed
+  std::vector<std::string> reports = {};  ///< of users of other codes on such a mesh: addresses
 
   bool available() const {
     std::error_code unreadable;

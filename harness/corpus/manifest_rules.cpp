@@ -151,6 +151,17 @@ Rule filled(const Rule& rule) {
   };
 }
 
+Rule list_of(const Rule& rule) {
+  return [rule](const Json& list) {
+    must_be(list.is_array(), "a list", list);
+    for (const Json& value : list) rule(value);
+  };
+}
+
+void is_address(const Json& value) {
+  must_be(text_of(value).starts_with("https://"), "an https:// address", value);
+}
+
 void is_list_of_names(const Json& list) {
   must_be(list.is_array(), "a list", list);
   std::set<std::string> seen;
@@ -212,11 +223,17 @@ void is_mesh(const Json& entry) {
                {"boundary_loops", is_count},
                {"components", is_count},
                {"tags", is_list_of_names},
+               {"sources", filled(list_of(is_count)), false},
+               {"reports", filled(list_of(is_address)), false},
                {"thesis_model",
                 one_of({"knot", "horse", "bunny", "hand", "rocker arm", "lucy", "asian dragon",
                         "cervino terrain"}),
                 has_model},
                {"stand_in", is_flag, has_model}});
+  for (const Json& source : entry.value("sources", Json::array())) {
+    const bool exists = source < entry["vertices"];
+    at_place("sources", [&] { must_be(exists, "vertices of the mesh", source); });
+  }
 }
 
 void is_elevation_grid(const Json& entry) {

@@ -22,7 +22,8 @@ struct Suite {
   std::uint64_t seed = 1;                 ///< of the choice of sources
   double min_time = 0.05;                 ///< seconds, minimum of a repetition
   std::optional<std::string> reference =
-      {};                        ///< solver to verify by; by default one of another kind
+      {};                        ///< solver to verify by, or "brute force" where a closed form is
+                                 ///< not known; by default a solver of another kind
   std::string vectors = "auto";  ///< instruction set (corpus/vectors.h)
   double time_limit = 3600;      ///< seconds for the process of a cell
   std::optional<std::uint64_t> memory_limit =

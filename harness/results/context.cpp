@@ -38,7 +38,7 @@ Json describe(const Description& solver) {
 
 Json describe(const MeshEntry& entry, const TriangleSoup& soup, const Mesh& mesh) {
   const MeshSummary summary = summarize(soup);
-  return {
+  Json facts{
       {"name", entry.name},
       {"file", entry.file.filename().string()},
       {"sha256", sha256_of_file(entry.file)},
@@ -52,6 +52,9 @@ Json describe(const MeshEntry& entry, const TriangleSoup& soup, const Mesh& mesh
       {"thesis_model", entry.thesis_model},
       {"stand_in", entry.stand_in},
   };
+  if (!entry.why.empty()) facts["why"] = entry.why;
+  if (!entry.reports.empty()) facts["reports"] = entry.reports;
+  return facts;
 }
 
 std::string utc_now() {

@@ -23,7 +23,7 @@ inline constexpr Index kBruteForceFaces = 400;
 
 /// The references that there are beside the registered solvers.
 struct ReferenceSources {
-  std::optional<std::string> named = {};  ///< the exact solver that the user names
+  std::optional<std::string> named = {};  ///< the exact solver that the user names, or kBruteForce
   bool closed_form = false;               ///< the mesh has one
   bool brute_force = false;               ///< the mesh is small enough
 };

@@ -67,7 +67,7 @@ struct Family {
 // The families, one function a source file.
 Family box();
 std::vector<Family> cones();     ///< cone, saddle-cone
-std::vector<Family> sheets();    ///< grid, square-with-hole, holed-plate, egg-carton
+std::vector<Family> sheets();    ///< grid, capped-grid, square-with-hole, holed-plate, egg-carton
 std::vector<Family> spheres();   ///< icosphere, two-components
 std::vector<Family> terrains();  ///< terrain, elevation
 std::vector<Family> tubes();     ///< cylinder, needles, torus, torus-knot
@@ -75,6 +75,7 @@ Family clean();
 Family noise();
 Family refine();
 Family subdivide();
+Family transform();
 
 /// Distances of all vertices: `distance(v)`, rounded to double.
 template <typename Distance>

@@ -25,6 +25,26 @@ std::vector<double> grid_distances(const CheckedParameters& /*parameters*/,
       soup, [&](Index v) { return distance(from, seen_from_above(soup.positions[v])); });
 }
 
+/// Of the triangle on edge (i, j) - (i + 1, j), whose third vertex lies at that height over the
+/// edge's middle: in the face above, so that the sheet stays flat and its cells stay covered once.
+TriangleSoup make_capped_grid(const CheckedParameters& parameters) {
+  Sheet sheet = sheet_of(parameters, "columns", "rows");
+  const double height = parameters.real("cap");
+  TriangleSoup soup = make_sheet(sheet, [](Index i, Index j) { return Vec3{1.0 * i, 1.0 * j, 0}; });
+  const Index width = sheet.vertex_columns();
+  for (Index j = 1; j < sheet.rows; ++j)
+    for (Index i = 0; i < sheet.columns; ++i) {
+      const Index a = j * width + i, b = a + 1, cap = static_cast<Index>(soup.positions.size());
+      soup.positions.push_back({i + 0.5, j + height, 0});
+      Triangle& above = soup.triangles[2 * (std::size_t{j} * sheet.columns + i)];  // {a, b, apex}
+      const Index apex = above[2];
+      above = {a, cap, apex};
+      soup.triangles.push_back({cap, b, apex});
+      soup.triangles.push_back({a, b, cap});
+    }
+  return soup;
+}
+
 TriangleSoup make_square_with_hole(const CheckedParameters& parameters) {
   const Index hole = parameters.integer("hole");
   const Index rim = parameters.integer("rim");
@@ -137,6 +157,18 @@ std::vector<Family> sheets() {
                        real_parameter("spacing", 1, 1e-6, 1e6, "side of a cell"),
                        diagonal_parameter()}},
        make_grid,
+       grid_distances},
+      {{.name = "capped-grid",
+        .description = "flat rectangle of unit cells in the plane z = 0 with a flat triangle on "
+                       "every inner edge along x, (columns + 1)(rows + 1) + columns (rows - 1) "
+                       "vertices",
+        .closed_form = "d(a, b) = |a - b|",
+        .parameters = {integer_parameter("columns", 8, 1, 40000, "cells along x"),
+                       integer_parameter("rows", 8, 1, 40000, "cells along y"),
+                       real_parameter("cap", 1e-6, 0, 0.4,
+                                      "height of these triangles; without area at 0"),
+                       diagonal_parameter()}},
+       make_capped_grid,
        grid_distances},
       {{.name = "square-with-hole",
         .description = "flat square of unit cells in the plane z = 0 with a square hole in its "

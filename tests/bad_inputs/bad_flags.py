@@ -128,7 +128,7 @@ CASES = [
     # Python programs
     flag("fetch.py", "fetch.py: name a --corpus or meshes; see fetch.py --help"),
     flag("fetch.py --corpsu tiny", "unrecognized arguments: --corpsu", "see fetch.py --help"),
-    flag("fetch.py --corpus tinny", "fetch.py: no corpus named 'tinny'; there are: growth"),
+    flag("fetch.py --corpus tinny", "fetch.py: no corpus named 'tinny'; there are: break-even"),
     flag(r"fetch.py $'\e[31mred'", r"fetch.py: no mesh named '\x1b[31mred'; there are: beetle-alt"),
     flag("check.py --runs x", "check.py: unrecognized arguments: --runs x; see check.py --help"),
     flag("plots table_5_1 --run nowhere", "plots: nowhere: no such folder; ./run_all.sh run"),

@@ -86,6 +86,12 @@ def test_the_large_corpus_begins_at_400_000_vertices() -> None:
     assert min(mesh["vertices"] for mesh in members("large")) >= 400_000
 
 
+def test_every_case_of_the_robustness_corpus_names_its_sources_and_has_an_oracle() -> None:
+    for mesh in members("robustness"):
+        closed_form = mesh["generator"] in ("box", "capped-grid", "grid", "cone", "square-with-hole")
+        assert mesh["sources"] and (closed_form or mesh["faces"] <= 400), mesh["name"]
+
+
 def test_every_entry_is_in_a_corpus_or_what_one_is_made_from() -> None:
     used = {name for members in COMMITTED["corpora"].values() for name in members}
     used |= {name for mesh in COMMITTED["meshes"] for name in mesh.get("inputs", {}).values()}
@@ -149,6 +155,10 @@ def set_in(place: str, *values: Any) -> Damage:
         (set_in("meshes/0/faces", 0.5), "faces: must be an integer of at least 0, not 0.5", True),
         (set_in("meshes/0/sha256", "12"), 'sha256: must be 64 hexadecimal digits in lower', True),
         (set_in("meshes/0/tags", ["x", "x"]), 'tags: "x" is listed twice', True),
+        (set_in("meshes/0/sources", []), "a: sources: must not be empty", True),
+        (set_in("meshes/0/sources", [-1]), "sources: must be an integer of at least 0", True),
+        (set_in("meshes/0/sources", [99]), "sources: must be vertices of the mesh, not 99", False),
+        (set_in("meshes/0/reports", ["x"]), "reports: must be an https:// address", True),
         (set_in("meshes/0/path", "site/../../x"), "path: invalid name in a path '..'", True),
         (set_in("meshes/0/path", "/site/x"), "path: invalid name in a path ''", True),
         (set_in("meshes/0/path", "a.obj"), "path: must be a path that begins with", True),

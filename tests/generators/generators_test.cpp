@@ -73,6 +73,7 @@ const Expected kExpected[] = {
      2,
      0,
      0x336466114d116ed5u},
+    {"capped_grid", "capped-grid", {}, 137, 240, 1, 1, 0xb23e515ead65e0bdu},
     {"cone", "cone", {}, 1633, 3072, 1, 1, 0xd43e6656e1b28471u},
     {"cylinder", "cylinder", {}, 1200, 2304, 0, 2, 0xc8ea96d5623aac4bu},
     {"egg_carton", "egg-carton", {}, 2401, 4608, 1, 1, 0x581b330a76157aaeu},

@@ -52,6 +52,9 @@ INSTANTIATE_TEST_SUITE_P(
     Shapes, KnownDistances,
     ::testing::Values(
         Shape{"grid", {{"columns", 4}, {"rows", 3}, {"spacing", 0.3}}},
+        Shape{"capped-grid", {{"columns", 3}, {"rows", 3}, {"cap", 0.3}}},
+        Shape{"capped-grid", {{"columns", 3}, {"rows", 3}, {"cap", 1e-9}}},
+        Shape{"capped-grid", {{"columns", 3}, {"rows", 3}, {"cap", 0}}},
         Shape{"box", {{"x-cells", 1}, {"y-cells", 1}, {"z-cells", 1}}},
         Shape{"box", {{"x-cells", 2}, {"y-cells", 2}, {"z-cells", 2}, {"spacing", 0.7}}},
         Shape{"box", {{"x-cells", 3}, {"y-cells", 2}, {"z-cells", 1}, {"spacing", 0.1}}},
