@@ -14,5 +14,6 @@ function(geodesic_add_peer name)
   # The authors' warnings are not ours to repair. Contraction stays off, as geodesic_add_solver has
   # it: with it, exact codes answer differently by the processor that they are compiled for.
   target_compile_options(${name} PRIVATE -w)
+  target_link_options(${name} PRIVATE LINKER:--no-undefined)
   target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
 endfunction()

@@ -1,0 +1,53 @@
+// ICH by its authors: Chen and Han's algorithm with a filter of windows and a priority queue.
+#include <ICHWithFurtherPriorityQueue.hpp>
+
+#include "peer.h"
+
+namespace geodesic {
+namespace {
+
+class XinWangIch final : public Solver {
+ public:
+  XinWangIch(const Mesh& mesh, const Description& description) : Solver(mesh, description) {
+    std::vector<CPoint3D> points;
+    for (const Vec3& p : mesh.positions()) points.emplace_back(p[0], p[1], p[2]);
+    std::vector<CFace> faces;
+    for (Index f = 0; f < mesh.face_count(); ++f) {
+      const auto [a, b, c] = mesh.triangle(f);
+      faces.emplace_back(a, b, c);
+    }
+    model_.LoadModel(points, faces);
+    model_.Preprocess();
+  }
+
+ private:
+  // The state of a solve lies in an object of its own; the model is constant.
+  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+    std::set<int> sources;
+    for (const Source& source : query.sources) sources.insert(static_cast<int>(source.vertex));
+    CICHWithFurtherPriorityQueue algorithm(model_, sources);
+    algorithm.Execute();
+    for (Index v = 0; v < distances.size(); ++v) {
+      const double d = algorithm.m_InfoAtVertices[v].disUptodate;
+      if (d < DBL_MAX) distances[v] = d;
+    }
+    if (recording != nullptr) recording->windows_created = algorithm.GetWindowNum();
+  }
+
+  CRichModel model_;
+};
+
+const RegisterSolver<XinWangIch> registered{{
+    .name = "xin-wang-ich",
+    .family = "CH",
+    .paper = "Xin, Wang 2009, Improving Chen and Han's algorithm on the discrete geodesic problem",
+    .data_structure = "priority queue",
+    .time_complexity = "O(n^2 log n)",
+    .space_complexity = "O(n)",
+    .propagation = "window",
+    .abilities = {.initial_distances = false},
+    .remarks = peer::remarks("the authors' code, as packaged for Python by S. Ramachandran"),
+}};
+
+}  // namespace
+}  // namespace geodesic
