@@ -6,8 +6,9 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from plots import (
-    curves, dot_figures, drawing, figure_5_9, figure_6_4, growth, overview, summary, table_5_1,
-    table_5_2, table_5_2_ratios, table_5_3, table_thesis, wavefronts,
+    answers, break_even, curves, dot_figures, drawing, figure_5_9, figure_6_4, growth, overview,
+    robustness, summary, table_5_1, table_5_2, table_5_2_ratios, table_5_3, table_thesis, twins,
+    wavefronts,
 )  # fmt: skip
 from plots.drawing import Drawing
 from results import table
@@ -24,6 +25,11 @@ TABLES: dict[str, Callable[[Run], Table]] = {
     "table_5_3": table_5_3.table,
     "table_growth": growth.table,
     "table_growth_exponents": growth.exponents,
+    "answers": answers.table,
+    "twins": twins.table,
+    "break_even_numbers": break_even.table,
+    "robustness": robustness.matrix,
+    "robustness_failures": robustness.failures,
 }
 FIGURES: dict[str, Callable[[Run], Drawing]] = {
     "overview": overview.figure,
@@ -37,6 +43,7 @@ FIGURES: dict[str, Callable[[Run], Drawing]] = {
     "windows_over_limit": dot_figures.windows_over_limit,
     "time_over_vertices": growth.figure,
     "accuracy": dot_figures.accuracy,
+    "break_even": break_even.figure,
     **{name: wavefronts.appendix(name) for name in wavefronts.APPENDIX},
 }
 """In the order in which the report shows them; the functions raise ResultError when the run lacks

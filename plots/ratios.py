@@ -20,7 +20,7 @@ from results.table import Cell, estimate_cell
 RIVAL = "the solver in the column"
 
 
-def _plain(value: float) -> str:
+def plain(value: float) -> str:
     return f"{value:.3f}" if value < 10 else f"{value:,.1f}"
 
 
@@ -36,7 +36,7 @@ class Ratio:
     label: str
     above: tuple[str, Measure]
     below: tuple[str, Measure]
-    show: Callable[[float], str] = _plain
+    show: Callable[[float], str] = plain
     note: str = ""
     falling: bool = False
     """Whether what is shown falls as the ratio rises."""

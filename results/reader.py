@@ -39,6 +39,10 @@ class Mesh:
     mean_edge_length: float
     thesis_model: str | None
     stand_in: bool
+    why: str = ""
+    """It is in the corpus."""
+    reports: tuple[str, ...] = ()
+    """Addresses of reports by users of other codes on such a mesh."""
 
     @property
     def label(self) -> str:
@@ -59,6 +63,8 @@ class Solver:
     exact: bool
     independent_oracle: bool
     remarks: str
+    exactness: str = "exact"
+    """Or "bounded", "upper_bound", "unbounded"."""
 
 
 @dataclass(frozen=True, order=True)
@@ -295,6 +301,8 @@ def _typed(file: Path, data: Any) -> Run:
             mean_edge_length=mesh["mean_edge_length"],
             thesis_model=mesh["thesis_model"],
             stand_in=mesh["stand_in"],
+            why=mesh.get("why", ""),
+            reports=tuple(mesh.get("reports", ())),
         )
         for mesh in ours["meshes"]
     ]

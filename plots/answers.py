@@ -1,0 +1,126 @@
+"""What an answer costs: of every solver on every mesh the time of its first answer and of each
+further one, memory and errors."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from plots.measures import (
+    ABSENT, EDGE_BASED, PEAK_BYTES, PREPARATION, RESIDENT, TIME, WALL_TIME, baseline, by_source,
+    columns, failure, interval, our_cell, partial_failure, time_unit,
+)  # fmt: skip
+from plots.models import ordered_meshes
+from plots.ratios import plain
+from results.reader import Mesh, Row, Run
+from results.statistics import geometric_mean, median
+from results.table import BLANK, Cell, Table, estimate_cell
+
+Time = Callable[[Row], float]
+"""Of an ok row, in seconds."""
+
+
+def solve(row: Row) -> float:
+    """Of the CPU, and of the wall where several threads share the work."""
+    several = row.numbers.get("threads", 1) > 1
+    return 1e-3 * row.numbers[(WALL_TIME if several else TIME).key]
+
+
+def preparation(row: Row) -> float:
+    return 1e-3 * row.numbers.get(PREPARATION.key, 0)
+
+
+def first(row: Row) -> float:
+    return preparation(row) + solve(row)
+
+
+def further(row: Row) -> float:
+    """Of an answer from another source by the same object."""
+    return 1e-3 * row.numbers.get("renew_time", 0) + solve(row)
+
+
+def times(run: Run, mesh: str, solver: str, time: Time) -> dict[tuple[int, int], float]:
+    """By (source, repetition)."""
+    rows = [row for row in run.cell(mesh, solver) if TIME.key in row.numbers]
+    return {(row.source, row.repetition): time(row) for row in rows}
+
+
+def errors(run: Run, mesh: str, solver: str, key: str) -> list[float]:
+    """Of right and wrong answers, one a row that has it."""
+    return [row.data[key] for row in run.cell(mesh, solver) if key in row.data]
+
+
+def error_text(error: float) -> str:
+    return f"{error:.1e}"
+
+
+def table(run: Run) -> Table:
+    base = baseline(run, EDGE_BASED)
+    return Table(
+        name="answers",
+        title="First answer and further ones",
+        header=[
+            "Mesh", "Solver", "Promise", "Outcome", "First answer", f"/ {base}", "Each further",
+            f"/ {base}, further", "Solver's peak (MB)", "Process's peak (MB)", "Largest error",
+            "Mean error",
+        ],
+        text_columns=4,
+        rows=[row for mesh in ordered_meshes(run) for row in _block(run, mesh, base)],
+        remarks=[
+            "First answer: preparation (conversion of the mesh, factorisation) and a solve; each "
+            "further: what has to be built again for another source, and a solve. CPU time, and "
+            "wall time of solvers with several threads: medians over sources and repetitions. "
+            "Ratios are paired by source and repetition: geometric means with 95% bootstrap "
+            "intervals. Errors are relative, against the reference: the largest, and the median "
+            "over sources of the mean over vertices; wrong answers have no time, but errors.",
+        ],
+    )
+
+
+def _block(run: Run, mesh: Mesh, base: str) -> list[list[Cell]]:
+    firsts = {s: times(run, mesh.name, s, first) for s in columns(run)}
+    middle = {s: median(by_source(of)).value for s, of in firsts.items() if of}
+    order = sorted(firsts, key=lambda s: middle.get(s, float("inf")))
+    return [
+        [Cell("" if index else mesh.name, mesh.label), *_row(run, mesh.name, solver, base)]
+        for index, solver in enumerate(order)
+    ]
+
+
+def _row(run: Run, mesh: str, solver: str, base: str) -> list[Cell]:
+    note = partial_failure(run, mesh, solver)
+    failed = failure(run, mesh, solver)
+    if failed:
+        costs = [BLANK] * 6
+    else:
+        costs = [
+            *_time(run, mesh, solver, base, first),
+            *_time(run, mesh, solver, base, further),
+            our_cell(run, mesh, solver, PEAK_BYTES),
+            our_cell(run, mesh, solver, RESIDENT),
+        ]
+    largest = errors(run, mesh, solver, "max_relative_error")
+    mean = errors(run, mesh, solver, "mean_relative_error")
+    return [
+        Cell(solver),
+        Cell(run.solvers[solver].exactness.replace("_", " ")),
+        failed or Cell("ok", note=note),
+        *costs,
+        _error(max(largest)) if largest else Cell(ABSENT),
+        _error(median([mean]).value) if mean else Cell(ABSENT),
+    ]
+
+
+def _time(run: Run, mesh: str, solver: str, base: str, time: Time) -> list[Cell]:
+    """The time, and its ratio to that of the base."""
+    ours, theirs = (times(run, mesh, s, time) for s in (solver, base))
+    estimate = median(by_source(ours))
+    shown = time_unit([estimate.value]).text(estimate.value)
+    pairs = {pair: ours[pair] / theirs[pair] for pair in ours.keys() & theirs.keys()}
+    if not pairs:
+        return [estimate_cell(estimate, shown), Cell(ABSENT)]
+    ratio = geometric_mean([by_source(pairs)])
+    return [estimate_cell(estimate, shown), estimate_cell(ratio, interval(ratio, plain))]
+
+
+def _error(error: float) -> Cell:
+    return Cell(error_text(error), error)

@@ -1,0 +1,213 @@
+"""From how many sources on a heat method, which factorises a matrix first, is faster than the exact
+solver; and what its answers are worth."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
+
+from plots import style
+from plots.answers import error_text, errors, further, preparation, times
+from plots.dots import sentences
+from plots.drawing import Drawing
+from plots.logarithmic import logarithmic
+from plots.measures import EDGE_BASED, baseline, by_source, columns, count, interval, time_unit
+from results.reader import Mesh, ResultError, Run
+from results.statistics import Estimate, median
+from results.table import Cell, Table, estimate_cell
+
+LEAST_MESHES = 2
+
+
+@dataclass(frozen=True)
+class Point:
+    """A heat method and the exact solver on one mesh; medians over sources and repetitions."""
+
+    mesh: Mesh
+    preparations: tuple[float, float]
+    """Seconds, of the heat method and of the exact solver."""
+    furthers: tuple[float, float]
+    sources: Estimate
+    """From so many on the heat method takes less time in all; infinite where it never does."""
+    mean_error: float
+    largest_error: float
+
+
+def break_even(preparations: tuple[float, float], furthers: tuple[float, float]) -> float:
+    """The number of sources n with preparation + n times further the same for both; at least 0,
+    infinite when a further answer of the first takes longer than one of the second.
+
+    @param preparations, furthers of the heat method and of the exact solver, in one unit"""
+    saved = furthers[1] - furthers[0]
+    return max(0.0, (preparations[0] - preparations[1]) / saved) if saved > 0 else math.inf
+
+
+def series(run: Run) -> tuple[str, dict[str, list[Point]]]:
+    """The exact solver, and by heat method the meshes that both have answered, by vertices.
+
+    @raises ResultError when no heat method has two such meshes"""
+    exact = baseline(run, EDGE_BASED)
+    meshes = sorted(run.meshes.values(), key=lambda mesh: mesh.vertices)
+    heats = [solver for solver in columns(run) if solver.split("?")[0].endswith("heat")]
+    found = {heat: [p for mesh in meshes if (p := _point(run, mesh, heat, exact))]
+             for heat in heats}  # fmt: skip
+    long = {heat: points for heat, points in found.items() if len(points) >= LEAST_MESHES}
+    if not long:
+        raise ResultError(
+            f"{run.file}: no heat method and exact solver with the times of {LEAST_MESHES} meshes; "
+            "run --corpus break-even --peers all"
+        )
+    return exact, long
+
+
+def _point(run: Run, mesh: Mesh, heat: str, exact: str) -> Point | None:
+    prepared, solved = ([times(run, mesh.name, s, time) for s in (heat, exact)]
+                        for time in (preparation, further))  # fmt: skip
+    pairs = solved[0].keys() & solved[1].keys()
+    if not pairs:
+        return None
+    numbers = {
+        pair: break_even((prepared[0][pair], prepared[1][pair]), (solved[0][pair], solved[1][pair]))
+        for pair in sorted(pairs)
+    }
+
+    def middle(of: list[dict[tuple[int, int], float]]) -> tuple[float, float]:
+        heat_time, exact_time = (median(by_source(each)).value for each in of)
+        return heat_time, exact_time
+
+    mean = errors(run, mesh.name, heat, "mean_relative_error")
+    largest = errors(run, mesh.name, heat, "max_relative_error")
+    return Point(
+        mesh, middle(prepared), middle(solved), _over(by_source(numbers)),
+        median([mean]).value if mean else math.nan, max(largest, default=math.nan),
+    )  # fmt: skip
+
+
+def _over(sample: list[list[float]]) -> Estimate:
+    if any(math.isinf(value) for group in sample for value in group):
+        middle = sorted(value for group in sample for value in group)[sum(map(len, sample)) // 2]
+        return Estimate(middle, middle, middle, middle, middle)
+    return median(sample)
+
+
+def table(run: Run) -> Table:
+    """@raises ResultError as series does"""
+    exact, found = series(run)
+    return Table(
+        name="break_even_numbers",
+        title=f"From how many sources on a heat method is faster than {exact}",
+        header=[
+            "Solver", "Mesh", "n", "Preparation", f"of {exact}", "Each further", f"of {exact} ",
+            "Break-even (sources)", "Mean error", "Largest error",
+        ],
+        text_columns=2,
+        rows=[_row(heat, point) for heat, points in found.items() for point in points],
+        remarks=[
+            f"n sources take preparation + n times each further; from the break-even on the heat "
+            f"method takes less in all than {exact}. It is computed for each source and repetition "
+            "that both have: medians with 95% bootstrap intervals. Errors are relative, the median "
+            "over sources of the mean over vertices, and the largest.",
+        ],
+    )
+
+
+def _row(heat: str, point: Point) -> list[Cell]:
+    def seconds(value: float) -> Cell:
+        return Cell(time_unit([value]).text(value), value)
+
+    def error(value: float) -> Cell:
+        return Cell(error_text(value), value) if math.isfinite(value) else Cell("not known")
+
+    return [
+        Cell(heat),
+        Cell(point.mesh.name),
+        Cell(count(point.mesh.vertices), point.mesh.vertices),
+        *map(seconds, point.preparations),
+        *map(seconds, point.furthers),
+        estimate_cell(point.sources, interval(point.sources, _sources))
+        if math.isfinite(point.sources.value)
+        else Cell("never"),
+        error(point.mean_error),
+        error(point.largest_error),
+    ]
+
+
+def _sources(value: float) -> str:
+    return f"{value:,.1f}"
+
+
+def figure(run: Run) -> Drawing:
+    """@raises ResultError as series does"""
+    exact, found = series(run)
+    styles = style.solver_styles(run.solvers)
+    picture = style.new_figure(3.4)
+    left, right = picture.subplots(1, 2)
+    for heat, points in found.items():
+        look = styles[heat]
+        line = {"color": look.color, "marker": look.marker, "markersize": 4.5}
+        _draw_sources(left, points, line, look.line)
+        for key, fill, dashes in [("mean_error", look.color, look.line),
+                                  ("largest_error", "white", (0, (1, 2)))]:  # fmt: skip
+            known = [(p.mesh.vertices, getattr(p, key)) for p in points if getattr(p, key) > 0]
+            if known:
+                right.plot(*zip(*known, strict=True), linestyle=dashes, markerfacecolor=fill, **line)
+    for axes, label in [(left, f"break-even with {style.plain(exact)} (sources)"),
+                        (right, "relative error")]:  # fmt: skip
+        axes.set_xlabel("vertices $n$")
+        axes.set_ylabel(label)
+        axes.grid()
+        for axis in (axes.xaxis, axes.yaxis):
+            if axes.lines:
+                logarithmic(axis)
+    handles = [
+        Line2D([], [], color=styles[h].color, marker=styles[h].marker, markersize=4.5,
+               linestyle=styles[h].line, label=style.plain(h))
+        for h in found
+    ]  # fmt: skip
+    for words, fill in [("mean error", style.PALE), ("largest error", "white")]:
+        handles.append(Line2D([], [], color=style.PALE, marker="o", markersize=4.5, linestyle="",
+                              markerfacecolor=fill, label=words))  # fmt: skip
+    style.legend_above(picture, handles)
+    return Drawing(
+        title=f"From how many sources on a heat method is faster than {exact}",
+        caption=sentences(
+            f"Left: the number of sources whose answers take a heat method and {exact} the same "
+            "time, preparation included; medians over sources and repetitions with 95% bootstrap "
+            f"intervals. Below a line {exact} is faster. Right: the relative errors of the heat "
+            "methods, mean and largest.",
+            *(_sentence(heat, exact, points) for heat, points in found.items()),
+        ),
+        figure=picture,
+    )
+
+
+def _draw_sources(axes: Axes, points: list[Point], line: dict[str, object], dashes: object) -> None:
+    shown = [p for p in points if 0 < p.sources.value < math.inf]
+    if not shown:
+        return
+    values = [p.sources.value for p in shown]
+    reach = [[v - p.sources.low for v, p in zip(values, shown, strict=True)],
+             [p.sources.high - v for v, p in zip(values, shown, strict=True)]]  # fmt: skip
+    vertices = [p.mesh.vertices for p in shown]
+    axes.errorbar(vertices, values, yerr=reach, linestyle=dashes, elinewidth=1, **line)
+
+
+def _sentence(heat: str, exact: str, points: list[Point]) -> str:
+    """What the first and the last mesh show."""
+    words = [
+        f"{_many(point.sources.value)} at {count(point.mesh.vertices)} vertices"
+        for point in (points[0], points[-1])
+    ]
+    worst = max((p.mean_error for p in points if math.isfinite(p.mean_error)), default=math.nan)
+    error = f", with a mean error of up to {100 * worst:.2g}%" if math.isfinite(worst) else ""
+    return f"{heat} is faster than {exact} from {' and '.join(words)} on{error}."
+
+
+def _many(value: float) -> str:
+    if math.isinf(value):
+        return "no number of sources"
+    sources = math.floor(value) + 1
+    return f"{sources:,} sources" if sources > 1 else "the first source"

@@ -1,0 +1,67 @@
+"""How fair our rivals are: our implementation of an algorithm against its public ones."""
+
+from __future__ import annotations
+
+from plots.measures import ABSENT, PROPAGATIONS, TIME, by_source, count, values
+from plots.models import ordered_meshes
+from plots.ratios import Ratio, over_meshes
+from results.reader import ResultError, Run
+from results.statistics import median
+from results.table import BLANK, Cell, Table, estimate_cell
+
+TWINS = [
+    ("mmp", "libigl-exact"),
+    ("mmp", "gc-exact"),
+    ("ich", "xin-wang-ich"),
+    ("ich", "cgal"),
+    ("edge-based", "vtp"),
+]
+"""Ours, and a code of others for the same algorithm: that of Kirsanov for MMP (libigl, and
+geometry-central with its repairs), of its authors and of CGAL for ICH, of its authors for VTP."""
+ALL = "all meshes"
+
+
+def table(run: Run) -> Table:
+    """@raises ResultError when the run has no two twins"""
+    pairs = [pair for pair in TWINS if set(pair) <= set(run.solvers)]
+    if not pairs:
+        codes = ", ".join(twin for _, twin in TWINS)
+        raise ResultError(f"{run.file}: no solver of ours beside a public code of its kind ({codes})")
+    return Table(
+        name="twins",
+        title="Ours and the public codes of the same algorithm",
+        header=[
+            "Ours", "Public code", "Mesh", "Time / ours", "Windows, ours", "Windows", "/ ours",
+        ],
+        text_columns=3,
+        rows=[row for ours, twin in pairs for row in _block(run, ours, twin)],
+        remarks=[
+            "CPU time of a solve without preparation, the public code's over ours, paired by source "
+            "and repetition: geometric means with 95% bootstrap intervals. Windows propagated, "
+            "where both count them; what is counted may differ (docs/metrics.md).",
+        ],
+    )
+
+
+def _block(run: Run, ours: str, twin: str) -> list[list[Cell]]:
+    time = Ratio("", "", (twin, TIME), (ours, TIME))
+    windows = Ratio("", "", (twin, PROPAGATIONS), (ours, PROPAGATIONS))
+    rows = []
+    for mesh in ordered_meshes(run):
+        counts = (by_source(values(run, mesh.name, s, PROPAGATIONS)) for s in (ours, twin))
+        medians = [median(sample) if sample else None for sample in counts]
+        rows.append([
+            Cell(mesh.name),
+            time.cell(run, mesh.name, twin),
+            *(estimate_cell(m, count(m.value)) if m else Cell(ABSENT) for m in medians),
+            windows.cell(run, mesh.name, twin) if all(medians) else Cell(ABSENT),
+        ])  # fmt: skip
+    mean = over_meshes(time, run, list(run.meshes), twin)
+    if mean and len(run.meshes) > 1:
+        note = "" if mean.is_complete else f"{twin}: a mean over {mean.coverage}."
+        shown = estimate_cell(mean.estimate, time.interval(mean.estimate), note)
+        rows.append([Cell(ALL), shown, BLANK, BLANK, BLANK])
+    return [
+        [Cell("" if i else ours, f"{ours} {twin}"), Cell("" if i else twin), *row]
+        for i, row in enumerate(rows)
+    ]

@@ -1,0 +1,266 @@
+"""Tables and the figure about public codes: costs of answers, twins, robustness, break-even."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from plots import answers, break_even, robustness, twins
+from results.reader import Mesh, ResultError, Row, Run, Skip, Solver
+from results.table import Cell, Table
+
+SOLVERS = {
+    name: Solver(name, "F", "", "", "", "", "", False, exactness == "exact", False, "", exactness)
+    for name, exactness in [
+        ("edge-based", "exact"), ("vtp", "exact"), ("my-heat", "unbounded"), ("avtp", "bounded"),
+    ]
+}  # fmt: skip
+MESHES = {
+    name: Mesh(name, "", vertices, 2 * vertices, 1.0, None, False)
+    for name, vertices in [("knot-1k", 1000), ("knot-100k", 100_000)]
+}
+NUMBERS = {"real_time": 1.0, "cpu_time": 1.0, "prepare_time": 1.0, "threads": 1}
+
+
+def row(solver: str, mesh: str = "knot-1k", source: int = 0, **numbers: float) -> Row:
+    data = NUMBERS | numbers
+    return Row(solver, mesh, source, 0, "ok", "", "brute force", data, data=data)
+
+
+def failed(solver: str, mesh: str, outcome: str, source: int = 0, **data: Any) -> Row:
+    return Row(solver, mesh, source, 0, outcome, f"{outcome}, said {solver}", None, {}, data=data)
+
+
+def run_of(rows: list[Row], meshes: Mapping[str, Mesh] = MESHES, **more: Any) -> Run:
+    known = [name for name in SOLVERS if any(r.solver == name for r in rows)]
+    return Run(
+        Path("run.json"), {}, dict(meshes), {name: SOLVERS[name] for name in known},
+        {name: [0, 1] for name in meshes}, more.get("skipped", []), rows,
+    )  # fmt: skip
+
+
+def cells(table: Table, **where: str) -> dict[str, Cell]:
+    """The first row with these texts, by the header."""
+    for line in table.rows:
+        named = dict(zip(table.header, line, strict=True))
+        if all(named[key].text == text for key, text in where.items()):
+            return named
+    raise AssertionError(f"no row with {where} in {table.name}")
+
+
+def of_solver(table: Table, solver: str) -> dict[str, Cell]:
+    return cells(table, Solver=solver)
+
+
+# ---- what an answer costs
+
+
+def test_the_first_answer_is_preparation_and_solve_and_a_further_one_renewal_and_solve() -> None:
+    rows = [row("edge-based", cpu_time=8), row("vtp", prepare_time=30, renew_time=5, cpu_time=12)]
+    vtp = of_solver(answers.table(run_of(rows)), "vtp")
+    assert vtp["First answer"].text == "42.0 ms" and vtp["Each further"].text == "17.0 ms"
+    assert vtp["/ edge-based"].value == pytest.approx(42 / 9)
+    assert vtp["/ edge-based, further"].value == pytest.approx(17 / 8)
+
+
+def test_several_threads_are_timed_by_the_wall() -> None:
+    rows = [row("edge-based"), row("vtp", threads=2, cpu_time=20, real_time=10, prepare_time=0)]
+    assert of_solver(answers.table(run_of(rows)), "vtp")["First answer"].text == "10.0 ms"
+
+
+def test_ratios_are_paired_by_source() -> None:
+    rows = [
+        row(solver, source=source, prepare_time=0, cpu_time=slow * times)
+        for source, slow in [(0, 1), (1, 100)]
+        for solver, times in [("edge-based", 1), ("vtp", 3)]
+    ]
+    ratio = of_solver(answers.table(run_of(rows)), "vtp")["/ edge-based"]
+    assert (ratio.value, ratio.low, ratio.high) == pytest.approx((3, 3, 3))
+
+
+def test_errors_are_the_largest_and_the_middle_mean_and_wrong_answers_have_them_too() -> None:
+    rows = [
+        row("edge-based"),
+        row("my-heat", source=0, max_relative_error=0.5, mean_relative_error=0.01),
+        row("my-heat", source=1, max_relative_error=0.9, mean_relative_error=0.03),
+        failed("vtp", "knot-1k", "wrong answer", max_relative_error=0.017,
+               mean_relative_error=1e-5),
+    ]  # fmt: skip
+    table = answers.table(run_of(rows))
+    heat, vtp = (of_solver(table, solver) for solver in ("my-heat", "vtp"))
+    assert (heat["Largest error"].value, heat["Mean error"].value) == (0.9, pytest.approx(0.02))
+    assert (heat["Promise"].text, heat["Outcome"].text) == ("unbounded", "ok")
+    assert (vtp["Outcome"].text, vtp["First answer"].text) == ("wrong answer", "")
+    assert "wrong answer, said vtp" in vtp["Outcome"].note
+    assert (vtp["Largest error"].text, vtp["Mean error"].text) == ("1.7e-02", "1.0e-05")
+
+
+def test_the_fastest_first_answer_stands_first_and_failures_last() -> None:
+    rows = [failed("vtp", "knot-1k", "crashed"), row("edge-based", cpu_time=5), row("my-heat")]
+    table = answers.table(run_of(rows, {"knot-1k": MESHES["knot-1k"]}))
+    assert [line[1].text for line in table.rows] == ["my-heat", "edge-based", "vtp"]
+
+
+# ---- twins
+
+
+def test_twins_are_compared_by_time_and_by_the_windows_that_both_count() -> None:
+    rows = [
+        row("edge-based", cpu_time=2, window_propagations=100),
+        row("vtp", cpu_time=12, window_propagations=130),
+        row("edge-based", "knot-100k", cpu_time=10, window_propagations=1000),
+        row("vtp", "knot-100k", cpu_time=15),
+    ]
+    table = twins.table(run_of(rows))
+    small, large = (cells(table, Mesh=mesh) for mesh in MESHES)
+    assert small["Time / ours"].value == pytest.approx(6)
+    assert small["/ ours"].value == pytest.approx(1.3)
+    assert (large["Windows"].text, large["/ ours"].text) == ("\N{EM DASH}", "\N{EM DASH}")
+    assert cells(table, Mesh=twins.ALL)["Time / ours"].value == pytest.approx(3)  # sqrt(6 * 1.5)
+
+
+def test_a_twin_that_fails_is_shown_with_its_outcome() -> None:
+    rows = [row("edge-based"), failed("vtp", "knot-1k", "time-out")]
+    only = {"knot-1k": MESHES["knot-1k"]}
+    assert cells(twins.table(run_of(rows, only)), Mesh="knot-1k")["Time / ours"].text == "time-out"
+
+
+def test_without_a_twin_there_is_no_table() -> None:
+    with pytest.raises(ResultError, match=r"run\.json: no solver of ours beside a public code"):
+        twins.table(run_of([row("edge-based"), row("my-heat")]))
+
+
+# ---- who is right on which case
+
+REPORT = "https://github.com/libigl/libigl/issues/2554"
+CASES = {
+    "apart": replace(MESHES["knot-1k"], name="apart", why="two parts", reports=(REPORT,)),
+    "pinched": replace(MESHES["knot-1k"], name="pinched", why="two sheets"),
+}
+
+
+def case_run() -> Run:
+    return run_of(
+        [
+            row("edge-based", "apart"), row("edge-based", "pinched"),
+            failed("vtp", "apart", "wrong answer", unreachable_mismatches=3),
+            row("vtp", "pinched", source=0), failed("vtp", "pinched", "crashed", source=1),
+            row("my-heat", "apart", max_relative_error=0.25),
+            failed("my-heat", "pinched", "unsupported"),
+            row("avtp", "apart", max_relative_error=0.001),
+            failed("avtp", "pinched", "wrong answer", max_relative_error=0.5),
+        ],
+        CASES,
+    )  # fmt: skip
+
+
+def test_the_matrix_has_a_word_for_every_solver_and_case() -> None:
+    table = robustness.matrix(case_run())
+    apart, pinched = (cells(table, Case=case) for case in CASES)
+    shown = {s: (apart[s].text, pinched[s].text) for s in SOLVERS}
+    assert shown == {
+        "edge-based": ("right", "right"),
+        "vtp": ("wrong: reach of 3", "crash"),
+        "my-heat": ("off 2.5e-01", "unsupported"),
+        "avtp": ("right", "wrong 5.0e-01"),
+    }
+
+
+def test_a_case_says_what_it_stands_for_and_who_reported_it() -> None:
+    table = robustness.matrix(case_run())
+    apart, pinched = (cells(table, Case=case) for case in CASES)
+    assert apart["Reported of"].text == "libigl 2554"
+    assert apart["Case"].note == f"apart: two parts ({REPORT})."
+    assert (pinched["Reported of"].text, pinched["Case"].note) == (
+        "\N{EM DASH}", "pinched: two sheets.",
+    )  # fmt: skip
+
+
+def test_the_cases_of_each_word_are_counted() -> None:
+    table = robustness.matrix(case_run())
+    totals = {line[0].text: [c.text for c in line[2:]] for line in table.rows[len(CASES) :]}
+    assert totals == {
+        "right, of 2": ["2", "0", "0", "1"],
+        "off, of 2": ["0", "0", "1", "0"],
+        "crash, of 2": ["0", "1", "0", "0"],
+        "wrong, of 2": ["0", "1", "0", "1"],
+        "unsupported, of 2": ["0", "0", "1", "0"],
+    }
+
+
+def test_failures_are_listed_with_what_happened() -> None:
+    listed = [[c.text for c in line] for line in robustness.failures(case_run()).rows]
+    assert listed == [
+        ["apart", "vtp", "0", "wrong", "wrong answer, said vtp"],
+        ["pinched", "vtp", "1", "crash", "crashed, said vtp"],
+        ["pinched", "avtp", "0", "wrong", "wrong answer, said avtp"],
+    ]
+
+
+def test_a_skipped_case_and_one_without_rows_are_told() -> None:
+    run = run_of([row("edge-based", "apart")], CASES)
+    assert cells(robustness.matrix(run), Case="pinched")["edge-based"].text == "missing"
+    skipped = replace(run, skipped=[Skip("pinched", None, "no file")])
+    assert cells(robustness.matrix(skipped), Case="pinched")["edge-based"].text == "skipped"
+
+
+def test_meshes_that_nobody_reported_on_are_no_cases() -> None:
+    with pytest.raises(ResultError, match="run --corpus robustness"):
+        robustness.matrix(run_of([row("edge-based")]))
+
+
+# ---- break-even
+
+
+@pytest.mark.parametrize(
+    ("preparations", "furthers", "sources"),
+    [((10, 2), (1, 3), 4), ((2, 10), (1, 3), 0), ((10, 2), (3, 1), math.inf)],
+)
+def test_both_have_taken_the_same_time_after_the_break_even(
+    preparations: tuple[float, float], furthers: tuple[float, float], sources: float
+) -> None:
+    found = break_even.break_even(preparations, furthers)
+    assert found == sources
+    if 0 < found < math.inf:
+        heat, exact = (p + found * f for p, f in zip(preparations, furthers, strict=True))
+        assert heat == pytest.approx(exact)
+
+
+def heat_run() -> Run:
+    """4.5 sources on the small mesh; on the large one the exact solver is always faster."""
+    errors = {"max_relative_error": 0.9, "mean_relative_error": 0.04}
+    return run_of(
+        [
+            row("edge-based", prepare_time=1, cpu_time=3),
+            row("my-heat", prepare_time=10, cpu_time=1, **errors),
+            row("edge-based", "knot-100k", prepare_time=1, cpu_time=3),
+            row("my-heat", "knot-100k", prepare_time=10, cpu_time=4, **errors),
+        ]
+    )
+
+
+def test_break_even_stands_by_mesh_with_the_error_beside_it() -> None:
+    table = break_even.table(heat_run())
+    small, large = (cells(table, Mesh=mesh) for mesh in MESHES)
+    assert small["Break-even (sources)"].text == "4.5 [4.5, 4.5]"
+    assert large["Break-even (sources)"].text == "never"
+    assert (small["Mean error"].value, small["Largest error"].value) == (0.04, 0.9)
+
+
+def test_the_caption_says_from_how_many_sources_on() -> None:
+    drawn = break_even.figure(heat_run())
+    assert (
+        "my-heat is faster than edge-based from 5 sources at 1,000 vertices and no number of "
+        "sources at 100,000 vertices on, with a mean error of up to 4%." in drawn.caption
+    )
+
+
+def test_one_mesh_has_no_break_even_over_size() -> None:
+    run = heat_run().of_meshes(["knot-1k"])
+    with pytest.raises(ResultError, match="run --corpus break-even --peers all"):
+        break_even.figure(run)
