@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <memory>
@@ -98,6 +99,22 @@ void write_bytes(const fs::path& path, std::string_view bytes) {
   AtomicFile file(path);
   file.stream().write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   file.commit();
+}
+
+std::string as_file_name(std::string_view name) {
+  constexpr char kDigits[] = "0123456789ABCDEF";
+  std::string file;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain =
+        byte < 0x80 && (std::isalnum(byte) || c == '_' || c == '-' || (c == '.' && !file.empty()));
+    if (plain) {
+      file += c;
+    } else {
+      file += {'%', kDigits[byte / 16], kDigits[byte % 16]};
+    }
+  }
+  return file;
 }
 
 std::string sha256_of(std::string_view bytes) {

@@ -38,6 +38,10 @@ class AtomicFile {
 /// Writes a file, whole or not at all. @throws CannotWrite
 void write_bytes(const std::filesystem::path& path, std::string_view bytes);
 
+/// A name as one step of a path: what may mean something to a file system, a shell or a URL becomes
+/// %XX, and so does a dot in front. Letters, digits, '_', '-' and '.' stay.
+std::string as_file_name(std::string_view name);
+
 /// SHA-256 (FIPS 180-4), as 64 lower-case hexadecimal digits.
 std::string sha256_of(std::string_view bytes);
 

@@ -63,13 +63,6 @@ bool plain_word(const std::string& word) {
   });
 }
 
-std::string quoted(const std::string& word) {
-  if (plain_word(word)) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
 }  // namespace
 
 void load_plugin(const fs::path& file) {
@@ -96,6 +89,13 @@ std::vector<std::string> plugin_arguments() {
 }
 
 const std::vector<Plugin>& loaded_plugins() { return plugins(); }
+
+std::string quoted(const std::string& word) {
+  if (plain_word(word)) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
 
 std::string as_command_line(const std::vector<std::string>& arguments) {
   std::string line = quoted(program_invocation_name);

@@ -26,6 +26,9 @@ std::vector<std::string> plugin_arguments();
 /// In the order of loading.
 const std::vector<Plugin>& loaded_plugins();
 
+/// A word as a shell takes it: unchanged, or between apostrophes.
+std::string quoted(const std::string& word);
+
 /// As one line for a shell, with this program as it was called and its plug-ins in front.
 std::string as_command_line(const std::vector<std::string>& arguments);
 

@@ -27,12 +27,14 @@ class Measurement {
  public:
   Measurement(const CellSpec& spec, const TriangleSoup& soup, const Mesh& mesh)
       : spec_(spec),
+        solver_(*find_solver(spec.solver)),
         soup_(soup),
         mesh_(mesh),
         query_{.sources = {{.vertex = spec.source}}},
         verified_(mesh.vertex_count()),
         solved_(mesh.vertex_count()) {
     row_.solver = spec.solver;
+    row_.threads = solver_.thread_count();
     row_.mesh = spec.mesh;
     row_.source = spec.source;
   }
@@ -44,24 +46,30 @@ class Measurement {
   // Why the distances are wrong; empty when they are right. Times solves only of the latter, and
   // fills in the row.
   std::string measure();
+  // Of the CPU, and of the wall where several threads share the work.
+  double seconds(const Stopwatch& watch) const;
+  void time(Solver& solver);
   std::string verify_warm_up(Solver& solver);
+  Verdict judge(std::span<const double> distances) const;
+  // Why the distances of another solve cannot be right, when those of the first one are.
+  // @param which a sentence that says it of a solver whose solves are all the same
+  std::string verify_again(const std::string& which) const;
   void count();
   void record();
   void record_isolines(const std::filesystem::path& folder);
-  const Description& description() const { return *find_solver(spec_.solver); }
-
   const CellSpec& spec_;
+  const Description& solver_;
   const TriangleSoup& soup_;
   const Mesh& mesh_;
   const Query query_;
   std::vector<double> verified_;  // distances of the warm-up solve
   std::vector<double> solved_;    // of the solve that came last
   Timing timing_;
-  Row row_;  // what all repetitions have in common
+  Row row_;     // what all repetitions have in common
+  Row failed_;  // what is known when the distances are not right
 };
 
-std::string Measurement::verify_warm_up(Solver& solver) {
-  solver.solve(query_, verified_);
+Verdict Measurement::judge(std::span<const double> distances) const {
   const std::vector<double> reference = read_distances(spec_.reference_file, mesh_.vertex_count());
   std::vector<double> bound;
   std::optional<NamedDistances> edge_graph;
@@ -69,11 +77,26 @@ std::string Measurement::verify_warm_up(Solver& solver) {
     bound = solve_once(chosen->name, mesh_, query_);
     edge_graph = {chosen->name, bound};
   }
-  const Verdict verdict = verify_distances(mesh_, query_, description().exactness, verified_,
-                                           {spec_.reference, reference}, edge_graph);
+  return verify_distances(mesh_, query_, Promise::of(solver_), distances,
+                          {spec_.reference, reference}, edge_graph);
+}
+
+std::string Measurement::verify_warm_up(Solver& solver) {
+  solver.solve(query_, verified_);
+  const auto [error, errors] = judge(verified_);
   row_.reference = spec_.reference;
-  row_.max_relative_error = verdict.max_relative_error;
-  return verdict.error;
+  row_.max_relative_error = errors.max;
+  row_.mean_relative_error = errors.mean;
+  row_.rms_relative_error = errors.rms;
+  row_.p99_relative_error = errors.p99;
+  row_.unreachable_mismatches = errors.unreachable_mismatches;
+  failed_ = row_;
+  return error;
+}
+
+std::string Measurement::verify_again(const std::string& which) const {
+  if (!solver_.deterministic) return judge(solved_).error;
+  return identical(solved_, verified_) ? "" : which;
 }
 
 void Measurement::count() {
@@ -92,10 +115,10 @@ void Measurement::record() {
   const std::filesystem::path run = spec_.run_folder;
   try {
     write_surface(run / folders.mesh, soup_);
-    if (description().exactness == Exactness::exact)
+    if (solver_.exactness == Exactness::exact)
       write_vertex_distances(run / folders.source, verified_);
     write_wavefront(run / folders.solver, mesh_, recording);
-    if (description().final_windows && !has_isolines(run / folders.source))
+    if (solver_.final_windows && !has_isolines(run / folders.source))
       record_isolines(run / folders.source);
     row_.recordings = folders.solver.string();
   } catch (const std::exception& error) {
@@ -111,29 +134,49 @@ void Measurement::record_isolines(const std::filesystem::path& folder) {
   if (!identical(distances, verified_)) solved_ = distances;
 }
 
+double Measurement::seconds(const Stopwatch& watch) const {
+  return row_.threads > 1 ? watch.real_seconds() : watch.cpu_seconds();
+}
+
+// Of one solve, with the verified object.
+void Measurement::time(Solver& solver) {
+  double renewing = 0;
+  int renewals = 0;
+  TimedWork work{.solve = [&] { solver.solve(query_, solved_); },
+                 .several_threads = row_.threads > 1};
+  if (solver_.needs_renewal) {
+    work.prepare = [&] {
+      const Stopwatch watch;
+      solver.renew();
+      renewing += seconds(watch);
+      ++renewals;
+    };
+  }
+  timing_ = time_repetitions(spec_.benchmark_flags, work);
+  if (renewals > 0) row_.renew_time = 1e3 * renewing / renewals;
+}
+
 std::string Measurement::measure() {
   const Stopwatch preparation;
   std::unique_ptr<Solver> solver = make_solver(spec_.solver, mesh_);
-  row_.prepare_time = 1e3 * preparation.cpu_seconds();
-
-  const std::string error = verify_warm_up(*solver);
+  const double preparing = seconds(preparation);
+  if (const std::string error = verify_warm_up(*solver); !error.empty()) return error;
+  row_.prepare_time = 1e3 * preparing;
+  time(*solver);
+  std::string error = verify_again("a timed solve gave other distances than the first one");
   if (!error.empty()) return error;
-  timing_ = time_repetitions(spec_.benchmark_flags, [&] { solver->solve(query_, solved_); });
-  if (!identical(solved_, verified_))
-    return "a timed solve gave other distances than the first one";
   row_.process_peak_bytes = peak_resident_bytes();
   row_.instruction_set = name_of(solver->instruction_set());
   solver.reset();
 
   if (spec_.counted) count();
-  if (spec_.pictured && row_.counters.wavefront_sd && identical(solved_, verified_)) record();
-  if (!identical(solved_, verified_))
-    return "a recorded solve gave other distances than timed ones";
-  return {};
+  const bool same = identical(solved_, verified_) || !solver_.deterministic;
+  if (spec_.pictured && row_.counters.wavefront_sd && same) record();
+  return verify_again("a recorded solve gave other distances than timed ones");
 }
 
 void Measurement::run(double mesh_ms) {
-  const Row cell = row_;
+  failed_ = row_;
   std::vector<Row> rows;
   const std::string wrong = measure();
   row_.mesh_time = mesh_ms;
@@ -146,7 +189,7 @@ void Measurement::run(double mesh_ms) {
     rows.push_back(row_);
   }
   if (!wrong.empty()) {
-    rows = {cell};
+    rows = {failed_};
     rows.front().outcome = Outcome::wrong_answer;
     rows.front().error_message = wrong;
     timing_.context = benchmark_context();

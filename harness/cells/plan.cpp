@@ -25,7 +25,8 @@ std::vector<const Description*> chosen_solvers(const Suite& suite) {
     solvers = registered_solvers();
     std::erase_if(solvers, [](const Description* solver) { return solver->by_name_only; });
   }
-  for (const std::string& name : suite.solvers) solvers.push_back(&solver_named(name));
+  const auto named = solvers_named(suite.solvers);
+  solvers.insert(solvers.end(), named.begin(), named.end());
   return solvers;
 }
 
@@ -109,7 +110,8 @@ PlannedMesh plan_mesh(const MeshEntry& entry, const RunRequest& request) {
 }  // namespace
 
 Plan make_plan(const RunRequest& request) {
-  Plan plan{.solvers = chosen_solvers(request.suite), .only = request.cells};
+  Plan plan{.solvers = chosen_solvers(request.suite)};
+  for (const std::string& cell : request.cells) plan.only.push_back(canonical_cell(cell));
   std::vector<MeshEntry> entries = chosen_meshes(request);
   check_no_repetition("solvers", plan.solvers, [](const auto* solver) { return solver->name; });
   check_no_repetition("meshes", entries, [](const auto& entry) { return entry.name; });
@@ -138,10 +140,12 @@ Plan make_plan(const RunRequest& request) {
 
 std::string Cell::name() const { return row_name(solver->name, mesh->entry.name, source); }
 
-const std::string* Cell::unsupported() const {
-  const auto why = mesh->unsupported.find(solver->name);
-  return why == mesh->unsupported.end() ? nullptr : &why->second;
+const std::string* PlannedMesh::unsupported_by(std::string_view solver) const {
+  const auto why = unsupported.find(base_name(solver));
+  return why == unsupported.end() ? nullptr : &why->second;
 }
+
+const std::string* Cell::unsupported() const { return mesh->unsupported_by(solver->name); }
 
 bool leaves_recordings(const Cell& cell, Recordings choice) {
   if (!cell.is_first_repetition()) return false;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "harness/base/json.h"
@@ -18,7 +19,11 @@ struct PlannedMesh {
   Index vertices = 0;
   Json facts = {};  ///< for context.geodesic_bench.meshes
   std::vector<Index> sources = {};
-  std::map<std::string, std::string> unsupported = {};  ///< by solver: why it cannot do this mesh
+  /// By solver, without parameters: why it cannot do this mesh.
+  std::map<std::string, std::string, std::less<>> unsupported = {};
+
+  /// Why a solver, which may have parameters, cannot do this mesh; null when it can.
+  const std::string* unsupported_by(std::string_view solver) const;
 };
 
 /// Another build of geodesic-bench that is measured in place of this one.

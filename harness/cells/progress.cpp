@@ -62,7 +62,7 @@ Forecast::Forecast(const std::vector<Cell>& cells, const Suite& suite,
     }
     if (has_closed_form(cell.mesh->entry)) continue;
     for (const Description* reference : rank_references(*cell.solver, solvers, suite.reference)) {
-      if (cell.mesh->unsupported.contains(reference->name)) continue;
+      if (cell.mesh->unsupported_by(reference->name) != nullptr) continue;
       if (references.insert({cell.mesh, cell.source, reference}).second) {
         expected.reference = reference;
         expected.reference_solve = expected_solve_seconds(*reference, cell.mesh->vertices);

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "harness/base/error.h"
+#include "harness/base/files.h"
 #include "harness/base/process.h"
 #include "harness/base/threads.h"
 #include "harness/cells/cell.h"
@@ -35,8 +36,7 @@ std::string write_known(const std::string& by, const Cell& cell, bool repair,
 
 std::string References::solve(const Cell& cell, const std::string& solver,
                               const std::filesystem::path& file) {
-  const auto unable = cell.mesh->unsupported.find(solver);
-  if (unable != cell.mesh->unsupported.end()) return unable->second;
+  if (const std::string* why = cell.mesh->unsupported_by(solver)) return *why;
   const ReferenceSpec spec{.solver = solver,
                            .mesh_file = cell.mesh->entry.file.string(),
                            .source = cell.source,
@@ -72,10 +72,11 @@ Reference References::find(const Cell& cell) {
       .closed_form = has_closed_form(cell.mesh->entry),
       .brute_force = named == kBruteForce && cell.mesh->facts["faces"] <= kBruteForceFaces};
   for (const std::string& solver : reference_candidates(*cell.solver, sources)) {
-    const std::string name = cell.mesh->entry.name + "__src" + std::to_string(cell.source) + "__" +
-                             solver + ".distances";
-    const std::string& failure = compute(cell, solver, folder_ / name);
-    if (failure.empty()) return {solver, folder_ / name};
+    const std::string name =
+        cell.mesh->entry.name + "__src" + std::to_string(cell.source) + "__" + solver;
+    const std::filesystem::path file = folder_ / (as_file_name(name) + ".distances");
+    const std::string& failure = compute(cell, solver, file);
+    if (failure.empty()) return {solver, file};
     failures.push_back(failure);
   }
   throw HarnessError("cannot be verified: no other exact solver gave distances (" +

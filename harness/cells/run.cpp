@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "harness/base/error.h"
+#include "harness/base/files.h"
 #include "harness/base/interruption.h"
 #include "harness/base/plugins.h"
 #include "harness/cells/folder.h"
@@ -89,7 +90,7 @@ CellSpec Run::spec_of(const Cell& cell) const {
     name += "__" + cell.program->name;
     spec.context["programs"] = {cell.program->facts};
   }
-  spec.output = folder_ / "cells" / (name + ".json");
+  spec.output = folder_ / "cells" / (as_file_name(name) + ".json");
   spec.context["sources"][spec.mesh] = {cell.source};
   spec.benchmark_flags = {
       "--benchmark_repetitions=" + std::to_string(alone ? 1 : suite.repetitions),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iostream>
 #include <map>
+#include <optional>
 
 #include "harness/base/error.h"
 #include "harness/results/text_table.h"
@@ -61,7 +62,7 @@ std::string time_text(double ms) {
 // Of a solver on a mesh, over sources and repetitions.
 struct Summary {
   std::vector<double> ms = {};
-  double max_relative_error = 0;
+  std::optional<double> max_relative_error = {};
   std::map<std::string_view, int> failures = {};  // by outcome
 
   double median_ms() const { return ms.empty() ? kInfinity : median(ms); }
@@ -93,7 +94,7 @@ std::string one_line(const std::vector<Row>& rows) {
   const Row& first = rows.front();
   if (!first.ok()) return std::string(name_of(first.outcome)) + ": " + first.error_message;
   std::vector<double> times;
-  for (const Row& row : rows) times.push_back(row.cpu_time);
+  for (const Row& row : rows) times.push_back(row.solve_time());
   return "ok  " + time_text(median(times));
 }
 
@@ -103,10 +104,10 @@ std::string result_table(const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     if (!summaries.contains(row.mesh)) meshes.push_back(row.mesh);
     Summary& summary = summaries[row.mesh][row.solver + (row.program ? " by " + *row.program : "")];
+    // Of wrong answers too.
+    summary.max_relative_error = std::max(summary.max_relative_error, row.max_relative_error);
     if (row.ok()) {
-      summary.ms.push_back(row.cpu_time);
-      summary.max_relative_error =
-          std::max(summary.max_relative_error, row.max_relative_error.value_or(0));
+      summary.ms.push_back(row.solve_time());
     } else {
       ++summary.failures[name_of(row.outcome)];
     }
@@ -121,9 +122,10 @@ std::string result_table(const std::vector<Row>& rows) {
     for (const auto& [solver, summary] : solvers) {
       const bool timed = !summary.ms.empty();
       const double ms = summary.median_ms();
+      const std::optional<double>& error = summary.max_relative_error;
       table.push_back({mesh, solver, timed ? time_text(ms) : "",
-                       timed ? significant(ms / best, 3) : "",
-                       timed ? significant(summary.max_relative_error, 2) : "", summary.outcome()});
+                       timed ? significant(ms / best, 3) : "", error ? significant(*error, 2) : "",
+                       summary.outcome()});
     }
   }
   return as_text(table);

@@ -6,6 +6,7 @@
 
 #include "harness/base/error.h"
 #include "harness/corpus/manifest.h"
+#include "harness/corpus/solvers.h"
 #include "harness/results/context.h"
 #include "harness/results/text_table.h"
 #include "harness/verify/references.h"
@@ -25,9 +26,20 @@ TextTable solver_table() {
       {"solver", "family", "ordered by", "time", "space", "distances", "runs", "paper"}};
   for (const Description* solver : registered_solvers()) {
     table.push_back({solver->name, solver->family, solver->data_structure, solver->time_complexity,
-                     solver->space_complexity,
-                     solver->exactness == Exactness::exact ? "exact" : "upper bound",
+                     solver->space_complexity, shown_exactness(*solver),
                      solver->by_name_only ? "when named" : "always", solver->paper});
+  }
+  return table;
+}
+
+// Of the solvers that take any.
+TextTable parameter_table() {
+  TextTable table{{"solver", "parameter", "default", "what it is", "must be"}};
+  for (const Description* solver : registered_solvers()) {
+    for (const ParameterDescription& parameter : solver->parameters) {
+      table.push_back({solver->name, parameter.name, parameter.default_value.text(),
+                       parameter.description, parameter.range()});
+    }
   }
   return table;
 }
@@ -85,7 +97,10 @@ void run_list(const ListFlags& flags) {
     std::cout << to_json(manifest, meshes).dump(2) << '\n';
     return;
   }
-  std::cout << as_text(solver_table()) << '\n' << as_text(mesh_table(manifest, meshes));
+  const TextTable parameters = parameter_table();
+  std::cout << as_text(solver_table()) << '\n';
+  if (parameters.size() > 1) std::cout << as_text(parameters) << '\n';
+  std::cout << as_text(mesh_table(manifest, meshes));
 }
 
 }  // namespace

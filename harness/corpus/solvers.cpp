@@ -1,15 +1,76 @@
 #include "harness/corpus/solvers.h"
 
+#include <algorithm>
+#include <charconv>
+#include <sstream>
+
 #include "harness/base/error.h"
 #include "solvers/core/registry.h"
 
 namespace geodesic::harness {
+namespace {
+
+bool is_number(const std::string& word) {
+  double number = 0;
+  const char* const end = word.data() + word.size();
+  const auto [rest, error] = std::from_chars(word.data(), end, number);
+  return error == std::errc() && rest == end;
+}
+
+}  // namespace
 
 const Description& solver_named(const std::string& name) {
-  if (const Description* solver = find_solver(name)) return *solver;
-  std::vector<std::string> known;
-  for (const Description* solver : registered_solvers()) known.push_back(solver->name);
-  throw HarnessError(unknown_name("solver", name, known));
+  try {
+    return geodesic::solver_named(name);
+  } catch (const std::invalid_argument& error) {
+    throw HarnessError(error.what());
+  }
+}
+
+std::vector<const Description*> solvers_named(const std::vector<std::string>& words) {
+  std::vector<const Description*> solvers;
+  std::string before;
+  for (const std::string& word : words) {
+    std::istringstream list(word);
+    for (std::string name; std::getline(list, name, ',');) {
+      if (is_number(name) && before.find('=') != std::string::npos) {
+        name = before.substr(0, before.rfind('=') + 1) + name;
+      }
+      solvers.push_back(&solver_named(name));
+      before = name;
+    }
+  }
+  return solvers;
+}
+
+std::string canonical_cell(const std::string& cell) {
+  const std::size_t slash = std::min(cell.find('/'), cell.size());
+  const std::string solver = cell.substr(0, slash);
+  const bool known = find_solver(base_name(solver)) != nullptr;
+  return known ? solver_named(solver).name + cell.substr(slash) : cell;
+}
+
+std::string_view exactness_name(Exactness exactness) {
+  switch (exactness) {
+    case Exactness::exact:
+      return "exact";
+    case Exactness::bounded:
+      return "bounded";
+    case Exactness::upper_bound:
+      return "upper_bound";
+    case Exactness::unbounded:
+      break;
+  }
+  return "unbounded";
+}
+
+std::string shown_exactness(const Description& solver) {
+  if (solver.exactness == Exactness::bounded) {
+    return "within " + ParameterValue(solver.error_bound(solver)).text();
+  }
+  std::string text(exactness_name(solver.exactness));
+  std::ranges::replace(text, '_', ' ');
+  return text;
 }
 
 std::string unsupported(const Description& solver, const Mesh& mesh) {

@@ -2,13 +2,31 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "solvers/core/solver.h"
 
 namespace geodesic::harness {
 
-/// @throws HarnessError for an unknown name, listing the known ones
+/// "mmp", "avtp?lambda=32". @throws HarnessError for an unknown name or parameter, listing the
+/// known ones, and for a value out of range
 const Description& solver_named(const std::string& name);
+
+/// Those of a list, whose words may hold several separated by commas. A number after a comma is a
+/// further value of the parameter before it: "avtp?lambda=8,16" is two solvers.
+/// @throws as solver_named
+std::vector<const Description*> solvers_named(const std::vector<std::string>& words);
+
+/// A cell's name, "<solver>/<mesh>" with anything behind it, with the canonical name of its solver;
+/// unchanged where no such solver is registered. @throws as solver_named
+std::string canonical_cell(const std::string& cell);
+
+/// "exact", "bounded", "upper_bound", "unbounded"
+std::string_view exactness_name(Exactness exactness);
+
+/// The same for readers, a bound as a number: "within 0.01", "upper bound".
+std::string shown_exactness(const Description& solver);
 
 /// Why the solver declares that it cannot do this mesh; empty when it can.
 std::string unsupported(const Description& solver, const Mesh& mesh);

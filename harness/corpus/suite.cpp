@@ -11,6 +11,7 @@
 #include "harness/base/files.h"
 #include "harness/base/json.h"
 #include "harness/corpus/names.h"
+#include "harness/corpus/solvers.h"
 #include "harness/corpus/vectors.h"
 
 namespace geodesic::harness {
@@ -37,7 +38,8 @@ void set_expected(Suite& suite, const Json& value) {
     if (cell.find('/') == std::string::npos) {
       throw HarnessError("expected: '" + cell + "' is not solver/mesh, such as mmp/horse");
     }
-    suite.expected[cell] = named("outcome that can be expected", kExpectable, name, name_of);
+    suite.expected[canonical_cell(cell)] =
+        named("outcome that can be expected", kExpectable, name, name_of);
   }
 }
 

@@ -14,7 +14,8 @@
 namespace geodesic::harness {
 
 struct Suite {
-  std::vector<std::string> solvers = {};  ///< names; empty: all but Description::by_name_only
+  std::vector<std::string> solvers = {};  ///< as of solvers_named (corpus/solvers.h); empty: all
+                                          ///< but Description::by_name_only
   std::string corpus = "quick";           ///< a corpus of the manifest
   std::vector<std::string> meshes = {};   ///< names or files, in place of the whole corpus
   int sources = 3;                        ///< a mesh

@@ -77,12 +77,21 @@ void check_benchmark_flags(const std::vector<std::string>& flags) {
   }
 }
 
-Timing time_repetitions(const std::vector<std::string>& flags, const std::function<void()>& solve) {
+Timing time_repetitions(const std::vector<std::string>& flags, const TimedWork& work) {
   initialize(flags);
   benchmark::ClearRegisteredBenchmarks();
-  benchmark::RegisterBenchmark("solve", [&](benchmark::State& state) {
-    for (auto _ : state) solve();
-  })->Unit(benchmark::kMillisecond);
+  auto* const timed = benchmark::RegisterBenchmark("solve", [&](benchmark::State& state) {
+    for (auto _ : state) {
+      if (work.prepare) {
+        state.PauseTiming();
+        work.prepare();
+        state.ResumeTiming();
+      }
+      work.solve();
+    }
+  });
+  timed->Unit(benchmark::kMillisecond);
+  if (work.several_threads) timed->MeasureProcessCPUTime()->UseRealTime();
   JsonText out;
   benchmark::RunSpecifiedBenchmarks(&out.reporter());
   const Json json = out.parse();

@@ -25,8 +25,14 @@ struct Timing {
   std::vector<Repetition> repetitions;
 };
 
-/// Times calls of `solve`, as many repetitions as the flags say. @throws what `solve` throws
-Timing time_repetitions(const std::vector<std::string>& flags, const std::function<void()>& solve);
+struct TimedWork {
+  std::function<void()> solve;
+  std::function<void()> prepare = {};  ///< before each solve, not timed; may be absent
+  bool several_threads = false;        ///< wall time counts, CPU time is that of all threads
+};
+
+/// Times the work, as many repetitions as the flags say. @throws what it throws
+Timing time_repetitions(const std::vector<std::string>& flags, const TimedWork& work);
 
 /// Google Benchmark's own context keys, without timing anything.
 Json benchmark_context();

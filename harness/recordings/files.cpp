@@ -1,7 +1,6 @@
 #include "harness/recordings/files.h"
 
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -17,24 +16,6 @@ namespace {
 // Per cent of the reachable vertices reached.
 constexpr std::array<int, 3> kMoments{25, 50, 75};
 constexpr double share(int moment) { return moment / 100.0; }
-
-// A name as one step of a path: what may mean something to a file system or a shell becomes %XX,
-// and so does a dot in front.
-std::string as_folder(const std::string& name) {
-  constexpr char kDigits[] = "0123456789ABCDEF";
-  std::string folder;
-  for (const char c : name) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool plain = byte < 0x80 && (std::isalnum(byte) || c == '_' || c == '-' ||
-                                       (c == '.' && !folder.empty()));
-    if (plain) {
-      folder += c;
-    } else {
-      folder += {'%', kDigits[byte / 16], kDigits[byte % 16]};
-    }
-  }
-  return folder;
-}
 
 void make_folder(const fs::path& folder) {
   std::error_code error;
@@ -80,9 +61,9 @@ std::vector<WindowOfFile> as_in_file(const std::vector<WavefrontWindow>& windows
 
 RecordingFolders recording_folders(const std::string& mesh, Index source,
                                    const std::string& solver) {
-  const fs::path of_mesh = fs::path("recordings") / as_folder(mesh);
+  const fs::path of_mesh = fs::path("recordings") / as_file_name(mesh);
   const fs::path of_source = of_mesh / ("src" + std::to_string(source));
-  return {.mesh = of_mesh, .source = of_source, .solver = of_source / as_folder(solver)};
+  return {.mesh = of_mesh, .source = of_source, .solver = of_source / as_file_name(solver)};
 }
 
 Recording wavefront_recording() {

@@ -6,12 +6,42 @@
 #include "harness/base/build_info.h"
 #include "harness/base/files.h"
 #include "harness/base/plugins.h"
+#include "harness/corpus/solvers.h"
 #include "meshes/summary.h"
 
 namespace geodesic::harness {
 
+namespace {
+
+Json number_or_text(const ParameterDescription& parameter, const std::string& text) {
+  return parameter.is_number() ? Json::parse(text) : Json(text);
+}
+
+Json describe(const ParameterDescription& parameter) {
+  Json json{{"name", parameter.name},
+            {"description", parameter.description},
+            {"kind", parameter.kind == ParameterKind::integer ? "integer"
+                     : parameter.is_number()                  ? "real"
+                                                              : "choice"},
+            {"default", number_or_text(parameter, parameter.default_value.text())}};
+  if (parameter.is_number()) {
+    json["least"] = number_or_text(parameter, ParameterValue(parameter.least).text());
+    json["greatest"] = number_or_text(parameter, ParameterValue(parameter.greatest).text());
+  } else {
+    json["choices"] = parameter.choices;
+  }
+  return json;
+}
+
+}  // namespace
+
 Json describe(const Description& solver) {
   const Abilities& can = solver.abilities;
+  Json parameters = Json::array(), values = Json::object();
+  for (const ParameterDescription& parameter : solver.parameters) {
+    parameters.push_back(describe(parameter));
+    values[parameter.name] = number_or_text(parameter, solver.text(parameter.name));
+  }
   return {
       {"name", solver.name},
       {"family", solver.family},
@@ -21,7 +51,14 @@ Json describe(const Description& solver) {
       {"space_complexity", solver.space_complexity},
       {"propagation", solver.propagation},
       {"spatial_order", solver.spatial_order},
-      {"exactness", solver.exactness == Exactness::exact ? "exact" : "upper_bound"},
+      {"exactness", exactness_name(solver.exactness)},
+      {"error_bound",
+       solver.exactness == Exactness::bounded ? Json(solver.error_bound(solver)) : Json(nullptr)},
+      {"deterministic", solver.deterministic},
+      {"threads", solver.thread_count()},
+      {"needs_renewal", solver.needs_renewal},
+      {"parameters", std::move(parameters)},
+      {"values", std::move(values)},
       {"independent_oracle", solver.independent_oracle},
       {"relative_time", solver.relative_time > 0 ? Json(solver.relative_time) : Json(nullptr)},
       {"by_name_only", solver.by_name_only},
@@ -31,6 +68,7 @@ Json describe(const Description& solver) {
         {"distance_limit", can.distance_limit},
         {"non_manifold_vertices", can.non_manifold_vertices},
         {"degenerate_faces", can.degenerate_faces},
+        {"concurrent_objects", can.concurrent_objects},
         {"max_vertices", can.max_vertices == kNone ? Json(nullptr) : Json(can.max_vertices)}}},
       {"remarks", solver.remarks},
   };

@@ -17,6 +17,7 @@ void for_each_optional(SomeRow& row, const Visit& visit) {
   visit("involuntary_switches_per_s", row.involuntary_switches_per_s);
   visit("instruction_set", row.instruction_set);
   visit("prepare_time", row.prepare_time);
+  visit("renew_time", row.renew_time);
   for_each_counter(row.counters, visit);
   visit("phase_seconds", row.phase_seconds);
   visit("solver_peak_bytes", row.solver_peak_bytes);
@@ -25,6 +26,10 @@ void for_each_optional(SomeRow& row, const Visit& visit) {
   visit("recordings_error", row.recordings_error);
   visit("process_peak_bytes", row.process_peak_bytes);
   visit("max_relative_error", row.max_relative_error);
+  visit("mean_relative_error", row.mean_relative_error);
+  visit("rms_relative_error", row.rms_relative_error);
+  visit("p99_relative_error", row.p99_relative_error);
+  visit("unreachable_mismatches", row.unreachable_mismatches);
   visit("reference", row.reference);
   visit("mesh_time", row.mesh_time);
 }
@@ -50,7 +55,7 @@ void to_json(Json& json, const Row& row) {
           {"run_type", "iteration"},
           {"repetitions", row.repetitions},
           {"repetition_index", row.repetition_index},
-          {"threads", 1}};
+          {"threads", row.threads}};
   if (!row.ok()) {
     std::string line = row.error_message;
     std::ranges::replace(line, '\n', ' ');
@@ -76,6 +81,7 @@ void from_json(const Json& json, Row& row) {
   json.at("source").get_to(row.source);
   json.at("repetitions").get_to(row.repetitions);
   json.at("repetition_index").get_to(row.repetition_index);
+  json.at("threads").get_to(row.threads);
   row.outcome = outcome_named(json.at("outcome").get<std::string>());
   row.error_message = json.value("error_message", "");
   json.at("iterations").get_to(row.iterations);

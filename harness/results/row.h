@@ -29,6 +29,7 @@ struct Row {
   std::optional<std::string> program = {};  ///< of a run of several programs: which it was
   int repetitions = 1, repetition_index = 0;
   int family_index = 0;  ///< of the cell in its file
+  int threads = 1;       ///< that the solver uses
 
   Outcome outcome = Outcome::ok;
   std::string error_message = {};  ///< one line, unless the outcome is ok
@@ -38,19 +39,26 @@ struct Row {
   /// Process.h, Disturbance: of the process that measured the row.
   std::optional<double> stolen_share = {}, involuntary_switches_per_s = {};
   std::optional<std::string> instruction_set = {};
-  std::optional<double> prepare_time = {}, mesh_time = {};  ///< CPU milliseconds
+  /// Milliseconds of CPU time; with several threads, of wall time.
+  std::optional<double> prepare_time = {}, renew_time = {}, mesh_time = {};
 
   Counters counters = {};
   std::optional<PhaseSeconds> phase_seconds = {};
   std::optional<std::int64_t> solver_peak_bytes = {}, process_peak_bytes = {};
   std::optional<std::uint64_t> unreachable_vertices = {};
   std::optional<std::string> recordings = {}, recordings_error = {};
-  std::optional<double> max_relative_error = {};
+  /// verify/distance_check.h, RelativeErrors.
+  std::optional<double> max_relative_error = {}, mean_relative_error = {}, rms_relative_error = {},
+                        p99_relative_error = {};
+  std::optional<std::uint64_t> unreachable_mismatches = {};
   std::optional<std::string> reference = {};
 
   /// "<solver>/<mesh>/src:<vertex>"
   std::string name() const;
   bool ok() const { return outcome == Outcome::ok; }
+  /// What is published as the time: of the CPU, and of the wall where several threads share the
+  /// work.
+  double solve_time() const { return threads > 1 ? real_time : cpu_time; }
 };
 
 /// @see Row::name

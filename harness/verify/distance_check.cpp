@@ -42,6 +42,8 @@ double excess(double got, double expected, Relation relation, double least) {
       return -error;
     case Relation::at_most:
       return error;
+    case Relation::same_reach:
+      return std::isinf(error) || got < 0 ? kInfinity : 0;
   }
   return kInfinity;
 }
@@ -112,6 +114,20 @@ Finding check_distances(const Query& query, std::span<const double> got,
   return found;
 }
 
+Promise Promise::of(const Description& solver) {
+  const bool bounded = solver.exactness == Exactness::bounded;
+  return {solver.exactness, bounded ? solver.error_bound(solver) : 0};
+}
+
+Finding check_promise(const Promise& promise, const Query& query, std::span<const double> got,
+                      std::span<const double> expected, Tolerance tolerance) {
+  tolerance.relative += promise.bound;
+  const Relation relation = promise.exactness == Exactness::upper_bound ? Relation::upper_bound
+                            : promise.exactness == Exactness::unbounded ? Relation::same_reach
+                                                                        : Relation::equal;
+  return check_distances(query, got, expected, relation, tolerance);
+}
+
 Finding check_edges(const Mesh& mesh, const Query& query, std::span<const double> distances,
                     const Tolerance& tolerance) {
   double worst = tolerance.relative;
@@ -153,30 +169,51 @@ std::vector<double> straight_lines(const TriangleSoup& soup, const Query& query)
                   [&](Index v) -> const Vec3& { return soup.positions[v]; });
 }
 
-Verdict verify_distances(const Mesh& mesh, const Query& query, Exactness exactness,
-                         std::span<const double> distances, const NamedDistances& reference,
-                         const std::optional<NamedDistances>& edge_graph) {
-  const bool exact = exactness == Exactness::exact;
-  Verdict verdict;
-  for (std::size_t v = 0; v < distances.size(); ++v) {
-    const double error = std::abs(relative_error(distances[v], reference.values[v]));
-    if (std::isfinite(error)) {
-      verdict.max_relative_error = std::max(verdict.max_relative_error, error);
+RelativeErrors relative_errors(std::span<const double> got, std::span<const double> expected) {
+  RelativeErrors errors;
+  std::vector<double> sizes;
+  double sum = 0, squares = 0;
+  for (std::size_t v = 0; v < got.size(); ++v) {
+    const double size = std::abs(relative_error(got[v], expected[v]));
+    if (std::isnan(got[v]) || std::isinf(got[v]) != std::isinf(expected[v])) {
+      ++errors.unreachable_mismatches;
+    } else if (std::isfinite(size) && std::isfinite(expected[v])) {
+      sizes.push_back(size);
+      sum += size;
+      squares += size * size;
     }
   }
+  if (sizes.empty()) return errors;
+  const auto count = static_cast<double>(sizes.size());
+  errors.mean = sum / count;
+  errors.rms = std::sqrt(squares / count);
+  const auto p99 = sizes.begin() + static_cast<std::ptrdiff_t>(std::ceil(0.99 * count)) - 1;
+  std::ranges::nth_element(sizes, p99);
+  errors.p99 = *p99;
+  errors.max = *std::max_element(p99, sizes.end());
+  return errors;
+}
+
+Verdict verify_distances(const Mesh& mesh, const Query& query, const Promise& promise,
+                         std::span<const double> distances, const NamedDistances& reference,
+                         const std::optional<NamedDistances>& edge_graph) {
+  const Exactness exactness = promise.exactness;
+  const Tolerance tolerance{.relative = kExactTolerance + promise.bound};
+  Verdict verdict{.errors = relative_errors(distances, reference.values)};
   Finding finding = in("compared with " + reference.by,
-                       check_distances(query, distances, reference.values,
-                                       exact ? Relation::equal : Relation::at_least));
-  if (!finding) {
+                       check_promise(promise, query, distances, reference.values));
+  if (!finding && exactness != Exactness::unbounded) {
+    finding = in("less than the straight line",
+                 check_distances(query, distances, straight_lines(mesh, query), Relation::at_least,
+                                 tolerance));
+  }
+  const bool at_most_edges = exactness == Exactness::exact || exactness == Exactness::bounded;
+  if (!finding && at_most_edges && edge_graph) {
     finding =
-        in("less than the straight line",
-           check_distances(query, distances, straight_lines(mesh, query), Relation::at_least));
+        in("more than along edges (" + edge_graph->by + ")",
+           check_distances(query, distances, edge_graph->values, Relation::at_most, tolerance));
   }
-  if (!finding && exact && edge_graph) {
-    finding = in("more than along edges (" + edge_graph->by + ")",
-                 check_distances(query, distances, edge_graph->values, Relation::at_most));
-  }
-  if (!finding) finding = check_edges(mesh, query, distances);
+  if (!finding && exactness == Exactness::exact) finding = check_edges(mesh, query, distances);
   if (finding) verdict.error = finding->what;
   return verdict;
 }

@@ -2,6 +2,7 @@
 // path obeys. Runs, properties and `solve --check` judge by these functions alone.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -45,6 +46,7 @@ enum class Relation {
   upper_bound,  ///< not less, infinite and 0 in the same places
   at_least,     ///< not less
   at_most,      ///< not more
+  same_reach,   ///< infinite and 0 in the same places, otherwise anything that is not negative
 };
 
 /// (got - expected) / expected, or / `least` where that is more; 0 when they are equal. Infinite,
@@ -57,6 +59,21 @@ double relative_error(double got, double expected, double least = 0);
 Finding check_distances(const Query& query, std::span<const double> got,
                         std::span<const double> expected, Relation relation = Relation::equal,
                         const Tolerance& tolerance = {});
+
+/// What a solver promises of its distances.
+struct Promise {
+  Exactness exactness = Exactness::exact;
+  double bound = 0;  ///< relative error of a bounded one
+
+  static Promise of(const Description& solver);
+};
+
+/// Distances keep the promise: exact ones equal the expected ones, bounded ones differ by no more
+/// than the bound, upper bounds are not below them, and unbounded ones reach the same vertices.
+/// Runs, properties, explanations and `differential` judge a solver by this.
+/// @param tolerance of rounding, beside a bound
+Finding check_promise(const Promise& promise, const Query& query, std::span<const double> got,
+                      std::span<const double> expected, Tolerance tolerance = {});
 
 /// |d(u) - d(v)| <= |uv| along every edge, up to the tolerance, relative to the larger distance.
 /// The message names the vertex that exceeds it by most.
@@ -73,20 +90,32 @@ struct NamedDistances {
   std::span<const double> values;
 };
 
+/// Sizes of relative errors, over the vertices that both reach and whose right distance is not 0
+/// unless the distance is 0 too.
+struct RelativeErrors {
+  double max = 0, mean = 0, rms = 0;
+  double p99 = 0;  ///< the least error that 99% of the vertices do not exceed
+  std::uint64_t unreachable_mismatches = 0;  ///< vertices that one reaches and the other does not,
+                                             ///< or whose distance is not a number
+};
+
+RelativeErrors relative_errors(std::span<const double> got, std::span<const double> expected);
+
 struct Verdict {
-  std::string error = {};         ///< empty when the distances are right; otherwise one line
-  double max_relative_error = 0;  ///< against the reference, over vertices that both reach
+  std::string error = {};      ///< empty when the distances are right; otherwise one line
+  RelativeErrors errors = {};  ///< against the reference, right or wrong
 };
 
 /// The checks of a solver's distances before they are timed, until one fails:
-/// - the reference: exact distances equal it; an upper bound is not below it;
+/// - the promise, against the reference;
 /// - the straight line: no vertex is nearer than its distance in space to the nearest source;
-/// - the edge graph: an exact distance is at most that along edges;
-/// - the edges: neighbours differ by no more than their edge is long.
-/// All with the tolerance of exact distances.
+/// - the edge graph: an exact or bounded distance is at most that along edges;
+/// - the edges: exact distances of neighbours differ by no more than their edge is long.
+/// All with the tolerance of exact distances, and for a bounded solver with its bound. An unbounded
+/// one promises nothing of lines and edges.
 /// @param query without a limit
 /// @param edge_graph from a solver of upper bounds; may be absent
-Verdict verify_distances(const Mesh& mesh, const Query& query, Exactness exactness,
+Verdict verify_distances(const Mesh& mesh, const Query& query, const Promise& promise,
                          std::span<const double> distances, const NamedDistances& reference,
                          const std::optional<NamedDistances>& edge_graph);
 

@@ -109,8 +109,7 @@ class Explanation {
   void say(const std::string& line) { lines_.push_back(line); }
 
   Finding check(std::span<const double> got, std::span<const double> right) const {
-    const bool exact = solver_.exactness == Exactness::exact;
-    return check_distances(query_, got, right, exact ? Relation::equal : Relation::upper_bound);
+    return check_promise(Promise::of(solver_), query_, got, right);
   }
   bool wrong(Index v) const { return check({&got_[v], 1}, {&right_[v], 1}).has_value(); }
 

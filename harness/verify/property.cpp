@@ -28,6 +28,9 @@ constexpr ClaimInWords kClaims[] = {
     {kNoFinalWindows, "to keep no windows", [](const Description& d) { return !d.final_windows; }},
     {kOwnKernel, "the window kernel of this project",
      [](const Description& d) { return !d.independent_oracle; }},
+    {kSameBits, "the same bits every time", [](const Description& d) { return d.deterministic; }},
+    {kConcurrentObjects, "objects that solve at the same time",
+     [](const Description& d) { return d.abilities.concurrent_objects; }},
 };
 
 Finding must_refuse(const Trial& trial, const std::string& why) {
@@ -68,9 +71,7 @@ std::vector<double> Trial::expected(const Query& query) const {
 
 Finding Trial::correct(const Query& query, std::span<const double> got,
                        std::span<const double> expected) const {
-  const bool exact = solver_.exactness == Exactness::exact;
-  return check_distances(query, got, expected, exact ? Relation::equal : Relation::upper_bound,
-                         given_.tolerance);
+  return check_promise(Promise::of(solver_), query, got, expected, given_.tolerance);
 }
 
 Finding distances_are_right(const Trial& trial) {
@@ -78,7 +79,8 @@ Finding distances_are_right(const Trial& trial) {
   for (const Query& query : trial.queries()) {
     const auto got = trial.solve(*solver, query);
     if (auto wrong = trial.correct(query, got, trial.expected(query))) return wrong;
-    if (query.limit < kInfinity) continue;  // beyond it, distances become infinite
+    const bool exact = trial.solver().exactness == Exactness::exact;
+    if (!exact || query.limit < kInfinity) continue;  // beyond it, distances become infinite
     if (auto wrong = check_edges(trial.mesh(), query, got, trial.tolerance())) return wrong;
   }
   return {};

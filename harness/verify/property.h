@@ -59,7 +59,7 @@ class Trial {
   /// The right distances on the case's mesh. @throws NoReference
   std::vector<double> expected(const Query& query) const;
 
-  /// Equal up to rounding for an exact solver, not below for an upper bound.
+  /// What the solver promises (distance_check.h).
   Finding correct(const Query& query, std::span<const double> got,
                   std::span<const double> expected) const;
 
@@ -70,8 +70,8 @@ class Trial {
   mutable LocalReference reference_;  // keeps what it found out about the mesh
 };
 
-/// Every distance, by one solver object for all queries, is the expected one; neighbours differ by
-/// no more than their edge is long.
+/// Every distance, by one solver object for all queries, is what the solver promises; exact ones of
+/// neighbours differ by no more than their edge is long.
 Finding distances_are_right(const Trial& trial);
 
 /// What a solver must claim about itself for a property to concern it: bits.
@@ -84,6 +84,8 @@ enum Claim : unsigned {
   kFinalWindows = 16,
   kNoFinalWindows = 32,
   kOwnKernel = 64,  ///< not an independent oracle
+  kSameBits = 128,  ///< deterministic
+  kConcurrentObjects = 256,
 };
 
 struct Property {

@@ -16,7 +16,8 @@ std::vector<const Description*> rank_references(const Description& verified,
                                                 const std::optional<std::string>& named) {
   std::vector<const Description*> candidates;
   for (const Description* solver : solvers) {
-    if (solver->exactness != Exactness::exact || solver->name == verified.name) continue;
+    if (solver->exactness != Exactness::exact) continue;
+    if (base_name(solver->name) == base_name(verified.name)) continue;
     if (!solver->by_name_only || solver->name == named) candidates.push_back(solver);
   }
   std::ranges::sort(candidates, {}, [&](const Description* solver) {
@@ -29,11 +30,17 @@ std::vector<const Description*> rank_references(const Description& verified,
 
 std::vector<std::string> reference_candidates(const Description& verified,
                                               const ReferenceSources& sources) {
+  std::vector<const Description*> solvers = registered_solvers();
+  std::optional<std::string> named = sources.named;
+  if (const Description* solver = named ? find_solver(*named) : nullptr) {
+    named = solver->name;
+    if (!solver->values.empty()) solvers.push_back(solver);
+  }
   std::vector<std::string> names;
-  for (const Description* solver : rank_references(verified, registered_solvers(), sources.named)) {
+  for (const Description* solver : rank_references(verified, solvers, named)) {
     names.push_back(solver->name);
   }
-  const bool named_is_first = !names.empty() && names.front() == sources.named;
+  const bool named_is_first = !names.empty() && names.front() == named;
   const auto others = names.begin() + (named_is_first ? 1 : 0);
   std::vector<std::string> known;
   if (sources.closed_form) known.emplace_back(kClosedForm);
@@ -43,7 +50,9 @@ std::vector<std::string> reference_candidates(const Description& verified,
 }
 
 const Description* choose_upper_bound(const std::vector<const Description*>& solvers) {
-  const auto at = std::ranges::find(solvers, Exactness::upper_bound, &Description::exactness);
+  const auto at = std::ranges::find_if(solvers, [](const Description* solver) {
+    return solver->exactness == Exactness::upper_bound && !solver->by_name_only;
+  });
   return at == solvers.end() ? nullptr : *at;
 }
 

@@ -30,7 +30,8 @@ struct ReferenceSources {
 
 /// Exact solvers that can verify another one, best first: the named one, independent oracles, other
 /// families, the faster ones (`Description::relative_time`, an unknown one last), then by name. One
-/// that is `by_name_only` must be named. Whether one supports the mesh is not considered.
+/// that is `by_name_only` must be named. None is the same solver with other parameters. Whether one
+/// supports the mesh is not considered.
 std::vector<const Description*> rank_references(const Description& verified,
                                                 const std::vector<const Description*>& solvers,
                                                 const std::optional<std::string>& named);
@@ -40,8 +41,8 @@ std::vector<const Description*> rank_references(const Description& verified,
 std::vector<std::string> reference_candidates(const Description& verified,
                                               const ReferenceSources& sources);
 
-/// A solver whose distances are never too short, to bound exact ones from above; null if there is
-/// none.
+/// A solver whose distances are never too short and that is not `by_name_only`, to bound exact ones
+/// from above; null if there is none.
 const Description* choose_upper_bound(const std::vector<const Description*>& solvers);
 
 /// Whether the mesh's generator states a closed form.

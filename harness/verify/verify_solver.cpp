@@ -5,6 +5,7 @@
 #include <set>
 
 #include "harness/base/error.h"
+#include "harness/base/files.h"
 #include "harness/base/plugins.h"
 #include "harness/corpus/manifest.h"
 #include "harness/corpus/solvers.h"
@@ -89,8 +90,9 @@ class Verification {
   explicit Verification(const VerifyRequest& request)
       : request_(request),
         check_(solver_named(request.solver), request.vectors, request.time_limit),
-        folder_(request.out.empty() ? std::filesystem::path("failures-" + request.solver)
-                                    : request.out) {}
+        folder_(request.out.empty()
+                    ? std::filesystem::path("failures-" + as_file_name(check_.solver().name))
+                    : request.out) {}
 
   bool run() {
     const std::vector<MeshEntry> meshes = meshes_of(request_);

@@ -11,37 +11,6 @@
 
 namespace geodesic {
 
-/// A generator's parameters, complete and in range.
-class CheckedParameters {
- public:
-  /// @param owner the generator's name, for messages
-  /// @throws std::invalid_argument for an unknown parameter, a missing file and a value out of
-  /// range
-  CheckedParameters(std::string_view owner, const std::vector<ParameterDescription>& descriptions,
-                    const GeneratorParameters& given);
-
-  /// Values by name; a name that was not described is a programming error (std::out_of_range).
-  Index integer(std::string_view name) const { return static_cast<Index>(real(name)); }
-  double real(std::string_view name) const;
-  /// Of a choice or a file.
-  const std::string& text(std::string_view name) const;
-  std::vector<std::string> words(std::string_view name) const;
-
- private:
-  std::map<std::string, std::string, std::less<>> texts_;
-};
-
-ParameterDescription integer_parameter(std::string name, Index default_value, Index least,
-                                       Index greatest, std::string description);
-ParameterDescription real_parameter(std::string name, double default_value, double least,
-                                    double greatest, std::string description);
-/// The first choice is the default, as of words.
-ParameterDescription choice_parameter(std::string name, std::vector<std::string> choices,
-                                      std::string description);
-ParameterDescription words_parameter(std::string name, std::vector<std::string> choices,
-                                     std::string description);
-ParameterDescription file_parameter(std::string name, std::string description);
-
 /// A mesh, and one line for each change that was made to the input file's mesh.
 struct GeneratedMesh {
   GeneratedMesh(TriangleSoup mesh, std::vector<std::string> lines = {})

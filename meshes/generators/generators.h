@@ -8,53 +8,17 @@
 // generators.cpp.
 #pragma once
 
-#include <concepts>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "solvers/core/geometry.h"
+#include "solvers/core/parameters.h"
 
 namespace geodesic {
 
-/// A parameter's value as it is written on a command line; numbers convert without loss.
-class ParameterValue {
- public:
-  ParameterValue(const char* text) : text_(text) {}
-  ParameterValue(std::string text) : text_(std::move(text)) {}
-  template <typename Number>
-  requires(std::integral<Number> || std::floating_point<Number>) ParameterValue(Number number)
-      : text_(shortest_text(static_cast<double>(number))) {}
-
-  const std::string& text() const { return text_; }
-
- private:
-  static std::string shortest_text(double number);
-  std::string text_;
-};
-
 /// Values by the parameters' names.
-using GeneratorParameters = std::map<std::string, ParameterValue, std::less<>>;
-
-/// `words` is one or more of the choices, separated by commas; `file` a path, without a default.
-enum class ParameterKind { integer, real, choice, words, file };
-
-struct ParameterDescription {
-  std::string name;  ///< lower case with hyphens: "tube-radius"
-  std::string description;
-  ParameterKind kind = ParameterKind::integer;
-  ParameterValue default_value = 0;
-  double least = 0;  ///< closed range of a number
-  double greatest = 0;
-  std::vector<std::string> choices = {};  ///< the words that a choice may be
-
-  bool is_number() const { return kind == ParameterKind::integer || kind == ParameterKind::real; }
-  bool is_required() const { return kind == ParameterKind::file; }
-  /// "an integer from 1 to 9", "a number from 0.1 to 2", "one of forward, backward", "a file"
-  std::string range() const;
-};
+using GeneratorParameters = ParameterValues;
 
 /// A generator as data: what `geodesic-bench generate --list` prints.
 struct GeneratorDescription {

@@ -28,7 +28,8 @@ namespace geodesic {
 using SolverFactory =
     std::function<std::unique_ptr<Solver>(const Mesh& mesh, const Description& description)>;
 
-/// Adds a solver. @throws std::logic_error when the name is taken.
+/// Adds a solver. @throws std::logic_error when the name is taken, or a parameter is not as it must
+/// be
 void register_solver(Description description, SolverFactory factory);
 
 /// The outcome of solvers registering themselves.
@@ -44,12 +45,25 @@ Registrations collect_registrations(const std::function<void()>& load);
 /// Descriptions of all registered solvers, by name.
 std::vector<const Description*> registered_solvers();
 
+/// A solver by its name, with values for its parameters where these are not the default:
+/// "mmp", "avtp?lambda=32&threads=2". The description of such a configured solver has one canonical
+/// name (defaults left out, parameters in the order of their description, numbers in their shortest
+/// form) and one address, which stays valid; threads may ask at the same time.
 /// @return null when no solver has that name
+/// @throws std::invalid_argument naming the solver, for a parameter that it does not have or a
+/// value
+///         out of range
 const Description* find_solver(std::string_view name);
+
+/// As find_solver. @throws std::invalid_argument for an unknown name too, listing the known ones
+const Description& solver_named(std::string_view name);
+
+/// What stands before the parameters: "avtp" of "avtp?lambda=32".
+std::string_view base_name(std::string_view name);
 
 /// Prepares a solver for a mesh, which must outlive it. The solver works in a unit of length in
 /// which squares and fourth powers of lengths stay within range (unit.h).
-/// @throws std::invalid_argument for an unknown name, listing the known ones
+/// @param name as of solver_named, which says what is thrown
 std::unique_ptr<Solver> make_solver(std::string_view name, const Mesh& mesh);
 
 /// Whether a solver runs only when it is named: set by geodesic_add_solver

@@ -22,6 +22,8 @@ class Rescaled final : public Solver {
   InstructionSet instruction_set() const override { return solver_->instruction_set(); }
 
  private:
+  void renew_state() override { solver_->renew(); }
+
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
     Query in_unit = query;
     in_unit.limit = unit_.in_unit(query.limit);

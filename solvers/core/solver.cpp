@@ -42,6 +42,19 @@ void check_query(const Query& query, const Mesh& mesh, const Description& solver
 
 }  // namespace
 
+double Description::real(std::string_view parameter) const {
+  return CheckedParameters(name, parameters, values).real(parameter);
+}
+
+std::string Description::text(std::string_view parameter) const {
+  return CheckedParameters(name, parameters, values).text(parameter);
+}
+
+int Description::thread_count() const {
+  const auto named = std::ranges::find(parameters, "threads", &ParameterDescription::name);
+  return named == parameters.end() ? threads : static_cast<int>(integer("threads"));
+}
+
 Solver::Solver(const Mesh& mesh, const Description& description)
     : mesh_(mesh), description_(description) {
   if (mesh.has_non_manifold_vertices() && !description.abilities.non_manifold_vertices) {
@@ -58,6 +71,8 @@ void Solver::solve(const Query& query, std::span<double> distances, Recording* r
   if (distances.size() != mesh_.vertex_count()) {
     refuse(description_, "needs room for one distance a vertex");
   }
+  renew();
+  used_ = true;
   if (!mesh_.numbers().are_given()) {
     solve_renumbered(query, distances, recording);
   } else {
@@ -67,6 +82,11 @@ void Solver::solve(const Query& query, std::span<double> distances, Recording* r
   for (double& d : distances) {
     if (d > query.limit) d = kInfinity;
   }
+}
+
+void Solver::renew() {
+  if (used_ && description_.needs_renewal) renew_state();
+  used_ = false;
 }
 
 void Solver::solve_renumbered(Query query, std::span<double> distances, Recording* recording) {

@@ -16,6 +16,7 @@
 
 #include "solvers/core/instruction_set.h"
 #include "solvers/core/mesh.h"
+#include "solvers/core/parameters.h"
 #include "solvers/core/recording.h"
 
 namespace geodesic {
@@ -39,9 +40,13 @@ struct Query {
   }
 };
 
+/// What a solver promises of its distances. Whatever it promises, they are 0 at sources and
+/// infinite where no path leads.
 enum class Exactness {
   exact,        ///< the geodesic distance up to rounding (1e-12 relative on clean meshes)
+  bounded,      ///< of a relative error of at most Description::error_bound
   upper_bound,  ///< never less than the geodesic distance
+  unbounded,    ///< no more: its error is measured, and never wrong
 };
 
 /// What a solver can do; asking for more is an error that names the missing ability.
@@ -51,6 +56,7 @@ struct Abilities {
   bool distance_limit = true;
   bool non_manifold_vertices = true;  ///< several fans of faces at one vertex
   bool degenerate_faces = true;       ///< zero-length edges, zero-area faces
+  bool concurrent_objects = true;     ///< objects may solve in several threads at the same time
   Index max_vertices = kNone;         ///< larger meshes take unreasonably long
 };
 
@@ -66,13 +72,32 @@ struct Description {
   bool spatial_order = false;  ///< windows of an edge are available in spatial order
   bool final_windows = false;  ///< keeps the windows of all edges, and hands them over
   Exactness exactness = Exactness::exact;
+  /// Of a bounded solver: the largest relative error with the parameters of this description.
+  double (*error_bound)(const Description&) = nullptr;
+  /// The same query gives the same bits every time; false for parallel codes that do not promise
+  /// it.
+  bool deterministic = true;
   bool independent_oracle = false;  ///< shares no kernel with the others: first choice to verify by
   double relative_time = 0;         ///< of a solve of a scan of 50,000 vertices, measured, that of
                                     ///< the fastest solver being 1; 0: not known
   bool by_name_only = false;  ///< a variant or an example, which runs and verifies others only when
                               ///< named; set by the build for what lies in solvers/variants/
+  int threads = 1;  ///< that a solve uses; the parameter `threads` says so where there is one
+  bool needs_renewal = false;  ///< keeps state of a query: Solver::renew before the next one
   Abilities abilities = {};
   std::string remarks = {};  ///< licence of what it links, limits, anything a user must know
+  /// Numbers and choices, in the order in which names show them: "avtp?lambda=32&threads=2".
+  std::vector<ParameterDescription> parameters = {};
+  /// Of those that are not at their default; set by the registry, which also makes `name` the
+  /// canonical one. A solver reads them by the functions below.
+  ParameterValues values = {};
+
+  /// @throws std::out_of_range when no such parameter is described
+  double real(std::string_view parameter) const;
+  Index integer(std::string_view parameter) const { return static_cast<Index>(real(parameter)); }
+  std::string text(std::string_view parameter) const;
+
+  int thread_count() const;
 };
 
 /// Distances over one mesh; a solver family derives from it and implements `run`.
@@ -95,6 +120,11 @@ class Solver {
   ///         `distances` has the wrong size
   void solve(const Query& query, std::span<double> distances, Recording* recording = nullptr);
 
+  /// Makes an object that has answered a query ready for the next one, where its description says
+  /// that it needs renewal; otherwise nothing. `solve` does so by itself. Who times solves calls it
+  /// before, and times it apart.
+  void renew();
+
   /// The vector instructions that this object solves with: those chosen when it was constructed
   /// (core/instruction_set.h), as far as the solver is compiled for them.
   virtual InstructionSet instruction_set() const { return InstructionSet::plain; }
@@ -110,10 +140,14 @@ class Solver {
   /// with +infinity. May leave distances above the limit; they are cleared afterwards.
   virtual void run(const Query& query, std::span<double> distances, Recording* recording) = 0;
 
+  /// Drops what is left of the last query: of public codes that keep it in their mesh.
+  virtual void renew_state() {}
+
   void solve_renumbered(Query query, std::span<double> distances, Recording* recording);
 
   const Mesh& mesh_;
   const Description& description_;
+  bool used_ = false;                  // since it was made or renewed
   std::vector<double> in_mesh_order_;  // scratch of solve_renumbered
 };
 

@@ -12,9 +12,11 @@
 #include <mutex>
 #include <thread>
 #include <tuple>
+#include <utility>
 
 #include "harness/base/clock.h"
 #include "harness/base/files.h"
+#include "harness/base/plugins.h"
 #include "harness/corpus/solvers.h"
 #include "harness/verify/property.h"
 #include "harness/verify/shrink.h"
@@ -88,11 +90,10 @@ std::vector<double> ask_in_a_process(const Description& solver, const Mesh& mesh
 }
 
 std::vector<const Description*> solvers_of(const Request& request) {
-  std::vector<const Description*> chosen;
-  for (const std::string& name : request.solvers) chosen.push_back(&harness::solver_named(name));
+  std::vector<const Description*> chosen = harness::solvers_named(request.solvers);
   if (!chosen.empty()) return chosen;
   for (const Description* solver : registered_solvers()) {
-    if (solver->exactness == Exactness::exact) chosen.push_back(solver);
+    if (solver->exactness != Exactness::unbounded) chosen.push_back(solver);
   }
   return chosen;
 }
@@ -152,11 +153,17 @@ class Differential {
       for (const Answer& judge : judges) {
         const double error = compare(number, kind, given, answer, judge);
         // The first judge decides; an independent oracle is not ours to repair.
-        const bool right = error <= given.tolerance.relative || &judge != &judges.front();
-        if (right || solver->independent_oracle) continue;
+        if (&judge != &judges.front() || solver->independent_oracle) continue;
+        const Finding wrong =
+            harness::check_promise(harness::Promise::of(*solver), query, answer.distances,
+                                   judge.distances, given.tolerance);
+        if (!wrong) continue;
         note(number, *solver, given, "differs from " + judge.by + " by " + significant(error, 3));
       }
-      if (judges.empty() || solver->independent_oracle) judges.push_back(std::move(answer));
+      const bool exact = solver->exactness == Exactness::exact;
+      if (exact && (judges.empty() || solver->independent_oracle)) {
+        judges.push_back(std::move(answer));
+      }
     }
     const std::lock_guard lock(mutex_);
     ++meshes_[kind];
@@ -172,7 +179,9 @@ class Differential {
     for (const Description* solver : solvers_) {
       if (harness::unsupported(*solver, mesh).empty()) fit.push_back(solver);
     }
-    std::ranges::stable_sort(fit, std::ranges::greater(), &Description::independent_oracle);
+    std::ranges::stable_sort(fit, {}, [](const Description* solver) {
+      return std::pair(!solver->independent_oracle, solver->exactness != Exactness::exact);
+    });
     return fit;
   }
 
@@ -223,8 +232,8 @@ class Differential {
     const harness::Property& property = *harness::find_property(harness::kDistancesProperty);
     const Case given = random_case(request_.seed, each.number, Scratch().folder());
     const Finding failed = harness::check_case(property, *each.solver, given);
-    const std::string stem = each.solver->name + "-seed-" + std::to_string(request_.seed) +
-                             "-mesh-" + std::to_string(each.number);
+    const std::string stem = harness::as_file_name(each.solver->name) + "-seed-" +
+                             std::to_string(request_.seed) + "-mesh-" + std::to_string(each.number);
     const std::filesystem::path file = request_.out / (stem + ".obj");
     Case small = given;
     if (failed) {
@@ -241,11 +250,11 @@ class Differential {
             << request_.seed << ", " << given.mesh << '\n'
             << "  smallest case  " << file.string() << ": " << small.soup.triangles.size()
             << " faces of " << given.soup.triangles.size() << '\n'
-            << "  reproduce it   geodesic-bench verify --solver " << each.solver->name
-            << " --property " << property.name << " --meshes " << file.string()
-            << words_of(small.queries.front()) << '\n'
+            << "  reproduce it   geodesic-bench verify --solver "
+            << harness::quoted(each.solver->name) << " --property " << property.name << " --meshes "
+            << file.string() << words_of(small.queries.front()) << '\n'
             << "  the whole      differential --seed " << request_.seed << " --only " << each.number
-            << " --solvers " << each.solver->name << '\n';
+            << " --solvers " << harness::quoted(each.solver->name) << '\n';
   }
 
   static std::string words_of(const Query& query) {

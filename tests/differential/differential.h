@@ -16,7 +16,7 @@ struct Request {
   std::uint64_t seed = 1;
   std::optional<std::uint64_t> only;  ///< this mesh of the seed alone
   unsigned jobs = 1;
-  std::vector<std::string> solvers;  ///< empty: every exact one
+  std::vector<std::string> solvers;  ///< empty: all that are not unbounded
   std::filesystem::path out;         ///< folder for failing meshes
   double shrink = 30;                ///< seconds spent on making a failing mesh smaller
 };

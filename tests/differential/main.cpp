@@ -16,7 +16,9 @@ int main(int argc, char** argv) {
   app.add_option("--jobs", request.jobs, "meshes at a time")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
-  app.add_option("--solvers", request.solvers, "names; without, every exact one")->delimiter(',');
+  app.add_option("--solvers", request.solvers,
+                 "names; without, every one that promises something of its distances")
+      ->delimiter(',');
   app.add_option("--out", request.out, "folder for failing meshes")->capture_default_str();
   app.add_option("--shrink", request.shrink, "seconds spent on making one smaller")
       ->capture_default_str();

@@ -210,7 +210,7 @@ TEST_F(VerifyCommand, ListsThePropertiesWithTheirStatements) {
   EXPECT_EQ(list.code, 0) << list.err;
   expect_words(list.out, {"refusals-name-the-solver\n    the message of a refused query",
                           "(needs a distance limit, initial distances, multiple sources)",
-                          "are its edges (on its own meshes only)"});
+                          "are its edges (needs exact distances) (on its own meshes only)"});
 }
 
 TEST_F(VerifyCommand, BadRequestsAreErrorsThatSayWhatToDo) {
@@ -260,7 +260,8 @@ TEST_F(VerifyCommand, SolveComparesDistancesWhenAsked) {
   EXPECT_EQ(nlohmann::json::parse(sound.out).at("reference"), "brute force");
   const Output wrong = check("wrong", {});
   EXPECT_EQ(wrong.code, 2) << wrong.out;
-  expect_words(wrong.err, {"wrong: compared with brute force", "first at vertex 36", "relative error 1e-09"});
+  expect_words(wrong.err,
+               {"wrong: compared with brute force", "first at vertex 36", "relative error 1e-09"});
   const Output each = check("forgetful", {"--source", "2", "--each"});
   EXPECT_EQ(each.code, 2) << each.out;
   const Output limited = check(exact_solver(), {"--limit", "1"});

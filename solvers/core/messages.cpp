@@ -1,4 +1,4 @@
-#include "meshes/messages.h"
+#include "solvers/core/messages.h"
 
 #include <algorithm>
 #include <array>
