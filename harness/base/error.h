@@ -26,6 +26,16 @@ class WrongAnswer : public HarnessError {
   using HarnessError::HarnessError;
 };
 
+/// Does something; its errors get a place in front: "mesh horse: sha256: ...".
+template <class Action>
+void at_place(const std::string& place, const Action& action) {
+  try {
+    action();
+  } catch (const HarnessError& error) {
+    throw HarnessError(excerpt(place) + ": " + error.what());
+  }
+}
+
 /// The item of a list that has a name.
 /// @param kind what the name should have been: "solver"
 /// @param name_of an item's name, as std::ranges::find takes it

@@ -2,14 +2,62 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 #include <utility>
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"
+#include "harness/base/schema.h"
 
 namespace geodesic::harness {
 namespace fs = std::filesystem;
 namespace {
+
+// What an entry names: its source, and meshes or elevation grids before it.
+void check_references(const Json& entry, const Json& sources, const std::set<std::string>& known) {
+  if (entry.contains("path")) {
+    const std::string path = entry["path"];
+    const std::string source = path.substr(0, path.find('/'));
+    if (!sources.contains(source)) throw HarnessError("path: there is no source '" + source + "'");
+  }
+  for (const Json& source : entry.value("sources", Json::array())) {
+    if (source < entry["vertices"]) continue;
+    throw HarnessError("sources: must be vertices of the mesh, not " + shown(source));
+  }
+  const Json inputs = entry.value("inputs", Json::object());
+  for (const auto& [parameter, input] : inputs.items()) {
+    const std::string place = "inputs: " + parameter + ": ";
+    if (!known.contains(input)) {
+      throw HarnessError(place + "there is no mesh '" + input.get<std::string>() +
+                         "' before this one");
+    }
+    if (entry["parameters"].contains(parameter)) {
+      throw HarnessError(place + "is one of the parameters, too");
+    }
+  }
+}
+
+// What the schema says, and what no schema can say: that names are known, and used once.
+void check_manifest(const Json& manifest) {
+  static const Json schema = read_json(data_folder() / "datasets" / "manifest.schema.json");
+  check_schema(manifest, schema);
+  std::set<std::string> known, meshes, files;
+  for (const std::string list : {"elevation_grids", "meshes"}) {
+    for (const Json& entry : manifest[list]) {
+      at_place(list + ": " + entry["name"].get<std::string>(), [&] {
+        check_references(entry, manifest["sources"], known);
+        if (!known.insert(entry["name"]).second) throw HarnessError("the name is used twice");
+        if (!files.insert(entry["file"]).second) throw HarnessError("the file is used twice");
+      });
+      if (list == "meshes") meshes.insert(entry["name"]);
+    }
+  }
+  for (const auto& [corpus, members] : manifest["corpora"].items()) {
+    for (const std::string member : members) {
+      at_place("corpora: " + corpus, [&] { named("mesh", meshes, member); });
+    }
+  }
+}
 
 std::optional<Recipe> recipe_of(const Json& mesh) {
   if (!mesh.contains("generator") || mesh.contains("inputs")) return std::nullopt;
@@ -44,11 +92,7 @@ Manifest::Manifest(const fs::path& file, const fs::path& cache)
 
 Manifest::Manifest(Json json, const std::string& name, const fs::path& cache)
     : json_(std::move(json)) {
-  try {
-    check_manifest(json_);
-  } catch (const HarnessError& error) {
-    throw HarnessError(name + ": " + error.what());
-  }
+  at_place(name, [&] { check_manifest(json_); });
   for (const Json& mesh : json_["meshes"]) meshes_.push_back(entry_of(mesh, cache));
   json_["corpora"].get_to(corpora_);
 }

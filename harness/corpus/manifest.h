@@ -66,10 +66,6 @@ class Manifest {
   Corpora corpora_;
 };
 
-/// Checks a manifest's content: keys, types, names, and what they refer to.
-/// @throws HarnessError naming the first place that is wrong
-void check_manifest(const Json& manifest);
-
 /// datasets/manifest.json of the data folder (folders.h).
 std::filesystem::path default_manifest();
 

@@ -82,13 +82,11 @@ Suite read_suite(const std::filesystem::path& file) {
 
 Suite parse_suite(const Json& json, const std::string& name) {
   Suite suite;
-  try {
+  at_place(name, [&] {
     if (!json.is_object()) throw HarnessError("a suite is a JSON object");
     for (const auto& [key, value] : json.items()) set(suite, key, value);
     check_suite(suite);
-  } catch (const HarnessError& error) {
-    throw HarnessError(name + ": " + error.what());
-  }
+  });
   return suite;
 }
 

@@ -40,7 +40,7 @@ def test_a_name_in_a_manifest_does_not_lead_out_of_the_run(
         "GEODESIC_DATASETS=$PWD geodesic-bench run --manifest manifest.json --corpus all"
         " --solvers mmp --sources 1 --recordings all --out run"
     )
-    assert ended.returncode == 1 and "invalid name" in ended.stderr, ended
+    assert ended.returncode == 1 and "must be a name of at most 100" in ended.stderr, ended
     assert tree(tmp_path) == before
 
 
