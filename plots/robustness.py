@@ -12,16 +12,19 @@ from plots.models import ordered_meshes
 from results.reader import Mesh, ResultError, Row, Run
 from results.table import BLANK, Cell, Table
 
-RIGHT = "right"
-WORDS = {
-    "crashed": "crash",
-    "time-out": "hang",
-    "out of memory": "out of memory",
-    "wrong answer": "wrong",
-    "error": "refused",
+RIGHT, OFF, WRONG, IMPRECISE, EXITS, REFUSED = (
+    "right", "off", "wrong", "imprecise", "exits", "refused",
+)  # fmt: skip
+WORDS = [
+    "crash", "hang", "out of memory", WRONG, IMPRECISE, EXITS, REFUSED, "unsupported", OFF, RIGHT,
+]
+"""The worst first: of several outcomes of a case the first one is shown."""
+OF_OUTCOME = {
+    "crashed": "crash", "time-out": "hang", "out of memory": "out of memory",
     "unsupported": "unsupported",
-}
-"""What is shown for an outcome; of several outcomes of a case the first one."""
+}  # fmt: skip
+LEAST_WRONG = 1e-6
+"""Largest relative error from which on an answer is wrong and not only imprecise."""
 
 
 def matrix(run: Run) -> Table:
@@ -32,7 +35,7 @@ def matrix(run: Run) -> Table:
         name="robustness",
         title="Who is right on which case",
         header=["Case", "Reported of", *solvers],
-        text_columns=2 + len(solvers),
+        text_columns=2,
         rows=[
             *([_case(mesh), _reports(mesh), *(_cell(run, mesh, s) for s in solvers)]
               for mesh in cases),
@@ -42,10 +45,11 @@ def matrix(run: Run) -> Table:
             "Cases are meshes made by generators of this project, of the kind that the reports are "
             "about, each from the sources that the manifest names. The right answer is a closed "
             "form or brute force on up to 400 faces. Right: what the solver promises, on all "
-            "sources; of one that promises no bound, its largest relative error. Wrong: by the "
-            "largest relative error, or how many vertices are reached that must not be, or not "
-            "reached. Refused: the solver says why, and gives no distances. Unsupported: as "
-            "it declares.",
+            "sources; off: by its largest relative error, of one that promises no bound. Wrong: by "
+            "the largest relative error, or by how many vertices are reached that must not be, or "
+            f"not reached; imprecise: by less than {LEAST_WRONG:.0e}. Refused: the solver says "
+            "why, and gives no distances; exits: it ends the process without a word. Unsupported: "
+            "as it declares. What is shown of several sources is the worst.",
         ],
     )  # fmt: skip
 
@@ -53,11 +57,11 @@ def matrix(run: Run) -> Table:
 def failures(run: Run) -> Table:
     """@raises ResultError when no mesh of the run stands for a report, or all is right"""
     rows = [
-        [Cell(row.mesh), Cell(row.solver), Cell(str(row.source)), Cell(WORDS[row.outcome]),
+        [Cell(row.mesh), Cell(row.solver), Cell(str(row.source)), Cell(_word(run, row)),
          Cell(row.message)]
         for mesh in _cases(run)
         for row in run.rows
-        if row.mesh == mesh.name and row.outcome in WORDS and row.outcome != "unsupported"
+        if row.mesh == mesh.name and not row.ok and row.outcome != "unsupported"
     ]  # fmt: skip
     if not rows:
         raise ResultError(f"{run.file}: no solver fails on a case")
@@ -87,37 +91,51 @@ def _reports(mesh: Mesh) -> Cell:
     return Cell(", ".join(short) or ABSENT)
 
 
-def _cell(run: Run, mesh: Mesh, solver: str) -> Cell:
+def _word(run: Run, row: Row) -> str:
+    if row.ok:
+        return OFF if run.solvers[row.solver].exactness == "unbounded" else RIGHT
+    if row.outcome == "wrong answer":
+        slight = not _mismatches([row]) and _error([row]) < LEAST_WRONG
+        return IMPRECISE if slight else WRONG
+    if row.outcome == "error":
+        return EXITS if re.fullmatch(r"exit code \d+", row.message) else REFUSED
+    return OF_OUTCOME.get(row.outcome, row.outcome)
+
+
+def _mismatches(rows: Sequence[Row]) -> int:
+    return max(int(row.data.get("unreachable_mismatches", 0)) for row in rows)
+
+
+def _error(rows: Sequence[Row]) -> float:
+    return max(float(row.data.get("max_relative_error", 0)) for row in rows)
+
+
+def _worst(run: Run, mesh: Mesh, solver: str) -> tuple[str, list[Row]]:
+    """The worst word of a case, and the rows that it is of."""
     rows = run.cell(mesh.name, solver)
     if not rows:
-        return Cell("skipped" if run.skip(mesh.name, solver) else "missing")
-    outcomes = {row.outcome for row in rows}
-    word = next((WORDS[o] for o in WORDS if o in outcomes), RIGHT)
-    if word == "wrong":
-        return _wrong([row for row in rows if row.outcome == "wrong answer"])
-    error = max((row.numbers.get("max_relative_error", 0) for row in rows), default=0)
-    if word == RIGHT and run.solvers[solver].exactness == "unbounded":
-        return Cell(f"off {error_text(error)}", error)
-    return Cell(word)
+        return "skipped" if run.skip(mesh.name, solver) else "missing", []
+    words = [_word(run, row) for row in rows]
+    worst = min(words, key=lambda word: WORDS.index(word) if word in WORDS else -1)
+    return worst, [row for row, word in zip(rows, words, strict=True) if word == worst]
 
 
-def _wrong(rows: Sequence[Row]) -> Cell:
-    mismatches = max(int(row.data.get("unreachable_mismatches", 0)) for row in rows)
-    if mismatches:
-        return Cell(f"wrong: reach of {mismatches:,}")
-    error = max(row.data.get("max_relative_error", 0) for row in rows)
-    return Cell(f"wrong {error_text(error)}")
+def _cell(run: Run, mesh: Mesh, solver: str) -> Cell:
+    word, rows = _worst(run, mesh, solver)
+    if word not in (WRONG, IMPRECISE, OFF):
+        return Cell(word)
+    mismatches = _mismatches(rows)
+    by_how_much = f"reach of {mismatches:,}" if mismatches else error_text(_error(rows))
+    return Cell(f"{word}: {by_how_much}")
 
 
 def _totals(run: Run, cases: Sequence[Mesh], solvers: Sequence[str]) -> list[list[Cell]]:
-    """How many cases have each word, for the words that there are."""
-    first = {s: [_cell(run, mesh, s).text.split(" ")[0].rstrip(":") for mesh in cases]
-             for s in solvers}  # fmt: skip
-    words = [RIGHT, "off", *(word.split(" ")[0] for word in WORDS.values()), "skipped", "missing"]
-    names = {word.split(" ")[0]: word for word in WORDS.values()}
+    """How many cases have each word, for the words that there are; right ones first."""
+    words = {s: [_worst(run, mesh, s)[0] for mesh in cases] for s in solvers}
+    known = dict.fromkeys([*reversed(WORDS), *(word for of in words.values() for word in of)])
     return [
-        [Cell(f"{names.get(word, word)}, of {len(cases)}", "total"), BLANK,
-         *(Cell(str(first[s].count(word)), first[s].count(word)) for s in solvers)]
-        for word in words
-        if any(word in first[s] for s in solvers)
+        [Cell(f"{word}, of {len(cases)}", "total"), BLANK,
+         *(Cell(str(words[s].count(word)), words[s].count(word)) for s in solvers)]
+        for word in known
+        if any(word in words[s] for s in solvers)
     ]  # fmt: skip

@@ -166,9 +166,26 @@ def test_the_matrix_has_a_word_for_every_solver_and_case() -> None:
     assert shown == {
         "edge-based": ("right", "right"),
         "vtp": ("wrong: reach of 3", "crash"),
-        "my-heat": ("off 2.5e-01", "unsupported"),
-        "avtp": ("right", "wrong 5.0e-01"),
+        "my-heat": ("off: 2.5e-01", "unsupported"),
+        "avtp": ("right", "wrong: 5.0e-01"),
     }
+
+
+@pytest.mark.parametrize(
+    ("ended", "word"),
+    [
+        (failed("vtp", "apart", "wrong answer", max_relative_error=2e-9), "imprecise: 2.0e-09"),
+        (failed("vtp", "apart", "wrong answer", max_relative_error=2e-9, unreachable_mismatches=1),
+         "wrong: reach of 1"),
+        (failed("vtp", "apart", "error"), "refused"),
+        (replace(failed("vtp", "apart", "error"), message="exit code 1"), "exits"),
+        (failed("vtp", "apart", "time-out"), "hang"),
+        (failed("vtp", "apart", "out of memory"), "out of memory"),
+    ],
+)  # fmt: skip
+def test_an_end_has_its_word(ended: Row, word: str) -> None:
+    run = run_of([row("edge-based", "apart"), row("vtp", "apart", source=1), ended], CASES)
+    assert cells(robustness.matrix(run), Case="apart")["vtp"].text == word
 
 
 def test_a_case_says_what_it_stands_for_and_who_reported_it() -> None:
@@ -187,9 +204,9 @@ def test_the_cases_of_each_word_are_counted() -> None:
     assert totals == {
         "right, of 2": ["2", "0", "0", "1"],
         "off, of 2": ["0", "0", "1", "0"],
-        "crash, of 2": ["0", "1", "0", "0"],
-        "wrong, of 2": ["0", "1", "0", "1"],
         "unsupported, of 2": ["0", "0", "1", "0"],
+        "wrong, of 2": ["0", "1", "0", "1"],
+        "crash, of 2": ["0", "1", "0", "0"],
     }
 
 
