@@ -271,6 +271,7 @@ finish() {
   elif has_step run; then
     say "Results: $out/run.json"
   fi
+  grep '^NOT MEASURED' "$log" || true
   [[ -z $check_failed ]] || die "check failed: what is wrong is listed above and in $log"
 }
 

@@ -24,11 +24,11 @@ if __name__ == "__main__":
 
 from gate.cells import COUNTERS, MEMORY, MEMORY_FLOOR, WRONG, Measured, measured, paired, programs
 from gate.findings import REGRESSION, WRONG_ANSWER, GateError
-from results.console import complain, printable
+from results.console import complain
 from results.reader import Cell, ResultError, Run, read_run
 from results.statistics import Decision, Estimate, decide, rank_test
 from results.statistics import geometric_mean_of_medians, geometric_mean_of_ratios
-from results.table import Table, escape_markdown, text_cells, to_markdown, to_text
+from results.table import Table, markdown_page, text_cells, text_page
 
 SIGNIFICANCE = 0.01
 """Of the rank test for a cell of two separate runs."""
@@ -304,13 +304,11 @@ def _ratio(value: float, resolved: bool) -> str:
 
 
 def as_text(comparison: Comparison, limits: Limits) -> str:
-    lines = [f"{printable(line)}\n" for line in summary(comparison, limits)]
-    return "".join(lines + [f"\n{to_text(table)}" for table in tables(comparison)])
+    return text_page(summary(comparison, limits), tables(comparison))
 
 
 def as_markdown(comparison: Comparison, limits: Limits) -> str:
-    lines = [f"- {escape_markdown(line)}\n" for line in summary(comparison, limits)]
-    return "".join(lines + [f"\n{to_markdown(table)}" for table in tables(comparison)])
+    return markdown_page("", summary(comparison, limits), tables(comparison))
 
 
 def as_json(comparison: Comparison, limits: Limits) -> str:

@@ -142,15 +142,18 @@ def draw(ranking: Ranking, folder: Path) -> str:
     """A line: where the figure is, or why there is none and how to draw it later."""
     try:
         from plots import rank as figure
+        from plots.dots import Dot
 
-        def mark(time: Ratio) -> figure.Mark:
-            return figure.Mark(time.estimate, time.resolved)
+        def dot(time: Ratio) -> Dot:
+            found = time.estimate
+            measured = (found.least, found.most)
+            return Dot(found.value, found.low, found.high, not time.resolved, measured)
 
         meshes = {
-            mesh: {one.solver: mark(on.time) for one in ranking.standings if (on := one.on(mesh))}
+            mesh: {one.solver: dot(on.time) for one in ranking.standings if (on := one.on(mesh))}
             for mesh in ranking.measurements.meshes
         }
-        means = {one.solver: mark(one.time) for one in ranking.standings if one.time}
+        means = {one.solver: dot(one.time) for one in ranking.standings if one.time}
         figure.write(figure.draw(ranking.candidate, meshes, means), folder)
     except (ImportError, ResultError) as error:
         return f"no figure ({error}); to draw it later: geodesic-bench rank --run {folder}"

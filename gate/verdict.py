@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from results.console import printable
-from results.table import Table, escape_markdown, text_cells, to_markdown, to_text
+from results.table import Table, markdown_page, text_cells, text_page
 
 from gate.findings import ERROR, GOOD, NOT_RESOLVED, REGRESSION, WRONG_ANSWER
 from gate.findings import Finding, GateError, LevelResult, Weight
@@ -67,24 +66,23 @@ def judge(base: str, head: str, levels: Sequence[LevelResult], strict: bool) -> 
 
 
 def as_text(verdict: Verdict) -> str:
-    lines = [verdict.headline]
-    lines += [f"  level {f.level} {LABELS[f.weight]}: {f.text}" for f in verdict.findings]
-    text = "".join(f"{printable(line)}\n" for line in lines)
-    return text + "".join(f"\n{_shown(level, to_text)}" for level in verdict.levels)
+    lines = [verdict.headline, *(f"  {line}" for line in _lines(verdict))]
+    return text_page(lines, map(_table, verdict.levels))
 
 
 def as_markdown(verdict: Verdict) -> str:
-    text = f"## {escape_markdown(verdict.headline)}\n\n"
-    for f in verdict.findings:
-        text += f"- level {f.level} **{LABELS[f.weight]}**: {escape_markdown(f.text)}\n"
-    return text + "".join(f"\n{_shown(level, to_markdown)}" for level in verdict.levels)
+    return markdown_page(verdict.headline, _lines(verdict), map(_table, verdict.levels))
 
 
-def _shown(level: LevelResult, show: Callable[[Table], str]) -> str:
+def _lines(verdict: Verdict) -> list[str]:
+    return [f"level {f.level} {LABELS[f.weight]}: {f.text}" for f in verdict.findings]
+
+
+def _table(level: LevelResult) -> Table:
     """The title alone for a level without rows to show."""
     title = f"Level {level.level}. {level.title}: {level.result}"
-    table = Table("", title, level.heading, 1, [text_cells(row) for row in level.table])
-    return show(table) if level.table else f"{'## ' * (show is to_markdown)}{title}\n"
+    heading = level.heading if level.table else []
+    return Table("", title, heading, 1, [text_cells(row) for row in level.table])
 
 
 def as_json(verdict: Verdict) -> str:

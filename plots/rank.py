@@ -6,7 +6,6 @@ The data come from gate/rank.py; this module only draws them.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
 from matplotlib.figure import Figure
@@ -15,35 +14,23 @@ from plots import style
 from plots.dots import Dot, Row, draw_rows, hollow_mark
 from plots.logarithmic import ratio_axis
 from results.reader import ResultError
-from results.statistics import Estimate
 
 WIDTH = 3.35
 """Inches: a column of a page with two."""
 MEAN = "geometric mean"
 
 
-@dataclass(frozen=True)
-class Mark:
-    ratio: Estimate
-    """Time of the solver / time of the candidate."""
-    resolved: bool
-    """Whether the measurement decides which of the two is faster; drawn hollow otherwise."""
-
-    @property
-    def dot(self) -> Dot:
-        ratio = self.ratio
-        measured = (ratio.least, ratio.most)
-        return Dot(ratio.value, ratio.low, ratio.high, not self.resolved, measured)
-
-
 def draw(
-    candidate: str, meshes: Mapping[str, Mapping[str, Mark]], means: Mapping[str, Mark]
+    candidate: str, meshes: Mapping[str, Mapping[str, Dot]], means: Mapping[str, Dot]
 ) -> Figure:
-    """@param meshes the rows, by mesh: the marks by solver, without the candidate's own
+    """Dots are times of a solver over those of the candidate, hollow where the measurement does not
+    decide which of the two is faster.
+
+    @param meshes the rows, by mesh: the dots by solver, without the candidate's own
     @param means the geometric means over meshes, by solver; a row of its own where there are
            several meshes
-    @raises ResultError when there is no mark"""
-    rows = [_row(style.plain(mesh), marks) for mesh, marks in meshes.items() if marks]
+    @raises ResultError when there is no dot"""
+    rows = [_row(style.plain(mesh), dots) for mesh, dots in meshes.items() if dots]
     solvers = list(dict.fromkeys(solver for row in rows for solver in row.dots))
     if not solvers:
         raise ResultError(f"{candidate} was timed against no other solver")
@@ -58,8 +45,8 @@ def draw(
     return figure
 
 
-def _row(label: str, marks: Mapping[str, Mark], *, mean: bool = False) -> Row:
-    return Row(label, {solver: [mark.dot] for solver, mark in marks.items()}, mean=mean)
+def _row(label: str, dots: Mapping[str, Dot], *, mean: bool = False) -> Row:
+    return Row(label, {solver: [dot] for solver, dot in dots.items()}, mean=mean)
 
 
 def write(figure: Figure, folder: Path) -> list[Path]:

@@ -14,8 +14,6 @@ from plots.camera import Camera, Floats, framing, looking
 from plots.zbuffer import NOTHING, Integers, ZBuffer, z_buffer
 from results.reader import Mesh
 
-Place = tuple[int, ...]
-
 PIXELS_PER_INCH = 400
 """Twice the resolution of a saved figure, which smooths the outline."""
 CREASE = np.cos(np.radians(40))
@@ -24,8 +22,6 @@ LIGHT = np.array([-0.45, 0.55, 0.7]) / np.linalg.norm([-0.45, 0.55, 0.7])
 """Towards the light, in camera coordinates."""
 DARK, BRIGHT = np.array([0.50, 0.52, 0.56]), np.array([0.97, 0.965, 0.95])
 """Colours of a face that turns away from the light, and of one that looks into it."""
-SAME_PLACE = 0.02
-"""Pixels."""
 UPRIGHT = {"horse": 2}
 """Axis that points up in the file, by thesis's model; y in most others."""
 FLAT = 0.35
@@ -111,46 +107,9 @@ def draw_lines(axes: Axes, buffer: ZBuffer, segments: Floats, color: str, width:
     @param width in points"""
     pieces, _ = buffer.visible_pieces(segments)
     axes.add_collection(
-        LineCollection(
-            joined(pieces, SAME_PLACE * buffer.pixel), colors=color, linewidths=width,
-            capstyle="round", joinstyle="round",
-        ),
-        autolim=False,
-    )  # fmt: skip
+        LineCollection(pieces, colors=color, linewidths=width, capstyle="round"), autolim=False
+    )
     return pieces
-
-
-def joined(pieces: Floats, step: float) -> list[Floats]:
-    """Lines (k, 2) that together draw the pieces (n, 2, 2), each once.
-    @param step ends that are closer are one place"""
-    rounded = np.round(pieces / step).astype(np.int64).tolist()
-    begins: list[Place] = [tuple(begin) for begin, _ in rounded]
-    ends: list[Place] = [tuple(end) for _, end in rounded]
-    at: dict[Place, list[int]] = {}
-    for index, both in enumerate(zip(begins, ends, strict=True)):
-        for place in both:
-            at.setdefault(place, []).append(index)
-    left = [True] * len(pieces)
-
-    def walk(place: Place) -> list[Floats]:
-        """From a place as far as pieces that are left lead, which then are not."""
-        points: list[Floats] = []
-        while True:
-            index = next((one for one in at[place] if left[one]), None)
-            if index is None:
-                return points
-            left[index] = False
-            far = 1 if begins[index] == place else 0
-            points.append(pieces[index, far])
-            place = (begins, ends)[far][index]
-
-    lines = []
-    for index, (begin, end) in enumerate(zip(begins, ends, strict=True)):
-        if left[index]:
-            left[index] = False
-            before = walk(begin)[::-1]
-            lines.append(np.array([*before, *pieces[index], *walk(end)]))
-    return lines
 
 
 def best_axes(mesh: Mesh, surface: Surface, lines: Floats, source: int) -> Floats:

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, fields, replace
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import jsonschema
 
@@ -290,53 +290,42 @@ def validate(file: Path, data: Any) -> None:
         raise ResultError(f"{file}: {_key(list(error.absolute_path))}: {line}")
 
 
+Kind = TypeVar("Kind", Mesh, Solver, Skip, Row)
+
+
 def _typed(file: Path, data: Any) -> Run:
     ours = data["context"]["geodesic_bench"]
     meshes = [
-        Mesh(
-            name=mesh["name"],
-            sha256=mesh["sha256"],
-            vertices=int(mesh["vertices"]),
-            faces=int(mesh["faces"]),
-            mean_edge_length=mesh["mean_edge_length"],
-            thesis_model=mesh["thesis_model"],
-            stand_in=mesh["stand_in"],
-            why=mesh.get("why", ""),
-            reports=tuple(mesh.get("reports", ())),
-        )
-        for mesh in ours["meshes"]
+        _of(Mesh, mesh, reports=tuple(mesh.get("reports", ()))) for mesh in ours["meshes"]
     ]
+    solvers = [_of(Solver, each, exact=each["exactness"] == "exact") for each in ours["solvers"]]
     return Run(
         file=file,
         context=data["context"],
         meshes={mesh.name: mesh for mesh in meshes},
-        solvers={solver["name"]: _solver(solver) for solver in ours["solvers"]},
+        solvers={solver.name: solver for solver in solvers},
         sources={mesh: [int(v) for v in sources] for mesh, sources in ours["sources"].items()},
-        skipped=[Skip(s["mesh"], s["solver"], s["why"]) for s in ours["skipped"]],
+        skipped=[_of(Skip, skip) for skip in ours["skipped"]],
         rows=[_row(row) for row in data["benchmarks"]],
     )
 
 
-def _solver(solver: dict[str, Any]) -> Solver:
-    copied = {one.name: solver[one.name] for one in fields(Solver) if one.name in solver}
-    return Solver(**copied, exact=solver["exactness"] == "exact")
+def _of(kind: type[Kind], found: dict[str, Any], **others: Any) -> Kind:
+    """The members that the object in JSON has by these names, and the others."""
+    copied = {one.name: found[one.name] for one in fields(kind) if one.name in found}
+    return kind(**copied | others)
 
 
 def _row(row: dict[str, Any]) -> Row:
-    ok = row["outcome"] == OK
-    return Row(
-        solver=row["solver"],
-        mesh=row["mesh"],
+    return _of(
+        Row, row,
         source=int(row["source"]),
         repetition=int(row.get("repetition_index", 0)),
-        outcome=row["outcome"],
         message=row.get("error_message", ""),
         reference=row.get("reference"),
-        numbers=_numbers(row) if ok else {},
-        recordings=row.get("recordings"),
-        program=row.get("program"),
+        numbers=_numbers(row) if row["outcome"] == OK else {},
         data=row,
-    )
+    )  # fmt: skip
 
 
 def _numbers(row: dict[str, Any]) -> dict[str, float]:

@@ -46,6 +46,7 @@ class Table:
     title: str
     """Empty for a table without a heading."""
     header: list[str]
+    """Empty for a title alone."""
     text_columns: int
     """How many columns from the left are texts; the others are numbers, aligned to the right."""
     rows: list[list[Cell]]
@@ -82,6 +83,8 @@ def to_markdown(table: Table) -> str:
         return f"{text} <sup>{mark(notes.index(cell.note))}</sup>" if cell.note else text
 
     lines = [f"## {escape_markdown(table.title)}", ""] if table.title else []
+    if not table.header:
+        return "\n".join(lines)
     lines.append(_markdown_row([escape_markdown(name) for name in table.header]))
     lines.append(
         _markdown_row([":--" if i < table.text_columns else "--:" for i in _columns(table)])
@@ -104,7 +107,7 @@ def to_text(table: Table) -> str:
     rows = [table.header, *([shown(cell) for cell in row] for row in table.rows)]
     widths = [max(len(row[i]) for row in rows) for i in _columns(table)]
     lines = [table.title] if table.title else []
-    for row in rows:
+    for row in rows if table.header else []:
         padded = (
             text.ljust(width) if i < table.text_columns else text.rjust(width)
             for i, (text, width) in enumerate(zip(row, widths, strict=True))
@@ -112,6 +115,19 @@ def to_text(table: Table) -> str:
         lines.append(("  " + "  ".join(padded)).rstrip())
     lines += table.remarks + [f"{mark(index)}: {note}" for index, note in enumerate(notes)]
     return "".join(f"{printable(line)}\n" for line in lines)
+
+
+def text_page(lines: Iterable[str], tables: Iterable[Table]) -> str:
+    """Lines with the tables under them, for a terminal."""
+    parts = [f"{printable(line)}\n" for line in lines]
+    return "".join([*parts, *(f"\n{to_text(table)}" for table in tables)])
+
+
+def markdown_page(title: str, lines: Iterable[str], tables: Iterable[Table]) -> str:
+    """A list of lines with the tables under it, under a title that may be empty."""
+    parts = [f"## {escape_markdown(title)}\n\n"] if title else []
+    parts += [f"- {escape_markdown(line)}\n" for line in lines]
+    return "".join([*parts, *(f"\n{to_markdown(table)}" for table in tables)])
 
 
 def to_csv(table: Table) -> str:
@@ -141,23 +157,19 @@ def to_latex(table: Table) -> str:
         text = escape_latex(cell.text) if cell.latex is None else cell.latex
         return f"{text}\\textsuperscript{{{mark(notes.index(cell.note))}}}" if cell.note else text
 
-    columns = "".join("l" if i < table.text_columns else "r" for i in _columns(table))
-    head = " & ".join(escape_latex(name) for name in table.header) + r" \\"
     lines = [
         r"% needs \usepackage{booktabs,longtable}",
         r"\begingroup\footnotesize",
-        rf"\begin{{longtable}}{{{columns}}}",
+        rf"\begin{{longtable}}{{{_alignment(table)}}}",
         rf"\caption{{{escape_latex(table.title)}}}\label{{tab:{table.name.replace('_', '-')}}}\\",
-        rf"\toprule {head} \midrule \endfirsthead",
-        rf"\toprule {head} \midrule \endhead",
+        rf"\toprule {_latex_head(table)} \midrule \endfirsthead",
+        rf"\toprule {_latex_head(table)} \midrule \endhead",
         r"\bottomrule \endfoot",
     ]
-    group: object = None
     for index, row in enumerate(table.rows):
-        if index and row[0].value != group:
+        if index and row[0].value != table.rows[index - 1][0].value:
             lines.append(r"\midrule")
-        group = row[0].value
-        lines.append(" & ".join(shown(cell) for cell in row) + r" \\")
+        lines.append(" & ".join(map(shown, row)) + r" \\")
     lines.append(r"\end{longtable}")
     lines += [rf"\noindent {escape_latex(remark)}\par" for remark in table.remarks]
     lines += [
@@ -169,13 +181,19 @@ def to_latex(table: Table) -> str:
 
 def to_tabular(table: Table) -> str:
     """The rows alone as a LaTeX tabular, to be put into a table of one's own."""
-    columns = "".join("l" if i < table.text_columns else "r" for i in _columns(table))
     lines = [" & ".join(escape_latex(cell.text) for cell in row) + r" \\" for row in table.rows]
-    head = " & ".join(escape_latex(name) for name in table.header) + r" \\"
     return "\n".join([
-        r"% needs \usepackage{booktabs}", rf"\begin{{tabular}}{{{columns}}}", r"\toprule", head,
-        r"\midrule", *lines, r"\bottomrule", r"\end{tabular}", "",
+        r"% needs \usepackage{booktabs}", rf"\begin{{tabular}}{{{_alignment(table)}}}", r"\toprule",
+        _latex_head(table), r"\midrule", *lines, r"\bottomrule", r"\end{tabular}", "",
     ])  # fmt: skip
+
+
+def _latex_head(table: Table) -> str:
+    return " & ".join(map(escape_latex, table.header)) + r" \\"
+
+
+def _alignment(table: Table) -> str:
+    return "".join("l" if i < table.text_columns else "r" for i in _columns(table))
 
 
 FORMATS: dict[str, Callable[[Table], str]] = {

@@ -206,7 +206,7 @@ def test_a_solver_that_runs_by_name_only_is_judged_when_it_is_asked_for(world: W
 def test_reports_say_the_verdict_first_and_hold_every_level(world: World) -> None:
     verdict = world.gate(fact("mmp", "peak_bytes", 20_000_000))
     text = as_markdown(verdict)
-    assert text.startswith("## REGRESSION: head against base\n\n- level 3 **FAILED**: mmp/cube")
+    assert text.startswith("## REGRESSION: head against base\n\n- level 3 FAILED: mmp/cube")
     assert "| mmp/cube/src:0 | 10000000 | 20000000 | +100.00% |" in text
     data = json.loads(as_json(verdict))
     assert data["exit_code"] == REGRESSION and [x["level"] for x in data["levels"]] == [0, 1, 3]

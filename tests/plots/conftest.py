@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -90,12 +90,28 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder / "recordings"
 
 
-@pytest.fixture
-def run(
-    changed: Callable[[Change], Path], recorded: Path, monkeypatch: pytest.MonkeyPatch
-) -> Run:
-    """The golden run with all that figures need, recordings too, which are drawn coarsely."""
-    monkeypatch.setattr(surface, "PIXELS_PER_INCH", 60)
-    folder = changed(complete)
+def completed(folder: Path, recorded: Path) -> Run:
+    """The golden run with all that figures need, recordings too, in a folder."""
+    data = json.loads((GOLDEN / "run" / "run.json").read_text())
+    complete(data)
+    (folder / "run.json").write_text(json.dumps(data))
     (folder / "recordings").symlink_to(recorded)
     return read_run(folder)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def coarse_pictures() -> Iterator[None]:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(surface, "PIXELS_PER_INCH", 60)
+        yield
+
+
+@pytest.fixture(scope="session")
+def complete_run(recorded: Path, tmp_path_factory: pytest.TempPathFactory) -> Run:
+    """Not to be changed."""
+    return completed(tmp_path_factory.mktemp("complete"), recorded)
+
+
+@pytest.fixture
+def run(tmp_path: Path, recorded: Path) -> Run:
+    return completed(tmp_path, recorded)

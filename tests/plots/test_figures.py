@@ -25,6 +25,7 @@ from matplotlib.text import Text
 from plots import catalogue, dot_figures, figure_5_9, growth, style
 from plots.catalogue import FIGURES
 from plots.dots import BEYOND
+from plots.drawing import Drawing
 from plots.logarithmic import logarithmic
 from results.console import ROOT
 from results.published import THESIS_SOLVERS
@@ -183,23 +184,39 @@ def dots_of(figure: Figure, marker: str) -> list[Line2D]:
     return [line for line in figure.axes[0].lines if line.get_marker() == marker]
 
 
+@pytest.fixture(scope="module", params=FIGURES)
+def drawn(request: pytest.FixtureRequest, complete_run: Run) -> tuple[str, Drawing]:
+    """Every figure, by name."""
+    return request.param, FIGURES[request.param](suited(request.param, complete_run))
+
+
+def test_no_text_is_cut_or_touched_and_nothing_drawn_is_infinite(
+    drawn: tuple[str, Drawing],
+) -> None:
+    figure = drawn[1].figure
+    assert cut_texts(figure) == []
+    assert touching_labels(figure) == []
+    assert all(map(math.isfinite, drawn_numbers(figure)))
+    assert all(axes.lines or axes.patches or axes.collections for axes in figure.axes)
+
+
+def test_a_figure_has_a_series_for_each_of_the_thesis_s_solvers(
+    drawn: tuple[str, Drawing],
+) -> None:
+    name, drawing = drawn
+    axes = drawing.figure.axes
+    ticks = {label.get_text() for one in axes for label in one.get_yticklabels()}
+    found = {text.split(":")[0].split()[-1] for text in legend(drawing.figure)} | ticks
+    assert SHOWN.get(name, set(THESIS_SOLVERS)) <= found
+
+
+def test_a_figure_says_what_it_shows(drawn: tuple[str, Drawing]) -> None:
+    caption = drawn[1].caption
+    assert caption.endswith(".") and "  " not in caption
+
+
 @pytest.mark.parametrize("name", FIGURES)
 class TestEveryFigure:
-    def test_no_text_is_cut_or_touched_and_nothing_drawn_is_infinite(
-        self, name: str, run: Run
-    ) -> None:
-        figure = figure_of(name, run)
-        assert cut_texts(figure) == []
-        assert touching_labels(figure) == []
-        assert all(map(math.isfinite, drawn_numbers(figure)))
-        assert all(axes.lines or axes.patches or axes.collections for axes in figure.axes)
-
-    def test_it_has_a_series_for_each_of_the_thesis_s_solvers(self, name: str, run: Run) -> None:
-        figure = figure_of(name, run)
-        ticks = {label.get_text() for axes in figure.axes for label in axes.get_yticklabels()}
-        found = {text.split(":")[0].split()[-1] for text in legend(figure)} | ticks
-        assert SHOWN.get(name, set(THESIS_SOLVERS)) <= found
-
     def test_many_solvers_and_long_names_still_fit(self, name: str, run: Run) -> None:
         long = "a-model-with-a-long-name-of-forty-letters"
         suitable = renamed(suited(name, run), {})
@@ -233,10 +250,6 @@ class TestEveryFigure:
 
         with pytest.raises(ResultError):
             FIGURES[name](changed_rows(suited(name, run), fail))
-
-    def test_it_says_what_it_shows(self, name: str, run: Run) -> None:
-        drawn = FIGURES[name](suited(name, run))
-        assert drawn.caption.endswith(".") and "  " not in drawn.caption
 
     def test_names_are_drawn_as_they_are_and_no_markup_is(self, name: str, run: Run) -> None:
         odd = {mesh: f"a$b_{i}%{{c$d_" for i, mesh in enumerate(run.meshes)}

@@ -8,34 +8,31 @@ import pytest
 from test_figures import cut_texts, dots_of, drawn_numbers, legend
 
 from plots import rank
-from plots.rank import Mark
+from plots.dots import Dot
 from results.reader import ResultError
-from results.statistics import Estimate
 
 MESHES = ["horse", "rocker-arm", "flat-grid"]
 RATIOS = {"edge-based": [0.5, 0.33, 0.4], "ich": [0.99, 1.02, 1.01], "mmp": [2.0, 2.5, 1.6]}
 """Time relative to the candidate's, on each mesh."""
 
 
-def mark(value: float, *, resolved: bool = True) -> Mark:
-    return Mark(
-        Estimate(value, 0.95 * value, 1.05 * value, 0.9 * value, 1.1 * value), resolved
-    )
+def dot(value: float, *, resolved: bool = True) -> Dot:
+    return Dot(value, 0.95 * value, 1.05 * value, not resolved, (0.9 * value, 1.1 * value))
 
 
 def ranking(
     ratios: dict[str, list[float]],
-) -> tuple[str, dict[str, dict[str, Mark]], dict[str, Mark]]:
+) -> tuple[str, dict[str, dict[str, Dot]], dict[str, Dot]]:
     """The arguments of draw; on the mean each solver is as on its first mesh."""
     meshes = {
         mesh: {
-            solver: mark(values[i], resolved=solver != "ich")
+            solver: dot(values[i], resolved=solver != "ich")
             for solver, values in ratios.items()
             if i < len(values)
         }
         for i, mesh in enumerate(MESHES)
     }
-    return "fwp-mmp", meshes, {s: mark(values[0]) for s, values in ratios.items() if values}
+    return "fwp-mmp", meshes, {s: dot(values[0]) for s, values in ratios.items() if values}
 
 
 def test_every_mesh_and_the_mean_has_a_row_and_every_rival_a_mark_in_it() -> None:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+import shutil
 from collections.abc import Callable
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
 
 import pytest
+from conftest import GOLDEN
 
 from plots import report
 from plots.catalogue import EVERYTHING
@@ -46,13 +48,23 @@ def report_of(folder: Path) -> Page:
     return Page((folder / "report.html").read_text(encoding="utf-8"))
 
 
-def unchanged(data: dict[str, Any]) -> None:
-    pass
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Of the golden run, with its report."""
+    folder = tmp_path_factory.mktemp("run")
+    shutil.copy(GOLDEN / "run" / "run.json", folder)
+    report_of(folder)
+    return folder
 
 
-def test_the_page_shows_every_table_and_figure_and_needs_no_other_file(changed: Changed) -> None:
-    folder = changed(unchanged)
-    page = report_of(folder)
+@pytest.fixture(scope="module")
+def page(folder: Path) -> Page:
+    return Page((folder / "report.html").read_text(encoding="utf-8"))
+
+
+def test_the_page_shows_every_table_and_figure_and_needs_no_other_file(
+    folder: Path, page: Page
+) -> None:
     drawn = {file.stem for name in ["tables", "figures"] for file in (folder / name).iterdir()}
     ids = page.all_of("id")
     assert len(drawn) >= 9 and drawn <= set(ids)
@@ -62,27 +74,24 @@ def test_the_page_shows_every_table_and_figure_and_needs_no_other_file(changed: 
         assert not address.startswith("#") or address[1:] in ids
 
 
-def test_every_picture_has_words_in_its_place(changed: Changed) -> None:
-    page = report_of(changed(unchanged))
+def test_every_picture_has_words_in_its_place(page: Page) -> None:
     pictures = [attributes for tag, attributes in page.tags if tag == "img" and "src" in attributes]
     assert len(pictures) == 4
     assert all(len(attributes["alt"] or "") > 50 for attributes in pictures)
 
 
-def test_every_command_on_the_page_is_there(changed: Changed) -> None:
-    text = report_of(changed(unchanged)).text
-    commands = set(re.findall(r"python3 -m plots (\w+) --run", text))
+def test_every_command_on_the_page_is_there(page: Page) -> None:
+    commands = set(re.findall(r"python3 -m plots (\w+) --run", page.text))
     assert len(commands) > 8 and commands <= set(EVERYTHING)
 
 
-def test_failed_skipped_and_left_out_are_all_on_the_page(changed: Changed) -> None:
-    text = report_of(changed(unchanged)).text
+def test_failed_skipped_and_left_out_are_all_on_the_page(page: Page) -> None:
     for words in [
         "ich/rocker-arm/src:4711: crashed", "fwp-ch/flat-grid/src:0: wrong answer",
         "stanford-bunny, all solvers: not in the dataset cache", "Without a time ch/rocker-arm/src:",
         "figure_5_9: no verified cell has phase_seconds", "3 failed or missing, 2 without a time",
     ]:  # fmt: skip
-        assert words in text
+        assert words in page.text
 
 
 def test_words_of_a_result_file_are_never_markup(changed: Changed) -> None:
@@ -97,9 +106,7 @@ def test_words_of_a_result_file_are_never_markup(changed: Changed) -> None:
     assert "x" not in page.all_of("src")
 
 
-def test_the_same_run_gives_the_same_page(changed: Changed) -> None:
-    folder = changed(unchanged)
-    report_of(folder)
+def test_the_same_run_gives_the_same_page(folder: Path) -> None:
     first = (folder / "report.html").read_bytes()
     report_of(folder)
     assert (folder / "report.html").read_bytes() == first
