@@ -39,8 +39,9 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
     what.add_argument("--against", metavar="NAMES", help="the other solvers, comma-separated")
     what.add_argument("--corpus", metavar="NAME", help="a corpus of the manifest (default: quick)")
     what.add_argument(
-        "--meshes", metavar="NAMES", help="names of the manifest or files, in place of a corpus"
-    )
+        "--meshes", metavar="NAMES",
+        help="mesh files, folders, quoted patterns or names of the manifest, in place of a corpus",
+    )  # fmt: skip
     how = parser.add_argument_group("how it is measured")
     how.add_argument("--sources", metavar="N", default="1", help="source vertices a mesh (1)")
     how.add_argument("--pairs", metavar="N", type=_pairs, default=9, help="pairs a source (9)")

@@ -182,6 +182,11 @@ MeshFile parse_mesh(std::string_view bytes, const std::string& name) {
   return file;
 }
 
+bool has_mesh_extension(const fs::path& file) {
+  const std::string extension = lower_extension(file);
+  return extension == ".obj" || extension == ".off" || extension == ".ply" || extension == ".stl";
+}
+
 MeshFile read_mesh(const fs::path& path) { return parse_mesh(read_bytes(path), path.string()); }
 
 std::string mesh_bytes(const TriangleSoup& soup, const std::filesystem::path& path) {

@@ -35,6 +35,9 @@ struct MeshFile {
 /// @throws MeshError when it cannot be read
 std::string read_bytes(const std::filesystem::path& path);
 
+/// Whether the file's name ends in .obj, .off, .ply or .stl, in letters of either case.
+bool has_mesh_extension(const std::filesystem::path& file);
+
 /// Reads a file; its format is recognised by its content, the extension is only a hint.
 /// @throws MeshError when the file cannot be read, is of no known format, malformed or truncated,
 ///         or holds no vertex or no face, or more than a Mesh can number

@@ -1,6 +1,7 @@
 #include "harness/cells/plan.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "harness/base/error.h"
@@ -40,13 +41,22 @@ std::vector<MeshEntry> chosen_meshes(const RunRequest& request) {
   return meshes;
 }
 
-template <class Items, class Name>
-void check_no_repetition(const std::string& kind, const Items& items, Name name) {
+void check_no_repetition(const std::vector<const Description*>& solvers) {
   std::set<std::string> seen;
-  for (const auto& item : items) {
-    if (!seen.insert(name(item)).second) {
-      throw HarnessError("the suite has two " + kind + " named '" + name(item) + "'");
+  for (const Description* solver : solvers) {
+    if (!seen.insert(solver->name).second) {
+      throw HarnessError("solver '" + solver->name + "' is named twice");
     }
+  }
+}
+
+void check_no_repetition(const std::vector<MeshEntry>& meshes) {
+  std::map<std::string, std::filesystem::path> seen;
+  for (const MeshEntry& mesh : meshes) {
+    const auto [at, added] = seen.emplace(mesh.name, mesh.file);
+    if (added) continue;
+    throw HarnessError("two meshes are named '" + mesh.name + "', and results go by name: rename " +
+                       at->second.string() + " or " + mesh.file.string());
   }
 }
 
@@ -113,8 +123,8 @@ Plan make_plan(const RunRequest& request) {
   Plan plan{.solvers = chosen_solvers(request.suite)};
   for (const std::string& cell : request.cells) plan.only.push_back(canonical_cell(cell));
   std::vector<MeshEntry> entries = chosen_meshes(request);
-  check_no_repetition("solvers", plan.solvers, [](const auto* solver) { return solver->name; });
-  check_no_repetition("meshes", entries, [](const auto& entry) { return entry.name; });
+  check_no_repetition(plan.solvers);
+  check_no_repetition(entries);
   if (!plan.only.empty()) restrict_to(plan.only, plan.solvers, entries);
   for (const MeshEntry& entry : entries) {
     if (!entry.available()) {

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kExamples = R"(
 Examples:
-  geodesic-bench run --solvers mmp,ich --meshes bunny.ply,horse
+  geodesic-bench run --solvers mmp,ich --meshes scans/,horse
   geodesic-bench run --corpus quick --repetitions 9 --out results/runs/mine)";
 
 // "head=build/release/geodesic-bench"
@@ -42,8 +42,9 @@ void read_words(const std::vector<std::string>& words, RunRequest& request) {
   if (!suite.empty()) request.suite = read_suite(suite);
 }
 
-// Results do not depend on the current folder.
+// Results do not depend on the current folder, nor on files that appear in a folder later.
 void make_absolute(RunRequest& request) {
+  request.suite.meshes = expand_meshes(request.suite.meshes);
   for (std::string& mesh : request.suite.meshes) {
     if (fs::is_regular_file(mesh)) mesh = fs::absolute(mesh).string();
   }
@@ -76,7 +77,10 @@ void add_request_options(CLI::App& command, RunRequest& request) {
       },
       "corpus of the manifest")
       ->type_name("NAME");
-  option("--meshes", suite.meshes, "mesh files, or names of the manifest, in place of a corpus")
+  option(
+      "--meshes", suite.meshes,
+      "mesh files, folders, patterns such as 'scans/*.ply', or names of the manifest, in place of "
+      "a corpus")
       ->delimiter(',')
       ->type_name("NAMES");
   option("--solvers", suite.solvers, "default: all that `list` marks as run always")

@@ -44,7 +44,7 @@ Source source_of(const std::string& word) {
   }
   if (error != std::errc() || at != end) {
     throw HarnessError("--source " + word +
-                       ": not a vertex, nor a vertex and its initial distance like 12:0.5");
+                       ": not a vertex index, nor one with an initial distance, such as 12:0.5");
   }
   return source;
 }
@@ -54,21 +54,22 @@ void check_request(const VerifyRequest& request) {
   instruction_set_named(request.vectors);
   const bool on_meshes = !request.meshes.empty() || !request.corpus.empty();
   if (!on_meshes && (!request.sources.empty() || request.limit < kInfinity)) {
-    throw HarnessError("--source and --limit are for --meshes: properties have their own");
+    throw HarnessError("--source and --limit need --meshes or --corpus");
   }
   if (!request.property.empty() && on_meshes && !property_named(request.property).on_any_mesh) {
     throw HarnessError("property '" + request.property +
-                       "' holds on its own meshes only: leave --meshes and --corpus out");
+                       "' is defined on its own meshes only: remove --meshes and --corpus");
   }
   if (std::filesystem::exists(request.out) && !std::filesystem::is_directory(request.out)) {
     throw HarnessError("--out '" + request.out.string() +
-                       "' is a file, and not a folder for failing meshes");
+                       "' is a file: name a folder for failing meshes");
   }
 }
 
 void run_verify(const VerifyFlags& flags) {
   if (flags.list) return list_properties();
   VerifyRequest request = flags.request;
+  request.meshes = expand_meshes(request.meshes);
   for (const std::string& word : flags.sources) request.sources.push_back(source_of(word));
   check_request(request);
   const InterruptionGuard guard;  // temporary files are removed
@@ -82,36 +83,53 @@ void add_verify_command(CLI::App& app) {
   VerifyRequest& request = flags->request;
   request.vectors = kAutoVectors;
   request.manifest = default_manifest();
-  CLI::App* command =
-      app.add_subcommand("verify", "Which properties of exact solvers hold, and what breaks one");
-  command->add_option("--solver", request.solver, "its name (geodesic-bench list)");
-  command->add_option("--property", request.property, "only this one");
-  command->add_flag("--list", flags->list, "the properties and what they say");
-  command->add_option("--corpus", request.corpus, "also the distances on its meshes");
+  CLI::App* command = app.add_subcommand(
+      "verify", "Check a solver for the properties that all solvers promise, and explain failures");
+  command->add_option("--solver", request.solver, "solver to check (see geodesic-bench list)")
+      ->type_name("NAME");
+  command->add_option("--property", request.property, "check this property only")
+      ->type_name("NAME");
+  command->add_flag("--list", flags->list, "print the properties");
+  command->add_option("--corpus", request.corpus, "check the distances on this corpus as well")
+      ->type_name("NAME");
   command
       ->add_option("--meshes", request.meshes,
-                   "also the distances on these, names or files separated by commas; with "
-                   "--property, that property on them alone")
-      ->delimiter(',');
+                   "check the distances on these as well: mesh files, folders, patterns such as "
+                   "'scans/*.ply', or names of the manifest; with --property, check that property "
+                   "on these only")
+      ->delimiter(',')
+      ->type_name("NAMES");
   command
       ->add_option("--source", flags->sources,
-                   "on --meshes: a vertex, with its initial distance if any, like 12:0.5")
-      ->allow_extra_args(false);
-  command->add_flag("--each", request.each, "solve from each source by itself, in this order");
-  command->add_option("--limit", request.limit, "on --meshes: a distance limit")
+                   "source vertex on those meshes, 0-based, repeatable; with an initial distance: "
+                   "12:0.5 (default: three of each mesh)")
+      ->allow_extra_args(false)
+      ->type_name("V[:X]");
+  command->add_flag("--each", request.each, "solve from each source separately, in this order");
+  command
+      ->add_option("--limit", request.limit,
+                   "distance beyond which vertices of those meshes are unreachable")
       ->check(zero_or_above());
-  command->add_option("--time-limit", request.time_limit, "seconds that a property may take")
-      ->check(above_zero())
-      ->capture_default_str();
+  command
+      ->add_option("--time-limit", request.time_limit, "seconds a property may take (default: 60)")
+      ->check(above_zero());
   command
       ->add_option("--shrink", request.shrink,
-                   "seconds to spend on making a failing mesh smaller; 0 saves none")
-      ->check(zero_or_above())
-      ->capture_default_str();
-  command->add_option("--out", request.out, "folder for failing meshes (failures-<solver>)");
-  command->add_option("--vectors", request.vectors,
-                      "instructions to solve with: auto, plain or avx2");
-  command->add_option("--manifest", request.manifest, "list of meshes and corpora");
+                   "seconds for making a failing mesh smaller; 0 saves no mesh (default: 20)")
+      ->check(zero_or_above());
+  command
+      ->add_option("--out", request.out, "folder for failing meshes (default: failures-<solver>)")
+      ->type_name("DIR");
+  command
+      ->add_option("--vectors", request.vectors,
+                   "instruction set of the solver: auto, plain or avx2")
+      ->type_name("SET");
+  command->add_option("--manifest", request.manifest, "list of meshes and corpora")
+      ->type_name("FILE");
+  command->footer(
+      "\nExamples:\n  geodesic-bench verify --solver my-variant\n"
+      "  geodesic-bench verify --solver my-variant --property distances-are-symmetric --meshes "
+      "scans/");
   command->callback([flags] { run_verify(*flags); });
 }
 

@@ -1,5 +1,7 @@
 #include "harness/corpus/manifest.h"
 
+#include <glob.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <set>
@@ -8,6 +10,7 @@
 #include "harness/base/error.h"
 #include "harness/base/files.h"
 #include "harness/base/schema.h"
+#include "meshes/mesh_file.h"
 
 namespace geodesic::harness {
 namespace fs = std::filesystem;
@@ -84,6 +87,22 @@ MeshEntry entry_of(const Json& mesh, const fs::path& cache) {
   return entry;
 }
 
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder, error)) files.push_back(entry.path());
+  if (error) throw HarnessError("cannot read folder '" + folder.string() + "': " + error.message());
+  return files;
+}
+
+std::vector<fs::path> matches_of(const std::string& pattern) {
+  glob_t found{};
+  glob(pattern.c_str(), 0, nullptr, &found);
+  std::vector<fs::path> files(found.gl_pathv, found.gl_pathv + found.gl_pathc);
+  globfree(&found);
+  return files;
+}
+
 }  // namespace
 
 Manifest::Manifest(const fs::path& file, const fs::path& cache)
@@ -118,6 +137,37 @@ fs::path dataset_cache() {
   return data_folder() / "datasets" / "cache";
 }
 
+std::vector<std::string> expand_meshes(const std::vector<std::string>& words) {
+  std::vector<std::string> meshes;
+  for (const std::string& word : words) {
+    std::error_code unknown;
+    const fs::file_status status = fs::status(word, unknown);
+    const bool is_pattern = !fs::exists(status) && word.find_first_of("*?[") != std::string::npos;
+    if (!is_pattern && !fs::is_directory(status)) {
+      meshes.push_back(word);
+      continue;
+    }
+    std::vector<fs::path> files = is_pattern ? matches_of(word) : files_in(word);
+    std::erase_if(files, [](const fs::path& file) {
+      std::error_code unreadable;
+      return !has_mesh_extension(file) || !fs::is_regular_file(file, unreadable);
+    });
+    if (files.empty()) {
+      throw HarnessError((is_pattern ? "no mesh file matches '" : "no mesh file in folder '") +
+                         word + "': .obj, .off, .ply or .stl");
+    }
+    for (const fs::path& file : files) {
+      if (harmless(file.string()) == file.string()) continue;
+      throw HarnessError(harmless(file.string()) +
+                         ": the name has a control character, or bytes that are not UTF-8, which "
+                         "no result file can hold: rename it");
+    }
+    std::ranges::sort(files);
+    meshes.insert(meshes.end(), files.begin(), files.end());
+  }
+  return meshes;
+}
+
 MeshEntry find_mesh(const std::string& file_or_name, const fs::path& manifest) {
   const fs::path file = file_or_name;
   std::error_code unknown;
@@ -126,10 +176,7 @@ MeshEntry find_mesh(const std::string& file_or_name, const fs::path& manifest) {
     return {.name = harmless(file.stem().string()), .file = file, .kind = "file"};
   }
   if (fs::exists(status)) throw HarnessError("'" + file_or_name + "' is not a regular file");
-  const std::string extension = file.extension().string();
-  const bool is_path = file_or_name.find('/') != std::string::npos || extension == ".obj" ||
-                       extension == ".off" || extension == ".ply" || extension == ".stl";
-  if (is_path) {
+  if (file_or_name.find('/') != std::string::npos || has_mesh_extension(file)) {
     throw HarnessError("there is no file '" + file_or_name +
                        "': " + (unknown ? unknown.message() : "check the path"));
   }

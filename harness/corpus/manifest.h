@@ -72,6 +72,12 @@ std::filesystem::path default_manifest();
 /// $GEODESIC_DATASETS, by default datasets/cache in the data folder.
 std::filesystem::path dataset_cache();
 
+/// What users write for several meshes, as files and names of the manifest: a folder stands for the
+/// mesh files in it, a pattern of the shell (scans/*.ply) for the mesh files it matches, in the
+/// order of their names; other words stay as they are.
+/// @throws HarnessError for a folder without mesh files and for a pattern that matches none
+std::vector<std::string> expand_meshes(const std::vector<std::string>& words);
+
 /// A mesh that a user names: the path of a file, or a name of the manifest, which is read only in
 /// the second case. @throws HarnessError when it is neither, or not in the cache
 MeshEntry find_mesh(const std::string& file_or_name, const std::filesystem::path& manifest);

@@ -102,7 +102,8 @@ CASES = [
     of("verify", "--solver mmp --shrink=-1", "--shrink: '-1' is not 0 or greater"),
     flag("geodesic-bench verify --solver mmp --source a --meshes hill.obj",
          "--source a: not a vertex", "12:0.5"),
-    flag("geodesic-bench verify --solver mmp --source 0", "--source and --limit are for --meshes"),
+    flag("geodesic-bench verify --solver mmp --source 0",
+         "--source and --limit need --meshes or --corpus"),
     flag("geodesic-bench verify --solver mmp --out hill.obj", "--out 'hill.obj' is a file"),
     # compare, export
     flag("geodesic-bench compare old new", "geodesic-bench compare: old: no such folder"),

@@ -268,6 +268,22 @@ TEST_F(RunTest, FlagsOverrideTheSuite) {
   EXPECT_EQ(context.at("seed"), 5);
 }
 
+TEST_F(RunTest, TakesMeshesByFolderPatternFileAndName) {
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  for (const char* file : {"b.obj", "a.OBJ", "notes.txt", "deep/c.obj"}) {
+    std::filesystem::create_directories((folder_ / "scans" / file).parent_path());
+    write(std::string("scans/") + file, triangle);
+  }
+  const std::string scans = (folder_ / "scans").string();
+  const Output run = run_suite(PROGRAM, {"--solvers", "dijkstra", "--sources", "1", "--meshes",
+                                         scans + "/," + scans + "/*/c.*,hill"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json context = read_json(out_ / "run.json").at("context").at("geodesic_bench");
+  std::vector<std::string> names;
+  for (const json& mesh : context.at("meshes")) names.push_back(mesh.at("name"));
+  EXPECT_EQ(names, (std::vector<std::string>{"a", "b", "c", "hill"}));
+}
+
 TEST_F(RunTest, PassesFlagsOnToGoogleBenchmark) {
   std::vector<std::string> arguments{"run",
                                      "--solvers",
@@ -472,7 +488,8 @@ TEST_F(RunOfABox, IsVerifiedByItsClosedForm) {
 TEST_F(RunOfABox, CatchesWrongAnswersByItsClosedForm) {
   const Output run = run_suite(kFaultyProgram, {"--solvers", "wrong", "--sources", "1"});
   EXPECT_EQ(run.code, 2) << run.err;
-  EXPECT_NE(message(row("wrong/box/src:0")).find("compared with closed-form"), std::string::npos) << rows();
+  EXPECT_NE(message(row("wrong/box/src:0")).find("compared with closed-form"), std::string::npos)
+      << rows();
 }
 
 TEST_F(RunOfABox, IsVerifiedByTheSolverThatTheUserNames) {

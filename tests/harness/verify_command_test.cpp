@@ -178,14 +178,15 @@ TEST_F(VerifyCommand, KeepsTheFailureThatItFoundWhenSmallerMeshesFailInAnotherWa
 }
 
 TEST_F(VerifyCommand, SavesMeshesOfOneNameInFilesOfTheirOwn) {
-  std::vector<std::string> meshes;
+  std::vector<std::string> folders;
   for (const std::string folder : {"one", "other"}) {
-    std::filesystem::create_directory(folder_ / folder);
-    meshes.push_back((folder_ / folder / "mesh.obj").string());
-    std::ofstream(meshes.back()) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\n";
+    folders.push_back((folder_ / folder).string());
+    std::filesystem::create_directory(folders.back());
+    std::ofstream(folders.back() + "/mesh.obj")
+        << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\n";
   }
   const Output found = verify("wrong", {"--property", "distances-equal-the-reference", "--source",
-                                        "0", "--meshes", meshes[0] + ',' + meshes[1]});
+                                        "0", "--meshes", folders[0] + ',' + folders[1]});
   EXPECT_EQ(found.code, 2) << found.out << found.err;
   EXPECT_EQ(saved().size(), 2u) << found.out;
 }
