@@ -36,7 +36,8 @@ CSV_COLUMNS = [
 
 def cells(run: Run) -> Iterator[tuple[str, Measured]]:
     """Names with what was measured; of several programs, the name says which."""
-    for program in programs(run) or [None]:
+    names: list[str | None] = [*programs(run)]
+    for program in names or [None]:
         for cell, one in measured(run, program).items():
             yield (str(cell) if program is None else f"{cell}@{program}"), one
 

@@ -150,13 +150,13 @@ def rank(run: Run, candidate: str | None = None) -> Ranking:
     solvers = list(run.solvers)
     if not run.interleaved or len(solvers) < 2:
         raise GateError(f"{run.file}: not an interleaved run of two or more solvers")
-    candidate = candidate or solvers[0]
-    if candidate not in solvers:
-        raise GateError(f"{run.file}: has no solver {candidate}; it has {', '.join(solvers)}")
+    name = candidate or solvers[0]
+    if name not in solvers:
+        raise GateError(f"{run.file}: has no solver {name}; it has {', '.join(solvers)}")
     measurements = Measurements(run)
-    standings = [_standing(measurements, candidate, solver) for solver in solvers]
-    ranking = Ranking(candidate, measurements, standings, [])
-    ranking.standings.sort(key=lambda one: _order(one, candidate))
+    standings = [_standing(measurements, name, solver) for solver in solvers]
+    ranking = Ranking(name, measurements, standings, [])
+    ranking.standings.sort(key=lambda one: _order(one, name))
     _give_ranks(ranking)
     ranking.remarks = [*_failures(ranking), *_about_means(ranking, run)]
     return ranking

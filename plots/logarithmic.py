@@ -46,7 +46,7 @@ def _label(value: float) -> str:
     return f"{value:,.10g}"
 
 
-class RoomyLocator(Locator):
+class RoomyLocator(Locator):  # type: ignore[misc]  # matplotlib has no types
     """The most ticks whose labels do not touch."""
 
     def __call__(self) -> Sequence[float]:

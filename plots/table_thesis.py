@@ -68,7 +68,7 @@ def table(run: Run) -> Table:
 
 def _rows(run: Run, group: str, meshes: list[Mesh]) -> list[list[Cell]]:
     speed, windows = compare(run, meshes, SPEED), compare(run, meshes, WINDOWS)
-    rows = []
+    rows: list[list[Cell]] = []
     for solver in [one for one in THESIS_SOLVERS if one in speed or one in windows]:
         fewest = min(pairs[solver].models for pairs in (speed, windows) if solver in pairs)
         note = f"{solver}: on {fewest} of {len(meshes)} models." if fewest < len(meshes) else ""

@@ -102,6 +102,8 @@ CASES = [
          ["check.py: No module named 'jsonschema'", "python3-jsonschema", NO_PYTHON_MODULES]),
     Case("plots overview: no matplotlib", f"without matplotlib plots overview --run '{RUN}'",
          ["plots: No module named 'matplotlib'", "python3-matplotlib", NO_PYTHON_MODULES]),
+    Case("report.py: no jinja2", f"without jinja2 report.py --run '{RUN}'",
+         ["report.py: No module named 'jinja2'", "python3-jinja2", NO_PYTHON_MODULES]),
     Case("plots table_5_2: no numpy", f"without numpy plots table_5_2 --run '{RUN}'",
          ["plots: No module named 'numpy'", "python3-numpy", NO_PYTHON_MODULES]),
     Case("fetch.py: no requests", "without requests fetch.py --corpus tiny",

@@ -48,7 +48,7 @@ def test_a_mesh_that_was_skipped_fails_unless_allowed(
         data["context"]["geodesic_bench"]["skipped"].append(skip)
 
     run = str(changed(change))
-    assert [check.main(["--run", run, *more]) for more in ([], ["--allow-skipped"])] == [1, 0]
+    assert [check.main(["--run", run, *more]) for more in [list[str](), ["--allow-skipped"]]] == [1, 0]
     printed = capsys.readouterr().out
     assert "NOT MEASURED: bunny, all solvers: not in the dataset cache" in printed
     assert "NOT MEASURED: horse, ch: ch is for meshes of at most 20000 vertices" in printed
