@@ -51,7 +51,7 @@ def speedup(run: Run) -> Drawing:
     for words, meshes in groups.items():
         means = {s: over_meshes(ratio, run, meshes, s) for s in solvers}
         dots = {
-            s: [Dot.of(mean.estimate, note="" if mean.is_complete else f" ({mean.coverage})")]
+            s: [Dot.of(mean.estimate, note=f" ({mean.coverage})" if mean.coverage else "")]
             for s, mean in means.items()
             if mean
         }

@@ -145,19 +145,20 @@ class Mean:
     """A geometric mean over those meshes of several that have the ratio."""
 
     estimate: Estimate
-    meshes: int
-    of: int
-
-    @property
-    def coverage(self) -> str:
-        return f"{self.meshes} of {self.of} meshes"
-
-    @property
-    def is_complete(self) -> bool:
-        return self.meshes == self.of
+    coverage: str
+    """As in "2 of 3 meshes"; empty when all of them have it."""
 
 
 def over_meshes(ratio: Ratio, run: Run, meshes: list[str], solver: str) -> Mean | None:
     """None when no mesh has the ratio."""
     samples = [sample for mesh in meshes if (sample := ratio.measured(run, mesh, solver))]
-    return Mean(geometric_mean(samples), len(samples), len(meshes)) if samples else None
+    if not samples:
+        return None
+    complete = len(samples) == len(meshes)
+    coverage = "" if complete else f"{len(samples)} of {len(meshes)} meshes"
+    return Mean(geometric_mean(samples), coverage)
+
+
+def mean_cell(ratio: Ratio, mean: Mean, solver: str) -> Cell:
+    note = f"{solver}: a mean over {mean.coverage}." if mean.coverage else ""
+    return estimate_cell(mean.estimate, ratio.interval(mean.estimate), note)

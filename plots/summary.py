@@ -7,7 +7,7 @@ from plots.measures import (
     our_cell, partial_failure, time_unit, values,
 )  # fmt: skip
 from plots.models import left_out, ordered_meshes
-from plots.ratios import Ratio, over_meshes, time_over
+from plots.ratios import Ratio, mean_cell, over_meshes, time_over
 from results.reader import Mesh, Run
 from results.statistics import median
 from results.table import BLANK, Cell, Table, estimate_cell
@@ -67,8 +67,6 @@ def _means(run: Run, ratio: Ratio) -> list[list[Cell]]:
     known = {solver: mean for solver, mean in means.items() if mean}
     rows: list[list[Cell]] = []
     for solver, mean in sorted(known.items(), key=lambda item: item[1].estimate.value):
-        note = "" if mean.is_complete else f"{solver}: a mean over {mean.coverage}."
-        cell = estimate_cell(mean.estimate, ratio.interval(mean.estimate), note)
-        label = Cell("" if rows else ALL, ALL)
-        rows.append([label, _name(run, solver), BLANK, cell, BLANK, BLANK, BLANK])
+        cells = [BLANK, mean_cell(ratio, mean, solver), BLANK, BLANK, BLANK]
+        rows.append([Cell("" if rows else ALL, ALL), _name(run, solver), *cells])
     return rows

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import math
 from itertools import pairwise
+from statistics import geometric_mean
 
 from plots.measures import ABSENT, columns, failure
 from plots.models import groups_of_thesis, left_out, of_thesis, ordered_meshes
-from plots.ratios import BY_KEY, RATIOS, Mean, Ratio, over_meshes
+from plots.ratios import BY_KEY, RATIOS, Ratio, mean_cell, over_meshes
 from results import published
 from results.published import Claim
 from results.reader import Mesh, Run
-from results.table import BLANK, Cell, Table, estimate_cell
+from results.table import BLANK, Cell, Table
 
 OURS = (
     "Ours: geometric means of ratios paired by source and repetition, with 95% bootstrap intervals "
@@ -57,10 +57,8 @@ def _published_rows(run: Run, mesh: Mesh, ratio: Ratio) -> list[list[Cell]]:
 
 
 def _mean_row(run: Run, ratio: Ratio) -> list[Cell]:
-    cells = []
-    for solver in columns(run):
-        mean = over_meshes(ratio, run, list(run.meshes), solver)
-        cells.append(_mean_cell(ratio, mean) if mean else Cell(ABSENT))
+    means = {s: over_meshes(ratio, run, list(run.meshes), s) for s in columns(run)}
+    cells = [mean_cell(ratio, mean, s) if mean else Cell(ABSENT) for s, mean in means.items()]
     label = Cell(ratio.label, note=ratio.note)
     return [label, Cell("all meshes"), Cell("ours, geometric mean"), *cells]
 
@@ -120,29 +118,15 @@ def _published_mean(ratio: Ratio, solver: str) -> Cell:
     known = [value for value in values if value is not None]
     if not known:
         return Cell(ABSENT)
-    mean = math.exp(sum(map(math.log, known)) / len(known))
+    mean = geometric_mean(known)
     return Cell(f"{ratio.show(mean)} ({ratio.range(min(known), max(known))})", mean)
 
 
 def _our_mean(run: Run, ratio: Ratio, solver: str, meshes: list[str]) -> list[Cell]:
+    """And its range; or the solver's failure on the first mesh, or that there is no such mesh."""
     mean = over_meshes(ratio, run, meshes, solver)
     if mean is None:
-        return [_no_ratio(run, solver, meshes), BLANK]
-    return [
-        _mean_cell(ratio, mean),
-        Cell(ratio.range(mean.estimate.least, mean.estimate.most)),
-    ]
-
-
-def _mean_cell(ratio: Ratio, mean: Mean) -> Cell:
-    """With the number of meshes where some have no value."""
-    text = ratio.interval(mean.estimate)
-    if not mean.is_complete:
-        text += f", {mean.coverage}"
-    return estimate_cell(mean.estimate, text)
-
-
-def _no_ratio(run: Run, solver: str, meshes: list[str]) -> Cell:
-    """Why no mesh has the ratio: the solver's failure on the first, or no such mesh or number."""
-    failed = failure(run, meshes[0], solver) if meshes else Cell("no such mesh")
-    return failed or Cell(ABSENT)
+        failed = failure(run, meshes[0], solver) if meshes else Cell("no such mesh")
+        return [failed or Cell(ABSENT), BLANK]
+    reach = ratio.range(mean.estimate.least, mean.estimate.most)
+    return [mean_cell(ratio, mean, solver), Cell(reach)]

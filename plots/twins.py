@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from plots.measures import ABSENT, PROPAGATIONS, TIME, by_source, count, values
 from plots.models import ordered_meshes
-from plots.ratios import Ratio, over_meshes
+from plots.ratios import Ratio, mean_cell, over_meshes
 from results.reader import ResultError, Run
 from results.statistics import median
 from results.table import BLANK, Cell, Table, estimate_cell
@@ -58,9 +58,7 @@ def _block(run: Run, ours: str, twin: str) -> list[list[Cell]]:
         ])  # fmt: skip
     mean = over_meshes(time, run, list(run.meshes), twin)
     if mean and len(run.meshes) > 1:
-        note = "" if mean.is_complete else f"{twin}: a mean over {mean.coverage}."
-        shown = estimate_cell(mean.estimate, time.interval(mean.estimate), note)
-        rows.append([Cell(ALL), shown, BLANK, BLANK, BLANK])
+        rows.append([Cell(ALL), mean_cell(time, mean, twin), BLANK, BLANK, BLANK])
     return [
         [Cell("" if i else ours, f"{ours} {twin}"), Cell("" if i else twin), *row]
         for i, row in enumerate(rows)
