@@ -24,7 +24,7 @@ from results.console import ROOT, Parser, complain
 from results.reader import ResultError, Run, read_run
 
 from gate.findings import GateError
-from gate.rank_report import as_json, as_latex, as_markdown
+from gate.rank_report import as_json, as_latex, as_markdown, summary
 from gate.ranking import Ranking, Ratio, rank
 
 PASSED_ON = ("sources", "seed", "min_time", "reference", "vectors", "manifest")
@@ -130,13 +130,11 @@ def measure(command: list[str]) -> int:
     return code if code >= 0 else 128 - code
 
 
-def write(ranking: Ranking, run: Run, folder: Path) -> str:
-    """rank.md, rank.tex and rank.json; returns the first."""
-    text = as_markdown(ranking, run)
-    (folder / "rank.md").write_text(text, encoding="utf-8")
+def write(ranking: Ranking, run: Run, folder: Path) -> None:
+    """rank.md, rank.tex and rank.json."""
+    (folder / "rank.md").write_text(as_markdown(ranking, run), encoding="utf-8")
     (folder / "rank.tex").write_text(as_latex(ranking, run), encoding="utf-8")
     (folder / "rank.json").write_text(as_json(ranking), encoding="utf-8")
-    return text
 
 
 def draw(ranking: Ranking, folder: Path) -> str:
@@ -178,12 +176,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 return code or 1
         run = read_run(folder)
         ranking = rank(run, options.solver)
-        print(write(ranking, run, folder), end="")
+        write(ranking, run, folder)
+        print(summary(ranking), end="")
         if not options.no_figure:
             print(draw(ranking, folder), file=sys.stderr)
     except (GateError, ResultError, OSError) as error:
         return complain(error)
-    print(f"{folder / 'rank.md'} (also .tex, .json)", file=sys.stderr)
+    print(f"{folder / 'rank.md'} (a table for each mesh; also .tex, .json)", file=sys.stderr)
     return code
 
 

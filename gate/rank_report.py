@@ -131,18 +131,23 @@ def _ratios(on: OnMesh | None) -> list[str]:
     return [_median(on.time), _interval(on.time), spread if len(on.ratios) > 1 else NOTHING]
 
 
-def as_markdown(ranking: Ranking, run: Run) -> str:
+def summary(ranking: Ranking) -> str:
+    """The verdict, the ranking and remarks."""
     others = [one.solver for one in ranking.standings if one.solver != ranking.candidate]
-    lines = [f"- {escape_markdown(remark)}\n" for remark in ranking.remarks]
-    tables = [to_markdown(_of_mesh(ranking, run, mesh)) for mesh in ranking.measurements.meshes]
+    remarks = "".join(f"- {escape_markdown(remark)}\n" for remark in ranking.remarks)
     return "\n".join([
         f"# {ranking.candidate} against {', '.join(others)}\n",
         f"{escape_markdown(verdict(ranking))}\n",
         to_markdown(_overall(ranking)),
         f"{_explanation(ranking)}\n",
-        *(["".join(lines)] if lines else []),
-        *tables,
+        *([remarks] if remarks else []),
     ])  # fmt: skip
+
+
+def as_markdown(ranking: Ranking, run: Run) -> str:
+    """The summary, and a table for each mesh."""
+    meshes = ranking.measurements.meshes
+    return "\n".join([summary(ranking), *(to_markdown(_of_mesh(ranking, run, m)) for m in meshes)])
 
 
 def as_latex(ranking: Ranking, run: Run) -> str:
