@@ -98,7 +98,7 @@ def run(arguments: argparse.Namespace) -> int:
         )
     folder = program.parent / "peers"
     peers = select_peers(arguments.peers, arguments.names)
-    bench = Bench(program, folder / "terrain.ply")
+    bench = Bench(program, folder / "torus.ply")
     origin = origin_from_environment(MIRROR_VARIABLE, github)
     with contextlib.closing(Downloader(Progress(sys.stderr), MIRROR_VARIABLE)) as downloader:
         sources = Sources(origin, downloader, folder / "archives")

@@ -59,5 +59,7 @@ def _cmake(*words: str | Path) -> subprocess.CompletedProcess[str]:
 
 def _first_error(done: subprocess.CompletedProcess[str]) -> str:
     lines = [line.strip() for line in (done.stdout + done.stderr).splitlines() if line.strip()]
-    errors = [line for line in lines if "error" in line.lower()]
-    return (errors or lines or [f"exit code {done.returncode}"])[0]
+    first = next((at for at, line in enumerate(lines) if "error" in line.lower()), 0)
+    # CMake says on the next line what it is.
+    shown = lines[first : first + 2] if lines and lines[first].endswith(":") else lines[first : first + 1]
+    return " ".join(shown) or f"exit code {done.returncode}"

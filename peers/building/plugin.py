@@ -12,7 +12,7 @@ from fetching.reporting import Unavailable
 
 from .compiler import Compiler
 from .description import PEERS, Peer
-from .flags import Bench, median_seconds, remark
+from .flags import Bench, faster
 from .sources import Sources
 
 
@@ -49,7 +49,7 @@ class Builder:
             for name, flags in (("authors", peer.authors_flags), ("ours", peer.our_flags))
         }
         solver = self.bench.solvers_of(compiled[peer.our_flags])[0]
-        best, said = remark(median_seconds(self.bench, compiled, solver), peer.authors_flags)
+        best, said = faster(self.bench, compiled, solver, peer.authors_flags)
         chosen = self.compiler.compile(peer, authors, compiled[best].parent, best, said)
         chosen.replace(self.plugin(peer))
         return said

@@ -1,7 +1,5 @@
 // MMP by Kirsanov with the repairs of geometry-central.
 #include <geometrycentral/surface/exact_geodesics.h>
-#include <geometrycentral/surface/manifold_surface_mesh.h>
-#include <geometrycentral/surface/vertex_position_geometry.h>
 
 #include "gc_mesh.h"
 #include "peer.h"
@@ -18,14 +16,13 @@ class GcExact final : public Solver {
 
  private:
   void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
-    std::vector<authors::Vertex> sources;
-    for (const Source& source : query.sources)
-      sources.push_back(surface_.mesh.vertex(source.vertex));
-    algorithm_.propagate(sources);
-    const authors::VertexData<double> found = algorithm_.getDistanceFunction();
-    for (Index v = 0; v < distances.size(); ++v) {
-      if (found[v] < authors::GEODESIC_INF) distances[v] = found[v];
+    const std::vector<authors::Vertex> sources = surface_.sources(query);
+    authors::VertexData<double> found(surface_.mesh, authors::GEODESIC_INF);
+    if (!sources.empty()) {
+      algorithm_.propagate(sources);
+      found = algorithm_.getDistanceFunction();
     }
+    surface_.answer(query, found, distances);
   }
 
   peer::GcMesh surface_;

@@ -8,25 +8,60 @@
 
 namespace geodesic::peer {
 
-inline std::vector<std::vector<std::size_t>> polygons(const Mesh& mesh) {
-  std::vector<std::vector<std::size_t>> all;
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    const Triangle corners = mesh.triangle(f);
-    all.emplace_back(corners.begin(), corners.end());
-  }
-  return all;
-}
-
-/// Keeps the order of vertices and faces. Construction throws where it refuses the mesh.
-struct GcMesh {
-  explicit GcMesh(const Mesh& own) : mesh(polygons(own)), geometry(mesh) {
-    for (Index v = 0; v < own.vertex_count(); ++v) {
+/// Keeps the order of vertices and faces. Leaves out vertices without faces, as geometry-central's
+/// readers of files do. Construction throws where it refuses the mesh.
+class GcMesh {
+ public:
+  explicit GcMesh(const Mesh& own)
+      : numbers_(numbered(own)), mesh(polygons(own, numbers_)), geometry(mesh) {
+    for (Index v = 0; v < numbers_.size(); ++v) {
+      if (numbers_[v] == kNone) continue;
       const Vec3& p = own.position(v);
-      geometry.vertexPositions[v] = {p[0], p[1], p[2]};
+      geometry.vertexPositions[numbers_[v]] = {p[0], p[1], p[2]};
     }
   }
 
-  geometrycentral::surface::ManifoldSurfaceMesh mesh;
+  /// Those of the query that have faces.
+  std::vector<geometrycentral::surface::Vertex> sources(const Query& query) const {
+    std::vector<geometrycentral::surface::Vertex> all;
+    for (const Source& source : query.sources)
+      if (numbers_[source.vertex] != kNone) all.push_back(mesh.vertex(numbers_[source.vertex]));
+    return all;
+  }
+
+  /// Answers a query with distances by vertex of geometry-central; those beyond 1e100 are
+  /// unreachable.
+  void answer(const Query& query, const geometrycentral::surface::VertexData<double>& found,
+              std::span<double> distances) const {
+    for (Index v = 0; v < distances.size(); ++v)
+      if (numbers_[v] != kNone && !(found[numbers_[v]] >= 1e100)) distances[v] = found[numbers_[v]];
+    for (const Source& source : query.sources)
+      if (numbers_[source.vertex] == kNone) distances[source.vertex] = 0;
+  }
+
+ private:
+  static std::vector<Index> numbered(const Mesh& own) {
+    std::vector<Index> numbers;
+    Index next = 0;
+    for (Index v = 0; v < own.vertex_count(); ++v)
+      numbers.push_back(own.outgoing(v).empty() ? kNone : next++);
+    return numbers;
+  }
+
+  static std::vector<std::vector<std::size_t>> polygons(const Mesh& own,
+                                                        const std::vector<Index>& numbers) {
+    std::vector<std::vector<std::size_t>> all;
+    for (Index f = 0; f < own.face_count(); ++f) {
+      const auto [a, b, c] = own.triangle(f);
+      all.push_back({numbers[a], numbers[b], numbers[c]});
+    }
+    return all;
+  }
+
+  std::vector<Index> numbers_;  // by vertex; kNone without faces
+
+ public:
+  mutable geometrycentral::surface::ManifoldSurfaceMesh mesh;
   geometrycentral::surface::VertexPositionGeometry geometry;
 };
 

@@ -5,6 +5,8 @@
 // `best_source` does.
 #include <igl/exact_geodesic.h>
 
+#include <optional>
+
 #include "peer.h"
 
 namespace geodesic {

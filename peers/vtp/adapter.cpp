@@ -1,6 +1,6 @@
 // VTP by its authors: vertex-oriented triangle propagation.
 #include <cstring>
-#include <memory>
+#include <optional>
 
 #include "peer.h"
 
@@ -17,18 +17,22 @@ class Vtp final : public Solver {
   Vtp(const Mesh& mesh, const Description& description)
       : Solver(mesh, description),
         coordinates_(peer::coordinates(mesh)),
-        corners_(peer::corners<unsigned>(mesh)) {}
+        corners_(peer::corners<unsigned>(mesh)) {
+    renew_state();
+  }
 
  private:
-  // Distances and states lie in the authors' mesh, and nothing there clears them: every source
-  // takes a new one.
+  // Distances and states lie in the authors' mesh, and nothing there clears them.
+  void renew_state() override {
+    algorithm_.reset();
+    mesh_.emplace().initialize_mesh_data(coordinates_, corners_);
+    algorithm_.emplace(&*mesh_);
+  }
+
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
-    vtp_authors::Mesh authors;
-    authors.initialize_mesh_data(coordinates_, corners_);
-    vtp_authors::GeodesicAlgorithmExact algorithm(&authors);
-    algorithm.propagate(query.sources.front().vertex);
+    algorithm_->propagate(query.sources.front().vertex);
     for (Index v = 0; v < distances.size(); ++v) {
-      const double d = authors.vertices()[v].geodesic_distance();
+      const double d = mesh_->vertices()[v].geodesic_distance();
       if (d < vtp_authors::GEODESIC_INF) distances[v] = d;
     }
     if (recording != nullptr) {
@@ -40,6 +44,8 @@ class Vtp final : public Solver {
 
   std::vector<double> coordinates_;
   std::vector<unsigned> corners_;
+  std::optional<vtp_authors::Mesh> mesh_;
+  std::optional<vtp_authors::GeodesicAlgorithmExact> algorithm_;  // on mesh_
 };
 
 const RegisterSolver<Vtp> registered{{
@@ -51,9 +57,12 @@ const RegisterSolver<Vtp> registered{{
     .time_complexity = "O(n^2)",
     .space_complexity = "O(n)",
     .propagation = "window list",
-    .abilities = {.multiple_sources = false, .initial_distances = false},
+    .needs_renewal = true,
+    .abilities = {.multiple_sources = false,
+                  .initial_distances = false,
+                  .concurrent_objects = false},
     .remarks = peer::remarks("the authors' code; it keeps its state in its mesh, which is built "
-                             "again for every source and is part of the solve's time"),
+                             "again for every source, and counts in global variables"),
 }};
 
 }  // namespace

@@ -1,0 +1,76 @@
+// The heat method as CGAL has it. That package is GPL.
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <optional>
+#include <stdexcept>
+
+#include "peer.h"
+
+namespace geodesic {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
+using Direct =
+    CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3<Surface, CGAL::Heat_method_3::Direct>;
+using IntrinsicDelaunay =
+    CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3<Surface,
+                                                           CGAL::Heat_method_3::Intrinsic_Delaunay>;
+
+class CgalHeat final : public Solver {
+ public:
+  CgalHeat(const Mesh& mesh, const Description& description) : Solver(mesh, description) {
+    for (const Vec3& p : mesh.positions()) surface_.add_vertex({p[0], p[1], p[2]});
+    for (Index f = 0; f < mesh.face_count(); ++f) {
+      const auto [a, b, c] = mesh.triangle(f);
+      if (surface_.add_face(Vertex(a), Vertex(b), Vertex(c)) == Surface::null_face())
+        throw std::invalid_argument("cgal-heat: CGAL's surface mesh refuses face " +
+                                    std::to_string(f));
+    }
+    if (description.text("laplacian") == "cotangent") {
+      direct_.emplace(surface_);
+    } else {
+      delaunay_.emplace(surface_);
+    }
+  }
+
+ private:
+  using Vertex = Surface::Vertex_index;
+
+  void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
+    direct_ ? run_by(*direct_, query, distances) : run_by(*delaunay_, query, distances);
+  }
+
+  template <class Heat>
+  void run_by(Heat& heat, const Query& query, std::span<double> distances) {
+    heat.clear_sources();
+    for (const Source& source : query.sources) heat.add_source(Vertex(source.vertex));
+    auto found = surface_.add_property_map<Vertex, double>("v:distance", 0).first;
+    heat.estimate_geodesic_distances(found);
+    for (Index v = 0; v < distances.size(); ++v) distances[v] = found[Vertex(v)];
+  }
+
+  Surface surface_;
+  std::optional<Direct> direct_;
+  std::optional<IntrinsicDelaunay> delaunay_;  // one of the two
+};
+
+const RegisterSolver<CgalHeat> registered{{
+    .name = "cgal-heat",
+    .family = "heat",
+    .paper = "Crane, Weischedel, Wardetzky 2013, Geodesics in heat",
+    .data_structure = "sparse factorisation",
+    .time_complexity = "O(n^1.5)",
+    .space_complexity = "O(n log n)",
+    .propagation = "vertex",
+    .exactness = Exactness::unbounded,
+    .abilities = {.initial_distances = false},
+    .remarks = peer::remarks("CGAL's Heat_method_3, which is GPL, factorised by Eigen"),
+    .parameters = {choice_parameter("laplacian", {"intrinsic-delaunay", "cotangent"},
+                                    "of intrinsic Delaunay edges, or of the triangles")},
+}};
+
+}  // namespace
+}  // namespace geodesic

@@ -1,0 +1,132 @@
+// VTP in parallel, exact, and its sequential approximation, by their authors.
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+#include "peer.h"
+
+#define geodesic pvtp_authors  // their namespace has the name of ours
+#include "geodesic_algorithm_approximate.h"
+#include "geodesic_algorithm_parallel_fwp_exact.h"
+#undef geodesic
+
+namespace geodesic {
+namespace {
+
+// The authors' main program sets these; the repository lacks it. As published with fast wavefront
+// propagation, whose queue this is.
+void set_queue(pvtp_authors::GeodesicAlgorithmParallelFWPExact& algorithm, const Mesh& mesh) {
+  algorithm.binWidth = mesh.mean_edge_length() / std::sqrt(mesh.vertex_count());
+  algorithm.Kmin = 6;
+  algorithm.Kmax = mesh.vertex_count();
+  algorithm.step = 1;
+}
+
+// The authors' mesh, which their algorithms clear themselves.
+class AuthorsMesh {
+ public:
+  explicit AuthorsMesh(const Mesh& mesh) {
+    std::vector<double> points = peer::coordinates(mesh);
+    std::vector<unsigned> faces = peer::corners<unsigned>(mesh);
+    mesh_.initialize_mesh_data(points, faces);
+  }
+
+  pvtp_authors::Mesh* get() { return &mesh_; }
+
+  void answer(std::span<double> distances, Recording* recording) {
+    for (Index v = 0; v < distances.size(); ++v) {
+      const double d = mesh_.vertices()[v].geodesic_distance();
+      if (d < pvtp_authors::GEODESIC_INF) distances[v] = d;
+    }
+    if (recording != nullptr) {
+      recording->window_propagations = pvtp_authors::m_windows_propagation.load();
+      recording->window_bytes = sizeof(pvtp_authors::Interval);
+    }
+  }
+
+ private:
+  pvtp_authors::Mesh mesh_;
+};
+
+class Pvtp final : public Solver {
+ public:
+  Pvtp(const Mesh& mesh, const Description& description)
+      : Solver(mesh, description),
+        threads_(description.integer("threads")),
+        mesh_(mesh),
+        algorithm_(mesh_.get(), threads_, description.integer("lists")) {
+    set_queue(algorithm_, mesh);
+  }
+
+ private:
+  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, threads_);
+    algorithm_.propagate(query.sources.front().vertex);
+    mesh_.answer(distances, recording);
+  }
+
+  Index threads_;
+  AuthorsMesh mesh_;
+  pvtp_authors::GeodesicAlgorithmParallelFWPExact algorithm_;  // on mesh_
+};
+
+class Avtp final : public Solver {
+ public:
+  Avtp(const Mesh& mesh, const Description& description)
+      : Solver(mesh, description),
+        mesh_(mesh),
+        algorithm_(mesh_.get(), description.real("lambda")) {}
+
+ private:
+  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+    algorithm_.propagate(query.sources.front().vertex);
+    mesh_.answer(distances, recording);
+  }
+
+  AuthorsMesh mesh_;
+  pvtp_authors::GeodesicAlgorithmApproximate algorithm_;  // on mesh_
+};
+
+constexpr Abilities kAbilities = {
+    .multiple_sources = false, .initial_distances = false, .concurrent_objects = false};
+constexpr const char* kPaper =
+    "Du, He, Fang, Meng, Xin 2021, On the vertex-oriented triangle propagation (VTP) algorithm: "
+    "parallelization and approximation";
+
+const RegisterSolver<Avtp> avtp{{
+    .name = "avtp",
+    .family = "VTP",
+    .paper = kPaper,
+    .data_structure = "priority queue of vertices",
+    .time_complexity = "O(n^2)",
+    .space_complexity = "O(n)",
+    .propagation = "window list",
+    .exactness = Exactness::unbounded,
+    .abilities = kAbilities,
+    .remarks = peer::remarks("the authors' code, of one thread, as the repository of DGG-VTP has "
+                             "it; it counts in global variables"),
+    .parameters = {real_parameter("lambda", 8, 0.01, 1e6,
+                                  "radius of exact propagation, in mean edge lengths")},
+}};
+
+const RegisterSolver<Pvtp> pvtp{{
+    .name = "pvtp",
+    .family = "VTP",
+    .paper = kPaper,
+    .data_structure = "buckets of vertices",
+    .time_complexity = "O(n^2)",
+    .space_complexity = "O(n)",
+    .propagation = "window list",
+    .deterministic = false,
+    .abilities = kAbilities,
+    .remarks = peer::remarks("the authors' code as the repository of DGG-VTP has it, with the "
+                             "queue's parameters of FWP; it counts in global variables"),
+    .parameters = {integer_parameter("threads", 1, 1, 1024, "that propagate window lists"),
+                   integer_parameter("lists", 5000, 1, 1000000000,
+                                     "window lists to propagate at the same time")},
+}};
+
+}  // namespace
+}  // namespace geodesic
