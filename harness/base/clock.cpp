@@ -31,14 +31,18 @@ void restart_peak_resident_bytes() {
   std::ofstream("/proc/self/clear_refs") << "5";  // proc(5): resets the peak to the present size
 }
 
-std::optional<std::int64_t> peak_resident_bytes() {
-  std::ifstream status("/proc/self/status");
-  for (std::string key; status >> key;) {
+std::optional<std::int64_t> proc_bytes(const char* file, const std::string& key) {
+  std::ifstream lines(file);
+  for (std::string word; lines >> word;) {
     std::int64_t kibibytes = 0;
-    if (key == "VmHWM:" && status >> kibibytes) return kibibytes * 1024;
-    std::getline(status, key);
+    if (word == key && lines >> kibibytes) return kibibytes * 1024;
+    std::getline(lines, word);
   }
   return std::nullopt;
+}
+
+std::optional<std::int64_t> peak_resident_bytes() {
+  return proc_bytes("/proc/self/status", "VmHWM:");
 }
 
 }  // namespace geodesic::harness

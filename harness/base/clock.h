@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace geodesic::harness {
 
@@ -28,5 +29,8 @@ void restart_peak_resident_bytes();
 /// Largest resident set of this process, VmHWM of /proc/self/status. Not getrusage's ru_maxrss:
 /// that starts from the peak of the process that spawned this one.
 std::optional<std::int64_t> peak_resident_bytes();
+
+/// The size behind a key of a file like /proc/meminfo; nothing where there is none.
+std::optional<std::int64_t> proc_bytes(const char* file, const std::string& key);
 
 }  // namespace geodesic::harness

@@ -4,6 +4,7 @@
 #include <openssl/evp.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cerrno>
@@ -62,6 +63,11 @@ fs::path installed_data() {
 
 }  // namespace
 
+bool is_plain(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return byte < 0x80 && (std::isalnum(byte) != 0 || c == '.' || c == '_' || c == '-');
+}
+
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), written_(path_) {
   std::error_code ignored;
   auto mode = std::ios::out | std::ios::binary;
@@ -105,16 +111,31 @@ std::string as_file_name(std::string_view name) {
   constexpr char kDigits[] = "0123456789ABCDEF";
   std::string file;
   for (const char c : name) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool plain =
-        byte < 0x80 && (std::isalnum(byte) || c == '_' || c == '-' || (c == '.' && !file.empty()));
-    if (plain) {
+    if (is_plain(c) && (c != '.' || !file.empty())) {
       file += c;
     } else {
+      const auto byte = static_cast<unsigned char>(c);
       file += {'%', kDigits[byte / 16], kDigits[byte % 16]};
     }
   }
   return file;
+}
+
+void check_name(std::string_view kind, std::string_view name) {
+  constexpr std::size_t kLongest = 100;
+  const bool begins = !name.empty() && is_plain(name[0]) && !std::ispunct(name[0]);
+  if (begins && name.size() <= kLongest && std::ranges::all_of(name, is_plain)) return;
+  throw HarnessError("invalid " + std::string(kind) + " '" + excerpt(name) + "': use at most " +
+                     std::to_string(kLongest) +
+                     " letters, digits, '.', '_' and '-', and begin with a letter or digit");
+}
+
+void make_folder(const fs::path& folder, const std::string& advice) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error) return;
+  throw HarnessError("cannot make the folder '" + folder.string() + "': " + error.message() +
+                     advice);
 }
 
 std::string sha256_of(std::string_view bytes) {

@@ -42,6 +42,19 @@ void write_bytes(const std::filesystem::path& path, std::string_view bytes);
 /// %XX, and so does a dot in front. Letters, digits, '_', '-' and '.' stay.
 std::string as_file_name(std::string_view name);
 
+/// ASCII letters, digits, ".", "_" and "-".
+bool is_plain(char c);
+
+/// What is to name files of a run has plain characters, the first a letter or digit, at most 100.
+/// @param kind "corpus name", for the message
+/// @throws HarnessError naming kind and name
+void check_name(std::string_view kind, std::string_view name);
+
+/// Makes a folder and those that it lies in, unless they are there.
+/// @param advice end of the message: "; --out names another"
+/// @throws HarnessError when it cannot be made
+void make_folder(const std::filesystem::path& folder, const std::string& advice = "");
+
 /// SHA-256 (FIPS 180-4), as 64 lower-case hexadecimal digits.
 std::string sha256_of(std::string_view bytes);
 

@@ -213,16 +213,6 @@ std::uint64_t left_in_control_group() {
   return left;
 }
 
-std::uint64_t available_in_system() {
-  std::ifstream meminfo("/proc/meminfo");
-  for (std::string key; meminfo >> key;) {
-    std::uint64_t kib = 0;
-    if (key == "MemAvailable:" && meminfo >> kib) return kib * 1024;
-    meminfo.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
-  }
-  return kUnlimited;
-}
-
 constexpr std::size_t kKeptLines = 3;
 constexpr double kCallSeconds = 1;  // between two calls of `waiting`
 
@@ -282,7 +272,9 @@ Disturbance disturbance_since(const Ticks& before, const Child::Exit& exit) {
 }  // namespace
 
 std::uint64_t available_memory() {
-  return std::min(available_in_system(), left_in_control_group()) / 10 * 9;
+  const auto in_system = proc_bytes("/proc/meminfo", "MemAvailable:");
+  const std::uint64_t left = in_system ? static_cast<std::uint64_t>(*in_system) : kUnlimited;
+  return std::min(left, left_in_control_group()) / 10 * 9;
 }
 
 std::string Ended::describe() const {
@@ -321,11 +313,12 @@ Ended run_program(const std::filesystem::path& program, const std::vector<std::s
   return ended;
 }
 
-Ended run_this_program(const std::vector<std::string>& arguments,
-                       const std::function<void()>& waiting, const ProcessLimits& limits) {
+Ended run_geodesic_bench(const std::vector<std::string>& arguments,
+                         const std::function<void()>& waiting, const ProcessLimits& limits,
+                         const std::filesystem::path& program) {
   std::vector<std::string> words = plugin_arguments();
   words.insert(words.end(), arguments.begin(), arguments.end());
-  return run_program("/proc/self/exe", words, waiting, limits);
+  return run_program(program, words, waiting, limits);
 }
 
 }  // namespace geodesic::harness

@@ -63,8 +63,9 @@ struct Ended {
 Ended run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                   const std::function<void()>& waiting, const ProcessLimits& limits = {});
 
-/// Runs this program with other arguments and the same plug-ins. As run_program.
-Ended run_this_program(const std::vector<std::string>& arguments,
-                       const std::function<void()>& waiting, const ProcessLimits& limits = {});
+/// Runs this program, or another build of it, with the same plug-ins. As run_program.
+Ended run_geodesic_bench(const std::vector<std::string>& arguments,
+                         const std::function<void()>& waiting, const ProcessLimits& limits = {},
+                         const std::filesystem::path& program = "/proc/self/exe");
 
 }  // namespace geodesic::harness

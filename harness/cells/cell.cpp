@@ -6,7 +6,7 @@
 
 #include "harness/base/clock.h"
 #include "harness/base/error.h"
-#include "harness/corpus/vectors.h"
+#include "harness/corpus/solvers.h"
 #include "harness/measure/benchmark.h"
 #include "harness/measure/recorded_solve.h"
 #include "harness/recordings/files.h"

@@ -28,7 +28,7 @@ struct CellSpec {
   std::string run_folder = {};
   bool counted = true;    ///< solve some more, for counters, memory and phases
   bool pictured = false;  ///< leave recordings in the run folder; only of counted cells
-  std::string vectors;    ///< corpus/vectors.h
+  std::string vectors;    ///< corpus/solvers.h
   std::vector<std::string> benchmark_flags = {};
   Json context = {};    ///< context.geodesic_bench of the result file
   bool repair = false;  ///< repair the mesh first

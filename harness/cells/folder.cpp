@@ -15,19 +15,11 @@ namespace geodesic::harness {
 namespace fs = std::filesystem;
 namespace {
 
-void make_folders(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) {
-    throw HarnessError("cannot make the folder '" + folder.string() + "': " + error.message());
-  }
-}
-
-fs::path make_folder(const std::optional<fs::path>& path, const std::string& corpus) {
+fs::path make_run_folder(const std::optional<fs::path>& path, const std::string& corpus) {
   std::string time = utc_now();
   std::erase_if(time, [](char c) { return c == '-' || c == ':'; });
   const fs::path folder = path.value_or(results_folder() / "runs" / (time + "-" + corpus));
-  make_folders(folder);
+  make_folder(folder);
   return folder;
 }
 
@@ -47,7 +39,7 @@ int lock_folder(const fs::path& path) {
 }  // namespace
 
 RunFolder::RunFolder(const std::optional<fs::path>& path, const std::string& corpus)
-    : RunFolder(make_folder(path, corpus)) {
+    : RunFolder(make_run_folder(path, corpus)) {
   const auto holds = [&](const char* file) { return fs::exists(path_ / file); };
   if (!holds("run.json") && !holds("request.json") && !holds("cells")) return;
   const bool unfinished = holds("request.json") && !holds("run.json");
@@ -61,8 +53,8 @@ RunFolder::RunFolder(const fs::path& path) : path_(path), lock_(lock_folder(path
 RunFolder::~RunFolder() { close(lock_); }
 
 void RunFolder::make_subfolders() const {
-  make_folders(path_ / "cells");
-  make_folders(path_ / "references");
+  make_folder(path_ / "cells");
+  make_folder(path_ / "references");
 }
 
 }  // namespace geodesic::harness

@@ -2,7 +2,6 @@
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"
-#include "harness/base/plugins.h"
 #include "harness/measure/benchmark.h"
 
 namespace geodesic::harness {
@@ -16,14 +15,6 @@ void label(Row& row, const Cell& cell) {
     row.repetition_index = cell.repetition;
   }
   if (cell.program != nullptr) row.program = cell.program->name;
-}
-
-Ended run_process(const Cell& cell, const CellSpec& spec, const ProcessLimits& limits,
-                  const std::function<void()>& waiting) {
-  std::vector<std::string> words = plugin_arguments();
-  words.insert(words.end(), {"cell", Json(spec).dump()});
-  const fs::path program = cell.program == nullptr ? "/proc/self/exe" : cell.program->file;
-  return run_program(program, words, waiting, limits);
 }
 
 // Makes the cell's file of what the process wrote and what is known of the process.
@@ -72,7 +63,8 @@ std::vector<Row> measure_cell(const Cell& cell, CellSpec spec, References& refer
     spec.reference_file = reference.file.string();
     CellSpec given = spec;
     given.output += kPartOfFile;
-    const Ended ended = run_process(cell, given, limits, waiting);
+    const fs::path program = cell.program == nullptr ? "/proc/self/exe" : cell.program->file;
+    const Ended ended = run_geodesic_bench({"cell", Json(given).dump()}, waiting, limits, program);
     if (ended.succeeded()) return complete(cell, spec, given.output, ended.disturbance);
     const Failure failure = failure_of(ended, limits);
     return write_failure(cell, spec, failure.outcome, failure.why);

@@ -6,7 +6,6 @@
 #include "harness/base/files.h"
 #include "harness/base/json.h"
 #include "harness/base/process.h"
-#include "harness/corpus/names.h"
 
 namespace geodesic::harness {
 namespace fs = std::filesystem;

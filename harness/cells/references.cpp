@@ -47,7 +47,7 @@ std::string References::solve(const Cell& cell, const std::string& solver,
     const std::lock_guard lock(mutex_);
     waiting_(solver);
   };
-  const Ended ended = run_this_program({"reference", Json(spec).dump()}, waiting, limits);
+  const Ended ended = run_geodesic_bench({"reference", Json(spec).dump()}, waiting, limits);
   if (ended.succeeded()) return {};
   const Failure failure = failure_of(ended, limits);
   return solver + ": " + std::string(name_of(failure.outcome)) + ": " + failure.why;

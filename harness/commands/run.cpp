@@ -93,7 +93,8 @@ void add_request_options(CLI::App& command, RunRequest& request) {
   option("--repetitions", suite.repetitions, "number of timed repetitions of each cell");
   option("--seed", suite.seed, "seed of the choice of source vertices");
   option("--min-time", suite.min_time, "minimum duration of a repetition in seconds");
-  option("--reference", suite.reference, "exact solver to verify the others by, or 'brute force'")->type_name("NAME");
+  option("--reference", suite.reference, "exact solver to verify the others by, or 'brute force'")
+      ->type_name("NAME");
   option("--time-limit", suite.time_limit, "seconds after which a cell is stopped (default 3600)");
   option("--memory-limit", suite.memory_limit,
          "memory limit of a cell in bytes, or as 500M, 8G (default: 90% of what is available)")

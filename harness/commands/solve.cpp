@@ -15,7 +15,6 @@
 #include "harness/commands/values.h"
 #include "harness/corpus/manifest.h"
 #include "harness/corpus/solvers.h"
-#include "harness/corpus/vectors.h"
 #include "harness/measure/recorded_solve.h"
 #include "harness/measure/solve_each.h"
 #include "harness/results/counters.h"

@@ -9,7 +9,7 @@
 #include "harness/base/interruption.h"
 #include "harness/commands/values.h"
 #include "harness/corpus/manifest.h"
-#include "harness/corpus/vectors.h"
+#include "harness/corpus/solvers.h"
 #include "harness/verify/isolated_check.h"
 #include "harness/verify/verify_solver.h"
 

@@ -1,10 +1,11 @@
-// Registered solvers as users name them, and the meshes they can do.
+// Solvers and instruction sets as users name them, and the meshes that solvers can do.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "solvers/core/instruction_set.h"
 #include "solvers/core/solver.h"
 
 namespace geodesic::harness {
@@ -30,5 +31,12 @@ std::string shown_exactness(const Description& solver);
 
 /// Why the solver declares that it cannot do this mesh; empty when it can.
 std::string unsupported(const Description& solver, const Mesh& mesh);
+
+/// The widest that the processor and the build have.
+inline constexpr const char* kAutoVectors = "auto";
+
+/// @param word "auto" or the name of an instruction set
+/// @throws HarnessError for another word, or saying what the processor or the build lacks
+InstructionSet instruction_set_named(const std::string& word);
 
 }  // namespace geodesic::harness

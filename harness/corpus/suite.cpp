@@ -10,9 +10,7 @@
 #include "harness/base/error.h"
 #include "harness/base/files.h"
 #include "harness/base/json.h"
-#include "harness/corpus/names.h"
 #include "harness/corpus/solvers.h"
-#include "harness/corpus/vectors.h"
 
 namespace geodesic::harness {
 namespace {

@@ -25,7 +25,7 @@ struct Suite {
   std::optional<std::string> reference =
       {};                        ///< solver to verify by, or "brute force" where a closed form is
                                  ///< not known; by default a solver of another kind
-  std::string vectors = "auto";  ///< instruction set (corpus/vectors.h)
+  std::string vectors = "auto";  ///< instruction set (corpus/solvers.h)
   double time_limit = 3600;      ///< seconds for the process of a cell
   std::optional<std::uint64_t> memory_limit =
       {};  ///< bytes for that process; by default what the machine has available

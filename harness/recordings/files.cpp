@@ -17,14 +17,6 @@ namespace {
 constexpr std::array<int, 3> kMoments{25, 50, 75};
 constexpr double share(int moment) { return moment / 100.0; }
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) {
-    throw HarnessError("cannot make the folder '" + folder.string() + "': " + error.message());
-  }
-}
-
 template <class To, class From>
 std::vector<To> flattened(const std::vector<std::array<From, 3>>& rows) {
   std::vector<To> numbers;

@@ -10,7 +10,6 @@
 #include "harness/base/json.h"
 #include "harness/base/process.h"
 #include "harness/corpus/solvers.h"
-#include "harness/corpus/vectors.h"
 #include "harness/verify/explain.h"
 #include "meshes/mesh_file.h"
 #include "meshes/messages.h"
@@ -128,8 +127,8 @@ class CheckProcess {
 
 CheckResult wait_for(const CheckTask& task, double seconds) {
   std::filesystem::remove(task.result_file);
-  const Ended ended = run_this_program({"check-property", nlohmann::json(task).dump()}, [] {},
-                                       {.seconds = seconds, .memory_bytes = available_memory()});
+  const Ended ended = run_geodesic_bench({"check-property", nlohmann::json(task).dump()}, [] {},
+                                         {.seconds = seconds, .memory_bytes = available_memory()});
   CheckResult result;
   if (std::filesystem::exists(task.result_file)) {
     result = nlohmann::json::parse(std::ifstream(task.result_file)).get<CheckResult>();

@@ -34,7 +34,7 @@ struct CheckResult {
 /// The side that waits.
 class IsolatedCheck {
  public:
-  /// @param vectors instructions to solve with (corpus/vectors.h)
+  /// @param vectors instructions to solve with (corpus/solvers.h)
   /// @param time_limit seconds that a property may take
   /// @throws HarnessError when there is no place for temporary files
   IsolatedCheck(const Description& solver, std::string vectors, double time_limit);

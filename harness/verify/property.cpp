@@ -5,6 +5,7 @@
 
 #include "harness/base/error.h"
 #include "harness/corpus/solvers.h"
+#include "harness/verify/properties/properties.h"
 
 namespace geodesic::harness {
 namespace {
@@ -33,13 +34,8 @@ constexpr ClaimInWords kClaims[] = {
      [](const Description& d) { return d.abilities.concurrent_objects; }},
 };
 
-Finding must_refuse(const Trial& trial, const std::string& why) {
-  try {
-    trial.prepare();
-  } catch (const std::invalid_argument&) {
-    return {};
-  }
-  return Violation{.what = "the mesh was accepted, though " + why};
+void must_refuse(const Trial& trial, const std::string& why) {
+  refused("the mesh, though " + why + ",", [&] { trial.prepare(); });
 }
 
 // "limit 1.5e-7 of 12" becomes "limit # of #".
@@ -74,16 +70,15 @@ Finding Trial::correct(const Query& query, std::span<const double> got,
   return check_promise(Promise::of(solver_), query, got, expected, given_.tolerance);
 }
 
-Finding distances_are_right(const Trial& trial) {
+void distances_are_right(const Trial& trial) {
   const auto solver = trial.prepare();
   for (const Query& query : trial.queries()) {
     const auto got = trial.solve(*solver, query);
-    if (auto wrong = trial.correct(query, got, trial.expected(query))) return wrong;
+    require(trial.correct(query, got, trial.expected(query)));
     const bool exact = trial.solver().exactness == Exactness::exact;
     if (!exact || query.limit < kInfinity) continue;  // beyond it, distances become infinite
-    if (auto wrong = check_edges(trial.mesh(), query, got, trial.tolerance())) return wrong;
+    require(check_edges(trial.mesh(), query, got, trial.tolerance()));
   }
-  return {};
 }
 
 std::vector<std::string> needs_of(const Property& property) {
@@ -111,9 +106,13 @@ Finding check_case(const Property& property, const Description& solver, const Ca
   try {
     const Trial trial(solver, given);
     const std::string why_not = unsupported(solver, trial.mesh());
-    Finding finding = why_not.empty() ? property.check(trial) : must_refuse(trial, why_not);
-    if (finding) finding->kind = kind_of(*finding, trial.mesh());
-    return finding;
+    try {
+      why_not.empty() ? property.check(trial) : must_refuse(trial, why_not);
+    } catch (Violation& found) {
+      found.kind = kind_of(found, trial.mesh());
+      return found;
+    }
+    return {};
   } catch (const NoReference&) {
     throw;
   } catch (const std::exception& error) {

@@ -72,7 +72,8 @@ class Trial {
 
 /// Every distance, by one solver object for all queries, is what the solver promises; exact ones of
 /// neighbours differ by no more than their edge is long.
-Finding distances_are_right(const Trial& trial);
+/// @throws Violation
+void distances_are_right(const Trial& trial);
 
 /// What a solver must claim about itself for a property to concern it: bits.
 enum Claim : unsigned {
@@ -92,9 +93,10 @@ struct Property {
   std::string name;              ///< unique: "refusals-name-the-solver"
   std::string statement;         ///< one sentence
   std::vector<Case> (*cases)();  ///< small meshes first
-  Finding (*check)(const Trial& trial) = distances_are_right;  ///< on one case; may throw
-  unsigned needs = kNoClaim;                                   ///< claims
-  bool on_any_mesh = true;  ///< whether it holds on other meshes than its own
+  /// On one case. Throws a Violation where the property does not hold.
+  void (*check)(const Trial& trial) = distances_are_right;
+  unsigned needs = kNoClaim;  ///< claims
+  bool on_any_mesh = true;    ///< whether it holds on other meshes than its own
 };
 
 /// All of them, the fast ones first.

@@ -5,7 +5,7 @@
 #include "harness/base/error.h"
 #include "harness/base/files.h"
 #include "harness/base/process.h"
-#include "harness/corpus/vectors.h"
+#include "harness/corpus/solvers.h"
 #include "harness/verify/shrink.h"
 #include "meshes/mesh_file.h"
 #include "meshes/messages.h"
@@ -23,7 +23,7 @@ constexpr double kAttempt = 10;
 constexpr double kLoop = 2;
 
 Ended run(const Words& words, double seconds = kInfinity) {
-  return run_this_program(words, [] {}, {.seconds = seconds, .memory_bytes = available_memory()});
+  return run_geodesic_bench(words, [] {}, {.seconds = seconds, .memory_bytes = available_memory()});
 }
 
 // Many queries of one source each, or one query.
@@ -132,12 +132,7 @@ class Reproducer {
 };
 
 void save(const Case& given, const std::filesystem::path& file) {
-  std::error_code error;
-  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
-  if (error) {
-    throw HarnessError("cannot make the folder '" + file.parent_path().string() +
-                       "' for failing meshes: " + error.message() + "; --out names another");
-  }
+  if (file.has_parent_path()) make_folder(file.parent_path(), "; --out names another");
   write_bytes(file, mesh_bytes(given.soup, file));
 }
 

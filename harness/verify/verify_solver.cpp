@@ -1,6 +1,7 @@
 #include "harness/verify/verify_solver.h"
 
-#include <cctype>
+#include <algorithm>
+#include <functional>
 #include <iostream>
 #include <set>
 
@@ -66,10 +67,7 @@ std::vector<MeshEntry> meshes_of(const VerifyRequest& request) {
 // "distances-equal-the-reference-on-hill"
 std::string file_stem(const std::string& property, const std::string& mesh) {
   std::string stem = property + "-on-" + mesh;
-  for (char& c : stem) {
-    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '_';
-    if (!plain) c = '-';
-  }
+  std::ranges::replace_if(stem, std::not_fn(is_plain), '-');
   return stem;
 }
 

@@ -21,7 +21,7 @@ struct VerifyRequest {
   double time_limit = 60;     ///< seconds that a property may take
   double shrink = 20;         ///< seconds spent on making a failing mesh smaller; 0 saves none
   std::filesystem::path out;  ///< folder for failing meshes; empty: failures-NAME, of the solver
-  std::string vectors;        ///< corpus/vectors.h
+  std::string vectors;        ///< corpus/solvers.h
   std::filesystem::path manifest;
 };
 

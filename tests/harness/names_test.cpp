@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/base/error.h"
-#include "harness/corpus/names.h"
+#include "harness/base/files.h"
 #include "tests/harness/expect_error.h"
 
 namespace geodesic::harness {

@@ -118,7 +118,7 @@ Cases all_on_a_line() {
 }
 
 // For meshes so degenerate that it is rounding which way is the shortest: bounds from both sides.
-Finding distances_are_bounded(const Trial& trial) {
+void distances_are_bounded(const Trial& trial) {
   const Promise promise = Promise::of(trial.solver());
   const Relation nowhere_nearer =
       promise.exactness == Exactness::unbounded ? Relation::same_reach : Relation::upper_bound;
@@ -127,14 +127,13 @@ Finding distances_are_bounded(const Trial& trial) {
     const auto got = trial.solve(*solver, query);
     const auto lines = straight_lines(trial.soup(), query);
     const Tolerance tolerance{.relative = kExactTolerance + promise.bound};
-    if (auto wrong = check_distances(query, got, lines, nowhere_nearer, tolerance))
-      return in("nearer than the straight line", wrong);
+    require("nearer than the straight line",
+            check_distances(query, got, lines, nowhere_nearer, tolerance));
     if (promise.exactness != Exactness::exact) continue;
-    if (auto wrong = check_edges(trial.mesh(), query, got)) return wrong;
-    if (auto wrong = check_distances(query, got, trial.expected(query), Relation::at_most))
-      return in("farther than brute force", wrong);
+    require(check_edges(trial.mesh(), query, got));
+    require("farther than brute force",
+            check_distances(query, got, trial.expected(query), Relation::at_most));
   }
-  return {};
 }
 
 // Every other column of a plane is narrower than its neighbour by a large factor.
@@ -157,11 +156,10 @@ Cases needles_of_a_hundred_million() {
 }
 
 // Distances alone: along an edge of a needle, rounding of long distances exceeds its length.
-Finding distances_equal_the_known(const Trial& trial) {
+void distances_equal_the_known(const Trial& trial) {
   for (const Query& query : trial.queries()) {
-    if (auto wrong = trial.correct(query, trial.solve(query), trial.expected(query))) return wrong;
+    require(trial.correct(query, trial.solve(query), trial.expected(query)));
   }
-  return {};
 }
 
 // The apex of a cone and of a saddle cone of a thousand sectors.
@@ -279,7 +277,7 @@ Cases far_units() {
 }
 
 // On all extreme meshes a solver stays far below the bound on its windows.
-Finding distances_are_right_in_few_windows(const Trial& trial) {
+void distances_are_right_in_few_windows(const Trial& trial) {
   // Of the bound. What is meant for small meshes alone may propagate windows without a filter.
   const std::uint64_t part = trial.solver().abilities.max_vertices == kNone ? 1000 : 10;
   const std::uint64_t most = window_bound(trial.mesh()) / part;
@@ -287,14 +285,13 @@ Finding distances_are_right_in_few_windows(const Trial& trial) {
   for (const Query& query : trial.queries()) {
     Recording recording;
     const auto got = trial.solve(*solver, query, &recording);
-    if (auto wrong = trial.correct(query, got, trial.expected(query))) return wrong;
+    require(trial.correct(query, got, trial.expected(query)));
     if (recording.window_propagations.value_or(0) <= most) continue;
-    return Violation{.what = std::to_string(*recording.window_propagations) +
-                             " windows were propagated, more than " + std::to_string(most) +
-                             ", one part in " + std::to_string(part) + " of the bound",
-                     .query = query};
+    throw Violation{.what = std::to_string(*recording.window_propagations) +
+                            " windows were propagated, more than " + std::to_string(most) +
+                            ", one part in " + std::to_string(part) + " of the bound",
+                    .query = query};
   }
-  return {};
 }
 
 }  // namespace
@@ -324,14 +321,14 @@ std::vector<Property> unclean_mesh_properties() {
       {"degenerate-zero-length-edges-in-a-plane",
        "in a plane with zero-length edges distances are exact, and 0 along those",
        [] {
-         return Cases{from_some_sources("grid", with_collapsed_edges(flat_grid(8, 8), 1, 12))};
+         return cases_of(from_some_sources("grid", with_collapsed_edges(flat_grid(8, 8), 1, 12)));
        }},
       {"degenerate-zero-area-faces-in-a-plane",
        "in a plane with zero-area faces distances are exact",
-       [] { return Cases{from_some_sources("grid", with_flat_caps(flat_grid(8, 8), 6, 5))}; }},
+       [] { return cases_of(from_some_sources("grid", with_flat_caps(flat_grid(8, 8), 6, 5))); }},
       {"degenerate-zero-area-faces-in-a-row-let-lines-through",
        "distances are right on a mesh on which solvers were once wrong, cut down from a larger one",
-       [] { return Cases{from_some_sources("flat faces", flat_faces_in_a_row())}; }},
+       [] { return cases_of(from_some_sources("flat faces", flat_faces_in_a_row())); }},
       {"degenerate-zero-area-faces-on-a-rough-surface",
        "on a rough surface with zero-area faces distances are exact",
        [] { return changed(with_flat_caps, 6, 12, 7, 1); }},

@@ -26,10 +26,7 @@ const Property* find_property(std::string_view name) {
 }
 
 const Property& property_named(const std::string& name) {
-  if (const Property* property = find_property(name)) return *property;
-  std::vector<std::string> known;
-  for (const Property& property : all_properties()) known.push_back(property.name);
-  throw HarnessError(unknown_name("property", name, known));
+  return named("property", all_properties(), name, &Property::name);
 }
 
 Cases one(const std::string& name, const TriangleSoup& soup, const Query& query) {
@@ -82,9 +79,16 @@ Query within(double limit, Query query) {
   return query;
 }
 
-Finding require(bool holds, const std::string& otherwise) {
-  if (holds) return {};
-  return Violation{.what = otherwise};
+void require(Finding finding) {
+  if (finding) throw *std::move(finding);
+}
+
+void require(const std::string& circumstances, Finding finding) {
+  require(in(circumstances, std::move(finding)));
+}
+
+void require(bool holds, const std::string& otherwise) {
+  if (!holds) throw Violation{.what = otherwise};
 }
 
 Finding same_bits(const Query& query, std::span<const double> got,

@@ -24,6 +24,11 @@ using Cases = std::vector<Case>;
 
 Cases one(const std::string& name, const TriangleSoup& soup, const Query& query);
 
+template <class... Each>
+Cases cases_of(const Each&... each) {
+  return {each...};
+}
+
 /// The random meshes for every solver, each with these queries.
 Cases random_mesh_cases(const std::vector<Query>& queries);
 
@@ -47,23 +52,25 @@ TriangleSoup scaled(TriangleSoup soup, double factor);
 /// The query with another limit.
 Query within(double limit, Query query);
 
-/// A violation unless the statement holds.
-/// @param otherwise what to say then
-Finding require(bool holds, const std::string& otherwise);
+/// Ends the check of a property with what was found, if anything was.
+void require(Finding finding);
+void require(const std::string& circumstances, Finding finding);
+
+/// The same unless the statement holds. @param otherwise what to say then
+void require(bool holds, const std::string& otherwise);
 
 Finding same_bits(const Query& query, std::span<const double> got,
                   std::span<const double> expected);
 
-/// A violation unless the call throws std::invalid_argument.
-/// @param what was accepted then
+/// Requires that the call throws std::invalid_argument. @param what is accepted otherwise
 template <class Call>
-Finding refused(const std::string& what, Call&& call) {
+void refused(const std::string& what, Call&& call) {
   try {
     call();
   } catch (const std::invalid_argument&) {
-    return {};
+    return;
   }
-  return Violation{.what = what + " was accepted"};
+  throw Violation{.what = what + " was accepted"};
 }
 
 }  // namespace geodesic::harness

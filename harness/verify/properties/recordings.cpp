@@ -6,21 +6,21 @@
 namespace geodesic::harness {
 namespace {
 
-Finding change_no_distance(const Trial& trial) {
+void change_no_distance(const Trial& trial) {
   const Query& query = trial.query();
   const auto solver = trial.prepare();
   Recording recording;
   const auto recorded = trial.solve(*solver, query, &recording);
-  return in("recorded, beside a timed solve",
-            same_bits(query, recorded, trial.solve(*solver, query)));
+  require("recorded, beside a timed solve",
+          same_bits(query, recorded, trial.solve(*solver, query)));
 }
 
-Finding repeat_on_every_run(const Trial& trial) {
+void repeat_on_every_run(const Trial& trial) {
   const auto solver = trial.prepare();
   Recording first, second;
   trial.solve(*solver, trial.query(), &first);
   trial.solve(*solver, trial.query(), &second);
-  return require(first == second, "a counter changed from one solve to the next");
+  require(first == second, "a counter changed from one solve to the next");
 }
 
 // A counter with the least and the largest value that its definition allows.
@@ -30,17 +30,17 @@ struct Bound {
   std::uint64_t least;
   std::optional<std::uint64_t> most = {};
 
-  Finding check() const {
+  void check() const {
     const bool below = value && *value < least, above = value && most && *value > *most;
-    if (!below && !above) return {};
-    return Violation{
+    if (!below && !above) return;
+    throw Violation{
         .what = std::string(counter) + ": expected " +
                 (below ? "at least " + std::to_string(least) : "at most " + std::to_string(*most)) +
                 ", got " + std::to_string(*value)};
   }
 };
 
-Finding are_bounded(const Trial& trial) {
+void are_bounded(const Trial& trial) {
   const Mesh& mesh = trial.mesh();
   Recording r;
   trial.solve(mesh, trial.query(), &r);
@@ -55,55 +55,52 @@ Finding are_bounded(const Trial& trial) {
            Bound{"strip_depth", r.strip_depth, 4, mesh.face_count()},
            Bound{"window_bytes", r.window_bytes, 4 * sizeof(double), 512},
        }) {
-    if (auto wrong = bound.check()) return wrong;
+    bound.check();
   }
-  return require(!r.wavefront_sd || (*r.wavefront_sd > 0 && *r.wavefront_sd < 4),
-                 "wavefront_sd is not between 0 and the diameter");
+  require(!r.wavefront_sd || (*r.wavefront_sd > 0 && *r.wavefront_sd < 4),
+          "wavefront_sd is not between 0 and the diameter");
 }
 
 // On one triangle a window starts opposite to the source and is propagated across no face.
-Finding count_nothing_beyond_a_triangle(const Trial& trial) {
+void count_nothing_beyond_a_triangle(const Trial& trial) {
   Recording r;
   trial.solve(trial.mesh(), trial.query(), &r);
   for (const Bound& bound : {Bound{"window_propagations", r.window_propagations, 0, 1},
                              Bound{"strip_depth", r.strip_depth, 0, 1}}) {
-    if (auto wrong = bound.check()) return wrong;
+    bound.check();
   }
-  return {};
 }
 
-Finding phase_times_change_nothing(const Trial& trial) {
+void phase_times_change_nothing(const Trial& trial) {
   const Query& query = trial.query();
   const auto solver = trial.prepare();
   Recording before, after, timed;
   timed.what = Record::phase_times;
   const auto counted = trial.solve(*solver, query, &before);
-  if (auto wrong = same_bits(query, trial.solve(*solver, query, &timed), counted))
-    return in("with phases timed", wrong);
-  if (auto wrong = same_bits(query, trial.solve(*solver, query), counted))
-    return in("after phases were timed", wrong);
+  require("with phases timed", same_bits(query, trial.solve(*solver, query, &timed), counted));
+  require("after phases were timed", same_bits(query, trial.solve(*solver, query), counted));
   trial.solve(*solver, query, &after);
-  if (before != after) return Violation{.what = "a counter changed after phases were timed"};
-  return require(!before.phase_times, "phase times were recorded without being requested");
+  require(before == after, "a counter changed after phases were timed");
+  require(!before.phase_times, "phase times were recorded without being requested");
 }
 
-Finding phase_times_hold_nothing_else(const Trial& trial) {
+void phase_times_hold_nothing_else(const Trial& trial) {
   Recording counters, timed;
   timed.what = Record::phase_times;
   trial.solve(trial.mesh(), trial.query(), &counters);
   trial.solve(trial.mesh(), trial.query(), &timed);
-  if (timed.phase_times.has_value() != counters.window_propagations.has_value())
-    return Violation{.what = "a solver has phase times if and only if it counts windows"};
-  if (!timed.phase_times) return {};
+  require(timed.phase_times.has_value() == counters.window_propagations.has_value(),
+          "a solver has phase times if and only if it counts windows");
+  if (!timed.phase_times) return;
   const PhaseTimes& phases = *timed.phase_times;
   const bool complete = phases.propagation.readings > 0 && phases.trimming.readings > 0 &&
                         phases.queue.readings > trial.mesh().vertex_count() &&
                         phases.propagation.seconds > 0;
-  if (!complete) return Violation{.what = "a phase was never entered"};
+  require(complete, "a phase was never entered");
   Recording only;
   only.what = timed.what;
   only.phase_times = timed.phase_times;
-  return require(timed == only, "something else was recorded beside the phase times");
+  require(timed == only, "something else was recorded beside the phase times");
 }
 
 // On every edge: in order, without overlap, no nearer than the vertices are, and at a vertex the
@@ -118,17 +115,13 @@ class WindowsCheck {
   void read(const FinalWindows& windows_on) {
     ++calls_;
     std::vector<Window> windows;
-    for (Index h = 0; h < mesh_.half_edge_count() && !finding_; ++h) {
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
       windows_on(h, windows);
       check_edge(h, windows);
     }
   }
 
-  Finding finding() const {
-    if (finding_) return finding_;
-    return require(calls_ == 1,
-                   "the windows were handed over " + std::to_string(calls_) + " times");
-  }
+  int calls() const { return calls_; }
   /// By vertex, by the windows alone.
   const std::vector<double>& nearest() const { return nearest_; }
 
@@ -138,11 +131,9 @@ class WindowsCheck {
     const double length = mesh_.half_edge(own).length;
     double end = 0;
     for (const Window& w : windows) {
-      if (!(end <= w.begin && w.begin < w.end && w.end <= length)) {
-        finding_ = Violation{.what = "half-edge " + std::to_string(h) +
-                                     " has windows that overlap, are empty or leave the edge"};
-        return;
-      }
+      require(end <= w.begin && w.begin < w.end && w.end <= length,
+              "half-edge " + std::to_string(h) +
+                  " has windows that overlap, are empty or leave the edge");
       end = w.end;
       double& at_origin = nearest_[mesh_.origin(own)];
       double& at_head = nearest_[mesh_.head(own)];
@@ -153,7 +144,6 @@ class WindowsCheck {
 
   const Mesh& mesh_;
   std::vector<double> nearest_;
-  Finding finding_;
   int calls_ = 0;
 };
 
@@ -164,27 +154,26 @@ Recording recording_of_windows(const ReadWindows& read) {
   return recording;
 }
 
-Finding windows_give_the_distances(const Trial& trial) {
+void windows_give_the_distances(const Trial& trial) {
   const Query& query = trial.query();
   const auto solver = trial.prepare();
   const auto distances = trial.solve(*solver, query);
   WindowsCheck check(trial.mesh(), query);
   const ReadWindows read = [&](const FinalWindows& windows_on) { check.read(windows_on); };
   Recording recording = recording_of_windows(read);
-  if (auto wrong = same_bits(query, trial.solve(*solver, query, &recording), distances))
-    return in("with windows handed over", wrong);
-  if (auto wrong = check.finding()) return wrong;
-  return in("by the windows alone", check_distances(query, check.nearest(), distances));
+  require("with windows handed over",
+          same_bits(query, trial.solve(*solver, query, &recording), distances));
+  require(check.calls() == 1,
+          "the windows were handed over " + std::to_string(check.calls()) + " times");
+  require("by the windows alone", check_distances(query, check.nearest(), distances));
 }
 
-Finding windows_are_refused(const Trial& trial) {
+void windows_are_refused(const Trial& trial) {
   bool called = false;
   const ReadWindows read = [&](const FinalWindows&) { called = true; };
   Recording recording = recording_of_windows(read);
-  if (auto wrong = refused("a request for windows",
-                           [&] { trial.solve(trial.mesh(), trial.query(), &recording); }))
-    return wrong;
-  return require(!called, "windows were handed over before the refusal");
+  refused("a request for windows", [&] { trial.solve(trial.mesh(), trial.query(), &recording); });
+  require(!called, "windows were handed over before the refusal");
 }
 
 Cases triangle() {

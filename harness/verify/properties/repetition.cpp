@@ -13,56 +13,55 @@
 namespace geodesic::harness {
 namespace {
 
-Cases torus(const std::vector<Query>& queries) {
-  return {{"torus", rough_torus(41, 20, 10, 0.3), queries}};
+template <class... Sources>
+Cases torus(Sources... sources) {
+  return {{"torus", rough_torus(41, 20, 10, 0.3), {from(sources)...}}};
 }
 
-Finding repeats_its_bits(const Trial& trial) {
+void repeats_its_bits(const Trial& trial) {
   const Query& query = trial.query();
   const auto solver = trial.prepare();
   const auto first = trial.solve(*solver, query);
-  if (auto wrong = same_bits(query, trial.solve(*solver, query), first))
-    return in("asked again", wrong);
-  return in("another object", same_bits(query, trial.solve(query), first));
+  require("asked again", same_bits(query, trial.solve(*solver, query), first));
+  require("another object", same_bits(query, trial.solve(query), first));
 }
 
-Finding forgets_other_sources(const Trial& trial) {
+void forgets_other_sources(const Trial& trial) {
   const auto solver = trial.prepare();
   for (const Query& query : trial.queries()) trial.solve(*solver, query);
   for (const Query& query : trial.queries()) {
-    if (auto wrong = same_bits(query, trial.solve(*solver, query), trial.solve(query)))
-      return in("after other solves, beside a new object", wrong);
+    require("after other solves, beside a new object",
+            same_bits(query, trial.solve(*solver, query), trial.solve(query)));
   }
-  return {};
 }
 
 // @param before a query of the same object
-Finding unchanged_after(const Query& before, const std::string& what, const Trial& trial) {
+void unchanged_after(const Query& before, const std::string& what, const Trial& trial) {
   const Query& query = trial.query();
   const auto solver = trial.prepare();
   if (before.sources.empty()) {
-    if (auto wrong = refused(what, [&] { trial.solve(*solver, before); })) return wrong;
+    refused(what, [&] { trial.solve(*solver, before); });
   } else {
     trial.solve(*solver, before);
   }
-  return in("after " + what, same_bits(query, trial.solve(*solver, query), trial.solve(query)));
+  require("after " + what, same_bits(query, trial.solve(*solver, query), trial.solve(query)));
 }
 
-Finding forgets_limits(const Trial& trial) {
-  return unchanged_after(within(1.5 * trial.mesh().mean_edge_length(), trial.query()),
-                         "a limited query", trial);
+void forgets_limits(const Trial& trial) {
+  unchanged_after(within(1.5 * trial.mesh().mean_edge_length(), trial.query()), "a limited query",
+                  trial);
 }
 
-Finding survives_a_refusal(const Trial& trial) {
-  return unchanged_after(Query{}, "a query without sources", trial);
+void survives_a_refusal(const Trial& trial) {
+  unchanged_after(Query{}, "a query without sources", trial);
 }
 
-Finding objects_do_not_disturb_each_other(const Trial& trial) {
+void objects_do_not_disturb_each_other(const Trial& trial) {
   const Query& query = trial.query();
   const auto one = trial.prepare(), other = trial.prepare();
   const auto first = trial.solve(*one, query);
   trial.solve(*other, trial.queries().back());
-  return in("after a solve by another object", same_bits(query, trial.solve(*one, query), first));
+  require("after a solve by another object", same_bits(query, trial.solve(*one, query), first));
 }
 
 Cases terrain_from_four_vertices() {
@@ -82,7 +81,7 @@ std::vector<std::vector<double>> solved_in_three_ways(const Trial& trial, const 
 }
 
 // Meant for the thread sanitizer (preset thread) as much as for what it compares.
-Finding threads_get_the_bits_of_one(const Trial& trial) {
+void threads_get_the_bits_of_one(const Trial& trial) {
   const std::vector<Query>& queries = trial.queries();
   std::vector<std::vector<std::vector<double>>> got(queries.size());
   {
@@ -95,10 +94,9 @@ Finding threads_get_the_bits_of_one(const Trial& trial) {
   for (std::size_t t = 0; t < queries.size(); ++t) {
     const auto alone = trial.solve(*solver, queries[t]);
     for (const std::vector<double>& distances : got[t]) {
-      if (auto wrong = same_bits(queries[t], distances, alone)) return in("in a thread", wrong);
+      require("in a thread", same_bits(queries[t], distances, alone));
     }
   }
-  return {};
 }
 
 Query scaled_query(Query query, double factor) {
@@ -108,7 +106,7 @@ Query scaled_query(Query query, double factor) {
 }
 
 // In other units of length: exponents change, and nothing else.
-Finding scales_exactly(const Trial& trial, std::initializer_list<int> powers_of_two) {
+void scales_exactly(const Trial& trial, std::initializer_list<int> powers_of_two) {
   const Query& query = trial.query();
   Recording recording;
   const auto distances = trial.solve(trial.mesh(), query, &recording);
@@ -119,18 +117,16 @@ Finding scales_exactly(const Trial& trial, std::initializer_list<int> powers_of_
     Recording other_recording;
     auto got = trial.solve(other, scaled_query(query, factor), &other_recording);
     for (double& d : got) d /= factor;
-    if (auto wrong = same_bits(query, got, distances)) return in(circumstances, wrong);
+    require(circumstances, same_bits(query, got, distances));
     if (other_recording.wavefront_sd) *other_recording.wavefront_sd /= factor;
-    if (!(other_recording == recording))
-      return Violation{.what = circumstances + ": a counter changed", .query = query};
+    require(other_recording == recording, circumstances + ": a counter changed");
   }
-  return {};
 }
 
-Finding scales_to_some_units(const Trial& trial) { return scales_exactly(trial, {10, -30}); }
+void scales_to_some_units(const Trial& trial) { scales_exactly(trial, {10, -30}); }
 
 // About 10^150 and 10^-150.
-Finding scales_to_far_units(const Trial& trial) { return scales_exactly(trial, {498, -498}); }
+void scales_to_far_units(const Trial& trial) { scales_exactly(trial, {498, -498}); }
 
 // Sources with initial distances and a limit, in the unit of length too.
 Cases for_far_units() {
@@ -147,7 +143,7 @@ std::vector<Index> shuffled(Index count, Random& random) {
   return order;
 }
 
-Finding keeps_distances_when_renumbered(const Trial& trial) {
+void keeps_distances_when_renumbered(const Trial& trial) {
   const Query& query = trial.query();
   Random random(31);
   const std::vector<Index> renumbered = shuffled(trial.mesh().vertex_count(), random);
@@ -163,22 +159,21 @@ Finding keeps_distances_when_renumbered(const Trial& trial) {
   const auto distances = trial.solve(Mesh(other), other_query);
   std::vector<double> in_old_order;
   for (const Index v : renumbered) in_old_order.push_back(distances[v]);
-  return in("with vertices renumbered", check_distances(query, in_old_order, trial.solve(query)));
+  require("with vertices renumbered", check_distances(query, in_old_order, trial.solve(query)));
 }
 
 // Inexact distances may depend on the order of vertices.
-Finding keeps_distances_along_the_surface(const Trial& trial) {
+void keeps_distances_along_the_surface(const Trial& trial) {
   const bool exact = trial.solver().exactness == Exactness::exact;
   const Mesh renumbered(trial.soup(), Numbering::along_surface);
   for (const Query& query : trial.queries()) {
     const auto expected = exact ? trial.solve(query) : trial.expected(query);
-    if (auto wrong = trial.correct(query, trial.solve(renumbered, query), expected))
-      return in("numbered along the surface", wrong);
+    require("numbered along the surface",
+            trial.correct(query, trial.solve(renumbered, query), expected));
   }
-  return {};
 }
 
-Finding keeps_distances_when_faces_are_reordered(const Trial& trial) {
+void keeps_distances_when_faces_are_reordered(const Trial& trial) {
   Random random(32);
   TriangleSoup other{trial.soup().positions, {}};
   for (const Index f : shuffled(trial.mesh().face_count(), random)) {
@@ -187,16 +182,16 @@ Finding keeps_distances_when_faces_are_reordered(const Trial& trial) {
     other.triangles.push_back(t);
   }
   const Query& query = trial.query();
-  return in("with faces reordered and rotated",
-            check_distances(query, trial.solve(Mesh(other), query), trial.solve(query)));
+  require("with faces reordered and rotated",
+          check_distances(query, trial.solve(Mesh(other), query), trial.solve(query)));
 }
 
-Finding keeps_distances_inside_out(const Trial& trial) {
+void keeps_distances_inside_out(const Trial& trial) {
   TriangleSoup other = trial.soup();
   for (Triangle& t : other.triangles) std::swap(t[1], t[2]);
   const Query& query = trial.query();
-  return in("turned inside out",
-            check_distances(query, trial.solve(Mesh(other), query), trial.solve(query)));
+  require("turned inside out",
+          check_distances(query, trial.solve(Mesh(other), query), trial.solve(query)));
 }
 
 Cases random_meshes_from_vertex_2() { return random_mesh_cases({from(2)}); }
@@ -228,26 +223,26 @@ class InstructionSets {
 };
 
 // Distances and counters by plain instructions and by the widest ones.
-Finding same_bits_and_counters(const Trial& trial) {
+void same_bits_and_counters(const Trial& trial) {
   const InstructionSets sets(trial);
   const Query& query = trial.query();
   const auto plain = sets.prepare(InstructionSet::plain);
   const auto wide = sets.prepare(widest_instruction_set());
-  if (wide->instruction_set() == plain->instruction_set()) return {};  // there is one path
-  if (auto wrong = same_bits(query, trial.solve(*wide, query), trial.solve(*plain, query)))
-    return in("by the widest instructions, beside plain ones", wrong);
+  if (wide->instruction_set() == plain->instruction_set()) return;  // there is one path
+  require("by the widest instructions, beside plain ones",
+          same_bits(query, trial.solve(*wide, query), trial.solve(*plain, query)));
   Recording by_plain, by_wide;
   set_instruction_set(InstructionSet::plain);  // must not matter any more
   const auto recorded = trial.solve(*wide, query, &by_wide);
-  if (auto wrong = same_bits(query, recorded, trial.solve(*plain, query, &by_plain)))
-    return in("recorded, by the widest instructions", wrong);
-  return require(by_wide == by_plain, "by the widest instructions a counter changed");
+  require("recorded, by the widest instructions",
+          same_bits(query, recorded, trial.solve(*plain, query, &by_plain)));
+  require(by_wide == by_plain, "by the widest instructions a counter changed");
 }
 
-Finding never_wider_than_chosen(const Trial& trial) {
-  return require(InstructionSets(trial).prepare(InstructionSet::plain)->instruction_set() ==
-                     InstructionSet::plain,
-                 "a solver that was constructed for plain instructions uses others");
+void never_wider_than_chosen(const Trial& trial) {
+  require(InstructionSets(trial).prepare(InstructionSet::plain)->instruction_set() ==
+              InstructionSet::plain,
+          "a solver that was constructed for plain instructions uses others");
 }
 
 Cases small_sphere() { return one("sphere", rough_sphere(74, 1, 0.2), from(0)); }
@@ -275,24 +270,18 @@ std::vector<Property> repetition_properties() {
   return {
       {"repetition-gives-the-same-bits",
        "the same query gives the same bits, by the same object and by another one",
-       [] { return torus({from(0)}); }, repeats_its_bits, kSameBits},
+       [] { return torus(0u); }, repeats_its_bits, kSameBits},
       {"repetition-of-another-source-is-as-if-it-were-the-first",
        "an object that solved from other sources gives the bits of a new one",
-       [] {
-         return torus({from(0), from(77)});
-       },
-       forgets_other_sources, kSameBits},
+       [] { return torus(0u, 77u); }, forgets_other_sources, kSameBits},
       {"repetition-after-a-limited-query-is-unlimited-again",
-       "a distance limit ends with its query", [] { return torus({from(0)}); }, forgets_limits,
+       "a distance limit ends with its query", [] { return torus(0u); }, forgets_limits,
        kDistanceLimit | kSameBits},
       {"repetition-after-a-refused-query-works", "a refused query leaves the object as it was",
-       [] { return torus({from(3)}); }, survives_a_refusal, kSameBits},
+       [] { return torus(3u); }, survives_a_refusal, kSameBits},
       {"two-objects-on-one-mesh-do-not-disturb-each-other",
        "what one object solves changes nothing for another one on the same mesh",
-       [] {
-         return torus({from(5), from(90)});
-       },
-       objects_do_not_disturb_each_other, kSameBits},
+       [] { return torus(5u, 90u); }, objects_do_not_disturb_each_other, kSameBits},
       {"threads-with-a-solver-each-get-the-bits-of-one-alone",
        "objects that solve in several threads over one mesh give the bits of one alone",
        terrain_from_four_vertices, threads_get_the_bits_of_one, kSameBits | kConcurrentObjects},
