@@ -50,6 +50,9 @@ def parse_arguments(words: Sequence[str] | None) -> argparse.Namespace:
         "--bench", type=Path, default=ROOT / "build" / "release" / "geodesic-bench",
         help="program to build them for, in its build folder",
     )  # fmt: skip
+    parser.add_argument(
+        "--folder", type=Path, help="folder to build in (default: peers, beside the program)"
+    )
     parser.add_argument("--peers", type=Path, default=PEERS, help="folder of their descriptions")
     parser.add_argument(
         "--words", metavar="SOLVERS", help="build nothing: print the words that make geodesic-bench "
@@ -96,7 +99,7 @@ def run(arguments: argparse.Namespace) -> int:
         raise FetchError(
             f"there is no {program}: build it (./run_all.sh build) or name it with --bench"
         )
-    folder = program.parent / "peers"
+    folder = (arguments.folder or program.parent / "peers").resolve()
     peers = select_peers(arguments.peers, arguments.names)
     bench = Bench(program, folder / "torus.ply")
     origin = origin_from_environment(MIRROR_VARIABLE, github)

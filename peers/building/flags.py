@@ -78,9 +78,12 @@ def faster(
 ) -> tuple[str, str]:
     """The flags of the plug-in that solves faster, and a sentence about them and the others.
 
-    `plugins`: by flags, two; `authors`: the flags to take where that cannot be measured. Solves
-    alternate, and the least time counts: what a loaded machine adds is not the compiler's.
+    `plugins`: by flags, two, or one where they are the same; `authors`: the flags to take where
+    that cannot be measured. Solves alternate, and the least time counts: what a loaded machine adds
+    is not the compiler's.
     """
+    if len(plugins) == 1:
+        return authors, f"its authors' flags, which are ours, {authors}"
     seconds = dict.fromkeys(plugins, float("inf"))
     try:
         for _ in range(ROUNDS):

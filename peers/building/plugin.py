@@ -44,9 +44,10 @@ class Builder:
 
     def _compile(self, peer: Peer, authors: Path) -> str:
         folder = self.folder / peer.name
+        names = {peer.authors_flags: "authors", peer.our_flags: "ours"}
         compiled = {
             flags: self.compiler.compile(peer, authors, folder / name, flags)
-            for name, flags in (("authors", peer.authors_flags), ("ours", peer.our_flags))
+            for flags, name in names.items()
         }
         solver = self.bench.solvers_of(compiled[peer.our_flags])[0]
         best, said = faster(self.bench, compiled, solver, peer.authors_flags)

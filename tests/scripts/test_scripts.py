@@ -261,6 +261,35 @@ def test_options_reach_the_program(checkout: Path) -> None:
     assert ended.stdout.splitlines()[-1] == f"Results: {out}/run.json"
 
 
+def test_peers_are_built_and_run_beside_the_solvers(checkout: Path) -> None:
+    bench = checkout / "build" / "release" / "geodesic-bench"
+    bench.parent.mkdir(parents=True)
+    bench.write_text(
+        '#!/bin/bash\necho "asked: $*"\nmkdir -p "${@: -1}"; echo > "${@: -1}/run.json"'
+    )
+    bench.chmod(0o755)
+    build = checkout / "peers" / "build.py"
+    build.parent.mkdir()
+    build.write_text(
+        "import sys\nwords = sys.argv[3:]\n"
+        "print('--plugin\\nvtp.so\\n--solvers\\nmmp,vtp' if '--words' in words else words)"
+    )
+    build.chmod(0o755)
+    installed = checkout / "bin"
+    installed.mkdir()
+    for name in ("dpkg-query", "patch"):
+        (installed / name).write_text("#!/bin/bash\necho -n installed\n")
+        (installed / name).chmod(0o755)
+    env = dict(os.environ, PATH=f"{installed}:{os.environ['PATH']}")
+    ended = run(
+        checkout / "run_all.sh", "peers", "run", "--no-install", "--peers", "vtp,pvtp",
+        "--solvers", "mmp", "--out", str(checkout / "new"), env=env,
+    )  # fmt: skip
+    assert ended.returncode == 0, ended.stderr
+    assert "['vtp', 'pvtp']" in ended.stdout
+    assert "asked: run --corpus standard --plugin vtp.so --solvers mmp,vtp --out" in ended.stdout
+
+
 CTEST = (
     '<testsuite name="x"\n\ttests="4"\n\tfailures="{failures}"\n'
     '\tdisabled="0"\n\tskipped="1"\n\t>'
@@ -294,26 +323,32 @@ def test_ci_ends_with_the_number_of_tests(ci: Callable[..., Ended]) -> None:
     ended = ci(CTEST.format(failures=0), "0", "0")
     assert ended.returncode == 0
     assert "3 tests skipped" in ended.stdout
-    assert ended.stdout.splitlines()[-1] == "13 passed, 0 failed"
+    assert ended.stdout.splitlines()[-1] == "14 passed, 0 failed"
     assert "asked: --preset ci --corpus tiny --repetitions 2" in ended.stdout
 
 
 def test_ci_fails_with_a_failed_test_and_still_runs_the_job(ci: Callable[..., Ended]) -> None:
     ended = ci(CTEST.format(failures=1), "1", "0")
     assert ended.returncode == 1 and "asked:" in ended.stdout
-    assert ended.stdout.splitlines()[-1] == "11 passed, 2 failed"
+    assert ended.stdout.splitlines()[-1] == "12 passed, 2 failed"
 
 
 def test_ci_fails_with_a_failed_job(ci: Callable[..., Ended]) -> None:
     ended = ci(CTEST.format(failures=0), "0", "1")
     assert ended.returncode == 1
-    assert ended.stdout.splitlines()[-1] == "12 passed, 1 failed"
+    assert ended.stdout.splitlines()[-1] == "12 passed, 2 failed"
+
+
+def test_ci_says_so_where_the_public_codes_cannot_be_had(ci: Callable[..., Ended]) -> None:
+    ended = ci(CTEST.format(failures=0), "0", "$([[ $1 == peers ]] && echo 3 || echo 0)")
+    assert ended.returncode == 0
+    assert "== not run: the public codes libigl-exact,pvtp cannot be had here" in ended.stdout
 
 
 def test_ci_fails_with_a_finding_and_still_runs_the_job(ci: Callable[..., Ended]) -> None:
     ended = ci(CTEST.format(failures=0), "0", "0", "1")
     assert ended.returncode == 1 and "asked:" in ended.stdout
-    assert ended.stdout.splitlines()[-1] == "12 passed, 1 failed"
+    assert ended.stdout.splitlines()[-1] == "13 passed, 1 failed"
 
 
 def build_with_fake_cmake(checkout: Path, tmp_path: Path, version: str) -> Ended:
