@@ -27,7 +27,7 @@ namespace geodesic::edge_based {
 
 /// @param set AVX2 only when it was compiled
 template <class Policy, class Recorder>
-std::unique_ptr<Propagator> make_propagator(const Mesh& mesh, InstructionSet set) {
+std::unique_ptr<Propagator<Recorder>> make_propagator(const Mesh& mesh, InstructionSet set) {
 #if GEODESIC_AVX2_BESIDE_STATIC
   if (set == InstructionSet::avx2) {
     return std::make_unique<N_AVX2::Propagation<Policy, Recorder>>(mesh);
@@ -60,12 +60,12 @@ class EdgeBased final : public Solver {
   }
 
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
-    if (recording == nullptr) return timed_->run(query, distances, nullptr);
+    if (recording == nullptr) return timed_->run(query, distances, NoRecorder());
     record(mesh(), instruction_set_, query, distances, *recording);
   }
 
   InstructionSet instruction_set_;
-  std::unique_ptr<Propagator> timed_;
+  std::unique_ptr<Propagator<NoRecorder>> timed_;
 };
 
 #ifdef GEODESIC_RECORDED
@@ -73,19 +73,9 @@ template <class Policy>
 [[gnu::used]] void EdgeBased<Policy>::record(const Mesh& mesh, InstructionSet set,
                                              const Query& query, std::span<double> distances,
                                              Recording& recording) {
-  const auto solve = [&](std::unique_ptr<Propagator> propagator) {
-    propagator->run(query, distances, &recording);
-  };
-  switch (recording.what) {
-    case Record::counters:
-      return solve(make_propagator<Policy, CountingRecorder>(mesh, set));
-    case Record::phase_times:
-      return solve(make_propagator<Policy, TimingRecorder>(mesh, set));
-    case Record::wavefront:
-      return solve(make_propagator<Policy, WavefrontRecorder>(mesh, set));
-    case Record::windows:
-      return;  // refused: this solver does not keep them
-  }
+  solve_recording(recording, [&](auto recorder) {
+    make_propagator<Policy, decltype(recorder)>(mesh, set)->run(query, distances, recorder);
+  });
 }
 #endif
 

@@ -23,7 +23,7 @@ namespace geodesic::edge_based::HWY_NAMESPACE {
 
 /// @tparam Policy as in propagation.h
 template <class Policy, class Recorder>
-class Propagation final : public Propagator {
+class Propagation final : public Propagator<Recorder> {
   static_assert(VertexQueue<typename Policy::Queue>,
                 "the policy's Queue lacks a member of VertexQueue (core/queues/concepts.h)");
 
@@ -41,29 +41,13 @@ class Propagation final : public Propagator {
     rounding_ = coordinate_rounding(longest_edge_);
   }
 
-  void run(const Query& query, std::span<double> distances, Recording* recording) override {
-    if constexpr (std::is_same_v<Recorder, NoRecorder>) {
-      run(query, distances, NoRecorder());
-    } else {
-      if constexpr (Recorder::kRecords) recording->window_bytes = sizeof(Window);
-      solve_recording(*recording, [&](auto recorder) {
-        if constexpr (std::is_same_v<decltype(recorder), Recorder>) {
-          run(query, distances, recorder);
-        }
-      });
-    }
-  }
-
- private:
-  static constexpr unsigned kFields = Recorder::kRecords ? kDepth + 1 : kSigma + 1;
-  static constexpr std::uint8_t kPassed = 1;  // popped at least once
-  static constexpr std::uint8_t kSource = 2;
-  using Lists = typename Policy::template Lists<kFields>;
-
-  void run(const Query& query, std::span<double> distances, Recorder recorder) {
+  void run(const Query& query, std::span<double> distances, Recorder recorder) override {
     const auto timed = recorder.enter(Phase::propagation);
     start(distances);
-    if constexpr (Recorder::kRecords) progress_.start(mesh_, query.source_vertices());
+    if constexpr (Recorder::kRecords) {
+      recorder.recording.window_bytes = sizeof(Window);
+      progress_.start(mesh_, query.source_vertices());
+    }
     for (const Source& source : query.sources) {
       if (source.distance < distances_[source.vertex])
         reach(source.vertex, source.distance, recorder);
@@ -88,6 +72,12 @@ class Propagation final : public Propagator {
       }
     }
   }
+
+ private:
+  static constexpr unsigned kFields = Recorder::kRecords ? kDepth + 1 : kSigma + 1;
+  static constexpr std::uint8_t kPassed = 1;  // popped at least once
+  static constexpr std::uint8_t kSource = 2;
+  using Lists = typename Policy::template Lists<kFields>;
 
   /// Forgets the last solve, however it ended.
   void start(std::span<double> distances) {

@@ -25,11 +25,13 @@ struct ByDistance {
   static Queue make_queue(const Mesh& mesh) { return Queue(mesh.vertex_count()); }
 };
 
+/// @tparam Recorder core/recorders.h
+template <class Recorder>
 class Propagator {
  public:
   virtual ~Propagator() = default;
   /// As Solver::run.
-  virtual void run(const Query& query, std::span<double> distances, Recording* recording) = 0;
+  virtual void run(const Query& query, std::span<double> distances, Recorder recorder) = 0;
 };
 
 }  // namespace geodesic::edge_based
