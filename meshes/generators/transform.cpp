@@ -82,7 +82,6 @@ Family transform() {
       {.name = "transform",
        .description = "a mesh in another unit and place, cut open, in parts, pinched: what the "
                       "parameters name, in the order in which they are listed",
-       .closed_form = "",
        .parameters =
            {input_parameter(),
             integer_parameter("without", 0, 0, kNone - 1, "faces left out, from the first"),
