@@ -10,8 +10,8 @@ from plots.models import groups_of_thesis, relation
 from plots.ratios import BY_KEY, Ratio
 from results import published, statistics
 from results.published import THESIS_SOLVERS
-from results.reader import Mesh, Run
-from results.table import BLANK, Cell, Table
+from results.reader import Mesh, ResultError, Run
+from results.table import BLANK, Cell, Table, without_empty_columns
 
 SPEED, WINDOWS = BY_KEY["speed-up"], BY_KEY["propagations over the limit"]
 
@@ -42,12 +42,15 @@ def compare(run: Run, meshes: list[Mesh], ratio: Ratio) -> dict[str, Pair]:
 
 
 def table(run: Run) -> Table:
-    """@raises ResultError when no mesh has to do with the thesis"""
+    """@raises ResultError when no mesh has to do with the thesis, or no cell can be compared"""
     groups = groups_of_thesis(run)
+    rows = [row for words, meshes in groups.items() for row in _rows(run, words, meshes)]
+    if not rows:
+        raise ResultError(f"{run.file}: no verified cell that the thesis has a number for")
     listed = [
         f"{mesh.name} ({relation(mesh)})" for meshes in groups.values() for mesh in meshes
     ]
-    return Table(
+    return without_empty_columns(Table(
         name="table_thesis",
         title="Means of Table 5.2, ours and the thesis's",
         header=[
@@ -55,7 +58,7 @@ def table(run: Run) -> Table:
             "Place, published", WINDOWS.label, f"{WINDOWS.label}, published", "Difference",
         ],
         text_columns=2,
-        rows=[row for words, meshes in groups.items() for row in _rows(run, words, meshes)],
+        rows=rows,
         remarks=[
             f"Geometric means over {', '.join(listed)}, as far as both numbers are there; places "
             "are by time. Stand-ins are other meshes than the thesis measured: what is published "
@@ -63,7 +66,7 @@ def table(run: Run) -> Table:
             f"Published: {published.citation()}, Table 5.2, measured on {published.machine()}. "
             f"{COUNTING}",
         ],
-    )  # fmt: skip
+    ))  # fmt: skip
 
 
 def _rows(run: Run, group: str, meshes: list[Mesh]) -> list[list[Cell]]:

@@ -53,6 +53,21 @@ def test_means_are_over_models_that_have_both_numbers(golden_run: Run) -> None:
     assert pairs["ich"].thesis == pytest.approx(5.14, abs=0.01)
 
 
+def of_solvers(run: Run, *names: str) -> Run:
+    solvers = {name: run.solvers[name] for name in names}
+    return replace(run, rows=[row for row in run.rows if row.solver in names], solvers=solvers)
+
+
+def test_without_edge_based_there_are_windows_only_and_without_both_nothing(
+    golden_run: Run,
+) -> None:
+    table = table_thesis.table(of_solvers(golden_run, "mmp", "ich"))
+    assert [name for name in table.header if "Time" in name] == []
+    assert len(table.rows) == 4
+    with pytest.raises(ResultError, match="no verified cell that the thesis has a number for"):
+        table_thesis.table(of_solvers(golden_run, "dijkstra"))
+
+
 def test_a_run_without_the_thesis_s_models_has_none(golden_run: Run) -> None:
     with pytest.raises(ResultError, match="no mesh is or stands for a model of the thesis"):
         table_thesis.table(golden_run.of_meshes(["flat-grid"]))

@@ -260,7 +260,8 @@ def test_run_in_which_everything_failed_still_has_its_tables(changed: Changed) -
         ]
 
     run = read_run(changed(change))
-    assert [table.name for table in tables_of(run)] == NAMES
+    compared = {"table_thesis"}  # of numbers alone
+    assert all(TABLES[name](run).name == name for name in NAMES if name not in compared)
     table = table_5_2.table(run)
     assert cell_of(table, "horse", "Time (s)", "mmp").text == "crashed"
     claims = table_5_2_ratios.claims(run)
