@@ -55,8 +55,8 @@ def parse_arguments(words: Sequence[str] | None) -> argparse.Namespace:
     )
     parser.add_argument("--peers", type=Path, default=PEERS, help="folder of their descriptions")
     parser.add_argument(
-        "--words", metavar="SOLVERS", help="build nothing: print the words that make geodesic-bench "
-        "run the peers that are there beside SOLVERS (empty: beside those that it runs by itself)"
+        "--words", metavar="SOLVERS", help="build nothing: print the words for geodesic-bench "
+        "run that add the peers to SOLVERS (empty: to those that run always)"
     )
     return parser.parse_args(words)
 

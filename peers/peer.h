@@ -19,6 +19,11 @@ inline std::string remarks(const std::string& known) {
   return known + "; compiled with " + built_with();
 }
 
+/// Whether a solve is to fill in what the authors' code counts.
+inline bool counts(const Recording* recording) {
+  return recording != nullptr && recording->what != Record::phase_times;
+}
+
 /// x, y, z of every vertex.
 inline std::vector<double> coordinates(const Mesh& mesh) {
   std::vector<double> all;

@@ -61,5 +61,5 @@ def _first_error(done: subprocess.CompletedProcess[str]) -> str:
     lines = [line.strip() for line in (done.stdout + done.stderr).splitlines() if line.strip()]
     first = next((at for at, line in enumerate(lines) if "error" in line.lower()), 0)
     # CMake says on the next line what it is.
-    shown = lines[first : first + 2] if lines and lines[first].endswith(":") else lines[first : first + 1]
-    return " ".join(shown) or f"exit code {done.returncode}"
+    shown = 2 if lines and lines[first].endswith(":") else 1
+    return " ".join(lines[first : first + shown]) or f"exit code {done.returncode}"

@@ -39,7 +39,10 @@ class Bench:
         return [solver.name for solver in self.solvers(*plugins) if solver not in own]
 
     def make_mesh(self) -> None:
-        """A torus of 2,048 vertices: closed, since some codes fail on boundaries. Raises Unavailable."""
+        """A torus of 2,048 vertices: closed, since some codes fail on boundaries.
+
+        Raises Unavailable.
+        """
         self._run("generate", "torus", "-o", str(self.mesh))
 
     def seconds(self, plugin: Path, solver: str) -> float:

@@ -35,7 +35,7 @@ class DggVtp final : public Solver {
       const double d = mesh_.vertices()[v].geodesic_distance();
       if (d < dgg_authors::GEODESIC_INF) distances[v] = d;
     }
-    if (recording != nullptr) {
+    if (peer::counts(recording)) {
       recording->window_propagations = dgg_authors::m_windows_propagation;
       recording->peak_wavefront = dgg_authors::m_windows_peak;
       recording->window_bytes = sizeof(dgg_authors::Interval);

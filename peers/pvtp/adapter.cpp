@@ -40,7 +40,7 @@ class AuthorsMesh {
       const double d = mesh_.vertices()[v].geodesic_distance();
       if (d < pvtp_authors::GEODESIC_INF) distances[v] = d;
     }
-    if (recording != nullptr) {
+    if (peer::counts(recording)) {
       recording->window_propagations = pvtp_authors::m_windows_propagation.load();
       recording->window_bytes = sizeof(pvtp_authors::Interval);
     }

@@ -35,7 +35,7 @@ class Vtp final : public Solver {
       const double d = mesh_->vertices()[v].geodesic_distance();
       if (d < vtp_authors::GEODESIC_INF) distances[v] = d;
     }
-    if (recording != nullptr) {
+    if (peer::counts(recording)) {
       recording->window_propagations = vtp_authors::m_windows_propagation;
       recording->peak_wavefront = vtp_authors::m_windows_peak;
       recording->window_bytes = sizeof(vtp_authors::Interval);

@@ -31,7 +31,7 @@ class XinWangIch final : public Solver {
       const double d = algorithm.m_InfoAtVertices[v].disUptodate;
       if (d < DBL_MAX) distances[v] = d;
     }
-    if (recording != nullptr) recording->windows_created = algorithm.GetWindowNum();
+    if (peer::counts(recording)) recording->windows_created = algorithm.GetWindowNum();
   }
 
   CRichModel model_;

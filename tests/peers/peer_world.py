@@ -1,4 +1,4 @@
-"""A small peer of the test's own: its authors' archive in a mirror, its description, its adapter."""
+"""A small peer of the tests: its authors' archive in a mirror, its description, its adapter."""
 
 from __future__ import annotations
 

@@ -89,8 +89,8 @@ void phase_times_hold_nothing_else(const Trial& trial) {
   timed.what = Record::phase_times;
   trial.solve(trial.mesh(), trial.query(), &counters);
   trial.solve(trial.mesh(), trial.query(), &timed);
-  require(timed.phase_times.has_value() == counters.window_propagations.has_value(),
-          "a solver has phase times if and only if it counts windows");
+  require(!timed.phase_times || counters.window_propagations,
+          "a solver that has phase times counts windows");
   if (!timed.phase_times) return;
   const PhaseTimes& phases = *timed.phase_times;
   const bool complete = phases.propagation.readings > 0 && phases.trimming.readings > 0 &&
