@@ -50,6 +50,7 @@ class Measurement {
   double seconds(const Stopwatch& watch) const;
   void time(Solver& solver);
   std::string verify_warm_up(Solver& solver);
+  std::string verify_after_others(Solver& solver);
   Verdict judge(std::span<const double> distances) const;
   // Why the distances of another solve cannot be right, when those of the first one are.
   // @param which a sentence that says it of a solver whose solves are all the same
@@ -97,6 +98,23 @@ std::string Measurement::verify_warm_up(Solver& solver) {
 std::string Measurement::verify_again(const std::string& which) const {
   if (!solver_.deterministic) return judge(solved_).error;
   return identical(solved_, verified_) ? "" : which;
+}
+
+// What an object has solved before must not show in an answer.
+std::string Measurement::verify_after_others(Solver& solver) {
+  const auto solve = [&](const Query& query) {
+    if (solver_.needs_renewal) solver.renew();
+    solver.solve(query, solved_);
+  };
+  const auto others = static_cast<Index>(spec_.other_queries);
+  for (Index k = 1; k <= others; ++k) {
+    const auto step = static_cast<Index>(std::uint64_t{k} * mesh_.vertex_count() / (others + 1));
+    solve({.sources = {{.vertex = (spec_.source + step) % mesh_.vertex_count()}}});
+  }
+  if (others > 0) solve(query_);
+  return others == 0 ? ""
+                     : verify_again("after " + std::to_string(others) +
+                                    " other sources the same object gave other distances");
 }
 
 void Measurement::count() {
@@ -162,8 +180,10 @@ std::string Measurement::measure() {
   const double preparing = seconds(preparation);
   if (const std::string error = verify_warm_up(*solver); !error.empty()) return error;
   row_.prepare_time = 1e3 * preparing;
+  std::string error = verify_after_others(*solver);
+  if (!error.empty()) return error;
   time(*solver);
-  std::string error = verify_again("a timed solve gave other distances than the first one");
+  error = verify_again("a timed solve gave other distances than the first one");
   if (!error.empty()) return error;
   row_.process_peak_bytes = peak_resident_bytes();
   row_.instruction_set = name_of(solver->instruction_set());

@@ -28,13 +28,15 @@ struct CellSpec {
   std::string run_folder = {};
   bool counted = true;    ///< solve some more, for counters, memory and phases
   bool pictured = false;  ///< leave recordings in the run folder; only of counted cells
+  int other_queries = 0;  ///< solve from so many other vertices, then from the source again
   std::string vectors;    ///< corpus/solvers.h
   std::vector<std::string> benchmark_flags = {};
   Json context = {};    ///< context.geodesic_bench of the result file
   bool repair = false;  ///< repair the mesh first
 };
 GEODESIC_JSON_MEMBERS(CellSpec, solver, mesh, mesh_file, source, reference, reference_file, output,
-                      run_folder, counted, pictured, vectors, benchmark_flags, context, repair)
+                      run_folder, counted, pictured, other_queries, vectors, benchmark_flags,
+                      context, repair)
 
 /// Distances to verify others by.
 struct ReferenceSpec {
@@ -46,10 +48,10 @@ struct ReferenceSpec {
 };
 GEODESIC_JSON_MEMBERS(ReferenceSpec, solver, mesh_file, source, output, repair)
 
-/// Prepares the solver, verifies a warm-up solve, times solves and, in a counted cell, records more
-/// on new solver objects; then writes the result file, after the recordings of a pictured cell.
-/// Distances that are wrong, or that differ between these solves, make a file with an error row and
-/// no time.
+/// Prepares the solver, verifies a warm-up solve, asks for other sources and again, times solves
+/// and, in a counted cell, records more on new solver objects; then writes the result file, after
+/// the recordings of a pictured cell. Distances that are wrong, or that differ between these
+/// solves, make a file with an error row and no time.
 /// @throws what the reader, the solver or the disk throws; the run makes an error row of it
 void run_cell(const CellSpec& spec);
 

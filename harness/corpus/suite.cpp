@@ -49,6 +49,7 @@ const Setters& setters() {
       {"sources", [](Suite& s, const Json& v) { set_integer(s.sources, v); }},
       {"repetitions", [](Suite& s, const Json& v) { set_integer(s.repetitions, v); }},
       {"seed", [](Suite& s, const Json& v) { set_integer(s.seed, v); }},
+      {"other_queries", [](Suite& s, const Json& v) { set_integer(s.other_queries, v); }},
       {"min_time", [](Suite& s, const Json& v) { v.get_to(s.min_time); }},
       {"reference", [](Suite& s, const Json& v) { s.reference = v.get<std::string>(); }},
       {"vectors", [](Suite& s, const Json& v) { v.get_to(s.vectors); }},
@@ -89,11 +90,17 @@ Suite parse_suite(const Json& json, const std::string& name) {
 }
 
 void to_json(Json& json, const Suite& suite) {
-  json = {{"solvers", suite.solvers},         {"corpus", suite.corpus},
-          {"meshes", suite.meshes},           {"sources", suite.sources},
-          {"repetitions", suite.repetitions}, {"seed", suite.seed},
-          {"min_time", suite.min_time},       {"vectors", suite.vectors},
-          {"time_limit", suite.time_limit},   {"expected", Json::object()}};
+  json = {{"solvers", suite.solvers},
+          {"corpus", suite.corpus},
+          {"meshes", suite.meshes},
+          {"sources", suite.sources},
+          {"repetitions", suite.repetitions},
+          {"seed", suite.seed},
+          {"other_queries", suite.other_queries},
+          {"min_time", suite.min_time},
+          {"vectors", suite.vectors},
+          {"time_limit", suite.time_limit},
+          {"expected", Json::object()}};
   for (const auto& [cell, outcome] : suite.expected) json["expected"][cell] = name_of(outcome);
   if (suite.reference) json["reference"] = *suite.reference;
   if (suite.memory_limit) json["memory_limit"] = *suite.memory_limit;

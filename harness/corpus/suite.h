@@ -21,6 +21,7 @@ struct Suite {
   int sources = 3;                        ///< a mesh
   int repetitions = 3;                    ///< timed, a cell
   std::uint64_t seed = 1;                 ///< of the choice of sources
+  int other_queries = 0;                  ///< from other sources, after which a cell solves again
   double min_time = 0.05;                 ///< seconds, minimum of a repetition
   std::optional<std::string> reference =
       {};                        ///< solver to verify by, or "brute force" where a closed form is

@@ -343,6 +343,16 @@ TEST_F(RunTest, ASolveThatDiffersFromTheVerifiedOneIsWrong) {
   }
 }
 
+TEST_F(RunTest, OtherSourcesMustNotShowInAnAnswer) {
+  const auto suite = write("suite.json", R"({"solvers": ["stale", "dijkstra"],
+      "other_queries": 2, "meshes": ["tetrahedron"], "sources": 1})");
+  EXPECT_EQ(run_suite(kFaultyProgram, {suite.string()}).code, 2);
+  const json spoiled = row("stale/tetrahedron/src:0");
+  EXPECT_EQ(message(spoiled), "after 2 other sources the same object gave other distances");
+  expect_no_time(spoiled);
+  EXPECT_EQ(row("dijkstra/tetrahedron/src:0").at("outcome"), "ok");
+}
+
 TEST_F(RunTest, FailingCellsLeaveRowsAndHarmNoOther) {
   const Output run =
       run_suite(kFaultyProgram, {"--solvers", "crashing,throwing,leaving,tiny,dijkstra", "--meshes",

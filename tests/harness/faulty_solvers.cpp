@@ -64,6 +64,19 @@ class Forgetful final : public Faulty {
   int solves_ = 0;
 };
 
+// Is right until it was asked for another source.
+class Stale final : public Faulty {
+  using Faulty::Faulty;
+  void run(const Query& query, std::span<double> distances, Recording*) override {
+    solve_soundly(query, distances);
+    if (first_ == kNone) first_ = query.sources.front().vertex;
+    spoiled_ = spoiled_ || first_ != query.sources.front().vertex;
+    if (spoiled_) spoil(distances);
+  }
+  Index first_ = kNone;
+  bool spoiled_ = false;
+};
+
 class Disturbed final : public Faulty {
   using Faulty::Faulty;
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
@@ -167,6 +180,7 @@ Description faulty(const char* name, Index max_vertices = 1000) {
 
 const RegisterSolver<Wrong> wrong{faulty("wrong")};
 const RegisterSolver<Forgetful> forgetful{faulty("forgetful")};
+const RegisterSolver<Stale> stale{faulty("stale")};
 const RegisterSolver<Disturbed> disturbed{faulty("disturbed")};
 const RegisterSolver<SingleMinded> single_minded{faulty("single-minded")};
 const RegisterSolver<BoundaryBlind> boundary_blind{faulty("boundary-blind")};

@@ -11,13 +11,14 @@ using SuiteFile = TemporaryFolder;
 TEST_F(SuiteFile, SetsEveryKey) {
   const Suite suite = read_suite(write("suite.json", R"({
     "solvers": ["a", "b"], "corpus": "real", "meshes": ["m"], "sources": 5, "repetitions": 7,
-    "seed": 18446744073709551615, "min_time": 0.25, "reference": "a", "vectors": "plain"})"));
+    "other_queries": 4, "seed": 18446744073709551615, "min_time": 0.25, "reference": "a", "vectors": "plain"})"));
   EXPECT_EQ(suite.solvers, (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(suite.corpus, "real");
   EXPECT_EQ(suite.meshes, std::vector<std::string>{"m"});
   EXPECT_EQ(suite.sources, 5);
   EXPECT_EQ(suite.repetitions, 7);
   EXPECT_EQ(suite.seed, 18446744073709551615u);
+  EXPECT_EQ(suite.other_queries, 4);
   EXPECT_EQ(suite.min_time, 0.25);
   EXPECT_EQ(suite.reference, "a");
   EXPECT_EQ(suite.vectors, "plain");
@@ -33,7 +34,7 @@ TEST_F(SuiteFile, LeavesOutWhatItDoesNotChange) {
 TEST_F(SuiteFile, RefusesUnknownKeysAndListsTheKnownOnes) {
   const auto file = write("suite.json", R"({"repetition": 3})");
   expect_error([&] { read_suite(file); },
-               {"suite.json", "'repetition'", "did you mean 'repetitions'", "min_time, reference"});
+               {"suite.json", "'repetition'", "did you mean 'repetitions'", "min_time, other_queries, reference"});
 }
 
 TEST_F(SuiteFile, RefusesValuesOutOfRange) {
