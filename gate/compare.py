@@ -350,7 +350,11 @@ FORMATS = {"text": as_text, "markdown": as_markdown, "json": as_json}
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = console.Parser(__doc__)
+    parser = console.Parser(
+        __doc__,
+        "geodesic-bench compare results/runs/old results/runs/new",
+        "geodesic-bench compare results/runs/two-programs --fail-on time=10%,counters=1%",
+    )
     parser.add_argument("old", type=Path, help="a result file or run folder")
     parser.add_argument(
         "new", type=Path, nargs="?",

@@ -110,7 +110,11 @@ def _json(data: object) -> str:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = Parser(__doc__)
+    parser = Parser(
+        __doc__,
+        "geodesic-bench export --to csv results/runs/mine > mine.csv",
+        "geodesic-bench export --to bencher results/runs/mine",
+    )
     parser.add_argument("--to", choices=FORMATS, required=True, help="format of the output")
     parser.add_argument("result", type=Path, help="a result file or run folder")
     options = parser.parse_args(arguments)

@@ -33,7 +33,11 @@ FORWARDED = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
 def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
-    parser = Parser(__doc__)
+    parser = Parser(
+        __doc__,
+        "geodesic-bench rank --solver my-variant --against mmp,ich",
+        "geodesic-bench rank --solver my-variant --against edge-based --meshes scans/ --pairs 15",
+    )
     what = parser.add_argument_group("what is ranked")
     what.add_argument("--solver", metavar="NAME", help="the candidate")
     what.add_argument("--against", metavar="NAMES", help="the other solvers, comma-separated")

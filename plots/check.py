@@ -86,7 +86,11 @@ def checked_against_truth(run: Run) -> str:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = console.run_parser(__doc__)
+    parser = console.run_parser(
+        __doc__,
+        "geodesic-bench check",
+        "geodesic-bench check --run results/runs/mine --allow-skipped",
+    )
     parser.add_argument(
         "--allow-skipped", action="store_true", help="accept meshes that were skipped whole"
     )

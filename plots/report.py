@@ -139,7 +139,10 @@ def _machine(run: Run) -> dict[str, object]:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    options = console.run_parser(__doc__).parse_args(arguments)
+    parser = console.run_parser(
+        __doc__, "geodesic-bench report", "geodesic-bench report --run results/runs/mine"
+    )
+    options = parser.parse_args(arguments)
     from plots.catalogue import draw, write  # after --help, since matplotlib takes its time
 
     try:

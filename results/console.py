@@ -57,16 +57,20 @@ def complain(error: BaseException) -> int:
 class Parser(argparse.ArgumentParser):
     """An invalid argument gives one line, and the exit code of every other error."""
 
-    def __init__(self, description: str | None) -> None:
-        super().__init__(prog=program(), description=description)
+    def __init__(self, description: str | None, *examples: str) -> None:
+        lines = ["examples:", *(f"  {example}" for example in examples)]
+        super().__init__(
+            prog=program(), description=description, epilog="\n".join(lines) if examples else None,
+            formatter_class=argparse.RawDescriptionHelpFormatter,
+        )  # fmt: skip
 
     def error(self, message: str) -> NoReturn:
         self.exit(1, f"{self.prog}: {printable(message)}; see {self.prog} --help\n")
 
 
-def run_parser(description: str | None) -> Parser:
+def run_parser(description: str | None, *examples: str) -> Parser:
     """With the option --run, of type Path."""
-    parser = Parser(description)
+    parser = Parser(description, *examples)
     parser.add_argument(
         "--run", type=Path, metavar="DIR", help="run folder (default: the newest of results/runs)"
     )

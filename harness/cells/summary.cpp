@@ -1,9 +1,12 @@
 #include "harness/cells/summary.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iomanip>
 #include <iostream>
 #include <map>
 #include <optional>
+#include <sstream>
 
 #include "harness/base/error.h"
 #include "harness/results/text_table.h"
@@ -54,9 +57,23 @@ double median(std::vector<double> values) {
   return (*middle + *std::max_element(values.begin(), middle)) / 2;
 }
 
+// With zeros up to so many significant digits: 2.500, 25.00.
+std::string fixed_digits(double x, int digits) {
+  const int before_point = x < 1 ? 1 : static_cast<int>(std::log10(x)) + 1;
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(std::max(digits - before_point, 0)) << x;
+  return text.str();
+}
+
 std::string time_text(double ms) {
-  if (ms < 1) return significant(1e3 * ms, 4) + " us";
-  return ms < 1e3 ? significant(ms, 4) + " ms" : significant(1e-3 * ms, 4) + " s";
+  if (ms < 1) return fixed_digits(1e3 * ms, 4) + " us";
+  return ms < 1e3 ? fixed_digits(ms, 4) + " ms" : fixed_digits(1e-3 * ms, 4) + " s";
+}
+
+std::string error_text(double error) {
+  std::ostringstream text;
+  text << std::scientific << std::setprecision(1) << error;
+  return error == 0 ? "0" : text.str();
 }
 
 // Of a solver on a mesh, over sources and repetitions.
@@ -124,7 +141,7 @@ std::string result_table(const std::vector<Row>& rows) {
       const double ms = summary.median_ms();
       const std::optional<double>& error = summary.max_relative_error;
       table.push_back({mesh, solver, timed ? time_text(ms) : "",
-                       timed ? significant(ms / best, 3) : "", error ? significant(*error, 2) : "",
+                       timed ? fixed_digits(ms / best, 3) : "", error ? error_text(*error) : "",
                        summary.outcome()});
     }
   }

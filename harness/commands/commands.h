@@ -1,8 +1,11 @@
 // The commands of geodesic-bench, one file each. Each function adds one with its options.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
+
+namespace CLI {
+class App;
+}
 
 namespace geodesic::harness {
 

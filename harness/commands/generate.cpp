@@ -1,5 +1,6 @@
 #include "harness/commands/commands.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
@@ -43,6 +44,15 @@ std::string list_of_generators() {
     text += (text.empty() ? "" : "\n") + usage(generator);
   }
   return text;
+}
+
+// What the help of the command ends with.
+std::string parameters_or_examples(const std::string& name) {
+  for (const GeneratorDescription& generator : generator_descriptions()) {
+    if (generator.name == name) return '\n' + usage(generator);
+  }
+  return "\nExamples:\n  geodesic-bench generate icosphere --frequency 20 -o sphere.ply\n"
+         "  geodesic-bench generate terrain --help";
 }
 
 /// Arguments that CLI11 left over, as `--name value` or `--name=value`.
@@ -92,12 +102,12 @@ void add_generate_command(CLI::App& app) {
   auto arguments = std::make_shared<GenerateArguments>();
   CLI::App* const command =
       app.add_subcommand("generate", "Make a mesh: generate NAME [--PARAMETER VALUE ...] -o FILE");
-  command->add_option("name", arguments->name, "generator (see --list)")->type_name("NAME");
-  command->add_option("-o,--output", arguments->output, "mesh file to write: .ply, .obj or .off");
+  command->add_option("name", arguments->name, "generator; with --help, its parameters are shown")
+      ->type_name("NAME");
+  command->add_option("-o,--output", arguments->output, "mesh file to write: .ply, .obj or .off")
+      ->type_name("FILE");
   command->add_flag("--list", arguments->list, "print the generators and their parameters");
-  command->footer(
-      "\nExamples:\n  geodesic-bench generate icosphere --frequency 20 -o sphere.ply\n"
-      "  geodesic-bench generate --list");
+  command->footer([arguments] { return parameters_or_examples(arguments->name); });
   command->allow_extras();
   command->callback([arguments, command] { generate_file(*arguments, command->remaining()); });
 }

@@ -1,5 +1,6 @@
 #include "harness/commands/commands.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -108,9 +109,9 @@ void run_list(const ListFlags& flags) {
 void add_list_command(CLI::App& app) {
   const auto flags = std::make_shared<ListFlags>();
   CLI::App* command = app.add_subcommand("list", "List the solvers and meshes");
-  command->add_option("--corpus", flags->corpus, "only the meshes of this corpus")
+  command->add_option("--corpus", flags->corpus, "list the meshes of this corpus only")
       ->type_name("NAME");
-  command->add_flag("--json", flags->json, "print all that is known of them as JSON");
+  command->add_flag("--json", flags->json, "print everything as a JSON object");
   command->add_option("--manifest", flags->manifest, "list of meshes and corpora")
       ->type_name("FILE");
   command->footer(

@@ -83,7 +83,8 @@ void add_request_options(CLI::App& command, RunRequest& request) {
       "a corpus")
       ->delimiter(',')
       ->type_name("NAMES");
-  option("--solvers", suite.solvers, "default: all that `list` marks as run always")
+  option("--solvers", suite.solvers,
+         "solvers to measure (default: all that `list` shows as run always)")
       ->delimiter(',')
       ->type_name("NAMES");
   option("--cells", request.cells, "only these cells, named as rows: mmp/horse/src:0,...")
@@ -100,11 +101,13 @@ void add_request_options(CLI::App& command, RunRequest& request) {
          "memory limit of a cell in bytes, or as 500M, 8G (default: 90% of what is available)")
       ->transform(CLI::Validator(CLI::AsSizeValue(false)).description(""))
       ->type_name("SIZE");
-  option("--vectors", suite.vectors, "instruction set of the solvers: auto, plain or avx2");
+  option("--vectors", suite.vectors, "instruction set of the solvers: auto, plain or avx2")
+      ->type_name("SET");
   call(
       "--recordings", [&](const std::string& word) { request.recordings = recordings_named(word); },
       "cells that record the wavefront for figures: none, all, or auto (default: the first source "
-      "of each mesh of 1,000 to 250,000 vertices, exact solvers)");
+      "of each mesh of 1,000 to 250,000 vertices, exact solvers)")
+      ->type_name("WHICH");
   command.add_flag("--repair", request.repair, "repair meshes that have defects");
   command.add_flag("--interleave", request.interleave,
                    "run each repetition in a process of its own, alternating between the solvers "

@@ -282,8 +282,10 @@ void add_solve_command(CLI::App& app) {
   command->add_flag("--repair", flags->repair, "repair defects of the mesh, and say which");
   command->add_option("--limit", flags->limit, "distance beyond which vertices are unreachable")
       ->check(zero_or_above());
-  command->add_option("--vectors", flags->vectors,
-                      "instruction set of the solver: auto, plain or avx2");
+  command
+      ->add_option("--vectors", flags->vectors,
+                   "instruction set of the solver: auto, plain or avx2")
+      ->type_name("SET");
   command->add_option("--manifest", flags->manifest, "list of meshes and corpora")
       ->type_name("FILE");
   command->footer(
