@@ -20,17 +20,20 @@ namespace geodesic::harness {
 
 using Json = nlohmann::ordered_json;
 
-/// Makes a struct JSON and back, each member under its own name; one that the JSON lacks stays as
-/// it is. (The library's macros of this kind are for objects without an order.)
-#define GEODESIC_JSON_MEMBERS(Type, ...)                                       \
-  inline void to_json(Json& nlohmann_json_j, const Type& nlohmann_json_t) {    \
-    NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(NLOHMANN_JSON_TO, __VA_ARGS__))   \
-  }                                                                            \
-  inline void from_json(const Json& nlohmann_json_j, Type& nlohmann_json_t) {  \
-    NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(GEODESIC_JSON_READ, __VA_ARGS__)) \
+/// Makes a struct JSON and back, each member under its own name; one that the JSON lacks, or that
+/// is null as numbers that are not finite are, stays as it is. (The library's macros of this kind
+/// are for objects without an order.)
+#define GEODESIC_JSON_MEMBERS(Type, ...)                                               \
+  inline void to_json(harness::Json& nlohmann_json_j, const Type& nlohmann_json_t) {   \
+    NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(NLOHMANN_JSON_TO, __VA_ARGS__))           \
+  }                                                                                    \
+  inline void from_json(const harness::Json& nlohmann_json_j, Type& nlohmann_json_t) { \
+    NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(GEODESIC_JSON_READ, __VA_ARGS__))         \
   }
-#define GEODESIC_JSON_READ(member) \
-  if (nlohmann_json_j.contains(#member)) nlohmann_json_j.at(#member).get_to(nlohmann_json_t.member);
+#define GEODESIC_JSON_READ(member)                                  \
+  if (!nlohmann_json_j.value(#member, harness::Json()).is_null()) { \
+    nlohmann_json_j.at(#member).get_to(nlohmann_json_t.member);     \
+  }
 
 /// Parses the content of a file, which may be hostile.
 /// @param name what messages call the file

@@ -107,9 +107,7 @@ Child::Child(const std::string& program, const std::vector<std::string>& argumen
              std::uint64_t memory_bytes) {
   std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
+  const std::vector<char*> argv = argv_of(words);
 
   const Pipe standard_error = Pipe::make(program);
   const Pipe failure = Pipe::make(program);  // closed by a successful exec
@@ -270,6 +268,12 @@ Disturbance disturbance_since(const Ticks& before, const Child::Exit& exit) {
 }
 
 }  // namespace
+
+std::vector<char*> argv_of(std::vector<std::string>& words) {
+  std::vector<char*> argv(words.size() + 1, nullptr);
+  std::ranges::transform(words, argv.begin(), [](std::string& word) { return word.data(); });
+  return argv;
+}
 
 std::uint64_t available_memory() {
   const auto in_system = proc_bytes("/proc/meminfo", "MemAvailable:");

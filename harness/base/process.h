@@ -27,6 +27,9 @@ struct ProcessLimits {
   std::uint64_t memory_bytes = std::numeric_limits<std::uint64_t>::max();
 };
 
+/// Words as execv takes them, with a null pointer behind. They must outlive it.
+std::vector<char*> argv_of(std::vector<std::string>& words);
+
 /// Memory available for new processes together, in bytes: nine tenths of what Linux calls
 /// available, or of what the control group of this process leaves where that is less.
 std::uint64_t available_memory();

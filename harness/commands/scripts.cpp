@@ -77,9 +77,7 @@ void set_environment() {
   for (const auto& more : {plugin_arguments(), arguments}) {
     words.insert(words.end(), more.begin(), more.end());
   }
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
+  const std::vector<char*> argv = argv_of(words);
   set_environment();
   std::cout.flush();
   execv(python.c_str(), argv.data());

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "harness/base/error.h"
+#include "harness/base/process.h"
 
 namespace geodesic::harness {
 namespace {
@@ -30,10 +31,9 @@ constexpr std::array<RefusedFlag, 8> kRefused{{
 // Hands the flags to Google Benchmark and returns those it does not know.
 std::vector<std::string> initialize(std::vector<std::string> flags) {
   static std::string program = "geodesic-bench";  // the library keeps the pointer
-  std::vector<char*> argv{program.data()};
-  for (std::string& flag : flags) argv.push_back(flag.data());
-  int argc = static_cast<int>(argv.size());
-  argv.push_back(nullptr);
+  std::vector<char*> argv = argv_of(flags);
+  argv.insert(argv.begin(), program.data());
+  int argc = static_cast<int>(flags.size()) + 1;
   benchmark::Initialize(&argc, argv.data());
   std::vector<std::string> left;
   for (int i = 1; i < argc; ++i) left.emplace_back(argv[static_cast<std::size_t>(i)]);

@@ -1,7 +1,6 @@
 #include "harness/verify/isolated_check.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <fstream>
 
@@ -14,24 +13,12 @@
 #include "meshes/mesh_file.h"
 #include "meshes/messages.h"
 
-namespace nlohmann {
+namespace geodesic {
 
-template <>
-struct adl_serializer<geodesic::Query> {
-  static void to_json(nlohmann::json& json, const geodesic::Query& query) {
-    json = {{"sources", nlohmann::json::array()}, {"limit", nullptr}};
-    for (const auto& [vertex, distance] : query.sources) {
-      json["sources"].push_back({vertex, distance});
-    }
-    if (std::isfinite(query.limit)) json["limit"] = query.limit;
-  }
-  static void from_json(const nlohmann::json& json, geodesic::Query& query) {
-    for (const auto& source : json.at("sources")) query.sources.push_back({source[0], source[1]});
-    if (!json.at("limit").is_null()) query.limit = json.at("limit");
-  }
-};
+GEODESIC_JSON_MEMBERS(Source, vertex, distance)
+GEODESIC_JSON_MEMBERS(Query, sources, limit)
 
-}  // namespace nlohmann
+}  // namespace geodesic
 
 namespace geodesic::harness {
 
@@ -42,9 +29,9 @@ struct CheckTask {
   bool explain = false;             // a failure on the mesh file
   std::string result_file;
 };
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckTask, solver, property, vectors, mesh_file, queries,
-                                   explain, result_file)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckResult, outcome, what, kind, at_case, query, explanation)
+GEODESIC_JSON_MEMBERS(CheckTask, solver, property, vectors, mesh_file, queries, explain,
+                      result_file)
+GEODESIC_JSON_MEMBERS(CheckResult, outcome, what, kind, at_case, query, explanation)
 
 namespace {
 
@@ -116,8 +103,8 @@ class CheckProcess {
 
   // What solvers throw may not be UTF-8.
   void write(const CheckResult& result) const {
-    write_bytes(task_.result_file, nlohmann::json(result).dump(
-                                       -1, ' ', false, nlohmann::json::error_handler_t::replace));
+    write_bytes(task_.result_file,
+                Json(result).dump(-1, ' ', false, Json::error_handler_t::replace));
   }
 
   const CheckTask& task_;
@@ -127,11 +114,11 @@ class CheckProcess {
 
 CheckResult wait_for(const CheckTask& task, double seconds) {
   std::filesystem::remove(task.result_file);
-  const Ended ended = run_geodesic_bench({"check-property", nlohmann::json(task).dump()}, [] {},
+  const Ended ended = run_geodesic_bench({"check-property", Json(task).dump()}, [] {},
                                          {.seconds = seconds, .memory_bytes = available_memory()});
   CheckResult result;
   if (std::filesystem::exists(task.result_file)) {
-    result = nlohmann::json::parse(std::ifstream(task.result_file)).get<CheckResult>();
+    result = Json::parse(std::ifstream(task.result_file)).get<CheckResult>();
   }
   if (result.outcome == CheckOutcome::wrong) return result;  // whatever became of the explanation
   if (ended.succeeded() && result.outcome != CheckOutcome::crashed) return result;
@@ -150,7 +137,7 @@ CheckResult wait_for(const CheckTask& task, double seconds) {
 }  // namespace
 
 void run_isolated_check(const std::string& task_json) {
-  const auto task = nlohmann::json::parse(task_json).get<CheckTask>();
+  const auto task = Json::parse(task_json).get<CheckTask>();
   set_instruction_set(instruction_set_named(task.vectors));
   CheckProcess(task).run();
 }
