@@ -24,7 +24,7 @@ void set_queue(pvtp_authors::GeodesicAlgorithmParallelFWPExact& algorithm, const
   algorithm.step = 1;
 }
 
-// The authors' mesh, which their algorithms clear themselves.
+// The authors' mesh, whose distances their algorithms clear themselves.
 class AuthorsMesh {
  public:
   explicit AuthorsMesh(const Mesh& mesh) {
@@ -75,18 +75,26 @@ class Pvtp final : public Solver {
 class Avtp final : public Solver {
  public:
   Avtp(const Mesh& mesh, const Description& description)
-      : Solver(mesh, description),
-        mesh_(mesh),
-        algorithm_(mesh_.get(), description.real("lambda")) {}
-
- private:
-  void run(const Query& query, std::span<double> distances, Recording* recording) override {
-    algorithm_.propagate(query.sources.front().vertex);
-    mesh_.answer(distances, recording);
+      : Solver(mesh, description), lambda_(description.real("lambda")) {
+    renew_state();
   }
 
-  AuthorsMesh mesh_;
-  pvtp_authors::GeodesicAlgorithmApproximate algorithm_;  // on mesh_
+ private:
+  // A solve marks vertices of the authors' mesh as saddles, which nothing there takes back.
+  void renew_state() override {
+    algorithm_.reset();
+    authors_.emplace(mesh());
+    algorithm_.emplace(authors_->get(), lambda_);
+  }
+
+  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+    algorithm_->propagate(query.sources.front().vertex);
+    authors_->answer(distances, recording);
+  }
+
+  double lambda_;
+  std::optional<AuthorsMesh> authors_;
+  std::optional<pvtp_authors::GeodesicAlgorithmApproximate> algorithm_;  // on authors_
 };
 
 constexpr Abilities kAbilities = {
@@ -104,9 +112,11 @@ const RegisterSolver<Avtp> avtp{{
     .space_complexity = "O(n)",
     .propagation = "window list",
     .exactness = Exactness::unbounded,
+    .needs_renewal = true,
     .abilities = kAbilities,
     .remarks = peer::remarks("the authors' code, of one thread, as the repository of DGG-VTP has "
-                             "it; it counts in global variables"),
+                             "it; it keeps marks in its mesh, which is built again for every "
+                             "source, and counts in global variables"),
     .parameters = {real_parameter("lambda", 8, 0.01, 1e6,
                                   "radius of exact propagation, in mean edge lengths")},
 }};
