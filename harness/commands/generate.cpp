@@ -80,7 +80,7 @@ GeneratorParameters parse_parameters(const std::vector<std::string>& words) {
 void generate_file(const GenerateArguments& arguments, const std::vector<std::string>& words) {
   if (arguments.list) {
     if (!arguments.name.empty() || !arguments.output.empty() || !words.empty()) {
-      throw HarnessError("generate: --list stands alone");
+      throw HarnessError("generate: --list takes no other argument");
     }
     std::cout << list_of_generators();
     return;

@@ -176,11 +176,16 @@ MeshEntry find_mesh(const std::string& file_or_name, const fs::path& manifest) {
     return {.name = harmless(file.stem().string()), .file = file, .kind = "file"};
   }
   if (fs::exists(status)) throw HarnessError("'" + file_or_name + "' is not a regular file");
-  if (file_or_name.find('/') != std::string::npos || has_mesh_extension(file)) {
-    throw HarnessError("there is no file '" + file_or_name +
-                       "': " + (unknown ? unknown.message() : "check the path"));
-  }
-  const MeshEntry entry = Manifest(manifest, dataset_cache()).mesh(file_or_name);
+  const auto cannot_open = [&] {
+    const std::string why = unknown ? unknown.message() : "no such file";
+    return HarnessError("cannot open '" + file_or_name + "': " + why);
+  };
+  if (file_or_name.find('/') != std::string::npos || has_mesh_extension(file)) throw cannot_open();
+  const Manifest known(manifest, dataset_cache());
+  const bool is_known =
+      std::ranges::find(known.meshes(), file_or_name, &MeshEntry::name) != known.meshes().end();
+  if (!is_known && file.has_extension()) throw cannot_open();
+  const MeshEntry entry = known.mesh(file_or_name);
   if (!entry.available()) throw HarnessError(how_to_get(entry));
   return entry;
 }

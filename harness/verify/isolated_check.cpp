@@ -44,9 +44,9 @@ class CheckProcess {
 
   void run() const {
     const std::vector<Case> cases = all_cases();
-    CheckResult result{.outcome = CheckOutcome::not_claimed,
-                       .what = "is meant for at most " +
-                               std::to_string(solver_.abilities.max_vertices) + " vertices"};
+    CheckResult result{
+        .outcome = CheckOutcome::not_claimed,
+        .what = "is limited to " + std::to_string(solver_.abilities.max_vertices) + " vertices"};
     for (std::size_t i = 0; i < cases.size() && !result.failed(); ++i) {
       if (!too_large(cases[i], solver_)) result = check(cases[i], i);
     }

@@ -243,7 +243,7 @@ TEST_F(CommandLine, AMissingMeshFileIsNamedWithoutAListOfMeshes) {
   const Output solve =
       run(PROGRAM, {"solve", "missing.ply", "--solver", exact_solver(), "--source", "0"});
   EXPECT_EQ(solve.code, 1);
-  expect_words(solve.err, {"there is no file 'missing.ply'", "No such file or directory"});
+  expect_words(solve.err, {"cannot open 'missing.ply': No such file or directory"});
   EXPECT_EQ(solve.err.find("tetrahedron"), std::string::npos) << solve.err;
 }
 

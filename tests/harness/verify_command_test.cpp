@@ -156,7 +156,7 @@ TEST_F(VerifyCommand, DoesNotHoldAgainstASolverWhatItDoesNotClaim) {
   expect_words(found.out, {"not claimed", "dijkstra does not claim: exact distances"});
   const Output large = verify("tiny", {"--property", "distances-are-symmetric"});
   EXPECT_EQ(large.code, 0) << large.out << large.err;
-  expect_words(large.out, {"not claimed", "meant for at most 3 vertices"});
+  expect_words(large.out, {"not claimed", "is limited to 3 vertices"});
 }
 
 TEST_F(VerifyCommand, AsksForDistancesOnMeshesOfTheUser) {
