@@ -43,7 +43,7 @@ double excess(double got, double expected, Relation relation, double least) {
     case Relation::at_most:
       return error;
     case Relation::same_reach:
-      return std::isinf(error) || got < 0 ? kInfinity : 0;
+      return std::isinf(error) ? kInfinity : 0;
   }
   return kInfinity;
 }

@@ -46,7 +46,8 @@ enum class Relation {
   upper_bound,  ///< not less, infinite and 0 in the same places
   at_least,     ///< not less
   at_most,      ///< not more
-  same_reach,   ///< infinite and 0 in the same places, otherwise anything that is not negative
+  same_reach,   ///< infinite and 0 in the same places, otherwise anything: heat methods give
+                ///< negative ones
 };
 
 /// (got - expected) / expected, or / `least` where that is more; 0 when they are equal. Infinite,

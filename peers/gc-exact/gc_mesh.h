@@ -4,6 +4,8 @@
 #include <geometrycentral/surface/manifold_surface_mesh.h>
 #include <geometrycentral/surface/vertex_position_geometry.h>
 
+#include <memory>
+
 #include "peer.h"
 
 namespace geodesic::peer {
@@ -12,8 +14,9 @@ namespace geodesic::peer {
 /// readers of files do. Construction throws where it refuses the mesh.
 class GcMesh {
  public:
-  explicit GcMesh(const Mesh& own)
-      : numbers_(numbered(own)), mesh(polygons(own, numbers_)), geometry(mesh) {
+  /// @param manifold declares it so, as most of geometry-central's examples do
+  GcMesh(const Mesh& own, bool manifold)
+      : numbers_(numbered(own)), mesh_(made(polygons(own, numbers_), manifold)), geometry(*mesh_) {
     for (Index v = 0; v < numbers_.size(); ++v) {
       if (numbers_[v] == kNone) continue;
       const Vec3& p = own.position(v);
@@ -21,11 +24,13 @@ class GcMesh {
     }
   }
 
+  geometrycentral::surface::SurfaceMesh& mesh() const { return *mesh_; }
+
   /// Those of the query that have faces.
   std::vector<geometrycentral::surface::Vertex> sources(const Query& query) const {
     std::vector<geometrycentral::surface::Vertex> all;
     for (const Source& source : query.sources)
-      if (numbers_[source.vertex] != kNone) all.push_back(mesh.vertex(numbers_[source.vertex]));
+      if (numbers_[source.vertex] != kNone) all.push_back(mesh_->vertex(numbers_[source.vertex]));
     return all;
   }
 
@@ -40,6 +45,8 @@ class GcMesh {
   }
 
  private:
+  using Polygons = std::vector<std::vector<std::size_t>>;
+
   static std::vector<Index> numbered(const Mesh& own) {
     std::vector<Index> numbers;
     Index next = 0;
@@ -48,9 +55,8 @@ class GcMesh {
     return numbers;
   }
 
-  static std::vector<std::vector<std::size_t>> polygons(const Mesh& own,
-                                                        const std::vector<Index>& numbers) {
-    std::vector<std::vector<std::size_t>> all;
+  static Polygons polygons(const Mesh& own, const std::vector<Index>& numbers) {
+    Polygons all;
     for (Index f = 0; f < own.face_count(); ++f) {
       const auto [a, b, c] = own.triangle(f);
       all.push_back({numbers[a], numbers[b], numbers[c]});
@@ -58,10 +64,17 @@ class GcMesh {
     return all;
   }
 
+  static std::unique_ptr<geometrycentral::surface::SurfaceMesh> made(const Polygons& polygons,
+                                                                     bool manifold) {
+    using namespace geometrycentral::surface;
+    if (manifold) return std::make_unique<ManifoldSurfaceMesh>(polygons);
+    return std::make_unique<SurfaceMesh>(polygons);
+  }
+
   std::vector<Index> numbers_;  // by vertex; kNone without faces
+  std::unique_ptr<geometrycentral::surface::SurfaceMesh> mesh_;
 
  public:
-  mutable geometrycentral::surface::ManifoldSurfaceMesh mesh;
   geometrycentral::surface::VertexPositionGeometry geometry;
 };
 

@@ -1,9 +1,6 @@
 // The heat method as geometry-central has it.
 #include <geometrycentral/surface/heat_method_distance.h>
 
-#include <memory>
-#include <optional>
-
 #include "gc-exact/gc_mesh.h"
 #include "peer.h"
 
@@ -14,32 +11,24 @@ namespace authors = geometrycentral::surface;
 
 class GcHeat final : public Solver {
  public:
+  // The tufted cover of the intrinsic Delaunay Laplacian is built of general meshes only.
   GcHeat(const Mesh& mesh, const Description& description)
-      : Solver(mesh, description), surface_(mesh), asked_(&surface_.mesh) {
-    const bool delaunay = description.text("laplacian") == "intrinsic-delaunay";
-    if (delaunay) {  // the tufted cover is built of a general mesh only
-      general_ = surface_.mesh.copyToSurfaceMesh();
-      general_geometry_ = surface_.geometry.reinterpretTo(*general_);
-      asked_ = general_.get();
-    }
-    heat_.emplace(delaunay ? *general_geometry_ : surface_.geometry, description.real("time"),
-                  delaunay);
-  }
+      : Solver(mesh, description),
+        delaunay_(description.text("laplacian") == "intrinsic-delaunay"),
+        surface_(mesh, !delaunay_),
+        heat_(surface_.geometry, description.real("time"), delaunay_) {}
 
  private:
   void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
-    std::vector<authors::Vertex> sources = surface_.sources(query);
-    for (authors::Vertex& source : sources) source = asked_->vertex(source.getIndex());
-    authors::VertexData<double> found(*asked_, kInfinity);
-    if (!sources.empty()) found = heat_->computeDistance(sources);
+    const std::vector<authors::Vertex> sources = surface_.sources(query);
+    authors::VertexData<double> found(surface_.mesh(), kInfinity);
+    if (!sources.empty()) found = heat_.computeDistance(sources);
     surface_.answer(query, found, distances);
   }
 
+  bool delaunay_;
   peer::GcMesh surface_;
-  std::unique_ptr<authors::SurfaceMesh> general_;
-  std::unique_ptr<authors::VertexPositionGeometry> general_geometry_;
-  authors::SurfaceMesh* asked_;  // the mesh that the method works on
-  std::optional<authors::HeatMethodDistanceSolver> heat_;
+  authors::HeatMethodDistanceSolver heat_;
 };
 
 const RegisterSolver<GcHeat> registered{{

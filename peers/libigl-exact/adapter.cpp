@@ -41,6 +41,10 @@ class LibiglExact final : public Solver {
   std::optional<authors::GeodesicAlgorithmExact> algorithm_;  // once the mesh is built
 };
 
+// The authors drop windows of less than this share of their edge (SMALLEST_INTERVAL_RATIO). The
+// algorithm is exact; what they state no other bound of is held to this one.
+constexpr double kDropped = 1e-6;
+
 const RegisterSolver<LibiglExact> registered{{
     .name = "libigl-exact",
     .family = "MMP",
@@ -50,6 +54,8 @@ const RegisterSolver<LibiglExact> registered{{
     .time_complexity = "O(n^2 log n)",
     .space_complexity = "O(n^2)",
     .propagation = "window",
+    .exactness = Exactness::bounded,
+    .error_bound = [](const Description&) { return kDropped; },
     .abilities = {.initial_distances = false},
     .remarks = peer::remarks("Kirsanov's code in libigl, asked for distances without paths"),
 }};

@@ -45,8 +45,11 @@ const RegisterSolver<XinWangIch> registered{{
     .time_complexity = "O(n^2 log n)",
     .space_complexity = "O(n)",
     .propagation = "window",
+    .exactness = Exactness::unbounded,
     .abilities = {.initial_distances = false},
-    .remarks = peer::remarks("the authors' code, as packaged for Python by S. Ramachandran"),
+    .remarks = peer::remarks(
+        "the authors' code, as packaged for Python by S. Ramachandran; the algorithm is exact, the "
+        "code has tolerances and states no bound"),
 }};
 
 }  // namespace
