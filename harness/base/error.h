@@ -45,6 +45,7 @@ auto& named(std::string_view kind, Items& items, std::string_view name, NameOf n
   const auto at = std::ranges::find(items, name, name_of);
   if (at != std::ranges::end(items)) return *at;
   std::vector<std::string> known;
+  known.reserve(std::ranges::size(items));
   for (const auto& item : items) known.emplace_back(std::invoke(name_of, item));
   throw HarnessError(unknown_name(kind, name, known));
 }

@@ -133,11 +133,13 @@ void Measurement::record() {
   const std::filesystem::path run = spec_.run_folder;
   try {
     write_surface(run / folders.mesh, soup_);
-    if (solver_.exactness == Exactness::exact)
+    if (solver_.exactness == Exactness::exact) {
       write_vertex_distances(run / folders.source, verified_);
+    }
     write_wavefront(run / folders.solver, mesh_, recording);
-    if (solver_.final_windows && !has_isolines(run / folders.source))
+    if (solver_.final_windows && !has_isolines(run / folders.source)) {
       record_isolines(run / folders.source);
+    }
     row_.recordings = folders.solver.string();
   } catch (const std::exception& error) {
     row_.recordings_error = error.what();
@@ -178,7 +180,7 @@ std::string Measurement::measure() {
   const Stopwatch preparation;
   std::unique_ptr<Solver> solver = make_solver(spec_.solver, mesh_);
   const double preparing = seconds(preparation);
-  if (const std::string error = verify_warm_up(*solver); !error.empty()) return error;
+  if (std::string error = verify_warm_up(*solver); !error.empty()) return error;
   row_.prepare_time = 1e3 * preparing;
   std::string error = verify_after_others(*solver);
   if (!error.empty()) return error;
