@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <CLI/CLI.hpp>
+
 #include "harness/base/json.h"
 #include "tests/meshes/mesh_samples.h"
 
