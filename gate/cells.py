@@ -55,8 +55,8 @@ class Measured:
 
     @property
     def times(self) -> list[float]:
-        """CPU time of one solve in milliseconds, a value a repetition."""
-        return [row.numbers[TIME] for row in self.rows if row.ok]
+        """Of one solve in milliseconds, a value a repetition."""
+        return [row.time for row in self.rows if row.ok]
 
     def number(self, key: str) -> float | None:
         """A number that is the same in every repetition; None where the solver has none."""
@@ -109,8 +109,8 @@ def paired(first: Measured, second: Measured) -> Pairs:
     quiet = [pair for pair in both if not any(map(disturbed, pair))]
     kept = quiet if len(quiet) >= least_for_interval(DECISION_CONFIDENCE) else both
     return Pairs(
-        first=[a.numbers[TIME] for a, _ in kept],
-        second=[b.numbers[TIME] for _, b in kept],
+        first=[a.time for a, _ in kept],
+        second=[b.time for _, b in kept],
         disturbed=len(both) - len(quiet),
     )
 
@@ -134,4 +134,4 @@ def disturbed(row: Row) -> bool:
 
 def _timed(row: Row) -> bool:
     """A ratio needs times above 0."""
-    return row.ok and row.numbers[TIME] > 0
+    return row.ok and row.time > 0

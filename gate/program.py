@@ -52,14 +52,13 @@ class Program:
     def solvers(self, named: Collection[str] = ()) -> list[str]:
         """Names, without independent oracles: those verify, and their speed is not ours.
 
-        Variants and examples are included only when they are named.
+        Variants and examples, and solvers with parameters, are included only when they are named.
         """
         listed = json.loads(self._call(["list", "--json"]))
+        ours = {s["name"]: s for s in listed["solvers"] if not s["independent_oracle"]}
         return [
-            s["name"] for s in listed["solvers"]
-            if not s["independent_oracle"]
-            and (s["name"] in named or not s.get("by_name_only", False))
-        ]  # fmt: skip
+            name for name, s in ours.items() if name in named or not s.get("by_name_only", False)
+        ] + [name for name in named if "?" in name and name.split("?")[0] in ours]
 
     def verify(self, chosen: Sequence[str], out: Path) -> Verified:
         """Verifies and counts every cell of a run into the folder `out`.

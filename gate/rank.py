@@ -14,6 +14,7 @@ import sys
 from collections.abc import Sequence
 from datetime import UTC, datetime
 from pathlib import Path
+from urllib.parse import quote
 
 from results import console
 
@@ -167,7 +168,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parse(arguments)
     time = datetime.now(UTC).strftime("%Y%m%dT%H%M%SZ")
     home = ROOT if (ROOT / "CMakeLists.txt").exists() else Path.cwd()  # of a checkout, or installed
-    new = home / "results" / "ranks" / f"{time}-{options.solver}"
+    new = home / "results" / "ranks" / f"{time}-{quote(str(options.solver), safe='')}"
     folder = options.resume or options.run or options.out or new
     try:
         code = 0
@@ -179,7 +180,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
                           f" {folder}", file=sys.stderr)  # fmt: skip
                 return code or 1
         run = read_run(folder)
-        ranking = rank(run, options.solver)
+        # The run's first solver is the candidate, by its canonical name.
+        ranking = rank(run, options.solver if options.run else None)
         write(ranking, run, folder)
         print(summary(ranking), end="")
         if not options.no_figure:

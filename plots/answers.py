@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from plots.measures import (
-    ABSENT, EDGE_BASED, PEAK_BYTES, PREPARATION, RESIDENT, TIME, WALL_TIME, baseline, by_source,
+    ABSENT, EDGE_BASED, PEAK_BYTES, PREPARATION, RESIDENT, TIME, baseline, by_source,
     columns, failure, interval, our_cell, partial_failure, time_unit,
 )  # fmt: skip
 from plots.models import ordered_meshes
@@ -20,9 +20,7 @@ Time = Callable[[Row], float]
 
 
 def solve(row: Row) -> float:
-    """Of the CPU, and of the wall where several threads share the work."""
-    several = row.numbers.get("threads", 1) > 1
-    return 1e-3 * row.numbers[(WALL_TIME if several else TIME).key]
+    return 1e-3 * row.time
 
 
 def preparation(row: Row) -> float:
@@ -102,7 +100,7 @@ def _row(run: Run, mesh: str, solver: str, base: str) -> list[Cell]:
     mean = errors(run, mesh, solver, "mean_relative_error")
     return [
         Cell(solver),
-        Cell(run.solvers[solver].exactness.replace("_", " ")),
+        Cell(run.solvers[solver].promise),
         failed or Cell("ok", note=note),
         *costs,
         _error(max(largest)) if largest else Cell(ABSENT),

@@ -141,9 +141,10 @@ def baseline(run: Run, preferred: str) -> str:
 
 
 def values(run: Run, mesh: str, solver: str, measure: Measure) -> dict[tuple[int, int], float]:
-    """The measure by (source, repetition), in the label's unit, where the cell is ok and has it."""
+    """The measure by (source, repetition), in the label's unit, where the row has it."""
     return {
-        (row.source, row.repetition): row.numbers[measure.key] * measure.scale
+        (row.source, row.repetition): measure.scale
+        * (row.time if measure.key == TIME.key else row.numbers[measure.key])
         for row in run.cell(mesh, solver)
         if measure.key in row.numbers
     }
@@ -179,12 +180,10 @@ def failure(run: Run, mesh: str, solver: str) -> Cell | None:
 def our_cell(run: Run, mesh: str, solver: str, measure: Measure) -> Cell:
     """The measure over sources and repetitions, or why there is none."""
     failed = failure(run, mesh, solver)
-    if failed is not None:
-        return failed
     sample = by_source(values(run, mesh, solver, measure))
     if not sample:
-        return Cell(ABSENT)
-    note = partial_failure(run, mesh, solver)
+        return failed or Cell(ABSENT)
+    note = failed.note if failed else partial_failure(run, mesh, solver)
     estimate = median(sample)
     if measure.largest:
         return Cell(measure.show(estimate.most), estimate.most, note=note)

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -93,11 +93,16 @@ def plain(name: str) -> str:
 
 
 def solver_styles(solvers: Iterable[str]) -> dict[str, SolverStyle]:
-    """A style for each solver: its own, or the next spare one (the first again after the last)."""
+    """A style for each solver: its own, or the next spare one."""
     spare = itertools.count()
-    return {
-        solver: _FIXED.get(solver) or _SPARE[next(spare) % len(_SPARE)] for solver in solvers
-    }
+    return {solver: _FIXED.get(solver) or _spare(next(spare)) for solver in solvers}
+
+
+def _spare(number: int) -> SolverStyle:
+    """After the last colour the first again, with another mark."""
+    count = len(_SPARE)
+    style = _SPARE[number % count]
+    return replace(style, marker=_SPARE[(number + number // count) % count].marker)
 
 
 PUBLISHED: dict[str, Any] = {

@@ -59,7 +59,8 @@ def _block(run: Run, mesh: Mesh, ratio: Ratio) -> list[list[Cell]]:
 
 
 def _name(run: Run, solver: str) -> Cell:
-    return Cell(solver if run.solvers[solver].exact else f"{solver} (upper bound)", solver)
+    promise = "" if run.solvers[solver].exact else f" ({run.solvers[solver].promise})"
+    return Cell(f"{solver}{promise}", solver)
 
 
 def _means(run: Run, ratio: Ratio) -> list[list[Cell]]:

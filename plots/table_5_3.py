@@ -48,7 +48,7 @@ def _ours(solver: Solver) -> list[Cell]:
         _complexity(solver.space_complexity),
         Cell(solver.propagation),
         _yes_or_no(solver.spatial_order),
-        Cell("exact" if solver.exact else "upper bound"),
+        Cell(solver.promise),
         Cell(solver.paper),
         Cell(solver.remarks),
     ]

@@ -22,6 +22,10 @@ SCHEMA = ROOT / "results" / "run.schema.json"
 RUNS = ROOT / "results" / "runs"
 
 OK = "ok"
+ERRORS = (
+    "max_relative_error", "mean_relative_error", "rms_relative_error", "p99_relative_error",
+    "unreachable_mismatches",
+)  # fmt: skip
 CLOSED_FORM = "closed-form"
 """The reference of rows whose distances were compared with a formula, not with another solver."""
 
@@ -65,6 +69,15 @@ class Solver:
     remarks: str
     exactness: str = "exact"
     """Or "bounded", "upper_bound", "unbounded"."""
+    error_bound: float | None = None
+    """Relative, of a bounded solver."""
+
+    @property
+    def promise(self) -> str:
+        """What is known of its distances: "exact", "within 0.01", "upper bound", "unbounded"."""
+        if self.exactness == "bounded":
+            return f"within {self.error_bound:g}"
+        return self.exactness.replace("_", " ")
 
 
 @dataclass(frozen=True, order=True)
@@ -92,7 +105,8 @@ class Row:
     reference: str | None
     numbers: dict[str, float]
     """Every number of the row by its key in the file, those of an object as
-    "phase_seconds.queue"; empty unless the outcome is ok. "cpu_time" is in milliseconds."""
+    "phase_seconds.queue"; unless the outcome is ok, those of ERRORS alone, which a wrong answer
+    has. Times are in milliseconds."""
     recordings: str | None = None
     """Folder of the solver's recordings, relative to the run folder."""
     program: str | None = None
@@ -103,6 +117,13 @@ class Row:
     @property
     def ok(self) -> bool:
         return self.outcome == OK
+
+    @property
+    def time(self) -> float:
+        """Of one solve in milliseconds, what tables and verdicts go by: of the CPU, and of the wall
+        where several threads share the work. @raises KeyError for a row that is not ok"""
+        several = self.numbers.get("threads", 1) > 1
+        return self.numbers["real_time" if several else "cpu_time"]
 
     @property
     def cell(self) -> Cell:
@@ -323,14 +344,16 @@ def _row(row: dict[str, Any]) -> Row:
         repetition=int(row.get("repetition_index", 0)),
         message=row.get("error_message", ""),
         reference=row.get("reference"),
-        numbers=_numbers(row) if row["outcome"] == OK else {},
+        numbers=_numbers(row),
         data=row,
     )  # fmt: skip
 
 
 def _numbers(row: dict[str, Any]) -> dict[str, float]:
     leaves = (([str(key) for key in path], value) for path, value in _leaves(row, []))
-    return {".".join(path): value for path, value in leaves if type(value) in (int, float)}
+    numbers = {".".join(path): value for path, value in leaves if type(value) in (int, float)}
+    ok = row["outcome"] == OK
+    return {key: value for key, value in numbers.items() if ok or key in ERRORS}
 
 
 def _check_names(run: Run) -> None:
