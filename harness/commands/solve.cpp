@@ -224,6 +224,10 @@ void run_solve(SolveFlags flags) {
   }
   if (flags.sources.empty()) throw HarnessError("--source or --sources-file is required");
   const Description& solver = solver_named(flags.solver);
+  if (flags.threads > 1 && !solver.abilities.concurrent_objects) {
+    throw HarnessError(solver.name +
+                       " cannot solve in several threads at the same time: leave out --threads");
+  }
   set_instruction_set(instruction_set_named(flags.vectors));
   const MeshEntry entry = find_mesh(flags.mesh, flags.manifest);
   check_output(flags.output, entry.file);

@@ -331,6 +331,82 @@ TEST_F(RunTest, WrongAnswersGetNoTimeAndNameTheVertex) {
   EXPECT_NE(run.err.find("wrong/hill/src:" + source + ": wrong answer"), std::string::npos);
 }
 
+TEST_F(RunTest, WrongAnswersKeepTheSizesOfTheirErrors) {
+  run_suite(kFaultyProgram, {"--solvers", "wrong", "--meshes", "tetrahedron", "--sources", "1"});
+  const json wrong = row("wrong/tetrahedron/src:0");  // one of four distances
+  const auto size = [&](const char* key) { return wrong.value(key, -1.0); };
+  EXPECT_NEAR(size("max_relative_error"), 1e-9, 1e-12);
+  EXPECT_NEAR(size("p99_relative_error"), 1e-9, 1e-12);
+  EXPECT_NEAR(size("mean_relative_error"), 1e-9 / 4, 1e-12);
+  EXPECT_NEAR(size("rms_relative_error"), 1e-9 / 2, 1e-12);
+  EXPECT_EQ(wrong.at("unreachable_mismatches"), 0);
+  EXPECT_FALSE(wrong.at("reference").get<std::string>().empty());
+}
+
+TEST_F(RunTest, SolversAreJudgedByWhatTheyPromiseWithTheParametersOfTheirNames) {
+  const Output run = run_suite(
+      kFaultyProgram, {"--solvers",
+                       "bounded?off=0.05,0.2,bounded?bound=0.50&off=0.2,upper?off=2.0,-0.25,"
+                       "unbounded?threads=3&off=-0.5",
+                       "--meshes", "tetrahedron", "--sources", "1"});
+  EXPECT_EQ(run.code, 2) << run.err;
+  const std::map<std::string, std::pair<std::string, double>> expected{
+      {"bounded?off=0.05", {"ok", 0.05}},          {"bounded?off=0.2", {"wrong answer", 0.2}},
+      {"bounded?off=0.2&bound=0.5", {"ok", 0.2}},  {"upper?off=2", {"ok", 2}},
+      {"upper?off=-0.25", {"wrong answer", 0.25}}, {"unbounded?off=-0.5&threads=3", {"ok", 0.5}}};
+  for (const auto& [solver, what] : expected) {
+    const json each = row(solver + "/tetrahedron/src:0");
+    EXPECT_EQ(each.value("outcome", ""), what.first) << each;
+    EXPECT_NEAR(each.value("max_relative_error", 0.0), what.second, 1e-12) << each;
+    EXPECT_EQ(each.value("threads", 0), solver.ends_with("threads=3") ? 3 : 1) << each;
+  }
+  EXPECT_TRUE(std::filesystem::exists(out_ / "cells" /
+                                      "bounded%3Foff%3D0.2%26bound%3D0.5__tetrahedron__src0.json"));
+  const json described = read_json(out_ / "run.json").at("context").at("geodesic_bench");
+  EXPECT_EQ(described.at("solvers")[2].at("error_bound"), 0.5);
+  EXPECT_EQ(described.at("solvers")[2].at("values").at("off"), 0.2);
+}
+
+TEST_F(RunTest, AParameterThatIsWrongIsOneLineBeforeAnythingRuns) {
+  for (const auto& [solver, words] : {std::pair{"bounded?of=1", "did you mean 'off'?"},
+                                      {"bounded?off=99", "a number from -0.5 to 10"},
+                                      {"bonded?off=1", "did you mean 'bounded'?"},
+                                      {"dijkstra?off=1", "there are: none"},
+                                      {"bounded?off=1,bounded?off=1.0", "two solvers"}}) {
+    const Output run = run_suite(kFaultyProgram, {"--solvers", solver});
+    EXPECT_EQ(run.code, 1);
+    EXPECT_NE(run.err.find(words), std::string::npos) << run.err;
+    EXPECT_EQ(std::ranges::count(run.err, '\n'), 1) << run.err;
+    EXPECT_FALSE(std::filesystem::exists(out_));
+  }
+}
+
+TEST_F(RunTest, WhatASolverPrintsReachesNoResult) {
+  const Output run = run_suite(
+      kFaultyProgram, {"--solvers", "printing", "--meshes", "tetrahedron", "--sources", "1"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(row("printing/tetrahedron/src:0").at("outcome"), "ok");
+  for (const std::string& text : {run.out, run.err, read(out_ / "run.json")}) {
+    EXPECT_EQ(text.find("forged"), std::string::npos) << text;
+  }
+}
+
+TEST_F(RunTest, RenewalComesBeforeEverySolveAndIsTimedApart) {
+  const Output run = run_suite(
+      kFaultyProgram, {"--solvers", "stale,dijkstra", "--meshes", "tetrahedron", "--sources", "1"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_GE(row("stale/tetrahedron/src:0").at("renew_time").get<double>(), 0);
+  EXPECT_FALSE(row("dijkstra/tetrahedron/src:0").contains("renew_time"));
+}
+
+TEST_F(RunTest, EverySolveOfASolverThatIsNotDeterministicMustKeepThePromise) {
+  const Output run = run_suite(kFaultyProgram, {"--solvers", "fickle,fickle?by=1e-3", "--meshes",
+                                                "tetrahedron", "--sources", "1"});
+  EXPECT_EQ(run.code, 2) << run.err;
+  EXPECT_EQ(row("fickle/tetrahedron/src:0").at("outcome"), "ok") << rows();
+  EXPECT_EQ(row("fickle?by=0.001/tetrahedron/src:0").at("outcome"), "wrong answer") << rows();
+}
+
 TEST_F(RunTest, ASolveThatDiffersFromTheVerifiedOneIsWrong) {
   const Output run = run_suite(kFaultyProgram, {"--solvers", "forgetful,disturbed", "--meshes",
                                                 "tetrahedron", "--sources", "1"});
@@ -355,13 +431,14 @@ TEST_F(RunTest, OtherSourcesMustNotShowInAnAnswer) {
 
 TEST_F(RunTest, FailingCellsLeaveRowsAndHarmNoOther) {
   const Output run =
-      run_suite(kFaultyProgram, {"--solvers", "crashing,throwing,leaving,tiny,dijkstra", "--meshes",
-                                 "tetrahedron", "--sources", "1"});
+      run_suite(kFaultyProgram, {"--solvers", "crashing,throwing,leaving,exiting,tiny,dijkstra",
+                                 "--meshes", "tetrahedron", "--sources", "1"});
   EXPECT_EQ(run.code, 1) << run.err;
   const std::map<std::string, std::pair<std::string, std::string>> expected{
       {"crashing", {"crashed", "killed by signal 6"}},
       {"throwing", {"error", "ran out of luck"}},
       {"leaving", {"error", "without writing a result"}},
+      {"exiting", {"error", "without writing a result"}},
       {"tiny", {"unsupported", "limited to 3 vertices"}}};
   for (const auto& [solver, what] : expected) {
     const json failed = row(solver + "/tetrahedron/src:0");

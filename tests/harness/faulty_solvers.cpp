@@ -3,7 +3,9 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
+#include <iostream>
 #include <stdexcept>
 #include <vector>
 
@@ -167,6 +169,66 @@ class Leaving final : public Faulty {
   void run(const Query&, std::span<double>, Recording*) override { std::_Exit(0); }
 };
 
+// As a library may that takes itself for a program.
+class Exiting final : public Faulty {
+  using Faulty::Faulty;
+  void run(const Query&, std::span<double>, Recording*) override { std::exit(0); }
+};
+
+// Right, and talks like a result file.
+class Printing final : public Faulty {
+  using Faulty::Faulty;
+  void run(const Query& query, std::span<double> distances, Recording*) override {
+    for (std::ostream* out : {&std::cout, &std::cerr}) {
+      *out << R"({"name": "forged", "outcome": "ok", "cpu_time": 0})" << std::endl;
+    }
+    std::puts("forged/tetrahedron/src:0");
+    solve_soundly(query, distances);
+  }
+};
+
+// Every distance is off by the same part, except those of sources.
+class Off final : public Faulty {
+ public:
+  Off(const Mesh& mesh, const Description& description)
+      : Faulty(mesh, description), factor_(1 + description.real("off")) {}
+
+ private:
+  void run(const Query& query, std::span<double> distances, Recording*) override {
+    solve_soundly(query, distances);
+    for (double& d : distances) d *= factor_;
+  }
+  const double factor_;
+};
+
+// Adds what is left of the last query.
+class Stale final : public Faulty {
+  using Faulty::Faulty;
+  void run(const Query& query, std::span<double> distances, Recording*) override {
+    solve_soundly(query, distances);
+    if (left_) spoil(distances);
+    left_ = true;
+  }
+  void renew_state() override { left_ = false; }
+  bool left_ = false;
+};
+
+// As parallel codes may: other last digits from solve to solve, or another answer.
+class Fickle final : public Faulty {
+ public:
+  Fickle(const Mesh& mesh, const Description& description)
+      : Faulty(mesh, description), by_(description.real("by")) {}
+
+ private:
+  void run(const Query& query, std::span<double> distances, Recording*) override {
+    solve_soundly(query, distances);
+    for (double& d : distances) d *= 1 + by_ * solves_;
+    ++solves_;
+  }
+  const double by_;
+  int solves_ = 0;
+};
+
 Description faulty(const char* name, Index max_vertices = 1000) {
   return {.name = name,
           .family = kFamily,
@@ -178,6 +240,43 @@ Description faulty(const char* name, Index max_vertices = 1000) {
           .abilities = {.max_vertices = max_vertices}};
 }
 
+// By name only: the bounds are the harness's to test, not those of every solver.
+Description inexact(const char* name, Exactness exactness) {
+  Description description = faulty(name);
+  description.exactness = exactness;
+  description.by_name_only = true;
+  description.parameters = {real_parameter("off", 0, -0.5, 10, "relative error"),
+                            integer_parameter("threads", 1, 1, 8, "threads that it claims to use")};
+  return description;
+}
+
+Description bounded() {
+  Description description = inexact("bounded", Exactness::bounded);
+  description.parameters.push_back(real_parameter("bound", 0.1, 0, 1, "of the error"));
+  description.error_bound = [](const Description& d) { return d.real("bound"); };
+  return description;
+}
+
+Description stale() {
+  Description description = faulty("stale");
+  description.needs_renewal = true;
+  return description;
+}
+
+Description fickle() {
+  Description description = faulty("fickle");
+  description.deterministic = false;
+  description.parameters = {real_parameter("by", 1e-16, 0, 1, "relative change a solve")};
+  return description;
+}
+
+const RegisterSolver<Exiting> exiting{faulty("exiting")};
+const RegisterSolver<Printing> printing{faulty("printing")};
+const RegisterSolver<Off> off_within{bounded()};
+const RegisterSolver<Off> off_above{inexact("upper", Exactness::upper_bound)};
+const RegisterSolver<Off> off_anyhow{inexact("unbounded", Exactness::unbounded)};
+const RegisterSolver<Stale> stale_solver{stale()};
+const RegisterSolver<Fickle> fickle_solver{fickle()};
 const RegisterSolver<Wrong> wrong{faulty("wrong")};
 const RegisterSolver<Forgetful> forgetful{faulty("forgetful")};
 const RegisterSolver<Stale> stale{faulty("stale")};

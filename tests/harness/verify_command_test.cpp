@@ -206,6 +206,26 @@ TEST_F(VerifyCommand, OnACorpusSaysWhichMeshesAreNotThere) {
   expect_words(found.err, {"1 not known"});
 }
 
+TEST_F(VerifyCommand, InexactSolversAreHeldToWhatTheyPromise) {
+  const auto code = [&](const std::string& solver, const std::string& property) {
+    const Output verified = run(
+        kFaultyProgram, {"verify", "--solver", solver, "--property", property, "--shrink", "0"});
+    return std::pair(verified.code, verified.out);
+  };
+  for (const std::string property : {"distances-on-a-cube-equal-the-shortest-unfolding",
+                                     "limit-keeps-what-is-nearer-and-drops-what-is-farther"}) {
+    EXPECT_EQ(code("bounded?off=0.05", property).first, 0) << property;
+    EXPECT_EQ(code("upper?off=0.5", property).first, 0) << property;
+    EXPECT_EQ(code("unbounded?off=-0.5", property).first, 0) << property;
+  }
+  const std::string cube = "distances-on-a-cube-equal-the-shortest-unfolding";
+  EXPECT_EQ(code("bounded?off=0.2", cube).first, 2);
+  EXPECT_EQ(code("upper?off=-0.01", cube).first, 2);
+  const auto [skipped, why] = code("bounded", "distances-are-symmetric");
+  EXPECT_EQ(skipped, 0);
+  expect_words(why, {"not claimed", "bounded does not claim: exact distances"});
+}
+
 TEST_F(VerifyCommand, ListsThePropertiesWithTheirStatements) {
   const Output list = run(PROGRAM, {"verify", "--list"});
   EXPECT_EQ(list.code, 0) << list.err;
