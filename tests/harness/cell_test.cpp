@@ -372,7 +372,7 @@ TEST_F(RunTest, AParameterThatIsWrongIsOneLineBeforeAnythingRuns) {
                                       {"bounded?off=99", "a number from -0.5 to 10"},
                                       {"bonded?off=1", "did you mean 'bounded'?"},
                                       {"dijkstra?off=1", "there are: none"},
-                                      {"bounded?off=1,bounded?off=1.0", "two solvers"}}) {
+                                      {"bounded?off=1,bounded?off=1.0", "named twice"}}) {
     const Output run = run_suite(kFaultyProgram, {"--solvers", solver});
     EXPECT_EQ(run.code, 1);
     EXPECT_NE(run.err.find(words), std::string::npos) << run.err;
@@ -392,10 +392,10 @@ TEST_F(RunTest, WhatASolverPrintsReachesNoResult) {
 }
 
 TEST_F(RunTest, RenewalComesBeforeEverySolveAndIsTimedApart) {
-  const Output run = run_suite(
-      kFaultyProgram, {"--solvers", "stale,dijkstra", "--meshes", "tetrahedron", "--sources", "1"});
+  const Output run = run_suite(kFaultyProgram, {"--solvers", "renewable,dijkstra", "--meshes",
+                                                "tetrahedron", "--sources", "1"});
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_GE(row("stale/tetrahedron/src:0").at("renew_time").get<double>(), 0);
+  EXPECT_GE(row("renewable/tetrahedron/src:0").at("renew_time").get<double>(), 0);
   EXPECT_FALSE(row("dijkstra/tetrahedron/src:0").contains("renew_time"));
 }
 

@@ -202,7 +202,7 @@ class Off final : public Faulty {
 };
 
 // Adds what is left of the last query.
-class Stale final : public Faulty {
+class Renewable final : public Faulty {
   using Faulty::Faulty;
   void run(const Query& query, std::span<double> distances, Recording*) override {
     solve_soundly(query, distances);
@@ -257,8 +257,8 @@ Description bounded() {
   return description;
 }
 
-Description stale() {
-  Description description = faulty("stale");
+Description renewable() {
+  Description description = faulty("renewable");
   description.needs_renewal = true;
   return description;
 }
@@ -275,7 +275,7 @@ const RegisterSolver<Printing> printing{faulty("printing")};
 const RegisterSolver<Off> off_within{bounded()};
 const RegisterSolver<Off> off_above{inexact("upper", Exactness::upper_bound)};
 const RegisterSolver<Off> off_anyhow{inexact("unbounded", Exactness::unbounded)};
-const RegisterSolver<Stale> stale_solver{stale()};
+const RegisterSolver<Renewable> renewable_solver{renewable()};
 const RegisterSolver<Fickle> fickle_solver{fickle()};
 const RegisterSolver<Wrong> wrong{faulty("wrong")};
 const RegisterSolver<Forgetful> forgetful{faulty("forgetful")};
