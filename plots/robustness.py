@@ -16,7 +16,8 @@ RIGHT, OFF, WRONG, IMPRECISE, EXITS, REFUSED = (
     "right", "off", "wrong", "imprecise", "exits", "refused",
 )  # fmt: skip
 WORDS = [
-    "crash", "hang", "out of memory", WRONG, IMPRECISE, EXITS, REFUSED, "unsupported", OFF, RIGHT,
+    "crash", "hang", "out of memory", WRONG, IMPRECISE, EXITS, REFUSED, "unsupported", "skipped",
+    OFF, RIGHT,
 ]
 """The worst first: of several outcomes of a case the first one is shown."""
 OF_OUTCOME = {
@@ -61,7 +62,7 @@ def failures(run: Run) -> Table:
          Cell(row.message)]
         for mesh in _cases(run)
         for row in run.rows
-        if row.mesh == mesh.name and not row.ok and row.outcome != "unsupported"
+        if row.mesh == mesh.name and not row.ok and row.outcome not in ("unsupported", "skipped")
     ]  # fmt: skip
     if not rows:
         raise ResultError(f"{run.file}: no solver fails on a case")
@@ -99,7 +100,7 @@ def _word(run: Run, row: Row) -> str:
         return IMPRECISE if slight else WRONG
     if row.outcome == "error":
         return EXITS if re.fullmatch(r"exit code \d+", row.message) else REFUSED
-    return OF_OUTCOME.get(row.outcome, row.outcome)
+    return OF_OUTCOME.get(row.outcome, row.outcome)  # a skipped one follows a hang
 
 
 def _mismatches(rows: Sequence[Row]) -> int:
@@ -116,7 +117,7 @@ def _worst(run: Run, mesh: Mesh, solver: str) -> tuple[str, list[Row]]:
     if not rows:
         return "skipped" if run.skip(mesh.name, solver) else "missing", []
     words = [_word(run, row) for row in rows]
-    worst = min(words, key=lambda word: WORDS.index(word) if word in WORDS else -1)
+    worst = min(words, key=WORDS.index)
     return worst, [row for row, word in zip(rows, words, strict=True) if word == worst]
 
 
@@ -132,10 +133,9 @@ def _cell(run: Run, mesh: Mesh, solver: str) -> Cell:
 def _totals(run: Run, cases: Sequence[Mesh], solvers: Sequence[str]) -> list[list[Cell]]:
     """How many cases have each word, for the words that there are; right ones first."""
     words = {s: [_worst(run, mesh, s)[0] for mesh in cases] for s in solvers}
-    known = dict.fromkeys([*reversed(WORDS), *(word for of in words.values() for word in of)])
     return [
         [Cell(f"{word}, of {len(cases)}", "total"), BLANK,
          *(Cell(str(words[s].count(word)), words[s].count(word)) for s in solvers)]
-        for word in known
+        for word in [*reversed(WORDS), "missing"]
         if any(word in words[s] for s in solvers)
     ]  # fmt: skip

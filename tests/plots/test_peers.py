@@ -181,6 +181,7 @@ def test_the_matrix_has_a_word_for_every_solver_and_case() -> None:
         (replace(failed("vtp", "apart", "error"), message="exit code 1"), "exits"),
         (failed("vtp", "apart", "time-out"), "hang"),
         (failed("vtp", "apart", "out of memory"), "out of memory"),
+        (failed("vtp", "apart", "skipped"), "skipped"),
     ],
 )  # fmt: skip
 def test_an_end_has_its_word(ended: Row, word: str) -> None:
