@@ -154,6 +154,10 @@ def figure(run: Run) -> Drawing:
             known = [(p.mesh.vertices, getattr(p, key)) for p in points if getattr(p, key) > 0]
             if known:
                 right.plot(*zip(*known, strict=True), linestyle=dashes, markerfacecolor=fill, **line)
+    shown = [p.sources.value for points in found.values() for p in points]
+    known = [value for value in shown if 0 < value < math.inf]
+    if known:
+        left.set_ylim(min([0.9, *known]) / 1.1, 2 * max(known))  # one source is always in sight
     for axes, label in [(left, f"break-even with {style.plain(exact)} (sources)"),
                         (right, "relative error")]:  # fmt: skip
         axes.set_xlabel("vertices $n$")
