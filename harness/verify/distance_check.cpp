@@ -172,25 +172,28 @@ std::vector<double> straight_lines(const TriangleSoup& soup, const Query& query)
 RelativeErrors relative_errors(std::span<const double> got, std::span<const double> expected) {
   RelativeErrors errors;
   std::vector<double> sizes;
-  double sum = 0, squares = 0;
   for (std::size_t v = 0; v < got.size(); ++v) {
     const double size = std::abs(relative_error(got[v], expected[v]));
     if (std::isnan(got[v]) || std::isinf(got[v]) != std::isinf(expected[v])) {
       ++errors.unreachable_mismatches;
     } else if (std::isfinite(size) && std::isfinite(expected[v])) {
       sizes.push_back(size);
-      sum += size;
-      squares += size * size;
     }
   }
   if (sizes.empty()) return errors;
+  errors.max = *std::ranges::max_element(sizes);
+  if (errors.max == 0) return errors;
   const auto count = static_cast<double>(sizes.size());
-  errors.mean = sum / count;
-  errors.rms = std::sqrt(squares / count);
+  double sum = 0, squares = 0;  // by the largest: some codes write the largest number for infinity
+  for (const double size : sizes) {
+    sum += size / errors.max;
+    squares += size / errors.max * (size / errors.max);
+  }
+  errors.mean = errors.max * (sum / count);
+  errors.rms = errors.max * std::sqrt(squares / count);
   const auto p99 = sizes.begin() + static_cast<std::ptrdiff_t>(std::ceil(0.99 * count)) - 1;
   std::ranges::nth_element(sizes, p99);
   errors.p99 = *p99;
-  errors.max = *std::max_element(p99, sizes.end());
   return errors;
 }
 

@@ -1,6 +1,7 @@
 #include "harness/verify/distance_check.h"
 
 #include <cmath>
+#include <limits>
 
 #include "tests/verify/solver_test.h"
 
@@ -237,6 +238,17 @@ TEST_F(VerifyDistances, CatchesAnUnreachableNeighbour) {
   wrong[15] = kInfinity;
   expect_error(verdict(wrong, wrong),
                {"more than along edges (edges)", "vertex 15: inf instead of"});
+}
+
+TEST(RelativeErrors, AreFiniteWhereACodeWritesTheLargestNumber) {
+  const double largest = std::numeric_limits<double>::max();
+  const std::vector<double> got{0, largest, largest, 3}, expected{0, 2, 2, 2};
+  const RelativeErrors errors = relative_errors(got, expected);
+  EXPECT_TRUE(std::isfinite(errors.mean) && std::isfinite(errors.rms));
+  EXPECT_DOUBLE_EQ(errors.max, largest / 2);
+  EXPECT_DOUBLE_EQ(errors.mean, largest / 4);
+  EXPECT_DOUBLE_EQ(relative_errors(std::vector{0.0, 3.0}, std::vector{0.0, 2.0}).rms,
+                   std::sqrt(0.125));
 }
 
 }  // namespace
