@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from results.console import ROOT
-from results.reader import ResultError
+from .console import ROOT
+from .reader import ResultError
 
 FILE = ROOT / "results" / "published" / "thesis.json"
 

@@ -16,7 +16,7 @@ from typing import Any, TypeVar
 
 import jsonschema
 
-from results.console import ROOT, printable
+from .console import ROOT, printable
 
 SCHEMA = ROOT / "results" / "run.schema.json"
 RUNS = ROOT / "results" / "runs"
@@ -30,7 +30,7 @@ CLOSED_FORM = "closed-form"
 """The reference of rows whose distances were compared with a formula, not with another solver."""
 
 
-class ResultError(Exception):
+class ResultError(ValueError):
     """A result file that cannot be used; its message is one line."""
 
 

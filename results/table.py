@@ -10,8 +10,8 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from results.console import printable
-from results.statistics import Estimate
+from .console import printable
+from .statistics import Estimate
 
 
 @dataclass(frozen=True)

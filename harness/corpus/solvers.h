@@ -1,4 +1,4 @@
-// Solvers and instruction sets as users name them, and the meshes that solvers can do.
+// Solvers and instruction sets as users name them.
 #pragma once
 
 #include <string>

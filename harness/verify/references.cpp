@@ -6,7 +6,6 @@
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"
-#include "harness/corpus/solvers.h"
 #include "meshes/generators/generators.h"
 
 namespace geodesic::harness {

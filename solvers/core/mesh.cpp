@@ -12,9 +12,8 @@
 #include "solvers/core/unit.h"
 
 namespace geodesic {
-namespace {
 
-void check_input(std::span<const Vec3> positions, std::span<const Triangle> triangles) {
+void check_mesh_input(std::span<const Vec3> positions, std::span<const Triangle> triangles) {
   if (positions.size() >= kNone || triangles.size() >= kNone / 3) {
     throw std::invalid_argument("mesh too large: indices have 32 bits");
   }
@@ -33,13 +32,12 @@ void check_input(std::span<const Vec3> positions, std::span<const Triangle> tria
       throw std::invalid_argument("face " + std::to_string(f) + " names a vertex twice");
     }
   }
+  Unit::of(positions);
 }
-
-}  // namespace
 
 Mesh::Mesh(std::span<const Vec3> positions, std::span<const Triangle> triangles,
            Numbering numbering) {
-  check_input(positions, triangles);
+  check_mesh_input(positions, triangles);
   if (numbering == Numbering::along_surface) {
     number_along_surface(positions, triangles);
   } else {

@@ -18,9 +18,10 @@ struct Entry {
 };
 
 // A map: descriptions keep their address, and solvers are listed by name whatever the link order.
-// Changed only where solvers register, before they are asked for.
+// Changed only where solvers register, before they are asked for. Never destroyed: threads may
+// solve until the process ends.
 std::map<std::string, Entry, std::less<>>& entries() {
-  static std::map<std::string, Entry, std::less<>> map;
+  static auto& map = *new std::map<std::string, Entry, std::less<>>;
   return map;
 }
 
@@ -41,7 +42,7 @@ class Configured {
 };
 
 Configured& configured() {
-  static Configured all;
+  static auto& all = *new Configured;
   return all;
 }
 

@@ -21,6 +21,7 @@ ORDER = [
     "family",
     "variant",
     "meshes",
+    "python",
     "harness/base",
     "harness/corpus",
     "harness/results",
@@ -36,12 +37,16 @@ ORDER = [
 HARNESS_ONLY = {"family", "variant"}
 """Layers that nothing to their right includes: solvers are reached through the registry."""
 
+FOLDERS = ("solvers", "meshes", "python", "harness")
+"""Where C++ is."""
+
 LIBRARIES = {
     "hwy/": {"solvers/core", "family", "variant"},
     "CGAL/": {"family"},
     "nlohmann/": {"harness/base"},
     "openssl/": {"harness/base"},
     "benchmark/": {"harness/measure"},
+    "pybind11/": {"python"},
     "CLI/": {"harness/commands", "harness/main"},
 }
 """Third-party headers and the layers that include them; every other `<...>` is a system header."""
@@ -59,8 +64,8 @@ def layer(file: str) -> str:
         return "contract"
     if parts[0] == "solvers":
         return {"core": "solvers/core", "variants": "variant"}.get(parts[1], "family")
-    if parts[0] == "meshes":
-        return "meshes"
+    if parts[0] in ("meshes", "python"):
+        return parts[0]
     name = "/".join(parts[:2]).removesuffix(".cpp")
     if name not in ORDER:
         raise ValueError(f"{file} belongs to no layer")
@@ -76,14 +81,14 @@ def family(file: str) -> Path:
 def includes() -> Includes:
     return {
         str(file.relative_to(ROOT)): [a or b for a, b in INCLUDE.findall(file.read_text("utf-8"))]
-        for folder in ("solvers", "meshes", "harness")
+        for folder in FOLDERS
         for file in sorted((ROOT / folder).rglob("*"))
         if file.suffix in (".h", ".cpp")
     }
 
 
 def is_own(included: str) -> bool:
-    return included.split("/")[0] in ("solvers", "meshes", "harness")
+    return included.split("/")[0] in FOLDERS
 
 
 def reason_against(file: str, included: str) -> str:
@@ -97,6 +102,8 @@ def reason_against(file: str, included: str) -> str:
     there = layer(included)
     if ORDER.index(there) > ORDER.index(here):
         return f"{there} is above {here}"
+    if there == "python" != here:
+        return "the Python module is no library"
     if here == there and here in HARNESS_ONLY and family(file) != family(included):
         return f"one {here} includes another"
     if there in HARNESS_ONLY and here not in HARNESS_ONLY:
@@ -132,6 +139,9 @@ def test_every_layer_has_files() -> None:
         ("solvers/mmp/mmp.cpp", "solvers/variants/lazy/lazy.h"),
         ("solvers/variants/lazy/lazy.cpp", "solvers/variants/lazier/lazier.h"),
         ("meshes/defects.cpp", "harness/base/error.h"),
+        ("meshes/defects.cpp", "pybind11/numpy.h"),
+        ("python/native/module.cpp", "harness/base/threads.h"),
+        ("harness/base/threads.cpp", "python/native/background.h"),
         ("harness/cells/cell.cpp", "solvers/mmp/mmp.h"),
         ("harness/results/row.h", "harness/cells/plan.h"),
         ("harness/base/json.h", "harness/corpus/suite.h"),
@@ -168,6 +178,7 @@ def imported(files: Iterable[Path]) -> set[str]:
 
 PACKAGES = {
     "results": set[str](),
+    "python": set[str](),
     "plots": {"results"},
     "gate": {"results", "plots"},
     "datasets": {"fetching"},

@@ -1,0 +1,16 @@
+"""Exact geodesic distances on triangle meshes.
+
+>>> import geodesic_bench as gb
+>>> mesh = gb.Mesh([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]])
+>>> mesh.distances([0]).round(6)
+array([0.      , 1.      , 1.414214, 1.      ])
+
+Distances are in the unit of the vertices' coordinates. A fault of what is given is a ValueError with
+one sentence. Ctrl-C ends every call at once; a solve that has begun is left to a thread of its own.
+"""
+
+from geodesic_bench._native import Defect, Solver
+from geodesic_bench.mesh import Mesh, defects, read_mesh, solvers
+from geodesic_bench.program import Results, run
+
+__all__ = ["Defect", "Mesh", "Results", "Solver", "defects", "read_mesh", "run", "solvers"]

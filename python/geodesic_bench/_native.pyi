@@ -1,0 +1,78 @@
+"""The compiled part (python/native/module.cpp). It takes what arrays.py has checked."""
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+_Indices = NDArray[np.uint32]
+_Progress = Callable[[int], None] | None
+_Compressed = tuple[NDArray[np.floating], NDArray[np.int64], NDArray[np.int64]]
+
+class SharedMesh:
+    def __init__(self, vertices: NDArray[np.float64], faces: _Indices) -> None: ...
+    @property
+    def vertices(self) -> NDArray[np.float64]: ...
+    @property
+    def faces(self) -> _Indices: ...
+
+class Defect:
+    """A kind of fault that a mesh has."""
+
+    @property
+    def kind(self) -> str:
+        """As in docs/adding-a-mesh.md: "non_manifold_edge"."""
+    @property
+    def severity(self) -> str:
+        """ "error" or "warning"."""
+    @property
+    def count(self) -> int:
+        """How many faces, edges, vertices or components have it."""
+    @property
+    def first(self) -> str:
+        """The first of them."""
+
+class Solver:
+    """What a solver is, and whose."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def family(self) -> str: ...
+    @property
+    def paper(self) -> str: ...
+    @property
+    def data_structure(self) -> str:
+        """What orders its propagation."""
+    @property
+    def time_complexity(self) -> str: ...
+    @property
+    def space_complexity(self) -> str: ...
+    @property
+    def exact(self) -> bool:
+        """False: distances are upper bounds."""
+    @property
+    def remarks(self) -> str: ...
+
+def read(file: str, repair: bool) -> tuple[SharedMesh, list[str]]: ...
+def defects(mesh: SharedMesh) -> list[Defect]: ...
+def solvers() -> list[Solver]: ...
+def distances(
+    mesh: SharedMesh, solver: str, sources: _Indices, initial: NDArray[np.float64], limit: float
+) -> NDArray[np.float64]: ...
+def dense_float64(
+    mesh: SharedMesh, solver: str, rows: _Indices, columns: _Indices, threads: int,
+    progress: _Progress,
+) -> NDArray[np.float64]: ...  # fmt: skip
+def dense_float32(
+    mesh: SharedMesh, solver: str, rows: _Indices, columns: _Indices, threads: int,
+    progress: _Progress,
+) -> NDArray[np.float32]: ...  # fmt: skip
+def sparse_float64(
+    mesh: SharedMesh, solver: str, rows: _Indices, columns: _Indices, limit: float, threads: int,
+    progress: _Progress,
+) -> _Compressed: ...  # fmt: skip
+def sparse_float32(
+    mesh: SharedMesh, solver: str, rows: _Indices, columns: _Indices, limit: float, threads: int,
+    progress: _Progress,
+) -> _Compressed: ...  # fmt: skip

@@ -1,0 +1,242 @@
+"""Meshes and the distances on them."""
+
+from __future__ import annotations
+
+import math
+import operator
+import os
+import warnings
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from geodesic_bench import _native
+from geodesic_bench.arrays import face_array, numbers, vertex_array, vertex_indices
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_matrix
+
+FASTEST = "edge-based"
+MOST_THREADS = 1024
+
+
+class Mesh:
+    """A triangle mesh that distances are measured on. It does not change, and any number of threads
+    may use it.
+
+    Parameters
+    ----------
+    vertices : (n, 3) real numbers
+        Coordinates, of any type and memory order; copied as float64.
+    faces : (m, 3) integers, m > 0
+        Indices of vertices from 0, counter-clockwise seen from outside; copied.
+
+    Raises
+    ------
+    ValueError
+        For another shape, a face that names a vertex twice or one that is not there, and a
+        coordinate that is not finite. What else makes distances meaningless is not looked for:
+        `defects` lists it, and `read_mesh` refuses it.
+
+    The first query builds the structure that solvers walk over. The solver of the last query stays
+    with the mesh, and so does its memory.
+
+    >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+    >>> mesh
+    Mesh(3 vertices, 1 faces)
+    >>> mesh.distances([1])
+    array([3., 0., 5.])
+    """
+
+    _shared: _native.SharedMesh
+
+    def __init__(self, vertices: ArrayLike, faces: ArrayLike) -> None:
+        points = vertex_array(vertices)
+        self._shared = _native.SharedMesh(points, face_array(faces, len(points)))
+
+    @property
+    def vertices(self) -> NDArray[np.float64]:
+        """Coordinates, of shape (n, 3); read-only."""
+        return self._shared.vertices
+
+    @property
+    def faces(self) -> NDArray[np.uint32]:
+        """Indices of vertices, of shape (m, 3); read-only."""
+        return self._shared.faces
+
+    def distances(
+        self,
+        sources: ArrayLike,
+        initial: ArrayLike | None = None,
+        limit: float = math.inf,
+        solver: str = FASTEST,
+        **parameters: float | str,
+    ) -> NDArray[np.float64]:
+        """The distance of every vertex from the nearest of some sources.
+
+        Parameters
+        ----------
+        sources : (k,) integers, or one integer
+            Vertices.
+        initial : (k,) numbers or one number, >= 0, optional
+            The distance that each source begins with, in the unit of the coordinates.
+        limit : float
+            Vertices that are farther are not reached; a small limit makes a query fast.
+        solver : str
+            A name of `solvers()`; all exact ones give the same distances up to rounding.
+        parameters
+            Those of the solver, where it has any: `geodesic-bench list` says which.
+
+        Returns
+        -------
+        (n,) float64
+            In the unit of the coordinates and the order of the vertices; inf for a vertex that no
+            path leads to or that lies beyond the limit.
+
+        >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+        >>> mesh.distances([0, 1], initial=[0, 1.5])
+        array([0. , 1.5, 4. ])
+        >>> mesh.distances(0, limit=3.5)
+        array([ 0.,  3., inf])
+        """
+        vertices = vertex_indices(sources, "source", len(self.vertices))
+        begin = numbers(0 if initial is None else initial, "initial distances")
+        if begin.ndim and begin.shape != vertices.shape:
+            raise ValueError(
+                f"initial distances must be one a source: {begin.size} for {vertices.size} sources"
+            )
+        begin = np.broadcast_to(begin, vertices.shape)
+        name = _configured(solver, parameters)
+        return _native.distances(self._shared, name, vertices, begin, limit)
+
+    def distance_matrix(
+        self,
+        rows: ArrayLike,
+        columns: ArrayLike | None = None,
+        threads: int = 0,
+        dtype: Literal["float64", "float32"] = "float64",
+        limit: float | None = None,
+        progress: bool = False,
+        solver: str = FASTEST,
+        **parameters: float | str,
+    ) -> NDArray[Any] | csr_matrix:
+        """The distances from each of some vertices by itself.
+
+        Parameters
+        ----------
+        rows : (k,) integers
+            Vertices that are sources, one solve each.
+        columns : (l,) integers, optional
+            Vertices whose distances are kept; all of them if not given.
+        threads : int
+            Rows that are solved at a time; 0: as many as there are processors. Each thread has a
+            solver with its own memory. The matrix is the same for any number.
+        dtype : "float64" or "float32"
+            Of the matrix; solvers always compute in float64.
+        limit : float, optional
+            Makes the matrix sparse: entries that are farther are not stored.
+        progress : bool
+            Show a bar, by tqdm.
+        solver : str
+        parameters
+            As for `distances`.
+
+        Returns
+        -------
+        (k, l) array, or scipy.sparse.csr_matrix with a limit
+            In the unit of the coordinates. A dense matrix has inf where no path leads. What is
+            stored in a sparse one is reached, the zeros too.
+
+        >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+        >>> mesh.distance_matrix([0, 2], columns=[1, 2])
+        array([[3., 4.],
+               [5., 0.]])
+        >>> mesh.distance_matrix([0, 1, 2], limit=4, dtype="float32").nnz
+        7
+        """
+        count = len(self.vertices)
+        sources = vertex_indices(rows, "row", count)
+        targets = vertex_indices(np.arange(count) if columns is None else columns, "column", count)
+        if not 0 <= operator.index(threads) <= MOST_THREADS:
+            raise ValueError(f"threads must be between 0 and {MOST_THREADS}, not {threads}")
+        if dtype not in ("float64", "float32"):
+            raise ValueError(f"dtype must be float64 or float32, not {dtype}")
+        what = (self._shared, _configured(solver, parameters), sources, targets)
+        how = threads or os.cpu_count() or 1, _bar(len(sources)) if progress else None
+        if limit is None:
+            return (_native.dense_float64 if dtype == "float64" else _native.dense_float32)(
+                *what, *how
+            )
+        from scipy.sparse import csr_matrix
+
+        sparse = _native.sparse_float64 if dtype == "float64" else _native.sparse_float32
+        return csr_matrix(sparse(*what, limit, *how), shape=(len(sources), len(targets)))
+
+    def __repr__(self) -> str:
+        return f"Mesh({len(self.vertices)} vertices, {len(self.faces)} faces)"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Mesh, (self.vertices, self.faces)
+
+
+def read_mesh(file: str | os.PathLike[str], repair: bool = False) -> Mesh:
+    """The mesh of an OBJ, OFF, PLY or STL file, with the file's vertex numbers.
+
+    Parameters
+    ----------
+    file : path
+    repair : bool
+        Repair what would be refused; docs/adding-a-mesh.md says how. Vertices keep their numbers.
+
+    Raises
+    ------
+    ValueError
+        When the file cannot be read, or distances on it have no meaning.
+
+    What may surprise, and what was repaired, is a UserWarning.
+    """
+    mesh = Mesh.__new__(Mesh)
+    mesh._shared, remarks = _native.read(os.fspath(file), repair)
+    for remark in remarks:
+        warnings.warn(f"{os.fspath(file)}: {remark}", stacklevel=2)
+    return mesh
+
+
+def defects(mesh: Mesh) -> list[_native.Defect]:
+    """What is wrong with a mesh, errors first: on a mesh with errors, distances mean another surface
+    than its author's.
+
+    >>> defects(Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0], [9, 9, 9]], [[0, 1, 2]]))
+    [<warning: 1 isolated vertex (first: vertex 3)>]
+    """
+    return _native.defects(mesh._shared)
+
+
+def solvers() -> dict[str, _native.Solver]:
+    """Every solver by name, with the paper to cite.
+
+    >>> solvers()["mmp"].family
+    'MMP'
+    """
+    return {solver.name: solver for solver in _native.solvers()}
+
+
+def _configured(solver: str, parameters: dict[str, float | str]) -> str:
+    """The solver's name with values of its parameters: "avtp?lambda=32"."""
+    values = "&".join(f"{key.replace('_', '-')}={value}" for key, value in parameters.items())
+    return f"{solver}?{values}" if values else solver
+
+
+def _bar(total: int) -> Callable[[int], None]:
+    from tqdm.auto import tqdm
+
+    bar = tqdm(total=total, unit="row")
+
+    def show(done: int) -> None:
+        bar.update(done - bar.n)
+        if done == total:
+            bar.close()
+
+    return show

@@ -1,0 +1,120 @@
+"""The program geodesic-bench, driven from Python, and its results."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+
+Option = bool | str | float | os.PathLike[str] | list[str] | None
+
+
+class Results:
+    """The results of a run of geodesic-bench.
+
+    Parameters
+    ----------
+    file : path
+        A run.json, or the folder with it.
+
+    Raises
+    ------
+    ValueError
+        For a file that is missing, broken or not to the schema.
+
+    Attributes
+    ----------
+    run : geodesic_bench.results.reader.Run
+        What the tables and figures are drawn from: rows, meshes, solvers, and how it was measured.
+    """
+
+    def __init__(self, file: str | os.PathLike[str]) -> None:
+        from geodesic_bench.results import reader
+
+        self.run = reader.read_run(Path(file))
+
+    def to_pandas(self) -> DataFrame:
+        """A row a repetition, or one for a cell that failed. The columns of numbers are defined in
+        docs/metrics.md; "cpu_time" is in milliseconds."""
+        from pandas import DataFrame
+
+        names = ("solver", "mesh", "source", "repetition", "outcome", "message", "reference")
+        return DataFrame(
+            [{name: getattr(row, name) for name in names} | row.numbers for row in self.run.rows]
+        )
+
+
+def run(
+    out: str | os.PathLike[str],
+    executable: str | os.PathLike[str] | None = None,
+    progress: bool = False,
+    **options: Option,
+) -> Results:
+    """Measures solvers as `geodesic-bench run` does: each is verified before it is timed.
+
+    Parameters
+    ----------
+    out : path
+        Folder for the results; it must have none yet.
+    executable : path, optional
+        The program; if not given, the one that GEODESIC_BENCH names, or that is on the PATH.
+    progress : bool
+        Pass on what the program prints to the error stream.
+    options
+        Those of the command line: ``run("first", corpus="tiny", solvers=["mmp", "edge-based"])``.
+
+    Raises
+    ------
+    ValueError
+        With the program's sentence, when it wrote no results. A cell that failed is a result.
+    FileNotFoundError
+        When there is no program.
+    """
+    file = Path(out) / "run.json"
+    if file.exists():
+        raise ValueError(f"{file} is there already: choose another folder")
+    command = [_program(executable), "run", f"--out={os.fspath(out)}", *_flags(options)]
+    said = ""
+    with subprocess.Popen(
+        command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors="replace"
+    ) as process:
+        try:
+            for said in process.stderr or ():
+                if progress:
+                    sys.stderr.write(said)
+        except BaseException:
+            process.terminate()
+            raise
+    if not file.exists():
+        raise ValueError(said.strip().removeprefix("geodesic-bench: "))
+    return Results(file)
+
+
+def _program(named: str | os.PathLike[str] | None) -> str:
+    name = os.fspath(named or os.environ.get("GEODESIC_BENCH") or "geodesic-bench")
+    found = shutil.which(name)
+    if found is None:
+        raise FileNotFoundError(
+            f"no program {name}: build it with ./run_all.sh build, and name it by executable= or"
+            " GEODESIC_BENCH"
+        )
+    return found
+
+
+def _flags(options: dict[str, Option]) -> list[str]:
+    flags = []
+    for name, value in options.items():
+        flag = f"--{name.replace('_', '-')}"
+        if value is True:
+            flags.append(flag)
+        elif isinstance(value, list):
+            flags.append(f"{flag}={','.join(value)}")
+        elif value is not None and value is not False:
+            flags.append(f"{flag}={value}")
+    return flags

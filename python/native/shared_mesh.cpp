@@ -1,0 +1,50 @@
+#include "python/native/shared_mesh.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "solvers/core/registry.h"
+
+namespace geodesic::python {
+
+SharedMesh::SharedMesh(TriangleSoup soup) : soup_(std::move(soup)) {
+  check_mesh_input(soup_.positions, soup_.triangles);
+}
+
+const Mesh& SharedMesh::mesh() {
+  std::call_once(built_,
+                 [&] { mesh_ = std::make_unique<const Mesh>(soup_, Numbering::along_surface); });
+  return *mesh_;
+}
+
+BorrowedSolver::BorrowedSolver(std::shared_ptr<SharedMesh> from, const std::string& name)
+    : from_(std::move(from)), name_(solver_named(name).name) {
+  {
+    const std::lock_guard lock(from_->mutex_);
+    if (from_->idle_name_ == name_ && !from_->idle_.empty()) {
+      solver_ = std::move(from_->idle_.back());
+      from_->idle_.pop_back();
+      return;
+    }
+  }
+  const Mesh& mesh = from_->mesh();
+  const std::string unable = unsupported(solver_named(name_), mesh);
+  if (!unable.empty()) throw std::invalid_argument(unable);
+  solver_ = make_solver(name_, mesh);
+}
+
+BorrowedSolver::~BorrowedSolver() {
+  if (!sound_) return;
+  const std::lock_guard lock(from_->mutex_);
+  if (from_->idle_name_ != name_) from_->idle_.clear();
+  from_->idle_name_ = name_;
+  from_->idle_.push_back(std::move(solver_));
+}
+
+void BorrowedSolver::solve(const Query& query, std::span<double> distances) {
+  sound_ = false;
+  solver_->solve(query, distances);
+  sound_ = true;
+}
+
+}  // namespace geodesic::python

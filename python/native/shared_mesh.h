@@ -1,0 +1,61 @@
+// A mesh as Python objects and the threads of their calls share it, with solvers that wait for the
+// next query.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "solvers/core/mesh.h"
+#include "solvers/core/solver.h"
+
+namespace geodesic::python {
+
+/// Constant to its users; any number of threads may use it.
+class SharedMesh {
+ public:
+  /// @throws std::invalid_argument as the constructor of Mesh does
+  explicit SharedMesh(TriangleSoup soup);
+
+  const TriangleSoup& soup() const { return soup_; }
+
+  /// The structure that solvers walk over, built by the first call: that takes as long as reading
+  /// the arrays many times, and is best done where a user can interrupt it.
+  const Mesh& mesh();
+
+ private:
+  friend class BorrowedSolver;
+
+  const TriangleSoup soup_;
+  std::once_flag built_;
+  std::unique_ptr<const Mesh> mesh_;
+  std::mutex mutex_;  // of all below
+  std::string idle_name_;
+  std::vector<std::unique_ptr<Solver>> idle_;  // of that name
+};
+
+/// A solver for one thread, from those that wait or prepared anew. It goes back to them at the end,
+/// with the memory that it has, and replaces those of other names; one whose solve failed does not.
+class BorrowedSolver {
+ public:
+  /// @param name as of solver_named
+  /// @throws std::invalid_argument as solver_named does, and when the mesh needs an ability that
+  ///         the solver lacks
+  BorrowedSolver(std::shared_ptr<SharedMesh> from, const std::string& name);
+  ~BorrowedSolver();
+  BorrowedSolver(const BorrowedSolver&) = delete;
+  BorrowedSolver& operator=(const BorrowedSolver&) = delete;
+
+  /// As Solver::solve.
+  void solve(const Query& query, std::span<double> distances);
+
+ private:
+  std::shared_ptr<SharedMesh> from_;
+  std::string name_;  // canonical
+  std::unique_ptr<Solver> solver_;
+  bool sound_ = true;
+};
+
+}  // namespace geodesic::python

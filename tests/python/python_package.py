@@ -1,0 +1,34 @@
+"""Where the package is that the build folder has, and a mesh to ask it about."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+BENCH = Path(os.environ.get("GEODESIC_BENCH") or ROOT / "build" / "release" / "geodesic-bench")
+BUILD = BENCH.resolve().parent
+
+Arrays = tuple[NDArray[np.float64], NDArray[np.int64]]
+
+
+def find_package() -> None:
+    """Makes it importable, unless the build has none that an interpreter could load: a module with
+    sanitizers ends a process without them."""
+    cache = BUILD / "CMakeCache.txt"
+    if cache.exists() and "CMAKE_BUILD_TYPE:STRING=Release" in cache.read_text():
+        sys.path.insert(0, str(BUILD / "python"))
+
+
+def rough_ground(side: int) -> Arrays:
+    """Vertices and faces of a square of side x side vertices at random heights: many saddles."""
+    x, y = np.divmod(np.arange(side * side), side)
+    height = np.random.default_rng(side).uniform(0, 2, side * side)
+    corner = np.arange(side * side).reshape(side, side)[:-1, :-1].reshape(-1, 1)
+    lower, upper = corner + [0, side, side + 1], corner + [0, side + 1, 1]
+    return np.stack([x, y, height], axis=1), np.concatenate([lower, upper])

@@ -1,0 +1,176 @@
+"""Distances from Python: the bits of the program's, whatever arrays they are asked with."""
+
+from __future__ import annotations
+
+import pickle
+import random
+import subprocess
+import threading
+from pathlib import Path
+
+import numpy as np
+import pytest
+from python_package import BENCH, Arrays
+
+gb = pytest.importorskip("geodesic_bench")
+
+
+def write_obj(file: Path, mesh: gb.Mesh) -> None:
+    lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in mesh.vertices.tolist()]
+    lines += [f"f {a} {b} {c}" for a, b, c in (mesh.faces.astype(int) + 1).tolist()]
+    file.write_text("\n".join(lines) + "\n")
+
+
+@pytest.mark.parametrize("solver", gb.solvers())
+def test_distances_are_the_bits_of_the_program(
+    solver: str, ground: Arrays, tmp_path: Path
+) -> None:
+    mesh = gb.Mesh(*ground)
+    file, output = tmp_path / "ground.obj", tmp_path / "distances.txt"
+    write_obj(file, mesh)
+    solve = [BENCH, "solve", file, "--solver", solver, "--output", output]
+    subprocess.run([*solve, "--source", "7,130", "--limit", "9"], check=True, capture_output=True)
+    expected = np.loadtxt(output)
+    assert np.isinf(expected).any()
+    np.testing.assert_array_equal(mesh.distances([7, 130], limit=9, solver=solver), expected)
+    np.testing.assert_array_equal(
+        gb.read_mesh(file).distances([7, 130], limit=9, solver=solver), expected
+    )
+
+
+def test_each_row_of_a_matrix_is_the_bits_of_a_single_query(ground: Arrays) -> None:
+    mesh = gb.Mesh(*ground)
+    rows, columns = [5, 0, 143, 5], [143, 2, 2]
+    full = np.stack([mesh.distances(row) for row in rows])
+    for threads in (0, 1, 3, 9):
+        np.testing.assert_array_equal(mesh.distance_matrix(rows, threads=threads), full)
+        np.testing.assert_array_equal(
+            mesh.distance_matrix(rows, columns, threads), full[:, columns]
+        )
+        single = mesh.distance_matrix(rows, columns, threads, dtype="float32")
+        assert single.dtype == np.float32
+        np.testing.assert_array_equal(single, full[:, columns].astype(np.float32))
+
+
+@pytest.mark.parametrize("dtype", ["float64", "float32"])
+def test_a_matrix_with_a_limit_stores_what_it_reaches(ground: Arrays, dtype: str) -> None:
+    mesh = gb.Mesh(*ground)
+    dense = mesh.distance_matrix([3, 77])
+    sparse = mesh.distance_matrix([3, 77], limit=4.0, dtype=dtype)
+    reached = dense <= 4
+    assert sparse.dtype == dtype
+    assert 2 < sparse.nnz == reached.sum() < dense.size
+    np.testing.assert_array_equal(sparse.toarray()[reached], dense[reached].astype(dtype))
+    assert sparse.has_canonical_format
+    assert mesh.distance_matrix([3], columns=[], limit=4.0).shape == (1, 0)
+
+
+def test_initial_distances_are_added_and_the_least_sum_counts(ground: Arrays) -> None:
+    mesh = gb.Mesh(*ground)
+    first, second = mesh.distance_matrix([0, 100])
+    both = mesh.distances([0, 100], initial=[1.5, 4])
+    np.testing.assert_allclose(both, np.minimum(first + 1.5, second + 4), rtol=1e-12)
+    np.testing.assert_allclose(mesh.distances(0, initial=2), first + 2, rtol=1e-12)
+
+
+def test_what_no_path_leads_to_is_infinite() -> None:
+    mesh = gb.Mesh(np.vstack([np.eye(3), np.zeros((1, 3))]), [[0, 1, 2]])
+    assert mesh.distances(0)[3] == np.inf
+    assert np.isinf(mesh.distances(3)).tolist() == [True, True, True, False]
+    assert mesh.distance_matrix([0], dtype="float32")[0, 3] == np.inf
+
+
+def test_arrays_of_any_type_order_and_flag_give_the_same_bits_and_are_not_written_to(
+    ground: Arrays,
+) -> None:
+    """Of coordinates and indices that every type has."""
+    chance = random.Random(22)
+    vertices, faces = np.round(ground[0] * 8), ground[1]
+    expected = gb.Mesh(vertices, faces).distance_matrix([0, 60, 99])
+    real = ["f8", "f4", ">f8", "f2", "i4", ">i2", "u1", "longdouble"]
+    whole = ["i8", "u8", "i4", ">u4", "i2", "u1", "O"]
+
+    def disguised(array: np.ndarray, types: list[str]) -> np.ndarray:
+        array = array.astype(chance.choice(types))
+        for shape_of_memory in (np.asfortranarray, strided, reverse, list_of_lists):
+            if chance.random() < 0.3:
+                array = shape_of_memory(array)
+        if isinstance(array, np.ndarray):
+            array.flags.writeable = chance.random() < 0.5
+        return array
+
+    def strided(array: np.ndarray) -> np.ndarray:
+        return np.repeat(array, 2, axis=0)[::2]
+
+    def reverse(array: np.ndarray) -> np.ndarray:
+        return array[::-1].copy()[::-1]
+
+    def list_of_lists(array: np.ndarray) -> np.ndarray:
+        return array.tolist()
+
+    for _ in range(150):
+        given = disguised(vertices, real), disguised(faces, whole)
+        rows = disguised(np.array([0, 60, 99]), whole)
+        before = [np.array(array) for array in (*given, rows)]
+        np.testing.assert_array_equal(gb.Mesh(*given).distance_matrix(rows), expected)
+        for array, old in zip((*given, rows), before, strict=True):
+            np.testing.assert_array_equal(np.array(array), old)
+
+
+def test_a_mesh_has_its_own_copy_of_arrays_and_shows_it_read_only(ground: Arrays) -> None:
+    vertices, faces = (array.copy() for array in ground)
+    mesh = gb.Mesh(vertices, faces)
+    expected = mesh.distances(0)
+    vertices[:] = 0
+    faces[:] = 0
+    np.testing.assert_array_equal(mesh.vertices, ground[0])
+    np.testing.assert_array_equal(mesh.faces, ground[1])
+    assert not mesh.vertices.flags.writeable and not mesh.faces.flags.writeable
+    np.testing.assert_array_equal(gb.Mesh(mesh.vertices, mesh.faces).distances(0), expected)
+    np.testing.assert_array_equal(pickle.loads(pickle.dumps(mesh)).distances(0), expected)
+    view = mesh.vertices
+    del mesh
+    np.testing.assert_array_equal(view, ground[0])
+
+
+def test_threads_that_ask_one_mesh_at_once_get_the_same_bits(ground: Arrays) -> None:
+    mesh = gb.Mesh(*ground)
+    solvers = ["edge-based", "mmp", "dijkstra"]
+    expected = {name: gb.Mesh(*ground).distance_matrix(range(40), solver=name) for name in solvers}
+    wrong = []
+
+    def ask(first: int) -> None:
+        for row in range(40):
+            solver = solvers[(first + row) % len(solvers)]
+            if not np.array_equal(mesh.distances(row, solver=solver), expected[solver][row]):
+                wrong.append((solver, row))
+
+    threads = [threading.Thread(target=ask, args=(first,)) for first in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert wrong == []
+
+
+def resident_bytes() -> int:
+    return int(Path("/proc/self/statm").read_text().split()[1]) * 4096
+
+
+def test_a_thousand_queries_and_meshes_do_not_make_the_process_grow(ground: Arrays) -> None:
+    mesh = gb.Mesh(*ground)
+
+    def ask(times: int) -> None:
+        for i in range(times):
+            mesh.distances(i % 144)
+            other = gb.Mesh(*ground)
+            other.distance_matrix([0, 1, 2], threads=2)
+            other.distance_matrix([0, 1], limit=3.0, threads=2)
+            with pytest.raises(ValueError):
+                other.distances(0, limit=-1)
+            gb.defects(other)
+
+    ask(200)
+    before = resident_bytes()
+    ask(1000)
+    assert resident_bytes() - before < 3e6  # a kept mesh has 50 kB

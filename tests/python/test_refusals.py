@@ -1,0 +1,160 @@
+"""What cannot be answered is refused with one sentence, the program's where it has one."""
+
+from __future__ import annotations
+
+import random
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from python_package import BENCH, Arrays
+
+gb = pytest.importorskip("geodesic_bench")
+
+CORNERS = np.eye(3)
+FACE = [[0, 1, 2]]
+
+
+@pytest.mark.parametrize(
+    ("vertices", "faces", "sentence"),
+    [
+        ([], FACE, "vertices must have the shape (n, 3), not (0,)"),
+        (np.zeros((0, 3)), FACE, "face 0 names a vertex that is not there"),
+        (CORNERS, np.zeros((0, 3), int), "a mesh needs at least one face"),
+        (CORNERS, np.zeros((0, 3)), "a mesh needs at least one face"),
+        (CORNERS[:2].T, FACE, "vertices must have the shape (n, 3), not (3, 2)"),
+        ([[0, 1], [2]], FACE, "vertices must be an array of numbers"),
+        ([["a", "b", "c"]], FACE, "vertices must be real numbers, not <U1"),
+        (CORNERS * 1j, FACE, "vertices must be real numbers, not complex128"),
+        (CORNERS * np.nan, FACE, "vertex 0 has a non-finite coordinate"),
+        (CORNERS - [np.inf, 0, 0], FACE, "vertex 0 has a non-finite coordinate"),
+        (CORNERS * 1e300, FACE, "the mesh is about 2^996 long"),
+        (CORNERS, [[0, 1, 3]], "face 0 names a vertex that is not there"),
+        (CORNERS, [[0, 1, 2], [0, 1, -1]], "face 1 names a vertex that is not there"),
+        (CORNERS, [[0, 1, 2**32 + 2]], "face 0 names a vertex that is not there"),
+        (CORNERS, [[0, 1, 2**70]], "face 0 names a vertex that is not there"),
+        (CORNERS, [[0, 1, 1]], "face 0 names a vertex twice"),
+        (CORNERS, [[0, 1, 2.0]], "faces must be integers, not float64"),
+        (CORNERS, [[True, False, True]], "faces must be integers, not bool"),
+        (CORNERS, [0, 1, 2], "faces must have the shape (n, 3), not (3,)"),
+    ],
+)  # fmt: skip
+def test_arrays_that_are_no_mesh_are_refused(vertices: Any, faces: Any, sentence: str) -> None:
+    with pytest.raises(ValueError) as refused:
+        gb.Mesh(vertices, faces)
+    assert str(refused.value).startswith(sentence)
+    assert "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("query", "sentence"),
+    [
+        ({"sources": []}, "edge-based: a query needs at least one source"),
+        ({"sources": 3}, "source vertex 3 is not in the mesh of 3 vertices"),
+        ({"sources": [0, -1]}, "source vertex -1 is not in the mesh of 3 vertices"),
+        ({"sources": 2**40}, "source vertex 1099511627776 is not in the mesh of 3 vertices"),
+        ({"sources": -(2**70)}, "source vertex -1180591620717411303424 is not in the mesh"),
+        ({"sources": np.uint64(2**64 - 1)}, "source vertex 18446744073709551615 is not in the"),
+        ({"sources": [0.0]}, "source vertices must be integers, not float64"),
+        ({"sources": None}, "source vertices must be integers, not object"),
+        ({"sources": FACE}, "source vertices must be a list of indices, not of shape (1, 3)"),
+        ({"sources": 0, "limit": -1}, "edge-based: the distance limit must not be negative"),
+        ({"sources": 0, "limit": np.nan}, "edge-based: the distance limit must not be negative"),
+        ({"sources": 0, "initial": -1}, "edge-based: an initial distance must be finite and not"),
+        ({"sources": 0, "initial": np.inf}, "edge-based: an initial distance must be finite and"),
+        ({"sources": 0, "initial": "x"}, "initial distances must be real numbers, not <U1"),
+        ({"sources": 0, "initial": [1, 2]}, "initial distances must be one a source: 2 for 1 sou"),
+        ({"sources": 0, "solver": "mmmp"}, "no solver named 'mmmp' (did you mean 'mmp'?); there"),
+        ({"sources": 0, "solver": "mmp", "some_factor": 2}, "mmp: no parameter named 'some-factor'"),
+        ({"rows": [9]}, "row vertex 9 is not in the mesh of 3 vertices"),
+        ({"rows": [0], "columns": [-2]}, "column vertex -2 is not in the mesh of 3 vertices"),
+        ({"rows": [0], "threads": -1}, "threads must be between 0 and 1024, not -1"),
+        ({"rows": [0], "dtype": "int8"}, "dtype must be float64 or float32, not int8"),
+        ({"rows": [0], "limit": -1}, "edge-based: the distance limit must not be negative"),
+    ],
+)  # fmt: skip
+def test_queries_that_have_no_answer_are_refused(query: dict[str, Any], sentence: str) -> None:
+    mesh = gb.Mesh(CORNERS, FACE)
+    with pytest.raises(ValueError) as refused:
+        (mesh.distances if "sources" in query else mesh.distance_matrix)(**query)
+    assert str(refused.value).startswith(sentence)
+    assert mesh.distances(0)[0] == 0
+
+
+def test_any_numbers_in_arrays_of_any_shape_are_answered_or_refused(ground: Arrays) -> None:
+    chance = random.Random(4)
+    values = [0, 1, 2, 5, 143, 144, -1, 2**31, 2**32 - 1, 2**32, 2**63, 2**64, 0.5, 1e300, 1e-300]
+    values += [float("nan"), float("inf"), -0.0, True, None, "1", 1j]
+    mesh = gb.Mesh(*ground)
+
+    def anything() -> Any:
+        some = [chance.choice(values) for _ in range(chance.choice([0, 1, 3, 6, 9]))]
+        if chance.random() < 0.5:
+            some = [value for value in some if type(value) in (int, float)]
+        if len(some) % 3 == 0 and chance.random() < 0.6:
+            some = [some[i : i + 3] for i in range(0, len(some), 3)]
+        return np.array(some, dtype=object) if chance.random() < 0.2 else some
+
+    answered = 0
+    for _ in range(3000):
+        question = chance.choice([
+            lambda: gb.Mesh(anything(), anything()),
+            lambda: gb.Mesh(ground[0], anything()),
+            lambda: mesh.distances(anything(), initial=anything()),
+            lambda: mesh.distances(anything()),
+            lambda: mesh.distance_matrix(anything(), columns=anything()),
+        ])  # fmt: skip
+        try:
+            question()
+            answered += 1
+        except ValueError as error:
+            assert str(error) and "\n" not in str(error)
+    assert answered > 50
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("twice.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n"),
+        ("empty.obj", ""),
+        ("cut\x1b.off", "OFF\n3 1 0\n0 0 0\n1 0"),
+    ],
+)
+def test_a_file_is_refused_with_the_sentence_of_the_program(
+    name: str, text: str, tmp_path: Path
+) -> None:
+    file = tmp_path / name
+    file.write_text(text)
+    solve = [BENCH, "solve", file, "--solver", "mmp", "--source", "0"]
+    said = subprocess.run(solve, capture_output=True, text=True, check=False).stderr
+    with pytest.raises(ValueError) as refused:
+        gb.read_mesh(file)
+    assert f"geodesic-bench: {refused.value}\n" == said
+
+
+def test_a_repaired_file_warns_of_what_was_repaired(tmp_path: Path) -> None:
+    file = tmp_path / "twice.off"
+    file.write_text("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n")
+    with pytest.warns(UserWarning, match=r"twice\.off: repair: .*: 1$"):
+        mesh = gb.read_mesh(file, repair=True)
+    assert len(mesh.faces) == 1
+
+
+def test_defects_are_named_and_counted() -> None:
+    mesh = gb.Mesh(np.vstack([CORNERS, [[9, 9, 9]]]), [[0, 1, 2], [2, 1, 0]])
+    found = gb.defects(mesh)
+    assert [(d.kind, d.severity, d.count) for d in found] == [
+        ("repeated_face", "error", 1),
+        ("isolated_vertex", "warning", 1),
+    ]
+    assert "face" in found[0].first and "vertex 3" in str(found[1])
+
+
+def test_a_solver_says_what_it_does_not_support(ground: Arrays) -> None:
+    vertices = [[x % 40, x // 40, 0] for x in range(1600)]
+    corner = [x for x in range(1560) if x % 40 < 39]
+    mesh = gb.Mesh(vertices, [[x, x + 1, x + 41] for x in corner])
+    with pytest.raises(ValueError, match=r"^ch is limited to 1200 vertices, the mesh has 1600$"):
+        mesh.distances(0, solver="ch")
