@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from python_package import BENCH, Arrays
+from python_package import BENCH, Arrays, rough_ground
 
 gb = pytest.importorskip("geodesic_bench")
 
@@ -157,20 +157,22 @@ def resident_bytes() -> int:
     return int(Path("/proc/self/statm").read_text().split()[1]) * 4096
 
 
-def test_a_thousand_queries_and_meshes_do_not_make_the_process_grow(ground: Arrays) -> None:
-    mesh = gb.Mesh(*ground)
+def test_a_thousand_queries_and_meshes_do_not_make_the_process_grow() -> None:
+    """Of one kept array of distances a query there would be 13 MB more, of a kept mesh 600 MB."""
+    arrays = rough_ground(40)
+    mesh = gb.Mesh(*arrays)
 
     def ask(times: int) -> None:
         for i in range(times):
-            mesh.distances(i % 144)
-            other = gb.Mesh(*ground)
-            other.distance_matrix([0, 1, 2], threads=2)
-            other.distance_matrix([0, 1], limit=3.0, threads=2)
+            mesh.distances(i, limit=2)
+            mesh.distance_matrix([i, i + 1, i + 2], threads=2, solver="dijkstra")
+            other = gb.Mesh(*arrays)
+            other.distance_matrix([i, i + 1], limit=2.0, threads=2)
             with pytest.raises(ValueError):
                 other.distances(0, limit=-1)
             gb.defects(other)
 
-    ask(200)
+    ask(300)
     before = resident_bytes()
     ask(1000)
-    assert resident_bytes() - before < 3e6  # a kept mesh has 50 kB
+    assert resident_bytes() - before < 10e6
