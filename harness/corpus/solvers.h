@@ -29,9 +29,6 @@ std::string_view exactness_name(Exactness exactness);
 /// The same for readers, a bound as a number: "within 0.01", "upper bound".
 std::string shown_exactness(const Description& solver);
 
-/// Why the solver declares that it cannot do this mesh; empty when it can.
-std::string unsupported(const Description& solver, const Mesh& mesh);
-
 /// The widest that the processor and the build have.
 inline constexpr const char* kAutoVectors = "auto";
 
