@@ -73,6 +73,21 @@ std::string shown_exactness(const Description& solver) {
   return text;
 }
 
+std::string unsupported(const Description& solver, const Mesh& mesh) {
+  const Abilities& can = solver.abilities;
+  if (can.max_vertices != kNone && mesh.vertex_count() > can.max_vertices) {
+    return solver.name + " is limited to " + std::to_string(can.max_vertices) +
+           " vertices, the mesh has " + std::to_string(mesh.vertex_count());
+  }
+  if (mesh.has_non_manifold_vertices() && !can.non_manifold_vertices) {
+    return solver.name + " supports no vertices that several fans of faces share";
+  }
+  if (mesh.has_degenerate_faces() && !can.degenerate_faces) {
+    return solver.name + " supports no faces with a zero-length edge or without area";
+  }
+  return {};
+}
+
 InstructionSet instruction_set_named(const std::string& word) {
   if (word == kAutoVectors) return widest_instruction_set();
   std::vector<std::string> known{kAutoVectors};

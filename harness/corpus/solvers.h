@@ -1,4 +1,4 @@
-// Solvers and instruction sets as users name them.
+// Solvers and instruction sets as users name them, and the meshes that solvers can do.
 #pragma once
 
 #include <string>
@@ -28,6 +28,9 @@ std::string_view exactness_name(Exactness exactness);
 
 /// The same for readers, a bound as a number: "within 0.01", "upper bound".
 std::string shown_exactness(const Description& solver);
+
+/// Why the solver declares that it cannot do this mesh; empty when it can.
+std::string unsupported(const Description& solver, const Mesh& mesh);
 
 /// The widest that the processor and the build have.
 inline constexpr const char* kAutoVectors = "auto";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/corpus/solvers.h"
 #include "meshes/messages.h"
 #include "meshes/oracles/path.h"
 

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "harness/base/error.h"
+#include "harness/corpus/solvers.h"
 #include "harness/verify/properties/properties.h"
 
 namespace geodesic::harness {

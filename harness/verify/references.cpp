@@ -6,6 +6,7 @@
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"
+#include "harness/corpus/solvers.h"
 #include "meshes/generators/generators.h"
 
 namespace geodesic::harness {

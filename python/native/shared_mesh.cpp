@@ -1,8 +1,8 @@
 #include "python/native/shared_mesh.h"
 
-#include <stdexcept>
 #include <utility>
 
+#include "solvers/core/mesh_input.h"
 #include "solvers/core/registry.h"
 
 namespace geodesic::python {
@@ -27,10 +27,7 @@ BorrowedSolver::BorrowedSolver(std::shared_ptr<SharedMesh> from, const std::stri
       return;
     }
   }
-  const Mesh& mesh = from_->mesh();
-  const std::string unable = unsupported(solver_named(name_), mesh);
-  if (!unable.empty()) throw std::invalid_argument(unable);
-  solver_ = make_solver(name_, mesh);
+  solver_ = make_solver(name_, from_->mesh());
 }
 
 BorrowedSolver::~BorrowedSolver() {

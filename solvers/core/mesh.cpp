@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "solvers/core/mesh_input.h"
 #include "solvers/core/tolerance.h"
 #include "solvers/core/unit.h"
 

@@ -26,12 +26,6 @@ struct HalfEdge {
 };
 static_assert(sizeof(HalfEdge) == 32, "two half-edges share a cache line");
 
-/// Refuses what no Mesh can be built of.
-/// @throws std::invalid_argument for an index out of range, a triangle that names a vertex twice,
-///         a coordinate that is not finite, an extent that is not 0 and beyond 1e-289 or 1e289,
-///         or more elements than an Index can number.
-void check_mesh_input(std::span<const Vec3> positions, std::span<const Triangle> triangles);
-
 /// A triangle mesh as solvers walk over it; constant once it is built.
 class Mesh {
  public:
@@ -41,7 +35,9 @@ class Mesh {
   /// edge (boundary, more than two faces, inconsistent orientation) is a boundary of each of its
   /// faces; paths cross it only at its end vertices. Vertices may be isolated, and several fans of
   /// faces may share one vertex.
-  /// @throws std::invalid_argument as check_mesh_input does
+  /// @throws std::invalid_argument for an index out of range, a triangle that names a vertex twice,
+  ///         a coordinate that is not finite, an extent that is not 0 and beyond 1e-289 or 1e289,
+  ///         or more elements than an Index can number.
   Mesh(std::span<const Vec3> positions, std::span<const Triangle> triangles,
        Numbering numbering = Numbering::as_given);
   explicit Mesh(const TriangleSoup& soup, Numbering numbering = Numbering::as_given)

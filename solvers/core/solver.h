@@ -100,9 +100,6 @@ struct Description {
   int thread_count() const;
 };
 
-/// Why a solver declares that it cannot do a mesh; empty when it can.
-std::string unsupported(const Description& solver, const Mesh& mesh);
-
 /// Distances over one mesh; a solver family derives from it and implements `run`.
 class Solver {
  public:

@@ -177,7 +177,7 @@ class Differential {
   std::vector<const Description*> by_independence(const Mesh& mesh) const {
     std::vector<const Description*> fit;
     for (const Description* solver : solvers_) {
-      if (unsupported(*solver, mesh).empty()) fit.push_back(solver);
+      if (harness::unsupported(*solver, mesh).empty()) fit.push_back(solver);
     }
     std::ranges::stable_sort(fit, {}, [](const Description* solver) {
       return std::pair(!solver->independent_oracle, solver->exactness != Exactness::exact);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "harness/corpus/solvers.h"
 #include "harness/verify/property.h"
 #include "meshes/mesh_file.h"
 
@@ -54,7 +55,7 @@ TEST_P(PinnedMesh, is_right_by_every_exact_solver_and_instruction_set) {
   for (const Description* solver : registered_solvers()) {
     // An independent oracle is not ours to repair.
     if (solver->exactness != Exactness::exact || solver->independent_oracle) continue;
-    if (!unsupported(*solver, mesh).empty()) continue;
+    if (!harness::unsupported(*solver, mesh).empty()) continue;
     for (const InstructionSet set : std::set{InstructionSet::plain, widest_instruction_set()}) {
       set_instruction_set(set);
       const auto made = make_solver(solver->name, mesh);

@@ -48,6 +48,7 @@ def checkout(tmp_path: Path) -> Checkout:
         "GEODESIC_DATASETS": str(folder / "datasets" / "cache"),
         "GEODESIC_BENCH": str(program),
         "GEODESIC_BUILD": str(BENCH.resolve().parent),
+        "GEODESIC_PYTHON": sys.executable,
     }
     inherited = {k: v for k, v in os.environ.items() if k != "GEODESIC_DATASETS_MIRROR"}
     return Checkout(folder, inherited | own)

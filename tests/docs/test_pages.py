@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from pages import ROOT, Checkout, PageError, blocks, follow
 
-PAGES = ["adding-a-solver.md", "adding-a-mesh.md", "adding-a-figure.md"]
+PAGES = ["adding-a-solver.md", "adding-a-mesh.md", "adding-a-figure.md", "python.md"]
 
 
 @pytest.mark.parametrize("page", PAGES)

@@ -152,9 +152,8 @@ def test_defects_are_named_and_counted() -> None:
     assert "face" in found[0].first and "vertex 3" in str(found[1])
 
 
-def test_a_solver_says_what_it_does_not_support(ground: Arrays) -> None:
-    vertices = [[x % 40, x // 40, 0] for x in range(1600)]
-    corner = [x for x in range(1560) if x % 40 < 39]
-    mesh = gb.Mesh(vertices, [[x, x + 1, x + 41] for x in corner])
-    with pytest.raises(ValueError, match=r"^ch is limited to 1200 vertices, the mesh has 1600$"):
+def test_a_solver_says_what_it_does_not_support() -> None:
+    mesh = gb.Mesh([[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]])
+    with pytest.raises(ValueError, match=r"^ch: supports no faces with a zero-length edge"):
         mesh.distances(0, solver="ch")
+    assert mesh.distances(0)[2] == 2
