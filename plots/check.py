@@ -2,7 +2,8 @@
 
 A solver that declares that it does not support a mesh, an outcome that the suite expects, and a
 solver that was skipped on a mesh for a stated reason, are listed but are no failures. A mesh that
-was skipped whole is one, unless --allow-skipped is given.
+was skipped whole is one, unless --allow-skipped is given. With --plugins-may-fail what the solvers of
+plug-ins fail at is a finding about them, and no failure of the run.
 """
 
 from __future__ import annotations
@@ -34,10 +35,16 @@ def line(row: Row) -> str:
     return f"{row.cell}: {row.outcome}: {row.message}"
 
 
-def failures(run: Run) -> list[str]:
-    """One line a failed row or missing cell."""
-    without_harm = allowed(run)
-    failed = [line(row) for row in run.rows if not row.ok and row not in without_harm]
+def findings(run: Run) -> list[Row]:
+    """Failed rows of the solvers that plug-ins brought."""
+    plugins = run.context["geodesic_bench"].get("plugins", [])
+    theirs = {solver for plugin in plugins for solver in plugin["solvers"]}
+    return [row for row in run.rows if not row.ok and row.solver.split("?")[0] in theirs]
+
+
+def failures(run: Run, harmless: Sequence[Row]) -> list[str]:
+    """One line a failed row, apart from the harmless ones, or missing cell."""
+    failed = [line(row) for row in run.rows if not row.ok and row not in harmless]
     there = {(row.solver, row.mesh, row.source) for row in run.rows}
     missing = [
         f"{solver}/{mesh}/src:{source}: missing: the run has no row for this cell"
@@ -94,6 +101,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument(
         "--allow-skipped", action="store_true", help="accept meshes that were skipped whole"
     )
+    parser.add_argument(
+        "--plugins-may-fail", action="store_true",
+        help="list the failures of solvers of plug-ins, and accept them",
+    )  # fmt: skip
     options = parser.parse_args(arguments)
     try:
         run = read_run(options.run or newest_run())
@@ -101,11 +112,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return console.complain(error)
     for words in skipped(run):
         print(f"NOT MEASURED: {words}")
-    for row in allowed(run):
+    without_time = allowed(run)
+    for row in without_time:
         print(f"without a time: {line(row)}")
+    found = []
+    if options.plugins_may_fail:
+        found = [row for row in findings(run) if row not in without_time]
+    for row in found:
+        print(f"FOUND: {line(row)}")
     for largest in largest_errors(run):
         print(f"largest relative error: {largest}")
-    failed = failures(run)
+    failed = failures(run, [*without_time, *found])
     for failure in failed:
         print(f"FAILED: {failure}")
     passed = cells([row for row in run.rows if row.ok])

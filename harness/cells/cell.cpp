@@ -23,6 +23,14 @@ namespace {
 constexpr int kOutOfMemory = 3;
 constexpr int kCannotWrite = 4;
 
+void note(const RelativeErrors& errors, Row& row) {
+  row.max_relative_error = errors.max;
+  row.mean_relative_error = errors.mean;
+  row.rms_relative_error = errors.rms;
+  row.p99_relative_error = errors.p99;
+  row.unreachable_mismatches = errors.unreachable_mismatches;
+}
+
 class Measurement {
  public:
   Measurement(const CellSpec& spec, const TriangleSoup& soup, const Mesh& mesh)
@@ -54,7 +62,7 @@ class Measurement {
   Verdict judge(std::span<const double> distances) const;
   // Why the distances of another solve cannot be right, when those of the first one are.
   // @param which a sentence that says it of a solver whose solves are all the same
-  std::string verify_again(const std::string& which) const;
+  std::string verify_again(const std::string& which);
   void count();
   void record();
   void record_isolines(const std::filesystem::path& folder);
@@ -86,18 +94,16 @@ std::string Measurement::verify_warm_up(Solver& solver) {
   solver.solve(query_, verified_);
   const auto [error, errors] = judge(verified_);
   row_.reference = spec_.reference;
-  row_.max_relative_error = errors.max;
-  row_.mean_relative_error = errors.mean;
-  row_.rms_relative_error = errors.rms;
-  row_.p99_relative_error = errors.p99;
-  row_.unreachable_mismatches = errors.unreachable_mismatches;
+  note(errors, row_);
   failed_ = row_;
   return error;
 }
 
-std::string Measurement::verify_again(const std::string& which) const {
-  if (!solver_.deterministic) return judge(solved_).error;
-  return identical(solved_, verified_) ? "" : which;
+std::string Measurement::verify_again(const std::string& which) {
+  if (solver_.deterministic && identical(solved_, verified_)) return {};
+  const auto [error, errors] = judge(solved_);
+  note(errors, failed_);
+  return solver_.deterministic ? which : error;
 }
 
 // What an object has solved before must not show in an answer.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 #include <numeric>
+#include <utility>
 
 namespace geodesic {
 namespace {
@@ -66,22 +67,22 @@ std::string harmless(std::string_view text) {
 
 std::string unknown_name(std::string_view kind, std::string_view name,
                          const std::vector<std::string>& known) {
+  constexpr std::size_t kListed = 30, kNearest = 8;
   std::string message = "no " + std::string(kind) + " named '" + excerpt(name) + "'";
-  const std::size_t tolerated = 1 + name.size() / 4;
-  std::size_t least = tolerated + 1;
-  std::string_view nearest;
-  for (const std::string& candidate : known) {
-    // The distance is at least the difference of the lengths.
-    if (candidate.size() > name.size() + tolerated || name.size() > candidate.size() + tolerated) {
-      continue;
-    }
-    const std::size_t distance = edit_distance(name, candidate);
-    if (distance >= least) continue;
-    least = distance;
-    nearest = candidate;
-  }
-  if (least <= tolerated) message += " (did you mean '" + std::string(nearest) + "'?)";
-  return message + "; there are: " + (known.empty() ? "none" : join(known));
+  if (known.empty()) return message + "; there are: none";
+  // The beginning decides for a name that is longer than any.
+  const std::string_view compared = name.substr(0, 100);
+  std::vector<std::pair<std::size_t, std::string>> nearest;
+  nearest.reserve(known.size());
+  for (const std::string& each : known) nearest.emplace_back(edit_distance(compared, each), each);
+  std::stable_sort(nearest.begin(), nearest.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  const auto& [distance, best] = nearest.front();
+  if (distance <= 1 + compared.size() / 4) message += " (did you mean '" + best + "'?)";
+  if (known.size() <= kListed) return message + "; there are: " + join(known);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < kNearest; ++i) names.push_back(nearest[i].second);
+  return message + "; the nearest of " + std::to_string(known.size()) + ": " + join(names);
 }
 
 std::string excerpt(std::string_view text, std::size_t longest) {

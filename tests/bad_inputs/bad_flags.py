@@ -51,7 +51,7 @@ CASES = [
     of("solve", "hill.obj --threads 0", "--threads: '0' is not between 1 and 1024"),
     flag("geodesic-bench solve hill.obj --solver mpp --source 0",
          "no solver named 'mpp' (did you mean 'mmp'?)"),
-    flag("geodesic-bench solve hil --solver mmp --source 0", "no mesh named 'hil'", "horse"),
+    flag("geodesic-bench solve hil --solver mmp --source 0", "no mesh named 'hil'", "the nearest of"),
     flag("geodesic-bench solve meshes/hil.obj --solver mmp --source 0",
          "cannot open 'meshes/hil.obj': No such file or directory"),
     flag("geodesic-bench solve bunny.xyz --solver mmp --source 0",

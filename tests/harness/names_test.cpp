@@ -14,6 +14,14 @@ TEST(UnknownName, ListsWhatExistsAndGuessesWhatWasMeant) {
             "no solver named 'edge-base' (did you mean 'edge-based'?); there are: ch, edge-based");
 }
 
+TEST(UnknownName, ListsTheNearestOfMany) {
+  std::vector<std::string> known{"stanford-bunny"};
+  for (int i = 0; i < 80; ++i) known.push_back("terrain-" + std::to_string(i));
+  EXPECT_EQ(unknown_name("mesh", "terain-7", known),
+            "no mesh named 'terain-7' (did you mean 'terrain-7'?); the nearest of 81: terrain-7, "
+            "terrain-0, terrain-1, terrain-2, terrain-3, terrain-4, terrain-5, terrain-6");
+}
+
 TEST(UnknownName, SaysWhenThereIsNothing) {
   EXPECT_EQ(unknown_name("mesh", "horse", {}), "no mesh named 'horse'; there are: none");
 }
