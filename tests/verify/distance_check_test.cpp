@@ -69,6 +69,26 @@ TEST(DistanceCheck, short_distances_may_be_off_as_much_as_the_least) {
   EXPECT_FALSE(nothing(check(0.989, Relation::upper_bound)));
 }
 
+TEST(DistanceCheck, a_limit_may_cut_off_inexact_distances_on_the_side_that_their_promise_leaves) {
+  const Query query{.sources = {{0}}, .limit = 10};
+  const auto holds = [&](Exactness exactness, const Values& got, const Values& expected) {
+    return nothing(check_promise({exactness, 0.1}, query, got, expected));
+  };
+  const Values near_limit{0, 9.5}, far_below{0, 5}, cut_off{0, kInfinity};
+  EXPECT_FALSE(holds(Exactness::exact, cut_off, near_limit));
+  EXPECT_TRUE(holds(Exactness::bounded, cut_off, near_limit));
+  EXPECT_TRUE(holds(Exactness::bounded, near_limit, cut_off));
+  EXPECT_FALSE(holds(Exactness::bounded, cut_off, far_below));
+  EXPECT_FALSE(holds(Exactness::bounded, far_below, cut_off));
+  EXPECT_TRUE(holds(Exactness::upper_bound, cut_off, far_below));
+  EXPECT_FALSE(holds(Exactness::upper_bound, near_limit, cut_off));
+  EXPECT_TRUE(holds(Exactness::unbounded, cut_off, far_below));
+  EXPECT_TRUE(holds(Exactness::unbounded, far_below, cut_off));
+  for (const Exactness each : {Exactness::bounded, Exactness::upper_bound, Exactness::unbounded}) {
+    EXPECT_FALSE(holds(each, {kInfinity, 5}, far_below));
+  }
+}
+
 TEST(DistanceCheck, same_bits_means_to_the_last_bit) {
   const auto check = [](double got, double expected) {
     return check_distances(kFromZero, Values{0, got}, Values{0, expected}, Relation::same_bits);
