@@ -67,7 +67,7 @@ std::string harmless(std::string_view text) {
 
 std::string unknown_name(std::string_view kind, std::string_view name,
                          const std::vector<std::string>& known) {
-  constexpr std::size_t kListed = 30, kNearest = 8;
+  constexpr std::size_t kListed = 50, kNearest = 8;
   std::string message = "no " + std::string(kind) + " named '" + excerpt(name) + "'";
   if (known.empty()) return message + "; there are: none";
   // The beginning decides for a name that is longer than any.
