@@ -39,12 +39,14 @@ def findings(run: Run) -> list[Row]:
     """Failed rows of the solvers that plug-ins brought."""
     plugins = run.context["geodesic_bench"].get("plugins", [])
     theirs = {solver for plugin in plugins for solver in plugin["solvers"]}
-    return [row for row in run.rows if not row.ok and row.solver.split("?")[0] in theirs]
+    failed = [row for row in run.rows if not row.ok and row.outcome not in ALLOWED]
+    return [row for row in failed if row.solver.split("?")[0] in theirs]
 
 
-def failures(run: Run, harmless: Sequence[Row]) -> list[str]:
-    """One line a failed row, apart from the harmless ones, or missing cell."""
-    failed = [line(row) for row in run.rows if not row.ok and row not in harmless]
+def failures(run: Run, harmless: Sequence[Row] = ()) -> list[str]:
+    """One line a failed row, apart from those allowed and other harmless ones, or missing cell."""
+    accepted = [*allowed(run), *harmless]
+    failed = [line(row) for row in run.rows if not row.ok and row not in accepted]
     there = {(row.solver, row.mesh, row.source) for row in run.rows}
     missing = [
         f"{solver}/{mesh}/src:{source}: missing: the run has no row for this cell"
@@ -112,17 +114,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return console.complain(error)
     for words in skipped(run):
         print(f"NOT MEASURED: {words}")
-    without_time = allowed(run)
-    for row in without_time:
+    for row in allowed(run):
         print(f"without a time: {line(row)}")
-    found = []
-    if options.plugins_may_fail:
-        found = [row for row in findings(run) if row not in without_time]
+    found = findings(run) if options.plugins_may_fail else []
     for row in found:
         print(f"FOUND: {line(row)}")
     for largest in largest_errors(run):
         print(f"largest relative error: {largest}")
-    failed = failures(run, [*without_time, *found])
+    failed = failures(run, found)
     for failure in failed:
         print(f"FAILED: {failure}")
     passed = cells([row for row in run.rows if row.ok])

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+/// @cond  Doxygen does not find the class that is specialised.
 /// Null where there is no value.
 template <class Value>
 struct nlohmann::adl_serializer<std::optional<Value>> {
@@ -15,6 +16,7 @@ struct nlohmann::adl_serializer<std::optional<Value>> {
     if (value) json = *value;
   }
 };
+/// @endcond
 
 namespace geodesic::harness {
 

@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from conftest import GOLDEN
 
 from plots import report
 from plots.catalogue import EVERYTHING
@@ -52,7 +51,7 @@ def report_of(folder: Path) -> Page:
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Of the golden run, with its report."""
     folder = tmp_path_factory.mktemp("run")
-    shutil.copy(GOLDEN / "run" / "run.json", folder)
+    shutil.copy(Path(__file__).parent / "golden" / "run" / "run.json", folder)
     report_of(folder)
     return folder
 
