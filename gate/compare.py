@@ -28,7 +28,7 @@ from results.console import complain
 from results.reader import Cell, ResultError, Run, read_run
 from results.statistics import Decision, Estimate, decide, rank_test
 from results.statistics import geometric_mean_of_medians, geometric_mean_of_ratios
-from results.table import Table, markdown_page, text_cells, text_page
+from results.table import Table, four_digits, markdown_page, text_cells, text_page
 
 SIGNIFICANCE = 0.01
 """Of the rank test for a cell of two separate runs."""
@@ -295,7 +295,7 @@ def _row(change: Change) -> list[str]:
     time, memory = change.time, change.number(MEMORY)
     times = ["-"] * 3
     if time:
-        times = [f"{time.old:.4g}", f"{time.new:.4g}", _ratio(time.ratio, change.resolved)]
+        times = [four_digits(time.old), four_digits(time.new), _ratio(time.ratio, change.resolved)]
     return [change.name, counters or "same", *times, f"{memory.ratio:.3f}" if memory else "-"]
 
 

@@ -7,7 +7,9 @@ import statistics
 from typing import Any
 
 from results.reader import Run
-from results.table import Table, escape_latex, escape_markdown, text_cells, to_markdown, to_tabular
+from results.table import (
+    Table, escape_latex, escape_markdown, four_digits, text_cells, to_markdown, to_tabular,
+)  # fmt: skip
 
 from gate.cells import MEMORY
 from gate.ranking import ERROR, WINDOWS, OnMesh, Ranking, Ratio, Standing
@@ -118,7 +120,7 @@ def _mesh_row(ranking: Ranking, one: Standing, mesh: str) -> list[str]:
     on = one.on(mesh)
     milliseconds = on.milliseconds if on else statistics.median(times)
     return [
-        one.solver, f"{milliseconds:.4g}", *_ratios(on),
+        one.solver, four_digits(milliseconds), *_ratios(on),
         typical(WINDOWS, 1, 0), typical(MEMORY, 1e6, 2),
         _error(max(measurements.numbers(one.solver, mesh, ERROR), default=None)),
     ]  # fmt: skip

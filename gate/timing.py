@@ -17,6 +17,7 @@ from pathlib import Path
 
 from results.reader import Cell
 from results.statistics import Decision, Estimate, decide, geometric_mean_of_medians
+from results.table import four_digits
 
 from gate.cells import Measured, Pairs, together
 from gate.findings import REGRESSION, GateError, LevelResult, Weight
@@ -169,7 +170,7 @@ def _report_row(
     result.compared += 1
     old, new = statistics.median(pairs.first), statistics.median(pairs.second)
     result.table.append([
-        str(cell), f"{old:.4g}", f"{new:.4g}",
+        str(cell), four_digits(old), four_digits(new),
         f"{ratio.value:.3f}", f"{ratio.low:.3f} to {ratio.high:.3f}", str(len(pairs)),
         "NOT RESOLVED" if decision == Decision.UNDECIDED else str(decision),
     ])  # fmt: skip
@@ -224,7 +225,7 @@ def against_itself(
         medians = [one.ratio.value for one in judged]
         result.compared += 1
         result.table.append([
-            str(cell), f"{statistics.median(t for p in all_pairs for t in p.first):.4g}",
+            str(cell), four_digits(statistics.median(t for p in all_pairs for t in p.first)),
             f"{max(map(noise, all_pairs)) - 1:.1%}", f"{min(medians):.3f} to {max(medians):.3f}",
             f"{min(one.ratio.low for one in judged):.3f} to"
             f" {max(one.ratio.high for one in judged):.3f}",

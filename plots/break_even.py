@@ -13,6 +13,7 @@ from plots import style
 from plots.answers import error_text, errors, further, preparation, times
 from plots.dots import sentences
 from plots.drawing import Drawing
+from plots.growth import surface
 from plots.logarithmic import logarithmic
 from plots.measures import EDGE_BASED, baseline, by_source, columns, count, interval, time_unit
 from results.reader import Mesh, ResultError, Run
@@ -145,12 +146,15 @@ def figure(run: Run) -> Drawing:
     styles = style.solver_styles(run.solvers)
     picture = style.new_figure(3.4)
     left, right = picture.subplots(1, 2)
+    surfaces = {surface(point.mesh) for points in found.values() for point in points}
     for heat, points in found.items():
         look = styles[heat]
         line = {"color": look.color, "marker": look.marker, "markersize": 4.5}
-        _draw_sources(left, points, line, look.line)
-        for key, fill, dashes in [("mean_error", look.color, look.line),
-                                  ("largest_error", "white", (0, (1, 2)))]:  # fmt: skip
+        # What lies between meshes of different surfaces is not known.
+        joined = look.line if len(surfaces) == 1 else ""
+        _draw_sources(left, points, line, joined)
+        for key, fill, dashes in [("mean_error", look.color, joined),
+                                  ("largest_error", "white", joined and (0, (1, 2)))]:  # fmt: skip
             known = [(p.mesh.vertices, getattr(p, key)) for p in points if getattr(p, key) > 0]
             if known:
                 right.plot(*zip(*known, strict=True), linestyle=dashes, markerfacecolor=fill, **line)
@@ -168,7 +172,7 @@ def figure(run: Run) -> Drawing:
                 logarithmic(axis)
     handles = [
         Line2D([], [], color=styles[h].color, marker=styles[h].marker, markersize=4.5,
-               linestyle=styles[h].line, label=style.plain(h))
+               linestyle=styles[h].line if len(surfaces) == 1 else "", label=style.plain(h))
         for h in found
     ]  # fmt: skip
     for words, fill in [("mean error", style.PALE), ("largest error", "white")]:
@@ -180,7 +184,7 @@ def figure(run: Run) -> Drawing:
         caption=sentences(
             f"Left: the number of sources whose answers take a heat method and {exact} the same "
             "time, preparation included; medians over sources and repetitions with 95% bootstrap "
-            f"intervals. Below a line {exact} is faster. Right: the relative errors of the heat "
+            f"intervals. With fewer sources {exact} is faster. Right: the relative errors of the heat "
             "methods, mean and largest.",
             *(_sentence(heat, exact, points) for heat, points in found.items()),
         ),

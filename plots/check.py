@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from results import console
 
 if __name__ == "__main__":
-    console.prepare()  # before imports that may fail
+    console.prepare("geodesic-bench check")  # before imports that may fail
 
 from results.reader import ResultError, Row, Run, newest_run, read_run
 

@@ -162,10 +162,14 @@ def accuracy(run: Run) -> Drawing:
     solvers = [s for s in measured_solvers(run) if run.solvers[s].exact]
     rows = mesh_rows(run, ERROR.label, solvers, measured)
     mark = hollow_mark("hollow: against a solver")
-    figure = draw_rows(rows, "largest relative error", styles_of(run), marks=[mark])
+    figure = draw_rows(
+        rows, "largest relative error", styles_of(run), marks=[mark], in_sight=BOUND
+    )
     axes = figure.axes[0]
     logarithmic(axes.xaxis)
-    axes.set_xlim(left=FLOOR / 2, right=max(axes.get_xlim()[1], 4 * BOUND))
+    # Errors beyond the bound are numbers at the right edge, clear of the line.
+    wrong = any(dot.value > BOUND for row in rows for dots in row.dots.values() for dot in dots)
+    axes.set_xlim(left=FLOOR / 2, right=max(axes.get_xlim()[1], (300 if wrong else 4) * BOUND))
     axes.axvline(BOUND, color=style.INK, linewidth=1, linestyle=(0, (4, 2)))
     axes.annotate(
         f"bound {BOUND:.0e}", (BOUND, 1), (-3, -2), ("data", "axes fraction"),

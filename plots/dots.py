@@ -108,19 +108,21 @@ def draw_rows(
     left: float = 0,
     width: float = style.WIDTH,
     numbers: bool = False,
+    in_sight: float = 0,
 ) -> Figure:
     """@param rows at least one, with a dot in each
     @param label of the axis
     @param styles in the order in which the solvers are drawn
     @param marks further entries of the legend
     @param left where a linear axis begins, unless a value is below
-    @param numbers whether each value is written beside its dot"""
+    @param numbers whether each value is written beside its dot
+    @param in_sight every value up to it is drawn in its place"""
     drawn = [solver for solver in styles if any(solver in row.dots for row in rows)]
     pitch = NUMBER_INCHES if numbers else DOT_INCHES
     row_inches = max(ROW_INCHES * min(1, width / style.WIDTH * 1.05), pitch * (len(drawn) + 1))
     figure = style.new_figure(1.1 + row_inches * max(len(rows), 2), width)
     axes = figure.subplots()
-    limit = math.inf if numbers else _limit(rows)
+    limit = math.inf if numbers else max(_limit(rows), in_sight)
     for place, row in enumerate(rows):
         if place % 2:
             axes.axhspan(place - 0.5, place + 0.5, color="#f4f4f4", linewidth=0, zorder=0)

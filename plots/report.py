@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from results import console
 
 if __name__ == "__main__":
-    console.prepare()  # before imports that may fail
+    console.prepare("geodesic-bench report")  # before imports that may fail
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import csv
 import io
+import math
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
@@ -29,6 +30,12 @@ class Cell:
 
 
 BLANK = Cell("")
+
+
+def four_digits(value: float) -> str:
+    """Significant ones, zeros at the end too: 0.4217, 1.780, 14.74, 1234."""
+    digits = 3 - math.floor(math.log10(abs(value))) if value else 3
+    return f"{value:.{max(0, digits)}f}"
 
 
 def estimate_cell(estimate: Estimate, text: str, note: str = "") -> Cell:

@@ -64,7 +64,7 @@ def refused() -> Iterator[Case]:
             begins = " ".join(command.split()[:2])
             yield Case(f"{command}: {what}", command, [f"{begins}: ", "run.json", SAYS[what]],
                        files=files)  # fmt: skip
-        yield Case(f"check.py: {what}", "check.py --run .", ["check.py: ", "run.json", SAYS[what]],
+        yield Case(f"check.py: {what}", "check.py --run .", ["geodesic-bench check: ", "run.json", SAYS[what]],
                    files=files)  # fmt: skip
 
 
@@ -96,7 +96,7 @@ CASES = [
     Case("plots table_5_1: cut", "plots table_5_1 --run .", ["run.json: not JSON, perhaps truncated"],
          files={"run.json": FILES["cut"]}),
     Case("report.py: a file in place of its folder", f"report.py --run '{GOLDEN}'",
-         ["report.py: ", "run.json: no such folder"]),
+         ["geodesic-bench report: ", "run.json: no such folder"]),
     Case("run_all.sh check: nothing there", "run_all.sh check --no-install --run nowhere",
          ["run_all.sh: check failed"]),
 ]  # fmt: skip
