@@ -89,10 +89,9 @@ def _picture(drawing: Drawing, png: Path) -> dict[str, Any]:
 
 
 def _title(run: Run) -> str:
-    if len(run.meshes) <= FEW:
-        about = ", ".join(run.meshes)
-    else:
-        about = f"corpus {run.ours['corpus']}, {len(run.meshes)} meshes"
+    about = ", ".join(list(run.meshes)[:FEW])
+    if len(run.meshes) > FEW:
+        about += f" and {len(run.meshes) - FEW} more"
     return f"Geodesic distances: {about}; {run.ours['started'][:10]}"
 
 
