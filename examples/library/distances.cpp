@@ -15,6 +15,6 @@ int main() {
   const Mesh mesh(positions, triangles);
   const std::unique_ptr<Solver> solver = make_solver("edge-based", mesh);
   std::vector<double> distances(mesh.vertex_count());
-  solver->solve({.sources = {{.vertex = 0}}}, distances);
+  solver->solve({.sources = {{.at = 0}}}, distances);
   for (const double d : distances) std::printf("%.17g\n", d);
 }

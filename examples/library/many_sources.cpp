@@ -42,7 +42,7 @@ std::vector<Farthest> farthest_from_each(const Mesh& mesh, const std::vector<Ind
     const std::unique_ptr<Solver> solver = make_solver("edge-based", mesh);
     std::vector<double> distances(mesh.vertex_count());
     for (std::size_t i = next++; i < sources.size(); i = next++) {
-      solver->solve({.sources = {{.vertex = sources[i]}}}, distances);
+      solver->solve({.sources = {{.at = sources[i]}}}, distances);
       results[i] = farthest(distances);
     }
   };

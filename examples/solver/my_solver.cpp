@@ -23,7 +23,7 @@ class MySolver final : public Solver {
         front_.push_or_decrease(v, d);
       }
     };
-    for (const Source& source : query.sources) reach(source.vertex, source.distance);
+    for (const Source& source : query.sources) reach(source.at.vertex, source.distance);
     while (!front_.empty() && front_.least_key() <= query.limit) {
       const Index v = front_.pop();
       for (const Index h : mesh().outgoing(v)) {

@@ -38,7 +38,7 @@ class Measurement {
         solver_(*find_solver(spec.solver)),
         soup_(soup),
         mesh_(mesh),
-        query_{.sources = {{.vertex = spec.source}}},
+        query_{.sources = {{.at = spec.source}}},
         verified_(mesh.vertex_count()),
         solved_(mesh.vertex_count()) {
     row_.solver = spec.solver;
@@ -115,7 +115,7 @@ std::string Measurement::verify_after_others(Solver& solver) {
   const auto others = static_cast<Index>(spec_.other_queries);
   for (Index k = 1; k <= others; ++k) {
     const auto step = static_cast<Index>(std::uint64_t{k} * mesh_.vertex_count() / (others + 1));
-    solve({.sources = {{.vertex = (spec_.source + step) % mesh_.vertex_count()}}});
+    solve({.sources = {{.at = (spec_.source + step) % mesh_.vertex_count()}}});
   }
   if (others > 0) solve(query_);
   return others == 0 ? ""
@@ -240,8 +240,7 @@ void run_cell(const CellSpec& spec) {
 void run_reference(const ReferenceSpec& spec) {
   const Mesh mesh(load_mesh(spec.mesh_file, {.repair = spec.repair}).soup,
                   Numbering::along_surface);
-  write_distances(spec.output,
-                  solve_once(spec.solver, mesh, {.sources = {{.vertex = spec.source}}}));
+  write_distances(spec.output, solve_once(spec.solver, mesh, {.sources = {{.at = spec.source}}}));
 }
 
 int exit_code_of(const std::function<void()>& work) {

@@ -62,7 +62,7 @@ TriangleSoup load(const SolveFlags& flags, const MeshEntry& entry) {
 
 Query query_from(std::span<const Index> sources, double limit = kInfinity) {
   Query query{.sources = {}, .limit = limit};
-  for (const Index v : sources) query.sources.push_back({.vertex = v});
+  for (const Index v : sources) query.sources.push_back({.at = v});
   return query;
 }
 

@@ -36,7 +36,7 @@ void list_properties() {
 Source source_of(const std::string& word) {
   Source source;
   const char* end = word.data() + word.size();
-  auto [at, error] = std::from_chars(word.data(), end, source.vertex);
+  auto [at, error] = std::from_chars(word.data(), end, source.at.vertex);
   if (error == std::errc() && at != end && *at == ':') {
     const auto distance = std::from_chars(at + 1, end, source.distance);
     at = distance.ptr;

@@ -43,7 +43,7 @@ void solve_each(const std::string& solver, const Mesh& mesh, const std::vector<I
     // Shared because a std::function must be copyable.
     const std::shared_ptr<Solver> own = make_solver(solver, mesh);
     return [&, own, distances = std::vector<double>(mesh.vertex_count())](std::size_t i) mutable {
-      const Query query{.sources = {{.vertex = sources[i]}}, .limit = limit};
+      const Query query{.sources = {{.at = sources[i]}}, .limit = limit};
       const double cpu_start = thread_cpu_seconds();
       const Stopwatch watch;
       own->solve(query, distances);

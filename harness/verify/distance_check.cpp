@@ -14,7 +14,7 @@ std::string sources_of(const Query& query) {
   constexpr std::size_t kShown = 4;
   std::string text = query.sources.size() == 1 ? " from vertex " : " from vertices ";
   for (std::size_t i = 0; i < std::min(query.sources.size(), kShown); ++i) {
-    text += (i > 0 ? ", " : "") + std::to_string(query.sources[i].vertex);
+    text += (i > 0 ? ", " : "") + std::to_string(query.sources[i].at.vertex);
   }
   return query.sources.size() > kShown ? text + ", ..." : text;
 }
@@ -56,7 +56,7 @@ template <class PositionOf>
 std::vector<double> lines_to(Index vertices, const Query& query, const PositionOf& position) {
   std::vector<double> lines(vertices, kInfinity);
   for (const Source& source : query.sources) {
-    const Vec3& a = position(source.vertex);
+    const Vec3& a = position(source.at.vertex);
     for (Index v = 0; v < vertices; ++v) {
       const Vec3& b = position(v);
       const double line = std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);

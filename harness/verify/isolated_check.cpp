@@ -15,8 +15,9 @@
 
 namespace geodesic {
 
-GEODESIC_JSON_MEMBERS(Source, vertex, distance)
-GEODESIC_JSON_MEMBERS(Query, sources, limit)
+GEODESIC_JSON_MEMBERS(SurfacePoint, vertex, face, weights)
+GEODESIC_JSON_MEMBERS(Source, at, distance)
+GEODESIC_JSON_MEMBERS(Query, sources, limit, targets, stop_at_targets)
 
 }  // namespace geodesic
 

@@ -122,7 +122,7 @@ Finding check_case(const Property& property, const Description& solver, const Ca
 }
 
 std::string role_of(Index v, const Mesh& mesh, const Query& query) {
-  const auto is_v = [v](const Source& source) { return source.vertex == v; };
+  const auto is_v = [v](const Source& source) { return source.at.vertex == v; };
   if (std::ranges::any_of(query.sources, is_v)) return "source";
   if (mesh.outgoing(v).empty()) return "isolated vertex";
   if (mesh.is_boundary(v)) return "boundary vertex";

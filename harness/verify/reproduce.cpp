@@ -44,7 +44,7 @@ void append_sources(Words& words, const Case& given) {
   for (const Query& query : given.queries) {
     for (const Source& source : query.sources) {
       const std::string initial = source.distance > 0 ? ':' + significant(source.distance) : "";
-      words.insert(words.end(), {"--source", std::to_string(source.vertex) + initial});
+      words.insert(words.end(), {"--source", std::to_string(source.at.vertex) + initial});
     }
   }
   if (given.queries.size() > 1) words.emplace_back("--each");

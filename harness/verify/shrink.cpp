@@ -13,7 +13,7 @@ namespace {
 std::vector<bool> vertices_of_sources(const Case& given) {
   std::vector<bool> is_source(given.soup.positions.size());
   for (const Query& query : given.queries) {
-    for (const Source& source : query.sources) is_source[source.vertex] = true;
+    for (const Source& source : query.sources) is_source[source.at.vertex] = true;
   }
   return is_source;
 }
@@ -36,7 +36,7 @@ Case compact(const Case& given) {
     for (Index& v : t) v = number[v];
   }
   for (Query& query : small.queries) {
-    for (Source& source : query.sources) source.vertex = number[source.vertex];
+    for (Source& source : query.sources) source.at.vertex = number[source.at.vertex];
   }
   return small;
 }

@@ -31,8 +31,8 @@ std::vector<Query> queries_of(const VerifyRequest& request, const MeshEntry& ent
   }
   std::vector<Query> queries;
   for (const Source& source : sources) {
-    if (source.vertex >= soup.positions.size()) {
-      throw HarnessError("source vertex " + std::to_string(source.vertex) + " is not in '" +
+    if (source.at.vertex >= soup.positions.size()) {
+      throw HarnessError("source vertex " + std::to_string(source.at.vertex) + " is not in '" +
                          entry.name + "', which has " + std::to_string(soup.positions.size()) +
                          " vertices");
     }

@@ -18,7 +18,7 @@ std::vector<Real> shortest_chains(const Graph& graph, std::span<const Source> so
     reached[v] = d;
     front.push({d, v});
   };
-  for (const Source& source : sources) reach(source.vertex, source.distance);
+  for (const Source& source : sources) reach(source.at.vertex, source.distance);
   while (!front.empty()) {
     const auto [d, v] = front.top();
     front.pop();
@@ -45,7 +45,7 @@ BruteForce::BruteForce(const Mesh& mesh) {
   lines_ = edges;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     Real reach = 0;
-    for (const Real d : shortest_chains(edges, std::vector<Source>{{.vertex = v}})) {
+    for (const Real d : shortest_chains(edges, std::vector<Source>{{.at = v}})) {
       if (d < kInfinity) reach = std::max(reach, d);
     }
     view_from(mesh, v, reach, [&](const Sight& sight) {
@@ -61,7 +61,7 @@ std::vector<double> BruteForce::distances(std::span<const Source> sources) const
 }
 
 std::vector<double> brute_force_distances(const Mesh& mesh, Index source) {
-  return BruteForce(mesh).distances(std::vector<Source>{{.vertex = source}});
+  return BruteForce(mesh).distances(std::vector<Source>{{.at = source}});
 }
 
 }  // namespace geodesic

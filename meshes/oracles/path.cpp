@@ -85,7 +85,7 @@ std::vector<StraightPiece> shortest_path(const Mesh& mesh, std::span<const Sourc
                                          std::span<const double> distances, Index target) {
   const auto starts_here = [&](Index v) {
     return std::ranges::any_of(sources, [&](const Source& source) {
-      return source.vertex == v && source.distance <= distances[v];
+      return source.at.vertex == v && source.distance <= distances[v];
     });
   };
   std::vector<StraightPiece> path;

@@ -46,7 +46,7 @@ class CgalHeat final : public Solver {
   template <class Heat>
   void run_by(Heat& heat, const Query& query, std::span<double> distances) {
     heat.clear_sources();
-    for (const Source& source : query.sources) heat.add_source(Vertex(source.vertex));
+    for (const Source& source : query.sources) heat.add_source(Vertex(source.at.vertex));
     auto found = surface_.add_property_map<Vertex, double>("v:distance", 0).first;
     heat.estimate_geodesic_distances(found);
     for (Index v = 0; v < distances.size(); ++v) distances[v] = found[Vertex(v)];

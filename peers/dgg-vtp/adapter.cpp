@@ -30,7 +30,7 @@ class DggVtp final : public Solver {
  private:
   // The authors' code clears its mesh itself.
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
-    algorithm_->propagate(query.sources.front().vertex);
+    algorithm_->propagate(query.sources.front().at.vertex);
     for (Index v = 0; v < distances.size(); ++v) {
       const double d = mesh_.vertices()[v].geodesic_distance();
       if (d < dgg_authors::GEODESIC_INF) distances[v] = d;

@@ -30,7 +30,8 @@ class GcMesh {
   std::vector<geometrycentral::surface::Vertex> sources(const Query& query) const {
     std::vector<geometrycentral::surface::Vertex> all;
     for (const Source& source : query.sources)
-      if (numbers_[source.vertex] != kNone) all.push_back(mesh_->vertex(numbers_[source.vertex]));
+      if (numbers_[source.at.vertex] != kNone)
+        all.push_back(mesh_->vertex(numbers_[source.at.vertex]));
     return all;
   }
 
@@ -41,7 +42,7 @@ class GcMesh {
     for (Index v = 0; v < distances.size(); ++v)
       if (numbers_[v] != kNone && !(found[numbers_[v]] >= 1e100)) distances[v] = found[numbers_[v]];
     for (const Source& source : query.sources)
-      if (numbers_[source.vertex] == kNone) distances[source.vertex] = 0;
+      if (numbers_[source.at.vertex] == kNone) distances[source.at.vertex] = 0;
   }
 
  private:

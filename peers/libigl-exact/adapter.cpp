@@ -27,7 +27,7 @@ class LibiglExact final : public Solver {
   void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
     std::vector<authors::SurfacePoint> sources;
     for (const Source& source : query.sources)
-      sources.emplace_back(&mesh_.vertices()[source.vertex]);
+      sources.emplace_back(&mesh_.vertices()[source.at.vertex]);
     algorithm_->propagate(sources);
     for (Index v = 0; v < distances.size(); ++v) {
       authors::SurfacePoint point(&mesh_.vertices()[v]);

@@ -28,7 +28,8 @@ class LibiglHeat final : public Solver {
  private:
   void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
     Eigen::VectorXi sources(query.sources.size());
-    for (int i = 0; i < sources.size(); ++i) sources(i) = static_cast<int>(query.sources[i].vertex);
+    for (int i = 0; i < sources.size(); ++i)
+      sources(i) = static_cast<int>(query.sources[i].at.vertex);
     Eigen::VectorXd found;
     igl::heat_geodesics_solve(data_, sources, found);
     std::copy(found.begin(), found.end(), distances.begin());

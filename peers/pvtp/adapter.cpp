@@ -63,7 +63,7 @@ class Pvtp final : public Solver {
  private:
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, threads_);
-    algorithm_.propagate(query.sources.front().vertex);
+    algorithm_.propagate(query.sources.front().at.vertex);
     mesh_.answer(distances, recording);
   }
 
@@ -88,7 +88,7 @@ class Avtp final : public Solver {
   }
 
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
-    algorithm_->propagate(query.sources.front().vertex);
+    algorithm_->propagate(query.sources.front().at.vertex);
     authors_->answer(distances, recording);
   }
 

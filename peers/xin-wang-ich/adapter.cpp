@@ -24,7 +24,7 @@ class XinWangIch final : public Solver {
   // The state of a solve lies in an object of its own; the model is constant.
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
     std::set<int> sources;
-    for (const Source& source : query.sources) sources.insert(static_cast<int>(source.vertex));
+    for (const Source& source : query.sources) sources.insert(static_cast<int>(source.at.vertex));
     CICHWithFurtherPriorityQueue algorithm(model_, sources);
     algorithm.Execute();
     for (Index v = 0; v < distances.size(); ++v) {

@@ -125,7 +125,7 @@ py::array_t<double> distances(const SharedMeshPointer& mesh, const std::string& 
                               double limit) {
   Query query{.sources = {}, .limit = limit};
   for (py::ssize_t i = 0; i < sources.size(); ++i) {
-    query.sources.push_back({.vertex = sources.data()[i], .distance = initial.data()[i]});
+    query.sources.push_back({.at = sources.data()[i], .distance = initial.data()[i]});
   }
   return array_of(in_background([=, query = std::move(query)] {
     std::vector<double> result(mesh->soup().positions.size());
@@ -150,7 +150,7 @@ void solve_rows(const SharedMeshPointer& mesh, const std::string& solver,
   Background work(matrix->rows.size(), threads, [=]() -> Worker {
     const auto own = std::make_shared<BorrowedSolver>(mesh, solver);
     return [=, all = std::vector<double>(mesh->soup().positions.size())](std::size_t i) mutable {
-      own->solve({.sources = {{.vertex = matrix->rows[i]}}, .limit = matrix->limit}, all);
+      own->solve({.sources = {{.at = matrix->rows[i]}}, .limit = matrix->limit}, all);
       put(i, all);
     };
   });

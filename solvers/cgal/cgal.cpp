@@ -63,14 +63,14 @@ class Cgal final : public Solver {
   // edge, which its own assertions forbid.
   void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
     for (const Source& source : query.sources) {
-      distances[source.vertex] = std::min(distances[source.vertex], source.distance);
-      if (vertex_[source.vertex] != Surface::null_vertex()) run_from(source, distances);
+      distances[source.at.vertex] = std::min(distances[source.at.vertex], source.distance);
+      if (vertex_[source.at.vertex] != Surface::null_vertex()) run_from(source, distances);
     }
   }
 
   void run_from(const Source& source, std::span<double> distances) {
     paths_.remove_all_source_points();
-    paths_.add_source_point(vertex_[source.vertex]);
+    paths_.add_source_point(vertex_[source.at.vertex]);
     paths_.build_sequence_tree();
     for (Index v = 0; v < mesh().vertex_count(); ++v) {
       if (vertex_[v] == Surface::null_vertex()) continue;

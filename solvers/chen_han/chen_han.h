@@ -64,7 +64,7 @@ class ChenHan final : public Solver {
 template <class Policy>
 [[gnu::used]] void ChenHan<Policy>::record(const Mesh& mesh, const Query& query,
                                            std::span<double> distances, Recording& recording) {
-  solve_recording(recording, [&](auto recorder) {
+  solve_recording(mesh, query, distances, recording, [&](auto recorder) {
     if constexpr (recorder.kRecords) recording.window_bytes = sizeof(StoredWindow<NoDepth>);
     Propagation<Policy, decltype(recorder)>(mesh, recorder).run(query, distances);
   });

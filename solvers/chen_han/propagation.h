@@ -104,11 +104,11 @@ class Propagation {
     queue_.clear();
     pipeline_.clear();
     corners_.clear();
-    if constexpr (Recorder::kRecords) progress_.start(mesh_, query.source_vertices());
+    if constexpr (Recorder::kRecords) progress_.start(mesh_, query.source_vertices(mesh_));
     for (const Source& source : query.sources) {
-      if (!(source.distance < distances_[source.vertex])) continue;
-      set_distance(source.vertex, source.distance);
-      wait_to_emit(source.vertex, {});
+      if (!(source.distance < distances_[source.at.vertex])) continue;
+      set_distance(source.at.vertex, source.distance);
+      wait_to_emit(source.at.vertex, {});
     }
   }
 

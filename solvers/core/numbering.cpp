@@ -47,6 +47,11 @@ MeshNumbers::MeshNumbers(std::vector<Index> given_vertices, std::vector<Index> g
   for (Index v = 0; v < given_.size(); ++v) own_[given_[v]] = v;
 }
 
+Index MeshNumbers::own_face(Index given) const {
+  if (given_faces_.empty()) return given;
+  return static_cast<Index>(std::ranges::find(given_faces_, given) - given_faces_.begin());
+}
+
 std::vector<Index> order_along_curve(std::span<const Vec3> positions) {
   std::vector<Keyed> keys = curve_keys(positions), sorted(keys.size());
   for (unsigned shift = 0; shift < 3 * kBits; shift += kBits) {

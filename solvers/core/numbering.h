@@ -16,6 +16,7 @@ enum class Numbering {
 
 /// Translates between two numberings of a mesh: the given one, which sources, distances and files
 /// have, and the mesh's own, which is that of every function of Mesh and of what solvers record.
+/// The corners of a face keep their order.
 class MeshNumbers {
  public:
   /// The two numberings are the same.
@@ -27,6 +28,8 @@ class MeshNumbers {
   Index given_vertex(Index own) const { return given_.empty() ? own : given_[own]; }
   Index given_face(Index own) const { return given_faces_.empty() ? own : given_faces_[own]; }
   Index own_vertex(Index given) const { return own_.empty() ? given : own_[given]; }
+  /// Found by search: for a few points of a query.
+  Index own_face(Index given) const;
 
  private:
   std::vector<Index> given_, given_faces_;  // by own number

@@ -3,7 +3,7 @@
 // A solver is written as a template over its recorder. `NoRecorder` is empty: timed solves contain
 // no trace of it. `CountingRecorder` fills a Recording with counters, `WavefrontRecorder` keeps the
 // samples of the wavefront besides; `TimingRecorder` counts nothing, which would take time, and
-// reads the clock instead.
+// reads the clock instead. `PathRecorder` remembers how paths arrive.
 //
 // What the compiler inlines into a timed solve depends on what else is in the file, by 1% to 3% of
 // its instructions. Timed and recorded solves are therefore compiled apart, from the same file: a
@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "solvers/core/path_record.h"
 #include "solvers/core/progress.h"
 #include "solvers/core/recording.h"
 
@@ -61,6 +62,7 @@ struct NoCount {};
 /// Of timed solves: records nothing and costs nothing.
 struct NoRecorder {
   static constexpr bool kRecords = false;
+  static constexpr bool kRemembers = false;
   using Depth = NoDepth;
   using Progress = NoProgress;
   using Count = NoCount;
@@ -89,6 +91,7 @@ struct TimingRecorder : NoRecorder {
 /// Fills a Recording with counters.
 struct CountingRecorder {
   static constexpr bool kRecords = true;
+  static constexpr bool kRemembers = false;
   using Depth = StripDepth;
   using Progress = geodesic::Progress;
   using Count = std::uint64_t;
@@ -170,9 +173,31 @@ struct WavefrontRecorder : CountingRecorder {
   }
 };
 
+/// Remembers how paths arrive. A solver that is compiled against it hands over the root of every
+/// window, and calls
+struct PathRecorder : NoRecorder {
+  static constexpr bool kRemembers = true;
+
+  explicit PathRecorder(PathRecord& into) : record(into) {}
+  /// whenever a vertex gets a new distance, and
+  void arrived(Index v, const Arrival& arrival) { record.arrived(v, arrival); }
+  /// for every window that crosses the face of h, before other windows of its edge trim it there.
+  /// @param w in the frame of h; @param root as in Arrival
+  void crossing(Index h, const Window& w, Index root) { record.crossing(h, w, root); }
+
+  PathRecord& record;
+};
+
 /// Calls `solve` with the recorder that `recording.what` needs.
+/// @param distances those that `solve` fills
 template <class Solve>
-void solve_recording(Recording& recording, Solve&& solve) {
+void solve_recording(const Mesh& mesh, const Query& query, std::span<const double> distances,
+                     Recording& recording, Solve&& solve) {
+  if (recording.what == Record::paths) {
+    PathRecord record(mesh, query);
+    solve(PathRecorder(record));
+    return record.finish(distances, recording);
+  }
   if (recording.what == Record::counters) return solve(CountingRecorder(recording));
   if (recording.what == Record::wavefront) return solve(WavefrontRecorder(recording));
   PhaseTimer timer;

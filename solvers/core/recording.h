@@ -50,12 +50,37 @@ using FinalWindows = std::function<void(Index half_edge, std::vector<Window>& wi
 /// Does something with the final windows of a solve (Recording::read_windows).
 using ReadWindows = std::function<void(const FinalWindows&)>;
 
+/// How the shortest path to a vertex or a target arrives: the last of its straight pieces.
+struct Arrival {
+  /// Its face holds the end of the piece: for a vertex, the apex of this half-edge. kNone at a
+  /// source and where no path leads.
+  Index half_edge = kNone;
+  /// Where the piece begins: a vertex; or the number of vertices plus i for source i of the query,
+  /// where that lies on an edge or in a face. The vertex itself at a source, kNone where no path
+  /// leads.
+  Index root = kNone;
+  /// The root, unfolded along the piece into the frame of `half_edge`: y <= 0, but for a root in
+  /// the same face.
+  Point2 from = {0, 0};
+
+  bool operator==(const Arrival&) const = default;
+};
+
+/// A target of the query: its distance, exact wherever it lies, and how the path arrives.
+struct AtTarget {
+  double distance = kInfinity;
+  Arrival arrival = {};
+
+  bool operator==(const AtTarget&) const = default;
+};
+
 /// What a recorded solve is made for.
 enum class Record : std::uint8_t {
   counters,
   phase_times,  ///< and nothing else
   wavefront,    ///< and counters
   windows,      ///< those that the solve ends with, and nothing else
+  paths,        ///< how paths arrive, and nothing else
 };
 
 /// Integer results are the same on every run and every x86-64 machine.
@@ -81,6 +106,11 @@ struct Recording {
 
   std::vector<WavefrontSample> curve = {};        ///< at equal steps of progress (progress.h)
   std::vector<WavefrontSnapshot> snapshots = {};  ///< those of snapshots_at that the solve got to
+
+  /// Of Record::paths, both in the mesh's own numbers: by vertex, and in the order of
+  /// Query::targets.
+  std::vector<Arrival> arrivals = {};
+  std::vector<AtTarget> targets = {};
 
   bool operator==(const Recording&) const = default;
 };

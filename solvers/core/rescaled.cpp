@@ -49,6 +49,11 @@ class Rescaled final : public Solver {
     if (given != nullptr) recording.read_windows = &read;
     solver_->solve(query, distances, &recording);
     recording.read_windows = given;
+    for (Arrival& arrival : recording.arrivals) convert_back(arrival.from);
+    for (AtTarget& target : recording.targets) {
+      convert_back(target.distance);
+      convert_back(target.arrival.from);
+    }
     if (recording.wavefront_sd) convert_back(*recording.wavefront_sd);
     for (WavefrontSample& sample : recording.curve) {
       for (double* length : {&sample.least, &sample.mean, &sample.sd}) convert_back(*length);
@@ -60,6 +65,10 @@ class Rescaled final : public Solver {
     }
   }
 
+  void convert_back(Point2& point) const {
+    convert_back(point.x);
+    convert_back(point.y);
+  }
   void convert_back(double& length) const { length = unit_.in_mesh(length); }
 
   Unit unit_;

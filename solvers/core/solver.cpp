@@ -12,9 +12,18 @@ namespace {
 }
 
 void check_recording(const Recording& recording, const Description& solver) {
+  if (recording.what == Record::paths && !solver.abilities.paths) {
+    refuse(solver, "does not remember how paths arrive");
+  }
   if (recording.what != Record::windows) return;
   if (!solver.final_windows) refuse(solver, "does not keep the windows of all edges");
   if (recording.read_windows == nullptr) refuse(solver, "Recording::read_windows is not set");
+}
+
+void check_point(const SurfacePoint& point, const char* kind, const Mesh& mesh,
+                 const Description& solver) {
+  const std::string defect = defect_of(mesh, point);
+  if (!defect.empty()) refuse(solver, kind + defect);
 }
 
 void check_query(const Query& query, const Mesh& mesh, const Description& solver) {
@@ -26,10 +35,14 @@ void check_query(const Query& query, const Mesh& mesh, const Description& solver
   if (query.limit < kInfinity && !solver.abilities.distance_limit) {
     refuse(solver, "supports no distance limit");
   }
+  for (const SurfacePoint& target : query.targets) check_point(target, "target ", mesh, solver);
+  if (query.stop_at_targets && query.targets.empty()) {
+    refuse(solver, "a query without targets cannot stop at them");
+  }
   for (const Source& source : query.sources) {
-    if (source.vertex >= mesh.vertex_count()) {
-      refuse(solver, "source vertex " + std::to_string(source.vertex) + " is not in the mesh of " +
-                         std::to_string(mesh.vertex_count()) + " vertices");
+    check_point(source.at, "source ", mesh, solver);
+    if (!source.at.is_vertex() && !solver.abilities.surface_sources) {
+      refuse(solver, "supports sources at vertices only");
     }
     if (!(source.distance >= 0) || !std::isfinite(source.distance)) {
       refuse(solver, "an initial distance must be finite and not negative");
@@ -73,28 +86,32 @@ void Solver::solve(const Query& query, std::span<double> distances, Recording* r
   }
   renew();
   used_ = true;
-  if (!mesh_.numbers().are_given()) {
-    solve_renumbered(query, distances, recording);
-  } else {
-    std::fill(distances.begin(), distances.end(), kInfinity);
-    run(query, distances, recording);
+  if (mesh_.numbers().are_given()) {
+    run_to_end(query, distances, recording);
+    return;
   }
+  Query own = query;
+  for (Source& source : own.sources) source.at = in_own_numbers(mesh_, source.at);
+  for (SurfacePoint& target : own.targets) target = in_own_numbers(mesh_, target);
+  in_mesh_order_.resize(distances.size());
+  run_to_end(own, in_mesh_order_, recording);
+  for (Index v = 0; v < distances.size(); ++v) {
+    distances[mesh_.numbers().given_vertex(v)] = in_mesh_order_[v];
+  }
+}
+
+void Solver::run_to_end(const Query& query, std::span<double> distances, Recording* recording) {
+  std::ranges::fill(distances, kInfinity);
+  run(query, distances, recording);
+  const double farthest = Ending(mesh_, query, distances).farthest();
   for (double& d : distances) {
-    if (d > query.limit) d = kInfinity;
+    if (d > farthest) d = kInfinity;
   }
 }
 
 void Solver::renew() {
   if (used_ && description_.needs_renewal) renew_state();
   used_ = false;
-}
-
-void Solver::solve_renumbered(Query query, std::span<double> distances, Recording* recording) {
-  for (Source& source : query.sources) source.vertex = mesh_.numbers().own_vertex(source.vertex);
-  in_mesh_order_.assign(distances.size(), kInfinity);
-  run(query, in_mesh_order_, recording);
-  for (Index v = 0; v < distances.size(); ++v)
-    distances[mesh_.numbers().given_vertex(v)] = in_mesh_order_[v];
 }
 
 }  // namespace geodesic

@@ -17,28 +17,10 @@
 #include "solvers/core/instruction_set.h"
 #include "solvers/core/mesh.h"
 #include "solvers/core/parameters.h"
+#include "solvers/core/query.h"
 #include "solvers/core/recording.h"
 
 namespace geodesic {
-
-/// A point that distances are measured from. Points on edges and faces will be other members of
-/// this struct; today a source is a vertex.
-struct Source {
-  Index vertex = kNone;
-  double distance = 0;  ///< initial distance at the source, >= 0, finite
-};
-
-/// A problem: the distances from the nearest of some sources.
-struct Query {
-  std::vector<Source> sources;  ///< at least one; the result is the least over them
-  double limit = kInfinity;     ///< vertices farther than this are reported as unreachable
-
-  std::vector<Index> source_vertices() const {
-    std::vector<Index> vertices;
-    for (const Source& source : sources) vertices.push_back(source.vertex);
-    return vertices;
-  }
-};
 
 /// What a solver promises of its distances. Whatever it promises, they are 0 at sources and
 /// infinite where no path leads.
@@ -57,6 +39,8 @@ struct Abilities {
   bool non_manifold_vertices = true;  ///< several fans of faces at one vertex
   bool degenerate_faces = true;       ///< zero-length edges, zero-area faces
   bool concurrent_objects = true;     ///< objects may solve in several threads at the same time
+  bool surface_sources = false;       ///< sources on edges and faces; else at vertices only
+  bool paths = false;                 ///< remembers how paths arrive (Record::paths)
   Index max_vertices = kNone;         ///< larger meshes take unreasonably long
 };
 
@@ -113,11 +97,10 @@ class Solver {
   /// @param distances one entry a vertex
   /// @param recording null for a timed solve, which then carries no instrumentation; otherwise
   ///        filled with what the solver can count, without changing any distance
-  /// @throws std::invalid_argument when the query is empty, has a source that is not in the mesh,
-  /// has
-  ///         a negative or non-finite initial distance or a negative limit, or needs an ability
-  ///         the solver lacks; when it is to record windows and does not keep them; or when
-  ///         `distances` has the wrong size
+  /// @throws std::invalid_argument when the query is empty, has a source or target that is not in
+  ///         the mesh, a negative or non-finite initial distance or a negative limit, or nothing to
+  ///         stop at, or needs an ability the solver lacks; when it is to record windows or paths
+  ///         and does not keep them; or when `distances` has the wrong size
   void solve(const Query& query, std::span<double> distances, Recording* recording = nullptr);
 
   /// Makes an object that has answered a query ready for the next one, where its description says
@@ -137,18 +120,20 @@ class Solver {
 
  private:
   /// As `solve` in the mesh's own numbering, with the query already checked and `distances` filled
-  /// with +infinity. May leave distances above the limit; they are cleared afterwards.
+  /// with +infinity. May leave distances above the limit or the farthest target's; they are cleared
+  /// afterwards. Whoever does not end there (Ending) only takes longer.
   virtual void run(const Query& query, std::span<double> distances, Recording* recording) = 0;
 
   /// Drops what is left of the last query: of public codes that keep it in their mesh.
   virtual void renew_state() {}
 
-  void solve_renumbered(Query query, std::span<double> distances, Recording* recording);
+  /// `run` from fresh distances, without what lies beyond the limit; all in the mesh's own numbers.
+  void run_to_end(const Query& query, std::span<double> distances, Recording* recording);
 
   const Mesh& mesh_;
   const Description& description_;
   bool used_ = false;                  // since it was made or renewed
-  std::vector<double> in_mesh_order_;  // scratch of solve_renumbered
+  std::vector<double> in_mesh_order_;  // scratch of a renumbered mesh
 };
 
 }  // namespace geodesic

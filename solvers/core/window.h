@@ -18,6 +18,8 @@ namespace geodesic {
 /// A point of a half-edge's frame.
 struct Point2 {
   double x, y;
+
+  bool operator==(const Point2&) const = default;
 };
 
 /// The geometry of a window; solvers derive from it what else they keep.

@@ -21,8 +21,9 @@ class Dijkstra final : public Solver {
         front_.push_or_decrease(v, d);
       }
     };
-    for (const Source& source : query.sources) reach(source.vertex, source.distance);
-    while (!front_.empty() && front_.least_key() <= query.limit) {
+    for (const Source& source : query.sources) reach(source.at.vertex, source.distance);
+    Ending ending(mesh(), query, distances);
+    while (!front_.empty() && !ending.is_over(front_.least_key())) {
       const Index v = front_.pop();
       for (const Index h : mesh().outgoing(v)) {
         // Both edges of the corner: a boundary edge leaves v in one face only.

@@ -73,7 +73,7 @@ template <class Policy>
 [[gnu::used]] void EdgeBased<Policy>::record(const Mesh& mesh, InstructionSet set,
                                              const Query& query, std::span<double> distances,
                                              Recording& recording) {
-  solve_recording(recording, [&](auto recorder) {
+  solve_recording(mesh, query, distances, recording, [&](auto recorder) {
     make_propagator<Policy, decltype(recorder)>(mesh, set)->run(query, distances, recorder);
   });
 }

@@ -46,12 +46,12 @@ class Propagation final : public Propagator<Recorder> {
     start(distances);
     if constexpr (Recorder::kRecords) {
       recorder.recording.window_bytes = sizeof(Window);
-      progress_.start(mesh_, query.source_vertices());
+      progress_.start(mesh_, query.source_vertices(mesh_));
     }
     for (const Source& source : query.sources) {
-      if (source.distance < distances_[source.vertex])
-        reach(source.vertex, source.distance, recorder);
-      vertex_state_[source.vertex] |= kSource;
+      if (source.distance < distances_[source.at.vertex])
+        reach(source.at.vertex, source.distance, recorder);
+      vertex_state_[source.at.vertex] |= kSource;
     }
     // The shortest path to a vertex within the limit crosses only edges that have an end nearer
     // than the limit plus half their length.

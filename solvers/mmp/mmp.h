@@ -60,7 +60,7 @@ class Mmp final : public Solver {
 template <class Policy>
 [[gnu::used]] void Mmp<Policy>::record(const Mesh& mesh, const Query& query,
                                        std::span<double> distances, Recording& recording) {
-  solve_recording(recording, [&](auto recorder) {
+  solve_recording(mesh, query, distances, recording, [&](auto recorder) {
     if constexpr (recorder.kRecords) {
       recording.reinsertions = 0;
       recording.window_bytes = sizeof(EdgeWindow<NoDepth>);

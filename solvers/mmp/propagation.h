@@ -83,11 +83,11 @@ class Propagation {
     emitted_.assign(distances.size(), kInfinity);
     wavefront_.start(query.limit);
     budget_.start();
-    if constexpr (Recorder::kRecords) progress_.start(mesh_, query.source_vertices());
+    if constexpr (Recorder::kRecords) progress_.start(mesh_, query.source_vertices(mesh_));
     for (const Source& source : query.sources) {
-      if (!(source.distance < distances_[source.vertex])) continue;
-      set_distance(source.vertex, source.distance);
-      wavefront_.push_vertex(source.vertex, source.distance);
+      if (!(source.distance < distances_[source.at.vertex])) continue;
+      set_distance(source.at.vertex, source.distance);
+      wavefront_.push_vertex(source.at.vertex, source.distance);
     }
   }
 

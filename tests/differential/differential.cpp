@@ -260,7 +260,7 @@ class Differential {
   static std::string words_of(const Query& query) {
     std::string words;
     for (const Source& source : query.sources) {
-      words += " --source " + std::to_string(source.vertex);
+      words += " --source " + std::to_string(source.at.vertex);
       if (source.distance > 0) words += ':' + significant(source.distance);
     }
     if (query.limit < kInfinity) words += " --limit " + significant(query.limit);

@@ -35,7 +35,7 @@ class Faulty : public Solver {
   // Both in the mesh's own numbering, as `run` has it; `solve` speaks of the numbers given.
   void solve_soundly(Query query, std::span<double> distances) {
     for (Source& source : query.sources)
-      source.vertex = mesh().numbers().given_vertex(source.vertex);
+      source.at.vertex = mesh().numbers().given_vertex(source.at.vertex);
     std::vector<double> given(distances.size());
     make_solver(sound_solver().name, mesh())->solve(query, given);
     for (Index v = 0; v < distances.size(); ++v)
@@ -71,8 +71,8 @@ class Stale final : public Faulty {
   using Faulty::Faulty;
   void run(const Query& query, std::span<double> distances, Recording*) override {
     solve_soundly(query, distances);
-    if (first_ == kNone) first_ = query.sources.front().vertex;
-    spoiled_ = spoiled_ || first_ != query.sources.front().vertex;
+    if (first_ == kNone) first_ = query.sources.front().at.vertex;
+    spoiled_ = spoiled_ || first_ != query.sources.front().at.vertex;
     if (spoiled_) spoil(distances);
   }
   Index first_ = kNone;

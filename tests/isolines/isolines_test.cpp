@@ -75,7 +75,7 @@ TEST_P(IsolinesOf, APlaneAreWholeCirclesAboutTheSource) {
   const Index source = 5 * 13 + 6;
   const Vec3& centre = soup.positions[source];
   const Mesh mesh(soup);
-  const Traced traced = trace(GetParam(), mesh, {{.vertex = source}});
+  const Traced traced = trace(GetParam(), mesh, {{.at = source}});
   std::map<double, double> turned;
   for (std::size_t i = 0; i < traced.isolines.pieces.size(); ++i) {
     const double level = traced.isolines.pieces[i].level;
@@ -159,7 +159,7 @@ class Inserter {
 void check_by_brute_force(const std::string& solver, const NamedMesh& named, int most_points) {
   const Mesh mesh(named.soup, Numbering::along_surface);
   const Index source = 4;
-  const Traced traced = trace(solver, mesh, {{.vertex = source}});
+  const Traced traced = trace(solver, mesh, {{.at = source}});
   ASSERT_FALSE(traced.isolines.pieces.empty()) << named.name;
   Inserter inserter(named.soup);
   std::vector<double> wanted;
@@ -200,7 +200,7 @@ TEST_P(IsolinesOf, AMeshWithAFaceWithoutAreaLieWhereBruteForceSays) {
 TEST_P(IsolinesOf, SmallMeshesGoOnAcrossEdges) {
   for (const NamedMesh& named : meshes()) {
     const Mesh mesh(named.soup);
-    const Traced traced = trace(GetParam(), mesh, {{.vertex = 4}});
+    const Traced traced = trace(GetParam(), mesh, {{.at = 4}});
     std::map<std::pair<double, Vec3>, int> ends;
     for (std::size_t i = 0; i < traced.isolines.pieces.size(); ++i) {
       const auto points = traced.points(i);
@@ -260,9 +260,9 @@ TEST_P(IsolinesOf, SmallMeshesCrossEdgesAsOftenAsTheDistancePassesTheLevel) {
   for (const NamedMesh& named : meshes()) {
     const Mesh mesh(named.soup);
     // Levels that no vertex of a regular mesh is on.
-    Traced traced = trace(GetParam(), mesh, {{.vertex = 4}});
+    Traced traced = trace(GetParam(), mesh, {{.at = 4}});
     for (double& level : traced.levels) level *= 0.9973;
-    traced = trace(GetParam(), mesh, {{.vertex = 4}}, traced.levels);
+    traced = trace(GetParam(), mesh, {{.at = 4}}, traced.levels);
     std::map<std::pair<Index, double>, std::set<Vec3>> crossings;  // by edge and level
     for (std::size_t i = 0; i < traced.isolines.pieces.size(); ++i) {
       const auto points = traced.points(i);
@@ -295,7 +295,7 @@ TEST_P(IsolinesOf, SmallMeshesCrossEdgesAsOftenAsTheDistancePassesTheLevel) {
 TEST_P(IsolinesOf, SmallMeshesLieInTheFacesTheyName) {
   for (const NamedMesh& named : meshes()) {
     const Mesh mesh(named.soup, Numbering::along_surface);
-    const Traced traced = trace(GetParam(), mesh, {{.vertex = 4}, {.vertex = 9, .distance = 0.1}});
+    const Traced traced = trace(GetParam(), mesh, {{.at = 4}, {.at = 9, .distance = 0.1}});
     for (std::size_t i = 0; i < traced.isolines.pieces.size(); ++i) {
       for (const Vec3& p : traced.points(i)) {
         EXPECT_LE(place_in(named.soup, traced.isolines.pieces[i].face, p).miss, 1e-12)
@@ -311,7 +311,7 @@ TEST_P(IsolinesOf, ATetrahedronCloseAroundTheFarthestPointInsideAFace) {
   const double s = std::sqrt(0.125);
   const TriangleSoup soup{{{s, s, s}, {s, -s, -s}, {-s, s, -s}, {-s, -s, s}},
                           {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {3, 2, 1}}};
-  const Traced traced = trace(GetParam(), Mesh(soup), {{.vertex = 0}}, {1.1});
+  const Traced traced = trace(GetParam(), Mesh(soup), {{.at = 0}}, {1.1});
   ASSERT_EQ(traced.isolines.pieces.size(), 1u);
   EXPECT_EQ(traced.isolines.pieces[0].face, 3u);
   const auto points = traced.points(0);

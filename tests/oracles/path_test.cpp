@@ -64,7 +64,7 @@ void expect_a_strip(const Mesh& mesh, const StraightPiece& piece) {
 int expect_paths(const Mesh& mesh, const std::vector<Source>& sources,
                  const std::vector<double>& distances) {
   const auto is_source = [&](Index v) {
-    return std::ranges::any_of(sources, [v](const Source& each) { return each.vertex == v; });
+    return std::ranges::any_of(sources, [v](const Source& each) { return each.at.vertex == v; });
   };
   int pieces = 0;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
@@ -100,7 +100,7 @@ TEST(ShortestPath, is_as_long_as_the_closed_form_says) {
     SCOPED_TRACE(generator);
     const TriangleSoup soup = generate(generator, parameters);
     const auto distances = known_distances(generator, parameters, soup, 1).value();
-    expect_paths(Mesh(soup), {{.vertex = 1}}, distances);
+    expect_paths(Mesh(soup), {{.at = 1}}, distances);
   }
 }
 
@@ -122,7 +122,7 @@ TEST(ShortestPath, bends_at_pseudo_sources_only) {
 
 TEST(ShortestPath, does_not_exist_to_a_source_to_another_component_or_for_wrong_distances) {
   const Mesh mesh(side_by_side(rough_sphere(1, 1, 0.2), rough_terrain(2, 3, 3, 1)));
-  const std::vector<Source> sources{{.vertex = 3}};
+  const std::vector<Source> sources{{.at = 3}};
   std::vector<double> distances = BruteForce(mesh).distances(sources);
   EXPECT_TRUE(shortest_path(mesh, sources, distances, 3).empty());
   EXPECT_TRUE(shortest_path(mesh, sources, distances, 45).empty());

@@ -107,7 +107,7 @@ TEST(DistanceCheck, failures_name_where_it_went_wrong_first_and_the_largest_erro
             "2 of 4 distances are wrong from vertex 3, first at vertex 2: 2.5 instead of 2 "
             "(relative error 0.25, largest 0.25)");
   EXPECT_EQ(finding->got, got);
-  EXPECT_EQ(finding->query.sources.front().vertex, 3u);
+  EXPECT_EQ(finding->query.sources.front().at.vertex, 3u);
 }
 
 TEST(DistanceCheck, no_edge_joins_distances_that_differ_by_more_than_it_is_long) {

@@ -43,7 +43,7 @@ TEST(Shrink, leaves_the_faces_that_the_failure_needs_and_the_source) {
   EXPECT_EQ(small.soup.triangles.size(), 2u);
   EXPECT_TRUE(has_face(small, needed[0]) && has_face(small, needed[1]));
   ASSERT_EQ(small.queries.size(), 1u);
-  const Index source = small.queries[0].sources.at(0).vertex;
+  const Index source = small.queries[0].sources.at(0).at.vertex;
   EXPECT_EQ(small.soup.positions.at(source), given.soup.positions[40]);
   std::set<Index> used{source};
   for (const Triangle& t : small.soup.triangles) used.insert(t.begin(), t.end());
@@ -61,7 +61,7 @@ TEST(Shrink, asks_the_suspect_alone_before_it_tries_others) {
           EXPECT_EQ(c.queries.size(), 1u);
         }
         return std::ranges::any_of(c.queries, [&](const Query& query) {
-          return c.soup.positions.at(query.sources.at(0).vertex) == wrong;
+          return c.soup.positions.at(query.sources.at(0).at.vertex) == wrong;
         });
       },
       kLong);

@@ -42,7 +42,7 @@ class Tracer {
         bends_(mesh.vertex_count()),
         chord_error_(kIsolineError * mesh.mean_edge_length()) {
     for (Index v = 0; v < mesh.vertex_count(); ++v) bends_[v] = mesh.is_pseudo_source(v);
-    for (const Source& source : sources) bends_[mesh.numbers().own_vertex(source.vertex)] = true;
+    for (const Source& source : sources) bends_[mesh.numbers().own_vertex(source.at.vertex)] = true;
   }
 
   Isolines trace(std::span<const double> levels) {

@@ -57,7 +57,7 @@ Case closed_form_case(const std::string& generator, const GeneratorParameters& p
   for (const Index source : sources) queries.push_back(from(source));
   if (queries.empty()) queries = every_source(soup);
   return {generator, soup, queries, [=](const Query& query) {
-            const Index source = query.sources.front().vertex;
+            const Index source = query.sources.front().at.vertex;
             return known_distances(generator, parameters, soup, source).value();
           }};
 }

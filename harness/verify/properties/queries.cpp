@@ -100,7 +100,7 @@ Cases isolated_source() {
 void isolated_vertex_disturbs_nothing(const Trial& trial) {
   const Query& query = trial.query();
   Query shifted = query;
-  for (Source& source : shifted.sources) ++source.vertex;
+  for (Source& source : shifted.sources) ++source.at.vertex;
   std::vector<double> got = trial.solve(Mesh(with_isolated_vertex_first(trial.soup())), shifted);
   require(got.front() == kInfinity, "an isolated vertex was reached");
   got.erase(got.begin());
@@ -138,7 +138,7 @@ void least_of_single_sources(const Trial& trial) {
   const Query& query = trial.query();
   std::vector<double> least(trial.mesh().vertex_count(), kInfinity);
   for (const Source& source : query.sources) {
-    std::ranges::transform(least, trial.solve(from(source.vertex)), least.begin(),
+    std::ranges::transform(least, trial.solve(from(source.at.vertex)), least.begin(),
                            [](double a, double b) { return std::min(a, b); });
   }
   require(check_distances(query, trial.solve(query), least));

@@ -109,7 +109,7 @@ class WindowsCheck {
  public:
   WindowsCheck(const Mesh& mesh, const Query& query)
       : mesh_(mesh), nearest_(mesh.vertex_count(), kInfinity) {
-    for (const Source& source : query.sources) nearest_[source.vertex] = source.distance;
+    for (const Source& source : query.sources) nearest_[source.at.vertex] = source.distance;
   }
 
   void read(const FinalWindows& windows_on) {

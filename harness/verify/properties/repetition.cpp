@@ -155,7 +155,7 @@ void keeps_distances_when_renumbered(const Trial& trial) {
     for (Index& v : t) v = renumbered[v];
   }
   Query other_query = query;
-  for (Source& source : other_query.sources) source.vertex = renumbered[source.vertex];
+  for (Source& source : other_query.sources) source.at.vertex = renumbered[source.at.vertex];
   const auto distances = trial.solve(Mesh(other), other_query);
   std::vector<double> in_old_order;
   for (const Index v : renumbered) in_old_order.push_back(distances[v]);

@@ -55,7 +55,7 @@ class FastMarching final : public Solver {
     distances_ = distances;
     std::ranges::fill(accepted_, std::uint8_t{0});
     front_.clear();
-    for (const Source& source : query.sources) reach(source.vertex, source.distance);
+    for (const Source& source : query.sources) reach(source.at.vertex, source.distance);
     while (!front_.empty() && front_.least_key() <= query.limit) {
       const Index v = front_.pop();
       accepted_[v] = 1;

@@ -78,7 +78,7 @@ class Steiner final : public Solver {
   void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
     std::ranges::fill(distances_, kInfinity);
     front_.clear();
-    for (const Source& source : query.sources) reach(source.vertex, source.distance);
+    for (const Source& source : query.sources) reach(source.at.vertex, source.distance);
     while (!front_.empty() && front_.least_key() <= query.limit) {
       const Index node = front_.pop();
       if (nodes_.is_vertex(node)) {

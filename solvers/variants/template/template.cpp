@@ -36,14 +36,14 @@ class Unfolding final : public Solver {
     windows_.clear();
     budget_.start();
     for (const Source& source : query.sources) {
-      distances_[source.vertex] = std::min(distances_[source.vertex], source.distance);
+      distances_[source.at.vertex] = std::min(distances_[source.at.vertex], source.distance);
       sources_.push_back(source);
     }
     while (!sources_.empty() || !windows_.empty()) {
       if (!sources_.empty()) {
         const Source source = sources_.front();
         sources_.pop_front();
-        if (!(distances_[source.vertex] < source.distance)) send_out(source);
+        if (!(distances_[source.at.vertex] < source.distance)) send_out(source);
       } else {
         const auto [half_edge, window] = windows_.front();
         windows_.pop_front();
@@ -63,7 +63,7 @@ class Unfolding final : public Solver {
 
   /// Follows the edges at a (pseudo-)source, and sends a window over the far edge of each face.
   void send_out(const Source& source) {
-    for (const Index h : mesh().outgoing(source.vertex)) {
+    for (const Index h : mesh().outgoing(source.at.vertex)) {
       const Index far = Mesh::next(h), into = Mesh::previous(h);
       reach(mesh().head(h), source.distance + mesh().half_edge(h).length);
       reach(mesh().origin(into), source.distance + mesh().half_edge(into).length);

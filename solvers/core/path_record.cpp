@@ -1,0 +1,68 @@
+#include "solvers/core/path_record.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace geodesic {
+
+PathRecord::PathRecord(const Mesh& mesh, const Query& query)
+    : mesh_(mesh), query_(query), arrivals_(mesh.vertex_count()), targets_(query.targets.size()) {
+  for (const Source& source : query.sources) {
+    if (source.at.is_vertex()) arrivals_[source.at.vertex].root = source.at.vertex;
+  }
+  for (Index i = 0; i < query.targets.size(); ++i) {
+    const SurfacePoint& target = query.targets[i];
+    if (target.is_vertex()) continue;
+    places_.push_back({i, target});
+    const SurfacePoint other = beyond_edge(mesh, target);
+    if (other.face != kNone) places_.push_back({i, other});
+  }
+  if (places_.empty()) return;
+  std::ranges::stable_sort(places_, {}, [](const Place& p) { return p.point.face; });
+  first_target_.assign(mesh.face_count() + 1, 0);
+  for (const Place& place : places_) ++first_target_[place.point.face + 1];
+  for (Index f = 0; f < mesh.face_count(); ++f) first_target_[f + 1] += first_target_[f];
+}
+
+void PathRecord::cross(Index h, const Window& w, Index root, Index place) {
+  const Point2 at = in_frame(mesh_, places_[place].point, h);
+  offer(places_[place].target, least_distance_to(w, at.x, at.y), {h, root, {w.x, w.y}});
+}
+
+void PathRecord::offer(Index target, double distance, const Arrival& arrival) {
+  if (distance < targets_[target].distance) targets_[target] = {distance, arrival};
+}
+
+void PathRecord::finish(std::span<const double> distances, Recording& recording) {
+  for (const Place& place : places_) finish_place(place, distances);
+  for (Index i = 0; i < targets_.size(); ++i) {
+    const SurfacePoint& target = query_.targets[i];
+    if (target.is_vertex()) targets_[i] = {distances[target.vertex], arrivals_[target.vertex]};
+    if (targets_[i].distance > query_.limit) targets_[i] = {};
+  }
+  recording.arrivals = std::move(arrivals_);
+  recording.targets = std::move(targets_);
+}
+
+void PathRecord::finish_place(const Place& place, std::span<const double> distances) {
+  const Index face = place.point.face;
+  for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+    const Point2 at = in_frame(mesh_, place.point, h);
+    const Index corner = mesh_.origin(h);
+    offer(place.target, distances[corner] + std::hypot(at.x, at.y), {h, corner, {0, 0}});
+  }
+  for (Index i = 0; i < query_.sources.size(); ++i) {
+    const Source& source = query_.sources[i];
+    if (source.at.is_vertex()) continue;
+    for (const SurfacePoint& from : {source.at, beyond_edge(mesh_, source.at)}) {
+      if (from.face != face) continue;
+      const Point2 start = in_frame(mesh_, from, 3 * face);
+      const Point2 end = in_frame(mesh_, place.point, 3 * face);
+      offer(place.target, source.distance + std::hypot(end.x - start.x, end.y - start.y),
+            {3 * face, mesh_.vertex_count() + i, start});
+    }
+  }
+}
+
+}  // namespace geodesic

@@ -1,0 +1,50 @@
+// How shortest paths arrive at vertices and targets, gathered during a solve.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "solvers/core/query.h"
+#include "solvers/core/recording.h"
+
+namespace geodesic {
+
+/// For one solve of one query, both in the mesh's own numbers.
+class PathRecord {
+ public:
+  PathRecord(const Mesh& mesh, const Query& query);
+
+  /// As PathRecorder's (recorders.h).
+  void arrived(Index v, const Arrival& arrival) { arrivals_[v] = arrival; }
+  void crossing(Index h, const Window& w, Index root) {
+    if (first_target_.empty()) return;
+    const Index face = h / 3;
+    for (Index i = first_target_[face]; i < first_target_[face + 1]; ++i) cross(h, w, root, i);
+  }
+
+  /// Adds what needs no windows: the straight lines to targets from the corners of their faces and
+  /// from sources in the same face. Moves everything into the recording.
+  /// @param distances of the solve
+  void finish(std::span<const double> distances, Recording& recording);
+
+ private:
+  /// A target that is no vertex, for each face it lies in: two on an edge.
+  struct Place {
+    Index target;
+    SurfacePoint point;
+  };
+
+  void add_place(Index target, const SurfacePoint& point);
+  void cross(Index h, const Window& w, Index root, Index place);
+  void offer(Index target, double distance, const Arrival& arrival);
+  void finish_place(const Place& place, std::span<const double> distances);
+
+  const Mesh& mesh_;
+  const Query& query_;
+  std::vector<Arrival> arrivals_;
+  std::vector<AtTarget> targets_;
+  std::vector<Place> places_;        // by face
+  std::vector<Index> first_target_;  // of each face among places_, and the end; empty: no places
+};
+
+}  // namespace geodesic

@@ -1,0 +1,110 @@
+#include "solvers/core/surface_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace geodesic {
+namespace {
+
+std::string not_in_mesh(const char* kind, Index number, Index count, const char* kinds) {
+  return std::string(kind) + " " + std::to_string(number) + " is not in the mesh of " +
+         std::to_string(count) + " " + kinds;
+}
+
+Index own_face(const Mesh& mesh, Index given) { return mesh.numbers().own_face(given); }
+
+}  // namespace
+
+SurfacePoint point_in_face(const Mesh& mesh, Index face, const std::array<double, 3>& weights) {
+  SurfacePoint point;
+  point.face = face;
+  if (face >= mesh.face_count()) throw std::invalid_argument(defect_of(mesh, point));
+  const double largest = std::ranges::max(weights);
+  const bool sound = std::ranges::all_of(weights, [](double w) { return w >= 0 && w < kInfinity; });
+  if (!sound || !(largest > 0)) {
+    throw std::invalid_argument(
+        "the weights of a point in a face must be finite, none negative, "
+        "and not all 0");
+  }
+  double sum = 0;  // of numbers up to 1: the sum of the weights themselves may overflow
+  for (const double w : weights) sum += w / largest;
+  for (std::size_t k = 0; k < 3; ++k) {
+    point.weights[k] = weights[k] / largest / sum;
+    if (point.weights[k] == 1) {
+      return mesh.numbers().given_vertex(mesh.triangle(own_face(mesh, face))[k]);
+    }
+  }
+  return point;
+}
+
+SurfacePoint point_on_edge(const Mesh& mesh, Index a, Index b, double share) {
+  for (const Index v : {a, b}) {
+    if (v >= mesh.vertex_count()) throw std::invalid_argument(defect_of(mesh, SurfacePoint(v)));
+  }
+  if (!(share >= 0 && share <= 1)) {
+    throw std::invalid_argument("the share of an edge must lie between 0 and 1");
+  }
+  const Index own_a = mesh.numbers().own_vertex(a), own_b = mesh.numbers().own_vertex(b);
+  for (const Index h : mesh.outgoing(own_a)) {
+    const Index into = Mesh::previous(h);
+    if (mesh.head(h) != own_b && mesh.origin(into) != own_b) continue;
+    std::array<double, 3> weights{};
+    weights[h % 3] = 1 - share;
+    weights[mesh.head(h) == own_b ? (h + 1) % 3 : into % 3] = share;
+    return point_in_face(mesh, mesh.numbers().given_face(h / 3), weights);
+  }
+  throw std::invalid_argument("no edge joins vertices " + std::to_string(a) + " and " +
+                              std::to_string(b));
+}
+
+Vec3 position_of(const Mesh& mesh, const SurfacePoint& point) {
+  const SurfacePoint own = in_own_numbers(mesh, point);
+  if (own.is_vertex()) return mesh.position(own.vertex);
+  const Triangle corners = mesh.triangle(own.face);
+  Vec3 position{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    position = add(position, scale(own.weights[k], mesh.position(corners[k])));
+  }
+  return position;
+}
+
+std::string defect_of(const Mesh& mesh, const SurfacePoint& point) {
+  if (point.is_vertex()) {
+    if (point.vertex < mesh.vertex_count()) return {};
+    return not_in_mesh("vertex", point.vertex, mesh.vertex_count(), "vertices");
+  }
+  if (point.face == kNone) return "a surface point is neither a vertex nor in a face";
+  if (point.face >= mesh.face_count()) {
+    return not_in_mesh("face", point.face, mesh.face_count(), "faces");
+  }
+  const auto& w = point.weights;
+  const bool in_range = std::ranges::all_of(w, [](double x) { return x >= 0 && x < 1; });
+  if (in_range && std::ranges::count(w, 0.0) <= 1 && std::abs(w[0] + w[1] + w[2] - 1) <= 1e-15) {
+    return {};
+  }
+  return "the weights of a point in face " + std::to_string(point.face) +
+         " must not be negative, must have the sum 1, and at most one may be 0";
+}
+
+SurfacePoint in_own_numbers(const Mesh& mesh, SurfacePoint given) {
+  if (given.is_vertex()) {
+    given.vertex = mesh.numbers().own_vertex(given.vertex);
+  } else {
+    given.face = own_face(mesh, given.face);
+  }
+  return given;
+}
+
+SurfacePoint beyond_edge(const Mesh& mesh, const SurfacePoint& point) {
+  const Index under = edge_under(point);
+  SurfacePoint beyond;
+  if (under == kNone || mesh.twin(under) == kNone) return beyond;
+  const Index twin = mesh.twin(under);
+  beyond.face = twin / 3;
+  beyond.weights[twin % 3] = point.weights[Mesh::next(under) % 3];
+  beyond.weights[Mesh::next(twin) % 3] = point.weights[under % 3];
+  return beyond;
+}
+
+}  // namespace geodesic

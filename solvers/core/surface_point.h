@@ -1,0 +1,90 @@
+// Points of a mesh's surface, where paths begin and end: vertices, points of edges and of faces.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "solvers/core/mesh.h"
+#include "solvers/core/window.h"
+
+namespace geodesic {
+
+/// A vertex, or a point of a face, its edges included. Vertices and faces go by the numbers that
+/// the mesh was given them by, unless a function says that they are the mesh's own.
+struct SurfacePoint {
+  Index vertex = kNone;  ///< kNone: the point lies in a face
+  Index face = kNone;    ///< kNone at a vertex
+  /// Barycentric, of the corners of `face` in the order of its triangle: none negative, sum 1, at
+  /// most one of them 0 (the point then lies on the edge opposite to that corner).
+  std::array<double, 3> weights = {};
+
+  SurfacePoint() = default;
+  SurfacePoint(Index at_vertex) : vertex(at_vertex) {}  // NOLINT: a vertex is a surface point
+
+  bool is_vertex() const { return vertex != kNone; }
+  bool operator==(const SurfacePoint&) const = default;
+};
+
+/// The point of a face with these weights, which are divided by their sum; a vertex where two of
+/// them are 0.
+/// @throws std::invalid_argument when the face is not in the mesh, or a weight is negative or not
+///         finite, or all are 0
+SurfacePoint point_in_face(const Mesh& mesh, Index face, const std::array<double, 3>& weights);
+
+/// The point between two neighbours, `share` of the way from vertex a to vertex b.
+/// @throws std::invalid_argument when no edge joins them, or the share is not from 0 to 1
+SurfacePoint point_on_edge(const Mesh& mesh, Index a, Index b, double share);
+
+/// In space, in the mesh's unit of length.
+Vec3 position_of(const Mesh& mesh, const SurfacePoint& point);
+
+/// What is wrong with a point of this mesh: "vertex 9 is not in the mesh of 8 vertices"; empty when
+/// nothing is. Every query is checked by it.
+std::string defect_of(const Mesh& mesh, const SurfacePoint& point);
+
+/// The same point with the mesh's own numbers, which the functions below take.
+SurfacePoint in_own_numbers(const Mesh& mesh, SurfacePoint given);
+
+/// A point of the face of half-edge h, in the frame of h: y >= 0.
+/// @param point not a vertex, and of that face
+inline Point2 in_frame(const Mesh& mesh, const SurfacePoint& point, Index h) {
+  const HalfEdge& e = mesh.half_edge(h);
+  const double head = point.weights[(h + 1) % 3], apex = point.weights[(h + 2) % 3];
+  return {head * e.length + apex * e.apex_x, apex * e.apex_y};
+}
+
+/// The half-edge of the point's face on which it lies, kNone inside the face.
+inline Index edge_under(const SurfacePoint& point) {
+  for (Index k = 0; k < 3; ++k) {
+    if (point.weights[k] == 0) return 3 * point.face + (k + 1) % 3;
+  }
+  return kNone;
+}
+
+/// The same point of an edge in the face beyond it; in no face when it lies inside its face or on a
+/// boundary.
+SurfacePoint beyond_edge(const Mesh& mesh, const SurfacePoint& point);
+
+/// Follows all straight lines that leave a point of a face through its corners and sides, in both
+/// faces of a point on an edge.
+/// @param point not a vertex
+/// @param reach called as (Index h, Point2 from) for each corner, which is the apex of h; the point
+///        in the frame of h
+/// @param cross called as (Index h, Point2 from) for each side on which the point does not lie: the
+///        lines pass all of it. The point in the frame of the twin of h: y <= 0. The twin may not
+///        exist.
+template <class Reach, class Cross>
+void spread_from(const Mesh& mesh, const SurfacePoint& point, const Reach& reach,
+                 const Cross& cross) {
+  for (const SurfacePoint& in_face : {point, beyond_edge(mesh, point)}) {
+    if (in_face.face == kNone) continue;
+    const Index under = edge_under(in_face);
+    for (Index h = 3 * in_face.face; h < 3 * in_face.face + 3; ++h) {
+      const Point2 from = in_frame(mesh, in_face, h);
+      reach(h, from);
+      if (h != under) cross(h, Point2{mesh.half_edge(h).length - from.x, -from.y});
+    }
+  }
+}
+
+}  // namespace geodesic
