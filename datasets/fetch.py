@@ -15,42 +15,29 @@ from __future__ import annotations
 
 import argparse
 import contextlib
-import io
-import os
-import signal
 import sys
 from pathlib import Path
-from typing import NoReturn
 
-try:
-    from fetching.cache import Cache, default_cache
-    from fetching.download import Downloader, origin_from_environment
-    from fetching.fetcher import Fetcher
-    from fetching.program import DEFAULT_BENCH, DEFAULT_MANIFEST, Entry, Manifest
-    from fetching.reporting import FetchError, Progress, Unavailable, printable, reason_of
-except ImportError as error:
-    sys.exit(
-        f"fetch.py: {error}: it needs python3-requests and python3-tqdm, as Debian's"
-        " /usr/bin/python3 has them"
-    )
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from results import console
+
+if __name__ == "__main__":
+    # Before imports that may fail.
+    console.prepare(packages="python3-requests and python3-tqdm", place="--cache")
+
+from fetching.cache import Cache, default_cache
+from fetching.download import Downloader, origin_from_environment
+from fetching.fetcher import Fetcher
+from fetching.program import DEFAULT_BENCH, DEFAULT_MANIFEST, Entry, Manifest
+from fetching.reporting import FetchError, Progress, Unavailable
 
 MIRROR_VARIABLE = "GEODESIC_DATASETS_MIRROR"
-EXIT_ERROR = 1
 EXIT_MISSING = 3
-EXIT_INTERRUPTED = 130
-
-
-class Parser(argparse.ArgumentParser):
-    """One line for a wrong word."""
-
-    def error(self, message: str) -> NoReturn:
-        raise FetchError(f"{message}; see fetch.py --help")
 
 
 def parse_arguments(words: list[str] | None) -> argparse.Namespace:
-    parser = Parser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = console.Parser(__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME", help="a mesh of the manifest")
     parser.add_argument("--corpus", action="append", default=[], help="all meshes of a corpus")
     parser.add_argument("--bench", type=Path, default=DEFAULT_BENCH, help="geodesic-bench program")
@@ -69,14 +56,6 @@ def parse_arguments(words: list[str] | None) -> argparse.Namespace:
     return arguments
 
 
-def say(line: str) -> None:
-    print(printable(line), flush=True)
-
-
-def complain(line: str) -> None:
-    print(printable(line), file=sys.stderr, flush=True)
-
-
 def fetch_all(fetcher: Fetcher, entries: list[Entry]) -> int:
     """Fetches one after the other, with a line for each that is missing; counts those."""
     fetched = missing = 0
@@ -85,9 +64,10 @@ def fetch_all(fetcher: Fetcher, entries: list[Entry]) -> int:
             fetched += fetcher.fetch(entry)
         except Unavailable as error:
             missing += 1
-            complain(f"{entry.name}: missing: {error}")
+            console.say(f"{entry.name}: missing: {error}", sys.stderr)
     there = len(entries) - fetched - missing
-    say(f"{len(entries)} meshes: {there} there already, {fetched} fetched, {missing} missing")
+    sums = f"{there} there already, {fetched} fetched, {missing} missing"
+    console.say(f"{len(entries)} meshes: {sums}")
     return missing
 
 
@@ -98,30 +78,20 @@ def fetch(arguments: argparse.Namespace) -> int:
     cache = Cache(arguments.cache)
     progress = Progress(arguments.bars)
     with contextlib.closing(Downloader(progress, MIRROR_VARIABLE)) as downloader:
-        fetcher = Fetcher(manifest, cache, arguments.bench, origin, progress, downloader, say)
+        fetcher = Fetcher(
+            manifest, cache, arguments.bench, origin, progress, downloader, console.say
+        )
         return fetch_all(fetcher, entries)
 
 
 def main(words: list[str] | None = None) -> int:
     try:
         return EXIT_MISSING if fetch(parse_arguments(words)) else 0
-    except FetchError as error:
-        complain(f"fetch.py: {error}")
-        return EXIT_ERROR
-    except OSError as error:
-        complain(f"fetch.py: cannot write: {reason_of(error)}")
-        if sys.stdout is sys.__stdout__:  # what is left could not be written at the end either
-            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return EXIT_ERROR
+    except (FetchError, OSError) as error:
+        return console.complain(error)
     except KeyboardInterrupt:
-        complain("fetch.py: interrupted; what is in the cache is whole, and the next fetch continues")
-        return EXIT_INTERRUPTED
+        return console.interrupted("what is in the cache is whole, and the next fetch continues")
 
 
 if __name__ == "__main__":
-    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # `| head` ends it silently
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper):
-            # By lines: what cannot be written is noticed while it can still be said.
-            stream.reconfigure(errors="backslashreplace", line_buffering=True)
     sys.exit(main())

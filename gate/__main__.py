@@ -127,8 +127,7 @@ def main(words: Sequence[str] | None = None) -> int:
     except OSError as error:
         return console.complain(error)
     except KeyboardInterrupt:
-        print("check_performance.sh: interrupted", file=sys.stderr)
-        return 130
+        return console.interrupted()
 
 
 if __name__ == "__main__":

@@ -19,32 +19,29 @@ from collections.abc import Sequence
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT / "datasets"))  # downloads and archives are those of meshes
+sys.path[:0] = [str(ROOT), str(ROOT / "datasets")]  # downloads and archives are those of meshes
 
-try:
-    from building.compiler import Compiler, install_package
-    from building.description import PEERS, Peer, select_peers
-    from building.flags import Bench, loading
-    from building.plugin import Builder
-    from building.sources import Sources, github
-    from fetching.download import Downloader, origin_from_environment
-    from fetching.reporting import FetchError, Progress, Unavailable, printable, reason_of
-except ImportError as error:
-    sys.exit(
-        f"peers/build.py: {error}: it needs python3-jsonschema, python3-requests and python3-tqdm, "
-        "as Debian's /usr/bin/python3 has them"
+from results import console
+
+if __name__ == "__main__":
+    console.prepare(  # before imports that may fail
+        "peers/build.py", packages="python3-jsonschema, python3-requests and python3-tqdm"
     )
 
+from building.compiler import Compiler, install_package
+from building.description import PEERS, Peer, select_peers
+from building.flags import Bench, loading
+from building.plugin import Builder
+from building.sources import Sources, github
+from fetching.download import Downloader, origin_from_environment
+from fetching.reporting import FetchError, Progress, Unavailable
+
 MIRROR_VARIABLE = "GEODESIC_PEERS_MIRROR"
-EXIT_ERROR = 1
 EXIT_MISSING = 3
-EXIT_INTERRUPTED = 130
 
 
 def parse_arguments(words: Sequence[str] | None) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = console.Parser(__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME", help="a peer (default: all)")
     parser.add_argument(
         "--bench", type=Path, default=ROOT / "build" / "release" / "geodesic-bench",
@@ -71,8 +68,8 @@ def build_all(builder: Builder, peers: Sequence[Peer]) -> int:
         except Unavailable as error:
             missing += 1
             line = f"missing: {error}"
-        print(printable(f"{peer.name}: {line}"), flush=True)
-    print(f"{len(peers)} peers: {len(peers) - missing} built, {missing} missing")
+        console.say(f"{peer.name}: {line}")
+    console.say(f"{len(peers)} peers: {len(peers) - missing} built, {missing} missing")
     return missing
 
 
@@ -120,13 +117,11 @@ def main(words: Sequence[str] | None = None) -> int:
     try:
         return run(parse_arguments(words))
     except (FetchError, Unavailable) as error:
-        print(printable(f"peers/build.py: {error}"), file=sys.stderr)
-    except OSError as error:
-        print(printable(f"peers/build.py: {reason_of(error)}"), file=sys.stderr)
+        return console.complain(error)
+    except OSError as error:  # of programs that are missing, too
+        return console.complain(FetchError(console.reason_of(error)))
     except KeyboardInterrupt:
-        print("peers/build.py: interrupted", file=sys.stderr)
-        return EXIT_INTERRUPTED
-    return EXIT_ERROR
+        return console.interrupted("a peer that was built is there, and the next call continues")
 
 
 if __name__ == "__main__":

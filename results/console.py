@@ -1,4 +1,4 @@
-"""How a command ends: one line for an error, on any terminal.
+"""What commands print, and how they end: one line for an error, on any terminal.
 
 A command calls `prepare` before it imports anything that may be missing.
 """
@@ -12,10 +12,11 @@ import signal
 import sys
 from pathlib import Path
 from types import TracebackType
-from typing import NoReturn
+from typing import NoReturn, TextIO
 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGES = "python3-jinja2, python3-jsonschema, python3-matplotlib, python3-numpy and python3-scipy"
+EXIT_INTERRUPTED = 130
 
 
 def printable(text: str) -> str:
@@ -23,7 +24,20 @@ def printable(text: str) -> str:
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
 
 
+def say(line: str, stream: TextIO | None = None) -> None:
+    """@param stream by default the output"""
+    print(printable(line), file=stream, flush=True)
+
+
+def reason_of(error: OSError) -> str:
+    """'No space left on device: /the/file'; without a file where the error names none, as those of
+    an open file and of the output."""
+    return ": ".join(str(part) for part in (error.strerror or error, error.filename) if part)
+
+
 _name = ""
+_packages = PACKAGES
+_place = "--out"
 
 
 def program() -> str:
@@ -38,9 +52,7 @@ def program() -> str:
 def complaint(error: BaseException) -> str:
     """One line; an error of the system with its file and a way out."""
     if isinstance(error, OSError) and error.strerror:
-        # Errors of writing to a file that is open name no file, nor do those of the output.
-        what = error.strerror if error.filename is None else f"{error.strerror}: {error.filename}"
-        return f"cannot write ({printable(what)}): is there another place (--out)?"
+        return f"cannot write ({printable(reason_of(error))}): is there another place ({_place})?"
     return printable(str(error))
 
 
@@ -52,6 +64,12 @@ def complain(error: BaseException) -> int:
     except OSError:  # the output is closed: without this, Python would report it again at exit
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     return 1
+
+
+def interrupted(left: str = "files that have their final name are complete") -> int:
+    """Says so and what is left behind; returns the exit code."""
+    complain(KeyboardInterrupt(f"interrupted; {left}"))
+    return EXIT_INTERRUPTED
 
 
 class Parser(argparse.ArgumentParser):
@@ -77,13 +95,15 @@ def run_parser(description: str | None, *examples: str) -> Parser:
     return parser
 
 
-def prepare(name: str = "") -> None:
+def prepare(name: str = "", packages: str = PACKAGES, place: str = "--out") -> None:
     """Sets the process up as a command: errors that are no fault of the program end in one line,
     a closed pipe ends it silently, and any text can be printed.
 
-    @param name as the user calls the command, where that is not the name of the script"""
-    global _name
-    _name = name
+    @param name as the user calls the command, where that is not the name of the script
+    @param packages of Debian that it needs
+    @param place the option that names where it writes"""
+    global _name, _packages, _place
+    _name, _packages, _place = name, packages, place
     sys.excepthook = _end
     os.environ["MPLBACKEND"] = "agg"  # matplotlib opens no window
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)
@@ -96,10 +116,10 @@ def prepare(name: str = "") -> None:
 def _end(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
     ours = isinstance(error, ImportError) and (ROOT / str(error.name).split(".")[0]).exists()
     if isinstance(error, ImportError) and not ours:
-        complain(ImportError(f"{error}: it needs {PACKAGES}, as Debian's /usr/bin/python3 has them"))
+        complain(ImportError(f"{error}: it needs {_packages}, as Debian's /usr/bin/python3 has them"))
     elif isinstance(error, OSError):
         complain(error)
     elif isinstance(error, KeyboardInterrupt):
-        complain(KeyboardInterrupt("interrupted; files that have their final name are complete"))
+        interrupted()
     else:
         sys.__excepthook__(kind, error, trace)

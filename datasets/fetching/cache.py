@@ -17,8 +17,10 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from results.console import reason_of
+
 from .program import ROOT
-from .reporting import FetchError, reason_of
+from .reporting import FetchError
 
 WORK = ".fetch"
 

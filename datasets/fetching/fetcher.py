@@ -9,12 +9,14 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from results.console import reason_of
+
 from .archive import extract, gunzip
 from .cache import Cache, sha256_of
 from .download import Downloader, Origin
 from .packages import file_of_package
 from .program import Entry, Manifest, Package, generate
-from .reporting import Progress, Unavailable, reason_of
+from .reporting import Progress, Unavailable
 
 
 @dataclass(frozen=True)

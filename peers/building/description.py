@@ -9,7 +9,9 @@ from pathlib import Path
 from typing import Any
 
 import jsonschema
-from fetching.reporting import FetchError, reason_of
+from fetching.reporting import FetchError
+
+from results.console import reason_of
 
 PEERS = Path(__file__).resolve().parents[1]
 

@@ -23,6 +23,7 @@ REAL_MIRROR = os.environ.get("GEODESIC_DATASETS_MIRROR")
 def world(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> World:
     monkeypatch.setenv("GEODESIC_DATASETS_MIRROR", "")  # restored afterwards
     monkeypatch.setenv("NO_PROXY", "127.0.0.1")
+    monkeypatch.setattr(sys, "argv", ["fetch.py"])  # what its messages begin with
     return World(tmp_path)
 
 

@@ -187,7 +187,9 @@ def test_a_read_only_cache_is_one_line_and_stays_usable() -> None:
         folder = Path(name)
         folder.chmod(0o755)
         shutil.copytree(ROOT / "datasets" / "fetching", folder / "datasets" / "fetching")
-        shutil.copy(ROOT / "datasets" / "fetch.py", folder / "datasets")
+        (folder / "results").mkdir()
+        for file in ("datasets/fetch.py", "results/console.py"):
+            shutil.copy(ROOT / file, folder / file)
         world = World(folder)
         world.meshes = [generated("g")]
         assert world.fetch() == 0

@@ -181,8 +181,8 @@ PACKAGES = {
     "python": set[str](),
     "plots": {"results"},
     "gate": {"results", "plots"},
-    "datasets": {"fetching"},
-    "peers": {"fetching"},
+    "datasets": {"fetching", "results"},
+    "peers": {"fetching", "results"},
 }
 """By Python package, the others that it imports; `fetching` is what datasets is made of."""
 
