@@ -31,7 +31,7 @@ struct SolveFlags {
   std::string mesh, solver;
   std::vector<Index> sources;
   std::string sources_file, output;
-  bool repair = false, each = false, check = false;
+  bool repair = false, each = false, check = false, counters = false;
   unsigned threads = 1;
   double limit = kInfinity;
   std::string vectors = kAutoVectors;
@@ -80,6 +80,19 @@ struct Solved {
   Json json;
 };
 
+// Counters, phases and the peak of memory, which further solves take.
+void add_counters(const Description& solver, const Mesh& mesh, const Query& query, Solved& solved) {
+  std::vector<double> recorded(mesh.vertex_count());
+  const RecordedSolve counted = record_solve(solver.name, mesh, query, recorded);
+  for_each_counter(counted.counters,
+                   [&](const char* name, const auto& value) { solved.json[name] = value; });
+  if (counted.phases) solved.json["phase_seconds"] = *counted.phases;
+  solved.json["solver_peak_bytes"] = counted.peak_bytes;
+  if (solver.deterministic && !identical(recorded, solved.distances)) {
+    throw WrongAnswer(solver.name + ": a recorded solve gave other distances than the timed one");
+  }
+}
+
 Solved solve(const SolveFlags& flags, const Description& solver, const Mesh& mesh) {
   const Query query = query_from(flags.sources, flags.limit);
   Solved solved{.distances = std::vector<double>(mesh.vertex_count()), .json = Json::object()};
@@ -95,18 +108,9 @@ Solved solve(const SolveFlags& flags, const Description& solver, const Mesh& mes
   solved.json["prepare_time_s"] = prepare_time;
   solved.json["instruction_set"] = name_of(prepared->instruction_set());
   solved.json["process_peak_bytes"] = peak_resident_bytes();
+  solved.json["unreachable_vertices"] = unreachable_vertices(solved.distances);
   prepared.reset();
-
-  std::vector<double> recorded(mesh.vertex_count());
-  const RecordedSolve counted = record_solve(solver.name, mesh, query, recorded);
-  for_each_counter(counted.counters,
-                   [&](const char* name, const auto& value) { solved.json[name] = value; });
-  if (counted.phases) solved.json["phase_seconds"] = *counted.phases;
-  solved.json["solver_peak_bytes"] = counted.peak_bytes;
-  solved.json["unreachable_vertices"] = unreachable_vertices(recorded);
-  if (solver.deterministic && !identical(recorded, solved.distances)) {
-    throw WrongAnswer(solver.name + ": a recorded solve gave other distances than the timed one");
-  }
+  if (flags.counters) add_counters(solver, mesh, query, solved);
   return solved;
 }
 
@@ -215,6 +219,9 @@ void run_solve(SolveFlags flags) {
   if (flags.threads > 1 && !flags.each) {
     throw HarnessError("--threads is for --each: it solves several sources at a time");
   }
+  if (flags.counters && flags.each) {
+    throw HarnessError("--counters is for one solve: leave out --each");
+  }
   if (flags.check && std::isfinite(flags.limit)) {
     throw HarnessError("--check is for distances without --limit");
   }
@@ -255,8 +262,7 @@ void run_solve(SolveFlags flags) {
 
 void add_solve_command(CLI::App& app) {
   const auto flags = std::make_shared<SolveFlags>();
-  CLI::App* command =
-      app.add_subcommand("solve", "Compute distances; print times and counters as JSON");
+  CLI::App* command = app.add_subcommand("solve", "Compute distances; print times as JSON");
   command->add_option("mesh", flags->mesh, "mesh file, or name of the manifest")
       ->required()
       ->type_name("MESH");
@@ -283,6 +289,8 @@ void add_solve_command(CLI::App& app) {
   command->add_flag(
       "--check", flags->check,
       "compare with brute force on up to 400 faces, otherwise with another exact solver");
+  command->add_flag("--counters", flags->counters,
+                    "solve again for counters, phases and the peak of memory");
   command->add_flag("--repair", flags->repair, "repair defects of the mesh, and say which");
   command->add_option("--limit", flags->limit, "distance beyond which vertices are unreachable")
       ->check(zero_or_above());

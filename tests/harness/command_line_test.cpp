@@ -77,16 +77,33 @@ TEST_F(CommandLine, SolveWritesAJsonObjectAndDistancesInFileOrder) {
   EXPECT_EQ(printed.at("faces"), 4);
   EXPECT_EQ(printed.at("sources"), nlohmann::json::array({0}));
   EXPECT_EQ(printed.at("unreachable_vertices"), 0);
-  for (const char* key : {"cpu_time_s", "real_time_s", "prepare_time_s", "space_thesis_mb",
-                          "solver_peak_bytes", "process_peak_bytes", "window_propagations"}) {
+  for (const char* key : {"cpu_time_s", "real_time_s", "prepare_time_s", "process_peak_bytes"}) {
     ASSERT_TRUE(printed.contains(key)) << key;
     EXPECT_TRUE(printed.at(key).is_number()) << key;
   }
+  EXPECT_EQ(read(file), "0\n1\n1\n1\n");
+}
+
+// It takes further solves.
+TEST_F(CommandLine, SolveCountsWhenAskedAndNotOtherwise) {
+  std::vector<std::string> words{"solve",        "tetrahedron", "--solver",
+                                 exact_solver(), "--source",    "0"};
+  const nlohmann::json plain = nlohmann::json::parse(run(PROGRAM, words).out);
+  words.push_back("--counters");
+  const nlohmann::json counted = nlohmann::json::parse(run(PROGRAM, words).out);
+  for (const char* key : {"space_thesis_mb", "solver_peak_bytes", "window_propagations"}) {
+    ASSERT_TRUE(counted.contains(key)) << key;
+    EXPECT_TRUE(counted.at(key).is_number()) << key;
+    EXPECT_FALSE(plain.contains(key)) << key;
+  }
   for (const char* key : {"valid_windows", "window_limit", "peak_wavefront", "strip_depth",
                           "strip_b", "wavefront_sd"}) {
-    EXPECT_TRUE(printed.contains(key)) << key << " is null where the solver has none, not absent";
+    EXPECT_TRUE(counted.contains(key)) << key << " is null where the solver has none, not absent";
   }
-  EXPECT_EQ(read(file), "0\n1\n1\n1\n");
+  words.push_back("--each");
+  const Output refused = run(PROGRAM, words);
+  EXPECT_EQ(refused.code, 1);
+  expect_words(refused.err, {"--counters is for one solve", "--each"});
 }
 
 TEST_F(CommandLine, VectorInstructionsAreChosenByNameAndChangeNoDistance) {
