@@ -52,7 +52,7 @@ def series(run: Run) -> tuple[str, dict[str, list[Point]]]:
     @raises ResultError when no heat method has two such meshes"""
     exact = baseline(run, EDGE_BASED)
     meshes = sorted(run.meshes.values(), key=lambda mesh: mesh.vertices)
-    heats = [solver for solver in columns(run) if solver.split("?")[0].endswith("heat")]
+    heats = [solver for solver in columns(run) if run.solvers[solver].base.endswith("heat")]
     found = {heat: [p for mesh in meshes if (p := _point(run, mesh, heat, exact))]
              for heat in heats}  # fmt: skip
     long = {heat: points for heat, points in found.items() if len(points) >= LEAST_MESHES}

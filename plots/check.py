@@ -37,10 +37,9 @@ def line(row: Row) -> str:
 
 def findings(run: Run) -> list[Row]:
     """Failed rows of the solvers that plug-ins brought."""
-    plugins = run.context["geodesic_bench"].get("plugins", [])
-    theirs = {solver for plugin in plugins for solver in plugin["solvers"]}
+    theirs = run.of_plugins
     failed = [row for row in run.rows if not row.ok and row.outcome not in ALLOWED]
-    return [row for row in failed if row.solver.split("?")[0] in theirs]
+    return [row for row in failed if run.solvers[row.solver].base in theirs]
 
 
 def failures(run: Run, harmless: Sequence[Row] = ()) -> list[str]:

@@ -7,7 +7,7 @@ one line that names it.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import Any, cast
@@ -66,7 +66,9 @@ class Recording:
     folder: Path
     """RUN/recordings/<mesh>/src<source>"""
     solvers: dict[str, Path]
-    """Their folders in it."""
+    """Folders in it of the exact ones, which have their wavefront there."""
+    inexact: dict[str, Path] = field(default_factory=dict)
+    """Folders in it of the others, which have their distances there."""
 
     @cached_property
     def surface(self) -> Surface:
@@ -80,11 +82,19 @@ class Recording:
     def distances(self) -> Floats:
         """By vertex; infinite where no path leads."""
         file = self.folder / "distances.npy"
-        distances = _load(file, np.dtype("<f8"), (self.mesh.vertices,))
-        _require(not np.isnan(distances).any(), file, "a distance is not a number")
+        distances = self._distances(file)
         _require(distances.min() >= 0, file, "a distance is negative")
         reached = distances[np.isfinite(distances)]
         _require(reached.size > 0 and reached.max() > 0, file, "no vertex is reached")
+        return distances
+
+    def inexact_distances(self, solver: str) -> Floats:
+        """By vertex, as the solver gave them: those of heat methods may be negative."""
+        return self._distances(self.inexact[solver] / "distances.npy")
+
+    def _distances(self, file: Path) -> Floats:
+        distances = _load(file, np.dtype("<f8"), (self.mesh.vertices,))
+        _require(not np.isnan(distances).any(), file, "a distance is not a number")
         return distances
 
     @property
@@ -148,7 +158,7 @@ def recordings(run: Run, *solvers: str, isolines: bool = False) -> list[Recordin
     """One a mesh, of its first recorded source: the best for the thesis's figures first, and of
     several meshes for one of its models only the best.
 
-    @param solvers that must have been recorded
+    @param solvers, exact ones, that must have been recorded
     @param isolines whether isolines must have been recorded, which needs a solver that keeps its
            windows
     @raises ResultError when there is none"""
@@ -162,8 +172,9 @@ def recordings(run: Run, *solvers: str, isolines: bool = False) -> list[Recordin
         mesh = run.meshes[row.mesh]
         one = found.setdefault(row.mesh, Recording(mesh, row.source, folder.parent, {}))
         if row.source == one.source:
-            one.solvers[row.solver] = folder
-    useful = [one for one in found.values() if set(solvers) <= set(one.solvers)]
+            kind = one.solvers if run.solvers[row.solver].exact else one.inexact
+            kind[row.solver] = folder
+    useful = [one for one in found.values() if one.solvers and set(solvers) <= set(one.solvers)]
     if not useful:
         whose = f" of {' and '.join(solvers)}" if solvers else ""
         raise ResultError(f"{run.file}: no recordings{whose}; run --recordings auto makes them")

@@ -71,6 +71,13 @@ class Solver:
     """Or "bounded", "upper_bound", "unbounded"."""
     error_bound: float | None = None
     """Relative, of a bounded solver."""
+    values: dict[str, float | str] = field(default_factory=dict)
+    """Of all its parameters, by their names."""
+
+    @property
+    def base(self) -> str:
+        """The name without parameters."""
+        return self.name.split("?")[0]
 
     @property
     def promise(self) -> str:
@@ -156,6 +163,12 @@ class Run:
         """The part of the context that is geodesic-bench's own."""
         found: dict[str, Any] = self.context["geodesic_bench"]
         return found
+
+    @property
+    def of_plugins(self) -> set[str]:
+        """Solvers that plug-ins brought, such as public codes, without parameters."""
+        plugins = self.context.get("geodesic_bench", {}).get("plugins", [])
+        return {solver for plugin in plugins for solver in plugin["solvers"]}
 
     @property
     def interleaved(self) -> bool:

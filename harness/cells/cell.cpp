@@ -131,19 +131,22 @@ void Measurement::count() {
   row_.unreachable_vertices = unreachable_vertices(solved_);
 }
 
-// A full disk costs no time that was measured.
+// What figures show of the cell: the wavefront of a solver that has one, and the distances, which
+// of an exact solver are those of the source and of an inexact one its own. A full disk costs no
+// time that was measured.
 void Measurement::record() {
+  const bool has_wavefront = row_.counters.wavefront_sd.has_value();
+  const bool exact = solver_.exactness == Exactness::exact;
+  if (exact && !has_wavefront) return;
   Recording recording = wavefront_recording();
-  make_solver(spec_.solver, mesh_)->solve(query_, solved_, &recording);
+  if (has_wavefront) make_solver(spec_.solver, mesh_)->solve(query_, solved_, &recording);
   const RecordingFolders folders = recording_folders(spec_.mesh, spec_.source, spec_.solver);
   const std::filesystem::path run = spec_.run_folder;
   try {
     write_surface(run / folders.mesh, soup_);
-    if (solver_.exactness == Exactness::exact) {
-      write_vertex_distances(run / folders.source, verified_);
-    }
-    write_wavefront(run / folders.solver, mesh_, recording);
-    if (solver_.final_windows && !has_isolines(run / folders.source)) {
+    write_vertex_distances(run / (exact ? folders.source : folders.solver), verified_);
+    if (has_wavefront) write_wavefront(run / folders.solver, mesh_, recording);
+    if (exact && solver_.final_windows && !has_isolines(run / folders.source)) {
       record_isolines(run / folders.source);
     }
     row_.recordings = folders.solver.string();
@@ -199,7 +202,7 @@ std::string Measurement::measure() {
 
   if (spec_.counted) count();
   const bool same = identical(solved_, verified_) || !solver_.deterministic;
-  if (spec_.pictured && row_.counters.wavefront_sd && same) record();
+  if (spec_.pictured && same) record();
   return verify_again("a recorded solve gave other distances than timed ones");
 }
 

@@ -161,8 +161,8 @@ bool leaves_recordings(const Cell& cell, Recordings choice) {
   if (!cell.is_first_repetition()) return false;
   if (choice != Recordings::automatic) return choice == Recordings::all;
   const PlannedMesh& mesh = *cell.mesh;
-  return cell.solver->exactness == Exactness::exact && cell.source == mesh.sources.front() &&
-         mesh.vertices >= kLeastRecorded && mesh.vertices <= kMostRecorded;
+  return cell.source == mesh.sources.front() && mesh.vertices >= kLeastRecorded &&
+         mesh.vertices <= kMostRecorded;
 }
 
 std::vector<Cell> Plan::interleaved_cells(int repetitions) const {

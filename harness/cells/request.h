@@ -13,7 +13,7 @@ namespace geodesic::harness {
 /// Which cells leave recordings for figures.
 enum class Recordings {
   none,
-  automatic,  ///< the first source of each mesh of 1,000 to 250,000 vertices, exact solvers
+  automatic,  ///< the first source of each mesh of 1,000 to 250,000 vertices
   all,
 };
 

@@ -33,6 +33,10 @@ TextTable solver_table() {
   return table;
 }
 
+constexpr const char* kHowToSet =
+    "  A parameter is set in the solver's name, to several values for as many solvers, as in "
+    "--solvers 'SOLVER?PARAMETER=1,2,4'.\n";
+
 // Of the solvers that take any.
 TextTable parameter_table() {
   TextTable table{{"solver", "parameter", "default", "what it is", "must be"}};
@@ -100,7 +104,7 @@ void run_list(const ListFlags& flags) {
   }
   const TextTable parameters = parameter_table();
   std::cout << as_text(solver_table()) << '\n';
-  if (parameters.size() > 1) std::cout << as_text(parameters) << '\n';
+  if (parameters.size() > 1) std::cout << as_text(parameters) << '\n' << kHowToSet << '\n';
   std::cout << as_text(mesh_table(manifest, meshes));
 }
 

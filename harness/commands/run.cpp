@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 constexpr const char* kExamples = R"(
 Examples:
   geodesic-bench run --solvers mmp,ich --meshes scans/,horse
+  geodesic-bench run --solvers 'edge-based,steiner?points=1,3,7' --meshes horse
   geodesic-bench run --corpus quick --repetitions 9 --out results/runs/mine)";
 
 // "head=build/release/geodesic-bench"
@@ -83,8 +84,10 @@ void add_request_options(CLI::App& command, RunRequest& request) {
       "a corpus")
       ->delimiter(',')
       ->type_name("NAMES");
-  option("--solvers", suite.solvers,
-         "solvers to measure (default: all that `list` shows as run always)")
+  option(
+      "--solvers", suite.solvers,
+      "solvers to measure (default: all that `list` shows as run always); a number after a comma "
+      "is a further value of the parameter before it")
       ->delimiter(',')
       ->type_name("NAMES");
   option("--cells", request.cells, "only these cells, named as rows: mmp/horse/src:0,...")
@@ -105,8 +108,8 @@ void add_request_options(CLI::App& command, RunRequest& request) {
       ->type_name("SET");
   call(
       "--recordings", [&](const std::string& word) { request.recordings = recordings_named(word); },
-      "cells that record the wavefront for figures: none, all, or auto (default: the first source "
-      "of each mesh of 1,000 to 250,000 vertices, exact solvers)")
+      "cells that record the wavefront, or inexact distances, for figures: none, all, or auto "
+      "(default: the first source of each mesh of 1,000 to 250,000 vertices)")
       ->type_name("WHICH");
   command.add_flag("--repair", request.repair, "repair meshes that have defects");
   command.add_flag("--interleave", request.interleave,

@@ -10,11 +10,26 @@
 namespace geodesic::harness {
 namespace {
 
-bool is_number(const std::string& word) {
+bool is_number(std::string_view word) {
   double number = 0;
   const char* const end = word.data() + word.size();
   const auto [rest, error] = std::from_chars(word.data(), end, number);
   return error == std::errc() && rest == end;
+}
+
+// The solver that a word behind a comma names: a number is a further value of the last parameter of
+// the solver before it.
+std::string name_after(const std::string& before, const std::string& word) {
+  const std::size_t equals = before.rfind('='), more = word.find('&');
+  if (equals == std::string::npos || !is_number(std::string_view(word).substr(0, more))) {
+    return word;
+  }
+  if (more != std::string::npos) {
+    throw HarnessError("'" + before + ',' + word +
+                       "': the parameter with several values comes last, as in "
+                       "'SOLVER?ONE=1&OTHER=2,3'");
+  }
+  return before.substr(0, equals + 1) + word;
 }
 
 }  // namespace
@@ -33,11 +48,8 @@ std::vector<const Description*> solvers_named(const std::vector<std::string>& wo
   for (const std::string& word : words) {
     std::istringstream list(word);
     for (std::string name; std::getline(list, name, ',');) {
-      if (is_number(name) && before.find('=') != std::string::npos) {
-        name = before.substr(0, before.rfind('=') + 1) + name;
-      }
-      solvers.push_back(&solver_named(name));
-      before = name;
+      before = name_after(before, name);
+      solvers.push_back(&solver_named(before));
     }
   }
   return solvers;

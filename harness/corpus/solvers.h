@@ -15,8 +15,8 @@ namespace geodesic::harness {
 const Description& solver_named(const std::string& name);
 
 /// Those of a list, whose words may hold several separated by commas. A number after a comma is a
-/// further value of the parameter before it: "avtp?lambda=8,16" is two solvers.
-/// @throws as solver_named
+/// further value of the parameter before it, the last of its solver: "avtp?lambda=8,16" is two
+/// solvers, "avtp?threads=2&lambda=8,16" too. @throws as solver_named
 std::vector<const Description*> solvers_named(const std::vector<std::string>& words);
 
 /// A cell's name, "<solver>/<mesh>" with anything behind it, with the canonical name of its solver;

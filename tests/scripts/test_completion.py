@@ -19,6 +19,7 @@ pytestmark = pytest.mark.skipif(not BENCH.exists(), reason=f"no program at {BENC
 CASES = [
     ("ver", {"verify"}),
     ("solve --solver edge-based-l", {"edge-based-lazy"}),
+    ("solve --solver steiner", {"steiner", "steiner?points="}),
     ("run --corpus qu", {"quick"}),
     ("run --meshes hor", {"horse"}),
     ("run --repet", {"--repetitions"}),

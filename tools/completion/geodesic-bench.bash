@@ -11,5 +11,6 @@ _geodesic_bench() {
   local words
   words=$("$_geodesic_bench_words" "$1" "$command" "${COMP_WORDS[COMP_CWORD - 1]}")
   mapfile -t COMPREPLY < <(compgen -P "$before" -W "$words" -- "${word##*,}")
+  if [[ ${COMPREPLY[*]} == *= ]]; then compopt -o nospace 2>/dev/null; fi # a value follows
 }
 complete -o bashdefault -o default -F _geodesic_bench geodesic-bench

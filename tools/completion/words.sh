@@ -4,11 +4,13 @@
 # COMMAND is empty where it is itself to be completed.
 program=$1 command=$2 previous=$3
 
-# names KIND: the first column of a table of `list`, whose heading begins with "solver" or "mesh".
+# names KIND: the first column of a table of `list`, whose heading begins with "solver" or "mesh"; of
+# a solver with parameters "solver?parameter=" too.
 names() {
   "$program" list | awk -v kind="$1" '
-    $1 == "solver" || $1 == "mesh" { table = $1; next }
-    table == kind && NF { print $1 }'
+    $1 == "solver" || $1 == "mesh" { table = $1; parameters = $2 == "parameter"; next }
+    !NF { table = "" }
+    table == kind { print parameters ? $1 "?" $2 "=" : $1 }'
 }
 
 corpora() {
