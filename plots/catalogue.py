@@ -29,6 +29,7 @@ TABLES: dict[str, Callable[[Run], Table]] = {
     "twins": twins.table,
     "break_even_numbers": break_even.table,
     "robustness": robustness.matrix,
+    "robustness_counts": robustness.counts,
     "robustness_failures": robustness.failures,
 }
 FIGURES: dict[str, Callable[[Run], Drawing]] = {

@@ -1,16 +1,16 @@
 """Who is right on which case: a matrix of solvers by the meshes on which users of other codes
-report failures, and what happened where one is not right."""
+report failures, how often each is right, and what happened where one is not."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Sequence
 
-from plots.answers import error_text
-from plots.measures import ABSENT, columns
+from plots.answers import error_text, first
+from plots.measures import ABSENT, columns, time_unit
 from plots.models import ordered_meshes
 from results.reader import Mesh, ResultError, Row, Run
-from results.table import BLANK, Cell, Table
+from results.table import Cell, Table
 
 RIGHT, OFF, WRONG, IMPRECISE, EXITS, REFUSED = (
     "right", "off", "wrong", "imprecise", "exits", "refused",
@@ -24,6 +24,7 @@ OF_OUTCOME = {
     "crashed": "crash", "time-out": "hang", "out of memory": "out of memory",
     "unsupported": "unsupported",
 }  # fmt: skip
+MISSING = "missing"
 LEAST_WRONG = 1e-6
 """Largest relative error from which on an answer is wrong and not only imprecise."""
 
@@ -38,9 +39,8 @@ def matrix(run: Run) -> Table:
         header=["Case", "Reported of", *solvers],
         text_columns=2,
         rows=[
-            *([_case(mesh), _reports(mesh), *(_cell(run, mesh, s) for s in solvers)]
-              for mesh in cases),
-            *_totals(run, cases, solvers),
+            [_case(mesh), _reports(mesh), *(_cell(run, mesh, s) for s in solvers)]
+            for mesh in cases
         ],
         remarks=[
             "Cases are meshes made by generators of this project, of the kind that the reports are "
@@ -50,7 +50,25 @@ def matrix(run: Run) -> Table:
             "the largest relative error, or by how many vertices are reached that must not be, or "
             f"not reached; imprecise: by less than {LEAST_WRONG:.0e}. Refused: the solver says "
             "why, and gives no distances; exits: it ends the process without a word. Unsupported: "
-            "as it declares. What is shown of several sources is the worst.",
+            f"as it declares. What is shown of several sources is the worst. {_limit(run)}",
+        ],
+    )
+
+
+def counts(run: Run) -> Table:
+    """@raises ResultError when no mesh of the run stands for a report"""
+    cases = _cases(run)
+    words = {s: [_worst(run, mesh, s)[0] for mesh in cases] for s in columns(run)}
+    found = [w for w in [*reversed(WORDS), MISSING] if any(w in of for of in words.values())]
+    return Table(
+        name="robustness_counts",
+        title=f"How often a solver is right, of {len(cases)} cases",
+        header=["Solver", "Promise", *(word.capitalize() for word in found)],
+        text_columns=2,
+        rows=[
+            [Cell(s), Cell(run.solvers[s].promise),
+             *(Cell(str(of.count(word)), of.count(word)) for word in found)]
+            for s, of in words.items()
         ],
     )  # fmt: skip
 
@@ -79,6 +97,15 @@ def _cases(run: Run) -> list[Mesh]:
     if not any(mesh.reports for mesh in run.meshes.values()):
         raise ResultError(f"{run.file}: no mesh stands for a report; run --corpus robustness")
     return ordered_meshes(run)
+
+
+def _limit(run: Run) -> str:
+    """Why a hang is one."""
+    seconds = max((first(row) for row in run.rows if row.ok), default=0)
+    return (
+        f"Hang: no answer within {run.ours['time_limit']:g} s; the slowest of all answers took "
+        f"{time_unit([seconds]).text(seconds)}."
+    )
 
 
 def _case(mesh: Mesh) -> Cell:
@@ -115,7 +142,7 @@ def _worst(run: Run, mesh: Mesh, solver: str) -> tuple[str, list[Row]]:
     """The worst word of a case, and the rows that it is of."""
     rows = run.cell(mesh.name, solver)
     if not rows:
-        return "skipped" if run.skip(mesh.name, solver) else "missing", []
+        return "skipped" if run.skip(mesh.name, solver) else MISSING, []
     words = [_word(run, row) for row in rows]
     worst = min(words, key=WORDS.index)
     return worst, [row for row, word in zip(rows, words, strict=True) if word == worst]
@@ -128,14 +155,3 @@ def _cell(run: Run, mesh: Mesh, solver: str) -> Cell:
     mismatches = _mismatches(rows)
     by_how_much = f"reach of {mismatches:,}" if mismatches else error_text(_error(rows))
     return Cell(f"{word}: {by_how_much}")
-
-
-def _totals(run: Run, cases: Sequence[Mesh], solvers: Sequence[str]) -> list[list[Cell]]:
-    """How many cases have each word, for the words that there are; right ones first."""
-    words = {s: [_worst(run, mesh, s)[0] for mesh in cases] for s in solvers}
-    return [
-        [Cell(f"{word}, of {len(cases)}", "total"), BLANK,
-         *(Cell(str(words[s].count(word)), words[s].count(word)) for s in solvers)]
-        for word in [*reversed(WORDS), "missing"]
-        if any(word in words[s] for s in solvers)
-    ]  # fmt: skip

@@ -53,7 +53,7 @@ class Fake final : public Solver {
  private:
   void run(const Query& query, std::span<double> distances, Recording*) override {
     behave();
-    const Index source = query.sources.front().vertex;
+    const Index source = query.sources.front().at.vertex;
     for (Index v = 0; v < distances.size(); ++v) {
       const Vec3 way = subtract(mesh().position(v), mesh().position(source));
       distances[v] = norm(way);

@@ -285,7 +285,8 @@ def test_all_draws_what_it_can_and_says_what_it_leaves_out(golden_run: Run) -> N
     assert "phase_seconds" in why.pop("figure_5_9") and why.pop("figure_5_10")
     for series in ("table_growth", "table_growth_exponents", "time_over_vertices"):
         assert "of one surface" in why.pop(series)
-    assert "run --corpus robustness" in why.pop("robustness") and why.pop("robustness_failures")
+    for table in ("robustness", "robustness_counts", "robustness_failures"):
+        assert "run --corpus robustness" in why.pop(table)
     assert "public code" in why.pop("twins")
     for heat in ("break_even", "break_even_numbers"):
         assert "run --corpus break-even" in why.pop(heat)
