@@ -1,7 +1,7 @@
 // The heat method as geometry-central has it.
 #include <geometrycentral/surface/heat_method_distance.h>
 
-#include "gc-exact/gc_mesh.h"
+#include "gc_mesh.h"
 #include "peer.h"
 
 namespace geodesic {
