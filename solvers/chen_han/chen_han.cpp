@@ -12,7 +12,8 @@ const RegisterSolver<ChenHan<Ch>> ch{{
     .time_complexity = "O(n^2)",
     .space_complexity = "O(n)",
     .propagation = "window",
-    .abilities = {.degenerate_faces = false, .max_vertices = 1200},
+    .abilities =
+        {.degenerate_faces = false, .surface_sources = true, .paths = true, .max_vertices = 1200},
     .remarks = "small meshes only: nearly all of its windows are useless",
 }};
 
@@ -25,6 +26,7 @@ const RegisterSolver<ChenHan<Ich>> ich{{
     .space_complexity = "O(n^2)",
     .propagation = "window",
     .relative_time = 6,
+    .abilities = {.surface_sources = true, .paths = true},
 }};
 
 const RegisterSolver<ChenHan<FwpCh>> fwp_ch{{
@@ -36,6 +38,7 @@ const RegisterSolver<ChenHan<FwpCh>> fwp_ch{{
     .space_complexity = "O(n^2)",
     .propagation = "window",
     .relative_time = 5,
+    .abilities = {.surface_sources = true, .paths = true},
 }};
 
 }  // namespace

@@ -47,9 +47,9 @@ class ChenHan final : public Solver {
 
  private:
   static const Mesh& checked(const Mesh& mesh, const Description& description) {
-    if (mesh.vertex_count() <= kMaxVertices) return mesh;
+    if (mesh.vertex_count() <= kMaxRoots) return mesh;
     throw std::invalid_argument(description.name + ": supports at most " +
-                                std::to_string(kMaxVertices) + " vertices");
+                                std::to_string(kMaxRoots) + " vertices");
   }
 
   void run(const Query& query, std::span<double> distances, Recording* recording) override {

@@ -10,10 +10,17 @@
 // so that a distance that improves meanwhile sends out windows only once. When the distance of a
 // pseudo-source improves later, it sends out windows anew and the former ones are dropped: they
 // are known by their sigma.
+//
+// A source on an edge or in a face is a root without a vertex. Before the loop it gives the corners
+// of its face their distances, and its windows cross the first faces beyond. The filter's third
+// test presupposes that a window came into the face that it leaves; these did not.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -36,15 +43,15 @@ namespace geodesic::chen_han {
 template <class Depth>
 struct StoredWindow : Window {
   Index half_edge;
-  Index root : 31;                    ///< vertex of the (pseudo-)source
+  Index root : 31;                    ///< as in Arrival (core/recording.h)
   Index entry : 1;                    ///< an Entry
   [[no_unique_address]] Depth depth;  ///< faces crossed since the pseudo-source
 
   bool is_pseudo_source() const { return !(end > begin); }
 };
 
-/// As many vertices as `StoredWindow::root` can tell apart.
-inline constexpr Index kMaxVertices = (Index{1} << 31) - 1;
+/// As many roots as `StoredWindow::root` can tell apart.
+inline constexpr Index kMaxRoots = (Index{1} << 31) - 1;
 
 /// The state of the solves of one solver, one after the other.
 /// @tparam Policy as in chen_han.h
@@ -66,6 +73,7 @@ class Propagation {
     const auto timed = recorder_.enter(Phase::propagation);
     start(query, distances);
     while (!queue_.empty()) {
+      if (stops_ && is_over()) break;
       const Stored w = pop();
       budget_.spend(1);
       prefetch_ahead();
@@ -79,12 +87,16 @@ class Propagation {
         if (progress_.made_step()) sample();
       }
     }
+    if (distances_.size() > distances.size()) {
+      std::copy_n(distances_.begin(), distances.size(), distances.begin());
+    }
   }
 
  private:
   using Filter = typename Policy::Filter;
   using Depth = std::conditional_t<Filter::filters, typename Recorder::Depth, StripDepth>;
   using Stored = StoredWindow<Depth>;
+  using Arrival = ArrivalOf<Recorder>;
 
   Stored pop() {
     const auto timed = recorder_.enter(Phase::queue);
@@ -98,18 +110,83 @@ class Propagation {
 
   void start(const Query& query, std::span<double> distances) {
     distances_ = distances;
+    if (!std::ranges::all_of(query.sources, is_at_vertex)) make_room_for_roots(query);
     limit_ = query.limit;
+    stops_ = query.stop_at_targets;
+    ending_ = Ending(mesh_, query, distances_);
     budget_.start();
     pool_.clear();
     queue_.clear();
     pipeline_.clear();
     corners_.clear();
     if constexpr (Recorder::kRecords) progress_.start(mesh_, query.source_vertices(mesh_));
+    Index beyond_vertices = mesh_.vertex_count();
     for (const Source& source : query.sources) {
-      if (!(source.distance < distances_[source.at.vertex])) continue;
-      set_distance(source.at.vertex, source.distance);
-      wait_to_emit(source.at.vertex, {});
+      const Index root = beyond_vertices++;
+      if (is_at_vertex(source)) {
+        start_at(source.at.vertex, source.distance, {kNone, source.at.vertex, {0, 0}});
+      } else {
+        spread(source, root);
+      }
     }
+  }
+
+  static bool is_at_vertex(const Source& source) { return source.at.is_vertex(); }
+
+  /// v sends windows everywhere.
+  void start_at(Index v, double distance, Arrival arrival) {
+    if (!(distance < distances_[v])) return;
+    set_distance(v, distance);
+    if constexpr (Recorder::kRemembers) recorder_.arrived(v, arrival);
+    wait_to_emit(v, {});
+  }
+
+  /// Gives roots that are no vertices an entry each behind the distances of vertices, so that
+  /// nothing has to tell them apart.
+  [[gnu::cold, gnu::noinline]] void make_room_for_roots(const Query& query) {
+    if (query.sources.size() > kMaxRoots - mesh_.vertex_count()) {
+      throw std::invalid_argument("more than " + std::to_string(kMaxRoots) +
+                                  " vertices and sources");
+    }
+    with_roots_.assign(mesh_.vertex_count(), kInfinity);
+    for (const Source& source : query.sources) with_roots_.push_back(source.distance);
+    distances_ = with_roots_;
+  }
+
+  /// Starts from a source that is no vertex.
+  [[gnu::cold, gnu::noinline]] void spread(const Source& source, Index root) {
+    const auto reach_corner = [&](Index h, const Point2& from) __attribute__((cold)) {
+      const FaceFrame face = face_frame(mesh_, h);
+      const double rest = std::hypot(from.x - face.apex_x, from.y - face.apex_y);
+      const double distance = source.distance + rest;
+      // Rounding turns the lines of a source that is this near to a corner; between them there may
+      // be gaps. The lines of the corner, which are as long, fill them.
+      if (rest < kFlatFace * (face.length + face.left + face.right)) {
+        start_at(mesh_.apex(h), distance, {h, root, from});
+      } else {
+        reach_apex(h, face, distance, from, {h, root, from});
+      }
+    };
+    const auto cross_side = [&](Index h, const Point2& from) __attribute__((cold)) {
+      const HalfEdge& e = mesh_.half_edge(h);
+      if (e.twin == kNone || !(e.length > 0)) return;
+      const Stored w{
+          {0, e.length, from.x, from.y, source.distance}, e.twin, root & kMaxRoots, 0, {}};
+      if (least_distance(w) > limit_) return;
+      if constexpr (Recorder::kRecords) {
+        recorder_.created(1);
+        recorder_.valid(1);
+      }
+      budget_.spend(1);
+      propagate(w);
+    };
+    spread_from(mesh_, source.at, reach_corner, cross_side);
+  }
+
+  /// Nothing is left to find; a queue that knows no least key runs empty instead.
+  [[gnu::noinline]] bool is_over() {
+    if constexpr (requires { queue_.least_key(); }) return ending_.is_over(queue_.least_key());
+    return false;
   }
 
   /// Starts to load what upcoming windows need while others are propagated: the window, then the
@@ -148,21 +225,22 @@ class Propagation {
     distances_[v] = distance;
   }
 
-  void reach(Index v, double distance, const Arrival& arrival) {
+  void reach(Index v, double distance, const Incoming& incoming, Arrival arrival) {
     if (!(distance < distances_[v])) return;
     set_distance(v, distance);
-    if (mesh_.is_pseudo_source(v)) wait_to_emit(v, arrival);
+    if constexpr (Recorder::kRemembers) recorder_.arrived(v, arrival);
+    if (mesh_.is_pseudo_source(v)) wait_to_emit(v, incoming);
   }
 
-  void wait_to_emit(Index v, const Arrival& arrival) {
+  void wait_to_emit(Index v, const Incoming& incoming) {
     const double distance = distances_[v];
     if (distance > limit_) return;
     Stored w{};
-    w.x = arrival.x;
-    w.y = arrival.y;
+    w.x = incoming.x;
+    w.y = incoming.y;
     w.sigma = distance;
-    w.half_edge = arrival.corner;
-    w.root = v & kMaxVertices;
+    w.half_edge = incoming.corner;
+    w.root = v & kMaxRoots;
     push(distance, w);
   }
 
@@ -170,19 +248,20 @@ class Propagation {
   bool is_outdated(const Stored& w) const { return w.sigma > distances_[w.root]; }
 
   /// Reaches the neighbours of v along the edges and sends windows into its shadow.
-  void emit(Index v, const Arrival& arrival) {
+  void emit(Index v, const Incoming& incoming) {
     const double distance = distances_[v];
     for (const Index h : mesh_.outgoing(v)) {
       const Index opposite = Mesh::next(h), into = Mesh::previous(h);
       const HalfEdge& at_head = mesh_.half_edge(opposite);
       reach(mesh_.head(h), distance + mesh_.half_edge(h).length,
-            {opposite, at_head.apex_x, at_head.apex_y});
+            {opposite, at_head.apex_x, at_head.apex_y},
+            {into, v, {mesh_.half_edge(into).length, 0}});
       const double length = mesh_.half_edge(into).length;
-      reach(mesh_.origin(into), distance + length, {into, length, 0});
+      reach(mesh_.origin(into), distance + length, {into, length, 0}, {h, v, {0, 0}});
     }
-    find_shadow(mesh_, v, unreliable_[v] ? Arrival{} : arrival, shadow_);
+    find_shadow(mesh_, v, unreliable_[v] ? Incoming{} : incoming, shadow_);
     for (const ShadowedEdge& edge : shadow_) {
-      const Stored parent{{0, 0, 0, 0, distance}, kNone, v & kMaxVertices, 0, {}};
+      const Stored parent{{0, 0, 0, 0, distance}, kNone, v & kMaxRoots, 0, {}};
       const Point2 source = apex_from_beyond(mesh_.half_edge(edge.across));
       offer(parent, edge.across, edge.begin, edge.end, source, Entry::at_origin, source, v);
     }
@@ -191,6 +270,7 @@ class Propagation {
   void propagate(const Stored& w) {
     if constexpr (Recorder::kRecords) recorder_.propagated(1, w.depth.next());
     const Index h = w.half_edge;
+    if constexpr (Recorder::kRemembers) recorder_.crossing(h, w, w.root);
     const Index to_left = Mesh::previous(h), to_right = Mesh::next(h);
     const FaceFrame face = face_frame(mesh_, h);
     const double begin_side = apex_side(w, w.begin, face);
@@ -203,7 +283,7 @@ class Propagation {
     const bool touches_end = touches(w, w.end, end_side, square);
     if (left && right) {
       const double distance = w.sigma + std::sqrt(square);
-      reach_apex(h, face, distance, {w.x, w.y});
+      reach_apex(h, face, distance, {w.x, w.y}, {h, w.root, {w.x, w.y}});
       // A window that ends at the apex keeps its child: the owner may be its neighbour.
       if (!touches_begin && !touches_end && has_owner(h)) {
         const auto timed = recorder_.enter(Phase::trimming);
@@ -216,7 +296,7 @@ class Propagation {
       const double bend = touches_begin ? w.begin : w.end;
       const double rest = face.apex_x - bend;
       reach_apex(h, face, distance_at(w, bend) + std::sqrt(rest * rest + face.apex_y * face.apex_y),
-                 {bend, 0});
+                 {bend, 0}, {h, w.root, {w.x, w.y}});
     }
     if (left) {
       const double end = end_side > 0 ? face.on_left(w, w.end) : face.left;
@@ -238,12 +318,14 @@ class Propagation {
   }
 
   /// @param from a point of the path's last piece, in the frame of h
-  void reach_apex(Index h, const FaceFrame& face, double distance, const Point2& from) {
+  void reach_apex(Index h, const FaceFrame& face, double distance, const Point2& from,
+                  Arrival arrival) {
     const double dx = from.x - face.apex_x, dy = from.y - face.apex_y;
     // The half-edge that leaves the apex points against (left_x, left_y).
     reach(mesh_.apex(h), distance,
           {Mesh::previous(h), -dx * face.left_x - dy * face.left_y,
-           dx * face.left_y - dy * face.left_x});
+           dx * face.left_y - dy * face.left_x},
+          arrival);
   }
 
   /// True when the line through position t passes the apex, up to the tolerance.
@@ -319,8 +401,11 @@ class Propagation {
   Corners corners_;
   std::vector<std::uint8_t> unreliable_;  // find_unreliable_vertices
   std::vector<ShadowedEdge> shadow_;      // scratch, kept for its memory
-  std::span<double> distances_;
+  std::span<double> distances_;           // by root
+  std::vector<double> with_roots_;        // holds them where there are roots that are no vertices
   double limit_ = kInfinity;
+  Ending ending_;
+  bool stops_ = false;            // the query says so
   PrefetchPipeline<4> pipeline_;  // slots on their way through prefetch_ahead
   [[no_unique_address]] typename Recorder::Count waiting_{};  // windows in the queue
   [[no_unique_address]] typename Recorder::Progress progress_;

@@ -39,20 +39,20 @@ struct ShadowBorder {
 };
 
 /// @return nothing when a corner on the way has no angle
-std::optional<ShadowBorder> find_border(const Mesh& mesh, const Arrival& arrival, Turn turn) {
-  const MetCorner first = meet(mesh, arrival.corner, Turn::counter_clockwise);
+std::optional<ShadowBorder> find_border(const Mesh& mesh, const Incoming& incoming, Turn turn) {
+  const MetCorner first = meet(mesh, incoming.corner, Turn::counter_clockwise);
   if (first.is_degenerate()) return std::nullopt;
   // (x, y) is the straight continuation of the arriving line, in the frame whose x axis is the near
   // edge of the corner at hand and whose y axis points the way we turn; y >= 0 until we pass it.
-  double x = -arrival.x, y = arrival.y;
+  double x = -incoming.x, y = incoming.y;
   if (turn == Turn::counter_clockwise) {
-    x = -(arrival.x * first.cosine + arrival.y * first.sine);
-    y = arrival.x * first.sine - arrival.y * first.cosine;
+    x = -(incoming.x * first.cosine + incoming.y * first.sine);
+    y = incoming.x * first.sine - incoming.y * first.cosine;
   }
-  for (Index corner = next_corner(mesh, arrival.corner, turn); corner != kNone;
+  for (Index corner = next_corner(mesh, incoming.corner, turn); corner != kNone;
        corner = next_corner(mesh, corner, turn)) {
     const MetCorner met = meet(mesh, corner, turn);
-    if (met.is_degenerate() || corner == arrival.corner) return std::nullopt;
+    if (met.is_degenerate() || corner == incoming.corner) return std::nullopt;
     const double beyond = x * met.sine - y * met.cosine;  // positive: the far edge lies beyond
     if (beyond > 0) {
       const double near_weight = y * met.near_length;
@@ -102,15 +102,15 @@ bool add_from(const Mesh& mesh, const ShadowBorder& border, Turn turn, Index las
 
 }  // namespace
 
-void find_shadow(const Mesh& mesh, Index v, const Arrival& arrival,
+void find_shadow(const Mesh& mesh, Index v, const Incoming& incoming,
                  std::vector<ShadowedEdge>& edges) {
   edges.clear();
-  if (arrival.corner == kNone ||
-      (mesh.has_non_manifold_vertices() && !is_in_one_fan(mesh, v, arrival.corner))) {
+  if (incoming.corner == kNone ||
+      (mesh.has_non_manifold_vertices() && !is_in_one_fan(mesh, v, incoming.corner))) {
     return add_everything(mesh, v, edges);
   }
-  const auto left = find_border(mesh, arrival, Turn::counter_clockwise);
-  const auto right = find_border(mesh, arrival, Turn::clockwise);
+  const auto left = find_border(mesh, incoming, Turn::counter_clockwise);
+  const auto right = find_border(mesh, incoming, Turn::clockwise);
   if (!left || !right) return add_everything(mesh, v, edges);
   const Index last = right->corner;
   if (last != kNone && add_from(mesh, *left, Turn::counter_clockwise, last, edges)) {

@@ -15,7 +15,7 @@
 namespace geodesic::chen_han {
 
 /// The direction from a vertex back along the path that gave it its distance.
-struct Arrival {
+struct Incoming {
   Index corner = kNone;  ///< half-edge that leaves the vertex in the face of the path's last piece;
                          ///< kNone when there is no path (a source): the shadow is everywhere
   double x = 0, y = 0;   ///< the direction in that half-edge's frame, of any length
@@ -28,7 +28,7 @@ struct ShadowedEdge {
 };
 
 /// Fills `edges` with the edges opposite to v that lie wholly or partly in the shadow.
-void find_shadow(const Mesh& mesh, Index v, const Arrival& arrival,
+void find_shadow(const Mesh& mesh, Index v, const Incoming& incoming,
                  std::vector<ShadowedEdge>& edges);
 
 /// Marks, one entry a vertex, the corners of faces without reliable angles (a zero-length edge, no

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 #include "solvers/core/path_record.h"
@@ -53,6 +54,15 @@ struct StripDepth {
   std::uint32_t faces = 0;
   StripDepth next() const { return {faces + 1}; }
 };
+
+/// As Arrival, where nothing is remembered: an empty type.
+struct NoArrival {
+  NoArrival(Index /*half_edge*/, Index /*root*/, const Point2& /*from*/) {}
+};
+
+/// What says how a path arrives, in a solver that is compiled against a recorder.
+template <class Recorder>
+using ArrivalOf = std::conditional_t<Recorder::kRemembers, Arrival, NoArrival>;
 
 /// What only recorded solves count is of these types, so that a timed solve that touched any of it
 /// would not compile.

@@ -82,7 +82,7 @@ void spread_from(const Mesh& mesh, const SurfacePoint& point, const Reach& reach
     for (Index h = 3 * in_face.face; h < 3 * in_face.face + 3; ++h) {
       const Point2 from = in_frame(mesh, in_face, h);
       reach(h, from);
-      if (h != under) cross(h, Point2{mesh.half_edge(h).length - from.x, -from.y});
+      if (h != under) cross(h, seen_from_beyond(from, mesh.half_edge(h).length));
     }
   }
 }

@@ -124,15 +124,20 @@ inline FaceFrame face_frame(const Mesh& mesh, Index h) {
           .right_y = -e.apex_y * per_right};
 }
 
-/// Where the apex of a half-edge's face lies as seen from beyond: in the frame of the twin. In a
+/// Where a point of a half-edge's face lies as seen from beyond: in the frame of the twin. In a
 /// face without area it may lie on the edge; between the edge's ends it is then taken to lie off it
-/// by kTouchingHeight, so that its lines have a side. An apex that coincides with an end has none:
+/// by kTouchingHeight, so that its lines have a side. A point that coincides with an end has none:
 /// the windows of a collapsed edge's two ends would go round it without end.
+inline Point2 seen_from_beyond(const Point2& p, double length) {
+  const double margin = kWindowWidth * length;
+  const bool between = p.x > margin && p.x < length - margin;
+  const double height = between ? std::max(p.y, kTouchingHeight * length) : p.y;
+  return {length - p.x, -height};
+}
+
+/// The apex of the face of a half-edge, in the frame of the twin.
 inline Point2 apex_from_beyond(const HalfEdge& e) {
-  const double margin = kWindowWidth * e.length;
-  const bool between = e.apex_x > margin && e.apex_x < e.length - margin;
-  const double height = between ? std::max(e.apex_y, kTouchingHeight * e.length) : e.apex_y;
-  return {e.length - e.apex_x, -height};
+  return seen_from_beyond({e.apex_x, e.apex_y}, e.length);
 }
 
 /// Signed side of the apex as seen by the ray from the source through point t of the edge:

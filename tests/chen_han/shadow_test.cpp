@@ -29,9 +29,9 @@ Mesh fan(Index faces, double angle, bool closed) {
 }
 
 /// Sum of the angles at vertex 0 under which the shadowed parts are seen.
-double shadow_angle(const Mesh& mesh, const Arrival& arrival) {
+double shadow_angle(const Mesh& mesh, const Incoming& incoming) {
   std::vector<ShadowedEdge> edges;
-  find_shadow(mesh, 0, arrival, edges);
+  find_shadow(mesh, 0, incoming, edges);
   double sum = 0;
   for (const ShadowedEdge& edge : edges) {
     const HalfEdge& e = mesh.half_edge(edge.across);
@@ -41,7 +41,7 @@ double shadow_angle(const Mesh& mesh, const Arrival& arrival) {
   return sum;
 }
 
-Arrival towards(const Mesh& mesh, Index corner, double part) {
+Incoming towards(const Mesh& mesh, Index corner, double part) {
   const HalfEdge& e = mesh.half_edge(corner);
   const double angle = part * std::atan2(e.apex_y, e.apex_x);
   return {corner, 3 * std::cos(angle), 3 * std::sin(angle)};

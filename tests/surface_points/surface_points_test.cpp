@@ -1,0 +1,237 @@
+// Every solver that starts at any point of the surface and remembers paths: distances as if the
+// points were vertices, arrivals that lead back to a root, an end at the targets.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "meshes/generators/generators.h"
+#include "meshes/inserted_points.h"
+#include "meshes/oracles/random_meshes.h"
+#include "meshes/random.h"
+#include "solvers/core/registry.h"
+
+namespace geodesic {
+namespace {
+
+constexpr double kExact = 1e-12;
+
+std::vector<std::string> solvers_of_points() {
+  std::vector<std::string> names;
+  for (const Description* each : registered_solvers()) {
+    if (each->abilities.surface_sources && each->abilities.paths) names.push_back(each->name);
+  }
+  return names;
+}
+
+/// In faces and on edges, some of them next to a corner, a side or one another.
+std::vector<SurfacePoint> random_points(const Mesh& mesh, Random& random, std::size_t count) {
+  std::vector<SurfacePoint> points;
+  while (points.size() < count) {
+    const Index face = random.below(mesh.face_count());
+    const double share = random.below(2) == 0 ? random.between(0.1, 0.9) : 1e-15;
+    const double other = random.between(0.1, 0.9) * (1 - share);
+    points.push_back(point_in_face(mesh, face, {other, share, 1 - share - other}));
+    points.push_back(point_in_face(mesh, face, {share, 0, 1 - share}));
+    points.push_back(point_in_face(mesh, face, {1, 2e-15, random.between(0, 1e-12)}));
+    points.push_back(mesh.numbers().given_vertex(mesh.triangle(face)[0]));
+  }
+  points.resize(count);
+  return points;
+}
+
+/// From one to four points, nearly equal or not, most of them within reach of each other.
+Query random_query(const Mesh& mesh, Random& random, std::vector<SurfacePoint> targets) {
+  Query query{.sources = {}, .targets = std::move(targets)};
+  const std::vector<SurfacePoint> points = random_points(mesh, random, 16);
+  const std::uint32_t count = 1 + random.below(4);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const double distance = random.below(3) == 0 ? random.between(0, 0.5) : 0;
+    query.sources.push_back({points[random.below(16)], distance});
+  }
+  return query;
+}
+
+struct Answer {
+  std::vector<double> distances;
+  Recording recording;
+};
+
+Answer solve_recording_paths(const std::string& solver, const Mesh& mesh, const Query& query) {
+  Answer answer{std::vector<double>(mesh.vertex_count()), {}};
+  answer.recording.what = Record::paths;
+  make_solver(solver, mesh)->solve(query, answer.distances, &answer.recording);
+  return answer;
+}
+
+/// What is asked of a mesh with its points inserted.
+struct Inserted {
+  InsertedPoints points;
+  Query query;
+
+  static std::vector<SurfacePoint> all_points(const Query& query) {
+    std::vector<SurfacePoint> points = query.targets;
+    for (const Source& source : query.sources) points.push_back(source.at);
+    return points;
+  }
+  Inserted(const Mesh& mesh, const Query& given) : points(mesh, all_points(given)), query(given) {
+    for (Source& source : query.sources) source.at = points.vertex(source.at);
+    for (SurfacePoint& target : query.targets) target = points.vertex(target);
+  }
+};
+
+class SurfacePoints : public testing::TestWithParam<std::string> {
+ protected:
+  bool takes(const Mesh& mesh) const {
+    return !mesh.has_degenerate_faces() || solver_named(GetParam()).abilities.degenerate_faces;
+  }
+};
+
+void expect_near(double is, double expected, double place) {
+  if (expected == kInfinity) {
+    EXPECT_EQ(is, kInfinity);
+  } else {
+    EXPECT_LE(std::abs(is - expected), kExact * expected + 4 * place) << is << " " << expected;
+  }
+}
+
+/// Without faces that have no area, which are not split for points in them.
+std::vector<NamedMesh> meshes() {
+  std::vector<NamedMesh> meshes = random_meshes();
+  meshes.push_back({"missing_faces", with_missing_faces(rough_terrain(3, 8, 8, 0.5), 3, 5)});
+  meshes.push_back({"collapsed_edges", with_collapsed_edges(rough_sphere(3, 1, 0.2), 3, 10)});
+  return meshes;
+}
+
+TEST_P(SurfacePoints, have_the_distances_of_vertices_in_their_place) {
+  Random random(1);
+  for (const NamedMesh& each : meshes()) {
+    SCOPED_TRACE(each.name);
+    const Mesh mesh(each.soup, Numbering::along_surface);
+    if (!takes(mesh)) continue;
+    for (int i = 0; i < 6; ++i) {
+      SCOPED_TRACE(i);
+      const Query query = random_query(mesh, random, random_points(mesh, random, 12));
+      const Answer answer = solve_recording_paths(GetParam(), mesh, query);
+      const Inserted inserted(mesh, query);
+      const Mesh& finer = inserted.points.mesh();
+      std::vector<double> expected(finer.vertex_count());
+      make_solver("edge-based", finer)->solve(inserted.query, expected);
+      for (Index v = 0; v < mesh.vertex_count(); ++v) {
+        SCOPED_TRACE("vertex " + std::to_string(v));
+        expect_near(answer.distances[v], expected[v], inserted.points.place());
+      }
+      for (std::size_t t = 0; t < query.targets.size(); ++t) {
+        SCOPED_TRACE("target " + std::to_string(t));
+        expect_near(answer.recording.targets[t].distance,
+                    expected[inserted.query.targets[t].vertex], inserted.points.place());
+      }
+    }
+  }
+}
+
+// In the plane distances are Euclid's, whatever is between.
+TEST_P(SurfacePoints, on_faces_without_area_are_as_far_as_in_space) {
+  const Mesh mesh(with_flat_caps(generate("grid", {{"columns", 6}, {"rows", 5}}), 4, 3));
+  ASSERT_TRUE(mesh.has_degenerate_faces());
+  if (!takes(mesh)) return;
+  Random random(5);
+  const std::vector<SurfacePoint> targets = random_points(mesh, random, 60);
+  for (const SurfacePoint& source : random_points(mesh, random, 60)) {
+    const Vec3 from = position_of(mesh, source);
+    const auto expect = [&](double distance, const SurfacePoint& to) {
+      expect_near(distance, norm(subtract(position_of(mesh, to), from)), 1e-15);
+    };
+    const Answer answer =
+        solve_recording_paths(GetParam(), mesh, {.sources = {{source}}, .targets = targets});
+    for (Index v = 0; v < mesh.vertex_count(); ++v) expect(answer.distances[v], v);
+    for (std::size_t t = 0; t < targets.size(); ++t) {
+      expect(answer.recording.targets[t].distance, targets[t]);
+    }
+  }
+}
+
+TEST_P(SurfacePoints, are_timed_with_the_bits_of_recorded_solves) {
+  Random random(2);
+  for (const NamedMesh& each : meshes()) {
+    const Mesh mesh(each.soup);
+    if (!takes(mesh)) continue;
+    const Query query = random_query(mesh, random, random_points(mesh, random, 8));
+    std::vector<double> timed(mesh.vertex_count());
+    make_solver(GetParam(), mesh)->solve(query, timed);
+    EXPECT_EQ(timed, solve_recording_paths(GetParam(), mesh, query).distances) << each.name;
+  }
+}
+
+double distance_of_root(const Mesh& mesh, const Query& query, const Answer& answer, Index root) {
+  if (root < mesh.vertex_count()) return answer.distances[root];
+  return query.sources[root - mesh.vertex_count()].distance;
+}
+
+TEST_P(SurfacePoints, arrive_from_roots_that_are_as_much_nearer_as_the_line_is_long) {
+  Random random(3);
+  for (const NamedMesh& each : meshes()) {
+    SCOPED_TRACE(each.name);
+    const Mesh mesh(each.soup);
+    if (!takes(mesh)) continue;
+    const Query query = random_query(mesh, random, random_points(mesh, random, 12));
+    const Answer answer = solve_recording_paths(GetParam(), mesh, query);
+    const auto expect_length = [&](const Arrival& arrival, const Point2& end, double distance) {
+      const double line = std::hypot(arrival.from.x - end.x, arrival.from.y - end.y);
+      const double before = distance_of_root(mesh, query, answer, arrival.root);
+      EXPECT_LE(std::abs(before + line - distance), kExact * distance + 1e-15);
+    };
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      SCOPED_TRACE("vertex " + std::to_string(v));
+      const Arrival& arrival = answer.recording.arrivals[v];
+      EXPECT_EQ(arrival.root == kNone, answer.distances[v] == kInfinity);
+      if (arrival.half_edge == kNone) {
+        EXPECT_TRUE(arrival.root == kNone || arrival.root == v);
+        continue;
+      }
+      EXPECT_EQ(mesh.apex(arrival.half_edge), v);
+      const HalfEdge& e = mesh.half_edge(arrival.half_edge);
+      expect_length(arrival, {e.apex_x, e.apex_y}, answer.distances[v]);
+    }
+    for (std::size_t t = 0; t < query.targets.size(); ++t) {
+      SCOPED_TRACE("target " + std::to_string(t));
+      const auto& [distance, arrival] = answer.recording.targets[t];
+      if (query.targets[t].is_vertex() || arrival.root == kNone) continue;
+      SurfacePoint in_face = query.targets[t];
+      if (in_face.face != arrival.half_edge / 3) in_face = beyond_edge(mesh, in_face);
+      ASSERT_EQ(in_face.face, arrival.half_edge / 3);
+      expect_length(arrival, in_frame(mesh, in_face, arrival.half_edge), distance);
+    }
+  }
+}
+
+TEST_P(SurfacePoints, within_a_limit_are_as_far_as_without) {
+  Random random(4);
+  for (const NamedMesh& each : random_meshes()) {
+    const Mesh mesh(each.soup);
+    Query query = random_query(mesh, random, random_points(mesh, random, 12));
+    const Answer all = solve_recording_paths(GetParam(), mesh, query);
+    query.limit = 0.4 * *std::ranges::max_element(all.distances);
+    const Answer limited = solve_recording_paths(GetParam(), mesh, query);
+    const auto within = [&](double d) { return d <= query.limit ? d : kInfinity; };
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      EXPECT_EQ(limited.distances[v], within(all.distances[v])) << each.name << " vertex " << v;
+    }
+    for (std::size_t t = 0; t < query.targets.size(); ++t) {
+      EXPECT_EQ(limited.recording.targets[t].distance, within(all.recording.targets[t].distance))
+          << each.name << " target " << t;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Solvers, SurfacePoints, testing::ValuesIn(solvers_of_points()),
+                         [](const auto& test) {
+                           std::string name = test.param;
+                           std::ranges::replace(name, '-', '_');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace geodesic
