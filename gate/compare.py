@@ -85,6 +85,10 @@ class Change:
         return str(self.new.cell)
 
     @property
+    def one_processor(self) -> bool:
+        return self.old.rows[0].processor == self.new.rows[0].processor
+
+    @property
     def lost(self) -> bool:
         return self.old.ok and not self.new.ok
 
@@ -143,10 +147,13 @@ def compare(old: Run, new: Run) -> Comparison:
     for name, mesh in new.meshes.items():
         if name in old.meshes and old.meshes[name].sha256 != mesh.sha256:
             raise GateError(f"mesh {name} is another file in {new.file} than in {old.file}")
-    times = old.ours["processor"] == new.ours["processor"]
     notes = _differences(old.ours, new.ours)
-    notes.append(SEPARATE if times else "times of different processors are not compared")
-    result = _comparison(False, measured(old), measured(new), notes, times)
+    result = _comparison(False, measured(old), measured(new), notes)
+    alike = [c.one_processor for c in result.cells]
+    if any(alike):
+        notes.append(SEPARATE)
+    if not all(alike):
+        notes.append("times of different processors are not compared")
     if not result.cells:
         raise GateError(f"nothing to compare: {old.file} and {new.file} have no cell in common")
     repetitions = [len(side.times) for c in result.cells if c.time for side in (c.old, c.new)]
@@ -167,7 +174,7 @@ def compare_programs(run: Run) -> Comparison:
             f" {', '.join(names) or 'no programs'}. Give two runs otherwise"
         )
     notes = [*_differences(*run.ours["programs"]), f"old is {names[0]}, new is {names[1]}"]
-    return _comparison(True, measured(run, names[0]), measured(run, names[1]), notes, times=True)
+    return _comparison(True, measured(run, names[0]), measured(run, names[1]), notes)
 
 
 def _differences(old: dict[str, Any], new: dict[str, Any]) -> list[str]:
@@ -176,12 +183,11 @@ def _differences(old: dict[str, Any], new: dict[str, Any]) -> list[str]:
 
 
 def _comparison(
-    interleaved: bool, old: dict[Cell, Measured], new: dict[Cell, Measured], notes: list[str],
-    times: bool,
+    interleaved: bool, old: dict[Cell, Measured], new: dict[Cell, Measured], notes: list[str]
 ) -> Comparison:
     changes = [Change(old[cell], after) for cell, after in new.items() if cell in old]
     for change in changes:
-        if times and change.old.ok and change.new.ok:
+        if change.one_processor and change.old.ok and change.new.ok:
             measure = change.measure_pairs if interleaved else change.measure
             measure()
     timed = [change for change in changes if change.time]

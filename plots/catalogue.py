@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from plots import (
@@ -53,6 +54,32 @@ the data."""
 EVERYTHING: dict[str, Callable[[Run], Table | Drawing]] = {**TABLES, **FIGURES}
 
 
+WITH_SECONDS = {
+    "summary", "table_thesis", "table_5_2", "table_growth", "table_growth_exponents", "answers",
+    "break_even_numbers", "figure_5_9", "time_over_vertices", "break_even",
+}  # fmt: skip
+"""Those that show times. Of a run on several processors they are drawn for each processor by itself;
+the others show counts, errors, and ratios of times that one processor measured on one source."""
+ON = "_on_processor_"
+"""Between a name and the number, from 1, of one of several processors."""
+
+
+def base_name(name: str) -> str:
+    """As in EVERYTHING."""
+    return name.split(ON)[0]
+
+
+def _of_processors(run: Run, name: str) -> dict[str, tuple[Run, str]]:
+    """What is drawn of a name: by its name the run to draw, and what to add to the title."""
+    processors = run.processors
+    if name not in WITH_SECONDS or len(processors) < 2:
+        return {name: (run, "")}
+    return {
+        f"{name}{ON}{number}": (run.of_processor(processor), f", on {processor}")
+        for number, processor in enumerate(processors, 1)
+    }
+
+
 def draw(run: Run, names: Sequence[str] = ()) -> tuple[dict[str, Table | Drawing], dict[str, str]]:
     """What the run has the data for; and why not, of what it has not. Both by name.
 
@@ -60,12 +87,20 @@ def draw(run: Run, names: Sequence[str] = ()) -> tuple[dict[str, Table | Drawing
     @raises ResultError for a run of several programs"""
     if len({row.program for row in run.rows}) > 1:
         raise ResultError(f"{run.file}: a run of several programs; the gate compares them")
-    drawn, left_out = {}, {}
-    for name in names or EVERYTHING:
-        try:
-            drawn[name] = EVERYTHING[name](run)
-        except ResultError as error:
-            left_out[name] = str(error)
+    drawn: dict[str, Table | Drawing] = {}
+    left_out = {}
+    for one in names or EVERYTHING:
+        for name, (part, on) in _of_processors(run, one).items():
+            try:
+                found = EVERYTHING[one](part)
+            except ResultError as error:
+                left_out[name] = str(error)
+                continue
+            if on:
+                found = replace(found, title=found.title + on)
+            if on and isinstance(found, Table):
+                found = replace(found, name=found.name + name.removeprefix(one))
+            drawn[name] = found
     return drawn, left_out
 
 

@@ -54,7 +54,14 @@ def failures(run: Run, harmless: Sequence[Row] = ()) -> list[str]:
         for source in run.sources.get(mesh, [])
         if (solver, mesh, source) not in there and run.skip(mesh, solver) is None
     ]
-    return failed + missing
+    return failed + missing + parts_missing(run)
+
+
+def parts_missing(run: Run) -> list[str]:
+    """One line a shard that a merged run lacks."""
+    shards = run.ours.get("missing_shards", [])
+    of = len(shards) + len(run.ours.get("parts", []))
+    return [f"shard {shard}/{of}: missing: it was not merged" for shard in shards]
 
 
 def skipped(run: Run) -> list[str]:
@@ -125,6 +132,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"FAILED: {failure}")
     passed = cells([row for row in run.rows if row.ok])
     print(checked_against_truth(run))
+    if run.shard:
+        print(f"shard {run.shard['index']}/{run.shard['of']} of a run: merge joins them")
     lacking = len(run.not_measured)
     meshes = f"; meshes not measured: {lacking}" if lacking else ""
     print(f"cells: {passed} verified, {len(failed)} failed{meshes}")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import shlex
 import sys
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -38,11 +39,13 @@ def page(
     run: Run, drawn: Mapping[str, Table | Drawing], left_out: Mapping[str, str], figures: Path
 ) -> str:
     """@param figures the folder that the figures' PNG files are in"""
+    from plots.catalogue import base_name  # drawn by it, so it has been imported
+
     tables: dict[str, dict[str, Table]] = {}
     pictures = {}
     for name, one in drawn.items():
         if isinstance(one, Table):
-            tables.setdefault(SECTION_OF.get(name, "tables"), {})[name] = one
+            tables.setdefault(SECTION_OF.get(base_name(name), "tables"), {})[name] = one
         else:
             pictures[name] = _picture(one, figures / f"{name}.png")
     sections = {
@@ -114,6 +117,13 @@ def _summary(run: Run) -> str:
     )
 
 
+def _processors(run: Run) -> str:
+    if len(run.processors) < 2:
+        return f"{run.ours['processor']}, {run.context['num_cpus']} cores seen"
+    counts = Counter(row.processor for row in run.rows)
+    return "; ".join(f"{name} ({counts[name]} rows)" for name in run.processors)
+
+
 def _machine(run: Run) -> dict[str, object]:
     ours = run.ours
     modified = {True: ", modified", False: "", None: ", perhaps modified"}[ours["modified"]]
@@ -127,7 +137,7 @@ def _machine(run: Run) -> dict[str, object]:
         "Revision": ours["revision"] + modified,
         "Started": ours["started"],
         "Finished": ours["finished"],
-        "Processor": f"{ours['processor']}, {run.context['num_cpus']} cores seen",
+        "Processor": _processors(run),
         "Compiler": f"{ours['compiler']} {ours['compiler_flags']}",
         "Build type": ours["build_type"],
         "Google Benchmark": library,

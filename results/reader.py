@@ -1,24 +1,29 @@
 """The one reader of result files: validates them and gives typed rows.
 
 Reads run.json, or one file of cells/, as described by results/README.md, of ordinary and of
-interleaved runs. Every fault of a file is a ResultError of one line with the file and the key.
+interleaved runs, and of large ones whose rows are columns beside run.json. Every fault of a file is
+a ResultError of one line with the file and the key.
 """
 
 from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator, Sequence
+import re
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
-from functools import cache
+from functools import cached_property
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, TypeVar, overload
 
-import jsonschema
+import numpy as np
 
+from .columns import Columns, NotColumns
 from .console import ROOT, printable
+from .schema import SCHEMA as SCHEMA
+from .schema import ResultError as ResultError
+from .schema import key_of, validate
 
-SCHEMA = ROOT / "results" / "run.schema.json"
 RUNS = ROOT / "results" / "runs"
 
 OK = "ok"
@@ -28,10 +33,6 @@ ERRORS = (
 )  # fmt: skip
 CLOSED_FORM = "closed-form"
 """The reference of rows whose distances were compared with a formula, not with another solver."""
-
-
-class ResultError(ValueError):
-    """A result file that cannot be used; its message is one line."""
 
 
 @dataclass(frozen=True)
@@ -110,7 +111,7 @@ class Row:
     outcome: str
     message: str
     reference: str | None
-    numbers: dict[str, float]
+    numbers: Mapping[str, float]
     """Every number of the row by its key in the file, those of an object as
     "phase_seconds.queue"; unless the outcome is ok, those of ERRORS alone, which a wrong answer
     has. Times are in milliseconds."""
@@ -118,7 +119,9 @@ class Row:
     """Folder of the solver's recordings, relative to the run folder."""
     program: str | None = None
     """Of an interleaved run with several programs: the label of the one that was timed."""
-    data: dict[str, Any] = field(default_factory=dict, repr=False, compare=False)
+    processor: str = ""
+    """The one that measured it: times of different ones are not compared."""
+    data: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
     """The row as it is in the file."""
 
     @property
@@ -141,6 +144,62 @@ class Row:
         return self.reference == CLOSED_FORM
 
 
+class ColumnRows(Sequence[Row]):
+    """Rows that are made of columns when they are looked at."""
+
+    def __init__(self, columns: Columns, processor: str) -> None:
+        """@param processor of rows that name none"""
+        self.columns, self._processor = columns, processor
+
+    def __len__(self) -> int:
+        return self.columns.length
+
+    @overload
+    def __getitem__(self, place: int) -> Row: ...
+    @overload
+    def __getitem__(self, place: slice) -> list[Row]: ...
+    def __getitem__(self, place: int | slice) -> Row | list[Row]:
+        if isinstance(place, slice):
+            return [self._row(row) for row in range(*place.indices(len(self)))]
+        return self._row(range(len(self))[place])
+
+    def __iter__(self) -> Iterator[Row]:
+        return map(self._row, range(len(self)))
+
+    def _row(self, row: int) -> Row:
+        def text(key: str) -> str | None:
+            return self.columns.text(key, row)
+
+        numbers = self.columns.numbers(row)
+        outcome = str(text("outcome"))
+        return Row(
+            solver=str(text("solver")), mesh=str(text("mesh")), source=int(numbers["source"]),
+            repetition=int(numbers.get("repetition_index", 0)), outcome=outcome,
+            message=text("error_message") or "", reference=text("reference"),
+            numbers=numbers if outcome == OK else {k: numbers[k] for k in ERRORS if k in numbers},
+            recordings=text("recordings"), program=text("program"),
+            processor=text("processor") or self._processor, data=_Data(self.columns, row),
+        )  # fmt: skip
+
+
+class _Data(Mapping[str, Any]):
+    """A row as it would be in JSON, made when it is looked at."""
+
+    __slots__ = ("_columns", "_row")
+
+    def __init__(self, columns: Columns, row: int) -> None:
+        self._columns, self._row = columns, row
+
+    def __getitem__(self, key: str) -> Any:
+        return self._columns.data(self._row)[key]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._columns.data(self._row))
+
+    def __len__(self) -> int:
+        return len(self._columns.data(self._row))
+
+
 @dataclass(frozen=True)
 class Skip:
     mesh: str
@@ -156,12 +215,46 @@ class Run:
     solvers: dict[str, Solver]
     sources: dict[str, list[int]]
     skipped: list[Skip]
-    rows: list[Row]
+    rows: Sequence[Row]
 
     @property
     def ours(self) -> dict[str, Any]:
         """The part of the context that is geodesic-bench's own."""
         found: dict[str, Any] = self.context["geodesic_bench"]
+        return found
+
+    @cached_property
+    def processors(self) -> list[str]:
+        """Those that the rows were measured on, in the order of the rows."""
+        if isinstance(self.rows, ColumnRows) and not self.rows.columns.has("processor").any():
+            return [self.ours["processor"]]
+        return list(dict.fromkeys(row.processor for row in self.rows))
+
+    def of_processor(self, processor: str) -> Run:
+        """The same run with what this processor measured only."""
+        rows: Sequence[Row]
+        if isinstance(self.rows, ColumnRows):
+            columns = self.rows.columns
+            own = columns.where("processor", processor)
+            if processor == self.ours["processor"]:
+                own |= ~columns.has("processor")
+            rows = ColumnRows(columns.take(np.flatnonzero(own)), processor)
+        else:
+            rows = [row for row in self.rows if row.processor == processor]
+        sources: dict[str, dict[int, None]] = {}
+        for row in rows:
+            sources.setdefault(row.mesh, {})[row.source] = None
+        return replace(
+            self,
+            meshes={name: mesh for name, mesh in self.meshes.items() if name in sources},
+            sources={name: list(of) for name, of in sources.items()},
+            rows=rows,
+        )
+
+    @property
+    def shard(self) -> dict[str, Any] | None:
+        """Of a part of a run: which one (results/README.md)."""
+        found: dict[str, Any] | None = self.ours.get("shard")
         return found
 
     @property
@@ -177,7 +270,17 @@ class Run:
 
     def cell(self, mesh: str, solver: str) -> list[Row]:
         """The rows of one solver on one mesh, over all sources, in the file's order."""
-        return [row for row in self.rows if row.mesh == mesh and row.solver == solver]
+        return [self.rows[place] for place in self._places.get((mesh, solver), [])]
+
+    @cached_property
+    def _places(self) -> dict[tuple[str, str], Sequence[int]]:
+        """Of rows, by mesh and solver."""
+        if isinstance(self.rows, ColumnRows):
+            return self.rows.columns.by_texts("mesh", "solver")
+        found: dict[tuple[str, str], list[int]] = {}
+        for place, row in enumerate(self.rows):
+            found.setdefault((row.mesh, row.solver), []).append(place)
+        return dict(found)
 
     def cells(self, program: str | None = None) -> dict[Cell, list[Row]]:
         """The rows by cell, in the file's order.
@@ -227,13 +330,47 @@ def run_folder(path: Path | None) -> Path:
     return folder
 
 
-def read_file(file: Path, *, of_any_revision: bool = False) -> Run:
+def read_file(file: Path, *, of_any_revision: bool = False, as_columns: bool = False) -> Run:
     """A result file.
+
+    @param as_columns of any number of rows: takes a tenth of the time and memory of a row each
 
     @param of_any_revision accept keys that this revision's schema does not have; those that a Run
            needs must be there
     @raises ResultError when the file is missing, broken or not to the schema"""
-    return run_of(file, load(file), of_any_revision=of_any_revision)
+    data = load(file)
+    if isinstance(data, dict) and "columns" in data:
+        return _of_columns(file, data, _stored_columns(file, data))
+    if as_columns and (columns := _own_columns(data)) is not None:
+        return _of_columns(file, data, columns)
+    return run_of(file, data, of_any_revision=of_any_revision)
+
+
+def _stored_columns(file: Path, data: dict[str, Any]) -> Columns:
+    """@raises ResultError"""
+    validate(file, data)
+    said = data["columns"]
+    columns = Columns.load(file.parent / said["file"], said["rows"], said["texts"])
+    if not columns.is_valid(data["context"]):
+        raise ResultError(f"{file.parent / said['file']}: has rows that are not to the schema")
+    return columns
+
+
+def _own_columns(data: Any) -> Columns | None:
+    """The rows of JSON as columns; None when they are not to the schema."""
+    try:
+        columns = Columns.of(data["benchmarks"])
+        return columns if columns.is_valid(data["context"]) else None
+    except (NotColumns, KeyError, TypeError, AttributeError):
+        return None
+
+
+def _of_columns(file: Path, data: dict[str, Any], columns: Columns) -> Run:
+    """@raises ResultError as read_file does"""
+    run = _typed(file, data | {"benchmarks": []})
+    run = replace(run, rows=ColumnRows(columns, run.ours["processor"]))
+    _check_columns(run, columns)
+    return run
 
 
 def run_of(file: Path, data: Any, *, of_any_revision: bool = False) -> Run:
@@ -251,11 +388,21 @@ def run_of(file: Path, data: Any, *, of_any_revision: bool = False) -> Run:
 def load(file: Path) -> Any:
     """JSON with finite numbers, control characters escaped. @raises ResultError"""
     try:
-        data = _harmless(_parsed(file))
-        _refuse_non_finite(file, data)
+        text = _text(file)
+        data = _parsed(file, text)
+        if _ESCAPED.search(text) or not text.replace("\n", "").isprintable():
+            data = _harmless(data)
+        if _NON_FINITE.search(text):
+            _refuse_non_finite(file, data)
     except RecursionError:
         raise ResultError(f"{file}: nested too deep for a result file") from None
     return data
+
+
+_ESCAPED = re.compile(r"\\[^\"\\/]")
+"""What may stand for a character that cannot be printed."""
+_NON_FINITE = re.compile(r"NaN|Infinity|[eE]\+?\d{3}|\d{300}")
+"""What may stand for a number that is not finite."""
 
 
 def _harmless(data: Any) -> Any:
@@ -275,21 +422,28 @@ def newest_run() -> Path:
     return folders[-1]
 
 
-def _parsed(file: Path) -> Any:
+def _text(file: Path) -> str:
     try:
-        return json.loads(file.read_text(encoding="utf-8"))
+        return file.read_text(encoding="utf-8")
     except FileNotFoundError:
         raise ResultError(f"{file}: no such file; was the run interrupted?") from None
     except OSError as error:
         raise ResultError(f"{file}: cannot be read: {error.strerror}") from None
-    except ValueError as error:  # of JSON or of UTF-8
+    except ValueError as error:  # of UTF-8
+        raise ResultError(f"{file}: not JSON, perhaps truncated: {error}") from None
+
+
+def _parsed(file: Path, text: str) -> Any:
+    try:
+        return json.loads(text)
+    except ValueError as error:
         raise ResultError(f"{file}: not JSON, perhaps truncated: {error}") from None
 
 
 def _refuse_non_finite(file: Path, data: Any) -> None:
     for path, value in _leaves(data, []):
         if isinstance(value, float) and not math.isfinite(value):
-            raise ResultError(f"{file}: {_key(path)}: {value} is not a finite number")
+            raise ResultError(f"{file}: {key_of(path)}: {value} is not a finite number")
 
 
 def _leaves(value: Any, path: list[str | int]) -> Iterator[tuple[list[str | int], Any]]:
@@ -301,27 +455,6 @@ def _leaves(value: Any, path: list[str | int]) -> Iterator[tuple[list[str | int]
             yield from _leaves(item, [*path, index])
     else:
         yield path, value
-
-
-def _key(path: list[str | int]) -> str:
-    """["benchmarks", 3, "source"] as benchmarks[3].source"""
-    steps = (f"[{step}]" if isinstance(step, int) else f".{step}" for step in path)
-    return "".join(steps).lstrip(".") or "the file"
-
-
-@cache
-def _validator() -> Any:
-    return jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text(encoding="utf-8")))
-
-
-def validate(file: Path, data: Any) -> None:
-    """@raises ResultError with the first key of the file that is not to the schema"""
-    error = next(_validator().iter_errors(data), None)
-    if error is not None:
-        line = " ".join(error.message.split())
-        if len(line) > 200:
-            line = f"{line[:120]} ... {line[-70:]}"
-        raise ResultError(f"{file}: {_key(list(error.absolute_path))}: {line}")
 
 
 Kind = TypeVar("Kind", Mesh, Solver, Skip, Row)
@@ -340,7 +473,7 @@ def _typed(file: Path, data: Any) -> Run:
         solvers={solver.name: solver for solver in solvers},
         sources={mesh: [int(v) for v in sources] for mesh, sources in ours["sources"].items()},
         skipped=[_of(Skip, skip) for skip in ours["skipped"]],
-        rows=[_row(row) for row in data["benchmarks"]],
+        rows=[_row(row, ours["processor"]) for row in data["benchmarks"]],
     )
 
 
@@ -350,13 +483,14 @@ def _of(kind: type[Kind], found: dict[str, Any], **others: Any) -> Kind:
     return kind(**copied | others)
 
 
-def _row(row: dict[str, Any]) -> Row:
+def _row(row: dict[str, Any], processor: str) -> Row:
     return _of(
         Row, row,
         source=int(row["source"]),
         repetition=int(row.get("repetition_index", 0)),
         message=row.get("error_message", ""),
         reference=row.get("reference"),
+        processor=row.get("processor", processor),
         numbers=_numbers(row),
         data=row,
     )  # fmt: skip
@@ -369,8 +503,27 @@ def _numbers(row: dict[str, Any]) -> dict[str, float]:
     return {key: value for key, value in numbers.items() if ok or key in ERRORS}
 
 
+def _check_columns(run: Run, columns: Columns) -> None:
+    """As `_check_names`."""
+    for key, known in (("mesh", run.meshes), ("solver", run.solvers)):
+        present = columns.by_texts(key)
+        for (name,) in present.keys() - {(name,) for name in known}:
+            raise ResultError(f"{run.file}: {key}: {name!r} is not among the context's")
+    for mesh, source in columns.sources():
+        if source not in run.sources.get(mesh, []):
+            raise ResultError(f"{run.file}: source: {source} is not among the context's of {mesh}")
+    if columns.has("processor").any() and (mixed := columns.sources_of_two("processor")):
+        mesh, source = mixed[0]
+        raise ResultError(
+            f"{run.file}: processor: {mesh}, source {source}, was measured on two processors, "
+            "whose times cannot be compared"
+        )
+
+
 def _check_names(run: Run) -> None:
-    """The meshes, solvers and sources of the rows must be in the context."""
+    """The meshes, solvers and sources of the rows must be in the context, and all that one
+    processor measured of a source."""
+    processors: dict[tuple[str, int], str] = {}
     for index, row in enumerate(run.rows):
         where = f"{run.file}: benchmarks[{index}]"
         if row.mesh not in run.meshes:
@@ -380,4 +533,9 @@ def _check_names(run: Run) -> None:
         if row.source not in run.sources.get(row.mesh, []):
             raise ResultError(
                 f"{where}.source: {row.source} is not among the context's sources of {row.mesh}"
+            )
+        if processors.setdefault((row.mesh, row.source), row.processor) != row.processor:
+            raise ResultError(
+                f"{where}.processor: {row.mesh}, source {row.source}, was measured on two "
+                "processors, whose times cannot be compared"
             )

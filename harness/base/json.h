@@ -15,6 +15,10 @@ struct nlohmann::adl_serializer<std::optional<Value>> {
     json = nullptr;
     if (value) json = *value;
   }
+  static void from_json(const auto& json, std::optional<Value>& value) {
+    value.reset();
+    if (!json.is_null()) value = json.template get<Value>();
+  }
 };
 /// @endcond
 

@@ -15,10 +15,10 @@ namespace geodesic::harness {
 namespace fs = std::filesystem;
 namespace {
 
-fs::path make_run_folder(const std::optional<fs::path>& path, const std::string& corpus) {
+fs::path make_run_folder(const std::optional<fs::path>& path, const std::string& name) {
   std::string time = utc_now();
   std::erase_if(time, [](char c) { return c == '-' || c == ':'; });
-  const fs::path folder = path.value_or(results_folder() / "runs" / (time + "-" + corpus));
+  const fs::path folder = path.value_or(results_folder() / "runs" / (time + "-" + name));
   make_folder(folder);
   return folder;
 }
@@ -38,8 +38,8 @@ int lock_folder(const fs::path& path) {
 
 }  // namespace
 
-RunFolder::RunFolder(const std::optional<fs::path>& path, const std::string& corpus)
-    : RunFolder(make_run_folder(path, corpus)) {
+RunFolder::RunFolder(const std::optional<fs::path>& path, const std::string& name)
+    : RunFolder(make_run_folder(path, name)) {
   const auto holds = [&](const char* file) { return fs::exists(path_ / file); };
   if (!holds("run.json") && !holds("request.json") && !holds("cells")) return;
   const bool unfinished = holds("request.json") && !holds("run.json");

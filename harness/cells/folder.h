@@ -11,10 +11,10 @@ namespace geodesic::harness {
 /// ends; file systems without locks do not protect the folder.
 class RunFolder {
  public:
-  /// A new folder for results: `path` or `results/runs/<UTC time>-<corpus>` of the checkout.
+  /// A new folder for results: `path` or `results/runs/<UTC time>-<name>` of the checkout.
   /// @throws HarnessError when it cannot be made, another process has it, or it holds results
   ///         already: those never change
-  RunFolder(const std::optional<std::filesystem::path>& path, const std::string& corpus);
+  RunFolder(const std::optional<std::filesystem::path>& path, const std::string& name);
   /// One that an earlier process made.
   /// @throws HarnessError when there is no such folder, or another process has it
   explicit RunFolder(const std::filesystem::path& path);

@@ -92,13 +92,54 @@ PlannedMesh plan_mesh(const MeshEntry& entry, const RunRequest& request) {
   PlannedMesh planned{.entry = entry,
                       .vertices = mesh.vertex_count(),
                       .facts = describe(entry, loaded.soup, mesh),
-                      .sources = sources_of(entry, loaded.soup, suite)};
+                      .run_sources = sources_of(entry, loaded.soup, suite)};
+  planned.sources = planned.run_sources;
   if (!loaded.repairs.empty()) planned.facts["repaired"] = true;
   for (const Description* solver : registered_solvers()) {
     const std::string why = unsupported(*solver, mesh);
     if (!why.empty()) planned.unsupported[solver->name] = why;
   }
   return planned;
+}
+
+void add_mesh(const MeshEntry& entry, const RunRequest& request, Plan& plan) {
+  if (!entry.available()) {
+    plan.skipped.push_back({entry.name, how_to_get(entry)});
+    return;
+  }
+  try {
+    plan.meshes.push_back(plan_mesh(entry, request));
+  } catch (const std::exception& error) {
+    plan.skipped.push_back({entry.name, error.what(), true});
+  }
+}
+
+// A mesh has no more vertices than its file has bytes.
+std::vector<ShardedMesh> sharded(const std::vector<MeshEntry>& entries, const Suite& suite) {
+  std::vector<ShardedMesh> meshes;
+  for (const MeshEntry& entry : entries) {
+    std::error_code absent;
+    const std::uintmax_t size = std::filesystem::file_size(entry.file, absent);
+    const std::uintmax_t bytes = absent ? 0 : size;
+    auto sources = std::min(static_cast<std::uintmax_t>(suite.sources), bytes);
+    if (!entry.sources.empty()) sources = std::min(sources, entry.sources.size());
+    meshes.push_back({entry.name, bytes, std::max(static_cast<int>(sources), 1)});
+  }
+  return meshes;
+}
+
+// Of the mesh that was added last, if it is the named one. Small meshes have fewer sources than
+// were asked for; one that has none of the places is left out.
+void keep_sources(const std::vector<int>& places, const std::string& name, Plan& plan) {
+  if (plan.meshes.empty() || plan.meshes.back().entry.name != name) return;
+  PlannedMesh& mesh = plan.meshes.back();
+  mesh.sources.clear();
+  for (const int place : places) {
+    if (std::cmp_less(place, mesh.run_sources.size())) {
+      mesh.sources.push_back(mesh.run_sources[static_cast<std::size_t>(place)]);
+    }
+  }
+  if (mesh.sources.empty()) plan.meshes.pop_back();
 }
 
 [[noreturn]] void refuse_empty(const Plan& plan, const std::vector<MeshEntry>& entries,
@@ -126,18 +167,18 @@ Plan make_plan(const RunRequest& request) {
   check_no_repetition(plan.solvers);
   check_no_repetition(entries);
   if (!plan.only.empty()) restrict_to(plan.only, plan.solvers, entries);
-  for (const MeshEntry& entry : entries) {
-    if (!entry.available()) {
-      plan.skipped.push_back({entry.name, how_to_get(entry)});
-      continue;
-    }
-    try {
-      plan.meshes.push_back(plan_mesh(entry, request));
-    } catch (const std::exception& error) {
-      plan.skipped.push_back({entry.name, error.what(), true});
+  if (!request.shard) {
+    for (const MeshEntry& entry : entries) add_mesh(entry, request, plan);
+  } else {
+    plan.whole_run = sharded(entries, request.suite);
+    const auto places = sources_of_shard(plan.whole_run, *request.shard);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      if (places[i].empty()) continue;
+      add_mesh(entries[i], request, plan);
+      keep_sources(places[i], entries[i].name, plan);
     }
   }
-  if (plan.meshes.empty() && plan.only.empty()) {
+  if (plan.meshes.empty() && plan.only.empty() && !request.shard) {
     refuse_empty(plan, entries, request.suite.corpus);
   }
   std::set<std::string> known;
@@ -161,7 +202,7 @@ bool leaves_recordings(const Cell& cell, Recordings choice) {
   if (!cell.is_first_repetition()) return false;
   if (choice != Recordings::automatic) return choice == Recordings::all;
   const PlannedMesh& mesh = *cell.mesh;
-  return cell.source == mesh.sources.front() && mesh.vertices >= kLeastRecorded &&
+  return cell.source == mesh.run_sources.front() && mesh.vertices >= kLeastRecorded &&
          mesh.vertices <= kMostRecorded;
 }
 

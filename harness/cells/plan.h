@@ -17,8 +17,9 @@ namespace geodesic::harness {
 struct PlannedMesh {
   MeshEntry entry;
   Index vertices = 0;
-  Json facts = {};  ///< for context.geodesic_bench.meshes
-  std::vector<Index> sources = {};
+  Json facts = {};                      ///< for context.geodesic_bench.meshes
+  std::vector<Index> sources = {};      ///< of a shard: those that it measures
+  std::vector<Index> run_sources = {};  ///< those of the whole run
   /// By solver, without parameters: why it cannot do this mesh.
   std::map<std::string, std::string, std::less<>> unsupported = {};
 
@@ -61,6 +62,7 @@ struct Plan {
   std::vector<SkippedMesh> skipped = {};
   std::vector<MeasuredProgram> programs = {};  ///< empty: this one alone
   std::vector<std::string> only = {};          ///< names of cells; empty: all
+  std::vector<ShardedMesh> whole_run = {};     ///< of a shard: the meshes that its run has
 
   /// For each mesh, source and solver: drift of the machine affects all solvers of a mesh alike.
   /// The cells point into this plan.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/cells/shards.h"
 #include "harness/corpus/suite.h"
 
 namespace geodesic::harness {
@@ -38,6 +39,7 @@ struct RunRequest {
   bool interleave = false;                 ///< every repetition a process of its own (Plan::cells)
   std::vector<ProgramFile> programs = {};  ///< measured in place of this one; none, or two or more
   std::vector<std::string> cells = {};     ///< names of rows: only these; empty: all
+  std::optional<Shard> shard = {};         ///< only this part of the run
 
   // What follows does not change the results.
   std::optional<std::filesystem::path> out = {};  ///< default: `results/runs/<UTC time>-<corpus>`
@@ -49,6 +51,6 @@ struct RunRequest {
 
 // The members that decide about the results.
 GEODESIC_JSON_MEMBERS(RunRequest, suite, manifest, recordings, benchmark_flags, repair, interleave,
-                      programs, cells)
+                      programs, cells, shard)
 
 }  // namespace geodesic::harness

@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "harness/base/error.h"
@@ -17,9 +18,11 @@ namespace {
 constexpr int kVersion = 3;  // of request.json
 constexpr const char* kFile = "request.json";
 
-// A revision does not include later changes, so the files that hold the code are part of it.
+// A revision does not include later changes, so the files that hold the code are part of it. A run
+// may go on on another processor (Row::processor).
 Json program_identity() {
   Json program = program_context();
+  program.erase("processor");
   program["executable"] = sha256_of_file("/proc/self/exe");
   Dl_info library{};
   if (dladdr(reinterpret_cast<const void*>(&registered_solvers), &library) != 0) {
@@ -42,6 +45,8 @@ Json identity(const RunRequest& request, const Plan& plan) {
           {"meshes", std::move(meshes)}};
 }
 
+std::string sha256_of_json(const Json& json) { return sha256_of(json.dump()); }
+
 // "options/seed is 2 and was 1", for every value of two identities that differs.
 std::vector<std::string> differences(const Json& before, const Json& now) {
   const Json old_values = before.flatten(), new_values = now.flatten();
@@ -63,8 +68,10 @@ std::vector<std::string> differences(const Json& before, const Json& now) {
 
 // @throws std::exception saying what is wrong with them
 std::vector<Row> sound_rows(const Cell& cell, const CellSpec& spec) {
-  std::vector<Row> rows = read_cell_file(spec.output).rows;
-  for (const Row& row : rows) {
+  CellFile file = read_cell_file(spec.output);
+  std::vector<Row>& rows = file.rows;
+  for (Row& row : rows) {
+    row.processor = file.processor;
     if (row.name() != cell.name()) throw HarnessError("is of another cell");
     if (row.recordings && !fs::exists(fs::path(spec.run_folder) / *row.recordings)) {
       throw HarnessError("has lost its recordings");
@@ -78,7 +85,7 @@ std::vector<Row> sound_rows(const Cell& cell, const CellSpec& spec) {
   if (first.program.value_or("") != (cell.program == nullptr ? "" : cell.program->name)) {
     throw HarnessError("is of another program");
   }
-  return rows;
+  return std::move(rows);
 }
 
 }  // namespace
@@ -99,6 +106,31 @@ SavedRequest identify(const RunRequest& request, const Plan& plan) {
   for (const std::string& change : changes) std::cerr << "accepted: " << change << '\n';
   saved.changes.insert(saved.changes.end(), changes.begin(), changes.end());
   return saved;
+}
+
+// Paths differ between machines that hold the same files, and so does the memory that there is.
+Json shard_context(const SavedRequest& saved, const Plan& plan) {
+  Json program = saved.identity.at("program"), suite = saved.identity.at("options");
+  for (Json& plugin : program["plugins"]) plugin.erase("file");
+  program["programs"] = saved.identity.at("programs");
+  for (const char* key : {"shard", "manifest", "programs"}) suite.erase(key);
+  for (const char* key : {"meshes", "memory_limit"}) suite["suite"].erase(key);
+  suite["suite"]["solvers"] = saved.identity.at("solvers");
+  Json places = Json::object(), sources = Json::object();
+  for (std::size_t i = 0; i < plan.whole_run.size(); ++i) {
+    const std::string& name = plan.whole_run[i].name;
+    const bool is_here = saved.identity.at("meshes").contains(name) ||
+                         std::ranges::count(plan.skipped, name, &SkippedMesh::name) > 0;
+    if (is_here) places[name] = i;
+  }
+  for (const PlannedMesh& mesh : plan.meshes) sources[mesh.entry.name] = mesh.run_sources;
+  return {{"index", saved.request.shard->index},
+          {"of", saved.request.shard->of},
+          {"suite", sha256_of_json(suite)},
+          {"program", sha256_of_json(program)},
+          {"meshes", sha256_of_json(plan.whole_run)},
+          {"places", std::move(places)},
+          {"sources", std::move(sources)}};
 }
 
 void save_request(const SavedRequest& saved, const fs::path& folder) {

@@ -26,6 +26,9 @@ struct SavedRequest {
 ///         is then said on standard error
 SavedRequest identify(const RunRequest& request, const Plan& plan);
 
+/// What a shard's result file says of the run that it is a part of (results/README.md).
+Json shard_context(const SavedRequest& saved, const Plan& plan);
+
 /// Writes request.json.
 void save_request(const SavedRequest& saved, const std::filesystem::path& folder);
 
@@ -35,9 +38,9 @@ SavedRequest saved_request(const std::filesystem::path& folder);
 /// Removes unfinished files of processes that were killed.
 void remove_parts_of_files(const std::filesystem::path& folder);
 
-/// The rows of the cell's result file; nothing where there is none. A file that is damaged or
-/// belongs to another cell, or whose recordings are missing, is named on standard error and
-/// removed.
+/// The rows of the cell's result file, with their processor; nothing where there is none. A file
+/// that is damaged or belongs to another cell, or whose recordings are missing, is named on
+/// standard error and removed.
 std::optional<std::vector<Row>> kept_rows(const Cell& cell, const CellSpec& spec);
 
 }  // namespace geodesic::harness

@@ -20,6 +20,7 @@
 #include "harness/cells/references.h"
 #include "harness/cells/resume.h"
 #include "harness/measure/benchmark.h"
+#include "harness/results/context.h"
 
 namespace geodesic::harness {
 namespace fs = std::filesystem;
@@ -52,6 +53,7 @@ class Run {
   void compute_references(std::size_t first);
   std::vector<Row> rows_of(std::size_t cell);
   std::vector<Row> measure(const Cell& cell);
+  void drop_parts_of_other_processors();
   void note_failure(const Cell& cell, const Row& row);
 
   const SavedRequest& saved_;
@@ -59,6 +61,7 @@ class Run {
   const Plan& plan_;
   const std::vector<Cell> cells_;
   const fs::path folder_;
+  const std::string processor_ = processor();
   References references_;
   Progress progress_;
   std::map<std::size_t, std::vector<Row>> kept_;  // by cell
@@ -107,8 +110,33 @@ void Run::keep_measured_cells() {
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     if (auto rows = kept_rows(cells_[i], spec_of(cells_[i]))) kept_[i] = std::move(*rows);
   }
+  drop_parts_of_other_processors();
   std::cerr << kept_.size() << " of " << cells_.size() << " cells are kept from "
             << folder_.string() << '\n';
+}
+
+// All solvers of a mesh and source are measured on one processor, so that their times can be
+// compared: what another one left unfinished is measured again.
+void Run::drop_parts_of_other_processors() {
+  const auto is_of_another = [&](std::size_t cell) {
+    const auto kept = kept_.find(cell);
+    return kept != kept_.end() && kept->second.front().processor != processor_;
+  };
+  for (std::size_t first = 0, last = 0; first < cells_.size(); first = last) {
+    bool complete = true, ours = true;
+    for (; last < cells_.size() && cells_[last].mesh == cells_[first].mesh &&
+           cells_[last].source == cells_[first].source;
+         ++last) {
+      complete = complete && kept_.contains(last);
+      ours = ours && !is_of_another(last);
+    }
+    if (complete || ours) continue;
+    for (std::size_t i = first; i < last; ++i) {
+      if (kept_.erase(i) > 0) fs::remove(spec_of(cells_[i]).output);
+    }
+    std::cerr << cells_[first].mesh->entry.name << ", source " << cells_[first].source
+              << ": was begun on another processor and is measured again\n";
+  }
 }
 
 std::vector<Row> Run::measure(const Cell& cell) {
@@ -153,6 +181,7 @@ std::vector<Row> Run::rows_of(std::size_t cell) {
   }
   compute_references(cell);
   std::vector<Row> rows = measure(cells_[cell]);
+  for (Row& row : rows) row.processor = processor_;
   ++measured_;
   progress_.ended(one_line(rows));
   return rows;
@@ -185,9 +214,15 @@ void Run::explain_resuming() const {
 void Run::assemble() const {
   Json whole = run_context(request_, plan_);
   whole["started"] = saved_.started;
+  std::vector<Row> rows = rows_;
+  if (!rows.empty()) whole["processor"] = *rows_.front().processor;
+  for (Row& row : rows) {
+    if (row.processor == rows_.front().processor) row.processor.reset();
+  }
+  if (request_.shard) whole["shard"] = shard_context(saved_, plan_);
   for (const MeasuredProgram& program : plan_.programs) whole["programs"].push_back(program.facts);
   if (!saved_.changes.empty()) whole["changes"] = saved_.changes;
-  write_result_file(folder_ / "run.json", benchmark_context(), whole, rows_);
+  write_result_file(folder_ / "run.json", benchmark_context(), whole, rows);
 }
 
 RunResult Run::conclude() const {
@@ -198,6 +233,14 @@ RunResult Run::conclude() const {
   std::cerr << std::endl;
   std::cout << result_table(rows_) << '\n' << (folder_ / "run.json").string() << std::endl;
   return result;
+}
+
+// Of the folder, after the time. Shards may start in the same second.
+std::string default_name(const RunRequest& request) {
+  const std::string& corpus = request.suite.corpus;
+  if (!request.shard) return corpus;
+  return corpus + "-shard-" + std::to_string(request.shard->index) + "-of-" +
+         std::to_string(request.shard->of);
 }
 
 }  // namespace
@@ -213,7 +256,7 @@ RunResult run(RunRequest request) {
   Plan plan = make_plan(request);
   const auto folder = request.resume
                           ? std::make_unique<RunFolder>(*request.resume)
-                          : std::make_unique<RunFolder>(request.out, request.suite.corpus);
+                          : std::make_unique<RunFolder>(request.out, default_name(request));
   const SavedRequest saved = identify(request, plan);
   save_request(saved, folder->path());
   folder->make_subfolders();

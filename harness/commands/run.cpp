@@ -93,6 +93,10 @@ void add_request_options(CLI::App& command, RunRequest& request) {
   option("--cells", request.cells, "only these cells, named as rows: mmp/horse/src:0,...")
       ->delimiter(',')
       ->type_name("NAMES");
+  call(
+      "--shard", [&](const std::string& word) { request.shard = shard_named(word); },
+      "only part K of N: some sources of some meshes, with all solvers; `merge` joins the parts")
+      ->type_name("K/N");
   option("--sources", suite.sources, "number of source vertices of each mesh");
   option("--repetitions", suite.repetitions, "number of timed repetitions of each cell");
   option("--seed", suite.seed, "seed of the choice of source vertices");
@@ -155,6 +159,10 @@ void add_run_command(CLI::App& app, const std::string& command_line) {
     }
     if (request->resume && request->out) {
       throw HarnessError("--resume names the folder already: leave out --out");
+    }
+    if (request->shard && !request->cells.empty()) {
+      throw HarnessError(
+          "--shard and --cells both choose a part of the run: leave out one of them");
     }
     request->command = command_line;
     make_absolute(*request);

@@ -13,6 +13,7 @@ namespace {
 template <class SomeRow, class Visit>
 void for_each_optional(SomeRow& row, const Visit& visit) {
   visit("program", row.program);
+  visit("processor", row.processor);
   visit("stolen_share", row.stolen_share);
   visit("involuntary_switches_per_s", row.involuntary_switches_per_s);
   visit("instruction_set", row.instruction_set);
@@ -108,7 +109,9 @@ CellFile read_cell_file(const std::filesystem::path& file) {
     const std::string checksum = ours.at("checksum");
     ours.erase("checksum");
     if (checksum != sha256_of(compact(json))) throw HarnessError("is not as it was written");
-    CellFile cell{.benchmark_context = json.at("context"), .rows = json.at("benchmarks")};
+    CellFile cell{.benchmark_context = json.at("context"),
+                  .processor = ours.at("processor"),
+                  .rows = json.at("benchmarks")};
     cell.benchmark_context.erase("geodesic_bench");
     if (cell.rows.empty()) throw HarnessError("has no row");
     return cell;

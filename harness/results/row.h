@@ -26,7 +26,9 @@ GEODESIC_JSON_MEMBERS(PhaseSeconds, propagation, trimming, queue, timer_overhead
 struct Row {
   std::string solver, mesh;
   Index source = 0;
-  std::optional<std::string> program = {};  ///< of a run of several programs: which it was
+  std::optional<std::string> program = {};    ///< of a run of several programs: which it was
+  std::optional<std::string> processor = {};  ///< that measured it; in files, where it is not the
+                                              ///< context's
   int repetitions = 1, repetition_index = 0;
   int family_index = 0;  ///< of the cell in its file
   int threads = 1;       ///< that the solver uses
@@ -77,6 +79,7 @@ void write_result_file(const std::filesystem::path& file, Json benchmark_context
 
 struct CellFile {
   Json benchmark_context;  ///< Google Benchmark's own keys
+  std::string processor;   ///< that measured them
   std::vector<Row> rows;   ///< at least one
 };
 

@@ -14,7 +14,7 @@ class RecordedCells : public ::testing::Test {
  protected:
   Cell cell(Index vertices, Index source, const Description& solver) {
     mesh_.vertices = vertices;
-    mesh_.sources = {7, 9};
+    mesh_.sources = mesh_.run_sources = {7, 9};
     return {&mesh_, source, &solver};
   }
   PlannedMesh mesh_;

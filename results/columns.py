@@ -1,0 +1,320 @@
+"""Rows of result files as columns: what a run of a million rows is kept in.
+
+A column is a key of the schema's rows; those of an object are "phase_seconds.queue". Numbers are
+arrays in which -1 (of whole numbers) or NaN (of others) stands for a number that a row does not
+have: the schema has neither. Texts are places in a list of different texts, -1 for none. What
+follows from other keys is not kept: names, and what is the same in every row.
+"""
+
+from __future__ import annotations
+
+import zipfile
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .schema import ResultError, is_valid, resolved, schema
+
+Array = NDArray[Any]
+FOLLOWS = ("name", "run_name", "run_type", "time_unit", "error_occurred")
+"""Keys that `Columns.data` makes of others."""
+NONE = -1
+OUTCOME = "outcome"
+TYPES: dict[str, Any] = {"integer": np.int64, "number": np.float64, "string": np.int32}
+
+
+@cache
+def kinds() -> dict[str, str]:
+    """By column: "integer", "number" or "string"."""
+
+    def leaves(properties: dict[str, Any], prefix: str) -> Iterator[tuple[str, str]]:
+        for key, part in properties.items():
+            part = resolved(part)
+            if "properties" in part:
+                yield from leaves(part["properties"], f"{prefix}{key}.")
+            elif prefix or key not in FOLLOWS:
+                yield prefix + key, part.get("type", "string")  # an enumeration is of texts
+
+    return dict(leaves(schema()["$defs"]["row"]["properties"], ""))
+
+
+class NotColumns(ValueError):
+    """Rows that columns cannot hold: they are not to the schema."""
+
+
+@dataclass(frozen=True)
+class Columns:
+    length: int
+    arrays: dict[str, Array]
+    """By key; one that no row has is left out."""
+    texts: dict[str, list[str]] = field(default_factory=dict)
+    """Of the columns of texts, by key."""
+
+    @staticmethod
+    def of(rows: Sequence[dict[str, Any]]) -> Columns:
+        """@raises NotColumns"""
+        arrays: dict[str, Array] = {}
+        texts: dict[str, list[str]] = {}
+        found = 0
+        for key, kind in kinds().items():
+            values = _values(rows, key)
+            present = len(values) - values.count(None)
+            if not present:
+                continue
+            found += present
+            if kind == "string":
+                places: dict[Any, int] = {}
+                arrays[key] = np.array(
+                    [NONE if v is None else places.setdefault(v, len(places)) for v in values],
+                    np.int32,
+                )
+                if not all(isinstance(text, str) for text in places):
+                    raise NotColumns(key)
+                texts[key] = list(places)
+            else:
+                arrays[key] = _numbers(key, kind, values)
+        if found != sum(map(_leaves, rows)):
+            raise NotColumns("a key that the schema does not have")
+        return Columns(len(rows), arrays, texts)
+
+    def has(self, key: str) -> Array:
+        """Which rows have it."""
+        array = self.arrays.get(key)
+        if array is None:
+            return np.zeros(self.length, bool)
+        return ~np.isnan(array) if array.dtype == np.float64 else array != NONE
+
+    def number(self, key: str) -> NDArray[np.float64]:
+        """NaN where a row has none."""
+        array = self.arrays.get(key)
+        if array is None:
+            return np.full(self.length, np.nan)
+        return np.where(self.has(key), array, np.nan)
+
+    def where(self, key: str, text: str) -> Array:
+        """Which rows have this text."""
+        if text not in self.texts.get(key, ()):
+            return np.zeros(self.length, bool)
+        return np.asarray(self.arrays[key] == self.texts[key].index(text))
+
+    def text(self, key: str, row: int) -> str | None:
+        array = self.arrays.get(key)
+        place = NONE if array is None else int(array[row])
+        return None if place == NONE else self.texts[key][place]
+
+    def by_texts(self, *keys: str) -> dict[tuple[str, ...], Array]:
+        """The places of the rows by the texts that they have for the keys; every row has them."""
+        code = np.zeros(self.length, np.int64)
+        for key in keys:
+            code = code * len(self.texts.get(key, ())) + self.arrays[key] if self.length else code
+        order = np.argsort(code, kind="stable")
+        starts = np.flatnonzero(np.diff(code[order], prepend=NONE))
+        groups = np.split(order, starts[1:]) if self.length else []
+        return {tuple(str(self.text(key, int(rows[0]))) for key in keys): rows for rows in groups}
+
+    def sources(self) -> list[tuple[str, int]]:
+        """Meshes with the source vertices of rows, each pair once."""
+        if not self.length:
+            return []
+        pairs = np.unique(np.stack([self.arrays["mesh"], self.arrays["source"]]), axis=1)
+        return [(self.texts["mesh"][mesh], source) for mesh, source in pairs.T.tolist()]
+
+    def sources_of_two(self, key: str) -> list[tuple[str, int]]:
+        """Those of `sources` whose rows have different texts for the key."""
+        three = np.stack([self.arrays["mesh"], self.arrays["source"], self.arrays[key]])
+        pairs, found = np.unique(np.unique(three, axis=1)[:2], axis=1, return_counts=True)
+        return [(self.texts["mesh"][m], s) for m, s in pairs[:, found > 1].T.tolist()]
+
+    def data(self, row: int) -> dict[str, Any]:
+        """The row as it is in JSON."""
+        found: dict[str, Any] = {}
+        for key, kind in kinds().items():
+            if kind == "string":
+                value: Any = self.text(key, row)
+            else:
+                value = self._number(key, row)
+            if value is not None:
+                into, _, last = key.rpartition(".")
+                (found.setdefault(into, {}) if into else found)[last] = value
+        name = f"{found['solver']}/{found['mesh']}/src:{found['source']}"
+        failed = {} if found[OUTCOME] == "ok" else {"error_occurred": True}
+        constant = {"run_type": "iteration", "time_unit": "ms"}
+        return {"name": name, "run_name": name} | constant | failed | found
+
+    def _number(self, key: str, row: int) -> float | None:
+        array = self.arrays.get(key)
+        if array is None:
+            return None
+        value = array[row].item()
+        return None if value in (NONE, None) or value != value else value  # NaN differs from itself
+
+    def numbers(self, row: int) -> Mapping[str, float]:
+        return _Numbers(self, row)
+
+    def take(self, rows: Array) -> Columns:
+        """These rows in this order."""
+        arrays = {key: array[rows] for key, array in self.arrays.items()}
+        return Columns(len(rows), arrays, self.texts)
+
+    def with_text(self, key: str, values: Array, texts: list[str]) -> Columns:
+        """With a column of texts in place of another one."""
+        arrays = {name: array for name, array in self.arrays.items() if name != key}
+        kept = {name: of for name, of in self.texts.items() if name != key}
+        if (values == NONE).all():
+            return Columns(self.length, arrays, kept)
+        return Columns(self.length, arrays | {key: values.astype(np.int32)}, kept | {key: texts})
+
+    @staticmethod
+    def together(parts: Sequence[Columns]) -> Columns:
+        """All rows of all parts, in their order."""
+        texts: dict[str, list[str]] = {}
+        arrays: dict[str, Array] = {}
+        for key, kind in kinds().items():
+            if not any(key in part.arrays for part in parts):
+                continue
+            places: dict[str, int] = {}
+            pieces = []
+            for part in parts:
+                array = part.arrays.get(key)
+                if array is None:
+                    absent = np.nan if kind == "number" else NONE
+                    array = np.full(part.length, absent, TYPES[kind])
+                elif kind == "string":
+                    own = [places.setdefault(text, len(places)) for text in part.texts[key]]
+                    array = np.array([*own, NONE], np.int32)[array]  # place -1 is the last
+                pieces.append(array)
+            arrays[key] = np.concatenate(pieces)
+            if kind == "string":
+                texts[key] = list(places)
+        return Columns(sum(part.length for part in parts), arrays, texts)
+
+    def save(self, file: Path) -> None:
+        """As compressed arrays of numpy; the texts are not in it."""
+        with file.open("wb") as stream:
+            np.savez_compressed(stream, **self.arrays)
+
+    @staticmethod
+    def load(file: Path, length: int, texts: dict[str, list[str]]) -> Columns:
+        """@raises ResultError when the file is not as `save` wrote it"""
+        try:
+            with np.load(file, allow_pickle=False) as stored:
+                arrays = {key: stored[key] for key in stored.files}
+        except FileNotFoundError:
+            raise ResultError(f"{file}: no such file; run.json has its rows there") from None
+        except (OSError, ValueError, EOFError, zipfile.BadZipFile) as error:
+            raise ResultError(f"{file}: not arrays of numpy: {error}") from None
+        for key, array in arrays.items():
+            kind = kinds().get(key)
+            if kind is None:
+                raise ResultError(f"{file}: {key}: no column of a result file")
+            if array.shape != (length,) or array.dtype != TYPES[kind]:
+                raise ResultError(f"{file}: {key}: not {length} values of {TYPES[kind].__name__}")
+            if kind == "string" and not (
+                array.min(initial=NONE) >= NONE
+                and array.max(initial=NONE) < len(texts.get(key, ()))
+            ):
+                raise ResultError(f"{file}: {key}: a text that run.json does not have")
+        return Columns(length, arrays, {key: texts[key] for key in arrays if key in texts})
+
+    def is_valid(self, context: dict[str, Any]) -> bool:
+        """Whether all rows are to the schema. Of rows with the same keys and outcome the least and
+        the greatest of each number and length of text are looked at, since the schema bounds both by
+        intervals; and each different text."""
+        if not self.length:
+            return is_valid({"context": context, "benchmarks": []})
+        if {"solver", "mesh", "source", OUTCOME} - self.arrays.keys():
+            return False
+        row = schema()["$defs"]["row"]["properties"]
+        texts = ((row[key], text) for key, of in self.texts.items() for text in of)
+        return all(is_valid(text, part) for part, text in texts) and is_valid(
+            {"context": context, "benchmarks": self._extreme_rows()}
+        )
+
+    def _extreme_rows(self) -> list[dict[str, Any]]:
+        """For each group of rows with the same keys and outcome: a row of the least numbers and the
+        shortest texts, and one of the greatest and longest."""
+        arrays = {key: array for key, array in self.arrays.items() if key not in self.texts}
+        for key, texts in self.texts.items():  # by length; places stay in the lower half
+            lengths = np.array([*map(len, texts), 0], np.int64)
+            arrays[key] = (lengths[self.arrays[key]] << 32) + self.arrays[key] - NONE
+        bits = np.packbits([self.has(key) for key in self.arrays], axis=0)
+        shapes = np.vstack([bits, self.arrays[OUTCOME][None].astype(np.uint8)])
+        _, group = np.unique(shapes, axis=1, return_inverse=True)
+        order = np.argsort(group, kind="stable")
+        starts = np.searchsorted(group[order], np.arange(group.max() + 1))
+        found = []
+        for reduce in (np.minimum, np.maximum):
+            of = {key: reduce.reduceat(array[order], starts) for key, array in arrays.items()}
+            for key in self.texts:
+                of[key] = ((of[key] & 0xFFFFFFFF) + NONE).astype(np.int32)
+            bounds = Columns(len(starts), of, self.texts)
+            found += [bounds.data(row) for row in range(len(starts))]
+        return found
+
+
+class _Numbers(Mapping[str, float]):
+    """The numbers of a row by their keys, as `reader.Row.numbers` has them."""
+
+    __slots__ = ("columns", "row")
+
+    def __init__(self, columns: Columns, row: int) -> None:
+        self.columns, self.row = columns, row
+
+    def __getitem__(self, key: str) -> float:
+        value = None if kinds().get(key) == "string" else self.columns._number(key, self.row)
+        if value is None:
+            raise KeyError(key)
+        return value
+
+    def __iter__(self) -> Iterator[str]:
+        return (key for key, kind in kinds().items() if kind != "string" and key in self)
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
+
+
+def _values(rows: Sequence[dict[str, Any]], key: str) -> list[Any]:
+    into, _, last = key.rpartition(".")
+    if not into:
+        return [row.get(last) for row in rows]
+    objects = [row.get(into) or {} for row in rows]
+    if not all(isinstance(one, dict) for one in objects):
+        raise NotColumns(into)
+    return [one.get(last) for one in objects]
+
+
+def _numbers(key: str, kind: str, values: list[Any]) -> Array:
+    if not {type(value) for value in values} <= {int, float, type(None)}:
+        raise NotColumns(key)
+    if kind == "number":
+        return np.array([np.nan if value is None else value for value in values], np.float64)
+    try:
+        found = np.array([NONE if value is None else value for value in values])
+        whole = found.astype(np.int64)
+    except OverflowError:
+        raise NotColumns(key) from None
+    # A value of -1 would be taken for none.
+    if (whole != found).any() or (whole == NONE).sum() != values.count(None):
+        raise NotColumns(key)
+    return whole
+
+
+def _leaves(row: dict[str, Any]) -> int:
+    """How many values are to be kept.
+
+    @raises NotColumns when the others do not follow from these"""
+    name = f"{row.get('solver')}/{row.get('mesh')}/src:{row.get('source')}"
+    follows = (name, name, "iteration", "ms", row.get(OUTCOME) != "ok")
+    found = (
+        row.get("name"), row.get("run_name"), row.get("run_type"), row.get("time_unit", "ms"),
+        row.get("error_occurred", False),
+    )  # fmt: skip
+    if found != follows:
+        raise NotColumns("name")
+    others = 3 + ("time_unit" in row) + ("error_occurred" in row)
+    return sum(len(v) if isinstance(v, dict) else 1 for v in row.values()) - others

@@ -1,0 +1,414 @@
+"""`geodesic-bench merge`: joins the shards of a run (`geodesic-bench run --shard K/N`) into one.
+
+Shards belong together when they had the same suite, program and meshes. The rows of the merged
+run.json are those of the run in one piece, in its order; each says on which processor it was
+measured, where there are several.
+"""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import json
+import os
+import shlex
+import shutil
+import sys
+from collections.abc import Iterable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from results import console
+
+if __name__ == "__main__":
+    console.prepare("geodesic-bench merge")  # before imports that may fail
+
+import numpy as np
+
+from results.columns import NONE, Columns
+from results.reader import ColumnRows, ResultError, Run, read_file
+
+MUCH = 20_000_000
+"""Bytes: less is read before another process has started."""
+MOST_IN_JSON = 50_000
+"""Rows: more are written as columns, of which a reader needs a tenth of the time and memory."""
+RUN, ROWS, REQUEST, RECORDINGS = "run.json", "rows.npz", "request.json", "recordings"
+BELONGING = {
+    "suite": "its solvers, options or suite differ",
+    "program": "another build of geodesic-bench, or other plug-ins, measured it",
+    "meshes": "it was planned for other meshes, or files of other sizes",
+}
+"""What shards of one run have in common, and what it means when they have not."""
+VISIBLE = ("revision", "corpus", "seed", "repetitions", "time_limit")
+"""Keys of the context that may show how two differ."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """One shard."""
+
+    folder: Path
+    run: Run
+
+    @property
+    def shard(self) -> dict[str, Any]:
+        return self.run.ours["shard"]  # type: ignore[no-any-return]
+
+    @property
+    def index(self) -> int:
+        return int(self.shard["index"])
+
+    @property
+    def columns(self) -> Columns:
+        assert isinstance(self.run.rows, ColumnRows)
+        return self.run.rows.columns
+
+    def described(self, out: Path) -> dict[str, Any]:
+        """As in the merged file."""
+        ours = self.run.ours
+        found = {
+            "shard": self.index,
+            "folder": os.path.relpath(self.folder, out),
+            "sha256": hashlib.sha256(self.run.file.read_bytes()).hexdigest(),
+            "host": str(self.run.context.get("host_name", "")),
+            "processors": self.run.processors or [ours["processor"]],
+        }
+        keys = ("started", "finished", "memory_limit", "command")
+        return found | {key: ours[key] for key in keys if key in ours}
+
+
+def folders_of(words: Iterable[Path]) -> Iterator[Path]:
+    """The run folders that the words name, each itself or by the folder in which they lie.
+
+    @raises ResultError for one that is neither"""
+    for word in words:
+        if not word.is_dir():
+            raise ResultError(f"{word}: no such folder")
+        if _holds_run(word / "shards"):  # of a run that was merged before
+            word = word / "shards"
+        if _is_run(word):
+            yield word
+        elif _holds_run(word):
+            yield from sorted(filter(_is_run, word.iterdir()))
+        else:
+            raise ResultError(f"{word}: neither the folder of a run nor one with such folders in it")
+
+
+def _is_run(folder: Path) -> bool:
+    return (folder / RUN).is_file() or (folder / REQUEST).is_file()
+
+
+def _holds_run(folder: Path) -> bool:
+    return folder.is_dir() and any(map(_is_run, folder.iterdir()))
+
+
+def read_parts(folders: Sequence[Path]) -> tuple[list[Part], list[Path]]:
+    """The shards by their index, and the folders of those that are not finished.
+
+    @raises ResultError when they do not belong together, or overlap"""
+    unfinished = [folder for folder in folders if not (folder / RUN).is_file()]
+    finished = [folder for folder in folders if folder not in unfinished]
+    parts: list[Part] = []
+    for part in _read_all(finished):
+        _check_belongs(part, parts)
+        parts.append(part)
+    return sorted(parts, key=lambda part: part.index), unfinished
+
+
+def _read(folder: Path) -> Part:
+    run = read_file(folder / RUN, as_columns=True)
+    if not isinstance(run.rows, ColumnRows):
+        raise ResultError(f"{run.file}: its rows are not as geodesic-bench writes them")
+    return Part(folder, run)
+
+
+def _read_all(folders: Sequence[Path]) -> Iterator[Part]:
+    """On all processors where there is much to read."""
+    if sum((folder / RUN).stat().st_size for folder in folders) < MUCH:
+        return map(_read, folders)
+    return _in_processes(folders)
+
+
+def _in_processes(folders: Sequence[Path]) -> Iterator[Part]:
+    with ProcessPoolExecutor() as pool:
+        yield from pool.map(_read, folders)
+
+
+def _check_belongs(part: Part, parts: Sequence[Part]) -> None:
+    file, shard = part.run.file, part.run.shard
+    if shard is None:
+        raise ResultError(f"{file}: not a shard of a run: run --shard K/N makes them")
+    if not 1 <= shard["index"] <= shard["of"]:
+        raise ResultError(f"{file}: shard {shard['index']} of {shard['of']}")
+    for other in parts[:1]:
+        if shard["of"] != other.shard["of"]:
+            raise ResultError(
+                f"{file} is one of {shard['of']} shards, and {other.run.file} of {other.shard['of']}"
+            )
+        for key, why in BELONGING.items():
+            if shard[key] != other.shard[key]:
+                raise ResultError(
+                    f"{file} does not belong to {other.run.file}: {why}{_seen(part, other)}"
+                )
+    for other in parts:
+        if shard["index"] == other.index:
+            raise ResultError(
+                f"shard {part.index}/{shard['of']} is in both {other.folder} and {part.folder}"
+            )
+
+
+def _seen(part: Part, other: Part) -> str:
+    """" (seed: 2, not 1)", as far as the context shows it."""
+    ours, theirs = part.run.ours, other.run.ours
+    found = [
+        f"{key}: {ours.get(key)}, not {theirs.get(key)}"
+        for key in VISIBLE
+        if ours.get(key) != theirs.get(key)
+    ]
+    if part.run.solvers.keys() != other.run.solvers.keys():
+        found.append(f"solvers: {', '.join(part.run.solvers)}, not {', '.join(other.run.solvers)}")
+    return f" ({'; '.join(found)})" if found else ""
+
+
+def gaps(parts: Sequence[Part], unfinished: Sequence[Path]) -> tuple[list[int], list[str]]:
+    """The shards that are missing, and what to say of them."""
+    of = parts[0].shard["of"]
+    missing = sorted(set(range(1, of + 1)) - {part.index for part in parts})
+    lines = [f"{folder} is not finished: geodesic-bench run --resume {shlex.quote(str(folder))}"
+             for folder in unfinished]  # fmt: skip
+    if missing:
+        few = ", ".join(map(str, missing[:20])) + (", ..." if len(missing) > 20 else "")
+        lines.append(f"missing: {len(missing)} of {of} shards: {few}")
+    return missing, lines
+
+
+@dataclass(frozen=True)
+class Group:
+    """All that was measured on one mesh from one source."""
+
+    part: Part
+    mesh: str
+    source: int
+
+
+def groups_of(parts: Sequence[Part]) -> list[Group]:
+    """In the order of the run in one piece.
+
+    @raises ResultError where two shards have the same source, or two files of one mesh"""
+    found: dict[tuple[int, int], Group] = {}
+    for part in parts:
+        for mesh, sources in part.run.sources.items():
+            of_run = part.shard["sources"].get(mesh, [])
+            for source in sources:
+                if mesh not in part.shard["places"] or source not in of_run:
+                    raise ResultError(
+                        f"{part.run.file}: shard: {mesh}, source {source}, has no place in the run"
+                    )
+                place = (part.shard["places"][mesh], of_run.index(source))
+                other = found.setdefault(place, Group(part, mesh, source))
+                if other.part is not part:
+                    raise ResultError(
+                        f"{mesh}, source {source}, is in both {other.part.folder} and {part.folder}"
+                    )
+    return [found[place] for place in sorted(found)]
+
+
+def check_meshes(parts: Sequence[Part]) -> None:
+    """@raises ResultError when a mesh was another file in another shard"""
+    first: dict[str, Part] = {}
+    for part in parts:
+        for name, mesh in part.run.meshes.items():
+            other = first.setdefault(name, part)
+            if other.run.meshes[name].sha256 != mesh.sha256:
+                raise ResultError(
+                    f"mesh {name} is another file in {part.run.file} (SHA-256 {mesh.sha256[:12]}...)"
+                    f" than in {other.run.file} ({other.run.meshes[name].sha256[:12]}...)"
+                )
+
+
+def rows_of(parts: Sequence[Part], groups: Sequence[Group]) -> tuple[Columns, str]:
+    """The rows as in the file of the run in one piece, and the processor of those that name none.
+
+    @raises ResultError when there is none"""
+    ours = parts[0].run.ours
+    repetitions = ours["repetitions"] if ours.get("interleaved") else 1
+    cells = len(ours["solvers"]) * max(1, len(ours.get("programs", []))) * repetitions
+    filled = [part for part in parts if part.columns.length]
+    if not filled:
+        raise ResultError("nothing was measured: no shard has a row")
+    rows = Columns.together([part.columns for part in filled])
+    place_of = {(group.mesh, group.source): place for place, group in enumerate(groups)}
+    meshes = rows.texts["mesh"]
+    pairs, pair_of = np.unique(
+        np.stack([rows.arrays["mesh"], rows.arrays["source"]]), axis=1, return_inverse=True
+    )
+    places = np.array([place_of[meshes[mesh], source] for mesh, source in pairs.T.tolist()])[pair_of]
+    arrays = dict(rows.arrays)
+    if "family_index" in arrays:
+        arrays["family_index"] = places * cells + arrays["family_index"] % cells
+    rows = Columns(rows.length, arrays, rows.texts).take(np.argsort(places, kind="stable"))
+    return _with_processors(rows, filled, np.argsort(places, kind="stable"))
+
+
+def _with_processors(rows: Columns, parts: Sequence[Part], order: Any) -> tuple[Columns, str]:
+    """Each row names its processor, unless that is the one of the first row."""
+    names = list(dict.fromkeys(name for part in parts for name in part.run.processors))
+    of_part = [names.index(part.run.ours["processor"]) if part.run.ours["processor"] in names else NONE
+               for part in parts]  # fmt: skip
+    places = np.repeat(of_part, [part.columns.length for part in parts])[order]
+    if "processor" in rows.arrays:
+        named = np.array([*map(names.index, rows.texts["processor"]), NONE])[rows.arrays["processor"]]
+        places = np.where(named == NONE, places, named)
+    first = int(places[0])
+    return rows.with_text("processor", np.where(places == first, NONE, places), names), names[first]
+
+
+def context_of(parts: Sequence[Part], groups: Sequence[Group], out: Path) -> dict[str, Any]:
+    """That of the first shard, with what the others have besides."""
+    context = dict(parts[0].run.context)
+    places = {mesh: place for part in parts for mesh, place in part.shard["places"].items()}
+    whole = {mesh: of for part in parts for mesh, of in part.shard["sources"].items()}
+    meshes = {m["name"]: m for part in parts for m in part.run.ours["meshes"]}
+    skips = {
+        (skip["mesh"], skip["solver"]): skip for part in parts for skip in part.run.ours["skipped"]
+    }
+    order = sorted(meshes, key=lambda mesh: places[mesh])
+    ours = {key: value for key, value in parts[0].run.ours.items() if key not in ("shard", "checksum")}
+    ours |= {
+        "started": min(part.run.ours["started"] for part in parts),
+        "finished": max(part.run.ours["finished"] for part in parts),
+        "meshes": [meshes[mesh] for mesh in order],
+        "sources": {mesh: whole[mesh] for mesh in order},
+        "skipped": sorted(skips.values(), key=lambda skip: places.get(skip["mesh"], len(places))),
+        "parts": [part.described(out) for part in parts],
+    }
+    if len({part.run.ours.get("memory_limit") for part in parts}) > 1:
+        ours.pop("memory_limit", None)  # each part has its own
+    changes = [f"shard {part.index}: {change}" for part in parts
+               for change in part.run.ours.get("changes", [])]  # fmt: skip
+    if changes:
+        ours["changes"] = changes
+    return context | {"geodesic_bench": ours}
+
+
+def write(context: dict[str, Any], rows: Columns, out: Path, most_in_json: int) -> Path:
+    """The merged run.json, and the file of its columns where it has many rows.
+
+    @returns run.json"""
+    data: dict[str, Any] = {"context": context}
+    if rows.length <= most_in_json:
+        data["benchmarks"] = [rows.data(row) for row in range(rows.length)]
+    else:
+        data["columns"] = {"file": ROWS, "rows": rows.length, "texts": rows.texts}
+        part = out / f"{ROWS}.{os.getpid()}.part"
+        rows.save(part)
+        part.replace(out / ROWS)
+    part = out / f"{RUN}.{os.getpid()}.part"
+    part.write_text(json.dumps(data, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
+    part.replace(out / RUN)
+    return out / RUN
+
+
+def check_out(out: Path) -> None:
+    """@raises ResultError where the folder holds a run that was measured there"""
+    if (out / REQUEST).exists() or (out / "cells").exists():
+        raise ResultError(f"{out}: holds a run of its own: merge into another folder with --out")
+    if (out / RUN).exists() and "parts" not in read_file(out / RUN, as_columns=True).ours:
+        raise ResultError(f"{out / RUN}: is no merged run: merge into another folder with --out")
+
+
+def join_recordings(parts: Sequence[Part], out: Path) -> None:
+    """What shards recorded, by links where the file system has them. Shards that recorded on one
+    mesh have the same files of it."""
+    for part in parts:
+        source = part.folder / RECORDINGS
+        for folder, _, names in os.walk(source):
+            into = out / RECORDINGS / os.path.relpath(folder, source)
+            into.mkdir(parents=True, exist_ok=True)
+            for name in names:
+                file, copy = Path(folder, name), into / name
+                if file.is_symlink() or not file.is_file() or copy.exists():
+                    continue
+                try:
+                    os.link(file, copy)
+                except OSError:
+                    shutil.copyfile(file, copy)
+
+
+def summary(parts: Sequence[Part], rows: Columns, processor: str, meshes: int) -> str:
+    """ "8 shards: 240 rows of 5 meshes, measured on: ..." """
+    named = rows.arrays.get("processor")
+    counts = {processor: rows.length - int(rows.has("processor").sum())}
+    for place, name in enumerate(rows.texts.get("processor", [])):
+        if named is not None and (of := int((named == place).sum())):
+            counts[name] = of
+    machines = next(iter(counts)) if len(counts) == 1 else "; ".join(
+        f"{name} ({of} rows)" for name, of in counts.items()
+    )
+    return f"{len(parts)} shards: {rows.length} rows of {meshes} meshes, measured on {machines}"
+
+
+def merge(
+    words: Sequence[Path], out: Path, *, allow_gaps: bool, command: str,
+    most_in_json: int = MOST_IN_JSON,
+) -> Path:
+    """@returns the merged run.json
+    @raises ResultError when the shards do not make a run"""
+    check_out(out)
+    parts, unfinished = read_parts(list(dict.fromkeys(folders_of(words))))
+    if not parts:
+        raise ResultError("no shard is finished: " + ", ".join(map(str, unfinished)))
+    check_meshes(parts)
+    groups = groups_of(parts)
+    missing, lines = gaps(parts, unfinished)
+    if lines and not allow_gaps:
+        raise ResultError("; ".join(lines) + " (--allow-gaps merges without them)")
+    for line in lines:
+        print(f"geodesic-bench merge: {line}", file=sys.stderr)
+    rows, processor = rows_of(parts, groups)
+    context = context_of(parts, groups, out)
+    context["geodesic_bench"] |= {"processor": processor, "command": command}
+    if missing:
+        context["geodesic_bench"]["missing_shards"] = missing
+    out.mkdir(parents=True, exist_ok=True)
+    join_recordings(parts, out)
+    print(summary(parts, rows, processor, len(context["geodesic_bench"]["meshes"])))
+    return write(context, rows, out, most_in_json)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = console.Parser(
+        __doc__,
+        "geodesic-bench merge results/runs/mine/shards --out results/runs/mine",
+        "geodesic-bench merge node1/run node2/run --out both",
+    )
+    parser.add_argument(
+        "folders", nargs="+", type=Path, metavar="DIR",
+        help="folder of a shard, or a folder with such folders in it",
+    )  # fmt: skip
+    parser.add_argument("--out", type=Path, metavar="DIR", required=True, help="folder to write to")
+    parser.add_argument(
+        "--allow-gaps", action="store_true",
+        help="merge what there is: check then names what is missing",
+    )  # fmt: skip
+    parser.add_argument(
+        "--rows-in-json", type=int, default=MOST_IN_JSON, metavar="N",
+        help=f"more rows than this are written as columns to {ROWS} (default: {MOST_IN_JSON})",
+    )  # fmt: skip
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    options = parser.parse_args(words)
+    try:
+        print(merge(
+            options.folders, options.out, allow_gaps=options.allow_gaps,
+            command=shlex.join(["geodesic-bench", "merge", *words]),
+            most_in_json=options.rows_in_json,
+        ))  # fmt: skip
+    except (ResultError, OSError) as error:
+        return console.complain(error)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

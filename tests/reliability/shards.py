@@ -1,0 +1,68 @@
+"""A small run, in one piece and in shards, and whether both have the same rows."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+from typing import Any
+
+from killing import VARYING
+
+from results.reader import Run, read_run
+
+Ended = subprocess.CompletedProcess[str]
+SIZES = {
+    "box": ["--x-cells", "6", "--y-cells", "5", "--z-cells", "4"],
+    "terrain": ["--columns", "12", "--rows", "9"],
+}
+FOLLOW_FROM_TIMES = {*VARYING, "phase_seconds", "processor"}
+
+
+class Sharded:
+    def __init__(self, bench: Path, folder: Path) -> None:
+        self.bench, self.folder = bench, folder
+        for kind, sizes in SIZES.items():
+            command = [bench, "generate", kind, *sizes, "-o", folder / f"{kind}.ply"]
+            subprocess.run(command, check=True, capture_output=True)
+
+    def words(self, *more: str) -> list[str]:
+        meshes = ",".join(str(self.folder / f"{kind}.ply") for kind in SIZES)
+        return ["--meshes", meshes, "--solvers", "edge-based,ich,dijkstra", "--sources", "3",
+                "--repetitions", "2", "--min-time", "0.0001", *more]  # fmt: skip
+
+    def bench_says(self, *words: object) -> Ended:
+        command = [str(self.bench), *map(str, words)]
+        return subprocess.run(command, cwd=self.folder, capture_output=True, text=True)
+
+    def run(self, *more: str) -> Ended:
+        return self.bench_says("run", *self.words(*more))
+
+    def shards(self, of: int, *more: str) -> Path:
+        """The folder that they are in, as "1", "2", ..."""
+        for index in range(1, of + 1):
+            ended = self.run("--shard", f"{index}/{of}", "--out", f"shards/{index}", *more)
+            assert ended.returncode == 0, ended.stderr
+        return self.folder / "shards"
+
+    def merge(self, *words: object) -> Ended:
+        return self.bench_says("merge", *words)
+
+
+def without_times(run: Run) -> list[dict[str, Any]]:
+    return [
+        {key: value for key, value in row.data.items() if key not in FOLLOW_FROM_TIMES}
+        for row in run.rows
+    ]
+
+
+def differences(whole: Path, merged: Path) -> list[str]:
+    """What two run folders differ in, apart from times; the context too."""
+    first, second = read_run(whole), read_run(merged)
+    found = [
+        f"{a} / {b}"
+        for a, b in zip(without_times(first), without_times(second), strict=True)
+        if a != b
+    ]
+    of_run = {"started", "finished", "checksum", "command", "parts", "memory_limit", "processor"}
+    keys = (first.ours.keys() | second.ours.keys()) - of_run
+    return found + [key for key in keys if first.ours.get(key) != second.ours.get(key)]
