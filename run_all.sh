@@ -155,17 +155,25 @@ step_fetch() {
   [[ $status -eq 0 || $status -eq 3 ]]
 }
 
+# suite_solvers FILE: those that the suite names, separated by commas.
+suite_solvers() {
+  "$python" -c 'import json, sys
+with open(sys.argv[1], encoding="utf-8") as file:
+    print(",".join(json.load(file).get("solvers", [])))' "$1"
+}
+
 step_run() {
   need_bench
-  local status=0 what=(--corpus "$corpus") where=(--out "$out") words
+  local status=0 what=(--corpus "$corpus") where=(--out "$out") words beside=$solvers
+  local suite=$root/harness/suites/$corpus.json
+  if [[ -f $suite ]]; then what=("$suite"); fi
   if [[ -n $peers ]]; then
-    words=$(build_peers --words "$solvers")
+    if [[ -z $solvers && -f $suite ]]; then beside=$(suite_solvers "$suite"); fi
+    words=$(build_peers --words "$beside")
     mapfile -t -O "${#run_options[@]}" run_options <<<"$words"
   elif [[ -n $solvers ]]; then
     run_options+=(--solvers "$solvers")
   fi
-  local suite=$root/harness/suites/$corpus.json
-  if [[ -f $suite ]]; then what=("$suite"); fi
   if [[ -n $resumed ]]; then
     what=()
     where=(--resume "$resumed")

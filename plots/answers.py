@@ -36,6 +36,11 @@ def further(row: Row) -> float:
     return 1e-3 * row.numbers.get("renew_time", 0) + solve(row)
 
 
+def each_of(sources: int) -> Time:
+    """Of one of so many answers, when one object gives them all."""
+    return lambda row: (first(row) + (sources - 1) * further(row)) / sources
+
+
 def times(run: Run, mesh: str, solver: str, time: Time) -> dict[tuple[int, int], float]:
     """By (source, repetition)."""
     rows = [row for row in run.cell(mesh, solver) if TIME.key in row.numbers]

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
+from urllib.parse import quote
 
 from plots import (
-    answers, break_even, curves, dot_figures, drawing, figure_5_9, figure_6_4, growth, overview,
-    robustness, summary, table_5_1, table_5_2, table_5_2_ratios, table_5_3, table_thesis, twins,
-    wavefronts,
+    answers, break_even, curves, dot_figures, drawing, error_map, figure_5_9, figure_6_4, frontier,
+    growth, overview, robustness, summary, table_5_1, table_5_2, table_5_2_ratios, table_5_3,
+    table_thesis, twins, wavefronts,
 )  # fmt: skip
 from plots.drawing import Drawing
 from results import table
@@ -29,6 +30,8 @@ TABLES: dict[str, Callable[[Run], Table]] = {
     "answers": answers.table,
     "twins": twins.table,
     "break_even_numbers": break_even.table,
+    "which_to_take": frontier.which_to_take,
+    "which_to_take_mean": frontier.which_to_take_mean,
     "robustness": robustness.matrix,
     "robustness_counts": robustness.counts,
     "robustness_failures": robustness.failures,
@@ -46,17 +49,23 @@ FIGURES: dict[str, Callable[[Run], Drawing]] = {
     "time_over_vertices": growth.figure,
     "accuracy": dot_figures.accuracy,
     "break_even": break_even.figure,
+    "frontier": frontier.figure,
+    "error_map": error_map.figure,
     **{name: wavefronts.appendix(name) for name in wavefronts.APPENDIX},
 }
 """In the order in which the report shows them; the functions raise ResultError when the run lacks
 the data."""
 
+BY_MESH = {"frontier"}
+"""Those that are drawn for each mesh of a run of several, too."""
+OF = "_of_"
+"""Between a name and that of one of several meshes, as in the name of a file."""
+
 EVERYTHING: dict[str, Callable[[Run], Table | Drawing]] = {**TABLES, **FIGURES}
-
-
 WITH_SECONDS = {
     "summary", "table_thesis", "table_5_2", "table_growth", "table_growth_exponents", "answers",
-    "break_even_numbers", "figure_5_9", "time_over_vertices", "break_even",
+    "break_even_numbers", "figure_5_9", "time_over_vertices", "break_even", "frontier",
+    "which_to_take", "which_to_take_mean",
 }  # fmt: skip
 """Those that show times. Of a run on several processors they are drawn for each processor by itself;
 the others show counts, errors, and ratios of times that one processor measured on one source."""
@@ -66,35 +75,42 @@ ON = "_on_processor_"
 
 def base_name(name: str) -> str:
     """As in EVERYTHING."""
-    return name.split(ON)[0]
+    return name.split(ON)[0].split(OF)[0]
 
 
-def _of_processors(run: Run, name: str) -> dict[str, tuple[Run, str]]:
+def _parts(run: Run, name: str) -> dict[str, tuple[Run, str]]:
     """What is drawn of a name: by its name the run to draw, and what to add to the title."""
+    parts = {name: run}
+    if name in BY_MESH and len(run.meshes) > 1:
+        parts |= {f"{name}{OF}{quote(m, safe='')}": run.of_meshes([m]) for m in run.meshes}
     processors = run.processors
     if name not in WITH_SECONDS or len(processors) < 2:
-        return {name: (run, "")}
+        return {part: (of, "") for part, of in parts.items()}
     return {
-        f"{name}{ON}{number}": (run.of_processor(processor), f", on {processor}")
+        f"{part}{ON}{number}": (of.of_processor(processor), f", on {processor}")
+        for part, of in parts.items()
         for number, processor in enumerate(processors, 1)
+        if processor in of.processors
     }
 
 
 def draw(run: Run, names: Sequence[str] = ()) -> tuple[dict[str, Table | Drawing], dict[str, str]]:
-    """What the run has the data for; and why not, of what it has not. Both by name.
+    """What the run has the data for; and why not, of what it has not. Both by name, which of a
+    figure for one of the meshes is "frontier_of_horse".
 
     @param names of EVERYTHING; empty: all of it
     @raises ResultError for a run of several programs"""
     if len({row.program for row in run.rows}) > 1:
         raise ResultError(f"{run.file}: a run of several programs; the gate compares them")
     drawn: dict[str, Table | Drawing] = {}
-    left_out = {}
+    left_out: dict[str, str] = {}
     for one in names or EVERYTHING:
-        for name, (part, on) in _of_processors(run, one).items():
+        for name, (part, on) in _parts(run, one).items():
             try:
                 found = EVERYTHING[one](part)
             except ResultError as error:
-                left_out[name] = str(error)
+                if OF not in name or str(error) not in left_out.values():
+                    left_out[name] = str(error)
                 continue
             if on:
                 found = replace(found, title=found.title + on)

@@ -80,6 +80,7 @@ def page(
         ],
         folder=folder,
         mark=mark,
+        base_name=base_name,
     )
 
 

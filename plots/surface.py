@@ -22,6 +22,8 @@ LIGHT = np.array([-0.45, 0.55, 0.7]) / np.linalg.norm([-0.45, 0.55, 0.7])
 """Towards the light, in camera coordinates."""
 DARK, BRIGHT = np.array([0.50, 0.52, 0.56]), np.array([0.97, 0.965, 0.95])
 """Colours of a face that turns away from the light, and of one that looks into it."""
+UNDER_COLORS = 0.4
+"""How much less the shade darkens a coloured surface than a grey one: colours stay readable."""
 UPRIGHT = {"horse": 2}
 """Axis that points up in the file, by thesis's model; y in most others."""
 FLAT = 0.35
@@ -74,8 +76,9 @@ def _unit(vectors: Floats) -> Floats:
     return units
 
 
-def shade(surface: Surface, buffer: ZBuffer) -> Floats:
-    """The picture (height, width, 3), row 0 lowest, white where there is no surface."""
+def shade(surface: Surface, buffer: ZBuffer, colors: Floats | None = None) -> Floats:
+    """The picture (height, width, 3), row 0 lowest, white where there is no surface.
+    @param colors of the vertices (n, 3), which are shaded instead of a grey surface"""
     image = np.ones((*buffer.face.shape, 3))
     y, x = np.nonzero(buffer.face != NOTHING)
     face = buffer.face[y, x]
@@ -86,18 +89,25 @@ def shade(surface: Surface, buffer: ZBuffer) -> Floats:
     normals[turned_away] *= -1  # both sides are shaded alike
     bright = (0.5 + 0.5 * normals @ LIGHT) ** 1.2
     image[y, x] = DARK + bright[:, None] * (BRIGHT - DARK)
+    if colors is not None:
+        own = np.einsum("ij,ijk->ik", weights, colors[surface.faces[face]])
+        image[y, x] = np.clip(own * (UNDER_COLORS + (1 - UNDER_COLORS) * image[y, x]), 0, 1)
     return image
 
 
-def draw_surface(axes: Axes, surface: Surface, camera: Camera, inches: float) -> ZBuffer:
+def draw_surface(
+    axes: Axes, surface: Surface, camera: Camera, inches: float, colors: Floats | None = None
+) -> ZBuffer:
     """Fills the axes with the surface, and gives what decides which lines on it are hidden.
-    @param inches about as wide as the axes will be"""
+    @param inches about as wide as the axes will be
+    @param colors of the vertices (n, 3); without them the surface is grey"""
     buffer = z_buffer(
         surface.vertices, surface.faces, camera, max(1, round(inches * PIXELS_PER_INCH))
     )
     axes.imshow(
-        shade(surface, buffer), extent=camera.extent, origin="lower", interpolation="antialiased"
-    )
+        shade(surface, buffer, colors),
+        extent=camera.extent, origin="lower", interpolation="antialiased",
+    )  # fmt: skip
     axes.set_axis_off()
     return buffer
 

@@ -18,7 +18,7 @@ from results.reader import Run, read_run
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 
-from synthetic import mean_edge_length, plane, record, torus  # noqa: E402  (needs the path above)
+from synthetic import INEXACT, mean_edge_length, plane, record, torus  # noqa: E402  (needs the path above)
 
 GOLDEN = HERE / "golden"
 PHASES = {"propagation": 0.4, "trimming": 0.2, "queue": 0.3, "timer_overhead": 0.1}
@@ -74,7 +74,8 @@ def complete(data: dict[str, Any]) -> None:
             mesh["mean_edge_length"] = mean_edge_length(*SHAPES[mesh["name"]])
     for row in data["benchmarks"]:
         mesh, source, solver = row["mesh"], row["source"], row["solver"]
-        recorded = mesh in SHAPES and source == sources[mesh][0] and solver in THESIS_SOLVERS
+        known = solver in (*THESIS_SOLVERS, INEXACT)
+        recorded = mesh in SHAPES and source == sources[mesh][0] and known
         if row["outcome"] == "ok" and recorded:
             row["recordings"] = f"recordings/{mesh}/src{source}/{solver}"
 

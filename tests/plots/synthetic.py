@@ -20,6 +20,7 @@ LEVELS = 40
 SAMPLES = 64
 SPREAD = {"mmp": 0.2, "ich": 0.25, "edge-based": 0.5, "fwp-mmp": 0.7, "fwp-ch": 0.8}
 """Mean edge lengths."""
+INEXACT, EXCESS = "dijkstra", 0.05
 
 Geometry = tuple[Floats, Integers]
 
@@ -86,7 +87,8 @@ def mean_edge_length(vertices: Floats, faces: Integers) -> float:
 def record(
     run_folder: Path, mesh: str, source: int, geometry: Geometry, distances: Floats
 ) -> dict[str, str]:
-    """Writes RUN/recordings/<mesh> and gives the `recordings` of each of the thesis's solvers."""
+    """Writes RUN/recordings/<mesh> and gives the `recordings` of each of the thesis's solvers. Beside them
+    are those of INEXACT, whose distances are too long by EXCESS in the farther half."""
     vertices, faces = geometry
     folder = run_folder / "recordings" / mesh / f"src{source}"
     folder.mkdir(parents=True)
@@ -97,6 +99,9 @@ def record(
     np.save(folder / "isoline_points.npy", points)
     np.save(folder / "isoline_pieces.npy", pieces)
     edge = mean_edge_length(vertices, faces)
+    (folder / INEXACT).mkdir()
+    excess = np.where(distances > np.median(distances), 1 + EXCESS, 1)
+    np.save(folder / INEXACT / "distances.npy", (excess * distances).astype("<f8"))
     return {
         solver: _record_solver(folder / solver, run_folder, solver, faces, distances, edge)
         for solver in THESIS_SOLVERS

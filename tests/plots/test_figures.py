@@ -34,6 +34,7 @@ from results.reader import ResultError, Row, Run
 NEEDS = {
     "accuracy": ["max_relative_error"],
     "break_even": ["cpu_time"],
+    "frontier": ["cpu_time"],
     "figure_5_9": ["phase_seconds.queue"],
     "figure_5_10": ["wavefront_sd_edges"],
     "overview": ["window_limit", "cpu_time"],
@@ -43,7 +44,8 @@ NEEDS = {
 }
 """Numbers of a row without which there is no figure. The others are drawn from recordings."""
 SHOWN: dict[str, set[str]] = {
-    "break_even": set(), "figure_5_7": {"edge-based"}, "figure_6_4": set(), "figure_a_1": {"edge-based"},
+    "break_even": set(), "error_map": set(), "frontier": set(THESIS_SOLVERS) - {"fwp-ch"},
+    "figure_5_7": {"edge-based"}, "figure_6_4": set(), "figure_a_1": {"edge-based"},
     "figure_a_2": {"mmp"}, "figure_a_3": {"fwp-mmp"}, "figure_a_4": {"ich"},
     "figure_a_5": {"fwp-ch"}, "speedup": set(THESIS_SOLVERS) - {"mmp"},
     "time_over_vertices": set(THESIS_SOLVERS) - {"fwp-ch"},
@@ -85,19 +87,25 @@ def renamed(run: Run, meshes: dict[str, str], solvers: dict[str, str] | None = N
 def suited(name: str, run: Run) -> Run:
     """The run, as a series of one surface or with a heat method for the figure that needs one."""
     if name == "break_even":
-        return with_heat(run)
+        return with_inexact(run, "my-heat")
+    if name == "frontier":
+        return with_inexact(run, "my-heat", "steiner?points=7")
     return renamed(run, SERIES) if name == "time_over_vertices" else run
 
 
-def with_heat(run: Run) -> Run:
-    """The run with a heat method that is slow to prepare and then takes no time."""
+def with_inexact(run: Run, *names: str) -> Run:
+    """The run with solvers that are slow to prepare and then take no time."""
+    errors = {"max_relative_error": 0.1, "mean_relative_error": 0.01}
     rows = [
-        replace(row, solver="my-heat", numbers=row.numbers | {"prepare_time": 1e4, "cpu_time": 1e-6})
+        replace(row, solver=name, data=row.data | errors,
+                numbers=row.numbers | {"prepare_time": 1e4, "cpu_time": 1e-6})
+        for name in names
         for row in run.rows
         if row.solver == "edge-based" and row.ok
-    ]
-    heat = replace(run.solvers["edge-based"], name="my-heat", exact=False, exactness="unbounded")
-    return replace(run, rows=run.rows + rows, solvers=run.solvers | {"my-heat": heat})
+    ]  # fmt: skip
+    like = replace(run.solvers["edge-based"], exact=False, exactness="unbounded")
+    more = {name: replace(like, name=name) for name in names}
+    return replace(run, rows=run.rows + rows, solvers=run.solvers | more)
 
 
 def figure_of(name: str, run: Run) -> Figure:
@@ -258,7 +266,7 @@ class TestEveryFigure:
         names = {"dijkstra": "my$own_%{v$", "fwp-ch": "f$w{", "ich": r"i\$c{"}
         if name in ("figure_a_4", "figure_a_5"):
             names = {}
-        whole = with_heat(run) if name == "break_even" else run
+        whole = run if name == "time_over_vertices" else suited(name, run)
         drawn = drawn_texts(FIGURES[name](renamed(whole, odd, names)).figure)
         assert len(drawn) >= 2
         for text in drawn:
@@ -290,8 +298,10 @@ def test_all_draws_what_it_can_and_says_what_it_leaves_out(golden_run: Run) -> N
     assert "public code" in why.pop("twins")
     for heat in ("break_even", "break_even_numbers"):
         assert "run --corpus break-even" in why.pop(heat)
+    for name in ("frontier", "which_to_take", "which_to_take_mean"):
+        assert "run --corpus frontier" in why.pop(name)
     assert list(why) == [
-        "figure_5_7", "figure_5_8", "figure_5_10_curve", "figure_6_4",
+        "figure_5_7", "figure_5_8", "figure_5_10_curve", "figure_6_4", "error_map",
         *(f"figure_a_{number}" for number in range(1, 6)),
     ]  # fmt: skip
     assert all("no recordings" in words for words in why.values())

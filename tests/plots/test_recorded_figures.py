@@ -23,6 +23,7 @@ from results.published import THESIS_SOLVERS
 from results.reader import ResultError, Run
 
 NEEDS = {
+    "error_map": ["../vertices.npy", "../faces.npy", "distances.npy", "dijkstra/distances.npy"],
     "figure_5_7": ["../vertices.npy", "isoline_points.npy", "edge-based/snapshot-25.npy"],
     "figure_5_8": ["distances.npy", "edge-based/curve.npy", "fwp-mmp/curve.npy", "ich/curve.npy"],
     "figure_5_10_curve": ["mmp/curve.npy"],

@@ -168,6 +168,17 @@ def test_a_picture_is_white_around_the_model_and_has_neither_black_nor_white_in_
     assert shade(inside_out, again) == pytest.approx(picture, abs=1e-9)
 
 
+def test_colours_of_vertices_are_shaded_and_blend_across_a_face() -> None:
+    vertices, faces = square(2, 0)
+    buffer = buffer_of((vertices, faces))
+    red = np.linspace(0.2, 1, 101)[np.round(50 + 50 * vertices[:, 0]).astype(int)]
+    image = shade(Surface(vertices, faces), buffer, np.column_stack([red, 0 * red, 0 * red]))
+    row = image[image.shape[0] // 2]
+    inside = row[row[:, 1] == 0]
+    assert (inside[:, 2] == 0).all() and (np.diff(inside[:, 0]) > 0).all()
+    assert 0.1 < inside[0, 0] < 0.3 < 0.8 < inside[-1, 0] <= 1
+
+
 def test_no_pixel_falls_through_the_seam_of_two_faces() -> None:
     """Whose centres lie on edges: the far side of the ball would show."""
     vertices, faces = sphere(20, 40)

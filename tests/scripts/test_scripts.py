@@ -272,7 +272,8 @@ def test_peers_are_built_and_run_beside_the_solvers(checkout: Path) -> None:
     build.parent.mkdir()
     build.write_text(
         "import sys\nwords = sys.argv[3:]\n"
-        "print('--plugin\\nvtp.so\\n--solvers\\nmmp,vtp' if '--words' in words else words)"
+        "at = words.index('--words') + 1 if '--words' in words else 0\n"
+        "print(f'--plugin\\nvtp.so\\n--solvers\\n{words[at]},vtp' if at else words)"
     )
     build.chmod(0o755)
     installed = checkout / "bin"
@@ -288,6 +289,15 @@ def test_peers_are_built_and_run_beside_the_solvers(checkout: Path) -> None:
     assert ended.returncode == 0, ended.stderr
     assert "['vtp', 'pvtp']" in ended.stdout
     assert "asked: run --corpus standard --plugin vtp.so --solvers mmp,vtp --out" in ended.stdout
+
+    suite = checkout / "harness" / "suites" / "tiny.json"
+    suite.parent.mkdir(parents=True)
+    suite.write_text('{"solvers": ["mmp", "steiner?points=1,3"]}')
+    ended = run(
+        checkout / "run_all.sh", "run", "--no-install", "--peers", "vtp", "--corpus", "tiny",
+        "--out", str(checkout / "newer"), env=env,
+    )  # fmt: skip
+    assert f"asked: run {suite} --plugin vtp.so --solvers mmp,steiner?points=1,3,vtp" in ended.stdout
 
 
 CTEST = (

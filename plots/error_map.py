@@ -1,0 +1,173 @@
+"""Where on the surface the error of each approximate solver sits."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import LogNorm
+from matplotlib.lines import Line2D
+from matplotlib.ticker import NullLocator
+
+from plots import style
+from plots.answers import error_text
+from plots.camera import Camera, Floats, framing
+from plots.dots import sentences
+from plots.drawing import Drawing
+from plots.measures import columns
+from plots.recordings import Recording, recordings
+from plots.surface import best_axes, draw_surface
+from plots.wavefronts import SOURCE, draw_source
+from results.reader import ResultError, Run
+
+COLORS = colormaps["magma_r"]
+"""The darker the larger, also in grey."""
+LEAST_SHOWN = 1e-6
+UNREACHED = (0.8, 0.84, 0.9)
+COLUMNS = 3
+TALLEST = 1.1
+"""Height of a panel in its widths."""
+LINE_INCHES = 0.16
+LONG = 28
+"""Letters of a name that its panel is too narrow for in one line."""
+OF_INTEREST = 1e-2
+"""Of the settings of one solver the map shows the one whose largest error is nearest to this."""
+TENTH = 10
+
+
+@dataclass(frozen=True)
+class Map:
+    solver: str
+    errors: Floats
+    """Relative, by vertex, negative where a distance is too short; not a number where no path leads
+    or the distance is 0."""
+
+    @property
+    def sizes(self) -> Floats:
+        return np.abs(self.errors[np.isfinite(self.errors)])
+
+
+def figure(run: Run) -> Drawing:
+    """@raises ResultError without recordings of inexact solvers beside an exact one"""
+    recording = next((one for one in recordings(run) if one.inexact), None)
+    if recording is None:
+        raise ResultError(
+            f"{run.file}: no distances of inexact solvers; run --recordings auto keeps them"
+        )
+    maps = _chosen(run, recording)
+    camera = framing(_axes(recording), recording.surface.vertices)
+    scale = _scale(maps)
+    count = 2 if len(maps) in (2, 4) else min(len(maps), COLUMNS)
+    rows = math.ceil(len(maps) / count)
+    height = min(camera.height / camera.width, TALLEST)
+    inches = style.WIDTH / max(count, 2)
+    lines = max(_title(one).count("\n") for one in maps) + 1
+    picture = style.new_figure(1.1 + rows * (LINE_INCHES * lines + inches * height))
+    grid = picture.subplots(rows, count, squeeze=False)
+    panels = list(grid.flat)
+    for axes in panels[len(maps) :]:
+        axes.remove()
+    seen = [
+        _draw(axes, recording, one, scale, camera.of_shape(height), inches)
+        for axes, one in zip(panels, maps, strict=False)
+    ]
+    bar = picture.colorbar(
+        ScalarMappable(scale, COLORS), ax=panels[: len(maps)], location="bottom",
+        label="relative error", shrink=0.6, aspect=40, extend="min",
+    )  # fmt: skip
+    bar.ax.xaxis.set_minor_locator(NullLocator())
+    style.legend_above(picture, [Line2D([], [], label="source", **SOURCE)])
+    return Drawing(
+        title=f"Where the error sits: {recording.mesh.label}",
+        caption=sentences(
+            f"Relative errors of the distances from vertex {recording.source} of "
+            f"{recording.mesh.label}, {recording.mesh.vertices:,} vertices, on one scale of "
+            "colours; of a solver with several settings, the one whose largest error is nearest "
+            f"to {error_text(OF_INTEREST)}.",
+            *(_where(recording, one) for one in maps),
+            "" if any(seen) else "The source is on the far side.",
+        ),
+        figure=picture,
+    )
+
+
+def _chosen(run: Run, recording: Recording) -> list[Map]:
+    """One a solver, in the order of the run's tables."""
+    found: dict[str, Map] = {}
+    for solver in (s for s in columns(run) if s in recording.inexact):
+        one = Map(solver, _errors(recording, solver))
+        base = run.solvers[solver].base
+        if one.sizes.size and (base not in found or _nearer(one, found[base])):
+            found[base] = one
+    if not found:
+        raise ResultError(f"{run.file}: no vertex has an error of an inexact solver")
+    return list(found.values())
+
+
+def _scale(maps: Sequence[Map]) -> LogNorm:
+    """One of all maps, so that they can be compared: whole decades, from the least mean error on.
+    Smaller errors look like the smallest."""
+    least = max(min(float(one.sizes.mean()) for one in maps), LEAST_SHOWN)
+    most = max(float(one.sizes.max()) for one in maps)
+    low = math.floor(math.log10(least))
+    high = max(math.ceil(math.log10(max(most, least))), low + 1)
+    return LogNorm(10.0**low, 10.0**high, clip=True)
+
+
+def _title(one: Map) -> str:
+    name = one.solver if len(one.solver) <= LONG else one.solver.replace("?", "\n?", 1)
+    errors = f"largest {error_text(one.sizes.max())}, mean {error_text(one.sizes.mean())}"
+    return f"{style.plain(name)}\n{errors}"
+
+
+def _nearer(one: Map, other: Map) -> bool:
+    far, farther = (abs(math.log(max(m.sizes.max(), 1e-17) / OF_INTEREST)) for m in (one, other))
+    return far < farther
+
+
+def _errors(recording: Recording, solver: str) -> Floats:
+    exact, got = recording.distances, recording.inexact_distances(solver)
+    known = np.isfinite(exact) & np.isfinite(got) & (exact > 0)
+    errors = np.full(len(exact), np.nan)
+    errors[known] = got[known] / exact[known] - 1
+    return errors
+
+
+def _axes(recording: Recording) -> Floats:
+    """From the side that shows most of the surface."""
+    surface = recording.surface
+    edges = np.sort(surface.faces[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+    lines = surface.vertices[np.unique(edges, axis=0)]
+    return best_axes(recording.mesh, surface, lines, recording.source)
+
+
+def _draw(
+    axes: Axes, recording: Recording, one: Map, scale: LogNorm, camera: Camera, inches: float
+) -> bool:
+    """Returns whether the source is seen."""
+    colors = np.full((len(one.errors), 3), UNREACHED)
+    known = np.isfinite(one.errors)
+    colors[known] = COLORS(scale(np.abs(one.errors[known])))[:, :3]
+    colors[recording.distances == 0] = COLORS(0.0)[:3]
+    buffer = draw_surface(axes, recording.surface, camera, inches, colors)
+    axes.set_title(_title(one), fontsize=9)
+    return draw_source(axes, buffer, recording)
+
+
+def _where(recording: Recording, one: Map) -> str:
+    """The mean error near to the source and far from it, and how often distances are too short."""
+    reached = np.flatnonzero(np.isfinite(one.errors))
+    order = reached[np.argsort(recording.distances[reached], kind="stable")]
+    part = max(1, len(order) // TENTH)
+    near, far = (float(np.abs(one.errors[of]).mean()) for of in (order[:part], order[-part:]))
+    short = 100 * np.count_nonzero(one.errors[reached] < -1e-12) / len(reached)
+    return sentences(
+        f"{one.solver}: {error_text(near)} in the mean over the tenth of the vertices nearest to "
+        f"the source, {error_text(far)} over the farthest"
+        + (f", too short at {short:.3g}% of the vertices." if short else ", nowhere too short.")
+    )
