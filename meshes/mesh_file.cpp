@@ -17,12 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 using Parser = MeshFile (*)(std::string_view bytes, const std::string& name);
 
-std::string lower_extension(const fs::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
-
 // The first bytes of a file hold what no text does.
 bool is_binary(std::string_view bytes) {
   constexpr std::size_t kLookedAt = 1024;
@@ -87,19 +81,10 @@ Recognised recognise(std::string_view bytes, const std::string& name) {
   refuse_unknown(name);
 }
 
-// Independent of the locale, unlike streams.
-template <class Number, class... Format>
-void append(std::string& text, Number number, Format... format) {
-  std::array<char, 40> digits;
-  const auto [end, error] =
-      std::to_chars(digits.data(), digits.data() + digits.size(), number, format...);
-  text.append(digits.data(), end);
-}
-
 void append_point(std::string& text, const Vec3& point) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (k > 0) text += ' ';
-    append(text, point[k], std::chars_format::general, 17);
+    append_text(text, point[k], std::chars_format::general, 17);
   }
   text += '\n';
 }
@@ -107,7 +92,7 @@ void append_point(std::string& text, const Vec3& point) {
 void append_triangle(std::string& text, const Triangle& triangle, Index first_index) {
   for (const Index v : triangle) {
     text += ' ';
-    append(text, v + first_index);
+    append_text(text, v + first_index);
   }
   text += '\n';
 }
@@ -144,6 +129,12 @@ std::string to_ply(const TriangleSoup& soup) {
 }
 
 }  // namespace
+
+std::string lower_extension(const fs::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
 
 std::string read_bytes(const fs::path& path) {
   std::error_code error;

@@ -35,6 +35,9 @@ struct MeshFile {
 /// @throws MeshError when it cannot be read
 std::string read_bytes(const std::filesystem::path& path);
 
+/// ".obj" of a name that ends so in letters of either case; empty when it has no extension.
+std::string lower_extension(const std::filesystem::path& file);
+
 /// Whether the file's name ends in .obj, .off, .ply or .stl, in letters of either case.
 bool has_mesh_extension(const std::filesystem::path& file);
 

@@ -1,9 +1,10 @@
-// Numbers in binary files.
+// Numbers in files: as bytes, and as text.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cstring>
 #include <string>
 
@@ -32,6 +33,16 @@ void append_little_endian(std::string& bytes, T number) {
   std::array<char, sizeof(T)> raw;
   store_little_endian(number, raw.data());
   bytes.append(raw.data(), raw.size());
+}
+
+/// Appends a number as text, independent of the locale, unlike streams. Without a format a real
+/// number has the fewest digits that bring it back.
+template <class Number, class... Format>
+void append_text(std::string& text, Number number, Format... format) {
+  std::array<char, 40> digits;
+  const auto [end, error] =
+      std::to_chars(digits.data(), digits.data() + digits.size(), number, format...);
+  text.append(digits.data(), end);
 }
 
 }  // namespace geodesic

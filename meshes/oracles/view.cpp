@@ -12,25 +12,6 @@ std::array<Real, 3> vector_between(const Mesh& mesh, Index a, Index b) {
   return subtract(extended(mesh.position(b)), extended(mesh.position(a)));
 }
 
-// The apex of half-edge h's face when h is laid from p to q, which differ, with the face on its
-// left. Needles cost digits in two places. The area is that of the two shorter sides: of two long
-// ones it is a difference of products as large as their squares. And the direction from p to q,
-// which rounding turns where they are close, is made a unit vector by what they are apart in the
-// plane: a turn changes no length of a line that runs through there, another unit would.
-PlanePoint lay_out_apex(const Mesh& mesh, Index h, const PlanePoint& p, const PlanePoint& q) {
-  const std::array<Real, 3> base = vector_between(mesh, mesh.origin(h), mesh.head(h));
-  const std::array<Real, 3> left = vector_between(mesh, mesh.origin(h), mesh.apex(h));
-  const std::array<Real, 3> right = vector_between(mesh, mesh.head(h), mesh.apex(h));
-  const Real longest = std::max({dot(base, base), dot(left, left), dot(right, right)});
-  const Real area = dot(base, base) == longest   ? norm(cross(left, right))
-                    : dot(left, left) == longest ? norm(cross(base, right))
-                                                 : norm(cross(base, left));
-  const Real length = norm(base), laid = std::hypot(q.x - p.x, q.y - p.y);
-  const Real along = dot(base, left) / length, across = area / length;
-  const PlanePoint e = {(q.x - p.x) / laid, (q.y - p.y) / laid};
-  return {p.x + along * e.x - across * e.y, p.y + along * e.y + across * e.x};
-}
-
 // True when the rays through r and l enclose something, up to a half-plane: what a vertex in the
 // middle of an edge (of a face without area) sees across it.
 bool opens(const PlanePoint& r, const PlanePoint& l) {
@@ -105,6 +86,24 @@ class View {
 };
 
 }  // namespace
+
+PlanePoint lay_out_apex(const Mesh& mesh, Index h, const PlanePoint& p, const PlanePoint& q) {
+  // Needles cost digits in two places. The area is that of the two shorter sides: of two long ones
+  // it is a difference of products as large as their squares. And the direction from p to q, which
+  // rounding turns where they are close, is made a unit vector by what they are apart in the plane:
+  // a turn changes no length of a line that runs through there, another unit would.
+  const std::array<Real, 3> base = vector_between(mesh, mesh.origin(h), mesh.head(h));
+  const std::array<Real, 3> left = vector_between(mesh, mesh.origin(h), mesh.apex(h));
+  const std::array<Real, 3> right = vector_between(mesh, mesh.head(h), mesh.apex(h));
+  const Real longest = std::max({dot(base, base), dot(left, left), dot(right, right)});
+  const Real area = dot(base, base) == longest   ? norm(cross(left, right))
+                    : dot(left, left) == longest ? norm(cross(base, right))
+                                                 : norm(cross(base, left));
+  const Real length = norm(base), laid = std::hypot(q.x - p.x, q.y - p.y);
+  const Real along = dot(base, left) / length, across = area / length;
+  const PlanePoint e = {(q.x - p.x) / laid, (q.y - p.y) / laid};
+  return {p.x + along * e.x - across * e.y, p.y + along * e.y + across * e.x};
+}
 
 Real straight_distance(const Mesh& mesh, Index a, Index b) {
   return norm(vector_between(mesh, a, b));

@@ -29,6 +29,10 @@ struct Sight {
 /// Distance of two vertices in space.
 Real straight_distance(const Mesh& mesh, Index a, Index b);
 
+/// The apex of half-edge h's face when h is laid from p to q, which differ, with the face on its
+/// left.
+PlanePoint lay_out_apex(const Mesh& mesh, Index h, const PlanePoint& p, const PlanePoint& q);
+
 /// Unfolds every strip of faces that can be seen from vertex v, as long as it lies nearer than
 /// `reach` and enters no face twice, which a shortest path never does; nothing else is pruned.
 /// However degenerate the faces are, it ends. Lengths are taken from the positions; only the

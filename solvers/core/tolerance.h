@@ -40,4 +40,15 @@ inline constexpr double kPathMargin = 1e-14;
 /// far above what rounding does to them, far below a step of the wavefront.
 inline constexpr double kPassedMargin = 1e-6;
 
+/// A traced path runs through a vertex that its line misses by less than this, relative to the
+/// length of the straight piece: what rounding does to the piece's root on the way here.
+inline constexpr double kPathThrough = 1e-14;
+
+/// Two paths are equally short when their lengths differ by less than this, relatively: a path that
+/// is traced may take either.
+inline constexpr double kPathTie = 1e-13;
+
+/// A line that misses its root by less than this, relative to its length, ends in the root.
+inline constexpr double kPathStray = 5e-13;
+
 }  // namespace geodesic

@@ -18,6 +18,7 @@ CONTRACT = {f"solvers/core/{name}" for name in ("solver", "contract", "registry"
 ORDER = [
     "solvers/core",
     "contract",
+    "solvers/paths",
     "family",
     "variant",
     "meshes",
@@ -63,7 +64,8 @@ def layer(file: str) -> str:
     if str(Path(file).with_suffix("")) in CONTRACT:
         return "contract"
     if parts[0] == "solvers":
-        return {"core": "solvers/core", "variants": "variant"}.get(parts[1], "family")
+        layers = {"core": "solvers/core", "paths": "solvers/paths", "variants": "variant"}
+        return layers.get(parts[1], "family")
     if parts[0] in ("meshes", "python"):
         return parts[0]
     name = "/".join(parts[:2]).removesuffix(".cpp")
@@ -133,6 +135,7 @@ def test_every_layer_has_files() -> None:
     [
         ("solvers/mmp/mmp.cpp", "harness/base/error.h"),
         ("solvers/core/mesh.h", "solvers/core/solver.h"),
+        ("solvers/core/solver.h", "solvers/paths/paths.h"),
         ("solvers/core/mesh.h", "solvers/mmp/mmp.h"),
         ("solvers/core/mesh.h", "CLI/CLI.hpp"),
         ("solvers/mmp/mmp.cpp", "solvers/chen_han/chen_han.h"),

@@ -1,0 +1,269 @@
+#include "harness/verify/path_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "meshes/oracles/view.h"
+#include "solvers/core/messages.h"
+
+namespace geodesic::harness {
+namespace {
+
+using Weights = std::array<double, 3>;
+
+/// A path in the mesh's own numbers.
+Path in_own_numbers(const Mesh& mesh, Path path) {
+  for (PathPoint& point : path.points) {
+    point.at = geodesic::in_own_numbers(mesh, point.at);
+    if (point.face != kNone) point.face = mesh.numbers().own_face(point.face);
+  }
+  return path;
+}
+
+/// Barycentric, in a face that need not be the point's own; nothing when the point is not on it.
+std::optional<Weights> weights_on(const Mesh& mesh, Index face, const SurfacePoint& point) {
+  if (point.is_vertex()) {
+    const Triangle corners = mesh.triangle(face);
+    const auto corner = std::ranges::find(corners, point.vertex);
+    if (corner == corners.end()) return {};
+    Weights weights{};
+    weights[static_cast<std::size_t>(corner - corners.begin())] = 1;
+    return weights;
+  }
+  if (point.face == face) return point.weights;
+  const SurfacePoint other = beyond_edge(mesh, point);
+  if (other.face == face) return other.weights;
+  return {};
+}
+
+Real length_between(const Mesh& mesh, Index face, const Weights& a, const Weights& b) {
+  std::array<Real, 3> sum{};
+  const Triangle corners = mesh.triangle(face);
+  const std::array<Real, 3> origin = extended(mesh.position(corners[0]));
+  for (std::size_t k = 1; k < 3; ++k) {
+    const auto side = subtract(extended(mesh.position(corners[k])), origin);
+    const Real weight = Real{b[k]} - a[k];
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += weight * side[c];
+  }
+  return geodesic::norm(sum);
+}
+
+Finding wrong(const std::string& what, std::size_t point = kNone) {
+  const std::string where = point == kNone ? "" : " at its point " + std::to_string(point);
+  return Violation{.what = "the path " + what + where, .kind = "the path " + what};
+}
+
+/// A face laid into the plane.
+struct LaidFace {
+  Index face;
+  std::array<PlanePoint, 3> corners;
+
+  PlanePoint at(const Weights& weights) const {
+    PlanePoint p;
+    for (std::size_t k = 0; k < 3; ++k) {
+      p.x += weights[k] * corners[k].x;
+      p.y += weights[k] * corners[k].y;
+    }
+    return p;
+  }
+};
+
+LaidFace first_face(const Mesh& mesh, Index face) {
+  LaidFace laid{face, {}};
+  laid.corners[1] = {straight_distance(mesh, mesh.origin(3 * face), mesh.head(3 * face)), 0};
+  laid.corners[2] = lay_out_apex(mesh, 3 * face, laid.corners[0], laid.corners[1]);
+  return laid;
+}
+
+/// The face of h, beyond a side of one that is laid.
+LaidFace next_face(const Mesh& mesh, Index h, const LaidFace& before) {
+  const Index twin = mesh.twin(h);
+  LaidFace laid{h / 3, {}};
+  PlanePoint &origin = laid.corners[h % 3], &head = laid.corners[Mesh::next(h) % 3];
+  head = before.corners[twin % 3];
+  origin = before.corners[Mesh::next(twin) % 3];
+  laid.corners[Mesh::previous(h) % 3] = lay_out_apex(mesh, h, origin, head);
+  return laid;
+}
+
+/// One end of a stretch, at a vertex: how its line lies in a face there.
+struct Beam {
+  Index corner = kNone;  ///< the half-edge that leaves the vertex
+  Real from_right = 0;   ///< angle from that half-edge to the line, counter-clockwise
+  Real to_left = 0;      ///< angle from the line to the other side at the vertex
+};
+
+/// What lies between two vertices that the path runs through.
+struct Stretch {
+  Real length = 0;  ///< of the straight line
+  Beam first, last;
+};
+
+class StraightCheck {
+ public:
+  StraightCheck(const Mesh& mesh, const Path& path, const Tolerance& tolerance)
+      : mesh_(mesh), path_(path), tolerance_(tolerance) {}
+
+  Finding run() {
+    const std::vector<PathPoint>& points = path_.points;
+    std::optional<Stretch> before;
+    for (std::size_t i = 0; i + 1 < points.size();) {
+      std::size_t end = i + 1;
+      while (end + 1 < points.size() && !points[end].at.is_vertex()) ++end;
+      Stretch stretch;
+      if (Finding finding = unfold(i, end, stretch)) return finding;
+      if (before) {
+        if (Finding finding = check_vertex(i, *before, stretch)) return finding;
+      }
+      before = stretch;
+      i = end;
+    }
+    return {};
+  }
+
+ private:
+  Finding unfold(std::size_t first, std::size_t last, Stretch& stretch) const {
+    std::vector<PlanePoint> line;
+    LaidFace laid = first_face(mesh_, path_.points[first].face);
+    const LaidFace start = laid;
+    line.push_back(at(laid, first));
+    for (std::size_t i = first; i < last; ++i) {
+      const Index face = path_.points[i].face;
+      if (face != laid.face) {
+        const auto h = side_into(face, path_.points[i].at);
+        if (!h || mesh_.twin(*h) / 3 != laid.face) return wrong("jumps", i);
+        laid = next_face(mesh_, *h, laid);
+      }
+      line.push_back(at(laid, i + 1));
+    }
+    stretch.length = distance(line.front(), line.back());
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+      const Real off = std::abs(turn(line.front(), line.back(), line[i]));
+      if (off > tolerance_.relative * stretch.length * stretch.length) {
+        const Real relative = off / (stretch.length * stretch.length);
+        return wrong("is not straight: it leaves its line by " +
+                         significant(static_cast<double>(relative), 2) + " of its length",
+                     first + i);
+      }
+    }
+    stretch.first = beam(start, first, line.front(), line.back());
+    stretch.last = beam(laid, last, line.back(), line.front());
+    return {};
+  }
+
+  PlanePoint at(const LaidFace& laid, std::size_t i) const {
+    return laid.at(*weights_on(mesh_, laid.face, path_.points[i].at));
+  }
+
+  /// The half-edge of a face on which a point lies.
+  std::optional<Index> side_into(Index face, const SurfacePoint& point) const {
+    const Index h = edge_under(point);
+    if (h == kNone) return {};
+    return h / 3 == face ? h : mesh_.twin(h);
+  }
+
+  Beam beam(const LaidFace& laid, std::size_t i, const PlanePoint& from,
+            const PlanePoint& to) const {
+    const SurfacePoint& point = path_.points[i].at;
+    Beam beam;
+    for (Index h = 3 * laid.face; point.is_vertex() && h < 3 * laid.face + 3; ++h) {
+      if (mesh_.origin(h) != point.vertex) continue;
+      beam.corner = h;
+      beam.from_right = angle(from, laid.corners[Mesh::next(h) % 3], to);
+      beam.to_left = angle(from, to, laid.corners[Mesh::previous(h) % 3]);
+    }
+    return beam;
+  }
+
+  /// At `at`, counter-clockwise from the direction of a to that of b; between -pi and pi.
+  static Real angle(const PlanePoint& at, const PlanePoint& a, const PlanePoint& b) {
+    const PlanePoint u{a.x - at.x, a.y - at.y}, v{b.x - at.x, b.y - at.y};
+    return std::atan2(u.x * v.y - u.y * v.x, u.x * v.x + u.y * v.y);
+  }
+
+  Finding check_vertex(std::size_t i, const Stretch& in, const Stretch& out) const {
+    const Index v = path_.points[i].at.vertex;
+    for (const Index h : mesh_.outgoing(v)) {
+      if (!(mesh_.half_edge(h).apex_y > 0) || !(mesh_.half_edge(h).length > 0)) return {};
+    }
+    const Real left = between(in.last, out.first), right = between(out.first, in.last);
+    const Real least = std::min(left, right);
+    const Real a = in.length, b = out.length;
+    if (least < std::numbers::pi) {
+      const Real cut = std::sqrt(a * a + b * b - 2 * a * b * std::cos(least));
+      const Real saved = 2 * a * b * (1 + std::cos(least)) / (a + b + cut);
+      if (saved > tolerance_.relative * std::max<Real>(path_.length(), tolerance_.least)) {
+        return wrong(
+            "has an angle of " + significant(static_cast<double>(least), 6) + " on one side", i);
+      }
+    }
+    if (mesh_.is_pseudo_source(v)) return {};
+    const Real pi = std::numbers::pi_v<Real>;
+    const Real bend = std::min(std::abs(left - pi), std::abs(right - pi));
+    if (bend * a * b <= tolerance_.relative * (a + b) * (a + b)) return {};
+    return wrong("bends where none may, by " + significant(static_cast<double>(bend), 2), i);
+  }
+
+  /// The angle around a vertex from one line to another one, counter-clockwise; infinite where a
+  /// boundary lies between them, or they are in different fans.
+  Real between(const Beam& from, const Beam& to) const {
+    Real sum = from.to_left;
+    if (from.corner == to.corner && to.from_right >= from.from_right) {
+      return to.from_right - from.from_right;
+    }
+    Index h = mesh_.twin(Mesh::previous(from.corner));
+    for (; h != to.corner; h = mesh_.twin(Mesh::previous(h))) {
+      if (h == kNone || h == from.corner) return kInfinity;
+      const HalfEdge& e = mesh_.half_edge(h);
+      sum += std::atan2(Real{e.apex_y}, Real{e.apex_x});
+    }
+    return sum + to.from_right;
+  }
+
+  const Mesh& mesh_;
+  const Path& path_;
+  const Tolerance& tolerance_;
+};
+
+}  // namespace
+
+Finding check_path(const Mesh& mesh, const Query& query, const SurfacePoint& end, double distance,
+                   const Path& path, const Tolerance& tolerance) {
+  if (path.points.empty()) return wrong("has no points");
+  if (path.source >= query.sources.size()) return wrong("comes from no source of the query");
+  const Source& source = query.sources[path.source];
+  if (path.points.front().at != source.at) return wrong("does not begin in its source");
+  if (path.points.back().at != end) return wrong("does not end in its end");
+  if (path.points.back().face != kNone) return wrong("goes on at its end");
+  const Path own = in_own_numbers(mesh, path);
+  const double slack = tolerance.relative * std::max(distance, tolerance.least);
+  Real travelled = 0;
+  for (std::size_t i = 0; i < own.points.size(); ++i) {
+    const PathPoint& point = own.points[i];
+    if (point.position != position_of(mesh, path.points[i].at)) return wrong("is elsewhere", i);
+    if (!(std::abs(travelled - point.travelled) <= slack)) {
+      return wrong("is not as long as it says", i);
+    }
+    if (i + 1 == own.points.size()) break;
+    if (point.face >= mesh.face_count()) return wrong("leaves the surface", i);
+    const auto from = weights_on(mesh, point.face, point.at);
+    const auto to = weights_on(mesh, point.face, own.points[i + 1].at);
+    if (!from || !to) return wrong("leaves its face", i);
+    travelled += length_between(mesh, point.face, *from, *to);
+  }
+  const double length = static_cast<double>(travelled + source.distance);
+  const double error = relative_error(length, distance, tolerance.least);
+  if (std::abs(error) <= tolerance.relative) return {};
+  return wrong("is " + significant(length) + " long, the distance is " + significant(distance) +
+               " (relative error " + significant(error, 2) + ")");
+}
+
+Finding check_straight(const Mesh& mesh, const Path& path, const Tolerance& tolerance) {
+  const Path own = in_own_numbers(mesh, path);
+  return StraightCheck(mesh, own, tolerance).run();
+}
+
+}  // namespace geodesic::harness

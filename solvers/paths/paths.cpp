@@ -1,0 +1,473 @@
+#include "solvers/paths/paths.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "solvers/core/tolerance.h"
+
+namespace geodesic {
+namespace {
+
+Point2 minus(const Point2& a, const Point2& b) { return {a.x - b.x, a.y - b.y}; }
+
+double length_of(const Point2& a) { return std::hypot(a.x, a.y); }
+
+/// Of length 1: products with lengths of any unit stay within range.
+struct Direction {
+  explicit Direction(const Point2& a) : Direction(a, length_of(a)) {}
+  Direction(const Point2& a, double length) : x(a.x / length), y(a.y / length) {}
+
+  double along(const Point2& a) const { return x * a.x + y * a.y; }
+  /// Positive to the left.
+  double across(const Point2& a) const { return x * a.y - y * a.x; }
+
+  double x, y;
+};
+
+/// How far from the corner between two sides of a face a line leaves by one of them that comes in
+/// by the other, `from` away from the corner.
+/// @param side, length of the side it leaves by, away from the corner
+double leave(double from, const Point2& side, double length, const Direction& line) {
+  const double sine = -line.across(side);
+  return sine > 0 ? std::min(from * line.y / sine, length) : length;
+}
+
+constexpr const char* kRoundabout =
+    "the paths that the solver remembers come from no source; please report this mesh and query";
+
+}  // namespace
+
+/// One path, from its end back to its source. Everything is in the mesh's own numbers but what it
+/// gives.
+///
+/// A straight piece is followed with its root in view: where the line enters a face, the direction
+/// of the root decides by which side it leaves, and the root is unfolded into the next face. Errors
+/// do not add up: every face aims anew. A face that has the root on it ends the piece, since
+/// nothing is shorter than a straight line in space.
+///
+/// A line that comes within rounding (kPathThrough) of a vertex runs through it. Where paths may
+/// bend at that vertex, the faces on one side of it do not lead where those on the other do: the
+/// piece ends there, and the vertex's own path continues, which is as short. A piece that misses
+/// its root all the same, because its window saw the end by no more than kApexReach, goes to that
+/// vertex of its faces where paths may bend and by which it is as short (kPathTie). Whatever vertex
+/// is taken in place of the root is nearer to the source than the piece's end, so the path ends.
+class Paths::Trace {
+ public:
+  explicit Trace(const Paths& of) : of_(of), mesh_(of.mesh_) {}
+
+  Path run(const SurfacePoint& end, double distance, const Arrival& arrival) {
+    add(end, kNone, 0);
+    Piece piece = piece_to(end, distance, arrival);
+    for (Index bends = 0; !begins_at_end(piece); ++bends) {
+      if (bends > mesh_.vertex_count()) lost(piece);
+      const Index root = follow(piece);
+      if (root >= mesh_.vertex_count()) return from_source(root - mesh_.vertex_count());
+      piece = piece_to(SurfacePoint(root), of_.distance(root), of_.arrivals_[root]);
+    }
+    const auto source = of_.source_at_.find(piece.root);
+    if (source == of_.source_at_.end()) lost(piece);
+    return from_source(source->second);
+  }
+
+ private:
+  /// A straight piece. Points are in the frame of a half-edge of the face that it ends in.
+  struct Piece {
+    SurfacePoint end;
+    double distance;  ///< at the end
+    Index half_edge;
+    Index root;  ///< as in Arrival
+    Point2 from;
+    Point2 at = {0, 0};                       ///< the end
+    std::array<SurfacePoint, 2> source = {};  ///< the root that is no vertex, in each of its faces
+    double length = 0;
+  };
+
+  /// Where the line of a piece leaves a face, in the frame of the twin of a half-edge; there need
+  /// not be a twin.
+  struct Line {
+    Index side;   ///< the half-edge it leaves by
+    double x;     ///< at (x, 0): the distance from the head of `side`
+    Point2 root;  ///< where it leads
+    double step;  ///< its length in the face
+  };
+
+  /// A vertex by which a path to a piece's end is short.
+  struct Detour {
+    double distance = kInfinity;
+    Index vertex = kNone;
+    Point2 at = {0, 0};  ///< in the frame of the piece
+  };
+
+  Piece piece_to(const SurfacePoint& end, double distance, const Arrival& arrival) const {
+    Piece piece{end, distance, arrival.half_edge, arrival.root, arrival.from};
+    if (begins_at_end(piece)) return piece;
+    const Index vertices = mesh_.vertex_count();
+    if (piece.half_edge >= mesh_.half_edge_count() ||
+        piece.root >= vertices + of_.query_.sources.size()) {
+      lost(piece);
+    }
+    if (end.is_vertex()) {
+      const HalfEdge& e = mesh_.half_edge(piece.half_edge);
+      piece.at = {e.apex_x, e.apex_y};
+    } else {
+      const bool beyond = end.face != piece.half_edge / 3;
+      if (beyond) piece.end = beyond_edge(mesh_, end);
+      piece.at = in_frame(mesh_, piece.end, piece.half_edge);
+    }
+    if (piece.root >= vertices) {
+      const SurfacePoint& source = of_.query_.sources[piece.root - vertices].at;
+      piece.source = {source, beyond_edge(mesh_, source)};
+    }
+    piece.length = length_of(minus(piece.from, piece.at));
+    return piece;
+  }
+
+  static bool begins_at_end(const Piece& piece) {
+    return piece.end.is_vertex() && piece.end.vertex == piece.root;
+  }
+
+  /// Adds the points of a piece after its end.
+  /// @return where it begins, as in Arrival
+  Index follow(const Piece& piece) {
+    const std::size_t before = points_.size();
+    const Index root = walk(piece, nullptr);
+    if (root != kNone && !strayed_) return root;
+    Detour detour;
+    points_.resize(before);
+    walk(piece, &detour);
+    points_.resize(before);
+    Piece other = piece;
+    if (detour.distance <= piece.distance * (1 + kPathTie)) {
+      other.root = detour.vertex;
+      other.from = detour.at;
+      other.length = length_of(minus(other.from, other.at));
+    }
+    const Index begin = walk(other, nullptr);
+    if (begin == kNone) lost(piece);
+    return begin;
+  }
+
+  /// Adds the points of a piece after its end.
+  /// @param detour becomes the shortest by a vertex of the faces on the way, if not null
+  /// @return where the piece begins; kNone when its line does not lead to its root
+  Index walk(const Piece& piece, Detour* detour) {
+    strayed_ = false;
+    const Index h = piece.half_edge;
+    if (const auto root = root_on_face(piece, h)) {
+      return arrive(piece, h, piece.at, piece.from, *root);
+    }
+    const double slack = kPathThrough * piece.length;
+    const Direction to_root(minus(piece.from, piece.at), piece.length);
+    for (const bool head : {false, true}) {
+      const Index v = head ? mesh_.head(h) : mesh_.origin(h);
+      const Point2 to = minus({head ? mesh_.half_edge(h).length : 0, 0}, piece.at);
+      const double rest = to_end(piece, head);
+      if (detour != nullptr) consider(v, to_root.along(to), to_root.across(to), piece, *detour);
+      if (std::abs(to_root.across(to)) <= slack && turns(piece, v, rest)) {
+        return add(SurfacePoint(v), h / 3, rest);
+      }
+    }
+    Line line = leave_first_face(piece, slack);
+    const bool ends_here = !piece.end.is_vertex() && edge_under(piece.end) == line.side;
+    if (!ends_here) add_crossing(line);
+    double travelled = line.step;
+    for (Index faces = 0; faces < mesh_.face_count(); ++faces) {
+      const Index in = mesh_.twin(line.side);
+      if (in == kNone || !(line.root.y > 0)) return kNone;
+      const Point2 here = {line.x, 0};
+      if (const auto root = root_on_face(piece, in)) {
+        return arrive(piece, in, here, line.root, *root);
+      }
+      const HalfEdge& e = mesh_.half_edge(in);
+      const Index apex = mesh_.apex(in);
+      const Point2 to_apex = minus({e.apex_x, e.apex_y}, here);
+      const Direction ahead(minus(line.root, here));
+      const double along = ahead.along(to_apex), across = ahead.across(to_apex);
+      if (detour != nullptr) consider(apex, travelled + along, across, piece, *detour);
+      const bool through = std::abs(across) <= slack && along > -slack;  // on faces without area
+      if (through && turns(piece, apex, travelled + length_of(to_apex))) {
+        return add(SurfacePoint(apex), in / 3, length_of(to_apex));
+      }
+      line = through ? leave_through_apex(in, line, across > 0, slack)
+                     : leave_by_side(in, line, across > 0, ahead);
+      travelled += line.step;
+      add_crossing(line);
+    }
+    return kNone;
+  }
+
+  /// How a piece's line leaves the face of its end.
+  Line leave_first_face(const Piece& piece, double slack) const {
+    const Index h = piece.half_edge;
+    const double length = mesh_.half_edge(h).length;
+    const double share = piece.at.y / (piece.at.y - piece.from.y);
+    const double x = length - (piece.at.x + share * (piece.from.x - piece.at.x));
+    const bool by_head = !(x > slack), by_origin = !by_head && x > length - slack;
+    Line line{h, by_head ? 0 : by_origin ? length : x, {length - piece.from.x, -piece.from.y}, 0};
+    line.step = length_of(minus({length - line.x, 0}, piece.at));
+    if (line.root.y > slack || !(by_head || by_origin)) return line;
+    // It runs along h, and by the end of h into what lies beyond the next side.
+    const FaceFrame f = face_frame(mesh_, h);
+    if (by_head) return {Mesh::next(h), f.right, f.to_right(piece.from.x, piece.from.y), line.step};
+    return {Mesh::previous(h), 0, f.to_left(piece.from.x, piece.from.y), line.step};
+  }
+
+  /// How a line leaves the face of `in`: right or left of its apex.
+  Line leave_by_side(Index in, const Line& line, bool right, const Direction& ahead) const {
+    const FaceFrame f = face_frame(mesh_, in);
+    if (right) {
+      const double left =
+          f.right - leave(f.length - line.x, {f.right_x, f.right_y}, f.right, ahead);
+      const Point2 at = {f.apex_x + left * f.right_x, f.apex_y + left * f.right_y};
+      return {Mesh::next(in), left, f.to_right(line.root.x, line.root.y),
+              length_of(minus(at, {line.x, 0}))};
+    }
+    const double x = leave(line.x, {f.left_x, f.left_y}, f.left, ahead);
+    return {Mesh::previous(in), x, f.to_left(line.root.x, line.root.y),
+            length_of(minus({x * f.left_x, x * f.left_y}, {line.x, 0}))};
+  }
+
+  /// The same of a line through the apex: on the given side, unless it runs along that side.
+  Line leave_through_apex(Index in, const Line& line, bool right, double slack) const {
+    const FaceFrame f = face_frame(mesh_, in);
+    const Point2 on_left = f.to_left(line.root.x, line.root.y);
+    const Point2 on_right = f.to_right(line.root.x, line.root.y);
+    const double step = length_of(minus({f.apex_x, f.apex_y}, {line.x, 0}));
+    const bool by_right = right ? on_right.y > slack : !(on_left.y > slack);
+    if (by_right) return {Mesh::next(in), 0, on_right, step};
+    return {Mesh::previous(in), f.left, on_left, step};
+  }
+
+  /// From the end of a piece to that of its half-edge; along a side to the last bit.
+  double to_end(const Piece& piece, bool head) const {
+    const Index h = piece.half_edge;
+    if (piece.end.is_vertex()) {
+      return mesh_.half_edge(head ? Mesh::next(h) : Mesh::previous(h)).length;
+    }
+    return length_of(minus({head ? mesh_.half_edge(h).length : 0, 0}, piece.at));
+  }
+
+  /// Where the root of a piece lies in the frame of h, if its face has it.
+  std::optional<Point2> root_on_face(const Piece& piece, Index h) const {
+    const HalfEdge& e = mesh_.half_edge(h);
+    if (piece.root < mesh_.vertex_count()) {
+      if (mesh_.apex(h) == piece.root) return Point2{e.apex_x, e.apex_y};
+      if (e.origin == piece.root) return Point2{0, 0};
+      if (mesh_.head(h) == piece.root) return Point2{e.length, 0};
+      return std::nullopt;
+    }
+    for (const SurfacePoint& source : piece.source) {
+      if (source.face == h / 3) return in_frame(mesh_, source, h);
+    }
+    return std::nullopt;
+  }
+
+  /// Ends a piece in its root, which is on the face of h.
+  /// @param here on the line, in the frame of h
+  /// @param aim, at where the line has the root, and where it is
+  Index arrive(const Piece& piece, Index h, const Point2& here, const Point2& aim,
+               const Point2& at) {
+    const double off = length_of(minus(aim, at));
+    if (!(off <= kApexReach * piece.length)) return kNone;
+    strayed_ = off > kPathStray * piece.length;
+    double rest = length_of(minus(at, here));
+    SurfacePoint root = piece.source[0];
+    if (piece.root < mesh_.vertex_count()) {
+      root = SurfacePoint(piece.root);
+      const Index first = piece.half_edge;
+      if (h == first && piece.root != mesh_.apex(h)) {
+        rest = to_end(piece, piece.root != mesh_.origin(first));
+      }
+    }
+    add(root, h / 3, rest);
+    return piece.root;
+  }
+
+  /// Whether a path that comes from v is as short as the piece, which runs through v.
+  /// @param rest from v to the end of the piece
+  bool turns(const Piece& piece, Index v, double rest) const {
+    const double through = of_.distance(v);
+    return mesh_.is_pseudo_source(v) && through < piece.distance &&
+           through + rest <= piece.distance * (1 + kPathTie);
+  }
+
+  /// @param along, across the line of the piece, from its end
+  void consider(Index v, double along, double across, const Piece& piece, Detour& least) const {
+    const double through = of_.distance(v);
+    if (!mesh_.is_pseudo_source(v) || !(through < piece.distance)) return;
+    const double distance = through + std::hypot(along, across);
+    if (distance >= least.distance) return;
+    const Direction line(minus(piece.from, piece.at), piece.length);
+    least = {distance,
+             v,
+             {piece.at.x + along * line.x - across * line.y,
+              piece.at.y + along * line.y + across * line.x}};
+  }
+
+  /// Adds the point where a line leaves a face.
+  void add_crossing(const Line& line) {
+    const Index h = line.side;
+    const double length = mesh_.half_edge(h).length;
+    const double at_origin = length > 0 ? line.x / length : 0, at_head = 1 - at_origin;
+    SurfacePoint point;
+    if (at_origin == 1 || at_head == 1) {
+      point.vertex = at_head == 1 ? mesh_.head(h) : mesh_.origin(h);
+    } else {
+      point.face = h / 3;
+      point.weights[h % 3] = at_origin;
+      point.weights[Mesh::next(h) % 3] = at_head;
+    }
+    add(point, h / 3, line.step);
+  }
+
+  /// Adds the next point towards the source, unless it is the one added last.
+  /// @param face it shares with the point before it
+  /// @return the vertex it is
+  Index add(const SurfacePoint& own, Index face, double step) {
+    if (!points_.empty() && own == last_) return own.vertex;
+    last_ = own;
+    const MeshNumbers& numbers = mesh_.numbers();
+    PathPoint point;
+    point.travelled = step;
+    if (own.is_vertex()) {
+      point.at.vertex = numbers.given_vertex(own.vertex);
+      point.position = mesh_.position(own.vertex);
+    } else {
+      point.at = own;
+      point.at.face = numbers.given_face(own.face);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3& corner = mesh_.position(mesh_.origin(3 * own.face + static_cast<Index>(k)));
+        point.position = geodesic::add(point.position, scale(own.weights[k], corner));
+      }
+    }
+    if (face != kNone) point.face = numbers.given_face(face);
+    points_.push_back(point);
+    return own.vertex;
+  }
+
+  /// The whole path, from its source.
+  Path from_source(Index source) {
+    std::ranges::reverse(points_);
+    double travelled = 0;
+    for (PathPoint& point : points_) {
+      travelled += std::exchange(point.travelled, travelled);
+    }
+    return {source, std::move(points_)};
+  }
+
+  [[noreturn]] void lost(const Piece& piece) const {
+    const MeshNumbers& numbers = mesh_.numbers();
+    const auto name = [&](SurfacePoint own) {
+      if (own.is_vertex()) return "vertex " + std::to_string(numbers.given_vertex(own.vertex));
+      return "a point in face " + std::to_string(numbers.given_face(own.face));
+    };
+    const bool vertex = piece.root < mesh_.vertex_count();
+    const std::string root = vertex                ? name(SurfacePoint(piece.root))
+                             : piece.root == kNone ? "nothing"
+                                                   : "a source in a face";
+    throw std::runtime_error("the solver remembers a path to " + name(piece.end) + " from " + root +
+                             " that does not exist; please report this mesh and query");
+  }
+
+  const Paths& of_;
+  const Mesh& mesh_;
+  std::vector<PathPoint> points_;  // from the end; `travelled` is from the point before
+  SurfacePoint last_;              // in the mesh's own numbers
+  bool strayed_ = false;           // the last line missed its root
+};
+
+Paths::Paths(const Mesh& mesh, Query query, std::vector<double> distances, Recording recording)
+    : mesh_(mesh),
+      query_(std::move(query)),
+      distances_(std::move(distances)),
+      arrivals_(std::move(recording.arrivals)),
+      targets_(std::move(recording.targets)) {
+  const std::size_t vertices = mesh.vertex_count();
+  if (recording.what != Record::paths || arrivals_.size() != vertices ||
+      distances_.size() != vertices || targets_.size() != query_.targets.size()) {
+    throw std::invalid_argument("paths need a recording of paths, of this mesh and query");
+  }
+  for (SurfacePoint& target : query_.targets) target = in_own_numbers(mesh, target);
+  for (Index i = 0; i < query_.sources.size(); ++i) {
+    Source& source = query_.sources[i];
+    source.at = in_own_numbers(mesh, source.at);
+    if (!source.at.is_vertex()) continue;
+    const auto [at, first] = source_at_.try_emplace(source.at.vertex, i);
+    if (!first && source.distance < query_.sources[at->second].distance) at->second = i;
+  }
+}
+
+Index Paths::own_vertex(Index given) const {
+  const std::string defect = defect_of(mesh_, SurfacePoint(given));
+  if (!defect.empty()) throw std::invalid_argument(defect);
+  return mesh_.numbers().own_vertex(given);
+}
+
+Path Paths::to_vertex(Index v) const {
+  const Index own = own_vertex(v);
+  if (distances_[v] == kInfinity) {
+    throw std::invalid_argument("no path leads to vertex " + std::to_string(v));
+  }
+  return Trace(*this).run(SurfacePoint(own), distances_[v], arrivals_[own]);
+}
+
+Path Paths::to_target(std::size_t i) const {
+  const AtTarget& target = targets_.at(i);
+  if (target.distance == kInfinity) {
+    throw std::invalid_argument("no path leads to target " + std::to_string(i));
+  }
+  return Trace(*this).run(query_.targets[i], target.distance, target.arrival);
+}
+
+std::optional<Index> Paths::source_here(Index v) const {
+  const Index root = arrivals_[v].root, vertices = mesh_.vertex_count();
+  if (root == kNone) return kNone;
+  if (root >= vertices) return root - vertices;
+  if (root != v) return std::nullopt;
+  const auto source = source_at_.find(v);
+  return source == source_at_.end() ? kNone : source->second;
+}
+
+Index Paths::nearest_source(Index v) const {
+  Index at = own_vertex(v);
+  if (distances_[v] == kInfinity) return kNone;
+  for (Index bends = 0; bends <= mesh_.vertex_count(); ++bends) {
+    if (const auto source = source_here(at)) return *source;
+    at = arrivals_[at].root;
+  }
+  throw std::runtime_error(kRoundabout);
+}
+
+std::vector<Index> Paths::nearest_sources() const {
+  const Index vertices = mesh_.vertex_count();
+  std::vector<std::optional<Index>> nearest(vertices);
+  std::vector<Index> given(vertices, kNone), chain;
+  for (Index v = 0; v < vertices; ++v) {
+    if (distance(v) == kInfinity) continue;
+    Index at = v;
+    while (!nearest[at] && !(nearest[at] = source_here(at))) {
+      if (chain.size() > vertices) throw std::runtime_error(kRoundabout);
+      chain.push_back(at);
+      at = arrivals_[at].root;
+    }
+    for (const Index each : chain) nearest[each] = nearest[at];
+    chain.clear();
+    given[mesh_.numbers().given_vertex(v)] = *nearest[v];
+  }
+  return given;
+}
+
+Paths solve_paths(Solver& solver, const Mesh& mesh, const Query& query) {
+  std::vector<double> distances(mesh.vertex_count());
+  Recording recording;
+  recording.what = Record::paths;
+  solver.solve(query, distances, &recording);
+  return {mesh, query, std::move(distances), std::move(recording)};
+}
+
+}  // namespace geodesic

@@ -1,0 +1,88 @@
+// Shortest paths of one solve, traced over the faces from how they arrive (Recording::arrivals).
+//
+// A path is a chain of straight pieces that bend at vertices (Mitchell, Mount, Papadimitriou 1987,
+// section 3). What a vertex remembers of its own path is the last piece: its root, unfolded into
+// the face that the piece arrives in. The line to it is followed from face to face, and the root's
+// own piece continues it. Numbers of vertices and faces are those that the mesh was given.
+#pragma once
+
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "solvers/core/solver.h"
+
+namespace geodesic {
+
+/// A point of a path: its beginning, its end, where it crosses an edge or passes through a vertex.
+struct PathPoint {
+  SurfacePoint at;
+  Vec3 position = {};    ///< in space, in the mesh's unit of length
+  double travelled = 0;  ///< along the path, from its source to here
+  /// The face, with this point and the next one on it, between which the path is straight; kNone
+  /// at the path's end.
+  Index face = kNone;
+};
+
+/// A shortest path, from its source to its end.
+struct Path {
+  Index source = kNone;           ///< the query's source it comes from, by its place in the query
+  std::vector<PathPoint> points;  ///< at least one, which is a source that the path ends in itself
+
+  /// Of the path; with the source's initial distance it is the end's distance, up to rounding.
+  double length() const { return points.back().travelled; }
+};
+
+/// The paths of one solve: 32 bytes a vertex, the distances among them. Constant, so that any
+/// number of threads may ask.
+class Paths {
+ public:
+  /// @param mesh must outlive it
+  /// @param query that was solved
+  /// @param distances of the solve, one a vertex
+  /// @param recording of the solve, with Record::paths
+  /// @throws std::invalid_argument when the recording is none of paths, or of another query or mesh
+  Paths(const Mesh& mesh, Query query, std::vector<double> distances, Recording recording);
+
+  /// Those of all vertices, as of Solver::solve.
+  const std::vector<double>& distances() const { return distances_; }
+  /// That of the query's target i, exact wherever it lies; infinite where no path leads.
+  double distance_to_target(std::size_t i) const { return targets_.at(i).distance; }
+
+  /// Takes time linear in the faces that the path crosses.
+  /// @throws std::invalid_argument when there is no such vertex, or no path leads there within the
+  ///         query's limit
+  /// @throws std::runtime_error when what the solver remembers is not a path of this mesh
+  Path to_vertex(Index v) const;
+  /// The same to target i of the query.
+  Path to_target(std::size_t i) const;
+
+  /// The query's source that the path to a vertex comes from, by its place in the query; kNone
+  /// where no path leads. @throws std::invalid_argument when there is no such vertex
+  Index nearest_source(Index v) const;
+  /// The same of every vertex, in linear time: the exact Voronoi cells of the sources.
+  std::vector<Index> nearest_sources() const;
+
+ private:
+  class Trace;
+
+  /// Below, all is in the mesh's own numbers.
+  double distance(Index v) const { return distances_[mesh_.numbers().given_vertex(v)]; }
+  Index own_vertex(Index given) const;
+  /// The source of the path to v, when that is straight.
+  std::optional<Index> source_here(Index v) const;
+
+  const Mesh& mesh_;
+  Query query_;
+  std::vector<double> distances_;  // by given number
+  std::vector<Arrival> arrivals_;
+  std::vector<AtTarget> targets_;
+  std::unordered_map<Index, Index> source_at_;  // of vertices: the earliest
+};
+
+/// Solves a query for its distances and paths.
+/// @param solver that claims paths (Abilities::paths), on this mesh
+/// @throws std::invalid_argument as Solver::solve
+Paths solve_paths(Solver& solver, const Mesh& mesh, const Query& query);
+
+}  // namespace geodesic

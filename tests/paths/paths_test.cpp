@@ -1,0 +1,205 @@
+// Paths traced from how they arrive, by no solver of this project.
+#include "solvers/paths/paths.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+#include "harness/verify/path_check.h"
+#include "meshes/connectivity.h"
+#include "meshes/generators/generators.h"
+#include "meshes/oracles/random_meshes.h"
+#include "tests/paths/oracle_paths.h"
+
+namespace geodesic {
+namespace {
+
+std::string wrong_with(const harness::Finding& finding) { return finding ? finding->what : ""; }
+
+// To all vertices that are reached. @return how many
+int expect_shortest_paths(const Mesh& mesh, const Query& query) {
+  const Paths paths = oracle_paths(mesh, query);
+  int traced = 0;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const double distance = paths.distances()[v];
+    if (distance == kInfinity) continue;
+    const Path path = paths.to_vertex(v);
+    EXPECT_EQ(wrong_with(harness::check_path(mesh, query, v, distance, path)), "") << v;
+    EXPECT_EQ(wrong_with(harness::check_straight(mesh, path)), "") << v;
+    ++traced;
+  }
+  return traced;
+}
+
+TEST(Paths, are_as_long_as_brute_force_says_and_straight) {
+  for (const auto& [name, soup] : random_meshes()) {
+    SCOPED_TRACE(name);
+    const Mesh mesh(soup);
+    EXPECT_GT(expect_shortest_paths(mesh, {.sources = {{0, 0.5}, {mesh.vertex_count() / 2, 0}}}),
+              20);
+  }
+}
+
+TEST(Paths, run_through_the_vertices_on_their_line) {
+  const Mesh mesh(generate("grid", {{"columns", 4}, {"rows", 3}, {"diagonal", "forward"}}));
+  EXPECT_EQ(expect_shortest_paths(mesh, {.sources = {{.at = 6}}}), 20);
+  const Paths paths = oracle_paths(mesh, {.sources = {{.at = 0}}});
+  const auto expect_line = [&](Index to, const std::vector<Index>& vertices) {
+    const Path path = paths.to_vertex(to);
+    ASSERT_EQ(path.points.size(), vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      EXPECT_EQ(path.points[i].at, SurfacePoint(vertices[i]));
+    }
+  };
+  expect_line(4, {0, 1, 2, 3, 4});  // a border
+  expect_line(18, {0, 6, 12, 18});  // diagonals
+  expect_line(0, {0});
+}
+
+TEST(Paths, are_those_of_the_numbers_given_however_a_mesh_numbers_itself) {
+  const TriangleSoup soup = rough_sphere(6, 2, 0.2);
+  const Mesh as_given(soup), renumbered(soup, Numbering::along_surface);
+  ASSERT_FALSE(renumbered.numbers().are_given());
+  const Query query{.sources = {{.at = 5}}};
+  const Paths paths = oracle_paths(as_given, query);
+  // The same recording, in the other mesh's own numbers.
+  const MeshNumbers& numbers = renumbered.numbers();
+  Recording recording;
+  recording.what = Record::paths;
+  const Query own{.sources = {{.at = numbers.own_vertex(5)}}};
+  for (Index v = 0; v < renumbered.vertex_count(); ++v) {
+    std::vector<double> distances;
+    for (Index u = 0; u < renumbered.vertex_count(); ++u) {
+      distances.push_back(paths.distances()[numbers.given_vertex(u)]);
+    }
+    const auto path = shortest_path(renumbered, own.sources, distances, v);
+    recording.arrivals.push_back(path.empty() ? Arrival{kNone, v, {0, 0}}
+                                              : arrival_of(renumbered, path.back()));
+  }
+  const Paths same(renumbered, query, paths.distances(), recording);
+  for (Index v = 0; v < renumbered.vertex_count(); ++v) {
+    const Path path = same.to_vertex(v);
+    EXPECT_EQ(wrong_with(harness::check_path(renumbered, query, v, paths.distances()[v], path)),
+              "");
+    EXPECT_EQ(path.points.size(), paths.to_vertex(v).points.size());
+  }
+}
+
+// A square of two triangles: 0 (0, 0), 1 (1, 0), 2 (1, 1), 3 (0, 1).
+const TriangleSoup kSquare{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+
+TEST(Paths, lead_between_points_in_faces_and_on_edges) {
+  const Mesh mesh(kSquare);
+  const SurfacePoint below = point_in_face(mesh, 0, {0.25, 0.5, 0.25});
+  const SurfacePoint above = point_in_face(mesh, 1, {0.25, 0.25, 0.5});
+  const SurfacePoint middle = point_on_edge(mesh, 0, 2, 0.5);
+  const Query query{.sources = {{below, 2}}, .targets = {above, middle, below, 3}};
+  const Index root = mesh.vertex_count(), diagonal = 3;  // of face 1, from 0 to 2
+  const Point2 from_0 = in_frame(mesh, below, 2);        // in the frame of its twin
+  const Point2 from = {mesh.half_edge(diagonal).length - from_0.x, -from_0.y};
+  const auto straight = [&](const SurfacePoint& end) {
+    const Vec3 line = subtract(position_of(mesh, end), position_of(mesh, below));
+    return AtTarget{2 + norm(line), {diagonal, root, from}};
+  };
+  Recording recording;
+  recording.what = Record::paths;
+  recording.arrivals.assign(4, {});
+  recording.arrivals[3] = {diagonal, root, from};
+  std::vector<double> distances(4, kInfinity);
+  distances[3] = straight(3).distance;
+  recording.targets = {straight(above), straight(middle), {2, {2, root, from_0}}, straight(3)};
+  const Paths paths(mesh, query, distances, recording);
+  for (std::size_t i = 0; i < query.targets.size(); ++i) {
+    const double distance = paths.distance_to_target(i);
+    const Path path = paths.to_target(i);
+    EXPECT_EQ(wrong_with(harness::check_path(mesh, query, query.targets[i], distance, path)), "");
+    EXPECT_EQ(wrong_with(harness::check_straight(mesh, path)), "");
+  }
+  EXPECT_EQ(paths.to_target(0).points.size(), 3u);
+  EXPECT_EQ(paths.to_target(1).points.size(), 2u);
+  EXPECT_EQ(paths.to_target(2).points.size(), 1u);
+  EXPECT_EQ(paths.nearest_sources(), (std::vector<Index>{kNone, kNone, kNone, 0}));
+}
+
+TEST(Paths, say_which_source_is_nearest) {
+  const Mesh mesh(side_by_side(kSquare, rough_sphere(2, 1, 0.1)));
+  // Vertex 1 is a source twice, and is reached from 0 sooner than it starts late.
+  const Query query{.sources = {{1, 0.5}, {0, 0}, {1, 0.25}, {2, 7}}};
+  const Paths paths = oracle_paths(mesh, query);
+  std::vector<Index> expected(mesh.vertex_count(), kNone);
+  expected[0] = expected[3] = 1;
+  expected[1] = expected[2] = 2;
+  EXPECT_EQ(paths.nearest_sources(), expected);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) EXPECT_EQ(paths.nearest_source(v), expected[v]);
+  EXPECT_EQ(paths.to_vertex(2).source, 2u);
+  EXPECT_EQ(paths.to_vertex(2).length(), 1);
+}
+
+template <class Error>
+std::string message_of(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+TEST(Paths, are_refused_where_none_leads) {
+  const Mesh mesh(side_by_side(kSquare, kSquare));
+  const Paths paths = oracle_paths(mesh, {.sources = {{.at = 0}}});
+  const auto refused = [&](Index v) {
+    return message_of<std::invalid_argument>([&] { paths.to_vertex(v); });
+  };
+  EXPECT_EQ(refused(5), "no path leads to vertex 5");
+  EXPECT_EQ(refused(8), "vertex 8 is not in the mesh of 8 vertices");
+  EXPECT_EQ(paths.nearest_source(5), kNone);
+  EXPECT_THROW(paths.nearest_source(8), std::invalid_argument);
+  EXPECT_THROW(paths.to_target(0), std::out_of_range);
+}
+
+TEST(Paths, need_a_recording_of_their_own_query) {
+  const Mesh mesh(kSquare);
+  Recording recording;
+  const auto paths = [&](const Query& query) {
+    return message_of<std::invalid_argument>(
+        [&] { Paths(mesh, query, std::vector<double>(4), recording); });
+  };
+  const std::string refusal = "paths need a recording of paths, of this mesh and query";
+  recording.arrivals.resize(4);
+  EXPECT_EQ(paths({.sources = {{.at = 0}}}), refusal);  // of counters
+  recording.what = Record::paths;
+  EXPECT_EQ(paths({.sources = {{.at = 0}}}), "nothing was thrown");
+  EXPECT_EQ(paths({.sources = {{.at = 0}}, .targets = {1}}), refusal);
+  recording.arrivals.resize(3);
+  EXPECT_EQ(paths({.sources = {{.at = 0}}}), refusal);
+}
+
+TEST(Paths, end_in_one_error_where_a_solver_remembers_nonsense) {
+  const Mesh mesh(kSquare);
+  const Query query{.sources = {{.at = 0}}};
+  const auto with = [&](const Arrival& to_1, const Arrival& to_3) {
+    Recording recording;
+    recording.what = Record::paths;
+    recording.arrivals = {{kNone, 0, {0, 0}}, to_1, {1, 0, {0, 0}}, to_3};
+    // Nearer than any path leads, so that no other one is taken.
+    const Paths paths(mesh, query, {0, 1, std::sqrt(2), 0.5}, recording);
+    return message_of<std::runtime_error>([&] { paths.to_vertex(3); });
+  };
+  const Arrival fine{2, 0, {std::sqrt(2), 0}};
+  const std::string lost = " that does not exist; please report this mesh and query";
+  const std::string to_3 = "the solver remembers a path to vertex 3 from ";
+  EXPECT_EQ(with(fine, {3, 0, {0, 0}}), "nothing was thrown");
+  EXPECT_EQ(with(fine, {3, 1, {5, 5}}), to_3 + "vertex 1" + lost);       // not beyond
+  EXPECT_EQ(with(fine, {3, 1, {-9, -1e-3}}), to_3 + "vertex 1" + lost);  // over the border
+  EXPECT_EQ(with(fine, {3, 4, {0, -1}}), to_3 + "a source in a face" + lost);
+  EXPECT_EQ(with(fine, {99, 0, {0, 0}}), to_3 + "vertex 0" + lost);
+  EXPECT_EQ(with(fine, {kNone, kNone, {0, 0}}), to_3 + "nothing" + lost);
+  EXPECT_EQ(with({kNone, 1, {0, 0}}, {3, 1, {0.7, -0.7}}),  // vertex 1 is no source
+            "the solver remembers a path to vertex 1 from vertex 1" + lost);
+  EXPECT_NE(with({2, 3, {0.7, -0.7}}, {3, 1, {0.7, -0.7}}).find(lost), std::string::npos);
+}
+
+}  // namespace
+}  // namespace geodesic
