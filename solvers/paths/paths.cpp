@@ -117,10 +117,12 @@ class Paths::Trace {
     } else {
       const bool beyond = end.face != piece.half_edge / 3;
       if (beyond) piece.end = beyond_edge(mesh_, end);
+      if (piece.end.face != piece.half_edge / 3) lost(piece);
       piece.at = in_frame(mesh_, piece.end, piece.half_edge);
     }
     if (piece.root >= vertices) {
       const SurfacePoint& source = of_.query_.sources[piece.root - vertices].at;
+      if (source.is_vertex()) lost(piece);
       piece.source = {source, beyond_edge(mesh_, source)};
     }
     piece.length = length_of(minus(piece.from, piece.at));
