@@ -42,7 +42,9 @@ inline bool is_beaten_at(const Window& w, double t, double rival) {
 struct XinWangFilter {
   static constexpr bool filters = true;
 
-  static bool is_useless(const Window& w, Entry entry, const PassedFace& face) {
+  // Inlined by force: whether it is would depend on what else is in the file.
+  [[gnu::always_inline]] static bool is_useless(const Window& w, Entry entry,
+                                                const PassedFace& face) {
     if (is_beaten_at(w, w.end, face.at_origin + w.end)) return true;
     if (is_beaten_at(w, w.begin, face.at_head + (face.length - w.begin))) return true;
     const double far = entry == Entry::at_origin ? w.begin : w.end;

@@ -73,7 +73,8 @@ class Propagation {
     const auto timed = recorder_.enter(Phase::propagation);
     start(query, distances);
     while (!queue_.empty()) {
-      if (stops_ && is_over()) break;
+      if (stops_ && is_over()) [[unlikely]]
+        break;
       const Stored w = pop();
       budget_.spend(1);
       prefetch_ahead();
@@ -117,6 +118,7 @@ class Propagation {
     budget_.start();
     pool_.clear();
     queue_.clear();
+    if (stops_) keep_sorted(queue_);
     pipeline_.clear();
     corners_.clear();
     if constexpr (Recorder::kRecords) progress_.start(mesh_, query.source_vertices(mesh_));

@@ -14,6 +14,7 @@ const RegisterSolver<Mmp<ByDistance>> mmp{{
     .propagation = "window",
     .final_windows = true,
     .relative_time = 12,
+    .abilities = {.surface_sources = true, .paths = true},
 }};
 
 const RegisterSolver<Mmp<ByBucket>> fwp_mmp{{
@@ -26,6 +27,7 @@ const RegisterSolver<Mmp<ByBucket>> fwp_mmp{{
     .propagation = "window",
     .final_windows = true,
     .relative_time = 10,
+    .abilities = {.surface_sources = true, .paths = true},
 }};
 
 }  // namespace

@@ -41,6 +41,8 @@ class Propagation {
     const auto timed = recorder_.enter(Phase::propagation);
     start(query, distances);
     while (!wavefront_.empty()) {
+      if (stops_ && is_over()) [[unlikely]]
+        break;
       budget_.spend(1);
       // Lists of one side accept what comes behind the other side's: that work is to be seen.
       if constexpr (Layout::kBothSides) {
@@ -72,6 +74,7 @@ class Propagation {
   using Layout = typename Policy::Layout;
   using Front = Wavefront<typename Policy::Queue, Layout, Recorder>;
   using Taken = typename Front::Taken;
+  using Arrival = ArrivalOf<Recorder>;
   /// What a window's children inherit besides the geometry.
   struct Beam {
     Index source;  ///< number of the pseudo-source
@@ -84,11 +87,77 @@ class Propagation {
     wavefront_.start(query.limit);
     budget_.start();
     if constexpr (Recorder::kRecords) progress_.start(mesh_, query.source_vertices(mesh_));
+    stops_ = query.stop_at_targets;
+    if (stops_) wavefront_.keep_sorted();
+    ending_ = Ending(mesh_, query, distances_);
+    roots_.clear();
+    Index beyond_vertices = mesh_.vertex_count();
     for (const Source& source : query.sources) {
-      if (!(source.distance < distances_[source.at.vertex])) continue;
-      set_distance(source.at.vertex, source.distance);
-      wavefront_.push_vertex(source.at.vertex, source.distance);
+      const Index root = beyond_vertices++;
+      if (source.at.is_vertex()) {
+        start_at(source.at.vertex, source.distance, {kNone, source.at.vertex, {0, 0}});
+      } else {
+        spread(source, root);
+      }
     }
+  }
+
+  /// v sends out windows, be it a pseudo-source or not.
+  void start_at(Index v, double distance, Arrival arrival) {
+    if (!(distance < distances_[v])) return;
+    set_distance(v, distance);
+    if constexpr (Recorder::kRemembers) recorder_.arrived(v, arrival);
+    wavefront_.push_vertex(v, distance);
+  }
+
+  /// Starts from a source that is no vertex: its windows wait on the sides of its face or faces,
+  /// and lie along the edge that it is on.
+  [[gnu::cold, gnu::noinline]] void spread(const Source& source, Index root) {
+    const double d = source.distance;
+    const Index number = add_source(d, root);
+    const auto reach_corner = [&](Index h, const Point2& from) __attribute__((cold)) {
+      const HalfEdge& e = mesh_.half_edge(h);
+      const double rest = std::hypot(from.x - e.apex_x, from.y - e.apex_y);
+      // Rounding turns the lines of a source that is this near to a corner; between them there may
+      // be gaps. The lines of the corner, which are as long, fill them.
+      if (rest < kFlatFace * (e.length + std::hypot(e.apex_x, e.apex_y))) {
+        start_at(mesh_.apex(h), d + rest, {h, root, from});
+      } else {
+        reach(mesh_.apex(h), d + rest, {h, root, from});
+      }
+    };
+    const auto cross_side = [&](Index h, const Point2& from) __attribute__((cold)) {
+      const double length = mesh_.half_edge(h).length;
+      const Beam beyond{number, Depth{}.next()};
+      const Window across = turned({0, length, from.x, from.y, d}, length);
+      land(h, across, beyond);
+      cross_at_once(h, across, beyond);
+      row_ = 0;
+    };
+    spread_from(mesh_, source.at, reach_corner, cross_side);
+    const Index under = edge_under(source.at);
+    if (under == kNone) return;
+    const double length = mesh_.half_edge(under).length;
+    const Window along{0, length, in_frame(mesh_, source.at, under).x, 0, d};
+    land(under, along, {number, {}});
+    if (!Layout::kBothSides && mesh_.twin(under) != kNone) {
+      land(mesh_.twin(under), turned(along, length), {number, {}});
+    }
+  }
+
+  /// Nothing is left to find.
+  [[gnu::noinline]] bool is_over() { return ending_.is_over(wavefront_.least_key()); }
+
+  /// @param root as in Arrival (core/recording.h)
+  Index add_source(double sigma, Index root) {
+    if constexpr (Recorder::kRemembers) roots_.push_back(root);
+    return wavefront_.add_source(sigma);
+  }
+
+  /// Of a window's source; known where it is remembered.
+  Index root_of(const Beam& beam) const {
+    if constexpr (Recorder::kRemembers) return roots_[beam.source];
+    return kNone;
   }
 
   void set_distance(Index v, double distance) {
@@ -96,9 +165,10 @@ class Propagation {
     distances_[v] = distance;
   }
 
-  void reach(Index v, double distance) {
+  void reach(Index v, double distance, Arrival arrival) {
     if (!(distance < distances_[v])) return;
     set_distance(v, distance);
+    if constexpr (Recorder::kRemembers) recorder_.arrived(v, arrival);
     if (mesh_.is_pseudo_source(v) && has_news(v)) wavefront_.push_vertex(v, distance);
   }
 
@@ -110,13 +180,13 @@ class Propagation {
     if (!has_news(v)) return;
     const double d = distances_[v];
     emitted_[v] = d;
-    const Index source = wavefront_.add_source(d);
+    const Index source = add_source(d, v);
     const Beam along{source, {}}, beyond{source, Depth{}.next()};
     for (const Index h : mesh_.outgoing(v)) {
       const Index opposite = Mesh::next(h), into = Mesh::previous(h);
       const double out = mesh_.half_edge(h).length, in = mesh_.half_edge(into).length;
-      reach(mesh_.head(h), d + out);
-      reach(mesh_.origin(into), d + in);
+      reach(mesh_.head(h), d + out, {into, v, {in, 0}});
+      reach(mesh_.origin(into), d + in, {h, v, {0, 0}});
       land(h, {0, out, 0, 0, d}, along);
       // The other list of an edge, or the only one of an edge without a half-edge out of v.
       if (!Layout::kBothSides || mesh_.twin(into) == kNone) land(into, {0, in, in, 0, d}, along);
@@ -169,13 +239,15 @@ class Propagation {
 
   /// @param w in the frame of h, whose face it enters; y < 0
   void cross_face(Index h, const Window& w, const Beam& beam) {
+    if constexpr (Recorder::kRemembers) recorder_.crossing(h, w, root_of(beam));
     const FaceFrame face = face_frame(mesh_, h);
     // Where the line from the source to the apex crosses h.
     const double split = w.x + (face.apex_x - w.x) * (-w.y / (face.apex_y - w.y));
     // A window that narrowly misses the apex offers it the path that bends at the window's end.
     const double slack = kApexReach * (face.length + std::abs(w.x) - w.y);
     if (w.begin - slack <= split && split <= w.end + slack) {
-      reach(mesh_.apex(h), least_distance_to(w, face.apex_x, face.apex_y));
+      reach(mesh_.apex(h), least_distance_to(w, face.apex_x, face.apex_y),
+            {h, root_of(beam), {w.x, w.y}});
     }
     if (w.begin < split) {
       const double end = w.end < split ? face.on_left(w, w.end) : face.left;
@@ -231,6 +303,9 @@ class Propagation {
   std::span<double> distances_;
   std::vector<double> emitted_;  // distance of the windows that each vertex sent out last
   int row_ = 0;                  // faces crossed at once by the window being sent out
+  Ending ending_;
+  bool stops_ = false;        // the query says so
+  std::vector<Index> roots_;  // by number of source; empty in timed solves
   [[no_unique_address]] typename Recorder::Progress progress_;
 };
 

@@ -59,6 +59,10 @@ class Wavefront {
 
   bool empty() const { return queue_.empty(); }
 
+  /// As of the queue, until the next start.
+  void keep_sorted() { geodesic::keep_sorted(queue_); }
+  double least_key() const { return queue_.least_key(); }
+
   void push_vertex(Index v, double distance) {
     if (distance > limit_) return;
     push(distance, events_.add({Event::kVertex, 0, v, 0, false}));

@@ -226,6 +226,45 @@ TEST_P(SurfacePoints, within_a_limit_are_as_far_as_without) {
   }
 }
 
+// First in, first out, nothing is known of what waits.
+bool ends_early(const std::string& solver) {
+  return !solver_named(solver).data_structure.starts_with("FIFO");
+}
+
+std::uint64_t windows(const std::string& solver, const Mesh& mesh, const Query& query) {
+  std::vector<double> distances(mesh.vertex_count());
+  Recording recording;
+  make_solver(solver, mesh)->solve(query, distances, &recording);
+  return recording.window_propagations.value();
+}
+
+TEST_P(SurfacePoints, that_are_targets_end_a_solve_as_a_limit_at_the_farthest_would) {
+  const Mesh mesh(generate("terrain", {{"columns", 40}, {"rows", 40}}), Numbering::along_surface);
+  Random random(6);
+  for (int i = 0; i < 8; ++i) {
+    SCOPED_TRACE(i);
+    Query query = random_query(mesh, random, random_points(mesh, random, 1 + random.below(3)));
+    const Answer all = solve_recording_paths(GetParam(), mesh, query);
+    query.stop_at_targets = true;
+    const Answer stopped = solve_recording_paths(GetParam(), mesh, query);
+    double farthest = 0;
+    for (std::size_t t = 0; t < query.targets.size(); ++t) {
+      const double expected = all.recording.targets[t].distance;
+      expect_near(stopped.recording.targets[t].distance, expected, 1e-15);
+      farthest = std::max(farthest, expected);
+    }
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      if (all.distances[v] <= farthest) expect_near(stopped.distances[v], all.distances[v], 1e-15);
+    }
+    if (!ends_early(GetParam())) continue;
+    Query limited = query;
+    limited.stop_at_targets = false;
+    limited.limit = farthest;
+    const std::uint64_t least = windows(GetParam(), mesh, limited);
+    EXPECT_LE(windows(GetParam(), mesh, query), 1.3 * static_cast<double>(least) + 6);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Solvers, SurfacePoints, testing::ValuesIn(solvers_of_points()),
                          [](const auto& test) {
                            std::string name = test.param;

@@ -42,7 +42,11 @@ class BucketQueue {
     base_ = kNoPhase;
     target_ = kMinimum;
     balance_ = 0;
+    is_narrow_ = false;
   }
+
+  /// Phases stay as narrow as they can be, until `clear`.
+  void keep_sorted() { is_narrow_ = true; }
 
   /// @param key not negative; less than the key of the item popped last only by rounding
   void push(double key, Item item) {
@@ -93,7 +97,7 @@ class BucketQueue {
   }
 
   void start_phase() {
-    target_ = std::max(kMinimum, target_ + balance_);
+    target_ = is_narrow_ ? kMinimum : std::max(kMinimum, target_ + balance_);
     balance_ = 0;
     advance();
     phase_span_ = 0;
@@ -114,6 +118,7 @@ class BucketQueue {
   Fifo ahead_;                        // the part of it that starts with `upcoming`
   std::ptrdiff_t target_ = kMinimum;  // K: windows a phase should cover
   std::ptrdiff_t balance_ = 0;        // pushed above minus pushed below the phase's upper bound
+  bool is_narrow_ = false;            // K stays at its minimum
 };
 
 }  // namespace geodesic

@@ -11,7 +11,11 @@ namespace geodesic {
 ///
 ///     const Index* upcoming();
 ///
-/// an item that is popped soon but not next, for its data to be prefetched, or null.
+/// an item that is popped soon but not next, for its data to be prefetched, or null; and
+///
+///     void keep_sorted();
+///
+/// what keep_sorted below asks for.
 template <class Queue>
 concept WindowQueue = requires(Queue queue, const Queue& constant, double key, Index window) {
   { constant.empty() } -> std::convertible_to<bool>;
@@ -38,6 +42,13 @@ concept VertexQueue = requires(Queue queue, const Queue& constant, double key, I
   queue.push_or_decrease(vertex, key);            // nothing happens when its key is smaller already
   { queue.pop() } -> std::convertible_to<Index>;  // in any order; best with least keys first
 };
+
+/// Asks a queue whose order is a rough one for that of keys, as nearly as it can, until it is
+/// cleared: what goes before its turn is lost when a solve ends early.
+template <WindowQueue Queue>
+void keep_sorted(Queue& queue) {
+  if constexpr (requires { queue.keep_sorted(); }) queue.keep_sorted();
+}
 
 /// @return what the queue announces, kNone when it announces nothing
 template <WindowQueue Queue>

@@ -18,6 +18,7 @@ const RegisterSolver<mmp::Mmp<HalfEdge>> registered{{
     .time_complexity = "O(n^2 log n)",
     .space_complexity = "O(n^2)",
     .propagation = "window",
+    .abilities = {.surface_sources = true, .paths = true},
     .remarks = "windows of the two sides of an edge are not trimmed against each other",
 }};
 
