@@ -39,8 +39,8 @@ class GcMesh {
   /// unreachable.
   void answer(const Query& query, const geometrycentral::surface::VertexData<double>& found,
               std::span<double> distances) const {
-    for (Index v = 0; v < distances.size(); ++v)
-      if (numbers_[v] != kNone && !(found[numbers_[v]] >= 1e100)) distances[v] = found[numbers_[v]];
+    peer::answer(distances, 1e100,
+                 [&](Index v) { return numbers_[v] == kNone ? kInfinity : found[numbers_[v]]; });
     for (const Source& source : query.sources)
       if (numbers_[source.at.vertex] == kNone) distances[source.at.vertex] = 0;
   }

@@ -1,9 +1,11 @@
-// What the adapters of peers share: the mesh as the flat arrays that most codes begin with.
+// What the adapters of peers share: the mesh as the flat arrays that most codes begin with, and the
+// distances that they end with.
 //
 // An adapter converts the mesh, asks the authors' code, and converts its answer. It adds no checks
 // and no repairs: what the code does is what is measured.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,6 +42,17 @@ std::vector<Number> corners(const Mesh& mesh) {
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
     all.push_back(static_cast<Number>(mesh.origin(h)));
   return all;
+}
+
+/// Answers with the distances that the authors' code has found.
+/// @param infinity what it gives, or less, for vertices that it does not reach
+/// @param found the distance by vertex
+template <class Found>
+void answer(std::span<double> distances, double infinity, const Found& found) {
+  for (Index v = 0; v < distances.size(); ++v) {
+    const double d = found(v);
+    if (!(d >= infinity)) distances[v] = d;  // not a number stays what it is
+  }
 }
 
 }  // namespace geodesic::peer

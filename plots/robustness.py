@@ -37,7 +37,7 @@ def matrix(run: Run) -> Table:
         name="robustness",
         title="Who is right on which case",
         header=["Case", "Reported of", *solvers],
-        text_columns=2,
+        text_columns=2 + len(solvers),
         rows=[
             [_case(mesh), _reports(mesh), *(_cell(run, mesh, s) for s in solvers)]
             for mesh in cases

@@ -58,7 +58,8 @@ class Builder:
     def _stamp(self, peer: Peer) -> str:
         """Of everything that the plug-in depends on."""
         contract = self.compiler.package / "include" / "geodesic-bench" / "solvers" / "core"
-        files = [*peer.folder.rglob("*"), *PEERS.glob("*.h"), PEERS / "peer.cmake", *contract.glob("*.h")]
+        shared = [*PEERS.glob("*.h"), PEERS / "peer.cmake"]
+        files = [*peer.folder.rglob("*"), *shared, *contract.glob("*.h")]
         compiler = subprocess.run(["c++", "--version"], capture_output=True, check=False).stdout
         sums = hashlib.sha256(compiler)
         for file in sorted(file for file in files if file.is_file()):

@@ -3,10 +3,11 @@
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
-#include "peer.h"
+#include "heat.h"
 
 namespace geodesic {
 namespace {
@@ -29,10 +30,10 @@ class CgalHeat final : public Solver {
         throw std::invalid_argument("cgal-heat: CGAL's surface mesh refuses face " +
                                     std::to_string(f));
     }
-    if (description.text("laplacian") == "cotangent") {
-      direct_.emplace(surface_);
-    } else {
+    if (peer::is_intrinsic_delaunay(description)) {
       delaunay_.emplace(surface_);
+    } else {
+      direct_.emplace(surface_);
     }
   }
 
@@ -49,7 +50,9 @@ class CgalHeat final : public Solver {
     for (const Source& source : query.sources) heat.add_source(Vertex(source.at.vertex));
     auto found = surface_.add_property_map<Vertex, double>("v:distance", 0).first;
     heat.estimate_geodesic_distances(found);
-    for (Index v = 0; v < distances.size(); ++v) distances[v] = found[Vertex(v)];
+    // CGAL begins with the largest number, and leaves it where it finds nothing less.
+    peer::answer(distances, std::numeric_limits<double>::max(),
+                 [&](Index v) { return found[Vertex(v)]; });
   }
 
   Surface surface_;
@@ -57,20 +60,9 @@ class CgalHeat final : public Solver {
   std::optional<IntrinsicDelaunay> delaunay_;  // one of the two
 };
 
-const RegisterSolver<CgalHeat> registered{{
-    .name = "cgal-heat",
-    .family = "heat",
-    .paper = "Crane, Weischedel, Wardetzky 2013, Geodesics in heat",
-    .data_structure = "sparse factorisation",
-    .time_complexity = "O(n^1.5)",
-    .space_complexity = "O(n log n)",
-    .propagation = "vertex",
-    .exactness = Exactness::unbounded,
-    .abilities = {.initial_distances = false},
-    .remarks = peer::remarks("CGAL's Heat_method_3, which is GPL, factorised by Eigen"),
-    .parameters = {choice_parameter("laplacian", {"intrinsic-delaunay", "cotangent"},
-                                    "of intrinsic Delaunay edges, or of the triangles")},
-}};
+const RegisterSolver<CgalHeat> registered{
+    peer::heat_method("cgal-heat", "CGAL's Heat_method_3, which is GPL, factorised by Eigen",
+                      {peer::laplacian(peer::kIntrinsicDelaunay)})};
 
 }  // namespace
 }  // namespace geodesic

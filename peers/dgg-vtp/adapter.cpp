@@ -31,10 +31,8 @@ class DggVtp final : public Solver {
   // The authors' code clears its mesh itself.
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
     algorithm_->propagate(query.sources.front().at.vertex);
-    for (Index v = 0; v < distances.size(); ++v) {
-      const double d = mesh_.vertices()[v].geodesic_distance();
-      if (d < dgg_authors::GEODESIC_INF) distances[v] = d;
-    }
+    peer::answer(distances, dgg_authors::GEODESIC_INF,
+                 [&](Index v) { return mesh_.vertices()[v].geodesic_distance(); });
     if (peer::counts(recording)) {
       recording->window_propagations = dgg_authors::m_windows_propagation;
       recording->peak_wavefront = dgg_authors::m_windows_peak;

@@ -2,12 +2,19 @@
 #include <geometrycentral/surface/exact_geodesics.h>
 
 #include "gc_mesh.h"
-#include "peer.h"
+#include "kirsanov.h"
 
 namespace geodesic {
 namespace {
 
 namespace authors = geometrycentral::surface;
+
+// Its counters are protected.
+struct Algorithm : authors::GeodesicAlgorithmExact {
+  using GeodesicAlgorithmExact::GeodesicAlgorithmExact;
+  using GeodesicAlgorithmExact::m_iterations;
+  using GeodesicAlgorithmExact::m_queue_max_size;
+};
 
 class GcExact final : public Solver {
  public:
@@ -17,38 +24,23 @@ class GcExact final : public Solver {
         algorithm_(surface_.mesh(), surface_.geometry) {}
 
  private:
-  void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
+  void run(const Query& query, std::span<double> distances, Recording* recording) override {
     const std::vector<authors::Vertex> sources = surface_.sources(query);
     authors::VertexData<double> found(surface_.mesh(), authors::GEODESIC_INF);
     if (!sources.empty()) {
       algorithm_.propagate(sources);
       found = algorithm_.getDistanceFunction();
+      peer::count<authors::Interval>(algorithm_, recording);
     }
     surface_.answer(query, found, distances);
   }
 
   peer::GcMesh surface_;
-  authors::GeodesicAlgorithmExact algorithm_;
+  Algorithm algorithm_;
 };
 
-// The authors drop windows of less than this share of their edge (SMALLEST_INTERVAL_RATIO). The
-// algorithm is exact; what they state no other bound of is held to this one.
-constexpr double kDropped = 1e-6;
-
-const RegisterSolver<GcExact> registered{{
-    .name = "gc-exact",
-    .family = "MMP",
-    .paper = "Surazhsky, Surazhsky, Kirsanov, Gortler, Hoppe 2005, Fast exact and approximate "
-             "geodesics on meshes",
-    .data_structure = "priority queue",
-    .time_complexity = "O(n^2 log n)",
-    .space_complexity = "O(n^2)",
-    .propagation = "window",
-    .exactness = Exactness::bounded,
-    .error_bound = [](const Description&) { return kDropped; },
-    .abilities = {.initial_distances = false},
-    .remarks = peer::remarks("Kirsanov's code in geometry-central"),
-}};
+const RegisterSolver<GcExact> registered{
+    peer::kirsanov("gc-exact", "Kirsanov's code in geometry-central")};
 
 }  // namespace
 }  // namespace geodesic

@@ -2,7 +2,7 @@
 #include <geometrycentral/surface/heat_method_distance.h>
 
 #include "gc_mesh.h"
-#include "peer.h"
+#include "heat.h"
 
 namespace geodesic {
 namespace {
@@ -14,7 +14,7 @@ class GcHeat final : public Solver {
   // The tufted cover of the intrinsic Delaunay Laplacian is built of general meshes only.
   GcHeat(const Mesh& mesh, const Description& description)
       : Solver(mesh, description),
-        delaunay_(description.text("laplacian") == "intrinsic-delaunay"),
+        delaunay_(peer::is_intrinsic_delaunay(description)),
         surface_(mesh, !delaunay_),
         heat_(surface_.geometry, description.real("time"), delaunay_) {}
 
@@ -31,24 +31,15 @@ class GcHeat final : public Solver {
   authors::HeatMethodDistanceSolver heat_;
 };
 
-const RegisterSolver<GcHeat> registered{{
-    .name = "gc-heat",
-    .family = "heat",
-    .paper = "Crane, Weischedel, Wardetzky 2013, Geodesics in heat; Sharp, Crane 2020, A "
-             "Laplacian for nonmanifold triangle meshes",
-    .data_structure = "sparse factorisation",
-    .time_complexity = "O(n^1.5)",
-    .space_complexity = "O(n log n)",
-    .propagation = "vertex",
-    .exactness = Exactness::unbounded,
-    .abilities = {.initial_distances = false},
-    .remarks = peer::remarks("the heat method in geometry-central, factorised by CHOLMOD (GPL)"),
-    .parameters = {choice_parameter("laplacian", {"cotangent", "intrinsic-delaunay"},
-                                    "of the triangles, or of the intrinsic Delaunay edges of "
-                                    "their tufted cover"),
-                   real_parameter("time", 1, 1e-6, 1e6,
-                                  "of the heat flow, by the square of the mean edge length")},
-}};
+Description described() {
+  Description heat = peer::heat_method(
+      "gc-heat", "the heat method in geometry-central, factorised by CHOLMOD (GPL)",
+      {peer::laplacian(peer::kCotangent), peer::heat_time()});
+  heat.paper += "; Sharp, Crane 2020, A Laplacian for nonmanifold triangle meshes";
+  return heat;
+}
+
+const RegisterSolver<GcHeat> registered{described()};
 
 }  // namespace
 }  // namespace geodesic

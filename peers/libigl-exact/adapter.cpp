@@ -7,7 +7,7 @@
 
 #include <optional>
 
-#include "peer.h"
+#include "kirsanov.h"
 
 namespace geodesic {
 namespace {
@@ -24,41 +24,26 @@ class LibiglExact final : public Solver {
   }
 
  private:
-  void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
+  void run(const Query& query, std::span<double> distances, Recording* recording) override {
     std::vector<authors::SurfacePoint> sources;
     for (const Source& source : query.sources)
       sources.emplace_back(&mesh_.vertices()[source.at.vertex]);
     algorithm_->propagate(sources);
-    for (Index v = 0; v < distances.size(); ++v) {
+    peer::answer(distances, authors::GEODESIC_INF, [&](Index v) {
       authors::SurfacePoint point(&mesh_.vertices()[v]);
       double d = authors::GEODESIC_INF;
       algorithm_->best_source(point, d);
-      if (d < authors::GEODESIC_INF) distances[v] = d;
-    }
+      return d;
+    });
+    peer::count<authors::Interval>(*algorithm_, recording);
   }
 
   authors::Mesh mesh_;
   std::optional<authors::GeodesicAlgorithmExact> algorithm_;  // once the mesh is built
 };
 
-// The authors drop windows of less than this share of their edge (SMALLEST_INTERVAL_RATIO). The
-// algorithm is exact; what they state no other bound of is held to this one.
-constexpr double kDropped = 1e-6;
-
-const RegisterSolver<LibiglExact> registered{{
-    .name = "libigl-exact",
-    .family = "MMP",
-    .paper = "Surazhsky, Surazhsky, Kirsanov, Gortler, Hoppe 2005, Fast exact and approximate "
-             "geodesics on meshes",
-    .data_structure = "priority queue",
-    .time_complexity = "O(n^2 log n)",
-    .space_complexity = "O(n^2)",
-    .propagation = "window",
-    .exactness = Exactness::bounded,
-    .error_bound = [](const Description&) { return kDropped; },
-    .abilities = {.initial_distances = false},
-    .remarks = peer::remarks("Kirsanov's code in libigl, asked for distances without paths"),
-}};
+const RegisterSolver<LibiglExact> registered{
+    peer::kirsanov("libigl-exact", "Kirsanov's code in libigl, asked for distances without paths")};
 
 }  // namespace
 }  // namespace geodesic

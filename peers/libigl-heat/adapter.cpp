@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "peer.h"
+#include "heat.h"
 
 namespace geodesic {
 namespace {
@@ -18,7 +18,7 @@ class LibiglHeat final : public Solver {
     Eigen::MatrixXi faces(mesh.face_count(), 3);
     for (Index f = 0; f < mesh.face_count(); ++f)
       for (int k = 0; k < 3; ++k) faces(f, k) = static_cast<int>(mesh.triangle(f)[k]);
-    data_.use_intrinsic_delaunay = description.text("laplacian") == "intrinsic-delaunay";
+    data_.use_intrinsic_delaunay = peer::is_intrinsic_delaunay(description);
     const double edge = igl::avg_edge_length(points, faces);
     if (!igl::heat_geodesics_precompute(points, faces, description.real("time") * edge * edge,
                                         data_))
@@ -38,22 +38,9 @@ class LibiglHeat final : public Solver {
   igl::HeatGeodesicsData<double> data_;
 };
 
-const RegisterSolver<LibiglHeat> registered{{
-    .name = "libigl-heat",
-    .family = "heat",
-    .paper = "Crane, Weischedel, Wardetzky 2013, Geodesics in heat",
-    .data_structure = "sparse factorisation",
-    .time_complexity = "O(n^1.5)",
-    .space_complexity = "O(n log n)",
-    .propagation = "vertex",
-    .exactness = Exactness::unbounded,
-    .abilities = {.initial_distances = false},
-    .remarks = peer::remarks("the heat method in libigl, factorised by Eigen"),
-    .parameters = {choice_parameter("laplacian", {"cotangent", "intrinsic-delaunay"},
-                                    "of the triangles, or of their intrinsic Delaunay edges"),
-                   real_parameter("time", 1, 1e-6, 1e6,
-                                  "of the heat flow, by the square of the mean edge length")},
-}};
+const RegisterSolver<LibiglHeat> registered{
+    peer::heat_method("libigl-heat", "the heat method in libigl, factorised by Eigen",
+                      {peer::laplacian(peer::kCotangent), peer::heat_time()})};
 
 }  // namespace
 }  // namespace geodesic

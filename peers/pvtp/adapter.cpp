@@ -1,6 +1,8 @@
 // VTP in parallel, exact, and its sequential approximation, by their authors.
 #include <tbb/global_control.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <optional>
@@ -15,12 +17,25 @@
 namespace geodesic {
 namespace {
 
-// The authors' main program sets these; the repository lacks it. As published with fast wavefront
-// propagation, whose queue this is.
+// Of a face: its perimeter times its longest edge, over its area; 1 where all edges are equal.
+double anisotropy(const Mesh& mesh, Index face) {
+  const auto [a, b, c] = mesh.triangle(face);
+  const Vec3 ab = subtract(mesh.position(b), mesh.position(a));
+  const Vec3 ac = subtract(mesh.position(c), mesh.position(a));
+  const std::array edges{norm(ab), norm(ac), norm(subtract(ac, ab))};
+  const double perimeter = edges[0] + edges[1] + edges[2];
+  const double area = norm(cross(ab, ac)) / 2;
+  return perimeter * std::ranges::max(edges) / (4 * std::sqrt(3.0) * area);
+}
+
+// As the authors' main program does, which is in djie-0329/PVTP only.
 void set_queue(pvtp_authors::GeodesicAlgorithmParallelFWPExact& algorithm, const Mesh& mesh) {
-  algorithm.binWidth = mesh.mean_edge_length() / std::sqrt(mesh.vertex_count());
+  double sum = 0;
+  for (Index f = 0; f < mesh.face_count(); ++f) sum += anisotropy(mesh, f);
+  const double mean = sum / mesh.face_count();
+  algorithm.binWidth = mesh.mean_edge_length() / std::clamp(std::floor(mean), 1.0, 1e9);
   algorithm.Kmin = 6;
-  algorithm.Kmax = mesh.vertex_count();
+  algorithm.Kmax = 1000000000;
   algorithm.step = 1;
 }
 
@@ -36,10 +51,8 @@ class AuthorsMesh {
   pvtp_authors::Mesh* get() { return &mesh_; }
 
   void answer(std::span<double> distances, Recording* recording) {
-    for (Index v = 0; v < distances.size(); ++v) {
-      const double d = mesh_.vertices()[v].geodesic_distance();
-      if (d < pvtp_authors::GEODESIC_INF) distances[v] = d;
-    }
+    peer::answer(distances, pvtp_authors::GEODESIC_INF,
+                 [&](Index v) { return mesh_.vertices()[v].geodesic_distance(); });
     if (peer::counts(recording)) {
       recording->window_propagations = pvtp_authors::m_windows_propagation.load();
       recording->window_bytes = sizeof(pvtp_authors::Interval);
@@ -56,7 +69,7 @@ class Pvtp final : public Solver {
       : Solver(mesh, description),
         threads_(description.integer("threads")),
         mesh_(mesh),
-        algorithm_(mesh_.get(), threads_, description.integer("lists")) {
+        algorithm_(mesh_.get(), threads_, threads_ * description.integer("lists")) {
     set_queue(algorithm_, mesh);
   }
 
@@ -131,11 +144,11 @@ const RegisterSolver<Pvtp> pvtp{{
     .propagation = "window list",
     .deterministic = false,
     .abilities = kAbilities,
-    .remarks = peer::remarks("the authors' code as the repository of DGG-VTP has it, with the "
-                             "queue's parameters of FWP; it counts in global variables"),
+    .remarks = peer::remarks("the authors' code as the repository of DGG-VTP has it; it counts in "
+                             "global variables"),
     .parameters = {integer_parameter("threads", 1, 1, 1024, "that propagate window lists"),
-                   integer_parameter("lists", 5000, 1, 1000000000,
-                                     "window lists to propagate at the same time")},
+                   integer_parameter("lists", 100, 1, 1000000,
+                                     "window lists to propagate at the same time, a thread")},
 }};
 
 }  // namespace

@@ -27,11 +27,14 @@ class XinWangIch final : public Solver {
     for (const Source& source : query.sources) sources.insert(static_cast<int>(source.at.vertex));
     CICHWithFurtherPriorityQueue algorithm(model_, sources);
     algorithm.Execute();
-    for (Index v = 0; v < distances.size(); ++v) {
-      const double d = algorithm.m_InfoAtVertices[v].disUptodate;
-      if (d < DBL_MAX) distances[v] = d;
+    peer::answer(distances, DBL_MAX,
+                 [&](Index v) { return algorithm.m_InfoAtVertices[v].disUptodate; });
+    if (peer::counts(recording)) {
+      recording->window_propagations = algorithm.nCountOfPropagations;
+      recording->windows_created = algorithm.GetWindowNum();
+      recording->peak_wavefront = algorithm.GetMaxLenOfQue();
+      recording->window_bytes = sizeof(::Window);
     }
-    if (peer::counts(recording)) recording->windows_created = algorithm.GetWindowNum();
   }
 
   CRichModel model_;
