@@ -78,10 +78,11 @@ def figure(run: Run) -> Drawing:
     ]
     bar = picture.colorbar(
         ScalarMappable(scale, COLORS), ax=panels[: len(maps)], location="bottom",
-        label="relative error", shrink=0.6, aspect=40, extend="min",
+        label="relative error of a distance", shrink=0.6, aspect=40, extend="min",
     )  # fmt: skip
     bar.ax.xaxis.set_minor_locator(NullLocator())
-    style.legend_above(picture, [Line2D([], [], label="source", **SOURCE)])
+    if any(seen):
+        style.legend_above(picture, [Line2D([], [], label="source", **SOURCE)])
     return Drawing(
         title=f"Where the error sits: {recording.mesh.label}",
         caption=sentences(
@@ -90,7 +91,7 @@ def figure(run: Run) -> Drawing:
             "colours; of a solver with several settings, the one whose largest error is nearest "
             f"to {error_text(OF_INTEREST)}.",
             *(_where(recording, one) for one in maps),
-            "" if any(seen) else "The source is on the far side.",
+            "" if any(seen) else "The source is hidden.",
         ),
         figure=picture,
     )
@@ -110,13 +111,11 @@ def _chosen(run: Run, recording: Recording) -> list[Map]:
 
 
 def _scale(maps: Sequence[Map]) -> LogNorm:
-    """One of all maps, so that they can be compared: whole decades, from the least mean error on.
-    Smaller errors look like the smallest."""
+    """One of all maps, so that they can be compared: from the decade of the least mean error to the
+    largest error. Smaller errors look like the smallest."""
     least = max(min(float(one.sizes.mean()) for one in maps), LEAST_SHOWN)
-    most = max(float(one.sizes.max()) for one in maps)
-    low = math.floor(math.log10(least))
-    high = max(math.ceil(math.log10(max(most, least))), low + 1)
-    return LogNorm(10.0**low, 10.0**high, clip=True)
+    low = 10.0 ** math.floor(math.log10(least))
+    return LogNorm(low, max(10 * low, *(float(one.sizes.max()) for one in maps)), clip=True)
 
 
 def _title(one: Map) -> str:

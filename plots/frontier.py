@@ -247,7 +247,8 @@ def _how_to_read(run: Run, points: Sequence[Point]) -> str:
 
 
 def _draw(run: Run, points: Sequence[Point], label: str) -> Figure:
-    looks = style.solver_styles(dict.fromkeys(solver.base for solver in run.solvers.values()))
+    styles = style.solver_styles(run.solvers)
+    looks = {solver.base: styles[solver.name] for solver in reversed(run.solvers.values())}
     picture = style.new_figure(1.4 + ROW_INCHES * len(COSTS))
     grid = picture.subplots(len(COSTS), len(ERRORS), sharex="col", sharey=True)
     shown = curves(run, points)

@@ -10,7 +10,6 @@ Dollars in a drawn text mean mathematics: a name that enters one goes through `p
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -83,8 +82,10 @@ _SPARE = [
     SolverStyle("#B8A000", "h", (0, (3, 3))),
     SolverStyle("#332288", "*", (0, (10, 2))),
     SolverStyle("#44AA99", ">", (0, (4, 1))),
+    SolverStyle("#661100", "8", (0, (7, 1, 1, 1))),
+    SolverStyle("#6699CC", "H", (0, (1, 1, 4, 1))),
 ]
-"""For all other solvers, in the order of the run."""
+"""For all other solvers, in the order of the run; further settings of one come after all of them."""
 
 
 def plain(name: str) -> str:
@@ -93,9 +94,14 @@ def plain(name: str) -> str:
 
 
 def solver_styles(solvers: Iterable[str]) -> dict[str, SolverStyle]:
-    """A style for each solver: its own, or the next spare one."""
-    spare = itertools.count()
-    return {solver: _FIXED.get(solver) or _spare(next(spare)) for solver in solvers}
+    """A style for each solver: its own, or the next spare one. What the first setting of a solver
+    has does not depend on how many settings there are."""
+    names = list(solvers)
+    others = [name for name in names if name not in _FIXED]
+    first = set({name.split("?")[0]: name for name in reversed(others)}.values())
+    order = sorted(others, key=lambda name: name not in first)
+    spare = {name: _spare(number) for number, name in enumerate(order)}
+    return {name: _FIXED.get(name) or spare[name] for name in names}
 
 
 def _spare(number: int) -> SolverStyle:

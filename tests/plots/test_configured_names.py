@@ -82,6 +82,12 @@ def test_names_that_have_no_style_of_their_own_get_different_ones() -> None:
     assert len({(one.color, one.marker) for one in styles.values()}) == len(names) + 1
 
 
+def test_settings_of_one_solver_leave_the_others_their_styles() -> None:
+    few, many = (solver_styles([*(f"avtp?lambda={n}" for n in range(count)), "heat"])
+                 for count in (1, 5))  # fmt: skip
+    assert few.items() <= many.items()
+
+
 def test_the_schema_takes_names_with_parameters_and_no_broken_ones() -> None:
     schema = json.loads(SCHEMA.read_text())
     pattern = re.compile(schema["$defs"]["solver_name"]["pattern"])
