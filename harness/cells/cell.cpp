@@ -138,7 +138,7 @@ void Measurement::record() {
   const bool has_wavefront = row_.counters.wavefront_sd.has_value();
   const bool exact = solver_.exactness == Exactness::exact;
   if (exact && !has_wavefront) return;
-  Recording recording = wavefront_recording();
+  Recording recording = wavefront_recording(spec_.frames);
   if (has_wavefront) make_solver(spec_.solver, mesh_)->solve(query_, solved_, &recording);
   const RecordingFolders folders = recording_folders(spec_.mesh, spec_.source, spec_.solver);
   const std::filesystem::path run = spec_.run_folder;

@@ -28,6 +28,7 @@ struct CellSpec {
   std::string run_folder = {};
   bool counted = true;    ///< solve some more, for counters, memory and phases
   bool pictured = false;  ///< leave recordings in the run folder; only of counted cells
+  bool frames = false;    ///< a pictured cell: the wavefront at every step of progress
   int other_queries = 0;  ///< solve from so many other vertices, then from the source again
   std::string vectors;    ///< corpus/solvers.h
   std::vector<std::string> benchmark_flags = {};
@@ -35,8 +36,8 @@ struct CellSpec {
   bool repair = false;  ///< repair the mesh first
 };
 GEODESIC_JSON_MEMBERS(CellSpec, solver, mesh, mesh_file, source, reference, reference_file, output,
-                      run_folder, counted, pictured, other_queries, vectors, benchmark_flags,
-                      context, repair)
+                      run_folder, counted, pictured, frames, other_queries, vectors,
+                      benchmark_flags, context, repair)
 
 /// Distances to verify others by.
 struct ReferenceSpec {

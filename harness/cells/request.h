@@ -35,6 +35,7 @@ struct RunRequest {
   std::filesystem::path manifest = {};
   std::vector<std::string> benchmark_flags = {};
   Recordings recordings = Recordings::automatic;
+  bool frames = false;                     ///< recordings hold the wavefront at every step
   bool repair = false;                     ///< repair meshes with defects
   bool interleave = false;                 ///< every repetition a process of its own (Plan::cells)
   std::vector<ProgramFile> programs = {};  ///< measured in place of this one; none, or two or more
@@ -50,7 +51,7 @@ struct RunRequest {
 };
 
 // The members that decide about the results.
-GEODESIC_JSON_MEMBERS(RunRequest, suite, manifest, recordings, benchmark_flags, repair, interleave,
-                      programs, cells, shard)
+GEODESIC_JSON_MEMBERS(RunRequest, suite, manifest, recordings, frames, benchmark_flags, repair,
+                      interleave, programs, cells, shard)
 
 }  // namespace geodesic::harness

@@ -84,6 +84,7 @@ CellSpec Run::spec_of(const Cell& cell) const {
                 .run_folder = folder_,
                 .counted = cell.is_first_repetition(),
                 .pictured = first_program && leaves_recordings(cell, request_.recordings),
+                .frames = request_.frames,
                 .other_queries = suite.other_queries,
                 .vectors = suite.vectors,
                 .context = run_context(request_, plan_, cell.mesh, cell.solver),

@@ -115,6 +115,8 @@ void add_request_options(CLI::App& command, RunRequest& request) {
       "cells that record the wavefront, or inexact distances, for figures: none, all, or auto "
       "(default: the first source of each mesh of 1,000 to 250,000 vertices)")
       ->type_name("WHICH");
+  command.add_flag("--frames", request.frames,
+                   "record the wavefront at 64 steps, for the moving pictures of `view`");
   command.add_flag("--repair", request.repair, "repair meshes that have defects");
   command.add_flag("--interleave", request.interleave,
                    "run each repetition in a process of its own, alternating between the solvers "

@@ -8,6 +8,7 @@
 #include "harness/base/error.h"
 #include "harness/base/files.h"
 #include "meshes/formats/npy.h"
+#include "solvers/core/progress.h"
 
 namespace geodesic::harness {
 namespace fs = std::filesystem;
@@ -16,6 +17,7 @@ namespace {
 // Per cent of the reachable vertices reached.
 constexpr std::array<int, 3> kMoments{25, 50, 75};
 constexpr double share(int moment) { return moment / 100.0; }
+constexpr int kFrames = Progress::kSteps;
 
 template <class To, class From>
 std::vector<To> flattened(const std::vector<std::array<From, 3>>& rows) {
@@ -49,6 +51,25 @@ std::vector<WindowOfFile> as_in_file(const std::vector<WavefrontWindow>& windows
   return rows;
 }
 
+void write_snapshot(const fs::path& folder, const std::string& name, const Mesh& mesh,
+                    const WavefrontSnapshot& snapshot) {
+  using W = WindowOfFile;
+  write_bytes(
+      folder / (name + ".npy"),
+      npy_table_bytes(
+          as_in_file(snapshot.windows, mesh), npy_column<std::uint32_t>("origin", &W::origin),
+          npy_column<std::uint32_t>("head", &W::head), npy_column<float>("begin", &W::begin),
+          npy_column<float>("end", &W::end), npy_column<double>("distance", &W::distance)));
+}
+
+void write_reached_by(const fs::path& folder, const Mesh& mesh, std::span<const Index> reached_by) {
+  std::vector<std::uint32_t> in_file(reached_by.size());
+  for (Index v = 0; v < reached_by.size(); ++v) {
+    in_file[mesh.numbers().given_vertex(v)] = reached_by[v];
+  }
+  write_bytes(folder / "reached_by.npy", npy_bytes<std::uint32_t>(in_file));
+}
+
 }  // namespace
 
 RecordingFolders recording_folders(const std::string& mesh, Index source,
@@ -58,10 +79,14 @@ RecordingFolders recording_folders(const std::string& mesh, Index source,
   return {.mesh = of_mesh, .source = of_source, .solver = of_source / as_file_name(solver)};
 }
 
-Recording wavefront_recording() {
+Recording wavefront_recording(bool frames) {
   Recording recording;
   recording.what = Record::wavefront;
-  for (const int moment : kMoments) recording.snapshots_at.push_back(share(moment));
+  if (frames) {  // the moments are among them
+    for (int i = 1; i <= kFrames; ++i) recording.snapshots_at.push_back(i / double{kFrames});
+  } else {
+    for (const int moment : kMoments) recording.snapshots_at.push_back(share(moment));
+  }
   return recording;
 }
 
@@ -91,16 +116,19 @@ void write_wavefront(const fs::path& folder, const Mesh& mesh, const Recording& 
                       npy_column<double>("least", &Sample::least),
                       npy_column<double>("mean", &Sample::mean),
                       npy_column<double>("sd", &Sample::sd)));
-  for (std::size_t i = 0; i < recording.snapshots.size(); ++i) {
-    using W = WindowOfFile;
-    write_bytes(
-        folder / ("snapshot-" + std::to_string(kMoments[i]) + ".npy"),
-        npy_table_bytes(as_in_file(recording.snapshots[i].windows, mesh),
-                        npy_column<std::uint32_t>("origin", &W::origin),
-                        npy_column<std::uint32_t>("head", &W::head),
-                        npy_column<float>("begin", &W::begin), npy_column<float>("end", &W::end),
-                        npy_column<double>("distance", &W::distance)));
+  const bool frames = recording.snapshots_at.size() == kFrames;
+  for (const WavefrontSnapshot& snapshot : recording.snapshots) {
+    for (const int moment : kMoments) {
+      if (share(moment) == snapshot.share) {
+        write_snapshot(folder, "snapshot-" + std::to_string(moment), mesh, snapshot);
+      }
+    }
+    if (frames) {
+      const int frame = static_cast<int>(snapshot.share * kFrames);
+      write_snapshot(folder, "frame-" + std::to_string(frame), mesh, snapshot);
+    }
   }
+  if (frames) write_reached_by(folder, mesh, recording.reached_by);
 }
 
 bool has_isolines(const fs::path& folder) { return fs::exists(folder / kPieces); }

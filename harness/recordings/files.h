@@ -23,7 +23,8 @@ RecordingFolders recording_folders(const std::string& mesh, Index source,
                                    const std::string& solver);
 
 /// A Recording with the options for what `write_wavefront` writes.
-Recording wavefront_recording();
+/// @param frames at every step of progress, for moving pictures, and not at three of them only
+Recording wavefront_recording(bool frames = false);
 
 /// Writes vertices.npy and faces.npy unless they are there.
 /// @throws HarnessError when a file cannot be written, as all of these
@@ -32,7 +33,9 @@ void write_surface(const std::filesystem::path& folder, const TriangleSoup& soup
 /// Writes distances.npy, unless it is there. @param distances in the order of the file
 void write_vertex_distances(const std::filesystem::path& folder, std::span<const double> distances);
 
-/// Writes curve.npy, and snapshot-25.npy, -50 and -75: those that came about.
+/// Writes curve.npy, and snapshot-25.npy, -50 and -75: those that came about; with frames, also
+/// frame-1.npy to frame-64.npy and reached_by.npy.
+/// @param recording with the options of wavefront_recording
 void write_wavefront(const std::filesystem::path& folder, const Mesh& mesh,
                      const Recording& recording);
 

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -157,13 +158,18 @@ struct CountingRecorder {
 
 /// Counts, and keeps samples and snapshots of the wavefront.
 struct WavefrontRecorder : CountingRecorder {
-  using CountingRecorder::CountingRecorder;
+  /// @param distances those that the solver changes
+  WavefrontRecorder(Recording& into, std::span<const double> distances)
+      : CountingRecorder(into), distances_(distances) {
+    recording.reached_by.assign(distances.size(), kNone);
+  }
 
   /// As above, and keeps the sample; a wavefront without windows has none.
   template <class ForEachWindow>
   void sample(const Progress& progress, const ForEachWindow& for_each_window) {
     const WavefrontSample sample = CountingRecorder::sample(progress, for_each_window);
     if (sample.windows == 0) return;
+    note_reached();
     recording.curve.push_back(sample);
     for (std::size_t next = recording.snapshots.size();
          next < recording.snapshots_at.size() && progress.share() >= recording.snapshots_at[next];
@@ -173,6 +179,14 @@ struct WavefrontRecorder : CountingRecorder {
   }
 
  private:
+  void note_reached() {
+    const auto number = static_cast<Index>(recording.curve.size());
+    for (Index v = 0; v < distances_.size(); ++v) {
+      Index& by = recording.reached_by[v];
+      if (by == kNone && distances_[v] < kInfinity) by = number;
+    }
+  }
+
   template <class ForEachWindow>
   void take_snapshot(double share, const ForEachWindow& for_each_window) {
     WavefrontSnapshot snapshot{.share = share, .windows = {}};
@@ -181,6 +195,8 @@ struct WavefrontRecorder : CountingRecorder {
     });
     recording.snapshots.push_back(std::move(snapshot));
   }
+
+  std::span<const double> distances_;
 };
 
 /// Remembers how paths arrive. A solver that is compiled against it hands over the root of every
@@ -209,7 +225,9 @@ void solve_recording(const Mesh& mesh, const Query& query, std::span<const doubl
     return record.finish(distances, recording);
   }
   if (recording.what == Record::counters) return solve(CountingRecorder(recording));
-  if (recording.what == Record::wavefront) return solve(WavefrontRecorder(recording));
+  if (recording.what == Record::wavefront) {
+    return solve(WavefrontRecorder(recording, distances));
+  }
   PhaseTimer timer;
   solve(TimingRecorder(timer));
   recording.phase_times = timer.times();

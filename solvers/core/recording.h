@@ -106,6 +106,9 @@ struct Recording {
 
   std::vector<WavefrontSample> curve = {};        ///< at equal steps of progress (progress.h)
   std::vector<WavefrontSnapshot> snapshots = {};  ///< those of snapshots_at that the solve got to
+  /// Of Record::wavefront, by vertex in the mesh's own numbers: the first sample of the curve by
+  /// which it had a distance; kNone where it had none by the last.
+  std::vector<Index> reached_by = {};
 
   /// Of Record::paths, both in the mesh's own numbers: by vertex, and in the order of
   /// Query::targets.

@@ -176,6 +176,26 @@ TEST_F(RunTest, RecordedCellsLeaveTheWavefrontTheDistancesInexactOnesAndTheMesh)
   EXPECT_EQ(npy_numbers(read(out_ / "recordings/an%20odd%20name/faces.npy")).size(), 50u * 12);
 }
 
+TEST_F(RunTest, FramesAreTheWavefrontAtEveryStepOfProgress) {
+  const Output run = run_suite(PROGRAM, {"--solvers", exact_solver(), "--sources", "1", "--meshes",
+                                         "hill", "--recordings", "all", "--frames"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto folder = out_ / rows().at(0).at("recordings").get<std::string>();
+  EXPECT_EQ(read(folder / "frame-32.npy"), read(folder / "snapshot-50.npy"));
+  const std::string by = npy_numbers(read(folder / "reached_by.npy"));
+  ASSERT_EQ(by.size(), 37u * 4);
+  const std::size_t samples = npy_numbers(read(folder / "curve.npy")).size() / (4 + 8 + 3 * 8);
+  for (std::size_t i = 0; i < by.size(); i += 4) {
+    std::uint32_t sample = 0;
+    std::memcpy(&sample, by.data() + i, 4);
+    EXPECT_TRUE(sample < samples || sample == 0xffffffff) << sample;
+  }
+  for (int frame = 1; frame <= 60; ++frame) {
+    EXPECT_TRUE(std::filesystem::exists(folder / ("frame-" + std::to_string(frame) + ".npy")))
+        << frame;
+  }
+}
+
 // By whichever solver of the run keeps its windows: the one that knows how many they are.
 TEST_F(RunTest, RecordedSourcesGetIsolinesFromASolverThatKeepsItsWindows) {
   std::string solvers;

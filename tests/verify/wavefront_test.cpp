@@ -25,7 +25,24 @@ Recording without_wavefront(Recording recording) {
   recording.snapshots_at.clear();
   recording.curve.clear();
   recording.snapshots.clear();
+  recording.reached_by.clear();
   return recording;
+}
+
+std::vector<Index> reached_of_curve(const Recording& recording) {
+  std::vector<Index> counts;
+  for (const WavefrontSample& sample : recording.curve) counts.push_back(sample.reached);
+  return counts;
+}
+
+// The same from Recording::reached_by.
+std::vector<Index> reached_by_sample(const Recording& recording) {
+  std::vector<Index> counts(recording.curve.size());
+  for (const Index by : recording.reached_by) {
+    if (by != kNone) ++counts.at(by);
+  }
+  std::partial_sum(counts.begin(), counts.end(), counts.begin());
+  return counts;
 }
 
 class Wavefronts : public SolverTest {
@@ -84,6 +101,7 @@ TEST_P(Wavefronts, have_a_curve_of_progress_whose_sds_have_the_counted_mean) {
       sd_sum += sample.sd;
     }
     EXPECT_LE(reached, finite) << name;
+    EXPECT_EQ(reached_by_sample(recording), reached_of_curve(recording)) << name;
     EXPECT_EQ(recording.wavefront_sd, sd_sum / static_cast<int>(recording.curve.size())) << name;
   }
 }
