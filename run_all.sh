@@ -130,6 +130,7 @@ need_bench() {
 
 step_build() {
   build_preset "$preset" --target geodesic-bench
+  want_three
 }
 
 # build_peers OPTION...: peers/build.py for those of --peers, by default all.

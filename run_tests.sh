@@ -61,4 +61,5 @@ parse_options "$@"
 start_log run_tests
 set_up "$install" python build test
 build_preset "$preset"
+want_three
 run_tests

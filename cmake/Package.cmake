@@ -27,7 +27,7 @@ install(DIRECTORY results/published DESTINATION ${GEODESIC_DATA_FOLDER}/results)
 install(FILES results/__init__.py results/console.py results/published.py results/reader.py
               results/statistics.py results/table.py
         DESTINATION ${GEODESIC_DATA_FOLDER}/results)
-install(DIRECTORY gate plots docs examples DESTINATION ${GEODESIC_DATA_FOLDER}
+install(DIRECTORY gate plots view docs examples DESTINATION ${GEODESIC_DATA_FOLDER}
         USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE PATTERN build EXCLUDE)
 
 # Completion for shells, where they look for it. words.sh finds the words by the program.

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from plots.camera import Floats
 from plots.surface import Surface
+from plots.zbuffer import Integers
 from results.published import THESIS_SOLVERS
 from results.reader import Mesh, ResultError, Run
 
@@ -24,6 +25,10 @@ KEEPS_WINDOWS = {"mmp", "fwp-mmp"}
 """Solvers whose recordings have isolines; others may."""
 MOMENTS = (25, 50, 75)
 """Per cent of the vertices reached at which the wavefront is recorded."""
+
+FRAMES = 64
+"""Equal steps of progress at which `run --frames` records the wavefront."""
+NO_SAMPLE = 0xFFFFFFFF
 
 CURVE = np.dtype(
     [("reached", "<u4"), ("windows", "<u8"), ("least", "<f8"), ("mean", "<f8"), ("sd", "<f8")]
@@ -135,7 +140,34 @@ class Recording:
 
     def snapshot(self, solver: str, moment: int) -> Table:
         """Of SNAPSHOT: the windows on the wavefront. @param moment one of MOMENTS"""
-        file = self.solvers[solver] / f"snapshot-{moment}.npy"
+        return self._windows(self.solvers[solver] / f"snapshot-{moment}.npy")
+
+    def has_frames(self, solver: str) -> bool:
+        return (self.solvers[solver] / "reached_by.npy").exists()
+
+    def frames(self, solver: str) -> list[Table]:
+        """Of SNAPSHOT: the windows on the wavefront when 1, 2, ... FRAMES of FRAMES equal parts of
+        the reachable vertices had a distance; none where the wavefront was empty."""
+        files = [self.solvers[solver] / f"frame-{i + 1}.npy" for i in range(FRAMES)]
+        return [self._windows(file) if file.exists() else np.empty(0, SNAPSHOT) for file in files]
+
+    def samples_of_frames(self, solver: str) -> Integers:
+        """The row of the curve that each frame shows; its length for a frame after the last."""
+        reachable = int(np.isfinite(self.distances).sum())
+        reached = self.curve(solver)["reached"].astype(np.int64)
+        return np.searchsorted(FRAMES * reached, reachable * np.arange(1, FRAMES + 1))
+
+    def first_frames(self, solver: str) -> Integers:
+        """By vertex: the first frame, from 0, in which it has a distance; FRAMES where none."""
+        file = self.solvers[solver] / "reached_by.npy"
+        samples = _load(file, np.dtype("<u4"), (self.mesh.vertices,)).astype(np.int64)
+        count = len(self.curve(solver))
+        valid = (samples < count) | (samples == NO_SAMPLE)
+        _require(bool(valid.all()), file, "a sample is not in the curve")
+        frames = np.searchsorted(self.samples_of_frames(solver), samples)
+        return np.where(np.isfinite(self.distances), np.minimum(frames, FRAMES - 1), FRAMES)
+
+    def _windows(self, file: Path) -> Table:
         windows = _load(file, SNAPSHOT, (None,))
         ends = np.column_stack([windows["origin"], windows["head"]])
         _require(int(ends.max()) < self.mesh.vertices, file, "a window is not on an edge")

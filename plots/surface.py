@@ -124,12 +124,20 @@ def draw_lines(axes: Axes, buffer: ZBuffer, segments: Floats, color: str, width:
 
 def best_axes(mesh: Mesh, surface: Surface, lines: Floats, source: int) -> Floats:
     """The axes of the camera that sees most of the lines (n, 2, 3), and if possible the source."""
-    size = np.ptp(surface.vertices, axis=0)
-    landscape = size[2] < FLAT * size[:2].min()
-    up = 2 if landscape else UPRIGHT.get(mesh.thesis_model or "", 1)
-    elevation = ABOVE_A_LANDSCAPE if landscape else ELEVATION
+    up = upwards(mesh, surface)
+    elevation = ABOVE_A_LANDSCAPE if _is_landscape(surface) else ELEVATION
     trials = [looking(up, azimuth, elevation) for azimuth in AZIMUTHS]
     return max(trials, key=lambda axes: _seen(axes, surface, lines, source))
+
+
+def upwards(mesh: Mesh, surface: Surface) -> int:
+    """The axis that points up: 0 is x, 1 y, 2 z."""
+    return 2 if _is_landscape(surface) else UPRIGHT.get(mesh.thesis_model or "", 1)
+
+
+def _is_landscape(surface: Surface) -> bool:
+    size = np.ptp(surface.vertices, axis=0)
+    return bool(size[2] < FLAT * size[:2].min())
 
 
 def _seen(axes: Floats, surface: Surface, lines: Floats, source: int) -> float:

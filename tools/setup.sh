@@ -115,6 +115,11 @@ offer_optional() {
   say "without the optional $*: what uses it is left out"
 }
 
+# want_three: three.js is there afterwards, or a line says how to get it; only `view` needs it.
+want_three() {
+  logged "$python" "$root/view/three.py" || say "without three.js, which geodesic-bench view needs"
+}
+
 # apt_install PACKAGE...: apt's own words go to build/logs/apt.log. The lists are fetched when
 # there are none, and again when they turn out to be stale.
 apt_install() {

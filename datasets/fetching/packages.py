@@ -27,13 +27,21 @@ def file_of_package(package: Package, scratch: Path) -> Path:
 
 
 def _from_npm(package: Package, scratch: Path) -> Path:
-    """npm packs the package, checked against its registry's own hash; no script in it is run."""
+    target = scratch / Path(package.file).name
+    tarball = npm_package(package.name, package.version, scratch)
+    extract(tarball, {f"package/{package.file}": target})
+    return target
+
+
+def npm_package(name: str, version: str, scratch: Path) -> Path:
+    """The package's .tgz file, which npm packs into the scratch folder and checks against its
+    registry's own hash; no script in it is run. Raises Unavailable."""
     npm = shutil.which("npm")
     if npm is None:
         raise Unavailable(
-            f"is in the npm package {package.name}, and there is no npm: install it (Debian: npm)"
+            f"is in the npm package {name}, and there is no npm: install it (Debian: npm)"
         )
-    what = f"{package.name}@{package.version}"
+    what = f"{name}@{version}"
     options = ["--json", "--ignore-scripts", "--prefer-offline", "--fetch-retries=0"]
     command = [npm, "pack", what, *options, "--pack-destination", str(scratch)]
     try:
@@ -50,9 +58,7 @@ def _from_npm(package: Package, scratch: Path) -> Path:
     tarballs = list(scratch.glob("*.tgz"))
     if done.returncode != 0 or len(tarballs) != 1:
         raise Unavailable(f"npm pack {what} failed: {_npm_reason(done)}")
-    target = scratch / Path(package.file).name
-    extract(tarballs[0], {f"package/{package.file}": target})
-    return target
+    return tarballs[0]
 
 
 def _npm_reason(done: subprocess.CompletedProcess[str]) -> str:

@@ -33,6 +33,7 @@ constexpr Script kScripts[] = {
     {"export", "gate.export", "Convert a run to the format of another tool"},
     {"merge", "results.merge", "Join the shards of a run (run --shard K/N)"},
     {"report", "plots.report", "Draw the tables, figures and the HTML report of a run"},
+    {"view", "view", "Make a page that turns a model and plays how solvers sweep it"},
     {"check", "plots.check", "Check a run: verified cells, complete counters, known failures"},
 };
 

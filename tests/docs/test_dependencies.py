@@ -184,6 +184,7 @@ PACKAGES = {
     "python": set[str](),
     "plots": {"results"},
     "gate": {"results", "plots"},
+    "view": {"results", "plots", "fetching"},
     "datasets": {"fetching", "results"},
     "peers": {"fetching", "results"},
 }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -14,6 +15,8 @@ import pytest
 from plots import surface
 from results.published import THESIS_SOLVERS
 from results.reader import Run, read_run
+from view import three
+from view.three import Unavailable
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
@@ -116,3 +119,41 @@ def complete_run(recorded: Path, tmp_path_factory: pytest.TempPathFactory) -> Ru
 @pytest.fixture
 def run(tmp_path: Path, recorded: Path) -> Run:
     return completed(tmp_path, recorded)
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Any]:
+    """Headless Chromium, which draws WebGL without a graphics card."""
+    pytest.importorskip("selenium", reason="python3-selenium is not installed")
+    from selenium import webdriver
+    from selenium.webdriver.chrome.options import Options
+    from selenium.webdriver.chrome.service import Service
+
+    chromium, driver = shutil.which("chromium"), shutil.which("chromedriver")
+    if not (chromium and driver):
+        pytest.skip("chromium or chromium-driver is not installed")
+    options: Any = Options()
+    options.binary_location = chromium
+    for argument in [
+        "--headless=new",
+        "--no-sandbox",  # which root cannot have
+        "--use-angle=swiftshader",
+        "--enable-unsafe-swiftshader",
+        "--disable-dev-shm-usage",
+        "--window-size=1280,900",
+    ]:
+        options.add_argument(argument)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    started = webdriver.Chrome(service=Service(driver), options=options)
+    yield started
+    started.quit()
+
+
+@pytest.fixture(scope="session")
+def with_three() -> None:
+    """three.js is there, or the test is skipped."""
+    if not three.is_there():
+        try:
+            three.fetch(None)
+        except Unavailable as error:
+            pytest.skip(f"three.js: {error}")

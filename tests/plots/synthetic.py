@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from plots.camera import Floats
-from plots.recordings import CURVE, MOMENTS, PIECES, SNAPSHOT
+from plots.recordings import CURVE, FRAMES, MOMENTS, PIECES, SNAPSHOT
 from plots.zbuffer import Integers
 from results.published import THESIS_SOLVERS
 
@@ -147,12 +147,16 @@ def _record_solver(
         windows = 3 * int(np.count_nonzero((ends[:, 0] < level) & (ends[:, 1] >= level)))
         curve[index] = (reached, windows, max(level - 2 * sd, 0), level, sd)
     np.save(folder / "curve.npy", curve)
-    for moment in MOMENTS:
-        level = ranked[moment * len(distances) // 100]
+    np.save(folder / "reached_by.npy", np.searchsorted(curve["mean"], distances).astype("<u4"))
+    moments = {f"snapshot-{moment}": moment / 100 for moment in MOMENTS}
+    frames = {f"frame-{i}": i / FRAMES for i in range(1, FRAMES)}
+    for name, share in (moments | frames).items():
+        level = ranked[int(share * len(distances))]
         on = (ends[:, 0] + moved < level) & (ends[:, 1] + moved >= level)
         snapshot = np.zeros(np.count_nonzero(on), SNAPSHOT)
         snapshot["origin"], snapshot["head"] = edges[on].T
         snapshot["end"] = 1
         snapshot["distance"] = ends[on, 0]
-        np.save(folder / f"snapshot-{moment}.npy", snapshot)
+        if on.any():
+            np.save(folder / f"{name}.npy", snapshot)
     return str(folder.relative_to(run_folder))

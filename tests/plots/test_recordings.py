@@ -33,6 +33,8 @@ def everything(recording: Recording) -> None:
     for solver in recording.solvers:
         recording.curve(solver)
         recording.wavefront(solver, 50)
+        recording.frames(solver)
+        recording.first_frames(solver)
 
 
 def test_what_was_written_is_read(recording: Recording) -> None:
@@ -62,7 +64,7 @@ def test_a_piece_of_several_points_is_joined_to_no_other(recording: Recording) -
 
 FILES = [
     "../vertices.npy", "../faces.npy", "distances.npy", "isoline_points.npy", "isoline_pieces.npy",
-    "mmp/curve.npy", "mmp/snapshot-50.npy",
+    "mmp/curve.npy", "mmp/snapshot-50.npy", "mmp/reached_by.npy",
 ]  # fmt: skip
 
 
@@ -119,6 +121,8 @@ INVALID: list[tuple[str, Break, str]] = [
     ("mmp/curve.npy", put("sd", np.nan), "not a number"),
     ("mmp/curve.npy", put("mean", -1), "not a number"),
     ("mmp/curve.npy", put("reached", 0), "no progress"),
+    ("mmp/reached_by.npy", lambda data: data.fill(64), "not in the curve"),
+    ("mmp/frame-9.npy", put("begin", np.nan), "beyond its edge"),
     ("mmp/snapshot-50.npy", put("origin", SIDE * SIDE), "not on an edge"),
     ("mmp/snapshot-50.npy", put("end", 1.5), "beyond its edge"),
     ("mmp/snapshot-50.npy", put("begin", -0.5), "beyond its edge"),

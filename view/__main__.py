@@ -1,0 +1,122 @@
+"""`geodesic-bench view`: one page that turns a model and plays how solvers sweep it.
+
+Takes a run whose recordings have frames (`geodesic-bench run --frames`), or a mesh file, which it
+solves first from its first vertex. The page needs no other file and no network (docs/view.md).
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shlex
+import subprocess
+import sys
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+
+from results import console
+
+if __name__ == "__main__":
+    # Before imports that may fail.
+    console.prepare("geodesic-bench view")
+
+from plots.recordings import Recording, recordings
+from results.published import THESIS_SOLVERS
+from results.reader import ResultError, read_run
+
+from view import three
+from view.page import page
+from view.scene import scene, with_frames
+
+
+def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
+    parser = console.Parser(
+        __doc__,
+        "geodesic-bench view bunny.ply",
+        "geodesic-bench view results/runs/mine --mesh horse --solvers mmp,edge-based",
+    )
+    parser.add_argument("what", type=Path, metavar="RUN_OR_FILE", help="run folder, or mesh file")
+    parser.add_argument("--mesh", metavar="NAME", help="mesh of the run (default: the thesis's)")
+    parser.add_argument(
+        "--solvers", metavar="A,B", type=lambda text: text.split(","),
+        help="shown side by side (default: those of the thesis that were recorded)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--out", type=Path, metavar="FILE.html",
+        help="page to write (default: RUN/view-MESH.html, or MESH.html in the current folder)",
+    )  # fmt: skip
+    options = parser.parse_args(arguments)
+    if options.mesh and options.what.is_file():
+        parser.error("--mesh is for a run, and a file is one mesh")
+    return options
+
+
+def solve(mesh: Path, solvers: Sequence[str], folder: Path) -> None:
+    """A run of the mesh file, with frames. @raises ResultError when it does not come about"""
+    bench = os.environ.get("GEODESIC_BENCH")
+    if not bench:
+        raise ResultError("GEODESIC_BENCH does not name the program: use `geodesic-bench view`")
+    once = ["--sources", "1", "--repetitions", "1", "--min-time", "0.001"]
+    command = [bench, "run", "--meshes", str(mesh), "--solvers", ",".join(solvers), *once]
+    command += ["--recordings", "all", "--frames", "--out", str(folder)]
+    done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    if done.returncode != 0:
+        said = done.stderr.strip().splitlines() or [f"exit code {done.returncode}"]
+        raise ResultError(said[-1].removeprefix("geodesic-bench: "))
+
+
+def recording_of(folder: Path, mesh: str | None) -> Recording:
+    """@raises ResultError"""
+    run = read_run(folder)
+    return recordings(run.of_meshes([mesh]) if mesh else run)[0]
+
+
+def chosen(recording: Recording, solvers: Sequence[str] | None) -> list[str]:
+    """Those that are shown. @raises ResultError when one was not recorded"""
+    there = with_frames(recording)
+    for solver in solvers or ():
+        if solver not in there:
+            known = f"those with frames: {', '.join(there)}" if there else "none has frames"
+            raise ResultError(
+                f"{recording.folder}: no frames of {solver} ({known}); `geodesic-bench run --frames`"
+                " records them"
+            )
+    return list(solvers) if solvers else [one for one in there if one in THESIS_SOLVERS] or there
+
+
+def write(recording: Recording, solvers: list[str], command: str, file: Path) -> None:
+    mesh = recording.mesh
+    summary = f"{mesh.vertices:,} vertices, {mesh.faces:,} faces; source: vertex {recording.source}."
+    title = f"How solvers sweep {mesh.name}" if solvers else f"Geodesic distances on {mesh.name}"
+    file.write_text(page(title, summary, command, scene(recording, solvers)), encoding="utf-8")
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    options = parse(arguments)
+    words = sys.argv[1:] if arguments is None else list(arguments)
+    command = shlex.join(["geodesic-bench", "view", *words])
+    try:
+        three.import_map()  # before a long solve
+        if options.what.is_dir():
+            recording = recording_of(options.what, options.mesh)
+            solvers = chosen(recording, options.solvers)
+            if not solvers:
+                console.say("no frames are recorded, so nothing moves: run with --frames")
+            file = options.out or options.what / f"view-{recording.folder.parent.name}.html"
+            write(recording, solvers, command, file)
+        else:
+            file = options.out or Path(f"{options.what.stem}.html")
+            with tempfile.TemporaryDirectory(prefix="geodesic-view-") as scratch:
+                folder = Path(scratch) / "run"
+                solve(options.what, options.solvers or THESIS_SOLVERS, folder)
+                recording = recording_of(folder, None)
+                write(recording, chosen(recording, options.solvers), command, file)
+        console.say(str(file))
+    except (ResultError, three.Unavailable, OSError) as error:
+        return console.complain(error)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

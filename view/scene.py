@@ -1,0 +1,155 @@
+"""What the page shows, as JSON: numbers and names as they are, arrays compressed.
+
+An array is {"type": "f4", "data": base64 of its bytes, little-endian, in zlib's format}.
+"""
+
+from __future__ import annotations
+
+import base64
+import zlib
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.colors import to_hex
+from numpy.typing import NDArray
+
+from plots import style
+from plots.camera import Floats
+from plots.recordings import Isolines, Recording, Table
+from plots.surface import best_axes, upwards
+from plots.zbuffer import Integers
+from results.published import THESIS_SOLVERS
+from results.reader import ResultError
+
+PARTS = 255
+"""Of an edge: what the ends of windows are rounded to."""
+COLORS = 24
+"""Of the map from distances to colours."""
+PALE = 0.35
+"""Share of white in them, so that lines stand out."""
+THICK = 5
+"""Each isoline of this number is thick, as on a map."""
+
+
+def packed(array: NDArray[Any], kind: str) -> dict[str, str]:
+    """@param kind of numpy's: f4, u4, i4 or u1"""
+    numbers = np.ascontiguousarray(array, dtype="<" + kind)
+    return {"type": kind, "data": base64.b64encode(zlib.compress(numbers.tobytes(), 9)).decode()}
+
+
+@dataclass(frozen=True)
+class Edges:
+    """The half-edges of faces: 3 f + k runs from corner k of face f to the next one."""
+
+    faces: Integers
+
+    def numbers(self, a: Integers, b: Integers) -> tuple[Integers, NDArray[np.bool_]]:
+        """A half-edge between each two vertices, and whether it runs from b to a.
+        @raises ResultError where no edge joins them"""
+        keys, half_edges = self._sorted
+        wanted = self._key(a, b)
+        place = np.minimum(np.searchsorted(keys, wanted), len(keys) - 1)
+        if (keys[place] != wanted).any():
+            raise ResultError("a window of the recording is on no edge of the mesh")
+        found: Integers = half_edges[place]
+        return found, self.faces.ravel()[found] != a
+
+    @cached_property
+    def _sorted(self) -> tuple[Integers, Integers]:
+        keys = self._key(self.faces, np.roll(self.faces, -1, axis=1)).ravel()
+        half_edges = np.argsort(keys, kind="stable")
+        return keys[half_edges], half_edges
+
+    def _key(self, a: Integers, b: Integers) -> Integers:
+        count = int(self.faces.max()) + 1
+        return np.minimum(a, b) * count + np.maximum(a, b)
+
+
+def with_frames(recording: Recording) -> list[str]:
+    """Its solvers whose wavefront can be played: those of the thesis first."""
+    there = [solver for solver in recording.solvers if recording.has_frames(solver)]
+    return sorted(there, key=lambda one: (*THESIS_SOLVERS, one).index(one))
+
+
+def scene(recording: Recording, solvers: list[str]) -> dict[str, Any]:
+    """@param solvers of `with_frames`, shown side by side; may be none
+    @raises ResultError"""
+    surface, mesh = recording.surface, recording.mesh
+    isolines = recording.isolines if recording.has_isolines else None
+    lines = np.empty((0, 2, 3)) if isolines is None else isolines.segments
+    edges = Edges(surface.faces)
+    return {
+        "vertices": packed(surface.vertices, "f4"),
+        "faces": packed(surface.faces, "u4"),
+        "axes": best_axes(mesh, surface, lines, recording.source).tolist(),
+        "up": upwards(mesh, surface),
+        "sources": [recording.source],
+        "distances": packed(_finite(recording.distances), "f4"),
+        "greatest": recording.greatest,
+        "colors": _colors(),
+        "isolines": isolines and _isolines(isolines, recording.greatest),
+        "solvers": [_solver(recording, solver, edges) for solver in solvers],
+    }
+
+
+def _finite(distances: Floats) -> Floats:
+    """-1 where no path leads: JSON and WebGL know no infinity."""
+    return np.where(np.isfinite(distances), distances, -1)
+
+
+def _colors() -> list[str]:
+    colors = colormaps["viridis"](np.linspace(0, 1, COLORS))[:, :3]
+    return [to_hex(color) for color in PALE + (1 - PALE) * colors]
+
+
+def _isolines(isolines: Isolines, greatest: float) -> dict[str, Any]:
+    """The levels at equal steps: segments of thin lines, and of thick ones."""
+    steps = isolines.steps(greatest)
+    thick = np.isin(isolines.levels, steps[THICK - 1 :: THICK])
+    thin = np.isin(isolines.levels, steps) & ~thick
+    return {
+        "thin": packed(isolines.segments[thin], "f4"),
+        "thick": packed(isolines.segments[thick], "f4"),
+    }
+
+
+def _solver(recording: Recording, solver: str, edges: Edges) -> dict[str, Any]:
+    """Of each segment the half-edge is given as the step from that of the one before, of a frame's
+    first as the step from 0: most steps are small, and compress well."""
+    frames = recording.frames(solver)
+    segments = [_segments(frame, edges) for frame in frames]
+    steps, begins, ends = (np.concatenate(parts) for parts in zip(*segments, strict=True))
+    curve = recording.curve(solver)
+    samples = recording.samples_of_frames(solver)
+    spread = np.append(curve["sd"], 0)[np.minimum(samples, len(curve))]
+    return {
+        "name": solver,
+        "color": style.solver_styles([solver])[solver].color,
+        "windows": [len(frame) for frame in frames],
+        "spread": [round(float(sd) / recording.mesh.mean_edge_length, 3) for sd in spread],
+        "first": packed(recording.first_frames(solver), "u1"),
+        "segments": [len(one) for one, _, _ in segments],
+        "steps": packed(steps, "i4"),
+        "begins": packed(begins, "u1"),
+        "ends": packed(ends, "u1"),
+    }
+
+
+def _segments(frame: Table, edges: Edges) -> tuple[Integers, Integers, Integers]:
+    """What the windows of a frame cover, along the half-edges: those that touch are one segment.
+    @return steps from half-edge to half-edge, and the ends in PARTS of it"""
+    origin, head = (frame[name].astype(np.int64) for name in ("origin", "head"))
+    edge, turned = edges.numbers(origin, head)
+    begin = np.where(turned, 1 - frame["end"], frame["begin"])
+    end = np.where(turned, 1 - frame["begin"], frame["end"])
+    low, high = (np.rint(PARTS * one).astype(np.int64) for one in (begin, end))
+    order = np.lexsort((low, edge))
+    edge, low, high = edge[order], low[order], high[order]
+    # The farthest end so far on the same edge: a whole edge is less than what edges differ by.
+    far = np.maximum.accumulate(edge * 2 * PARTS + high) if len(edge) else high
+    starts = np.flatnonzero(np.append(True, edge[1:] * 2 * PARTS + low[1:] > far[:-1])[: len(edge)])
+    ends = np.append(starts[1:], len(edge))[: len(starts)] - 1
+    return np.diff(edge[starts], prepend=0), low[starts], far[ends] - edge[ends] * 2 * PARTS
