@@ -9,8 +9,8 @@ from urllib.parse import quote
 
 from plots import (
     answers, break_even, curves, dot_figures, drawing, error_map, figure_5_9, figure_6_4, frontier,
-    growth, overview, robustness, summary, table_5_1, table_5_2, table_5_2_ratios, table_5_3,
-    table_thesis, twins, wavefronts,
+    growth, overview, paths, robustness, summary, table_5_1, table_5_2, table_5_2_ratios,
+    table_5_3, table_thesis, twins, wavefronts,
 )  # fmt: skip
 from plots.drawing import Drawing
 from results import table
@@ -44,6 +44,8 @@ FIGURES: dict[str, Callable[[Run], Drawing]] = {
     "figure_5_10": dot_figures.wavefront_quality,
     "figure_5_10_curve": curves.spread,
     "figure_6_4": figure_6_4.figure,
+    "paths": paths.figure,
+    "cells": paths.cells,
     "speedup": dot_figures.speedup,
     "windows_over_limit": dot_figures.windows_over_limit,
     "time_over_vertices": growth.figure,

@@ -28,7 +28,8 @@ MOMENTS = (25, 50, 75)
 
 FRAMES = 64
 """Equal steps of progress at which `run --frames` records the wavefront."""
-NO_SAMPLE = 0xFFFFFFFF
+NONE = 0xFFFFFFFF
+"""In a file of numbers of samples or sources."""
 
 CURVE = np.dtype(
     [("reached", "<u4"), ("windows", "<u8"), ("least", "<f8"), ("mean", "<f8"), ("sd", "<f8")]
@@ -39,6 +40,7 @@ SNAPSHOT = np.dtype(
 LEVEL_STEPS = 40
 """Of isolines, besides those at the moments of the snapshots."""
 PIECES = np.dtype([("face", "<u4"), ("level", "<f4"), ("first", "<u4")])
+PATHS = np.dtype([("target", "<u4"), ("first", "<u4")])
 
 Table = NDArray[Any]
 """Of one of the structures above."""
@@ -60,6 +62,14 @@ class Isolines:
     def at(self, level: float) -> Floats:
         there: Floats = self.segments[self.levels == level]
         return there
+
+
+@dataclass(frozen=True)
+class Cells:
+    sources: Integers
+    """Vertices."""
+    nearest: Integers
+    """By vertex, a place in `sources`; their number where no path leads."""
 
 
 @dataclass(frozen=True)
@@ -128,6 +138,40 @@ class Recording:
         owner = np.repeat(levels, counts - 1)
         return Isolines(np.stack([points[begins], points[begins + 1]], axis=1), owner)
 
+    @property
+    def has_paths(self) -> bool:
+        return (self.folder / "path_pieces.npy").exists()
+
+    @cached_property
+    def paths(self) -> list[Floats]:
+        """From the source to vertices all over the mesh, each as segments (n, 2, 3)."""
+        points = _floats(self.folder / "path_points.npy", "<f4", (None, 3))
+        file = self.folder / "path_pieces.npy"
+        pieces = _load(file, PATHS, (None,))
+        first = pieces["first"].astype(np.int64)
+        _require(first[0] == 0 and first[-1] < len(points), file, "points and pieces do not match")
+        counts = np.diff(first, append=len(points))
+        _require(counts.min() >= 2, file, "a path has fewer than two points")
+        _require(int(pieces["target"].max()) < self.mesh.vertices, file, "a target does not exist")
+        whole = np.split(points, first[1:])
+        return [np.stack([path[:-1], path[1:]], axis=1) for path in whole]
+
+    @property
+    def has_cells(self) -> bool:
+        return (self.folder / "cells.npy").exists()
+
+    @cached_property
+    def cells(self) -> Cells:
+        """Of several sources, this one among them."""
+        file = self.folder / "cell_sources.npy"
+        sources = _load(file, np.dtype("<u4"), (None,)).astype(np.int64)
+        _require(int(sources.max()) < self.mesh.vertices, file, "a source does not exist")
+        file = self.folder / "cells.npy"
+        nearest = _load(file, np.dtype("<u4"), (self.mesh.vertices,)).astype(np.int64)
+        valid = (nearest < len(sources)) | (nearest == NONE)
+        _require(bool(valid.all()), file, "a nearest source does not exist")
+        return Cells(sources, np.minimum(nearest, len(sources)))
+
     def curve(self, solver: str) -> Table:
         """Of CURVE: the wavefront at equal steps of progress."""
         file = self.solvers[solver] / "curve.npy"
@@ -162,7 +206,7 @@ class Recording:
         file = self.solvers[solver] / "reached_by.npy"
         samples = _load(file, np.dtype("<u4"), (self.mesh.vertices,)).astype(np.int64)
         count = len(self.curve(solver))
-        valid = (samples < count) | (samples == NO_SAMPLE)
+        valid = (samples < count) | (samples == NONE)
         _require(bool(valid.all()), file, "a sample is not in the curve")
         frames = np.searchsorted(self.samples_of_frames(solver), samples)
         return np.where(np.isfinite(self.distances), np.minimum(frames, FRAMES - 1), FRAMES)

@@ -76,9 +76,13 @@ def _unit(vectors: Floats) -> Floats:
     return units
 
 
-def shade(surface: Surface, buffer: ZBuffer, colors: Floats | None = None) -> Floats:
+def shade(
+    surface: Surface, buffer: ZBuffer, colors: Floats | None = None, *, blend: bool = True
+) -> Floats:
     """The picture (height, width, 3), row 0 lowest, white where there is no surface.
-    @param colors of the vertices (n, 3), which are shaded instead of a grey surface"""
+    @param colors of the vertices (n, 3), which are shaded instead of a grey surface
+    @param blend whether they are mixed within a face, or divide it: each point has that of the
+           corner with the greatest barycentric coordinate"""
     image = np.ones((*buffer.face.shape, 3))
     y, x = np.nonzero(buffer.face != NOTHING)
     face = buffer.face[y, x]
@@ -90,22 +94,26 @@ def shade(surface: Surface, buffer: ZBuffer, colors: Floats | None = None) -> Fl
     bright = (0.5 + 0.5 * normals @ LIGHT) ** 1.2
     image[y, x] = DARK + bright[:, None] * (BRIGHT - DARK)
     if colors is not None:
+        if not blend:
+            weights = np.eye(3)[np.argmax(weights, axis=1)]
         own = np.einsum("ij,ijk->ik", weights, colors[surface.faces[face]])
         image[y, x] = np.clip(own * (UNDER_COLORS + (1 - UNDER_COLORS) * image[y, x]), 0, 1)
     return image
 
 
 def draw_surface(
-    axes: Axes, surface: Surface, camera: Camera, inches: float, colors: Floats | None = None
-) -> ZBuffer:
+    axes: Axes, surface: Surface, camera: Camera, inches: float, colors: Floats | None = None,
+    *, blend: bool = True,
+) -> ZBuffer:  # fmt: skip
     """Fills the axes with the surface, and gives what decides which lines on it are hidden.
     @param inches about as wide as the axes will be
-    @param colors of the vertices (n, 3); without them the surface is grey"""
+    @param colors of the vertices (n, 3); without them the surface is grey
+    @param blend as of `shade`"""
     buffer = z_buffer(
         surface.vertices, surface.faces, camera, max(1, round(inches * PIXELS_PER_INCH))
     )
     axes.imshow(
-        shade(surface, buffer, colors),
+        shade(surface, buffer, colors, blend=blend),
         extent=camera.extent, origin="lower", interpolation="antialiased",
     )  # fmt: skip
     axes.set_axis_off()

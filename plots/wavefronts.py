@@ -164,12 +164,15 @@ def _draw(recording: Recording, layers: Sequence[Lines], about: Floats) -> Pictu
 
 def draw_source(axes: Axes, buffer: ZBuffer, recording: Recording) -> bool:
     """Marks the source where it is not hidden. @return whether it is shown"""
-    point = recording.surface.vertices[[recording.source]]
-    seen = bool(buffer.visible(point)[0])
-    if seen:
-        x, y, _ = buffer.camera.project(point)[0]
-        axes.plot([x], [y], **SOURCE, clip_on=False, zorder=5)
-    return seen
+    return draw_points(axes, buffer, recording.surface.vertices[[recording.source]]) > 0
+
+
+def draw_points(axes: Axes, buffer: ZBuffer, points: Floats) -> int:
+    """Marks sources at points (n, 3) that are not hidden. @return how many are shown"""
+    seen = points[buffer.visible(points)]
+    x, y, _ = buffer.camera.project(seen).T
+    axes.plot(x, y, **SOURCE, clip_on=False, zorder=5)
+    return len(seen)
 
 
 def _close_up(recording: Recording, buffer: ZBuffer, about: Floats) -> Camera:

@@ -30,6 +30,10 @@ from view.page import page
 from view.scene import scene, with_frames
 
 
+MOST_SOLVERS = 8
+"""As many as page.js has channels for."""
+
+
 def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser = console.Parser(
         __doc__,
@@ -82,7 +86,9 @@ def chosen(recording: Recording, solvers: Sequence[str] | None) -> list[str]:
                 f"{recording.folder}: no frames of {solver} ({known}); `geodesic-bench run --frames`"
                 " records them"
             )
-    return list(solvers) if solvers else [one for one in there if one in THESIS_SOLVERS] or there
+    if solvers and len(solvers) > MOST_SOLVERS:
+        raise ResultError(f"--solvers names {len(solvers)}: a page shows {MOST_SOLVERS} at most")
+    return list(solvers) if solvers else [one for one in there if one in THESIS_SOLVERS] or there[:MOST_SOLVERS]
 
 
 def write(recording: Recording, solvers: list[str], command: str, file: Path) -> None:

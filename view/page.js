@@ -13,9 +13,10 @@ const HEIGHT = 0.72;  // of the window, for the pictures at most
 const HEADING = 42;  // pixels above each
 const NARROWEST = 165;  // pixels
 const PARTS = 255;  // of an edge
+const EDGES = "edges of the mesh";
 const COLOURS = ["distance", "cells", "none"];
 const PLAIN = "#e4e2dc", UNREACHED = "#d9dadd", INK = "#222222";
-const CELLS = ["#8ec6ea", "#f2b179", "#7fd0b5", "#e6a6c9", "#f0e27a", "#b9b4e4", "#c9c9c9", "#e88f86"];
+const CELLS = 8;  // colours of cells, and one of none
 const KINDS = { f4: Float32Array, u4: Uint32Array, i4: Int32Array, u1: Uint8Array };
 
 const element = (id) => document.getElementById(id);
@@ -42,13 +43,6 @@ async function unpack(object) {
 }
 
 const bytesOf = (color) => [1, 3, 5].map((i) => parseInt(color.slice(i, i + 2), 16));
-
-// The share from 0 to 1 of a list of colours, as bytes.
-function mixed(colors, share) {
-  const place = Math.min(Math.max(share, 0), 1) * (colors.length - 1);
-  const low = Math.min(Math.floor(place), colors.length - 2), rest = place - low;
-  return colors[low].map((byte, i) => Math.round(byte + rest * (colors[low + 1][i] - byte)));
-}
 
 THREE.ColorManagement.enabled = false;  // colours are those of the screen throughout
 
@@ -104,7 +98,7 @@ const PAINTING = {
     precision highp sampler2D;
     uniform sampler2D look, frames, framesToo, depths, ramp;
     uniform vec4 mine, mineToo;
-    uniform vec3 cells[${CELLS.length}];
+    uniform vec3 cells[${CELLS + 1}];
     uniform vec3 plain, unreached;
     uniform float frame;
     uniform int colour, taps;
@@ -119,8 +113,8 @@ const PAINTING = {
       float first = dot(texelFetch(frames, place, 0), mine) + dot(texelFetch(framesToo, place, 0), mineToo);
       vec3 color = plain;
       if (colour == 0) color = texture(ramp, vec2(distance, 0.5)).rgb;
-      if (colour == 1) color = cell <= ${CELLS.length} ? cells[cell - 1] : unreached;
-      if (first * 255.0 > frame - 0.5) color = unreached;
+      if (colour == 1) color = cells[cell - 1];
+      if (colour != 1 && first * 255.0 > frame - 0.5) color = unreached;
       return color * mix(DARK, BRIGHT, here.r);
     }
     void main() {
@@ -303,15 +297,15 @@ class Surface {
     return made;
   }
 
-  // Its colour counted from 1, as neither 0 nor more than there are colours is that of a cell.
+  // The number of its colour, counted from 1: 0 is where no surface is.
   cell(v) {
-    const { cells, sources } = this.scene;
-    return cells && cells[v] < sources.length ? 1 + cells[v] % CELLS.length : 1 + CELLS.length;
+    const { cells } = this.scene, number = cells?.nearest[v];
+    return 1 + (number < cells?.sources.length ? number % CELLS : CELLS);
   }
 
   // @param taps pixels of the textures for one of the picture, across and down
   draw(renderer, camera, { width, height }, taps, inCells) {
-    if (inCells) this.split ??= this.geometry(new Drawn(this.scene).splitByCell(this.scene.cells));
+    if (inCells) this.split ??= this.geometry(new Drawn(this.scene).splitByCell(this.scene.cells.nearest));
     this.model.geometry = inCells ? this.split : this.whole;
     this.target.setSize(taps * width, taps * height);
     renderer.setRenderTarget(this.target);
@@ -382,12 +376,12 @@ class Panel {
   }
 
   // A triangle that covers the picture.
-  painting({ target, ramp }, number) {
+  painting({ target, ramp, scene }, number) {
     const channel = (from) => new THREE.Vector4(...[0, 1, 2, 3].map((i) => Number(number === from + i)));
+    const [look, frames, framesToo] = target.textures, cells = scene.cells?.colors ?? Array(CELLS + 1).fill(PLAIN);
     const uniforms = {
-      look: target.textures[0], frames: target.textures[1], framesToo: target.textures[2], depths: target.depthTexture,
-      ramp, mine: channel(0), mineToo: channel(4), cells: CELLS.map((color) => new THREE.Color(color)),
-      plain: new THREE.Color(PLAIN), unreached: new THREE.Color(UNREACHED), frame: 1, colour: 0, taps: 1,
+      look, frames, framesToo, depths: target.depthTexture, ramp, mine: channel(0), mineToo: channel(4),
+      cells: cells.map((color) => new THREE.Color(color)), plain: new THREE.Color(PLAIN), unreached: new THREE.Color(UNREACHED), frame: 1, colour: 0, taps: 1,
       corner: new THREE.Vector2(),
     };
     const named = Object.fromEntries(Object.entries(uniforms).map(([name, value]) => [name, { value }]));
@@ -474,17 +468,18 @@ class Page {
 
   // What all pictures show alike, by its name on the page.
   makeLayers() {
-    const { isolines, paths, vertices, sources } = this.scene;
-    const source = sources.flatMap((v) => [...vertices.subarray(3 * v, 3 * v + 3)]);
-    this.marks = marks(source, INK);
+    const { isolines, paths, vertices, sources, cells } = this.scene;
+    const places = (of) => of.flatMap((v) => [...vertices.subarray(3 * v, 3 * v + 3)]);
+    this.marks = marks(places(sources), INK);
+    this.marksOfCells = cells && marks(places(cells.sources), INK);
     this.layers = new Map();
     if (isolines) {
       const both = new THREE.Group();
       both.add(thinLines(isolines.thin, "#5b6470"), thickLines(isolines.thick, "#3c4450", 1.6));
       this.layers.set("isolines", both);
     }
-    if (paths) this.layers.set("paths", thickLines(paths, "#b3261e", 2.2));
-    this.layers.set("edges of the mesh", null);  // made when it is first shown
+    if (paths) this.layers.set("paths", thickLines(paths.segments, paths.color, 2.2));
+    this.layers.set(EDGES, null);  // made when it is first shown
   }
 
   layer(name) {
@@ -501,7 +496,7 @@ class Page {
       this.choice("radio", name, name === "distance", () => this.change({ colour: name }))));
     const lines = [...(solvers.length ? ["wavefront"] : []), ...this.layers.keys()];
     for (const name of lines) {
-      const on = name === "wavefront" || name === "paths" || (name === "isolines" && !solvers.length);
+      const on = name === "wavefront" || (!solvers.length && name !== EDGES);
       if (on) this.state.shown.add(name);
       element("show").append(this.choice("checkbox", name, on, (checked) => this.toggle(this.state.shown, name, checked)));
     }
@@ -515,7 +510,10 @@ class Page {
       }));
     }
     element("frame").max = this.last;
-    element("frame").addEventListener("input", () => this.change({ frame: Number(element("frame").value) }));
+    element("frame").addEventListener("input", () => {
+      this.play(false);
+      this.change({ frame: Number(element("frame").value) });
+    });
     element("play").addEventListener("click", () => this.play(!this.playing));
   }
 
@@ -618,7 +616,9 @@ class Page {
       const { uniforms } = panel.paint.material;
       uniforms.taps.value = this.taps;
       uniforms.corner.value.set(Math.floor(left * ratio), Math.floor(below * ratio));
-      panel.world.add(this.marks);
+      const ofCells = this.state.colour === "cells";
+      panel.world.add(ofCells ? this.marksOfCells : this.marks);
+      (ofCells ? this.marks : this.marksOfCells)?.removeFromParent();
       for (const name of this.layers.keys()) {
         if (this.state.shown.has(name)) panel.world.add(this.layer(name));
         else this.layers.get(name)?.removeFromParent();

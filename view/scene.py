@@ -16,9 +16,9 @@ from matplotlib import colormaps
 from matplotlib.colors import to_hex
 from numpy.typing import NDArray
 
-from plots import style
+from plots import paths, style
 from plots.camera import Floats
-from plots.recordings import Isolines, Recording, Table
+from plots.recordings import Cells, Isolines, Recording, Table
 from plots.surface import best_axes, upwards
 from plots.zbuffer import Integers
 from results.published import THESIS_SOLVERS
@@ -87,6 +87,8 @@ def scene(recording: Recording, solvers: list[str]) -> dict[str, Any]:
         "axes": best_axes(mesh, surface, lines, recording.source).tolist(),
         "up": upwards(mesh, surface),
         "sources": [recording.source],
+        "paths": _paths(recording.paths) if recording.has_paths else None,
+        "cells": _cells(recording.cells) if recording.has_cells else None,
         "distances": packed(_finite(recording.distances), "f4"),
         "greatest": recording.greatest,
         "colors": _colors(),
@@ -103,6 +105,18 @@ def _finite(distances: Floats) -> Floats:
 def _colors() -> list[str]:
     colors = colormaps["viridis"](np.linspace(0, 1, COLORS))[:, :3]
     return [to_hex(color) for color in PALE + (1 - PALE) * colors]
+
+
+def _paths(segments: list[Floats]) -> dict[str, Any]:
+    return {"segments": packed(np.concatenate(segments), "f4"), "color": paths.PATH}
+
+
+def _cells(cells: Cells) -> dict[str, Any]:
+    return {
+        "sources": cells.sources.tolist(),
+        "nearest": packed(cells.nearest, "u4"),
+        "colors": [*paths.CELLS, paths.OF_NO_CELL],
+    }
 
 
 def _isolines(isolines: Isolines, greatest: float) -> dict[str, Any]:

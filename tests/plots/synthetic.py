@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from plots.camera import Floats
-from plots.recordings import CURVE, FRAMES, MOMENTS, PIECES, SNAPSHOT
+from plots.recordings import CURVE, FRAMES, MOMENTS, PATHS, PIECES, SNAPSHOT
 from plots.zbuffer import Integers
 from results.published import THESIS_SOLVERS
 
@@ -98,6 +98,7 @@ def record(
     points, pieces = linear_isolines(vertices, faces, distances)
     np.save(folder / "isoline_points.npy", points)
     np.save(folder / "isoline_pieces.npy", pieces)
+    _record_paths(folder, vertices, source)
     edge = mean_edge_length(vertices, faces)
     (folder / INEXACT).mkdir()
     excess = np.where(distances > np.median(distances), 1 + EXCESS, 1)
@@ -106,6 +107,21 @@ def record(
         solver: _record_solver(folder / solver, run_folder, solver, faces, distances, edge)
         for solver in THESIS_SOLVERS
     }
+
+
+def _record_paths(folder: Path, vertices: Floats, source: int) -> None:
+    """Straight lines in space, and cells by the distance in space."""
+    targets = (source + 1 + np.arange(4) * (len(vertices) // 5)) % len(vertices)
+    shares = np.linspace(0, 1, 9)[:, None]
+    lines = [vertices[source] + shares * (vertices[to] - vertices[source]) for to in targets]
+    np.save(folder / "path_points.npy", np.concatenate(lines).astype("<f4"))
+    pieces = np.zeros(len(targets), PATHS)
+    pieces["target"], pieces["first"] = targets, len(shares) * np.arange(len(targets))
+    np.save(folder / "path_pieces.npy", pieces)
+    sources = np.array([source, *targets])
+    far = np.linalg.norm(vertices[:, None] - vertices[sources], axis=2)
+    np.save(folder / "cell_sources.npy", sources.astype("<u4"))
+    np.save(folder / "cells.npy", far.argmin(axis=1).astype("<u4"))
 
 
 def linear_isolines(

@@ -45,8 +45,8 @@ NEEDS = {
 """Numbers of a row without which there is no figure. The others are drawn from recordings."""
 SHOWN: dict[str, set[str]] = {
     "break_even": set(), "error_map": set(), "frontier": set(THESIS_SOLVERS) - {"fwp-ch"},
-    "figure_5_7": {"edge-based"}, "figure_6_4": set(), "figure_a_1": {"edge-based"},
-    "figure_a_2": {"mmp"}, "figure_a_3": {"fwp-mmp"}, "figure_a_4": {"ich"},
+    "figure_5_7": {"edge-based"}, "figure_6_4": set(), "paths": set(), "cells": set(),
+    "figure_a_1": {"edge-based"}, "figure_a_2": {"mmp"}, "figure_a_3": {"fwp-mmp"}, "figure_a_4": {"ich"},
     "figure_a_5": {"fwp-ch"}, "speedup": set(THESIS_SOLVERS) - {"mmp"},
     "time_over_vertices": set(THESIS_SOLVERS) - {"fwp-ch"},
 }  # fmt: skip
@@ -301,7 +301,7 @@ def test_all_draws_what_it_can_and_says_what_it_leaves_out(golden_run: Run) -> N
     for name in ("frontier", "which_to_take", "which_to_take_mean"):
         assert "run --corpus frontier" in why.pop(name)
     assert list(why) == [
-        "figure_5_7", "figure_5_8", "figure_5_10_curve", "figure_6_4", "error_map",
+        "figure_5_7", "figure_5_8", "figure_5_10_curve", "figure_6_4", "paths", "cells", "error_map",
         *(f"figure_a_{number}" for number in range(1, 6)),
     ]  # fmt: skip
     assert all("no recordings" in words for words in why.values())

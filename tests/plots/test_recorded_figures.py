@@ -14,7 +14,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
 from synthetic import LEVELS, SPREAD
 
-from plots import figure_6_4, report, style, wavefronts
+from plots import figure_6_4, paths, report, style, wavefronts
 from plots.catalogue import FIGURES
 from plots.drawing import Drawing
 from plots.recordings import recordings
@@ -28,6 +28,8 @@ NEEDS = {
     "figure_5_8": ["distances.npy", "edge-based/curve.npy", "fwp-mmp/curve.npy", "ich/curve.npy"],
     "figure_5_10_curve": ["mmp/curve.npy"],
     "figure_6_4": ["../faces.npy", "isoline_pieces.npy"],
+    "paths": ["../faces.npy", "path_points.npy"],
+    "cells": ["../vertices.npy", "cell_sources.npy"],
 } | {
     name: ["../vertices.npy", "../faces.npy", f"{solver}/snapshot-50.npy"]
     for name, solver in APPENDIX.items()
@@ -230,6 +232,23 @@ def test_every_model_has_all_its_isolines(run: Run) -> None:
         seen = [lines for lines in axes.collections if lines.get_segments()]
         assert len(seen) > LEVELS / 2
     assert f"{LEVELS} on rocker-arm, {LEVELS} on flat-grid" in drawn.caption
+
+
+def test_every_model_has_its_paths(run: Run) -> None:
+    drawn = drawing_of("paths", run)
+    assert len(drawn.figure.axes) == 2
+    for axes in drawn.figure.axes:
+        (lines,) = axes.collections
+        assert to_hex(lines.get_color()[0]) == paths.PATH
+    assert "4 on rocker-arm, 4 on flat-grid" in drawn.caption
+
+
+def test_cells_have_a_colour_each_and_sharp_borders(run: Run) -> None:
+    flat = next(one for one in recordings(run) if one.mesh.name == "flat-grid")
+    axes = drawing_of("cells", run).figure.axes[1]
+    image = np.asarray(axes.images[0].get_array())
+    seen = {tuple(color) for color in image.reshape(-1, 3).round(6)}
+    assert len(seen) == 1 + len(flat.cells.sources), "a flat surface has one shade"
 
 
 def test_the_report_shows_every_figure_of_a_run_with_recordings(run: Run) -> None:

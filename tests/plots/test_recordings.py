@@ -30,6 +30,7 @@ def recording(tmp_path: Path) -> Recording:
 
 def everything(recording: Recording) -> None:
     _ = recording.surface, recording.distances, recording.isolines
+    _ = recording.paths, recording.cells
     for solver in recording.solvers:
         recording.curve(solver)
         recording.wavefront(solver, 50)
@@ -65,6 +66,7 @@ def test_a_piece_of_several_points_is_joined_to_no_other(recording: Recording) -
 FILES = [
     "../vertices.npy", "../faces.npy", "distances.npy", "isoline_points.npy", "isoline_pieces.npy",
     "mmp/curve.npy", "mmp/snapshot-50.npy", "mmp/reached_by.npy",
+    "path_points.npy", "path_pieces.npy", "cell_sources.npy", "cells.npy",
 ]  # fmt: skip
 
 
@@ -121,6 +123,10 @@ INVALID: list[tuple[str, Break, str]] = [
     ("mmp/curve.npy", put("sd", np.nan), "not a number"),
     ("mmp/curve.npy", put("mean", -1), "not a number"),
     ("mmp/curve.npy", put("reached", 0), "no progress"),
+    ("path_pieces.npy", put("first", 1, 1), "fewer than two points"),
+    ("path_pieces.npy", put("target", SIDE * SIDE, 0), "a target does not exist"),
+    ("cell_sources.npy", lambda data: data.fill(SIDE * SIDE), "a source does not exist"),
+    ("cells.npy", lambda data: data.fill(5), "a nearest source does not exist"),
     ("mmp/reached_by.npy", lambda data: data.fill(64), "not in the curve"),
     ("mmp/frame-9.npy", put("begin", np.nan), "beyond its edge"),
     ("mmp/snapshot-50.npy", put("origin", SIDE * SIDE), "not on an edge"),

@@ -112,10 +112,15 @@ def test_arrow_keys_turn_the_model_and_0_turns_it_back(page: Any) -> None:
 
 def test_choices_change_what_is_seen(page: Any) -> None:
     before = picture(page)
-    for name in ("isolines", "edges of the mesh", "wavefront"):
+    for name in ("isolines", "paths", "edges of the mesh", "wavefront"):
         page.find_element(By.CSS_SELECTOR, f"input[name='{name}']").click()
         now = picture(page)
         assert (now != before).any(axis=2).mean() > 0.002, name
+        before = now
+    for name in ("cells", "none", "distance"):
+        page.find_element(By.XPATH, f"//fieldset[@id='colour']/label[.='{name}']/input").click()
+        now = picture(page)
+        assert (now != before).any(axis=2).mean() > 0.02, name
         before = now
     panels = page.find_elements(By.CLASS_NAME, "panel")
     page.find_element(By.CSS_SELECTOR, "#shown input").click()

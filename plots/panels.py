@@ -1,0 +1,55 @@
+"""Pictures of several models side by side, of the same height."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from plots import style
+from plots.camera import Camera, Floats, framing
+from plots.curves import title
+from plots.recordings import Recording
+from plots.surface import best_axes
+
+MODELS = 6
+COLUMNS = 3
+"""In one row; more models take two."""
+TITLE_INCHES = 0.6
+LEGEND_INCHES = 0.3
+TALLEST = 1.1
+"""Height of a panel in its widths."""
+
+Draw = Callable[[Axes, Recording, Camera, float], bool]
+"""Fills the axes, which are so many inches wide; whether the source is seen."""
+
+
+def panels(
+    found: Sequence[Recording], lines: Callable[[Recording], Floats], draw: Draw
+) -> tuple[Figure, str]:
+    """@param found at most MODELS
+    @param lines segments (n, 2, 3) that each model's view shows as much of as it can
+    @return the figure, with room for a legend above, and a sentence on sources that are hidden"""
+    columns = len(found) if len(found) <= COLUMNS else math.ceil(len(found) / 2)
+    rows = math.ceil(len(found) / columns)
+    cameras = [_camera(recording, lines(recording)) for recording in found]
+    height = min(max(camera.height / camera.width for camera in cameras), TALLEST)
+    inches = style.WIDTH / columns
+    picture = style.new_figure(LEGEND_INCHES + rows * (TITLE_INCHES + inches * height))
+    all_axes = list(picture.subplots(rows, columns, squeeze=False).flat)
+    for axes in all_axes[len(found) :]:
+        axes.remove()
+    hidden = []
+    for axes, recording, camera in zip(all_axes, found, cameras, strict=False):
+        if not draw(axes, recording, camera.of_shape(height), inches):
+            hidden.append(recording.mesh.name)
+        axes.set_title(title(recording.mesh).replace(", ", "\n"), fontsize=9)
+    return picture, f" The source is hidden on {', '.join(hidden)}." if hidden else ""
+
+
+def _camera(recording: Recording, lines: Floats) -> Camera:
+    surface = recording.surface
+    axes = best_axes(recording.mesh, surface, lines, recording.source)
+    return framing(axes, surface.vertices)
