@@ -14,14 +14,16 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   target_compile_options(geodesic_options INTERFACE -Wno-restrict)
 endif()
 
-# geodesic_compile_together(TARGET)
+# geodesic_compile_together(TARGET [OPTION])
 #
 # With GEODESIC_UNITY a few large translation units stand for a target's files, not optimised much: a
-# build from scratch takes half the time, a build after a change longer. Never for solvers: what is
-# measured is compiled in one way only.
+# build from scratch takes half the time, a build after a change longer. OPTION, such as -O2, is for
+# what users wait for. Never for solvers: what is measured is compiled in one way only.
 function(geodesic_compile_together target)
   if(GEODESIC_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 24)
-    target_compile_options(${target} PRIVATE -O1)
+    set(optimisation -O1 ${ARGN})
+    list(GET optimisation -1 optimisation)
+    target_compile_options(${target} PRIVATE ${optimisation})
   endif()
 endfunction()

@@ -34,16 +34,62 @@ bool is_usable_position(const Vec3& p) {
   });
 }
 
-// The triangles that have the same three vertices as an earlier usable one, in ascending order.
-std::vector<Index> find_repeats(std::span<const Triangle> triangles,
-                                const std::vector<bool>& usable) {
-  const std::vector<SortedFace> faces = sort_faces(triangles, usable);
-  std::vector<Index> repeats;
-  for (std::size_t i = 1; i < faces.size(); ++i) {
-    if (faces[i].vertices == faces[i - 1].vertices) repeats.push_back(faces[i].face);
+// All faces but those that name the same three vertices.
+FaceCensus take_census_of_faces(const TriangleSoup& soup) {
+  FaceCensus census;
+  census.finite_vertices.resize(soup.positions.size());
+  for (Index v = 0; v < soup.positions.size(); ++v) {
+    census.finite_vertices[v] = is_usable_position(soup.positions[v]);
   }
+  census.usable.resize(soup.triangles.size());
+  for (Index f = 0; f < soup.triangles.size(); ++f) {
+    const auto& [a, b, c] = soup.triangles[f];
+    if (std::max({a, b, c}) >= soup.positions.size()) {
+      census.index_out_of_range.push_back(f);
+    } else if (a == b || b == c || c == a) {
+      census.repeated_vertex.push_back(f);
+    } else if (!census.finite_vertices[a] || !census.finite_vertices[b] ||
+               !census.finite_vertices[c]) {
+      census.at_non_finite_vertex.push_back(f);
+    } else {
+      census.usable[f] = true;
+    }
+  }
+  return census;
+}
+
+// The triangles that have the same three vertices as an earlier usable one, in ascending order.
+// They share all three edges; the one between the lesser two vertices finds them.
+std::vector<Index> find_repeats(std::span<const Triangle> triangles, const EdgeTable& edges) {
+  std::vector<Index> repeats;
+  std::vector<std::pair<Index, Index>> at_edge;  // third vertex, face
+  edges.for_each_edge([&](std::span<const EdgeSide> sides) {
+    at_edge.clear();
+    for (const EdgeSide& side : sides) {
+      const Index third = origin_of(triangles, previous_in_face(side.half_edge));
+      if (third > side.high) at_edge.emplace_back(third, side.half_edge / 3);
+    }
+    if (at_edge.size() < 2) return;
+    std::ranges::sort(at_edge);
+    for (std::size_t i = 1; i < at_edge.size(); ++i) {
+      if (at_edge[i].first == at_edge[i - 1].first) repeats.push_back(at_edge[i].second);
+    }
+  });
   std::ranges::sort(repeats);
   return repeats;
+}
+
+// Adds the repeated faces to a census.
+// @return the edges of what is usable then
+EdgeTable complete(FaceCensus& census, const TriangleSoup& soup) {
+  const auto edges_of_usable = [&] {
+    return EdgeTable(soup.triangles, census.usable, soup.positions.size());
+  };
+  EdgeTable edges = edges_of_usable();
+  census.repeated_face = find_repeats(soup.triangles, edges);
+  if (census.repeated_face.empty()) return edges;
+  for (const Index f : census.repeated_face) census.usable[f] = false;
+  return edges_of_usable();
 }
 
 class Finder {
@@ -52,8 +98,8 @@ class Finder {
       : positions_(soup.positions),
         triangles_(soup.triangles),
         lines_(lines),
-        census_(take_census(soup)),
-        edges_(soup.triangles, census_.usable, soup.positions.size()) {}
+        census_(take_census_of_faces(soup)),
+        edges_(complete(census_, soup)) {}
 
   DefectReport find() {
     report_unusable_faces();
@@ -147,21 +193,22 @@ class Finder {
   // when their faces share an edge there.
   void report_fans() {
     DisjointSets groups(3 * triangles_.size());
+    std::vector<Index> groups_at(positions_.size(), 0);
+    for (Index f = 0; f < triangles_.size(); ++f) {
+      if (!census_.usable[f]) continue;
+      for (const Index v : triangles_[f]) ++groups_at[v];
+    }
     edges_.for_each_edge([&](std::span<const EdgeSide> sides) {
       const auto corner_at = [&](const EdgeSide& side, Index v) {
         const Index h = side.half_edge;
         return origin_of(triangles_, h) == v ? h : next_in_face(h);
       };
       for (std::size_t i = 1; i < sides.size(); ++i) {
-        groups.join(corner_at(sides[0], sides[0].low), corner_at(sides[i], sides[0].low));
-        groups.join(corner_at(sides[0], sides[0].high), corner_at(sides[i], sides[0].high));
+        for (const Index v : {sides[0].low, sides[0].high}) {
+          if (groups.join(corner_at(sides[0], v), corner_at(sides[i], v))) --groups_at[v];
+        }
       }
     });
-    std::vector<std::uint8_t> groups_at(positions_.size(), 0);  // 0, 1 or more
-    for (Index h = 0; h < 3 * triangles_.size(); ++h) {
-      std::uint8_t& count = groups_at[census_.usable[h / 3] ? origin_of(triangles_, h) : 0];
-      if (census_.usable[h / 3] && groups.find(h) == h && count < 2) ++count;
-    }
     report_vertices(DefectKind::non_manifold_vertex, [&](Index v) { return groups_at[v] > 1; });
     report_vertices(DefectKind::isolated_vertex, [&](Index v) { return groups_at[v] == 0; });
   }
@@ -226,6 +273,11 @@ bool has_zero_area(std::span<const Vec3> positions, const Triangle& triangle) {
   const Vec3 ab = subtract(positions[b], positions[a]);
   const Vec3 ac = subtract(positions[c], positions[a]);
   const Vec3 bc = subtract(positions[c], positions[b]);
+  const double square = std::max({dot(ab, ab), dot(ac, ac), dot(bc, bc)});
+  const Vec3 normal = cross(ab, ac);
+  // By far, where no product leaves the range of a double.
+  constexpr double kFar = 100 * kFlatHeight * kFlatHeight;
+  if (square > 1e-70 && square < 1e70 && dot(normal, normal) > kFar * square * square) return false;
   const double longest = std::max({norm(ab), norm(ac), norm(bc)});
   // Divided before it is multiplied: the product of tiny sides would underflow.
   const auto over_longest = [&](const Vec3& v) {
@@ -235,25 +287,8 @@ bool has_zero_area(std::span<const Vec3> positions, const Triangle& triangle) {
 }
 
 FaceCensus take_census(const TriangleSoup& soup) {
-  FaceCensus census;
-  for (const Vec3& p : soup.positions) census.finite_vertices.push_back(is_usable_position(p));
-  for (Index f = 0; f < soup.triangles.size(); ++f) {
-    const auto& [a, b, c] = soup.triangles[f];
-    bool usable = false;
-    if (std::max({a, b, c}) >= soup.positions.size()) {
-      census.index_out_of_range.push_back(f);
-    } else if (a == b || b == c || c == a) {
-      census.repeated_vertex.push_back(f);
-    } else if (!census.finite_vertices[a] || !census.finite_vertices[b] ||
-               !census.finite_vertices[c]) {
-      census.at_non_finite_vertex.push_back(f);
-    } else {
-      usable = true;
-    }
-    census.usable.push_back(usable);
-  }
-  census.repeated_face = find_repeats(soup.triangles, census.usable);
-  for (const Index f : census.repeated_face) census.usable[f] = false;
+  FaceCensus census = take_census_of_faces(soup);
+  complete(census, soup);
   return census;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstring>
 #include <utility>
 
 #include "meshes/messages.h"
@@ -12,6 +13,13 @@ namespace {
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+
+// The next one of a character, or the end.
+const char* find(const char* begin, const char* end, char c) {
+  if (begin == end) return end;
+  const void* const found = std::memchr(begin, c, static_cast<std::size_t>(end - begin));
+  return found == nullptr ? end : static_cast<const char*>(found);
+}
 
 // std::from_chars does not take a plus sign.
 std::string_view without_plus(std::string_view word) {
@@ -33,11 +41,15 @@ TextReader::TextReader(std::string_view text, std::string name, TextRules rules)
       rules_(rules),
       next_(text.data()),
       end_(text.data() + text.size()),
+      line_feed_(find(next_, end_, '\n')),
+      carriage_return_(find(next_, end_, '\r')),
       rest_(text.substr(0, 0)) {}
 
 std::string_view TextReader::take_physical_line() {
   const char* const begin = next_;
-  const char* const stop = std::find_if(begin, end_, is_line_end);
+  if (line_feed_ < begin) line_feed_ = find(begin, end_, '\n');
+  if (carriage_return_ < begin) carriage_return_ = find(begin, end_, '\r');
+  const char* const stop = std::min(line_feed_, carriage_return_);
   next_ = stop;
   if (next_ != end_ && *next_++ == '\r' && next_ != end_ && *next_ == '\n') ++next_;
   ++next_line_;
@@ -66,16 +78,18 @@ bool TextReader::next_line() {
 }
 
 bool TextReader::at_line_end() {
-  const auto* const first = std::find_if_not(rest_.begin(), rest_.end(), is_blank);
-  rest_.remove_prefix(static_cast<std::size_t>(first - rest_.begin()));
+  std::size_t blanks = 0;
+  while (blanks < rest_.size() && is_blank(rest_[blanks])) ++blanks;
+  rest_.remove_prefix(blanks);
   return rest_.empty();
 }
 
 std::string_view TextReader::word() {
   if (at_line_end()) return {};
-  const auto* const stop = std::find_if(rest_.begin(), rest_.end(), is_blank);
-  const std::string_view found = rest_.substr(0, static_cast<std::size_t>(stop - rest_.begin()));
-  rest_.remove_prefix(found.size());
+  std::size_t size = 1;
+  while (size < rest_.size() && !is_blank(rest_[size])) ++size;
+  const std::string_view found = rest_.substr(0, size);
+  rest_.remove_prefix(size);
   return found;
 }
 

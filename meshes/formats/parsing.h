@@ -70,8 +70,10 @@ class TextReader {
   TextRules rules_;
   const char* next_;  // first byte behind the line
   const char* end_;
-  std::string_view rest_;  // of the line
-  std::string joined_;     // a line with its continuations
+  const char* line_feed_;        // the next one from next_ on, or before it: to be looked for
+  const char* carriage_return_;  // the same
+  std::string_view rest_;        // of the line
+  std::string joined_;           // a line with its continuations
   std::uint32_t line_ = 0;
   std::uint32_t next_line_ = 1;
 };

@@ -125,7 +125,7 @@ Outcome append_polygon(std::span<const Vec3> positions, std::span<const Index> c
   const bool usable = std::all_of(corners.begin(), corners.end(), [&](Index v) {
     return v < positions.size() && is_finite(positions[v]);
   });
-  if (corners.size() == 3 || !usable) {  // the unusable is found by find_defects
+  if (!usable) {  // find_defects will say so
     append_fan(corners, triangles);
     return Outcome::triangulated;
   }
@@ -141,29 +141,48 @@ Outcome append_polygon(std::span<const Vec3> positions, std::span<const Index> c
 
 }  // namespace
 
-void Polygons::reserve(std::size_t polygons) {
-  corners_.reserve(3 * polygons);
-  ends_.reserve(polygons);
-  lines_.reserve(polygons);
-}
+void Polygons::reserve(std::size_t polygons) { triangles_.reserve(polygons); }
 
 void Polygons::end_polygon(std::uint32_t line) {
-  ends_.push_back(corners_.size());
-  lines_.push_back(line);
+  if (open_.size() == 3) {
+    triangles_.push_back({open_[0], open_[1], open_[2]});
+    if (line > 0) lines_.push_back(line);
+  } else {
+    larger_.push_back({triangles_.size(), larger_corners_.size(), line});
+    larger_corners_.insert(larger_corners_.end(), open_.begin(), open_.end());
+  }
+  open_.clear();
 }
 
 void Polygons::triangulate(MeshFile& file, const std::string& name) {
   std::vector<Triangle>& triangles = file.soup.triangles;
-  triangles.reserve(corners_.size() - 2 * ends_.size());
+  std::vector<std::uint32_t>& lines = file.lines.triangles;
+  if (larger_.empty()) {
+    triangles = std::move(triangles_);
+    lines = std::move(lines_);
+    return;
+  }
+  triangles.reserve(triangles_.size() + larger_corners_.size() - 2 * larger_.size());
+  std::size_t taken = 0;  // of triangles_
+  const auto take_to = [&](std::size_t end) {
+    const auto from = static_cast<std::ptrdiff_t>(taken), to = static_cast<std::ptrdiff_t>(end);
+    triangles.insert(triangles.end(), triangles_.begin() + from, triangles_.begin() + to);
+    if (!lines_.empty()) lines.insert(lines.end(), lines_.begin() + from, lines_.begin() + to);
+    taken = end;
+  };
   const auto place = [&](std::size_t i) {
-    return lines_[i] > 0 ? "line " + std::to_string(lines_[i]) : "face " + std::to_string(i);
+    const Larger& polygon = larger_[i];
+    return polygon.line > 0 ? "line " + std::to_string(polygon.line)
+                            : "face " + std::to_string(polygon.triangles_before + i);
   };
   std::size_t not_simple = 0;
   std::size_t first_not_simple = 0;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < ends_.size(); ++i) {
-    const std::span<const Index> corners(corners_.data() + begin, ends_[i] - begin);
-    begin = ends_[i];
+  for (std::size_t i = 0; i < larger_.size(); ++i) {
+    take_to(larger_[i].triangles_before);
+    const std::size_t begin = larger_[i].first_corner;
+    const std::size_t end =
+        i + 1 < larger_.size() ? larger_[i + 1].first_corner : larger_corners_.size();
+    const std::span<const Index> corners(larger_corners_.data() + begin, end - begin);
     const Outcome outcome = append_polygon(file.soup.positions, corners, triangles);
     if (outcome == Outcome::too_many_corners) {
       throw MeshError(name + ", " + place(i) + ": a face that is not convex has " +
@@ -171,8 +190,9 @@ void Polygons::triangulate(MeshFile& file, const std::string& name) {
                       std::to_string(kMostCornersWithEars) + " that are triangulated; split it");
     }
     if (outcome == Outcome::not_simple && not_simple++ == 0) first_not_simple = i;
-    if (lines_[i] > 0) file.lines.triangles.resize(triangles.size(), lines_[i]);
+    if (larger_[i].line > 0) lines.resize(triangles.size(), larger_[i].line);
   }
+  take_to(triangles_.size());
   if (not_simple > 0) {
     file.warnings.push_back(
         std::to_string(not_simple) +

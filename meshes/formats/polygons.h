@@ -13,15 +13,14 @@ namespace geodesic {
 class Polygons {
  public:
   void reserve(std::size_t polygons);
-  void add_corner(Index vertex) { corners_.push_back(vertex); }
+  void add_corner(Index vertex) { open_.push_back(vertex); }
   /// Corners of the polygon that has not been ended yet.
-  std::size_t open_corners() const { return corners_.size() - (ends_.empty() ? 0 : ends_.back()); }
+  std::size_t open_corners() const { return open_.size(); }
   /// @param line of the file that holds it; 0 in a binary file
   void end_polygon(std::uint32_t line);
-  std::size_t size() const { return ends_.size(); }
 
   /// Fills file.soup.triangles (and file.lines.triangles) from the polygons, in their order; needs
-  /// file.soup.positions.
+  /// file.soup.positions. Leaves none here.
   ///
   /// A polygon that is seen whole from its first corner becomes the fan around that corner. Others
   /// lose one ear after another (Meisters 1975), in the projection along the coordinate in which
@@ -33,9 +32,18 @@ class Polygons {
   static constexpr std::size_t kMostCornersWithEars = 10'000;
 
  private:
-  std::vector<Index> corners_;
-  std::vector<std::size_t> ends_;  // one behind the last corner of each polygon
-  std::vector<std::uint32_t> lines_;
+  /// A polygon of more than three corners, which end where the next one's begin.
+  struct Larger {
+    std::size_t triangles_before;
+    std::size_t first_corner;  // in larger_corners_
+    std::uint32_t line;
+  };
+
+  std::vector<Index> open_;
+  std::vector<Triangle> triangles_;
+  std::vector<std::uint32_t> lines_;  // of triangles_; empty in a binary file
+  std::vector<Larger> larger_;
+  std::vector<Index> larger_corners_;
 };
 
 }  // namespace geodesic

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -90,31 +91,29 @@ void Mesh::index_outgoing() {
 
 void Mesh::link_twins() {
   for (HalfEdge& e : half_edges_) e.twin = kNone;
-  // Per vertex a, the half-edges a -> b and b -> a of each neighbour b > a. Sorting them by b keeps
-  // a vertex of very high valence from costing its square.
-  struct Side {
-    Index neighbour;
-    bool leaves;  // a -> b rather than b -> a
-    Index half_edge;
+  // Per vertex a, the half-edges a -> b and b -> a of each neighbour b > a, as b 2^32 + half-edge.
+  // Sorting them keeps a vertex of very high valence from costing its square.
+  std::vector<std::uint64_t> sides;
+  const auto add_side = [&sides](Index neighbour, Index h) {
+    sides.push_back(std::uint64_t{neighbour} << 32 | h);
   };
-  std::vector<Side> sides;
+  const auto neighbour_of = [&sides](std::size_t i) { return sides[i] >> 32; };
   edge_count_ = 0;
   for (Index a = 0; a < vertex_count(); ++a) {
     sides.clear();
     for (const Index h : outgoing(a)) {
-      if (head(h) > a) sides.push_back({head(h), true, h});
+      if (head(h) > a) add_side(head(h), h);
       const Index into = previous(h);
-      if (origin(into) > a) sides.push_back({origin(into), false, into});
+      if (origin(into) > a) add_side(origin(into), into);
     }
-    std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
-      return s.neighbour != t.neighbour ? s.neighbour < t.neighbour : s.half_edge < t.half_edge;
-    });
+    std::ranges::sort(sides);
     for (std::size_t i = 0; i < sides.size();) {
-      std::size_t end = i;
-      while (end < sides.size() && sides[end].neighbour == sides[i].neighbour) ++end;
-      if (end - i == 2 && sides[i].leaves != sides[i + 1].leaves) {
-        half_edges_[sides[i].half_edge].twin = sides[i + 1].half_edge;
-        half_edges_[sides[i + 1].half_edge].twin = sides[i].half_edge;
+      std::size_t end = i + 1;
+      while (end < sides.size() && neighbour_of(end) == neighbour_of(i)) ++end;
+      const auto h = static_cast<Index>(sides[i]), g = static_cast<Index>(sides[end - 1]);
+      if (end - i == 2 && origin(h) != origin(g)) {  // one leaves a, the other arrives
+        half_edges_[h].twin = g;
+        half_edges_[g].twin = h;
         ++edge_count_;
       } else {
         edge_count_ += static_cast<Index>(end - i);  // a boundary edge for each face
@@ -185,15 +184,36 @@ bool Mesh::is_boundary(Index v) const {
   return false;
 }
 
-// Faces in the fan around v that a walk over twins meets.
-Index Mesh::fan_size(Index v) const {
+// The fan around v in which its first half-edge lies.
+Mesh::Fan Mesh::fan_at(Index v) const {
   const Index start = outgoing(v).front();
-  Index faces = 1;
+  Fan fan{.faces = 1, .closed = true};
   Index h = twin(previous(start));
-  for (; h != start && h != kNone; h = twin(previous(h))) ++faces;
-  if (h == start) return faces;
-  for (h = start; twin(h) != kNone; h = next(twin(h))) ++faces;  // an open fan: the other way
-  return faces;
+  for (; h != start && h != kNone; h = twin(previous(h))) ++fan.faces;
+  if (h == start) return fan;
+  fan.closed = false;  // the other way too
+  for (h = start; twin(h) != kNone; h = next(twin(h))) ++fan.faces;
+  return fan;
+}
+
+// Whether the total angle is above that of a plane, by kSaddleAngleExcess. The angles are added by
+// turning a vector, which says where the sum lies between multiples of 2 pi; where it lies near
+// one, they are computed.
+bool Mesh::has_angle_excess(Index v) const {
+  constexpr double kNear = 1e-9;  // radians, above the rounding of any valence
+  double x = 1, y = 0;
+  bool past_full_turn = false;
+  for (const Index h : outgoing(v)) {
+    const HalfEdge& e = half_edge(h);
+    const double scale = 1 / half_edge(previous(h)).length;
+    const double cosine = e.apex_x * scale, sine = e.apex_y * scale;
+    const double turned_y = x * sine + y * cosine;
+    past_full_turn |= y < 0 && turned_y >= 0;
+    x = x * cosine - y * sine;
+    y = turned_y;
+  }
+  const bool clear = std::abs(y) > kNear || x < 0;  // false for a NaN, of degenerate faces
+  return clear ? past_full_turn : total_angle(v) > 2 * std::numbers::pi + kSaddleAngleExcess;
 }
 
 void Mesh::classify_vertices() {
@@ -201,12 +221,10 @@ void Mesh::classify_vertices() {
   for (Index v = 0; v < vertex_count(); ++v) {
     const std::span<const Index> around = outgoing(v);
     if (around.empty()) continue;
-    const bool several_fans = fan_size(v) < around.size();
+    const Fan fan = fan_at(v);
+    const bool several_fans = fan.faces < around.size();
     has_non_manifold_vertices_ |= several_fans;
-    if (several_fans || is_boundary(v) ||
-        total_angle(v) > 2 * std::numbers::pi + kSaddleAngleExcess) {
-      pseudo_source_[v] = 1;
-    }
+    if (several_fans || !fan.closed || has_angle_excess(v)) pseudo_source_[v] = 1;
   }
   for (Index h = 0; h < half_edge_count(); ++h) {
     if (half_edge(h).apex_y > 0 && half_edge(h).length > 0) continue;

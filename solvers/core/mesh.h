@@ -103,7 +103,12 @@ class Mesh {
   void compute_frames();
   void compute_frames_of_face(Index first, std::span<const Vec3> at);
   void classify_vertices();
-  Index fan_size(Index v) const;
+  struct Fan {
+    Index faces;
+    bool closed;
+  };
+  Fan fan_at(Index v) const;
+  bool has_angle_excess(Index v) const;
 
   MeshNumbers numbers_;
   std::vector<Vec3> positions_;
