@@ -7,8 +7,6 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "solvers/core/registry.h"
-
 namespace geodesic {
 namespace {
 
@@ -398,28 +396,33 @@ Index InsertedPoints::vertex(const SurfacePoint& point) const {
   return found->second;
 }
 
-PointSolver::PointSolver(std::string_view solver, const Mesh& mesh,
-                         std::span<const SurfacePoint> sources,
-                         std::span<const SurfacePoint> targets)
-    : description_(solver_named(solver)), mesh_(mesh) {
-  if (!takes(description_, sources, targets)) {
-    inserted_ = std::make_shared<const InsertedPoints>(mesh, joined(sources, targets));
-  }
-  solver_ = make_solver(solver, inserts() ? inserted_->mesh() : mesh);
+Query InsertedPoints::translated(const Query& query) const {
+  Query own = query;
+  for (Source& source : own.sources) source.at = vertex(source.at);
+  for (SurfacePoint& target : own.targets) target = vertex(target);
+  return own;
 }
 
-PointSolver::PointSolver(const PointSolver& other)
-    : description_(other.description_),
-      mesh_(other.mesh_),
-      inserted_(other.inserted_),
-      solver_(make_solver(description_.name, inserts() ? inserted_->mesh() : mesh_)) {}
+std::shared_ptr<const InsertedPoints> insert_for(const Description& solver, const Mesh& mesh,
+                                                 std::span<const SurfacePoint> sources,
+                                                 std::span<const SurfacePoint> targets) {
+  if (takes(solver, sources, targets)) return nullptr;
+  return std::make_shared<const InsertedPoints>(mesh, joined(sources, targets));
+}
+
+PointSolver::PointSolver(std::string_view solver, const Mesh& mesh,
+                         std::shared_ptr<const InsertedPoints> inserted)
+    : description_(solver_named(solver)),
+      mesh_(mesh),
+      inserted_(std::move(inserted)),
+      solver_(make_solver(solver, inserted_ == nullptr ? mesh : inserted_->mesh())) {}
 
 void PointSolver::solve(const Query& query, std::span<double> distances,
                         std::span<double> at_targets) {
   if (at_targets.size() != query.targets.size()) {
     throw std::invalid_argument(description_.name + ": needs room for one distance a target");
   }
-  if (inserts()) return solve_inserted(query, distances, at_targets);
+  if (inserted_ != nullptr) return solve_inserted(query, distances, at_targets);
   if (std::ranges::all_of(query.targets, &SurfacePoint::is_vertex)) {
     solver_->solve(query, distances);
     for (std::size_t i = 0; i < at_targets.size(); ++i) {
@@ -435,9 +438,7 @@ void PointSolver::solve(const Query& query, std::span<double> distances,
 
 void PointSolver::solve_inserted(const Query& query, std::span<double> distances,
                                  std::span<double> at_targets) {
-  Query finer = query;
-  for (Source& source : finer.sources) source.at = inserted_->vertex(source.at);
-  for (SurfacePoint& target : finer.targets) target = inserted_->vertex(target);
+  const Query finer = inserted_->translated(query);
   finer_.resize(inserted_->mesh().vertex_count());
   if (distances.size() != mesh_.vertex_count()) {
     throw std::invalid_argument(description_.name + ": needs room for one distance a vertex");

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "solvers/core/solver.h"
+#include "solvers/core/registry.h"
 
 namespace geodesic {
 
@@ -35,6 +35,9 @@ class InsertedPoints {
   /// @throws std::invalid_argument when the point was not inserted
   Index vertex(const SurfacePoint& point) const;
 
+  /// The same query of these vertices, for `mesh()`. @throws as vertex
+  Query translated(const Query& query) const;
+
  private:
   Index given_count_;  // of vertices
   double place_ = 0;
@@ -42,29 +45,35 @@ class InsertedPoints {
   std::vector<std::pair<SurfacePoint, Index>> vertices_;  // in order of points
 };
 
-/// Solves queries of any points by any solver: by the solver itself where it takes them (sources by
-/// Abilities::surface_sources, targets in faces by Abilities::paths), otherwise with all points
-/// inserted.
+/// The points that a solver cannot be asked of, inserted; null where it takes all (sources in faces
+/// by Abilities::surface_sources, targets in faces by Abilities::paths).
+/// @param sources, targets of all queries to come
+/// @throws std::invalid_argument for a point that is not of this mesh
+std::shared_ptr<const InsertedPoints> insert_for(const Description& solver, const Mesh& mesh,
+                                                 std::span<const SurfacePoint> sources,
+                                                 std::span<const SurfacePoint> targets);
+
+/// Solves queries of any points by any solver: by the solver itself where it takes them, otherwise
+/// on a mesh that has them as vertices.
 class PointSolver {
  public:
   /// @param solver as of make_solver
   /// @param mesh outlives this object
-  /// @param sources, targets of all queries to come
-  /// @throws std::invalid_argument as make_solver, and for a point that is not of this mesh
+  /// @param inserted from insert_for; may be shared by the solvers of several threads
+  /// @throws std::invalid_argument as make_solver
+  PointSolver(std::string_view solver, const Mesh& mesh,
+              std::shared_ptr<const InsertedPoints> inserted = nullptr);
+  /// @param sources, targets of all queries to come; @throws as insert_for too
   PointSolver(std::string_view solver, const Mesh& mesh, std::span<const SurfacePoint> sources,
-              std::span<const SurfacePoint> targets);
-  /// Another one for the same points, which share the finer mesh: each thread has its own.
-  PointSolver(const PointSolver& other);
-  PointSolver& operator=(const PointSolver&) = delete;
+              std::span<const SurfacePoint> targets)
+      : PointSolver(solver, mesh, insert_for(solver_named(solver), mesh, sources, targets)) {}
 
   /// As Solver::solve. Distances of all vertices and targets are exact if the solver is.
   /// @param distances one entry a vertex of the given mesh
   /// @param at_targets one entry a target of the query, in their order
   void solve(const Query& query, std::span<double> distances, std::span<double> at_targets);
 
-  const Solver& solver() const { return *solver_; }
-  /// Whether points are inserted.
-  bool inserts() const { return inserted_ != nullptr; }
+  Solver& solver() { return *solver_; }
 
  private:
   void solve_inserted(const Query& query, std::span<double> distances,

@@ -1,5 +1,7 @@
 #include "meshes/load.h"
 
+#include <exception>
+#include <future>
 #include <stdexcept>
 #include <utility>
 
@@ -15,6 +17,22 @@ std::string list_errors(const DefectReport& report) {
     text += (text.empty() ? "" : "; ") + defect.text();
   }
   return text;
+}
+
+LoadedMesh load_mesh(MeshFile file, DefectReport defects, const std::string& name,
+                     const LoadOptions& options) {
+  LoadedMesh mesh;
+  mesh.soup = std::move(file.soup);
+  mesh.format = std::move(file.format);
+  mesh.defects = std::move(defects);
+  if (options.repair) mesh.repairs = repair(mesh.soup);
+  require_measurable(mesh.soup, mesh.defects, name, options.repair);
+  mesh.warnings = std::move(file.warnings);
+  for (const Defect& defect : mesh.defects.defects) mesh.warnings.push_back(defect.text());
+  for (const RepairAction& action : mesh.repairs) {
+    mesh.warnings.push_back("repair: " + action.summary());
+  }
+  return mesh;
 }
 
 }  // namespace
@@ -40,18 +58,32 @@ LoadedMesh load_mesh(const std::filesystem::path& path, const LoadOptions& optio
 }
 
 LoadedMesh load_mesh(MeshFile file, const std::string& name, const LoadOptions& options) {
-  LoadedMesh mesh;
-  mesh.soup = std::move(file.soup);
-  mesh.format = std::move(file.format);
-  mesh.defects = find_defects(mesh.soup, file.lines);
-  if (options.repair) mesh.repairs = repair(mesh.soup);
-  require_measurable(mesh.soup, mesh.defects, name, options.repair);
-  mesh.warnings = std::move(file.warnings);
-  for (const Defect& defect : mesh.defects.defects) mesh.warnings.push_back(defect.text());
-  for (const RepairAction& action : mesh.repairs) {
-    mesh.warnings.push_back("repair: " + action.summary());
+  DefectReport defects = find_defects(file.soup, file.lines);
+  return load_mesh(std::move(file), std::move(defects), name, options);
+}
+
+BuiltMesh build_mesh(const std::filesystem::path& path, const LoadOptions& options) {
+  MeshFile file = read_mesh(path);
+  BuiltMesh built;
+  const auto build = [&built](const TriangleSoup& soup) {
+    built.mesh = std::make_unique<const Mesh>(soup, Numbering::along_surface);
+  };
+  if (options.repair) {
+    built.loaded = load_mesh(std::move(file), path.string(), options);
+    build(built.loaded.soup);
+    return built;
   }
-  return mesh;
+  std::future<DefectReport> defects =
+      std::async([&file] { return find_defects(file.soup, file.lines); });
+  std::exception_ptr unfit;
+  try {
+    build(file.soup);
+  } catch (const std::invalid_argument&) {  // the defects say it better
+    unfit = std::current_exception();
+  }
+  built.loaded = load_mesh(std::move(file), defects.get(), path.string(), options);
+  if (unfit) std::rethrow_exception(unfit);
+  return built;
 }
 
 }  // namespace geodesic

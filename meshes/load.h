@@ -2,12 +2,14 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "meshes/defects.h"
 #include "meshes/mesh_file.h"
 #include "meshes/repair.h"
+#include "solvers/core/mesh.h"
 
 namespace geodesic {
 
@@ -31,6 +33,14 @@ LoadedMesh load_mesh(const std::filesystem::path& path, const LoadOptions& optio
 /// As `load_mesh` on a file that has been read.
 /// @param name of the file, for messages
 LoadedMesh load_mesh(MeshFile file, const std::string& name, const LoadOptions& options);
+
+struct BuiltMesh {
+  LoadedMesh loaded;
+  std::unique_ptr<const Mesh> mesh;  ///< of loaded.soup, numbered along the surface
+};
+
+/// As `load_mesh`, and builds the mesh: while another thread looks for defects.
+BuiltMesh build_mesh(const std::filesystem::path& path, const LoadOptions& options = {});
 
 /// Refuses what solvers should not be given.
 /// @param soup after the repair, if any

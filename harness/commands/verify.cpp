@@ -1,6 +1,5 @@
 #include "harness/commands/commands.h"
 
-#include <charconv>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -9,6 +8,7 @@
 #include "harness/base/interruption.h"
 #include "harness/commands/values.h"
 #include "harness/corpus/manifest.h"
+#include "harness/corpus/points.h"
 #include "harness/corpus/solvers.h"
 #include "harness/verify/isolated_check.h"
 #include "harness/verify/verify_solver.h"
@@ -32,21 +32,15 @@ void list_properties() {
   }
 }
 
-// "12" or "12:0.5", a vertex and its initial distance.
-Source source_of(const std::string& word) {
-  Source source;
-  const char* end = word.data() + word.size();
-  auto [at, error] = std::from_chars(word.data(), end, source.at.vertex);
-  if (error == std::errc() && at != end && *at == ':') {
-    const auto distance = std::from_chars(at + 1, end, source.distance);
-    at = distance.ptr;
-    error = distance.ec;
+std::vector<Source> sources_of(const std::string& words) {
+  std::vector<Source> sources;
+  for (const WrittenPoint& point : parse_points(words, "--source")) {
+    if (point.kind != WrittenPoint::Kind::vertex) {
+      throw HarnessError(point.text + ": verify takes vertices, such as 12 or 12+0.5");
+    }
+    sources.push_back({.at = point.elements[0], .distance = point.initial.value_or(0)});
   }
-  if (error != std::errc() || at != end) {
-    throw HarnessError("--source " + word +
-                       ": not a vertex index, nor one with an initial distance, such as 12:0.5");
-  }
-  return source;
+  return sources;
 }
 
 void check_request(const VerifyRequest& request) {
@@ -70,7 +64,10 @@ void run_verify(const VerifyFlags& flags) {
   if (flags.list) return list_properties();
   VerifyRequest request = flags.request;
   request.meshes = expand_meshes(request.meshes);
-  for (const std::string& word : flags.sources) request.sources.push_back(source_of(word));
+  for (const std::string& words : flags.sources) {
+    const std::vector<Source> sources = sources_of(words);
+    request.sources.insert(request.sources.end(), sources.begin(), sources.end());
+  }
   check_request(request);
   const InterruptionGuard guard;  // temporary files are removed
   if (!verify_solver(request)) throw CLI::RuntimeError(2);
@@ -102,9 +99,9 @@ void add_verify_command(CLI::App& app) {
   command
       ->add_option("--source", flags->sources,
                    "source vertex on those meshes, 0-based, repeatable; with an initial distance: "
-                   "12:0.5 (default: three of each mesh)")
+                   "12+0.5 (default: three of each mesh)")
       ->allow_extra_args(false)
-      ->type_name("V[:X]");
+      ->type_name("V[+X]");
   command->add_flag("--each", request.each, "solve from each source separately, in this order");
   command
       ->add_option("--limit", request.limit,

@@ -1,16 +1,21 @@
 #include "harness/measure/allocation_meter.h"
 
 #include <malloc.h>
+#include <sys/mman.h>
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
+
+#include "harness/measure/large_pages.h"
 
 namespace {
 
 // Read by operator new before any constructor has run: constant-initialised.
 constinit bool metering = false;
+constinit bool large_pages = false;
 constinit std::atomic<std::int64_t> live{0};
 constinit std::atomic<std::int64_t> peak{0};
 
@@ -20,6 +25,16 @@ void count_allocation(void* block) {
   std::int64_t highest = peak.load(std::memory_order_relaxed);
   while (now > highest && !peak.compare_exchange_weak(highest, now, std::memory_order_relaxed)) {
   }
+}
+
+constexpr std::size_t kLargeBlock = std::size_t{4} << 20;
+
+// Refusal does no harm: the pages are small then.
+void ask_for_large_pages(void* block, std::size_t bytes) {
+  constexpr std::uintptr_t kPage = 4096;
+  const std::uintptr_t begin = (reinterpret_cast<std::uintptr_t>(block) + kPage - 1) & ~(kPage - 1);
+  const std::uintptr_t end = (reinterpret_cast<std::uintptr_t>(block) + bytes) & ~(kPage - 1);
+  madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
 }
 
 void* allocate(std::size_t bytes, std::size_t alignment) {
@@ -32,6 +47,8 @@ void* allocate(std::size_t bytes, std::size_t alignment) {
     if (block != nullptr) {
       if (metering) [[unlikely]]
         count_allocation(block);
+      if (large_pages && bytes >= kLargeBlock) [[unlikely]]
+        ask_for_large_pages(block, bytes);
       return block;
     }
     const std::new_handler handler = std::get_new_handler();
@@ -77,6 +94,9 @@ AllocationMeter::AllocationMeter() {
   metering = true;
 }
 AllocationMeter::~AllocationMeter() { metering = false; }
+
+LargePages::LargePages() { large_pages = true; }
+LargePages::~LargePages() { large_pages = false; }
 
 std::int64_t AllocationMeter::live_bytes() const { return live; }
 std::int64_t AllocationMeter::peak_bytes() const { return peak; }

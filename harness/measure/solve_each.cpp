@@ -1,12 +1,10 @@
 #include "harness/measure/solve_each.h"
 
 #include <map>
-#include <memory>
 #include <mutex>
 
 #include "harness/base/clock.h"
 #include "harness/base/threads.h"
-#include "solvers/core/registry.h"
 
 namespace geodesic::harness {
 namespace {
@@ -35,23 +33,27 @@ class InOrder {
 
 }  // namespace
 
-void solve_each(const std::string& solver, const Mesh& mesh, const std::vector<Index>& sources,
-                double limit, unsigned threads, const std::function<Kept(const SingleSolve&)>& keep,
+void solve_each(const std::string& solver, const Mesh& mesh,
+                const std::shared_ptr<const InsertedPoints>& inserted,
+                std::span<const Source> sources, const Query& asked, unsigned threads,
+                const std::function<Kept(const SingleSolve&)>& keep,
                 const std::function<void(Kept)>& deliver) {
   InOrder results(deliver);
   do_in_threads(sources.size(), threads, [&]() -> Worker {
     // Shared because a std::function must be copyable.
-    const std::shared_ptr<Solver> own = make_solver(solver, mesh);
-    return [&, own, distances = std::vector<double>(mesh.vertex_count())](std::size_t i) mutable {
-      const Query query{.sources = {{.at = sources[i]}}, .limit = limit};
+    const auto own = std::make_shared<PointSolver>(solver, mesh, inserted);
+    return [&, own, query = asked, distances = std::vector<double>(mesh.vertex_count()),
+            at_targets = std::vector<double>(asked.targets.size())](std::size_t i) mutable {
+      query.sources = {sources[i]};
       const double cpu_start = thread_cpu_seconds();
       const Stopwatch watch;
-      own->solve(query, distances);
-      results.put(i, keep({.source = sources[i],
+      own->solve(query, distances, at_targets);
+      results.put(i, keep({.number = i,
                            .distances = distances,
+                           .at_targets = at_targets,
                            .cpu_seconds = thread_cpu_seconds() - cpu_start,
                            .real_seconds = watch.real_seconds(),
-                           .instruction_set = own->instruction_set()}));
+                           .instruction_set = own->solver().instruction_set()}));
     };
   });
 }

@@ -34,16 +34,13 @@ bool fits_on_a_command_line(const Case& given) {
   return given.queries.size() == 1 || std::ranges::all_of(given.queries, plain);
 }
 
-// `solve` takes no initial distances, and checks no distances with a limit.
-bool fits_solve(const Query& query) {
-  const auto starts_late = [](const Source& source) { return source.distance > 0; };
-  return query.limit == kInfinity && std::ranges::none_of(query.sources, starts_late);
-}
+// `solve` checks no distances with a limit.
+bool fits_solve(const Query& query) { return query.limit == kInfinity; }
 
 void append_sources(Words& words, const Case& given) {
   for (const Query& query : given.queries) {
     for (const Source& source : query.sources) {
-      const std::string initial = source.distance > 0 ? ':' + significant(source.distance) : "";
+      const std::string initial = source.distance > 0 ? '+' + significant(source.distance) : "";
       words.insert(words.end(), {"--source", std::to_string(source.at.vertex) + initial});
     }
   }

@@ -11,6 +11,7 @@ import bad_flags
 import bad_manifests
 import bad_meshes
 import bad_plugins
+import bad_points
 import bad_results
 import bad_suites
 import pytest
@@ -18,7 +19,7 @@ from case import Case
 from shell import ROOT, Bash, permitted
 
 TABLES = [bad_meshes, bad_flags, bad_suites, bad_manifests, bad_results, bad_plugins,
-          bad_environments]  # fmt: skip
+          bad_points, bad_environments]  # fmt: skip
 CASES = {
     f"{table.__name__.removeprefix('bad_')}: {case.name}": case
     for table in TABLES

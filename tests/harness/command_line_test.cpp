@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "meshes/formats/bytes.h"
 #include "tests/harness/program.h"
 
 namespace geodesic::harness {
@@ -175,7 +176,7 @@ TEST_F(CommandLine, OneSourceOfManyThatIsNotThereIsAnErrorWithoutOutput) {
       run(PROGRAM, {"solve", "hill", "--solver", exact_solver(), "--each", "--threads", "2",
                     "--source", "1", "--source", "37", "--source", "2", "--output", file.string()});
   EXPECT_EQ(solve.code, 1);
-  expect_words(solve.err, {"source vertex 37 is not in the mesh of 37 vertices"});
+  expect_words(solve.err, {"--source 37: vertex 37 is not in the mesh of 37 vertices"});
   EXPECT_FALSE(std::filesystem::exists(file));
 }
 
@@ -192,8 +193,8 @@ TEST_F(CommandLine, SolveKeepsIsolatedVerticesAndEveryDigit) {
   std::size_t count = 1;
   for (double distance = 0; std::getline(lines, line); ++count) {
     distance = std::stod(line);
-    char again[40];
-    std::snprintf(again, sizeof again, "%.17g", distance);
+    std::string again;
+    append_text(again, distance);
     EXPECT_EQ(line, again);
   }
   EXPECT_EQ(count, 37u);
@@ -220,7 +221,7 @@ TEST_F(CommandLine, ASourceThatIsNotThereIsAnErrorWithoutOutput) {
   const Output solve = run(PROGRAM, {"solve", "hill", "--solver", exact_solver(), "--source", "37",
                                      "--output", file.string()});
   EXPECT_EQ(solve.code, 1);
-  expect_words(solve.err, {"source vertex 37 is not in the mesh of 37 vertices"});
+  expect_words(solve.err, {"--source 37: vertex 37 is not in the mesh of 37 vertices"});
   EXPECT_FALSE(std::filesystem::exists(file));
 }
 
@@ -241,10 +242,84 @@ TEST_F(CommandLine, SourcesAreListedRepeatedOrInAFile) {
   const Output refused =
       run(PROGRAM, {"solve", "hill", "--solver", exact_solver(), "--sources-file", bad.string()});
   EXPECT_EQ(refused.code, 1);
-  expect_words(refused.err, {"bad.txt", "'2.5' is not a vertex index"});
+  expect_words(refused.err, {"bad.txt", "'2.5' is not a point"});
   const Output none = run(PROGRAM, {"solve", "hill", "--solver", exact_solver()});
   EXPECT_EQ(none.code, 1);
   expect_words(none.err, {"--source or --sources-file is required"});
+}
+
+TEST_F(CommandLine, PointsMayBeWrittenInEveryFormAndPlace) {
+  const std::string expected = R"([0,"edge:1-2:0.25","1+0.5"])";
+  const auto sources = [&](const std::vector<std::string>& words) {
+    std::vector<std::string> all{"solve", "tetrahedron", "--solver", exact_solver()};
+    all.insert(all.end(), words.begin(), words.end());
+    const Output output = run(PROGRAM, all);
+    EXPECT_EQ(output.code, 0) << output.err;
+    return nlohmann::json::parse(output.out).at("sources").dump();
+  };
+  const auto in_file = [&](const std::string& text) {
+    return sources({"--sources-file", write("points", text).string()});
+  };
+  EXPECT_EQ(sources({"--source", "0,edge:1-2:0.25,1+0.5"}), expected);
+  EXPECT_EQ(sources({"--source", "0", "--source", "edge:2-1:0.75", "--source", "1+0.5"}), expected);
+  EXPECT_EQ(in_file("0 \"edge:1-2:0.25\"\n1+0.5\n"), expected);
+  EXPECT_EQ(in_file(R"([0, "edge:1-2:0.25", {"vertex": 1, "initial": 0.5}])"), expected);
+  EXPECT_EQ(in_file(R"([{"vertex": 0}, {"edge": [1, 2], "share": 0.25}, "1+0.5"])"), expected);
+}
+
+TEST_F(CommandLine, DistancesAtTargetsAreThoseOfThePointsWhateverTheSolverTakes) {
+  for (const char* solver : {"mmp", "ich", "dijkstra"}) {
+    const Output output =
+        run(PROGRAM, {"solve", "tetrahedron", "--solver", solver, "--source", "edge:0-1:0.25",
+                      "--target", "1,edge:0-1:0.75", "--target", "at:9,0,0"});
+    ASSERT_EQ(output.code, 0) << output.err;
+    const nlohmann::json printed = nlohmann::json::parse(output.out);
+    const nlohmann::json targets = printed.at("targets");
+    EXPECT_EQ(targets[0].at("point"), 1);
+    EXPECT_NEAR(targets[0].at("distance").get<double>(), 0.75, 1e-15);
+    EXPECT_NEAR(targets[1].at("distance").get<double>(), 0.5, 1e-15);
+    EXPECT_EQ(printed.at("places")[0].at("point"), targets[2].at("point").dump());
+    EXPECT_GT(printed.at("places")[0].at("distance_to_surface").get<double>(), 7);
+  }
+}
+
+TEST_F(CommandLine, TargetsOfSeparateSourcesAreInTheOrderInWhichTheyAreListed) {
+  const Output output =
+      run(PROGRAM, {"solve", "tetrahedron", "--solver", "mmp", "--each", "--source",
+                    "0,edge:0-1:0.25", "--target", "edge:0-1:0.5,1", "--stop-at-targets"});
+  ASSERT_EQ(output.code, 0) << output.err;
+  const nlohmann::json printed = nlohmann::json::parse(output.out);
+  EXPECT_EQ(printed.at("targets").dump(), R"(["edge:0-1:0.5",1])");
+  EXPECT_EQ(printed.at("solves")[0].at("at_targets").dump(), "[0.5,1.0]");
+  EXPECT_EQ(printed.at("solves")[1].at("at_targets").dump(), "[0.25,0.75]");
+}
+
+TEST_F(CommandLine, SolvesToPointsAreCompared) {
+  for (const char* solver : {"mmp", "ich"}) {
+    const Output output =
+        run(PROGRAM, {"solve", "hill", "--solver", solver, "--source", "face:3:0.2,0.3,0.5",
+                      "--source", "20+0.1", "--target", "face:9:0.3,0.3,0.4", "--check"});
+    ASSERT_EQ(output.code, 0) << output.err;
+    EXPECT_EQ(nlohmann::json::parse(output.out).at("reference"), "brute force");
+  }
+}
+
+TEST_F(CommandLine, SolveWritesPathsAndTheNearestSources) {
+  const auto distances = folder_ / "d.txt", paths = folder_ / "paths.json";
+  const Output output =
+      run(PROGRAM, {"solve", "tetrahedron", "--solver", "ich", "--source", "edge:0-1:0.25,2",
+                    "--target", "edge:0-1:0.5,2", "--paths", paths.string(), "--nearest-source",
+                    "--output", distances.string()});
+  ASSERT_EQ(output.code, 0) << output.err;
+  std::istringstream lines(read(distances));
+  std::vector<int> nearest;
+  for (double distance; lines >> distance;) lines >> nearest.emplace_back();
+  EXPECT_EQ(nearest, (std::vector{0, 0, 1, 0}));
+  const nlohmann::json traced = read_json(paths).at("paths");
+  ASSERT_EQ(traced.size(), 2u);
+  EXPECT_EQ(traced[0].at("source"), 0);
+  EXPECT_NEAR(traced[0].at("length").get<double>(), 0.25, 1e-15);
+  EXPECT_EQ(traced[1].at("length"), 0.0);
 }
 
 TEST_F(CommandLine, DistancesOnStandardOutputLeaveTheJsonObjectToStandardError) {

@@ -265,8 +265,8 @@ TEST_F(VerifyCommand, BadRequestsAreErrorsThatSayWhatToDo) {
     return arguments;
   };
   expect_refused(with_source("37"), {"source vertex 37", "37 vertices"});
-  expect_refused(with_source("1:"), {"--source 1:", "such as 12:0.5"});
-  expect_refused(with_source("one"), {"--source one", "such as 12:0.5"});
+  expect_refused(with_source("1:"), {"--source: '1:' is not a point"});
+  expect_refused(with_source("edge:1-2:0.5"), {"--source edge:1-2:0.5", "verify takes vertices"});
 }
 
 TEST_F(VerifyCommand, SolveComparesDistancesWhenAsked) {

@@ -1,0 +1,77 @@
+"""Sources and targets that are no points of the mesh, as words and in files."""
+
+from __future__ import annotations
+
+import json
+
+from case import Case
+
+SOLVE = "geodesic-bench solve hill.obj --solver mmp"
+
+
+def word(point: str, *says: str) -> Case:
+    return Case(point, f"{SOLVE} --source '{point}'", ["--source", *says])
+
+
+def target(words: str, *says: str) -> Case:
+    return Case(words, f"{SOLVE} --source 0 {words}", [*says])
+
+
+def file(what: str, content: str | bytes | list[object], *says: str) -> Case:
+    text = json.dumps(content) if isinstance(content, list) else content
+    command = f"{SOLVE} --source 0 --targets-file points"
+    return Case(f"a file: {what}", command, ["--targets-file 'points'", *says],
+                files={"points": text})  # fmt: skip
+
+
+CASES = [
+    word("-1", "'-1' is not a point, such as 12 (a vertex), edge:3-7:0.25, face:345:0.2,0.3,0.5"),
+    word("1.5", "'1.5' is not a point"),
+    word("0x1", "'0x1' is not a point"),
+    word("1,two,3", "'1,two' is not a point"),
+    word("9999999999", "'9999999999' has a number that is too large"),
+    word("99", "--source 99: vertex 99 is not in the mesh of 4 vertices"),
+    word("edge:0-1", "'edge:0-1' is not a point"),
+    word("edge:0-9:0.5", "edge:0-9:0.5: vertex 9 is not in the mesh of 4 vertices"),
+    word("edge:1-1:0.5", "edge:1-1:0.5: no edge joins vertices 1 and 1"),
+    word("edge:0-1:1.5", "edge:0-1:1.5: the share of an edge must lie between 0 and 1"),
+    word("edge:0-1:nan", "edge:0-1:nan: a number is not finite"),
+    word("face:0:0.5,0.5", "'face:0:0.5,0.5' is not a point"),
+    word("face:9:0.5,0.5,0", "face:9:0.5,0.5,0: face 9 is not in the mesh of 4 faces"),
+    word("face:0:0.5,0.5,0.5", "the weights sum up to 1.5; their sum must be 1"),
+    word("face:0:-0.5,0.5,1", "face:0:-0.5,0.5,1: a weight is negative"),
+    word("face:0:inf,0,0", "face:0:inf,0,0: a number is not finite"),
+    word("at:0,1", "'at:0,1' is not a point"),
+    word("at:0,1,nan", "at:0,1,nan: a number is not finite"),
+    word("0+-1", "0+-1: an initial distance must be finite and not negative"),
+    word("0:0.5", "'0:0.5' is not a point", "+0.5 behind it is an initial distance"),
+    target("--target 1+0.5", "--target 1+0.5: a target has no initial distance"),
+    target("--stop-at-targets", "--stop-at-targets needs --target"),
+    target("--paths p.obj", "--paths needs --target"),
+    target("--paths p.stl --target 1", "p.stl", ".obj, .ply or .json"),
+    target("--paths hill.obj --target 1", "--paths 'hill.obj' is the mesh itself"),
+    target("--paths d.ply --output d.ply --target 1", "--paths and --output name one file"),
+    target("--paths p.obj --target 1 --each", "--paths and --nearest-source are for one solve"),
+    target("--nearest-source", "--nearest-source needs --output"),
+    target("--target 1 --stop-at-targets --check", "--check is for distances without --limit and"),
+    Case("paths of a solver that remembers none",
+         "geodesic-bench solve hill.obj --solver dijkstra --source 0 --target 1 --paths p.obj",
+         ["dijkstra does not remember how paths arrive", "there are: ", "ich"]),
+    Case("a file: missing", f"{SOLVE} --sources-file nowhere",
+         ["--sources-file nowhere: no such file"]),
+    file("empty", "", "the file is empty"),
+    file("separators only", " ,\n,", "there is no point in it"),
+    file("a word", "0, edge:0-1:0.5\nseven", "'seven' is not a point"),
+    file("an empty list", [], "there is no point in it"),
+    file("cut", "[0, 1", "not valid JSON"),
+    file("no list", '{"vertex": 0}', "a list of points is expected"),
+    file("a wrong key", [{"vertx": 0}], "point 0: no key named 'vertx' (did you mean 'vertex'?)"),
+    file("one key too many", [0, {"vertex": 0, "share": 1}], "point 1: no key named 'share'"),
+    file("a key that is missing", [{"face": 0}], "point 0: 'weights' is missing"),
+    file("a fraction for a vertex", [0.5], "point 0: 0.5 is not the number of a vertex or face"),
+    file("too few weights", [{"face": 0, "weights": [0.5, 0.5]}], "a list of 3 numbers"),
+    file("too great a sum", [{"face": 0, "weights": [1, 1, 1]}], "the weights sum up to 3"),
+    file("several in a string", ["0,1"], "point 0: a string holds one point"),
+    file("an initial distance", [{"vertex": 1, "initial": 1}], "a target has no initial distance"),
+    file("a vertex that is not there", [{"vertex": 99}], "point 0: vertex 99 is not in the mesh"),
+]  # fmt: skip
