@@ -32,6 +32,9 @@ constexpr ClaimInWords kClaims[] = {
     {kSameBits, "the same bits every time", [](const Description& d) { return d.deterministic; }},
     {kConcurrentObjects, "objects that solve at the same time",
      [](const Description& d) { return d.abilities.concurrent_objects; }},
+    {kSurfaceSources, "sources in faces and on edges",
+     [](const Description& d) { return d.abilities.surface_sources; }},
+    {kPaths, "paths", [](const Description& d) { return d.abilities.paths; }},
 };
 
 void must_refuse(const Trial& trial, const std::string& why) {

@@ -87,6 +87,8 @@ enum Claim : unsigned {
   kOwnKernel = 64,  ///< not an independent oracle
   kSameBits = 128,  ///< deterministic
   kConcurrentObjects = 256,
+  kSurfaceSources = 512,
+  kPaths = 1024,
 };
 
 struct Property {

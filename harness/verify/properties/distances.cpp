@@ -68,12 +68,6 @@ Cases squares_with_holes() {
           closed_form_case("square-with-hole", {{"hole", 6}, {"rim", 2}})};
 }
 
-Cases random_meshes_from_some_sources() {
-  Cases cases = random_mesh_cases({});
-  for (Case& each : cases) each.queries = some_sources(each.soup);
-  return cases;
-}
-
 Cases many_small_meshes() {
   Cases cases;
   for (std::uint64_t seed = 100; seed < 140; ++seed) {

@@ -12,7 +12,8 @@ const std::vector<Property>& all_properties() {
     for (const auto& group :
          {query_properties(), component_properties(), repetition_properties(),
           recording_properties(), invariance_properties(), closed_form_properties(),
-          unclean_mesh_properties(), extreme_mesh_properties(), rough_mesh_properties()}) {
+          unclean_mesh_properties(), extreme_mesh_properties(), rough_mesh_properties(),
+          path_properties()}) {
       properties.insert(properties.end(), group.begin(), group.end());
     }
     return properties;
@@ -42,6 +43,12 @@ Cases random_mesh_cases(const std::vector<Query>& queries) {
 std::vector<Query> some_sources(const TriangleSoup& soup) {
   const Index count = static_cast<Index>(soup.positions.size());
   return {from(0), from(count / 2), from(count - 1)};
+}
+
+Cases random_meshes_from_some_sources() {
+  Cases cases = random_mesh_cases({});
+  for (Case& each : cases) each.queries = some_sources(each.soup);
+  return cases;
 }
 
 std::vector<Query> every_source(const TriangleSoup& soup) {

@@ -19,6 +19,7 @@ std::vector<Property> closed_form_properties();
 std::vector<Property> unclean_mesh_properties();
 std::vector<Property> extreme_mesh_properties();
 std::vector<Property> rough_mesh_properties();
+std::vector<Property> path_properties();
 
 using Cases = std::vector<Case>;
 
@@ -34,6 +35,8 @@ Cases random_mesh_cases(const std::vector<Query>& queries);
 
 /// From vertex 0, one in the middle, and the last one.
 std::vector<Query> some_sources(const TriangleSoup& soup);
+/// The random meshes, each with some_sources.
+Cases random_meshes_from_some_sources();
 std::vector<Query> every_source(const TriangleSoup& soup);
 
 /// A generated mesh with distances in closed form.

@@ -1,0 +1,289 @@
+// Paths, and points of the surface as their ends.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "harness/verify/path_check.h"
+#include "harness/verify/properties/properties.h"
+#include "meshes/inserted_points.h"
+#include "meshes/random.h"
+
+namespace geodesic::harness {
+namespace {
+
+/// Up to so many of these, evenly spread, the first and the last among them.
+template <class Each>
+std::vector<Each> some_of(const std::vector<Each>& all, std::size_t most) {
+  if (all.size() <= most) return all;
+  std::vector<Each> some;
+  for (std::size_t i = 0; i < most; ++i) some.push_back(all[i * (all.size() - 1) / (most - 1)]);
+  return some;
+}
+
+/// By turns in faces, on edges and at vertices; none where there are no faces.
+std::vector<SurfacePoint> points_by_chance(const Mesh& mesh, std::size_t count) {
+  Random random(split_mix(mesh.face_count()));
+  std::vector<SurfacePoint> points;
+  while (points.size() < count && mesh.face_count() > 0) {
+    const Index face = random.below(mesh.face_count());
+    std::array<double, 3> weights;
+    for (double& w : weights) w = random.between(0, 1);
+    if (points.size() % 4 == 2) weights[random.below(3)] = 0;
+    if (points.size() % 4 == 3) weights = {1, 0, 0};
+    points.push_back(point_in_face(mesh, face, weights));
+  }
+  return points;
+}
+
+void check_end(const Trial& trial, const Query& query, const SurfacePoint& end, double distance,
+               const Path& path) {
+  require(check_path(trial.mesh(), query, end, distance, path, trial.tolerance()));
+  require(check_straight(trial.mesh(), path, trial.tolerance()));
+}
+
+/// All targets, and as many vertices.
+void check_all(const Trial& trial, const Query& query, const Paths& paths) {
+  for (std::size_t i = 0; i < query.targets.size(); ++i) {
+    const std::string target = "to target " + std::to_string(i);
+    if (paths.distance_to_target(i) == kInfinity) {
+      refused(target + ", where no path leads, a path", [&] { paths.to_target(i); });
+      continue;
+    }
+    check_end(trial, query, query.targets[i], paths.distance_to_target(i), paths.to_target(i));
+  }
+  std::vector<Index> vertices(trial.mesh().vertex_count());
+  std::iota(vertices.begin(), vertices.end(), Index{0});
+  for (const Index v : some_of(vertices, 200)) {
+    const double distance = paths.distances()[v];
+    if (distance == kInfinity) {
+      refused("to vertex " + std::to_string(v) + ", where no path leads, a path",
+              [&] { paths.to_vertex(v); });
+      continue;
+    }
+    check_end(trial, query, SurfacePoint(v), distance, paths.to_vertex(v));
+  }
+}
+
+constexpr std::size_t kQueries = 4;  // of a case, as far as paths are concerned
+
+void paths_are_shortest(const Trial& trial) {
+  const auto solver = trial.prepare();
+  for (Query query : some_of(trial.queries(), kQueries)) {
+    query.targets = points_by_chance(trial.mesh(), 12);
+    check_all(trial, query, solve_paths(*solver, trial.mesh(), query));
+  }
+}
+
+void paths_begin_anywhere(const Trial& trial) {
+  const auto solver = trial.prepare();
+  const std::vector<SurfacePoint> points = points_by_chance(trial.mesh(), 6);
+  for (const SurfacePoint& from : points) {
+    const Query query{.sources = {{from, 0.25}}, .targets = points};
+    check_all(trial, query, solve_paths(*solver, trial.mesh(), query));
+  }
+}
+
+void paths_lead_there_and_back(const Trial& trial) {
+  const auto solver = trial.prepare();
+  const std::vector<SurfacePoint> points = points_by_chance(trial.mesh(), 8);
+  std::vector<std::vector<double>> lengths;
+  for (const SurfacePoint& from : points) {
+    const Paths paths =
+        solve_paths(*solver, trial.mesh(), {.sources = {{from, 0}}, .targets = points});
+    lengths.emplace_back();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const bool leads = paths.distance_to_target(i) < kInfinity;
+      lengths.back().push_back(leads ? paths.to_target(i).length() : kInfinity);
+    }
+  }
+  for (std::size_t a = 0; a < points.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      const double error = relative_error(lengths[a][b], lengths[b][a], trial.tolerance().least);
+      require(std::abs(error) <= trial.tolerance().relative,
+              "from point " + std::to_string(a) + " to " + std::to_string(b) + " it is " +
+                  significant(lengths[a][b]) + ", and back " + significant(lengths[b][a]));
+    }
+  }
+}
+
+void recording_paths_changes_nothing(const Trial& trial) {
+  const Query& query = trial.query();
+  const auto solver = trial.prepare();
+  const Paths paths = solve_paths(*solver, trial.mesh(), query);
+  require("with paths, beside a timed solve",
+          same_bits(query, paths.distances(), trial.solve(*solver, query)));
+}
+
+void nearest_sources_are_nearest(const Trial& trial) {
+  const Query& query = trial.query();
+  const auto solver = trial.prepare();
+  const Paths paths = solve_paths(*solver, trial.mesh(), query);
+  std::vector<std::vector<double>> from_each;
+  for (const Source& source : query.sources) {
+    from_each.push_back(trial.solve(*solver, Query{.sources = {source}}));
+  }
+  const std::vector<Index> nearest = paths.nearest_sources();
+  std::vector<double> distances;
+  for (Index v = 0; v < nearest.size(); ++v) {
+    require(nearest[v] == paths.nearest_source(v), "a vertex has two nearest sources");
+    distances.push_back(nearest[v] == kNone ? kInfinity : from_each[nearest[v]][v]);
+  }
+  require("from the nearest source alone",
+          check_distances(query, distances, paths.distances(), Relation::equal, trial.tolerance()));
+}
+
+/// The mesh with points inserted, and distances on it that are right.
+class WithPoints {
+ public:
+  WithPoints(const Trial& trial, const std::vector<SurfacePoint>& points)
+      : inserted_(trial.mesh(), points),
+        reference_(trial.solver(), inserted_.mesh()),
+        tolerance_(trial.tolerance()) {
+    // Points move by up to place(), at both ends.
+    tolerance_.least = std::max(tolerance_.least, 2 * inserted_.place() / tolerance_.relative);
+  }
+
+  std::vector<double> distances(const SurfacePoint& source) {
+    return reference_.distances(from(inserted_.vertex(source)));
+  }
+  Index vertex(const SurfacePoint& point) const { return inserted_.vertex(point); }
+  const Tolerance& tolerance() const { return tolerance_; }
+
+ private:
+  InsertedPoints inserted_;
+  LocalReference reference_;
+  Tolerance tolerance_;
+};
+
+void require_promise(const Trial& trial, const Query& query, std::span<const double> got,
+                     std::span<const double> expected, const Tolerance& tolerance) {
+  require("with the points inserted",
+          check_promise(Promise::of(trial.solver()), query, got, expected, tolerance));
+}
+
+void sources_are_as_if_inserted(const Trial& trial) {
+  const std::vector<SurfacePoint> points = points_by_chance(trial.mesh(), 4);
+  if (points.empty()) return;
+  WithPoints finer(trial, points);
+  const auto solver = trial.prepare();
+  for (const SurfacePoint& point : points) {
+    const Query query{.sources = {{point, 0}}};
+    std::vector<double> expected = finer.distances(point);
+    expected.resize(trial.mesh().vertex_count());
+    require_promise(trial, query, trial.solve(*solver, query), expected, finer.tolerance());
+  }
+}
+
+void targets_are_as_if_inserted(const Trial& trial) {
+  const std::vector<SurfacePoint> points = points_by_chance(trial.mesh(), 8);
+  if (points.empty()) return;
+  WithPoints finer(trial, points);
+  const auto solver = trial.prepare();
+  Query query = trial.query();
+  query.targets = points;
+  const Paths paths = solve_paths(*solver, trial.mesh(), query);
+  const std::vector<double> distances = finer.distances(query.sources[0].at);
+  std::vector<double> got, expected;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    got.push_back(paths.distance_to_target(i));
+    expected.push_back(distances[finer.vertex(points[i])]);
+  }
+  require_promise(trial, query, got, expected, finer.tolerance());
+}
+
+void points_of_a_plane_are_euclids(const Trial& trial) {
+  const auto solver = trial.prepare();
+  const std::vector<SurfacePoint> points = points_by_chance(trial.mesh(), 40);
+  for (const SurfacePoint& from : some_of(points, 6)) {
+    const Query query{.sources = {{from, 0}}, .targets = points};
+    const Paths paths = solve_paths(*solver, trial.mesh(), query);
+    std::vector<double> got, expected;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      got.push_back(paths.distance_to_target(i));
+      const Vec3 line =
+          subtract(position_of(trial.mesh(), points[i]), position_of(trial.mesh(), from));
+      expected.push_back(geodesic::norm(line));
+    }
+    // Between points that are near, their own positions are rounded.
+    const Tolerance tolerance{.relative = kExactTolerance, .least = 0.01};
+    require("as the crow flies",
+            check_promise(Promise::of(trial.solver()), query, got, expected, tolerance));
+  }
+}
+
+Cases of_all(const std::vector<Property>& properties) {
+  Cases cases;
+  for (const Property& property : properties) {
+    for (Case& each : property.cases()) {
+      if (each.soup.triangles.size() > 5000) continue;
+      each.mesh = property.name + ": " + each.mesh;
+      each.queries = some_of(each.queries, kQueries);
+      cases.push_back(std::move(each));
+    }
+  }
+  return cases;
+}
+
+Cases from_several() {
+  Cases cases = random_mesh_cases({});
+  for (Case& each : cases) {
+    const Index last = static_cast<Index>(each.soup.positions.size()) - 1;
+    each.queries = {from({0, last / 3, last / 2, last})};
+  }
+  return cases;
+}
+
+Cases planes() {
+  Cases cases;
+  for (const char* diagonal : {"alternating", "forward"}) {
+    const TriangleSoup grid =
+        generate("grid", {{"columns", 9}, {"rows", 7}, {"diagonal", diagonal}});
+    cases.push_back(plane_case(diagonal, grid, {from(0)}, grid));
+  }
+  return cases;
+}
+
+}  // namespace
+
+std::vector<Property> path_properties() {
+  constexpr unsigned kAnyEnds = kPaths | kSurfaceSources;
+  return {
+      {"paths-are-as-long-as-distances-straight-and-bend-where-they-may",
+       "on rough meshes every path is as long as its end is far, straight, and bends only where "
+       "that saves nothing",
+       random_meshes_from_some_sources, paths_are_shortest, kPaths},
+      {"paths-begin-in-faces-and-on-edges-too",
+       "between points in faces, on edges and at vertices paths are as long as distances",
+       random_meshes_from_some_sources, paths_begin_anywhere, kAnyEnds | kInitialDistances},
+      {"paths-on-surfaces-with-a-closed-form-are-as-long-as-distances",
+       "on planes, boxes, cones, saddles and cylinders, where lines run through vertices, paths "
+       "are as long as distances, and straight",
+       [] { return of_all(closed_form_properties()); }, paths_are_shortest, kPaths},
+      {"paths-on-unclean-meshes-are-as-long-as-distances",
+       "along borders, non-manifold vertices and edges, and faces without area paths are as long "
+       "as distances",
+       [] { return of_all(unclean_mesh_properties()); }, paths_are_shortest, kPaths},
+      {"paths-on-extreme-meshes-are-as-long-as-distances",
+       "over needles, valences, ties and far units paths are as long as distances",
+       [] { return of_all(extreme_mesh_properties()); }, paths_are_shortest, kPaths},
+      {"paths-lead-there-and-back", "the path from a to b is as long as that from b to a",
+       random_meshes_from_some_sources, paths_lead_there_and_back, kAnyEnds | kExactDistances},
+      {"paths-recorded-change-no-distance", "a solve that records paths gives a timed one's bits",
+       random_meshes_from_some_sources, recording_paths_changes_nothing, kPaths | kSameBits},
+      {"nearest-sources-are-those-that-paths-come-from",
+       "the source that a vertex's path comes from is one that no other is nearer than",
+       from_several, nearest_sources_are_nearest, kPaths | kMultipleSources},
+      {"sources-in-faces-and-on-edges-equal-inserted-vertices",
+       "from a point in a face or on an edge distances are those of the mesh with it as a vertex",
+       random_meshes_from_some_sources, sources_are_as_if_inserted, kSurfaceSources},
+      {"targets-in-faces-and-on-edges-equal-inserted-vertices",
+       "the distance of a point in a face or on an edge is that of the vertex it becomes",
+       random_meshes_from_some_sources, targets_are_as_if_inserted, kPaths},
+      {"points-of-a-plane-are-as-far-apart-as-in-space",
+       "between points of a plane, wherever they lie, distances are Euclid's", planes,
+       points_of_a_plane_are_euclids, kAnyEnds, /*on_any_mesh=*/false},
+  };
+}
+
+}  // namespace geodesic::harness
