@@ -157,9 +157,8 @@ class Propagation {
 
   /// Starts from a source that is no vertex.
   [[gnu::cold, gnu::noinline]] void spread(const Source& source, Index root) {
-    const auto reach_corner = [&](Index h, const Point2& from) __attribute__((cold)) {
+    const auto reach_corner = [&](Index h, const Point2& from, double rest) __attribute__((cold)) {
       const FaceFrame face = face_frame(mesh_, h);
-      const double rest = std::hypot(from.x - face.apex_x, from.y - face.apex_y);
       const double distance = source.distance + rest;
       // Rounding turns the lines of a source that is this near to a corner; between them there may
       // be gaps. The lines of the corner, which are as long, fill them.

@@ -74,10 +74,13 @@ void PathRecord::finish_place(const Place& place, std::span<const double> distan
     if (source.at.is_vertex()) continue;
     for (const SurfacePoint& from : {source.at, beyond_edge(mesh_, source.at)}) {
       if (from.face != face) continue;
-      const Point2 start = in_frame(mesh_, from, 3 * face);
-      const Point2 end = in_frame(mesh_, place.point, 3 * face);
+      // From the nearest corner: next to it, coordinates have all digits of the weights.
+      const auto& weights = place.point.weights;
+      const auto largest = std::ranges::max_element(weights) - weights.begin();
+      const Index h = 3 * face + static_cast<Index>(largest);
+      const Point2 start = in_frame(mesh_, from, h), end = in_frame(mesh_, place.point, h);
       offer(place.target, source.distance + std::hypot(end.x - start.x, end.y - start.y),
-            {3 * face, mesh_.vertex_count() + i, start});
+            {h, mesh_.vertex_count() + i, start});
     }
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "solvers/core/mesh.h"
@@ -68,11 +69,12 @@ SurfacePoint beyond_edge(const Mesh& mesh, const SurfacePoint& point);
 /// Follows all straight lines that leave a point of a face through its corners and sides, in both
 /// faces of a point on an edge.
 /// @param point not a vertex
-/// @param reach called as (Index h, Point2 from) for each corner, which is the apex of h; the point
-///        in the frame of h
+/// @param reach called as (Index h, Point2 from, double distance) for each corner, the apex of h; the
+///        point in the frame of h, and how far it is from the corner, with all digits that its
+///        weights have, however near that is
 /// @param cross called as (Index h, Point2 from) for each side on which the point does not lie: the
-///        lines pass all of it. The point in the frame of the twin of h: y <= 0. The twin may not
-///        exist.
+///        lines pass all of it. The point in the frame of the twin of h: y <= 0, and off the side
+///        as an apex is (apex_from_beyond). The twin may not exist.
 template <class Reach, class Cross>
 void spread_from(const Mesh& mesh, const SurfacePoint& point, const Reach& reach,
                  const Cross& cross) {
@@ -81,7 +83,8 @@ void spread_from(const Mesh& mesh, const SurfacePoint& point, const Reach& reach
     const Index under = edge_under(in_face);
     for (Index h = 3 * in_face.face; h < 3 * in_face.face + 3; ++h) {
       const Point2 from = in_frame(mesh, in_face, h);
-      reach(h, from);
+      const Point2 from_apex = in_frame(mesh, in_face, Mesh::previous(h));
+      reach(h, from, std::hypot(from_apex.x, from_apex.y));
       if (h != under) cross(h, seen_from_beyond(from, mesh.half_edge(h).length));
     }
   }

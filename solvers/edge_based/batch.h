@@ -21,9 +21,7 @@ class Batch {
   /// Room for this many windows, keeping what is there.
   void reserve(std::size_t windows);
 
-  Window window(std::size_t i) const {
-    return {array(kBegin)[i], array(kEnd)[i], array(kX)[i], array(kY)[i], array(kSigma)[i]};
-  }
+  Window window(std::size_t i) const { return window_of(*this, i); }
   void set_interval(std::size_t i, const Window& w) {
     array(kBegin)[i] = w.begin;
     array(kEnd)[i] = w.end;
@@ -37,7 +35,7 @@ class Batch {
   bool is_struck_out(std::size_t i) const { return array(kBegin)[i] == kInfinity; }
 
  private:
-  static constexpr unsigned kArrays = kDepth + 1;  // one a Field
+  static constexpr unsigned kArrays = kNote + 1;  // one a Field
   std::unique_ptr<double[]> arrays_;
   std::size_t room_ = 0;
 };

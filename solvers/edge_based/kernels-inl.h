@@ -122,9 +122,10 @@ struct EndPaths {
 };
 
 /// Appends to `batch` the windows of a segment that no path over an end of the edge beats.
-template <unsigned fields, class Segment>
+template <Note note, class Segment>
 HWY_INLINE void gather(Segment& segment, const EndPaths& ends, Batch& batch) {
   batch.reserve(batch.count + segment.count);
+  constexpr unsigned fields = fields_with(note);
   double* from[fields];
   double* to[fields];
   for (unsigned f = 0; f < fields; ++f) {
@@ -143,7 +144,7 @@ HWY_INLINE void gather(Segment& segment, const EndPaths& ends, Batch& batch) {
     pack.store(w.x, to[kX] + out);
     pack.store(w.y, to[kY] + out);
     pack.store(w.sigma, to[kSigma] + out);
-    if constexpr (fields > kDepth) pack.store(hn::Load(kTag, from[kDepth] + i), to[kDepth] + out);
+    if constexpr (note != Note::none) pack.store(hn::Load(kTag, from[kNote] + i), to[kNote] + out);
     out += pack.count();
   }
   batch.count = out;
@@ -306,9 +307,10 @@ struct RightEdge {
 /// Unfolds onto one edge the windows of the batch whose bit is set in `to_edge`. A window whose bit
 /// in `seen_other` is set too sees the apex and reaches up to it.
 /// @param out room for the chosen windows and kLaneRoom - 1 more
-template <class Edge, unsigned fields, class Segment>
+template <class Edge, Note note, class Segment>
 HWY_INLINE void unfold(const Batch& batch, const FaceFrame& face, const std::uint8_t* to_edge,
                        const std::uint8_t* seen_other, Segment& out) {
+  constexpr unsigned fields = fields_with(note);
   double* to[fields];
   for (unsigned f = 0; f < fields; ++f) to[f] = out.array(f);
   const Vec width = all(kWindowWidth * Edge::length(face));
@@ -330,8 +332,9 @@ HWY_INLINE void unfold(const Batch& batch, const FaceFrame& face, const std::uin
     pack.store(x, to[kX] + count);
     pack.store(y, to[kY] + count);
     pack.store(w.sigma, to[kSigma] + count);
-    if constexpr (fields > kDepth) {
-      pack.store(hn::Add(hn::LoadU(kTag, batch.array(kDepth) + i), all(1)), to[kDepth] + count);
+    if constexpr (note != Note::none) {
+      const Vec noted = hn::LoadU(kTag, batch.array(kNote) + i);
+      pack.store(note == Note::depth ? hn::Add(noted, all(1)) : noted, to[kNote] + count);
     }
     count += pack.count();
   }

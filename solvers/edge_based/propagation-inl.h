@@ -48,11 +48,7 @@ class Propagation final : public Propagator<Recorder> {
       recorder.recording.window_bytes = sizeof(Window);
       progress_.start(mesh_, query.source_vertices(mesh_));
     }
-    for (const Source& source : query.sources) {
-      if (source.distance < distances_[source.at.vertex])
-        reach(source.at.vertex, source.distance, recorder);
-      vertex_state_[source.at.vertex] |= kSource;
-    }
+    for (Index i = 0; i < query.sources.size(); ++i) begin_at(query.sources[i], i, recorder);
     // The shortest path to a vertex within the limit crosses only edges that have an end nearer
     // than the limit plus half their length.
     const double stop = query.limit + longest_edge_ / 2;
@@ -61,7 +57,10 @@ class Propagation final : public Propagator<Recorder> {
       for (std::size_t i = 0; i < fifo_.size(); ++i) {
         const Index h = fifo_[i];
         queued_[h] = 0;
-        if constexpr (Lists::kCarries) lists_.carry(h, face_frame(mesh_, h));
+        if constexpr (Lists::kCarries) {
+          if constexpr (Recorder::kRemembers) show_windows(h, recorder);
+          lists_.carry(h, face_frame(mesh_, h));
+        }
         cross_face(h, recorder);
         if constexpr (Lists::kCarries) land_carried(h, recorder);
         recorder.wavefront_size(lists_.size());
@@ -74,10 +73,12 @@ class Propagation final : public Propagator<Recorder> {
   }
 
  private:
-  static constexpr unsigned kFields = Recorder::kRecords ? kDepth + 1 : kSigma + 1;
+  static constexpr Note kNoted = Recorder::kRecords     ? Note::depth
+                                 : Recorder::kRemembers ? Note::root
+                                                        : Note::none;
   static constexpr std::uint8_t kPassed = 1;  // popped at least once
-  static constexpr std::uint8_t kSource = 2;
-  using Lists = typename Policy::template Lists<kFields>;
+  static constexpr std::uint8_t kSource = 2;  // sends windows even where no path bends
+  using Lists = typename Policy::template Lists<kNoted>;
 
   /// Forgets the last solve, however it ended.
   void start(std::span<double> distances) {
@@ -88,6 +89,44 @@ class Propagation final : public Propagator<Recorder> {
     front_.clear();
     lists_.clear();
     budget_.start();
+  }
+
+  /// @param number of the source in the query
+  [[gnu::noinline]] void begin_at(const Source& source, Index number, Recorder& recorder) {
+    if (!source.at.is_vertex()) return spread(source, mesh_.vertex_count() + number, recorder);
+    const Index v = source.at.vertex;
+    vertex_state_[v] |= kSource;
+    if (!(source.distance < distances_[v])) return;
+    reach(v, source.distance, recorder);
+    if constexpr (Recorder::kRemembers) recorder.arrived(v, {.root = v});
+  }
+
+  /// Starts from a point that is no vertex.
+  ///
+  /// Next to a corner, the lines to both sides of it are turned by the rounding of coordinates, and
+  /// what lies behind the corner may be between them: the corner sends windows too, as a source
+  /// does. They are as long or longer, and soon beaten. Where the point is a window's width from
+  /// the corner, its own lines have no direction, and there are only the corner's.
+  void spread(const Source& source, Index root, Recorder& recorder) {
+    bool at_corner = false;
+    const auto reach_corner = [&](Index h, const Point2& from, double to_apex) {
+      const Index apex = mesh_.apex(h);
+      if (source.distance + to_apex < distances_[apex]) {
+        reach(apex, source.distance + to_apex, recorder);
+        if constexpr (Recorder::kRemembers) recorder.arrived(apex, {h, root, from});
+      }
+      const FaceFrame face = face_frame(mesh_, h);
+      const double longest = std::max({face.length, face.left, face.right});
+      if (to_apex < kNearCorner * longest) vertex_state_[apex] |= kSource;
+      at_corner |= to_apex < kWindowWidth * longest;
+    };
+    const auto cross_side = [&](Index h, const Point2& from) {
+      emit_over(mesh_.half_edge(h), from, source.distance, root);
+    };
+    spread_from(mesh_, source.at, reach_corner, [](Index, const Point2&) {});
+    if (at_corner) return;
+    spread_from(
+        mesh_, source.at, [](Index, const Point2&, double) {}, cross_side);
   }
 
   Index pop(Recorder& recorder) {
@@ -131,10 +170,16 @@ class Propagation final : public Propagator<Recorder> {
     for (const Index h : mesh_.outgoing(v)) {
       const Index into = Mesh::previous(h);
       const double at_head = distances_[v] + mesh_.half_edge(h).length;
-      if (at_head < distances_[mesh_.head(h)]) reach(mesh_.head(h), at_head, recorder);
+      if (at_head < distances_[mesh_.head(h)]) {
+        reach(mesh_.head(h), at_head, recorder);
+        if constexpr (Recorder::kRemembers) {
+          recorder.arrived(mesh_.head(h), {into, v, {mesh_.half_edge(into).length, 0}});
+        }
+      }
       const double at_origin = distances_[v] + mesh_.half_edge(into).length;
       if (at_origin < distances_[mesh_.origin(into)]) {
         reach(mesh_.origin(into), at_origin, recorder);
+        if constexpr (Recorder::kRemembers) recorder.arrived(mesh_.origin(into), {h, v, {0, 0}});
       }
       if (emits) emit(v, Mesh::next(h));
     }
@@ -149,16 +194,22 @@ class Propagation final : public Propagator<Recorder> {
   /// Sends a window from the (pseudo-)source v over the whole of the opposite edge.
   void emit(Index v, Index opposite) {
     const HalfEdge& e = mesh_.half_edge(opposite);
+    emit_over(e, apex_from_beyond(e), distances_[v], v);
+  }
+
+  /// Sends a window over the whole of a side of a face.
+  /// @param from the source in the frame of the side's twin
+  HWY_INLINE void emit_over(const HalfEdge& e, const Point2& from, double distance, Index root) {
     if (e.twin == kNone || !(e.length > 0)) return;
     auto* segment = lists_.allocate(1);
     segment->count = 1;
     segment->array(kBegin)[0] = 0;
     segment->array(kEnd)[0] = e.length;
-    const Point2 source = apex_from_beyond(e);
-    segment->array(kX)[0] = source.x;
-    segment->array(kY)[0] = source.y;
-    segment->array(kSigma)[0] = distances_[v];
-    if constexpr (Recorder::kRecords) segment->array(kDepth)[0] = 1;
+    segment->array(kX)[0] = from.x;
+    segment->array(kY)[0] = from.y;
+    segment->array(kSigma)[0] = distance;
+    if constexpr (kNoted == Note::depth) segment->array(kNote)[0] = 1;
+    if constexpr (kNoted == Note::root) segment->array(kNote)[0] = root;
     land(e.twin, segment, Place::back);
   }
 
@@ -177,25 +228,45 @@ class Propagation final : public Propagator<Recorder> {
     gather_and_trim(h, ends, recorder);
     if (batch_.count == 0) return;
     budget_.spend(batch_.count);
+    if constexpr (Recorder::kRemembers) {
+      for (std::size_t i = 0; i < batch_.count; ++i) {
+        if (!batch_.is_struck_out(i)) recorder.crossing(h, batch_.window(i), root_of(i));
+      }
+    }
 
     const FaceFrame face = face_frame(mesh_, h);
     const Separator separator = classify(batch_, face, seen_left_.data(), seen_right_.data());
     const Index apex = mesh_.apex(h);
-    if (separator.distance < distances_[apex]) reach(apex, separator.distance, recorder);
+    if (separator.distance < distances_[apex]) {
+      reach(apex, separator.distance, recorder);
+      if constexpr (Recorder::kRemembers) {
+        const Window best = batch_.window(separator.window);
+        recorder.arrived(apex, {h, root_of(separator.window), {best.x, best.y}});
+      }
+    }
     choose_sides(separator, face, recorder);
     if constexpr (Recorder::kRecords) count(recorder);
 
     const Index left = mesh_.twin(Mesh::previous(h)), right = mesh_.twin(Mesh::next(h));
     if (left != kNone && separator.any_left) {
       auto* out = lists_.allocate(batch_.count + kLaneRoom - 1);
-      unfold<LeftEdge, kFields>(batch_, face, to_left_, seen_right_.data(), *out);
+      unfold<LeftEdge, kNoted>(batch_, face, to_left_, seen_right_.data(), *out);
       land(left, out, Place::front);
     }
     if (right != kNone && separator.any_right) {
       auto* out = lists_.allocate(batch_.count + kLaneRoom - 1);
-      unfold<RightEdge, kFields>(batch_, face, to_right_, seen_left_.data(), *out);
+      unfold<RightEdge, kNoted>(batch_, face, to_right_, seen_left_.data(), *out);
       land(right, out, Place::back);
     }
+  }
+
+  /// All windows of the list of h cross its face; those that are then carried do so unseen.
+  void show_windows(Index h, Recorder& recorder) {
+    lists_.for_each_segment(h, [&](const auto& segment) {
+      for (std::size_t i = 0; i < segment.count; ++i) {
+        recorder.crossing(h, window_of(segment, i), static_cast<Index>(segment.array(kNote)[i]));
+      }
+    });
   }
 
   /// Hands on what the lists have carried across the face of h.
@@ -205,7 +276,7 @@ class Propagation final : public Propagator<Recorder> {
         recorder.created(segment.count);
         recorder.valid(segment.count);
         for (std::size_t i = 0; i < segment.count; ++i) {
-          recorder.propagated(1, {static_cast<std::uint32_t>(segment.array(kDepth)[i]) + faces});
+          recorder.propagated(1, {static_cast<std::uint32_t>(segment.array(kNote)[i]) + faces});
         }
       });
     }
@@ -223,7 +294,7 @@ class Propagation final : public Propagator<Recorder> {
     batch_.count = 0;
     lists_.consume(h, [&](auto& segment) {
       recorder.created(segment.count);
-      gather<kFields>(segment, ends, batch_);
+      gather<kNoted>(segment, ends, batch_);
     });
     reserve_masks();
     if (batch_.count > 1) trim(crossed_face(mesh_, h, rounding_));
@@ -311,10 +382,13 @@ class Propagation final : public Propagator<Recorder> {
     to_right_ = kept_right_.data();
   }
 
+  /// Of a window of the batch.
+  Index root_of(std::size_t i) const { return static_cast<Index>(batch_.array(kNote)[i]); }
+
   void count(Recorder& recorder) const {
     for (std::size_t i = 0; i < batch_.count; ++i) {
       if (batch_.is_struck_out(i)) continue;
-      const auto depth = static_cast<std::uint32_t>(batch_.array(kDepth)[i]) + 1;
+      const auto depth = static_cast<std::uint32_t>(batch_.array(kNote)[i]) + 1;
       recorder.propagated(1, {depth});
       if (bit(to_left_, i) || bit(to_right_, i)) recorder.valid(1);
     }
@@ -325,8 +399,7 @@ class Propagation final : public Propagator<Recorder> {
       for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
         lists_.for_each_segment(h, [&](auto& segment) {
           for (std::size_t i = 0; i < segment.count; ++i) {
-            visit(h, {segment.array(kBegin)[i], segment.array(kEnd)[i], segment.array(kX)[i],
-                      segment.array(kY)[i], segment.array(kSigma)[i]});
+            visit(h, window_of(segment, i));
           }
         });
       }

@@ -15,22 +15,39 @@
 
 #include "solvers/core/geometry.h"
 #include "solvers/core/prefetch.h"
+#include "solvers/core/window.h"
 
 namespace geodesic::edge_based {
 
 enum class Place { front, back };
 
 /// Where a window's numbers lie in a segment or a batch: one array each.
-enum Field : unsigned { kBegin, kEnd, kX, kY, kSigma, kDepth };
+enum Field : unsigned { kBegin, kEnd, kX, kY, kSigma, kNote };
+
+/// What recorded solves keep of a window besides: a whole number, which a double holds exactly.
+enum class Note : std::uint8_t {
+  none,
+  depth,  ///< of the window's strip, in faces: grows by 1 with every face crossed
+  root,   ///< as in Arrival, handed on as it is
+};
+
+/// Number of arrays.
+constexpr unsigned fields_with(Note note) { return note == Note::none ? kNote : kNote + 1; }
 
 /// Vectors read whole: room and arrays are multiples of this many doubles.
 inline constexpr std::size_t kLaneRoom = 4;
 
 struct NoExtra {};
 
-/// @tparam fields number of arrays: 5, or 6 when the depth of a window's strip is recorded
+/// Window i of a segment or batch.
+template <class Arrays>
+Window window_of(const Arrays& arrays, std::size_t i) {
+  return {arrays.array(kBegin)[i], arrays.array(kEnd)[i], arrays.array(kX)[i], arrays.array(kY)[i],
+          arrays.array(kSigma)[i]};
+}
+
 /// @tparam Extra what else a segment keeps about its windows; set by what fills the segment
-template <unsigned fields, class Extra = NoExtra>
+template <Note note, class Extra = NoExtra>
 class WindowLists {
  public:
   /// Whether windows may cross a face without being unfolded (propagation.h).
@@ -151,7 +168,7 @@ class WindowLists {
 
   Segment* carve(unsigned bin) {
     const std::size_t room = kLaneRoom << bin;
-    const std::size_t units = (sizeof(Segment) + fields * room * sizeof(double)) / kUnit;
+    const std::size_t units = (sizeof(Segment) + fields_with(note) * room * sizeof(double)) / kUnit;
     if (used_ + units > kBlockUnits) open_block(units);
     const Index handle = static_cast<Index>((used_blocks_ - 1) << kBlockBits | used_);
     used_ += units;

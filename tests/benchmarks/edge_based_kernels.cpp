@@ -11,8 +11,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace geodesic::edge_based::HWY_NAMESPACE {
 
-constexpr unsigned kFields = kSigma + 1;
-
 inline void fill(Batch& batch, const std::vector<Window>& windows) {
   batch.reserve(windows.size());
   batch.count = windows.size();
@@ -38,7 +36,7 @@ struct Crossing {
 
   const std::vector<Window> windows;
   const FaceFrame face = microbench::crossed_face_frame();
-  WindowLists<kFields> lists;
+  WindowLists<Note::none> lists;
   Batch batch;
   std::vector<std::uint8_t> left, right, suspects;
 };
@@ -48,12 +46,12 @@ inline void gather_list(benchmark::State& state) {
   auto* segment = crossing.lists.allocate(crossing.windows.size());
   segment->count = static_cast<std::uint32_t>(crossing.windows.size());
   for (std::size_t i = 0; i < crossing.windows.size(); ++i) {
-    for (unsigned f = 0; f < kFields; ++f) segment->array(f)[i] = crossing.batch.array(f)[i];
+    for (unsigned f = 0; f < kNote; ++f) segment->array(f)[i] = crossing.batch.array(f)[i];
   }
   const EndPaths ends(crossing.face.length, 2.2, 2.2);  // beaten by none
   for (auto _ : state) {
     crossing.batch.count = 0;
-    gather<kFields>(*segment, ends, crossing.batch);
+    gather<Note::none>(*segment, ends, crossing.batch);
     benchmark::DoNotOptimize(crossing.batch.count);
     benchmark::ClobberMemory();
   }
@@ -81,9 +79,9 @@ inline void unfold_list(benchmark::State& state) {
   const std::size_t room = crossing.windows.size() + kLaneRoom - 1;
   auto *to_left = crossing.lists.allocate(room), *to_right = crossing.lists.allocate(room);
   for (auto _ : state) {
-    unfold<LeftEdge, kFields>(crossing.batch, crossing.face, crossing.left.data(),
+    unfold<LeftEdge, Note::none>(crossing.batch, crossing.face, crossing.left.data(),
                               crossing.right.data(), *to_left);
-    unfold<RightEdge, kFields>(crossing.batch, crossing.face, crossing.right.data(),
+    unfold<RightEdge, Note::none>(crossing.batch, crossing.face, crossing.right.data(),
                                crossing.left.data(), *to_right);
     benchmark::ClobberMemory();
   }

@@ -17,7 +17,7 @@ namespace {
 /// Two batches of range(0) windows arrive at an edge, one at either end; the list of an edge that
 /// was filled a thousand edges ago is consumed.
 void window_lists(benchmark::State& state) {
-  using Lists = edge_based::WindowLists<edge_based::kSigma + 1>;
+  using Lists = edge_based::WindowLists<edge_based::Note::none>;
   constexpr Index kEdges = 1024;
   Lists lists(kEdges);
   const auto windows = static_cast<std::size_t>(state.range(0));

@@ -95,11 +95,11 @@ TEST(SurfacePoint, spreads_to_every_corner_and_side_of_its_faces_at_their_distan
     int corners = 0, sides = 0;
     spread_from(
         mesh, point,
-        [&](Index h, const Point2& from) {
+        [&](Index h, const Point2& from, double distance) {
           ++corners;
           const HalfEdge& e = mesh.half_edge(h);
-          EXPECT_NEAR(std::hypot(from.x - e.apex_x, from.y - e.apex_y),
-                      space_between(at, mesh.position(mesh.apex(h))), 1e-14);
+          EXPECT_NEAR(std::hypot(from.x - e.apex_x, from.y - e.apex_y), distance, 1e-14);
+          EXPECT_NEAR(distance, space_between(at, mesh.position(mesh.apex(h))), 1e-14);
         },
         [&](Index h, const Point2& from) {
           ++sides;

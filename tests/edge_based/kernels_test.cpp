@@ -14,13 +14,12 @@ namespace geodesic::edge_based::HWY_NAMESPACE {
 /// All kernels over one list of windows.
 inline Steps run_kernels(const std::vector<Window>& windows, const FaceFrame& face,
                          double at_origin, double at_head) {
-  constexpr unsigned kFields = kSigma + 1;
-  WindowLists<kFields> lists(1);
+  WindowLists<Note::none> lists(1);
   const auto segment_of = [&](const std::vector<Window>& list) {
     auto* segment = lists.allocate(list.size() + kLaneRoom);
     for (const Window& w : list) {
       const double fields[] = {w.begin, w.end, w.x, w.y, w.sigma};
-      for (unsigned f = 0; f < kFields; ++f) segment->array(f)[segment->count] = fields[f];
+      for (unsigned f = 0; f < kNote; ++f) segment->array(f)[segment->count] = fields[f];
       ++segment->count;
     }
     return segment;
@@ -41,7 +40,7 @@ inline Steps run_kernels(const std::vector<Window>& windows, const FaceFrame& fa
 
   Steps steps;
   Batch batch;
-  gather<kFields>(*segment_of(windows), EndPaths(face.length, at_origin, at_head), batch);
+  gather<Note::none>(*segment_of(windows), EndPaths(face.length, at_origin, at_head), batch);
   steps.gathered = windows_of(batch);
   const std::size_t count = batch.count, groups = count / kLanes + 1;
   std::vector<std::uint8_t> suspects(groups), left(groups), right(groups);
@@ -51,8 +50,8 @@ inline Steps run_kernels(const std::vector<Window>& windows, const FaceFrame& fa
   steps.left = flags(left, count);
   steps.right = flags(right, count);
   auto *to_left = lists.allocate(count + kLaneRoom), *to_right = lists.allocate(count + kLaneRoom);
-  unfold<LeftEdge, kFields>(batch, face, left.data(), right.data(), *to_left);
-  unfold<RightEdge, kFields>(batch, face, right.data(), left.data(), *to_right);
+  unfold<LeftEdge, Note::none>(batch, face, left.data(), right.data(), *to_left);
+  unfold<RightEdge, Note::none>(batch, face, right.data(), left.data(), *to_right);
   steps.to_left = windows_of(*to_left);
   steps.to_right = windows_of(*to_right);
   return steps;

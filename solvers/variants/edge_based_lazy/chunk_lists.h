@@ -17,10 +17,9 @@ namespace geodesic::edge_based_lazy {
 /// The windows of a list are cut into as few chunks of at most this many as there can be.
 inline constexpr std::size_t kChunk = 8;
 
-/// @tparam fields as for WindowLists
-template <unsigned fields>
-class ChunkLists : edge_based::WindowLists<fields, Passage> {
-  using Base = edge_based::WindowLists<fields, Passage>;
+template <edge_based::Note note>
+class ChunkLists : edge_based::WindowLists<note, Passage> {
+  using Base = edge_based::WindowLists<note, Passage>;
 
  public:
   using Place = edge_based::Place;
@@ -93,8 +92,8 @@ class ChunkLists : edge_based::WindowLists<fields, Passage> {
     const std::uint32_t faces = chunk.extra.faces();
     if (faces == 0) return;
     chunk.extra.arrive(chunk);
-    if constexpr (fields > edge_based::kDepth) {
-      for (std::size_t i = 0; i < chunk.count; ++i) chunk.array(edge_based::kDepth)[i] += faces;
+    if constexpr (note == edge_based::Note::depth) {
+      for (std::size_t i = 0; i < chunk.count; ++i) chunk.array(edge_based::kNote)[i] += faces;
     }
   }
 
@@ -115,7 +114,7 @@ class ChunkLists : edge_based::WindowLists<fields, Passage> {
   Segment* copy(const Segment& segment, std::size_t first, std::size_t last) {
     Segment* piece = allocate(last - first);
     piece->count = static_cast<std::uint32_t>(last - first);
-    for (unsigned f = 0; f < fields; ++f) {
+    for (unsigned f = 0; f < edge_based::fields_with(note); ++f) {
       std::copy(segment.array(f) + first, segment.array(f) + last, piece->array(f));
     }
     return piece;

@@ -7,8 +7,8 @@ namespace geodesic::edge_based_lazy {
 
 /// Lists that carry chunks of windows across faces.
 struct Lazy : edge_based::ByDistance {
-  template <unsigned fields>
-  using Lists = ChunkLists<fields>;
+  template <edge_based::Note note>
+  using Lists = ChunkLists<note>;
 };
 
 namespace {
@@ -22,6 +22,7 @@ const RegisterSolver<edge_based::EdgeBased<Lazy>> registered{{
     .space_complexity = "O(n)",
     .propagation = "chunk of windows",
     .spatial_order = true,
+    .abilities = {.surface_sources = true, .paths = true},
     .remarks = "chunks of windows that pass an apex on one side cross its face unseen",
 }};
 
