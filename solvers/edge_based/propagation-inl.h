@@ -92,13 +92,18 @@ class Propagation final : public Propagator<Recorder> {
   }
 
   /// @param number of the source in the query
-  [[gnu::noinline]] void begin_at(const Source& source, Index number, Recorder& recorder) {
+  void begin_at(const Source& source, Index number, Recorder& recorder) {
     if (!source.at.is_vertex()) return spread(source, mesh_.vertex_count() + number, recorder);
-    const Index v = source.at.vertex;
-    vertex_state_[v] |= kSource;
-    if (!(source.distance < distances_[v])) return;
-    reach(v, source.distance, recorder);
-    if constexpr (Recorder::kRemembers) recorder.arrived(v, {.root = v});
+    begin_at(source.at.vertex, source.distance, {kNone, source.at.vertex, {0, 0}}, recorder);
+    vertex_state_[source.at.vertex] |= kSource;
+  }
+
+  // Out of line, so that `reach` is inlined into the loop.
+  [[gnu::noinline]] void begin_at(Index v, double distance, const ArrivalOf<Recorder>& arrival,
+                                  Recorder& recorder) {
+    if (!(distance < distances_[v])) return;
+    reach(v, distance, recorder);
+    if constexpr (Recorder::kRemembers) recorder.arrived(v, arrival);
   }
 
   /// Starts from a point that is no vertex.
@@ -107,14 +112,11 @@ class Propagation final : public Propagator<Recorder> {
   /// what lies behind the corner may be between them: the corner sends windows too, as a source
   /// does. They are as long or longer, and soon beaten. Where the point is a window's width from
   /// the corner, its own lines have no direction, and there are only the corner's.
-  void spread(const Source& source, Index root, Recorder& recorder) {
+  [[gnu::noinline]] void spread(const Source& source, Index root, Recorder& recorder) {
     bool at_corner = false;
     const auto reach_corner = [&](Index h, const Point2& from, double to_apex) {
       const Index apex = mesh_.apex(h);
-      if (source.distance + to_apex < distances_[apex]) {
-        reach(apex, source.distance + to_apex, recorder);
-        if constexpr (Recorder::kRemembers) recorder.arrived(apex, {h, root, from});
-      }
+      begin_at(apex, source.distance + to_apex, {h, root, from}, recorder);
       const FaceFrame face = face_frame(mesh_, h);
       const double longest = std::max({face.length, face.left, face.right});
       if (to_apex < kNearCorner * longest) vertex_state_[apex] |= kSource;
