@@ -115,9 +115,8 @@ class Propagation {
   [[gnu::cold, gnu::noinline]] void spread(const Source& source, Index root) {
     const double d = source.distance;
     const Index number = add_source(d, root);
-    const auto reach_corner = [&](Index h, const Point2& from) __attribute__((cold)) {
+    const auto reach_corner = [&](Index h, const Point2& from, double rest) __attribute__((cold)) {
       const HalfEdge& e = mesh_.half_edge(h);
-      const double rest = std::hypot(from.x - e.apex_x, from.y - e.apex_y);
       // Rounding turns the lines of a source that is this near to a corner; between them there may
       // be gaps. The lines of the corner, which are as long, fill them.
       if (rest < kFlatFace * (e.length + std::hypot(e.apex_x, e.apex_y))) {
