@@ -17,6 +17,9 @@ old_run=
 resumed=
 peers=
 solvers=
+folder=
+slurm=
+slurm_options=()
 install=yes
 run_options=()
 steps=()
@@ -49,12 +52,26 @@ Options:
   --sources N          source vertices of each mesh
   --repetitions N      timed solves of each solver, mesh and source
   --out DIR            folder that run writes (default: results/runs/<UTC time>-<corpus>)
+  --folder DIR         every mesh file in this folder and below it, in place of a corpus; what cannot
+                       be solved is listed with its reason
+  --repair             repair what cannot be solved, as far as it goes
   --resume DIR         continue an interrupted run with the options that it was started with
   --run DIR            folder of an old run, for check and plot (default: the newest)
   --preset NAME        the build to measure: release (default), or ci, the build of the tests
                        (the same, with warnings as errors)
   --no-install         never install a package: print the line that would, and stop
   --help               this text
+
+On a cluster (docs/clusters.md):
+  --slurm              run in shards, as an array job of Slurm: follow it, submit again what ends
+                       early, merge; DIR/slurm.sh is the batch script. Ctrl-C: the jobs go on
+  --slurm-follow DIR   the same with jobs that are there, also when the script was submitted by hand
+  --slurm-script       write the batch script and stop
+  --shards N           (default: 32, or as many as there are pairs of mesh and source)
+  --partition NAME, --time TIME, --mem SIZE, --exclusive
+                       options of sbatch, of each shard
+  --array-limit N      shards that run at a time
+  --sbatch=OPTION      any other option of sbatch, such as --sbatch=--account=mine; repeatable
 
 Environment:
   GEODESIC_DATASETS          dataset cache (default: datasets/cache)
@@ -74,7 +91,17 @@ parse_options() {
     case $1 in
       --help | -h) usage; exit 0 ;;
       --no-install) install=no; shift ;;
-      --preset | --corpus | --out | --run | --resume | --peers | --solvers | --meshes | --sources | --repetitions)
+      --repair) run_options+=(--repair); shift ;;
+      --slurm) slurm=submit; shift ;;
+      --slurm-script) slurm=submit; slurm_options+=(--write-only); steps+=(build fetch run); shift ;;
+      --exclusive) slurm_options+=("$1"); shift ;;
+      --sbatch)
+        [[ $# -ge 2 && $2 == -* ]] || die "--sbatch needs an option of sbatch: --sbatch=--account=mine"
+        slurm_options+=("--sbatch=$2")
+        shift 2
+        ;;
+      --partition | --time | --mem | --shards | --array-limit | --slurm-follow | --folder | \
+        --preset | --corpus | --out | --run | --resume | --peers | --solvers | --meshes | --sources | --repetitions)
         value=$(value_of "$@")
         take_option "$1" "$value"
         shift 2
@@ -90,8 +117,14 @@ parse_options() {
   done
   if [[ ${#steps[@]} -eq 0 ]]; then
     steps=("${all_steps[@]}")
+    if [[ -n $folder ]]; then steps=(build run check plot); fi
+    if [[ $slurm == follow ]]; then steps=(run check plot); fi
     if [[ -n $peers ]]; then steps+=(peers); fi
   fi
+  [[ -n $slurm || ${#slurm_options[@]} -eq 0 ]] || die "${slurm_options[0]%%=*} is for --slurm"
+  [[ $slurm != follow || ${#slurm_options[@]} -eq 0 ]] ||
+    die "--slurm-follow takes the options from its folder: leave out ${slurm_options[0]%%=*}"
+  [[ -z $slurm || -z $resumed ]] || die "--resume is for a run on this machine; --slurm-follow DIR goes on with one of Slurm"
   if has_step run; then
     [[ -z $old_run ]] || die "--run is for check and plot of an old run; run writes to --out DIR"
     if [[ -n $resumed ]]; then
@@ -109,6 +142,13 @@ take_option() {
     --preset) preset=$(known_preset "$2" "${presets[@]}") ;;
     --corpus) corpus=$2 ;;
     --peers) peers=$2 ;;
+    --folder)
+      folder=$(absolute "$2")
+      corpus=$(basename "$2" | tr -c 'A-Za-z0-9_.\n-' -)
+      ;;
+    --slurm-follow) slurm=follow; out=$(absolute "$2") ;;
+    --partition | --time | --mem) slurm_options+=("$1=$2") ;;
+    --shards | --array-limit) slurm_options+=("$1=$(positive_integer "$@")") ;;
     --solvers) solvers=$2 ;;
     --out) out=$(absolute "$2") ;;
     --run) old_run=$(absolute "$2") ;;
@@ -167,6 +207,7 @@ step_run() {
   need_bench
   local status=0 what=(--corpus "$corpus") where=(--out "$out") words beside=$solvers
   local suite=$root/harness/suites/$corpus.json
+  [[ -z $folder ]] || suite=
   if [[ -f $suite ]]; then what=("$suite"); fi
   if [[ -n $peers ]]; then
     if [[ -z $solvers && -f $suite ]]; then beside=$(suite_solvers "$suite"); fi
@@ -174,6 +215,11 @@ step_run() {
     mapfile -t -O "${#run_options[@]}" run_options <<<"$words"
   elif [[ -n $solvers ]]; then
     run_options+=(--solvers "$solvers")
+  fi
+  if [[ -n $folder ]]; then what=(--folder "$folder"); fi
+  if [[ -n $slurm ]]; then
+    run_on_slurm "${what[@]}" "${run_options[@]}"
+    return
   fi
   if [[ -n $resumed ]]; then
     what=()
@@ -187,6 +233,21 @@ step_run() {
     if [[ -f $out/request.json ]]; then say "To continue: $0 ${steps[*]} --preset $preset --resume '$out'"; fi
     exit "$status"
   fi
+}
+
+# run_on_slurm OPTION...: as `geodesic-bench run` has them.
+run_on_slurm() {
+  local status=0 words=(follow "$out")
+  if [[ $slurm == submit ]]; then
+    words=(submit --out "$out" --bench "$bench" "${slurm_options[@]}" -- "$@")
+  fi
+  (cd "$root" && logged "$python" "$root/tools/slurm.py" "${words[@]}") || status=$?
+  if [[ " ${slurm_options[*]} " == *" --write-only "* ]]; then
+    [[ $status -ne 0 ]] || say "Submit it: sbatch $out/slurm.sh; then follow it: $0 --slurm-follow '$out'"
+    exit "$status"
+  fi
+  # Shards that were given up are gaps, which check reports.
+  [[ $status -lt 128 && -f $out/run.json ]] || exit "$status"
 }
 
 # A failure is remembered for the end: the tables show failed cells, so they are drawn anyway.

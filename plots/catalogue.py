@@ -102,7 +102,7 @@ def draw(run: Run, names: Sequence[str] = ()) -> tuple[dict[str, Table | Drawing
 
     @param names of EVERYTHING; empty: all of it
     @raises ResultError for a run of several programs"""
-    if len({row.program for row in run.rows}) > 1:
+    if len(run.columns.texts.get("program", ())) > 1:
         raise ResultError(f"{run.file}: a run of several programs; the gate compares them")
     drawn: dict[str, Table | Drawing] = {}
     left_out: dict[str, str] = {}

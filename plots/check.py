@@ -16,17 +16,21 @@ from results import console
 if __name__ == "__main__":
     console.prepare("geodesic-bench check")  # before imports that may fail
 
-from results.reader import ResultError, Row, Run, newest_run, read_run
+import numpy as np
+
+from results.reader import CLOSED_FORM, OK, ResultError, Row, Run, newest_run, read_run
 
 ALLOWED = ("unsupported", "skipped")
+MANY = 100
+"""Lines of a kind: of more, the first are listed."""
 
 
 def allowed(run: Run) -> list[Row]:
     """Rows without a time that are no failures."""
-    expected: dict[str, str] = run.context["geodesic_bench"].get("expected", {})
+    expected: dict[str, str] = run.ours.get("expected", {})
     return [
         row
-        for row in run.rows
+        for row in run.without_a_time
         if row.outcome in ALLOWED or row.outcome == expected.get(f"{row.solver}/{row.mesh}")
     ]
 
@@ -38,23 +42,30 @@ def line(row: Row) -> str:
 def findings(run: Run) -> list[Row]:
     """Failed rows of the solvers that plug-ins brought."""
     theirs = run.of_plugins
-    failed = [row for row in run.rows if not row.ok and row.outcome not in ALLOWED]
+    failed = [row for row in run.without_a_time if row.outcome not in ALLOWED]
     return [row for row in failed if run.solvers[row.solver].base in theirs]
 
 
 def failures(run: Run, harmless: Sequence[Row] = ()) -> list[str]:
     """One line a failed row, apart from those allowed and other harmless ones, or missing cell."""
-    accepted = [*allowed(run), *harmless]
-    failed = [line(row) for row in run.rows if not row.ok and row not in accepted]
+    accepted = {id(row) for row in [*allowed(run), *harmless]}  # of the one list in the run
+    failed = [line(row) for row in run.without_a_time if id(row) not in accepted]
+    return failed + missing(run) + parts_missing(run)
+
+
+def missing(run: Run) -> list[str]:
+    """One line a cell that the run should have and has not."""
+    columns = run.columns
+    if columns.cells(columns.has("solver")) == len(run.solvers) * sum(map(len, run.sources.values())):
+        return []
     there = {(row.solver, row.mesh, row.source) for row in run.rows}
-    missing = [
+    return [
         f"{solver}/{mesh}/src:{source}: missing: the run has no row for this cell"
         for mesh in run.meshes
         for solver in run.solvers
         for source in run.sources.get(mesh, [])
         if (solver, mesh, source) not in there and run.skip(mesh, solver) is None
     ]
-    return failed + missing + parts_missing(run)
 
 
 def parts_missing(run: Run) -> list[str]:
@@ -73,31 +84,44 @@ def largest_errors(run: Run) -> list[str]:
     """For each exact solver its largest relative error against closed forms, which are the truth,
     and against other solvers: a line for each of the two that there is, with whom and where."""
     lines = []
+    columns = run.columns
+    errors = columns.number("max_relative_error")
+    against_truth = columns.where("reference", CLOSED_FORM)
     for solver in run.solvers.values():
-        for truth in (True, False):
-            errors = [
-                (row.numbers["max_relative_error"], row)
-                for row in run.rows
-                if row.solver == solver.name
-                and row.against_truth == truth
-                and "max_relative_error" in row.numbers
-            ]
-            if errors and solver.exact:
-                error, row = max(errors, key=lambda pair: pair[0])
-                where = f"{row.mesh}, source {row.source}"
+        for of in (against_truth, ~against_truth):
+            rows = np.flatnonzero(of & columns.where("solver", solver.name) & ~np.isnan(errors))
+            if len(rows) and solver.exact:
+                row = run.rows[int(rows[np.argmax(errors[rows])])]
+                error, where = errors[rows].max(), f"{row.mesh}, source {row.source}"
                 lines.append(f"{solver.name}: {error:.1e} against {row.reference} ({where})")
     return lines
 
 
-def cells(rows: list[Row]) -> int:
+def cells(rows: Sequence[Row]) -> int:
     """How many cells the rows belong to."""
     return len({(row.solver, row.mesh, row.source) for row in rows})
 
 
+def verified(run: Run) -> int:
+    """How many cells have a row that is ok."""
+    return run.columns.cells(run.columns.where("outcome", OK))
+
+
 def checked_against_truth(run: Run) -> str:
-    rows = [row for row in run.rows if row.ok and row.against_truth]
-    meshes = ", ".join(dict.fromkeys(row.mesh for row in rows)) or "no mesh of the run has one"
-    return f"checked against a closed form: {cells(rows)} cells ({meshes})"
+    columns = run.columns
+    rows = columns.where("outcome", OK) & columns.where("reference", CLOSED_FORM)
+    places = dict.fromkeys(columns.arrays["mesh"][rows].tolist())
+    meshes = [columns.texts["mesh"][place] for place in places]
+    if len(meshes) > MANY:
+        meshes = [*meshes[:MANY], f"and {len(meshes) - MANY} more"]
+    named = ", ".join(meshes) or "no mesh of the run has one"
+    return f"checked against a closed form: {columns.cells(rows)} cells ({named})"
+
+
+def first(lines: Sequence[str]) -> list[str]:
+    """A list that can be read: of many lines the first, and how many follow."""
+    more = len(lines) - MANY
+    return [*lines[:MANY], f"and {more} more"] if more > 0 else list(lines)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -118,19 +142,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
         run = read_run(options.run or newest_run())
     except ResultError as error:
         return console.complain(error)
-    for words in skipped(run):
+    for words in first(skipped(run)):
         print(f"NOT MEASURED: {words}")
-    for row in allowed(run):
-        print(f"without a time: {line(row)}")
+    for words in first([line(row) for row in allowed(run)]):
+        print(f"without a time: {words}")
     found = findings(run) if options.plugins_may_fail else []
-    for row in found:
-        print(f"FOUND: {line(row)}")
+    for words in first([line(row) for row in found]):
+        print(f"FOUND: {words}")
     for largest in largest_errors(run):
         print(f"largest relative error: {largest}")
     failed = failures(run, found)
-    for failure in failed:
+    for failure in first(failed):
         print(f"FAILED: {failure}")
-    passed = cells([row for row in run.rows if row.ok])
+    passed = verified(run)
     print(checked_against_truth(run))
     if run.shard:
         print(f"shard {run.shard['index']}/{run.shard['of']} of a run: merge joins them")

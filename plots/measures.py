@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from results.published import THESIS_SOLVERS, Published
-from results.reader import Mesh, Row, Run
+from results.reader import OK, Mesh, Row, Run
 from results.statistics import Estimate, median
 from results.table import Cell, estimate_cell
 
@@ -129,7 +129,8 @@ def columns(run: Run) -> list[str]:
 
 def measured_solvers(run: Run) -> list[str]:
     """The columns that the run has at least one verified cell of."""
-    verified = {row.solver for row in run.rows if row.ok}
+    cells = run.columns
+    verified = {name for (name,) in cells.take(cells.where("outcome", OK)).by_texts("solver")}
     return [solver for solver in columns(run) if solver in verified]
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import base64
 import shlex
 import sys
-from collections import Counter
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -65,10 +64,10 @@ def page(
         tables=tables,
         pictures=pictures,
         checked=check.checked_against_truth(run).capitalize(),
-        failed=check.failures(run),
+        failed=check.first(check.failures(run)),
         errors=check.largest_errors(run),
-        without_a_time=[check.line(row) for row in check.allowed(run)],
-        skipped=check.skipped(run),
+        without_a_time=check.first([check.line(row) for row in check.allowed(run)]),
+        skipped=check.first(check.skipped(run)),
         machine=_machine(run),
         commands={
             "The run itself, that is run.json and cells/": run.ours["command"],
@@ -106,7 +105,7 @@ def _folder(run: Run) -> str:
 
 
 def _summary(run: Run) -> str:
-    passed = check.cells([row for row in run.rows if row.ok])
+    passed = check.verified(run)
     without_a_time = check.cells(check.allowed(run))
     stand_ins = sum(mesh.stand_in for mesh in run.meshes.values())
     return (
@@ -121,8 +120,8 @@ def _summary(run: Run) -> str:
 def _processors(run: Run) -> str:
     if len(run.processors) < 2:
         return f"{run.ours['processor']}, {run.context['num_cpus']} cores seen"
-    counts = Counter(row.processor for row in run.rows)
-    return "; ".join(f"{name} ({counts[name]} rows)" for name in run.processors)
+    counts = {name: len(run.of_processor(name).rows) for name in run.processors}
+    return "; ".join(f"{name} ({count} rows)" for name, count in counts.items())
 
 
 def _machine(run: Run) -> dict[str, object]:

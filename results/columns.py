@@ -56,8 +56,9 @@ class Columns:
     """Of the columns of texts, by key."""
 
     @staticmethod
-    def of(rows: Sequence[dict[str, Any]]) -> Columns:
-        """@raises NotColumns"""
+    def of(rows: Sequence[Mapping[str, Any]], *, whole: bool = True) -> Columns:
+        """@param whole nothing may be left out: `data` gives the rows again
+        @raises NotColumns"""
         arrays: dict[str, Array] = {}
         texts: dict[str, list[str]] = {}
         found = 0
@@ -78,7 +79,7 @@ class Columns:
                 texts[key] = list(places)
             else:
                 arrays[key] = _numbers(key, kind, values)
-        if found != sum(map(_leaves, rows)):
+        if whole and found != sum(map(_leaves, rows)):
             raise NotColumns("a key that the schema does not have")
         return Columns(len(rows), arrays, texts)
 
@@ -116,6 +117,11 @@ class Columns:
         starts = np.flatnonzero(np.diff(code[order], prepend=NONE))
         groups = np.split(order, starts[1:]) if self.length else []
         return {tuple(str(self.text(key, int(rows[0]))) for key in keys): rows for rows in groups}
+
+    def cells(self, rows: Array) -> int:
+        """How many different cells the rows belong to. @param rows which, as `where` gives them"""
+        keys = np.stack([self.arrays[key][rows] for key in ("solver", "mesh", "source")])
+        return int(np.unique(keys, axis=1).shape[1])
 
     def sources(self) -> list[tuple[str, int]]:
         """Meshes with the source vertices of rows, each pair once."""
@@ -157,9 +163,9 @@ class Columns:
         return _Numbers(self, row)
 
     def take(self, rows: Array) -> Columns:
-        """These rows in this order."""
+        """These rows: places in the order wanted, or which."""
         arrays = {key: array[rows] for key, array in self.arrays.items()}
-        return Columns(len(rows), arrays, self.texts)
+        return Columns(len(next(iter(arrays.values()), rows)), arrays, self.texts)
 
     def with_text(self, key: str, values: Array, texts: list[str]) -> Columns:
         """With a column of texts in place of another one."""
@@ -278,7 +284,7 @@ class _Numbers(Mapping[str, float]):
         return sum(1 for _ in self)
 
 
-def _values(rows: Sequence[dict[str, Any]], key: str) -> list[Any]:
+def _values(rows: Sequence[Mapping[str, Any]], key: str) -> list[Any]:
     into, _, last = key.rpartition(".")
     if not into:
         return [row.get(last) for row in rows]
@@ -304,7 +310,7 @@ def _numbers(key: str, kind: str, values: list[Any]) -> Array:
     return whole
 
 
-def _leaves(row: dict[str, Any]) -> int:
+def _leaves(row: Mapping[str, Any]) -> int:
     """How many values are to be kept.
 
     @raises NotColumns when the others do not follow from these"""

@@ -273,6 +273,18 @@ class Run:
         return [self.rows[place] for place in self._places.get((mesh, solver), [])]
 
     @cached_property
+    def columns(self) -> Columns:
+        """The rows by key: what is looked at in all rows of a large run is looked at here."""
+        if isinstance(self.rows, ColumnRows):
+            return self.rows.columns
+        return Columns.of([row.data for row in self.rows], whole=False)
+
+    @cached_property
+    def without_a_time(self) -> list[Row]:
+        """The rows that are not ok."""
+        return [self.rows[int(row)] for row in np.flatnonzero(~self.columns.where("outcome", OK))]
+
+    @cached_property
     def _places(self) -> dict[tuple[str, str], Sequence[int]]:
         """Of rows, by mesh and solver."""
         if isinstance(self.rows, ColumnRows):

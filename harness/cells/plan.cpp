@@ -38,6 +38,10 @@ std::vector<MeshEntry> chosen_meshes(const RunRequest& request) {
   }
   std::vector<MeshEntry> meshes;
   for (const std::string& name : suite.meshes) meshes.push_back(find_mesh(name, request.manifest));
+  if (request.folder) {
+    const std::vector<std::string> names = names_below(*request.folder, suite.meshes);
+    for (std::size_t i = 0; i < meshes.size(); ++i) meshes[i].name = names[i];
+  }
   return meshes;
 }
 
@@ -110,7 +114,7 @@ void add_mesh(const MeshEntry& entry, const RunRequest& request, Plan& plan) {
   try {
     plan.meshes.push_back(plan_mesh(entry, request));
   } catch (const std::exception& error) {
-    plan.skipped.push_back({entry.name, error.what(), true});
+    plan.skipped.push_back({entry.name, error.what(), !request.folder});
   }
 }
 
@@ -155,10 +159,42 @@ void keep_sources(const std::vector<int>& places, const std::string& name, Plan&
   for (const SkippedMesh& skipped : plan.skipped) {
     if (skipped.unreadable) why += "; " + skipped.why;
   }
+  if (absent.empty() && why.find(';') == std::string::npos && !plan.skipped.empty()) {
+    why += "; the first of " + std::to_string(plan.skipped.size()) + ": " + plan.skipped[0].why;
+  }
   throw HarnessError(why);
 }
 
 }  // namespace
+
+Json outline(const RunRequest& request) {
+  const std::vector<const Description*> solvers = chosen_solvers(request.suite);
+  const std::vector<MeshEntry> entries = chosen_meshes(request);
+  check_no_repetition(solvers);
+  check_no_repetition(entries);
+  const std::vector<ShardedMesh> meshes = sharded(entries, request.suite);
+  int pairs = 0;
+  for (const ShardedMesh& mesh : meshes) pairs += mesh.sources;
+  const std::size_t cells_of_pair =
+      solvers.size() * std::max<std::size_t>(request.programs.size(), 1);
+  Json json{{"meshes", meshes.size()},
+            {"pairs", pairs},
+            {"solvers", solvers.size()},
+            {"cells", cells_of_pair * static_cast<std::size_t>(pairs)}};
+  if (request.shard) {
+    std::size_t ours = 0, of_meshes = 0;
+    for (const std::vector<int>& places : sources_of_shard(meshes, *request.shard)) {
+      ours += places.size();
+      of_meshes += places.empty() ? 0 : 1;
+    }
+    json["shard"] = {{"index", request.shard->index},
+                     {"of", request.shard->of},
+                     {"meshes", of_meshes},
+                     {"pairs", ours},
+                     {"cells", cells_of_pair * ours}};
+  }
+  return json;
+}
 
 Plan make_plan(const RunRequest& request) {
   Plan plan{.solvers = chosen_solvers(request.suite)};

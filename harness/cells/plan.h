@@ -80,6 +80,11 @@ inline constexpr Index kMostRecorded = 250'000;  ///< files grow with the mesh
 /// Whether the cell leaves recordings for figures.
 bool leaves_recordings(const Cell& cell, Recordings choice);
 
+/// How many meshes, pairs of mesh and source, solvers and cells the run has, and its shard if it is
+/// one, as far as that is known without reading a mesh: small ones have fewer sources.
+/// @throws HarnessError as `make_plan`
+Json outline(const RunRequest& request);
+
 /// Reads every mesh of the suite and chooses its sources. Meshes of a corpus that are not in the
 /// cache, and meshes that cannot be read, are skipped. Meshes and solvers that have none of
 /// `request.cells` are left out.

@@ -35,8 +35,11 @@ struct RunRequest {
   std::filesystem::path manifest = {};
   std::vector<std::string> benchmark_flags = {};
   Recordings recordings = Recordings::automatic;
-  bool frames = false;                     ///< recordings hold the wavefront at every step
-  bool repair = false;                     ///< repair meshes with defects
+  bool frames = false;  ///< recordings hold the wavefront at every step
+  bool repair = false;  ///< repair meshes with defects
+  /// The meshes of the suite are files below this one. Any may be unfit: what cannot be solved is
+  /// skipped, and no failure.
+  std::optional<std::filesystem::path> folder = {};
   bool interleave = false;                 ///< every repetition a process of its own (Plan::cells)
   std::vector<ProgramFile> programs = {};  ///< measured in place of this one; none, or two or more
   std::vector<std::string> cells = {};     ///< names of rows: only these; empty: all
@@ -52,6 +55,6 @@ struct RunRequest {
 
 // The members that decide about the results.
 GEODESIC_JSON_MEMBERS(RunRequest, suite, manifest, recordings, frames, benchmark_flags, repair,
-                      interleave, programs, cells, shard)
+                      folder, interleave, programs, cells, shard)
 
 }  // namespace geodesic::harness

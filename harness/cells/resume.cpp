@@ -2,8 +2,8 @@
 
 #include <dlfcn.h>
 
-#include <algorithm>
 #include <iostream>
+#include <set>
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"
@@ -15,7 +15,7 @@ namespace geodesic::harness {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int kVersion = 3;  // of request.json
+constexpr int kVersion = 4;  // of request.json
 constexpr const char* kFile = "request.json";
 
 // A revision does not include later changes, so the files that hold the code are part of it. A run
@@ -32,10 +32,12 @@ Json program_identity() {
 }
 
 Json identity(const RunRequest& request, const Plan& plan) {
-  Json solvers = Json::array(), meshes = Json::object(), programs = Json::object();
+  Json solvers = Json::array(), meshes = Json::array(), programs = Json::object();
   for (const Description* solver : plan.solvers) solvers.push_back(solver->name);
   for (const PlannedMesh& mesh : plan.meshes) {
-    meshes[mesh.entry.name] = {{"sha256", mesh.facts.at("sha256")}, {"sources", mesh.sources}};
+    meshes.push_back({{"name", mesh.entry.name},
+                      {"sha256", mesh.facts.at("sha256")},
+                      {"sources", mesh.sources}});
   }
   for (const auto& [name, file] : request.programs) programs[name] = sha256_of_file(file);
   return {{"program", program_identity()},
@@ -47,9 +49,25 @@ Json identity(const RunRequest& request, const Plan& plan) {
 
 std::string sha256_of_json(const Json& json) { return sha256_of(json.dump()); }
 
+// With keys that are found quickly.
+using Sorted = nlohmann::json;
+
+// All values of an identity by their paths; those of a mesh by its name.
+Sorted values_of(const Json& identity) {
+  Sorted sorted = identity;
+  Sorted by_name = Sorted::object();
+  for (Sorted& mesh : sorted.at("meshes")) {
+    const std::string name = mesh.at("name");
+    mesh.erase("name");
+    by_name[name] = std::move(mesh);
+  }
+  sorted["meshes"] = std::move(by_name);
+  return sorted.flatten();
+}
+
 // "options/seed is 2 and was 1", for every value of two identities that differs.
 std::vector<std::string> differences(const Json& before, const Json& now) {
-  const Json old_values = before.flatten(), new_values = now.flatten();
+  const Sorted old_values = values_of(before), new_values = values_of(now);
   std::vector<std::string> all;
   for (const auto& [path, value] : new_values.items()) {
     const std::string was =
@@ -113,15 +131,15 @@ Json shard_context(const SavedRequest& saved, const Plan& plan) {
   Json program = saved.identity.at("program"), suite = saved.identity.at("options");
   for (Json& plugin : program["plugins"]) plugin.erase("file");
   program["programs"] = saved.identity.at("programs");
-  for (const char* key : {"shard", "manifest", "programs"}) suite.erase(key);
+  for (const char* key : {"shard", "manifest", "programs", "folder"}) suite.erase(key);
   for (const char* key : {"meshes", "memory_limit"}) suite["suite"].erase(key);
   suite["suite"]["solvers"] = saved.identity.at("solvers");
-  Json places = Json::object(), sources = Json::object();
+  std::set<std::string> here;
+  for (const PlannedMesh& mesh : plan.meshes) here.insert(mesh.entry.name);
+  for (const SkippedMesh& mesh : plan.skipped) here.insert(mesh.name);
+  Sorted places = Sorted::object(), sources = Sorted::object();
   for (std::size_t i = 0; i < plan.whole_run.size(); ++i) {
-    const std::string& name = plan.whole_run[i].name;
-    const bool is_here = saved.identity.at("meshes").contains(name) ||
-                         std::ranges::count(plan.skipped, name, &SkippedMesh::name) > 0;
-    if (is_here) places[name] = i;
+    if (here.contains(plan.whole_run[i].name)) places[plan.whole_run[i].name] = i;
   }
   for (const PlannedMesh& mesh : plan.meshes) sources[mesh.entry.name] = mesh.run_sources;
   return {{"index", saved.request.shard->index},
@@ -129,8 +147,8 @@ Json shard_context(const SavedRequest& saved, const Plan& plan) {
           {"suite", sha256_of_json(suite)},
           {"program", sha256_of_json(program)},
           {"meshes", sha256_of_json(plan.whole_run)},
-          {"places", std::move(places)},
-          {"sources", std::move(sources)}};
+          {"places", Json(places)},
+          {"sources", Json(sources)}};
 }
 
 void save_request(const SavedRequest& saved, const fs::path& folder) {

@@ -1,8 +1,12 @@
 #include "harness/commands/commands.h"
 
+#include <algorithm>
+#include <cctype>
+#include <iostream>
 #include <memory>
 
 #include "harness/base/error.h"
+#include "harness/base/files.h"
 #include "harness/cells/cell.h"
 #include "harness/cells/resume.h"
 #include "harness/cells/run.h"
@@ -52,8 +56,17 @@ void make_absolute(RunRequest& request) {
   request.manifest = fs::absolute(request.manifest);
 }
 
+// Of a folder: "scans/raw meshes" is raw-meshes.
+std::string as_corpus_name(const fs::path& folder) {
+  const fs::path last = folder.has_filename() ? folder.filename() : folder.parent_path().filename();
+  std::string name = last.string().substr(0, 100);
+  std::ranges::replace_if(
+      name, [](char c) { return !is_plain(c); }, '-');
+  return name.empty() || std::ispunct(static_cast<unsigned char>(name[0])) ? "folder" : name;
+}
+
 // Options take effect in the order in which they are added here: each changes the request.
-void add_request_options(CLI::App& command, RunRequest& request) {
+void add_request_options(CLI::App& command, RunRequest& request, bool& plan_only) {
   Suite& suite = request.suite;
   const auto option = [&](const std::string& name, auto& value, const std::string& help) {
     return command.add_option(name, value, help);
@@ -93,6 +106,17 @@ void add_request_options(CLI::App& command, RunRequest& request) {
   option("--cells", request.cells, "only these cells, named as rows: mmp/horse/src:0,...")
       ->delimiter(',')
       ->type_name("NAMES");
+  call(
+      "--folder",
+      [&](const std::string& folder) {
+        request.folder = fs::absolute(folder).lexically_normal();
+        suite.meshes = mesh_files_below(*request.folder);
+        suite.corpus = as_corpus_name(*request.folder);
+      },
+      "every mesh file in this folder and below it, in place of a corpus; what cannot be solved is "
+      "skipped with its reason, or repaired with --repair")
+      ->excludes("--meshes")
+      ->type_name("DIR");
   call(
       "--shard", [&](const std::string& word) { request.shard = shard_named(word); },
       "only part K of N: some sources of some meshes, with all solvers; `merge` joins the parts")
@@ -139,6 +163,7 @@ void add_request_options(CLI::App& command, RunRequest& request) {
   option("--out", request.out, "folder to write to (default: results/runs/<UTC time>-<corpus>)")
       ->type_name("DIR");
   option("--manifest", request.manifest, "list of meshes and corpora")->type_name("FILE");
+  command.add_flag("--plan", plan_only, "print how much there is to measure, as JSON, and stop");
   command.add_flag("--accept-changes", request.accept_changes,
                    "resume although the program, an option or a mesh has changed");
 }
@@ -149,13 +174,14 @@ void add_run_command(CLI::App& app, const std::string& command_line) {
   const auto request = std::make_shared<RunRequest>();
   request->manifest = default_manifest();
   CLI::App* command = app.add_subcommand("run", "Measure solvers on meshes");
-  add_request_options(*command, *request);
+  const auto plan_only = std::make_shared<bool>(false);
+  add_request_options(*command, *request, *plan_only);
   command->footer(kExamples);
   command->preparse_callback([request, command_line](std::size_t) {
     require_text(command_line);
     request->suite = read_suite(default_suite());
   });
-  command->callback([request, command_line] {
+  command->callback([request, plan_only, command_line] {
     if (request->accept_changes && !request->resume) {
       throw HarnessError("--accept-changes is for a run that is resumed: give --resume DIR");
     }
@@ -168,6 +194,11 @@ void add_run_command(CLI::App& app, const std::string& command_line) {
     }
     request->command = command_line;
     make_absolute(*request);
+    if (*plan_only) {
+      check_suite(request->suite);
+      std::cout << outline(*request).dump(2) << std::endl;
+      return;
+    }
     const RunResult result = run(*request);
     if (result != RunResult::ok) throw CLI::RuntimeError(static_cast<int>(result));
   });

@@ -95,6 +95,20 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   return files;
 }
 
+void check_names(const std::vector<fs::path>& files) {
+  for (const fs::path& file : files) {
+    if (harmless(file.string()) == file.string()) continue;
+    throw HarnessError(harmless(file.string()) +
+                       ": the name has a control character, or bytes that are not UTF-8, which no "
+                       "result file can hold: rename it");
+  }
+}
+
+bool is_mesh_file(const fs::path& file) {
+  std::error_code unreadable;
+  return has_mesh_extension(file) && fs::is_regular_file(file, unreadable);
+}
+
 std::vector<fs::path> matches_of(const std::string& pattern) {
   glob_t found{};
   glob(pattern.c_str(), 0, nullptr, &found);
@@ -148,24 +162,49 @@ std::vector<std::string> expand_meshes(const std::vector<std::string>& words) {
       continue;
     }
     std::vector<fs::path> files = is_pattern ? matches_of(word) : files_in(word);
-    std::erase_if(files, [](const fs::path& file) {
-      std::error_code unreadable;
-      return !has_mesh_extension(file) || !fs::is_regular_file(file, unreadable);
-    });
+    std::erase_if(files, [](const fs::path& file) { return !is_mesh_file(file); });
     if (files.empty()) {
       throw HarnessError((is_pattern ? "no mesh file matches '" : "no mesh file in folder '") +
                          word + "': .obj, .off, .ply or .stl");
     }
-    for (const fs::path& file : files) {
-      if (harmless(file.string()) == file.string()) continue;
-      throw HarnessError(harmless(file.string()) +
-                         ": the name has a control character, or bytes that are not UTF-8, which "
-                         "no result file can hold: rename it");
-    }
+    check_names(files);
     std::ranges::sort(files);
     meshes.insert(meshes.end(), files.begin(), files.end());
   }
   return meshes;
+}
+
+std::vector<std::string> mesh_files_below(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> files;
+  fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error);
+  for (; !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
+    if (is_mesh_file(at->path())) files.push_back(at->path());
+  }
+  if (error) throw HarnessError("cannot read folder '" + folder.string() + "': " + error.message());
+  if (files.empty()) {
+    throw HarnessError("no mesh file in folder '" + folder.string() +
+                       "' or below it: .obj, .off, .ply or .stl");
+  }
+  check_names(files);
+  std::ranges::sort(files);
+  return {files.begin(), files.end()};
+}
+
+std::vector<std::string> names_below(const fs::path& folder,
+                                     const std::vector<std::string>& files) {
+  const auto name = [&](const std::string& file, bool with_extension) {
+    fs::path relative = fs::path(file).lexically_relative(folder);
+    if (!with_extension) relative.replace_extension();
+    std::string words = relative.generic_string();
+    std::ranges::replace(words, '/', '.');
+    return words;
+  };
+  std::map<std::string, int> count;
+  for (const std::string& file : files) ++count[name(file, false)];
+  std::vector<std::string> names;
+  for (const std::string& file : files) names.push_back(name(file, count[name(file, false)] > 1));
+  return names;
 }
 
 MeshEntry find_mesh(const std::string& file_or_name, const fs::path& manifest) {

@@ -78,6 +78,15 @@ std::filesystem::path dataset_cache();
 /// @throws HarnessError for a folder without mesh files and for a pattern that matches none
 std::vector<std::string> expand_meshes(const std::vector<std::string>& words);
 
+/// All mesh files in a folder and in those below it, links to folders apart, in the order of their
+/// paths. @throws HarnessError for a folder without one
+std::vector<std::string> mesh_files_below(const std::filesystem::path& folder);
+
+/// Names of files below a folder: `set/cube.obj` is "set.cube". Where that names two of them, both
+/// keep their extension.
+std::vector<std::string> names_below(const std::filesystem::path& folder,
+                                     const std::vector<std::string>& files);
+
 /// A mesh that a user names: the path of a file, or a name of the manifest, which is read only in
 /// the second case. @throws HarnessError when it is neither, or not in the cache
 MeshEntry find_mesh(const std::string& file_or_name, const std::filesystem::path& manifest);
