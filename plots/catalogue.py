@@ -9,7 +9,7 @@ from urllib.parse import quote
 
 from plots import (
     answers, break_even, curves, dot_figures, drawing, error_map, figure_5_9, figure_6_4, frontier,
-    growth, overview, paths, robustness, summary, table_5_1, table_5_2, table_5_2_ratios,
+    growth, many, overview, paths, robustness, summary, table_5_1, table_5_2, table_5_2_ratios,
     table_5_3, table_thesis, twins, wavefronts,
 )  # fmt: skip
 from plots.drawing import Drawing
@@ -75,6 +75,16 @@ ON = "_on_processor_"
 """Between a name and the number, from 1, of one of several processors."""
 
 
+OF_MANY: dict[str, Callable[[Run], Table | Drawing]] = {
+    "summary": many.table,
+    "table_5_3": table_5_3.table,
+    "overview": many.overview,
+    "time_over_vertices": many.over_vertices,
+}
+"""What is drawn, in place of EVERYTHING, of a run of more than `many.MANY` meshes."""
+OF_MANY_WITH_SECONDS = {"time_over_vertices"}
+
+
 def base_name(name: str) -> str:
     """As in EVERYTHING."""
     return name.split(ON)[0].split(OF)[0]
@@ -86,7 +96,8 @@ def _parts(run: Run, name: str) -> dict[str, tuple[Run, str]]:
     if name in BY_MESH and len(run.meshes) > 1:
         parts |= {f"{name}{OF}{quote(m, safe='')}": run.of_meshes([m]) for m in run.meshes}
     processors = run.processors
-    if name not in WITH_SECONDS or len(processors) < 2:
+    with_seconds = WITH_SECONDS if len(run.meshes) <= many.MANY else OF_MANY_WITH_SECONDS
+    if name not in with_seconds or len(processors) < 2:
         return {part: (of, "") for part, of in parts.items()}
     return {
         f"{part}{ON}{number}": (of.of_processor(processor), f", on {processor}")
@@ -106,10 +117,17 @@ def draw(run: Run, names: Sequence[str] = ()) -> tuple[dict[str, Table | Drawing
         raise ResultError(f"{run.file}: a run of several programs; the gate compares them")
     drawn: dict[str, Table | Drawing] = {}
     left_out: dict[str, str] = {}
-    for one in names or EVERYTHING:
+    known = EVERYTHING if len(run.meshes) <= many.MANY else OF_MANY
+    for one in names or known:
+        if one not in known:
+            left_out[one] = (
+                f"{run.file}: drawn of at most {many.MANY} meshes, which --meshes chooses; "
+                f"the run has {len(run.meshes)}"
+            )
+            continue
         for name, (part, on) in _parts(run, one).items():
             try:
-                found = EVERYTHING[one](part)
+                found = known[one](part)
             except ResultError as error:
                 if OF not in name or str(error) not in left_out.values():
                     left_out[name] = str(error)

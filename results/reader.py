@@ -241,14 +241,13 @@ class Run:
             rows = ColumnRows(columns.take(np.flatnonzero(own)), processor)
         else:
             rows = [row for row in self.rows if row.processor == processor]
-        sources: dict[str, dict[int, None]] = {}
-        for row in rows:
-            sources.setdefault(row.mesh, {})[row.source] = None
+        part = replace(self, rows=rows)
+        pairs = set(part.columns.sources())
+        sources = {name: [s for s in of if (name, s) in pairs] for name, of in self.sources.items()}
         return replace(
-            self,
-            meshes={name: mesh for name, mesh in self.meshes.items() if name in sources},
-            sources={name: list(of) for name, of in sources.items()},
-            rows=rows,
+            part,
+            meshes={name: mesh for name, mesh in self.meshes.items() if sources.get(name)},
+            sources={name: of for name, of in sources.items() if of},
         )
 
     @property

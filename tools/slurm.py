@@ -398,6 +398,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except (SlurmError, OSError) as error:
         print(f"run_all.sh: {error}", file=sys.stderr)
         return 1
+    except KeyboardInterrupt:
+        say("interrupted; what was submitted goes on")
+        return 130
 
 
 if __name__ == "__main__":

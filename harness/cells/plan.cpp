@@ -185,7 +185,7 @@ Json outline(const RunRequest& request) {
     std::size_t ours = 0, of_meshes = 0;
     for (const std::vector<int>& places : sources_of_shard(meshes, *request.shard)) {
       ours += places.size();
-      of_meshes += places.empty() ? 0 : 1;
+      of_meshes += places.empty() ? 0u : 1u;
     }
     json["shard"] = {{"index", request.shard->index},
                      {"of", request.shard->of},

@@ -25,10 +25,10 @@ class Sharded:
             command = [bench, "generate", kind, *sizes, "-o", folder / f"{kind}.ply"]
             subprocess.run(command, check=True, capture_output=True)
 
-    def words(self, *more: str) -> list[str]:
+    def words(self, *more: str, min_time: str = "0.0001") -> list[str]:
         meshes = ",".join(str(self.folder / f"{kind}.ply") for kind in SIZES)
         return ["--meshes", meshes, "--solvers", "edge-based,ich,dijkstra", "--sources", "3",
-                "--repetitions", "2", "--min-time", "0.0001", *more]  # fmt: skip
+                "--repetitions", "2", "--min-time", min_time, *more]  # fmt: skip
 
     def bench_says(self, *words: object) -> Ended:
         command = [str(self.bench), *map(str, words)]

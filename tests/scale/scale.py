@@ -85,14 +85,17 @@ class Scale:
         pairs = [(mesh, source) for mesh in range(self.meshes) for source in sources]
         for shard in range(self.shards):
             own = pairs[shard :: self.shards]
-            meshes = sorted({mesh for mesh, _ in own})
+            of: dict[int, list[int]] = {}
+            for mesh, source in own:
+                of.setdefault(mesh, []).append(source)
+            meshes = sorted(of)
             ours["processor"] = PROCESSORS[shard % 2]
             ours["meshes"] = [
                 mesh_like | {"name": names[m], "vertices": int(vertices[m]),
                              "faces": 2 * int(vertices[m]), "sha256": f"{m:064x}"}
                 for m in meshes
             ]  # fmt: skip
-            ours["sources"] = {names[m]: [s for mesh, s in own if mesh == m] for m in meshes}
+            ours["sources"] = {names[m]: of[m] for m in meshes}
             ours["shard"] |= {
                 "index": shard + 1, "of": self.shards,
                 "places": {names[m]: m for m in meshes},

@@ -30,7 +30,7 @@ class World:
     def __init__(self, cluster: Cluster, bench: Path, folder: Path) -> None:
         self.cluster, self.folder = cluster, folder
         self.sharded = Sharded(bench, folder)
-        self.words = [*self.sharded.words("--recordings", "none", "--min-time", "0.05")]
+        self.words = self.sharded.words("--recordings", "none", min_time="0.05")
         ended = self.sharded.bench_says("run", *self.words, "--out", "whole")
         assert ended.returncode == 0, ended.stderr
         self.whole = folder / "whole"
@@ -74,6 +74,13 @@ class Following:
             file: hashlib.sha256(file.read_bytes()).hexdigest()
             for file in self.out.glob("shards/*/cells/*.json")
         }
+
+    def wait_for_words(self, words: str) -> None:
+        assert self.process.stdout is not None
+        for line in self.process.stdout:
+            if words in line:
+                return
+        raise AssertionError(f"does not say {words!r}")
 
     def wait_for_cells(self, count: int) -> dict[Path, str]:
         deadline = time.monotonic() + SECONDS
@@ -174,7 +181,8 @@ def test_nothing_is_lost_when(
 
 
 def test_ctrl_c_leaves_the_jobs_to_themselves_and_twice_cancels_them(world: World) -> None:
-    following = world.submit("interrupted")
+    slow = world.sharded.words("--recordings", "none", min_time="1")
+    following = world.submit("interrupted", words=slow)
     before = following.wait_for_cells(2)
     following.process.send_signal(signal.SIGINT)
     assert following.process.wait(30) == 130
@@ -183,10 +191,9 @@ def test_ctrl_c_leaves_the_jobs_to_themselves_and_twice_cancels_them(world: Worl
     assert f"./run_all.sh --slurm-follow {following.out}" in said and "scancel --name=" in said
     assert "Traceback" not in said
     again = world.follow(following.out)
-    again.wait_for_cells(len(before) + 1)
+    again.wait_for_words(" shards done, ")
     again.process.send_signal(signal.SIGINT)
-    while "not followed any more" not in (again.process.stdout.readline() if again.process.stdout else ""):
-        pass
+    again.wait_for_words("not followed any more")
     again.process.send_signal(signal.SIGINT)
     code, said = again.wait()
     assert code == 130 and "cancelled; what is measured is kept" in said
@@ -214,9 +221,7 @@ def test_a_script_that_was_submitted_by_hand_is_followed(world: World) -> None:
 
 def test_a_shard_that_never_gets_on_is_given_up_and_goes_on_with_more_memory(world: World) -> None:
     """Slurm looks at memory once a second, and kills the whole job of a cell that takes more."""
-    words = [*world.words, "--memory-limit", "4G"]
-    at = words.index("0.05")
-    slow = [*words[:at], "0.4", *words[at + 1 :]]
+    slow = world.sharded.words("--recordings", "none", "--memory-limit", "4G", min_time="0.4")
     following = world.submit("greedy", "--mem=5M", words=slow)
     code, said = following.wait()
     assert code == 1, said
