@@ -74,6 +74,10 @@ OWN_LIMIT = """limit=()  # the run has one of its own
 """
 
 
+ENDED = re.compile(r"^slurmstepd.*(memory limit|DUE TO|oom)", re.IGNORECASE)
+"""Why Slurm ended a job, in its log."""
+
+
 class SlurmError(RuntimeError):
     """Its message is one line."""
 
@@ -202,12 +206,14 @@ def ranges(numbers: Sequence[int]) -> str:
 
 
 def last_words(job: Job, index: int) -> str:
-    """The last line of a shard's log."""
+    """The last line of a shard's log; of its last job rather what Slurm says of its end."""
     try:
         lines = job.log(index).read_text(encoding="utf-8", errors="replace").strip().splitlines()
     except OSError:
         lines = []
-    line = lines[-1] if lines else "it left no log"
+    begins = [number for number, line in enumerate(lines) if line.startswith(f"shard {index} on ")]
+    slurms = [line for line in lines[begins[-1] if begins else 0 :] if ENDED.search(line)]
+    line = (slurms or lines[-1:] or ["it left no log"])[-1]
     return "".join(c if c.isprintable() else "?" for c in line)[:300]
 
 
