@@ -54,9 +54,10 @@ constexpr const char* kRoundabout =
 /// bend at that vertex, the faces on one side of it do not lead where those on the other do: the
 /// piece ends there, and the vertex's own path continues, which is as short. A piece that misses
 /// its root all the same, because its window saw the end by no more than kApexReach, goes to that
-/// vertex of its faces where paths may bend and by which it is as short (kPathTie). The vertex that
-/// is taken in place of a root is nearer to the source than the piece's end, or as near where edges
-/// have no length, and then no path has more pieces than the mesh has vertices.
+/// vertex of its faces where paths may bend and by which it is as short (kPathTie); among faces
+/// without area, where rounding decides which way a line runs, to such a neighbour. The vertex that
+/// is taken in place of a root is no farther from the source than the piece's end, and no path has
+/// more pieces than the mesh has vertices.
 class Paths::Trace {
  public:
   explicit Trace(const Paths& of) : of_(of), mesh_(of.mesh_) {}
@@ -86,7 +87,14 @@ class Paths::Trace {
     Point2 at = {0, 0};                       ///< the end
     std::array<SurfacePoint, 2> source = {};  ///< the root that is no vertex, in each of its faces
     double length = 0;
-    double scale = 0;  ///< what rounding is relative to: the length, or that of the half-edge
+    double side = 0;   ///< length of the half-edge
+    double scale = 0;  ///< what rounding is relative to: the longer of the two
+
+    void aim(const Point2& new_root) {
+      from = new_root;
+      length = length_of(minus(from, at));
+      scale = std::max(length, side);
+    }
   };
 
   /// Where the line of a piece leaves a face, in the frame of the twin of a half-edge; there need
@@ -103,9 +111,14 @@ class Paths::Trace {
 
   /// A vertex by which a path to a piece's end is short.
   struct Detour {
+    Piece piece;  ///< with the vertex for a root
     double distance = kInfinity;
-    Index vertex = kNone;
-    Point2 at = {0, 0};  ///< in the frame of the piece
+
+    void take(double shorter, Index vertex, const Point2& at) {
+      distance = shorter;
+      piece.root = vertex;
+      piece.aim(at);
+    }
   };
 
   Piece piece_to(const SurfacePoint& end, double distance, const Arrival& arrival) const {
@@ -130,8 +143,8 @@ class Paths::Trace {
       if (source.is_vertex()) lost(piece);
       piece.source = {source, beyond_edge(mesh_, source)};
     }
-    piece.length = length_of(minus(piece.from, piece.at));
-    piece.scale = std::max(piece.length, mesh_.half_edge(piece.half_edge).length);
+    piece.side = mesh_.half_edge(piece.half_edge).length;
+    piece.aim(arrival.from);
     return piece;
   }
 
@@ -143,21 +156,20 @@ class Paths::Trace {
   /// @return where it begins, as in Arrival
   Index follow(const Piece& piece) {
     const std::size_t before = points_.size();
-    const Index root = walk(piece, nullptr);
+    Index root = walk(piece, nullptr);
     if (root != kNone && !strayed_) return root;
-    Detour detour;
+    Detour by_strip{.piece = piece}, by_edge{.piece = piece};
     points_.resize(before);
-    walk(piece, &detour);
-    points_.resize(before);
-    Piece other = piece;
-    if (detour.distance <= piece.distance * (1 + kPathTie)) {
-      other.root = detour.vertex;
-      other.from = detour.at;
-      other.length = length_of(minus(other.from, other.at));
+    root = walk(piece, &by_strip);
+    consider_neighbours(piece, by_edge);
+    for (const Detour* detour : {&by_strip, &by_edge}) {
+      if (detour == &by_edge && root != kNone) return root;
+      if (detour->distance > piece.distance * (1 + kPathTie)) continue;
+      points_.resize(before);
+      root = walk(detour->piece, nullptr);
     }
-    const Index begin = walk(other, nullptr);
-    if (begin == kNone) lost(piece);
-    return begin;
+    if (root == kNone) lost(piece);
+    return root;
   }
 
   /// Adds the points of a piece after its end.
@@ -192,11 +204,12 @@ class Paths::Trace {
     double travelled = line.step;
     for (Index faces = 0; faces < mesh_.face_count(); ++faces) {
       const Index in = mesh_.twin(line.side);
-      if (in == kNone || !(line.root.y > 0)) return kNone;
+      if (in == kNone) return kNone;
       const Point2 here = {line.x, 0};
       if (const auto root = root_on_face(piece, in)) {
         return arrive(piece, in, here, line.root, *root);
       }
+      if (!(line.root.y > 0)) return kNone;
       const HalfEdge& e = mesh_.half_edge(in);
       const Index apex = mesh_.apex(in);
       const Point2 to_apex = minus({e.apex_x, e.apex_y}, here), ahead = minus(line.root, here);
@@ -258,27 +271,38 @@ class Paths::Trace {
     return {Mesh::next(h), f.right - u, f.to_right(root.x, root.y), length_of(minus(out, at))};
   }
 
-  /// How a line leaves a face through its apex: on the given side, unless it runs along that side.
+  /// Which of two sides a line through their common corner leaves by: the first one, unless it
+  /// runs along it.
+  /// @param first, second how far the root lies beyond them
+  static bool is_first(double first, double second, double slack) {
+    return first > slack || first >= second;
+  }
+
+  /// How a line leaves a face through its apex.
+  /// @param right on which side of the apex it seems to pass
   Line leave_through_apex(Index in, const Line& line, bool right, double slack) const {
     const FaceFrame f = face_frame(mesh_, in);
     const Point2 on_left = f.to_left(line.root.x, line.root.y);
     const Point2 on_right = f.to_right(line.root.x, line.root.y);
     const double step = length_of(minus({f.apex_x, f.apex_y}, {line.x, 0}));
-    const bool by_right = right ? on_right.y > slack : !(on_left.y > slack);
+    const bool by_right =
+        right ? is_first(on_right.y, on_left.y, slack) : !is_first(on_left.y, on_right.y, slack);
     if (by_right) return {Mesh::next(in), 0, on_right, step};
     return {Mesh::previous(in), f.left, on_left, step};
   }
 
-  /// How a piece's line leaves its first face through an end of its half-edge: by that, unless it
-  /// runs along it.
+  /// How a piece's line leaves its first face through an end of its half-edge.
   Line leave_through_end(const Piece& piece, bool head, double slack) const {
     const Index h = piece.half_edge;
     const FaceFrame f = face_frame(mesh_, h);
     const auto [x, y] = piece.from;
     const double step = to_end(piece, head);
-    if (-y > slack) return {h, head ? 0 : f.length, {f.length - x, -y}, step};
-    if (head) return {Mesh::next(h), f.right, f.to_right(x, y), step};
-    return {Mesh::previous(h), 0, f.to_left(x, y), step};
+    const Point2 beyond = head ? f.to_right(x, y) : f.to_left(x, y);
+    if (is_first(-y, beyond.y, slack)) {
+      return {h, head ? 0 : f.length, {f.length - x, -y}, step};
+    }
+    if (head) return {Mesh::next(h), f.right, beyond, step};
+    return {Mesh::previous(h), 0, beyond, step};
   }
 
   /// From the end of a piece to that of its half-edge; along a side to the last bit.
@@ -341,10 +365,43 @@ class Paths::Trace {
     const double distance = through + std::hypot(along, across);
     if (distance >= least.distance) return;
     const Direction line(minus(piece.from, piece.at), piece.length);
-    least = {distance,
-             v,
-             {piece.at.x + along * line.x - across * line.y,
-              piece.at.y + along * line.y + across * line.x}};
+    least.take(distance, v,
+               {piece.at.x + along * line.x - across * line.y,
+                piece.at.y + along * line.y + across * line.x});
+  }
+
+  /// The straight lines to the other corners of the faces at the end of a piece.
+  void consider_neighbours(Piece piece, Detour& least) const {
+    const auto consider_corners = [&](Index h, const Point2& end) {
+      piece.half_edge = h;
+      piece.side = mesh_.half_edge(h).length;
+      piece.at = end;
+      const HalfEdge& e = mesh_.half_edge(h);
+      const std::pair<Index, Point2> corners[] = {{e.origin, {0, 0}},
+                                                  {mesh_.head(h), {e.length, 0}},
+                                                  {mesh_.apex(h), {e.apex_x, e.apex_y}}};
+      for (const auto& [v, at] : corners) {
+        const double through = of_.distance(v);
+        const double distance = through + length_of(minus(at, end));
+        if (v == piece.end.vertex || through > piece.distance || distance >= least.distance) {
+          continue;
+        }
+        least.piece = piece;
+        least.take(distance, v, at);
+      }
+    };
+    if (piece.end.is_vertex()) {
+      for (const Index h : mesh_.outgoing(piece.end.vertex)) {
+        const HalfEdge& opposite = mesh_.half_edge(Mesh::next(h));
+        consider_corners(Mesh::next(h), {opposite.apex_x, opposite.apex_y});
+      }
+      return;
+    }
+    for (const SurfacePoint& end : {piece.end, beyond_edge(mesh_, piece.end)}) {
+      if (end.face == kNone) continue;
+      piece.end = end;
+      consider_corners(3 * end.face, in_frame(mesh_, end, 3 * end.face));
+    }
   }
 
   /// Adds the point where a line leaves a face.

@@ -54,10 +54,16 @@ void refuses_what_it_lacks(const Trial& trial) {
       {can.multiple_sources, "a second source", from({0, 1})},
       {can.initial_distances, "an initial distance", {.sources = {{0, 1}}}},
       {can.distance_limit, "a distance limit", within(1, from(0))},
+      {can.surface_sources,
+       "a source in a face",
+       {.sources = {{point_in_face(trial.mesh(), 0, {1, 1, 1}), 0}}}},
   };
   for (const auto& [has_it, what, query] : abilities) {
     if (!has_it) refuses(trial, what, query);
   }
+  Recording paths;
+  paths.what = Record::paths;
+  if (!can.paths) refused("to record paths", [&] { trial.solve(trial.mesh(), from(0), &paths); });
 }
 
 void names_itself_when_refusing(const Trial& trial) {
@@ -85,6 +91,28 @@ void limit_keeps_what_is_nearer(const Trial& trial) {
     std::vector<double> expected = all;
     for (double& d : expected) d = d > limit ? kInfinity : d;
     require("limit " + std::to_string(limit), trial.correct(query, trial.solve(query), expected));
+  }
+}
+
+void stopping_keeps_what_is_nearer(const Trial& trial) {
+  const Index last = trial.mesh().vertex_count() - 1;
+  const std::vector<double> all = trial.solve(trial.query());
+  for (const std::vector<SurfacePoint>& targets :
+       {std::vector<SurfacePoint>{last / 2}, std::vector<SurfacePoint>{last / 3, last, 0}}) {
+    Query query = trial.query();
+    query.targets = targets;
+    query.stop_at_targets = true;
+    double farthest = 0;
+    for (const SurfacePoint& target : targets) farthest = std::max(farthest, all[target.vertex]);
+    const std::vector<double> got = trial.solve(query);
+    std::vector<double> expected = all;
+    // Rounding may put what is as far as the farthest target on either side.
+    for (Index v = 0; v < all.size(); ++v) {
+      if (all[v] > farthest && (all[v] > farthest * (1 + kExactTolerance) || got[v] == kInfinity)) {
+        expected[v] = kInfinity;
+      }
+    }
+    require("stopped", trial.correct(query, got, expected));
   }
 }
 
@@ -185,6 +213,9 @@ std::vector<Property> query_properties() {
       {"limit-keeps-what-is-nearer-and-drops-what-is-farther",
        "a distance limit keeps the distances up to it and makes farther vertices unreachable",
        [] { return terrain(from(40)); }, limit_keeps_what_is_nearer, kDistanceLimit},
+      {"stopping-at-targets-keeps-what-is-nearer",
+       "a solve that stops at its targets keeps the distances up to the farthest one",
+       [] { return terrain(from(40)); }, stopping_keeps_what_is_nearer, kExactDistances},
       {"limit-of-zero-keeps-the-source", "a limit of 0 leaves the source alone",
        [] { return terrain(within(0, from(40))); }, distances_are_right, kDistanceLimit},
       {"limit-beyond-the-mesh-changes-nothing",
