@@ -406,8 +406,13 @@ Query InsertedPoints::translated(const Query& query) const {
 std::shared_ptr<const InsertedPoints> insert_for(const Description& solver, const Mesh& mesh,
                                                  std::span<const SurfacePoint> sources,
                                                  std::span<const SurfacePoint> targets) {
+  const std::vector<SurfacePoint> points = joined(sources, targets);
+  for (const SurfacePoint& point : points) {
+    const std::string defect = defect_of(mesh, point);
+    if (!defect.empty()) throw std::invalid_argument(defect);
+  }
   if (takes(solver, sources, targets)) return nullptr;
-  return std::make_shared<const InsertedPoints>(mesh, joined(sources, targets));
+  return std::make_shared<const InsertedPoints>(mesh, points);
 }
 
 PointSolver::PointSolver(std::string_view solver, const Mesh& mesh,

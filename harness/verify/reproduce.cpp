@@ -91,6 +91,9 @@ class Reproducer {
     append_sources(words, saved.given);
     append_vectors(words);
     words.emplace_back("--check");
+    // A recorded solve, compared with the first one.
+    const bool of_recordings = failed_.property->name.starts_with("recordings");
+    if (of_recordings && saved.given.queries.size() == 1) words.emplace_back("--counters");
     return words;
   }
 

@@ -16,6 +16,7 @@ class PathRecord {
 
   /// As PathRecorder's (recorders.h).
   void arrived(Index v, const Arrival& arrival) { arrivals_[v] = arrival; }
+  const Arrival& arrival(Index v) const { return arrivals_[v]; }
   void crossing(Index h, const Window& w, Index root) {
     if (first_target_.empty()) return;
     const Index face = h / 3;

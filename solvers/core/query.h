@@ -21,7 +21,8 @@ struct Query {
   double limit = kInfinity;     ///< vertices farther than this are reported as unreachable
   /// Points whose distances and paths are wanted (Record::paths).
   std::vector<SurfacePoint> targets = {};
-  /// Vertices farther than the farthest target are reported as unreachable too.
+  /// Vertices farther than the farthest target are reported as unreachable too. Unless paths are
+  /// recorded, a target in a face counts as far as the way to it over a corner.
   bool stop_at_targets = false;
 
   /// A vertex of the component of each source: the source itself, or a corner of its face.

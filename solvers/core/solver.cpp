@@ -103,7 +103,12 @@ void Solver::solve(const Query& query, std::span<double> distances, Recording* r
 void Solver::run_to_end(const Query& query, std::span<double> distances, Recording* recording) {
   std::ranges::fill(distances, kInfinity);
   run(query, distances, recording);
-  const double farthest = Ending(mesh_, query, distances).farthest();
+  double farthest = Ending(mesh_, query, distances).farthest();
+  if (query.stop_at_targets && recording != nullptr && recording->what == Record::paths) {
+    double last = 0;
+    for (const AtTarget& target : recording->targets) last = std::max(last, target.distance);
+    farthest = std::min(query.limit, last);
+  }
   for (double& d : distances) {
     if (d > farthest) d = kInfinity;
   }

@@ -49,27 +49,16 @@ class Propagation final : public Propagator<Recorder> {
       progress_.start(mesh_, query.source_vertices(mesh_));
     }
     for (Index i = 0; i < query.sources.size(); ++i) begin_at(query.sources[i], i, recorder);
-    // The shortest path to a vertex within the limit crosses only edges that have an end nearer
-    // than the limit plus half their length.
-    const double stop = query.limit + longest_edge_ / 2;
-    while (!front_.empty() && front_.least_key() <= stop) {
+    Ending ending(mesh_, query, distances_);
+    while (!front_.empty() && !ending.is_over(front_.least_key())) {
       enter_faces_around(pop(recorder), recorder);
-      for (std::size_t i = 0; i < fifo_.size(); ++i) {
-        const Index h = fifo_[i];
-        queued_[h] = 0;
-        if constexpr (Lists::kCarries) {
-          if constexpr (Recorder::kRemembers) show_windows(h, recorder);
-          lists_.carry(h, face_frame(mesh_, h));
-        }
-        cross_face(h, recorder);
-        if constexpr (Lists::kCarries) land_carried(h, recorder);
-        recorder.wavefront_size(lists_.size());
-      }
+      for (std::size_t i = 0; i < fifo_.size(); ++i) cross_with_list(fifo_[i], recorder);
       fifo_.clear();
       if constexpr (Recorder::kRecords) {
         if (progress_.made_step()) sample(recorder);
       }
     }
+    if (!front_.empty()) finish(ending.farthest(), recorder);
   }
 
  private:
@@ -131,6 +120,49 @@ class Propagation final : public Propagator<Recorder> {
         mesh_, source.at, [](Index, const Point2&, double) {}, cross_side);
   }
 
+  /// Ends a propagation that has come to `end`: the vertices that wait are farther, but windows
+  /// that wait may be nearer, on long edges whose ends are not. They go on until none is left; then
+  /// no path is that is shorter than `end`.
+  ///
+  /// All windows that wait are looked at. A list waits where no vertex of the face beyond has
+  /// passed. It came through the face below, whose third vertex has passed and has reached both
+  /// ends of the edge, or from a source in that face, which has: they are in the queue. It is
+  /// looked at when one of them is popped, and so is what lands later, when it lands. Nothing of
+  /// this depends on how long edges are.
+  /// @param end at least the distance of all that is asked for
+  [[gnu::cold, gnu::noinline]] void finish(double end, Recorder& recorder) {
+    const auto enqueue_nearer = [&](Index h) {
+      if (h != kNone && has_nearer(h, end)) enqueue(h);
+    };
+    while (!front_.empty()) {
+      const Index v = pop(recorder);
+      if (distances_[v] <= end) enter_faces_around(v, recorder);
+      for (const Index h : mesh_.outgoing(v)) {
+        for (const Index side : {h, Mesh::previous(h), mesh_.twin(Mesh::next(h))}) {
+          enqueue_nearer(side);
+        }
+      }
+      for (std::size_t i = 0; i < fifo_.size(); ++i) {
+        const Index h = fifo_[i];
+        cross_with_list(h, recorder);
+        enqueue_nearer(mesh_.twin(Mesh::previous(h)));
+        enqueue_nearer(mesh_.twin(Mesh::next(h)));
+      }
+      fifo_.clear();
+    }
+  }
+
+  /// True when a window nearer than `end` waits on h.
+  bool has_nearer(Index h, double end) {
+    bool nearer = false;
+    lists_.for_each_segment(h, [&](const auto& segment) {
+      for (std::size_t i = 0; i < segment.count && !nearer; ++i) {
+        nearer = least_distance(window_of(segment, i)) <= end;
+      }
+    });
+    return nearer;
+  }
+
   Index pop(Recorder& recorder) {
     const auto timed = recorder.enter(Phase::queue);
     return front_.pop();
@@ -166,22 +198,25 @@ class Propagation final : public Propagator<Recorder> {
   }
 
   void enter_faces_around(Index v, Recorder& recorder) {
-    const bool emits = (vertex_state_[v] & kSource) != 0 || mesh_.is_pseudo_source(v);
+    const bool emits = may_bend_at(v);
     vertex_state_[v] |= kPassed;
     prefetch_ahead(v);
     for (const Index h : mesh_.outgoing(v)) {
       const Index into = Mesh::previous(h);
       const double at_head = distances_[v] + mesh_.half_edge(h).length;
       if (at_head < distances_[mesh_.head(h)]) {
-        reach(mesh_.head(h), at_head, recorder);
         if constexpr (Recorder::kRemembers) {
-          recorder.arrived(mesh_.head(h), {into, v, {mesh_.half_edge(into).length, 0}});
+          const Point2 head = {mesh_.half_edge(into).length, 0};
+          arrive_along_edge(mesh_.head(h), at_head, {into, v, head}, recorder);
         }
+        reach(mesh_.head(h), at_head, recorder);
       }
       const double at_origin = distances_[v] + mesh_.half_edge(into).length;
       if (at_origin < distances_[mesh_.origin(into)]) {
+        if constexpr (Recorder::kRemembers) {
+          arrive_along_edge(mesh_.origin(into), at_origin, {h, v, {0, 0}}, recorder);
+        }
         reach(mesh_.origin(into), at_origin, recorder);
-        if constexpr (Recorder::kRemembers) recorder.arrived(mesh_.origin(into), {h, v, {0, 0}});
       }
       if (emits) emit(v, Mesh::next(h));
     }
@@ -191,6 +226,25 @@ class Propagation final : public Propagator<Recorder> {
       enqueue(Mesh::next(h));
       enqueue(Mesh::previous(h));
     }
+  }
+
+  bool may_bend_at(Index v) const {
+    return (vertex_state_[v] & kSource) != 0 || mesh_.is_pseudo_source(v);
+  }
+
+  /// Remembers that a path of this length comes along an edge. Where no path bends at the edge's
+  /// other end, a window that is as short but for rounding arrives straight, and stays.
+  void arrive_along_edge(Index v, double distance, const Arrival& arrival, Recorder& recorder) {
+    if (may_bend_at(arrival.root) || is_shorter(distance, distances_[v], rounding_)) {
+      recorder.arrived(v, arrival);
+    }
+  }
+
+  /// Remembers a window that comes later, and is as short but for rounding.
+  void arrive_straight(Index v, double distance, const Arrival& arrival, Recorder& recorder) {
+    const Index root = recorder.record.arrival(v).root;
+    const bool bends = root < mesh_.vertex_count() && !may_bend_at(root);
+    if (bends && !is_shorter(distances_[v], distance, rounding_)) recorder.arrived(v, arrival);
   }
 
   /// Sends a window from the (pseudo-)source v over the whole of the opposite edge.
@@ -224,6 +278,17 @@ class Propagation final : public Propagator<Recorder> {
     if (is_entered(h)) enqueue(h);
   }
 
+  void cross_with_list(Index h, Recorder& recorder) {
+    queued_[h] = 0;
+    if constexpr (Lists::kCarries) {
+      if constexpr (Recorder::kRemembers) show_windows(h, recorder);
+      lists_.carry(h, face_frame(mesh_, h));
+    }
+    cross_face(h, recorder);
+    if constexpr (Lists::kCarries) land_carried(h, recorder);
+    recorder.wavefront_size(lists_.size());
+  }
+
   void cross_face(Index h, Recorder& recorder) {
     const HalfEdge& edge = mesh_.half_edge(h);
     const EndPaths ends(edge.length, distances_[edge.origin], distances_[mesh_.head(h)]);
@@ -239,13 +304,18 @@ class Propagation final : public Propagator<Recorder> {
     const FaceFrame face = face_frame(mesh_, h);
     const Separator separator = classify(batch_, face, seen_left_.data(), seen_right_.data());
     const Index apex = mesh_.apex(h);
-    if (separator.distance < distances_[apex]) {
-      reach(apex, separator.distance, recorder);
-      if constexpr (Recorder::kRemembers) {
+    const bool reaches = separator.distance < distances_[apex];
+    if constexpr (Recorder::kRemembers) {
+      if (separator.window != SIZE_MAX) {
         const Window best = batch_.window(separator.window);
-        recorder.arrived(apex, {h, root_of(separator.window), {best.x, best.y}});
+        const Arrival arrival{h, root_of(separator.window), {best.x, best.y}};
+        if (reaches)
+          recorder.arrived(apex, arrival);
+        else
+          arrive_straight(apex, separator.distance, arrival, recorder);
       }
     }
+    if (reaches) reach(apex, separator.distance, recorder);
     choose_sides(separator, face, recorder);
     if constexpr (Recorder::kRecords) count(recorder);
 
