@@ -1,0 +1,162 @@
+"""Rows as columns are the rows; damaged columns are named; many meshes are drawn as one crowd."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from plots import catalogue, check, many
+from results.columns import Columns, NotColumns
+from results.reader import ColumnRows, ResultError, Run, read_file, read_run, run_of
+
+Change = Callable[[dict[str, Any]], object]
+
+
+@pytest.fixture
+def stored(golden_folder: Path, tmp_path: Path) -> Path:
+    """The golden run with its rows as columns; its rows are named as geodesic-bench names them."""
+    data = json.loads((golden_folder / "run.json").read_text())
+    columns = Columns.of(data.pop("benchmarks"))
+    columns.save(tmp_path / "rows.npz")
+    data["columns"] = {"file": "rows.npz", "rows": columns.length, "texts": columns.texts}
+    (tmp_path / "run.json").write_text(json.dumps(data))
+    return tmp_path
+
+
+def test_a_run_in_columns_is_the_run_in_json(stored: Path, golden_run: Run) -> None:
+    run = read_run(stored)
+    assert isinstance(run.rows, ColumnRows)
+    assert [dict(row.data) for row in run.rows] == [dict(row.data) for row in golden_run.rows]
+    assert list(run.rows) == list(golden_run.rows)
+    for mesh in golden_run.meshes:
+        for solver in golden_run.solvers:
+            assert run.cell(mesh, solver) == golden_run.cell(mesh, solver)
+    drawn, left_out = catalogue.draw(run, list(catalogue.TABLES))
+    expected, others = catalogue.draw(golden_run, list(catalogue.TABLES))
+    assert drawn == expected and left_out.keys() == others.keys()
+    assert check.failures(run) == check.failures(golden_run)
+    assert check.largest_errors(run) == check.largest_errors(golden_run)
+
+
+def arrays(change: Change) -> Callable[[Path], None]:
+    def apply(folder: Path) -> None:
+        with np.load(folder / "rows.npz") as file:
+            found = {key: file[key] for key in file.files}
+        change(found)
+        np.savez(folder / "rows.npz", **found)
+
+    return apply
+
+
+def negative(found: dict[str, Any]) -> None:
+    found["real_time"][3] = -1.0
+
+
+def far(found: dict[str, Any]) -> None:
+    found["mesh"][0] = 99
+
+
+def truncated(folder: Path) -> None:
+    file = folder / "rows.npz"
+    file.write_bytes(file.read_bytes()[:-100])
+
+
+@pytest.mark.parametrize(
+    ("damage", "words"),
+    [
+        (truncated, "not arrays of numpy"),
+        (lambda folder: (folder / "rows.npz").unlink(), "no such file; run.json has its rows there"),
+        (arrays(lambda a: a.update(windows=a["source"])), "windows: no column of a result file"),
+        (arrays(lambda a: a.update(source=a["source"][1:])), "source: not"),
+        (arrays(lambda a: a.update(source=a["source"].astype("f8"))), "source: not"),
+        (arrays(lambda a: a.update(outcome=np.array([{}], object))), "not arrays of numpy"),
+        (arrays(far), "mesh: a text that run.json does not have"),
+        (arrays(negative), "has rows that are not to the schema"),
+        (arrays(lambda a: a.pop("cpu_time")), "has rows that are not to the schema"),
+    ],
+)  # fmt: skip
+def test_damaged_columns_are_named(
+    stored: Path, damage: Callable[[Path], object], words: str
+) -> None:
+    damage(stored)
+    with pytest.raises(ResultError, match="rows.npz") as caught:
+        read_run(stored)
+    assert words in str(caught.value) and "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda row: row.update(cpu_time="1"),
+        lambda row: row.update(source=1.5),
+        lambda row: row.update(source=-1),
+        lambda row: row.update(unknown=1),
+        lambda row: row.update(error_occurred=True),
+        lambda row: row.update(name="mmp/other/src:0"),
+        lambda row: row.update(mesh=7),
+    ],
+)
+def test_rows_that_columns_cannot_hold_are_not_taken(golden_folder: Path, change: Change) -> None:
+    data = json.loads((golden_folder / "run.json").read_text())
+    change(data["benchmarks"][0])
+    with pytest.raises(NotColumns):
+        Columns.of(data["benchmarks"])
+
+
+@pytest.mark.parametrize("value", [-0.5, 1.5])
+def test_one_number_out_of_bounds_among_many_is_found(golden_folder: Path, value: float) -> None:
+    """Only the least and the greatest are looked at: each of them is."""
+    data = json.loads((golden_folder / "run.json").read_text())
+    for row in data["benchmarks"]:
+        row["stolen_share"] = 0.5
+    data["benchmarks"][5]["stolen_share"] = value
+    assert not Columns.of(data["benchmarks"]).is_valid(data["context"])
+
+
+def crowd(golden_folder: Path, meshes: int) -> Run:
+    """The horse of the golden run under many names; the n-th takes each solver n times as long."""
+    data = json.loads((golden_folder / "run.json").read_text())
+    ours = data["context"]["geodesic_bench"]
+    [horse] = [mesh for mesh in ours["meshes"] if mesh["name"] == "horse"]
+    rows = [row for row in data["benchmarks"] if row["mesh"] == "horse"]
+    names = [f"horse-{number}" for number in range(1, meshes + 1)]
+    ours["meshes"] = [horse | {"name": n, "vertices": 10 * i + 10} for i, n in enumerate(names)]
+    ours["sources"] = {name: ours["sources"]["horse"] for name in names}
+    ours["skipped"] = []
+    data["benchmarks"] = [
+        row | {"mesh": name, "cpu_time": row["cpu_time"] * (number if row["solver"] == "mmp" else 1)}
+        for number, name in enumerate(names, 1)
+        for row in rows
+    ]  # fmt: skip
+    return run_of(golden_folder, data)
+
+
+def test_of_many_meshes_the_spread_is_drawn(golden_folder: Path) -> None:
+    run = crowd(golden_folder, many.MANY + 1)
+    drawn, left_out = catalogue.draw(run)
+    assert list(drawn) == list(catalogue.OF_MANY) and not left_out
+    found = many.ratios(run, "edge-based")["mmp"]
+    one = crowd(golden_folder, 1)
+    pairs = {
+        (row.source, row.repetition): row.time for row in one.cell("horse-1", "edge-based") if row.ok
+    }
+    logs = [
+        np.log(row.time / pairs[row.source, row.repetition])
+        for row in one.cell("horse-1", "mmp")
+        if (row.source, row.repetition) in pairs
+    ]
+    assert np.allclose(found, np.exp(np.mean(logs)) * np.arange(1, many.MANY + 2), rtol=1e-12)
+    _, refused = catalogue.draw(run, ["table_5_2"])
+    assert "drawn of at most 100 meshes, which --meshes chooses" in refused["table_5_2"]
+    few, _ = catalogue.draw(run.of_meshes(["horse-1", "horse-7"]), ["table_5_2"])
+    assert list(few) == ["table_5_2"]
+
+
+def test_a_file_of_rows_can_be_read_as_columns(golden_folder: Path, golden_run: Run) -> None:
+    run = read_file(golden_folder / "run.json", as_columns=True)
+    assert isinstance(run.rows, ColumnRows) and list(run.rows) == list(golden_run.rows)
