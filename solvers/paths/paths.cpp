@@ -29,12 +29,12 @@ struct Direction {
   double x, y;
 };
 
-/// How far from the corner between two sides of a face a line leaves by one of them that comes in
-/// by the other, `from` away from the corner.
-/// @param side, length of the side it leaves by, away from the corner
-double leave(double from, const Point2& side, double length, const Direction& line) {
-  const double sine = -line.across(side);
-  return sine > 0 ? std::min(from * line.y / sine, length) : length;
+/// Where a line crosses a side of a face: how far from a corner at its end.
+/// @param at a point of the line, as seen from the corner
+/// @param side of length 1, away from the corner
+double crossing(const Direction& line, const Point2& at, const Point2& side, double length) {
+  const double from_corner = line.across(at) / line.across(side);
+  return from_corner < length ? std::max(from_corner, 0.0) : length;
 }
 
 constexpr const char* kRoundabout =
@@ -54,8 +54,10 @@ constexpr const char* kRoundabout =
 /// bend at that vertex, the faces on one side of it do not lead where those on the other do: the
 /// piece ends there, and the vertex's own path continues, which is as short. A piece that misses
 /// its root all the same, because its window saw the end by no more than kApexReach, goes to that
-/// vertex of its faces where paths may bend and by which it is as short (kPathTie). Whatever vertex
-/// is taken in place of the root is nearer to the source than the piece's end, so the path ends.
+/// vertex of its faces where paths may bend and by which it is as short (kPathTie); among faces
+/// without area, where rounding decides which way a line runs, to such a neighbour. The vertex that
+/// is taken in place of a root is no farther from the source than the piece's end, and no path has
+/// more pieces than the mesh has vertices.
 class Paths::Trace {
  public:
   explicit Trace(const Paths& of) : of_(of), mesh_(of.mesh_) {}
@@ -85,6 +87,14 @@ class Paths::Trace {
     Point2 at = {0, 0};                       ///< the end
     std::array<SurfacePoint, 2> source = {};  ///< the root that is no vertex, in each of its faces
     double length = 0;
+    double side = 0;   ///< length of the half-edge
+    double scale = 0;  ///< what rounding is relative to: the longer of the two
+
+    void aim(const Point2& new_root) {
+      from = new_root;
+      length = length_of(minus(from, at));
+      scale = std::max(length, side);
+    }
   };
 
   /// Where the line of a piece leaves a face, in the frame of the twin of a half-edge; there need
@@ -96,11 +106,19 @@ class Paths::Trace {
     double step;  ///< its length in the face
   };
 
+  /// Of a face, by one of its half-edges: that itself, the one before it, the one after it.
+  enum class Side : std::uint8_t { own, left, right };
+
   /// A vertex by which a path to a piece's end is short.
   struct Detour {
+    Piece piece;  ///< with the vertex for a root
     double distance = kInfinity;
-    Index vertex = kNone;
-    Point2 at = {0, 0};  ///< in the frame of the piece
+
+    void take(double shorter, Index vertex, const Point2& at) {
+      distance = shorter;
+      piece.root = vertex;
+      piece.aim(at);
+    }
   };
 
   Piece piece_to(const SurfacePoint& end, double distance, const Arrival& arrival) const {
@@ -125,7 +143,8 @@ class Paths::Trace {
       if (source.is_vertex()) lost(piece);
       piece.source = {source, beyond_edge(mesh_, source)};
     }
-    piece.length = length_of(minus(piece.from, piece.at));
+    piece.side = mesh_.half_edge(piece.half_edge).length;
+    piece.aim(arrival.from);
     return piece;
   }
 
@@ -137,21 +156,20 @@ class Paths::Trace {
   /// @return where it begins, as in Arrival
   Index follow(const Piece& piece) {
     const std::size_t before = points_.size();
-    const Index root = walk(piece, nullptr);
+    Index root = walk(piece, nullptr);
     if (root != kNone && !strayed_) return root;
-    Detour detour;
+    Detour by_strip{.piece = piece}, by_edge{.piece = piece};
     points_.resize(before);
-    walk(piece, &detour);
-    points_.resize(before);
-    Piece other = piece;
-    if (detour.distance <= piece.distance * (1 + kPathTie)) {
-      other.root = detour.vertex;
-      other.from = detour.at;
-      other.length = length_of(minus(other.from, other.at));
+    root = walk(piece, &by_strip);
+    consider_neighbours(piece, by_edge);
+    for (const Detour* detour : {&by_strip, &by_edge}) {
+      if (detour == &by_edge && root != kNone) return root;
+      if (detour->distance > piece.distance * (1 + kPathTie)) continue;
+      points_.resize(before);
+      root = walk(detour->piece, nullptr);
     }
-    const Index begin = walk(other, nullptr);
-    if (begin == kNone) lost(piece);
-    return begin;
+    if (root == kNone) lost(piece);
+    return root;
   }
 
   /// Adds the points of a piece after its end.
@@ -163,86 +181,128 @@ class Paths::Trace {
     if (const auto root = root_on_face(piece, h)) {
       return arrive(piece, h, piece.at, piece.from, *root);
     }
-    const double slack = kPathThrough * piece.length;
+    const double slack = kPathThrough * piece.scale;
     const Direction to_root(minus(piece.from, piece.at), piece.length);
+    Line line = leave(h, piece.at, piece.from, to_root, Side::own);
+    double nearest = kInfinity;  // end of h that the line runs through
     for (const bool head : {false, true}) {
       const Index v = head ? mesh_.head(h) : mesh_.origin(h);
       const Point2 to = minus({head ? mesh_.half_edge(h).length : 0, 0}, piece.at);
-      const double rest = to_end(piece, head);
-      if (detour != nullptr) consider(v, to_root.along(to), to_root.across(to), piece, *detour);
-      if (std::abs(to_root.across(to)) <= slack && turns(piece, v, rest)) {
-        return add(SurfacePoint(v), h / 3, rest);
+      const double along = to_root.along(to), across = to_root.across(to);
+      if (detour != nullptr) consider(v, along, across, piece, *detour);
+      if (is_through(along, across, piece.length, slack)) {
+        const double rest = to_end(piece, head);
+        if (turns(piece, v, rest)) return add(SurfacePoint(v), h / 3, rest);
+        if (rest < nearest) line = leave_through_end(piece, head, slack);
+        nearest = std::min(nearest, rest);
+      } else if (nearest == kInfinity && (head ? across < -slack : across > slack)) {
+        // Seen past the end of h by no more than kApexReach, the line leaves by the side beyond.
+        line = leave(h, piece.at, piece.from, to_root, head ? Side::right : Side::left);
       }
     }
-    Line line = leave_first_face(piece, slack);
-    const bool ends_here = !piece.end.is_vertex() && edge_under(piece.end) == line.side;
-    if (!ends_here) add_crossing(line);
+    if (nearest < kInfinity || !leaves_at_end(piece, line)) add_crossing(line);
     double travelled = line.step;
     for (Index faces = 0; faces < mesh_.face_count(); ++faces) {
       const Index in = mesh_.twin(line.side);
-      if (in == kNone || !(line.root.y > 0)) return kNone;
+      if (in == kNone) return kNone;
       const Point2 here = {line.x, 0};
       if (const auto root = root_on_face(piece, in)) {
         return arrive(piece, in, here, line.root, *root);
       }
+      if (!(line.root.y > 0)) return kNone;
       const HalfEdge& e = mesh_.half_edge(in);
       const Index apex = mesh_.apex(in);
-      const Point2 to_apex = minus({e.apex_x, e.apex_y}, here);
-      const Direction ahead(minus(line.root, here));
-      const double along = ahead.along(to_apex), across = ahead.across(to_apex);
+      const Point2 to_apex = minus({e.apex_x, e.apex_y}, here), ahead = minus(line.root, here);
+      const double left_to_go = length_of(ahead);
+      const Direction direction(ahead, left_to_go);
+      const double along = direction.along(to_apex), across = direction.across(to_apex);
       if (detour != nullptr) consider(apex, travelled + along, across, piece, *detour);
-      const bool through = std::abs(across) <= slack && along > -slack;  // on faces without area
-      if (through && turns(piece, apex, travelled + length_of(to_apex))) {
-        return add(SurfacePoint(apex), in / 3, length_of(to_apex));
+      if (is_through(along, across, left_to_go, slack)) {
+        const double rest = length_of(to_apex);
+        if (turns(piece, apex, travelled + rest)) return add(SurfacePoint(apex), in / 3, rest);
+        line = leave_through_apex(in, line, across > 0, slack);
+      } else {
+        line = leave(in, here, line.root, direction, across > 0 ? Side::right : Side::left);
       }
-      line = through ? leave_through_apex(in, line, across > 0, slack)
-                     : leave_by_side(in, line, across > 0, ahead);
       travelled += line.step;
       add_crossing(line);
     }
     return kNone;
   }
 
-  /// How a piece's line leaves the face of its end.
-  Line leave_first_face(const Piece& piece, double slack) const {
-    const Index h = piece.half_edge;
-    const double length = mesh_.half_edge(h).length;
-    const double share = piece.at.y / (piece.at.y - piece.from.y);
-    const double x = length - (piece.at.x + share * (piece.from.x - piece.at.x));
-    const bool by_head = !(x > slack), by_origin = !by_head && x > length - slack;
-    Line line{h, by_head ? 0 : by_origin ? length : x, {length - piece.from.x, -piece.from.y}, 0};
-    line.step = length_of(minus({length - line.x, 0}, piece.at));
-    if (line.root.y > slack || !(by_head || by_origin)) return line;
-    // It runs along h, and by the end of h into what lies beyond the next side.
-    const FaceFrame f = face_frame(mesh_, h);
-    if (by_head) return {Mesh::next(h), f.right, f.to_right(piece.from.x, piece.from.y), line.step};
-    return {Mesh::previous(h), 0, f.to_left(piece.from.x, piece.from.y), line.step};
-  }
-
-  /// How a line leaves the face of `in`: right or left of its apex.
-  Line leave_by_side(Index in, const Line& line, bool right, const Direction& ahead) const {
-    const FaceFrame f = face_frame(mesh_, in);
-    if (right) {
-      const double left =
-          f.right - leave(f.length - line.x, {f.right_x, f.right_y}, f.right, ahead);
-      const Point2 at = {f.apex_x + left * f.right_x, f.apex_y + left * f.right_y};
-      return {Mesh::next(in), left, f.to_right(line.root.x, line.root.y),
-              length_of(minus(at, {line.x, 0}))};
+  /// Whether a line leaves its first face where the piece ends; it is then made to, to the last
+  /// bit.
+  bool leaves_at_end(const Piece& piece, Line& line) const {
+    const Index side = line.side;
+    if (piece.end.is_vertex()) {
+      if (side == piece.half_edge) return false;
+      line.x = side == Mesh::next(piece.half_edge) ? 0 : mesh_.half_edge(side).length;
+    } else {
+      if (side != edge_under(piece.end)) return false;
+      line.x = mesh_.half_edge(side).length * piece.end.weights[side % 3];
     }
-    const double x = leave(line.x, {f.left_x, f.left_y}, f.left, ahead);
-    return {Mesh::previous(in), x, f.to_left(line.root.x, line.root.y),
-            length_of(minus({x * f.left_x, x * f.left_y}, {line.x, 0}))};
+    line.step = 0;
+    return true;
   }
 
-  /// The same of a line through the apex: on the given side, unless it runs along that side.
+  /// Whether a line runs through a vertex, up to rounding.
+  /// @param along, across where the line has the vertex
+  /// @param length to the root
+  static bool is_through(double along, double across, double length, double slack) {
+    return std::abs(across) <= slack && along > -slack && along < length + slack;
+  }
+
+  /// How a line leaves the face of h by one of its sides.
+  /// @param at on the line, in the frame of h, as the root
+  Line leave(Index h, const Point2& at, const Point2& root, const Direction& line,
+             Side side) const {
+    const FaceFrame f = face_frame(mesh_, h);
+    if (side == Side::own) {
+      const double t = crossing(line, at, {1, 0}, f.length);
+      return {h, f.length - t, {f.length - root.x, -root.y}, length_of(minus({t, 0}, at))};
+    }
+    if (side == Side::left) {
+      const double x = crossing(line, at, {f.left_x, f.left_y}, f.left);
+      const Point2 out = {x * f.left_x, x * f.left_y};
+      return {Mesh::previous(h), x, f.to_left(root.x, root.y), length_of(minus(out, at))};
+    }
+    const double u = crossing(line, minus(at, {f.length, 0}), {-f.right_x, -f.right_y}, f.right);
+    const Point2 out = {f.length - u * f.right_x, -u * f.right_y};
+    return {Mesh::next(h), f.right - u, f.to_right(root.x, root.y), length_of(minus(out, at))};
+  }
+
+  /// Which of two sides a line through their common corner leaves by: the first one, unless it
+  /// runs along it.
+  /// @param first, second how far the root lies beyond them
+  static bool is_first(double first, double second, double slack) {
+    return first > slack || first >= second;
+  }
+
+  /// How a line leaves a face through its apex.
+  /// @param right on which side of the apex it seems to pass
   Line leave_through_apex(Index in, const Line& line, bool right, double slack) const {
     const FaceFrame f = face_frame(mesh_, in);
     const Point2 on_left = f.to_left(line.root.x, line.root.y);
     const Point2 on_right = f.to_right(line.root.x, line.root.y);
     const double step = length_of(minus({f.apex_x, f.apex_y}, {line.x, 0}));
-    const bool by_right = right ? on_right.y > slack : !(on_left.y > slack);
+    const bool by_right =
+        right ? is_first(on_right.y, on_left.y, slack) : !is_first(on_left.y, on_right.y, slack);
     if (by_right) return {Mesh::next(in), 0, on_right, step};
     return {Mesh::previous(in), f.left, on_left, step};
+  }
+
+  /// How a piece's line leaves its first face through an end of its half-edge.
+  Line leave_through_end(const Piece& piece, bool head, double slack) const {
+    const Index h = piece.half_edge;
+    const FaceFrame f = face_frame(mesh_, h);
+    const auto [x, y] = piece.from;
+    const double step = to_end(piece, head);
+    const Point2 beyond = head ? f.to_right(x, y) : f.to_left(x, y);
+    if (is_first(-y, beyond.y, slack)) {
+      return {h, head ? 0 : f.length, {f.length - x, -y}, step};
+    }
+    if (head) return {Mesh::next(h), f.right, beyond, step};
+    return {Mesh::previous(h), 0, beyond, step};
   }
 
   /// From the end of a piece to that of its half-edge; along a side to the last bit.
@@ -275,8 +335,8 @@ class Paths::Trace {
   Index arrive(const Piece& piece, Index h, const Point2& here, const Point2& aim,
                const Point2& at) {
     const double off = length_of(minus(aim, at));
-    if (!(off <= kApexReach * piece.length)) return kNone;
-    strayed_ = off > kPathStray * piece.length;
+    if (!(off <= kApexReach * piece.scale)) return kNone;
+    strayed_ = off > kPathStray * piece.scale;
     double rest = length_of(minus(at, here));
     SurfacePoint root = piece.source[0];
     if (piece.root < mesh_.vertex_count()) {
@@ -294,21 +354,54 @@ class Paths::Trace {
   /// @param rest from v to the end of the piece
   bool turns(const Piece& piece, Index v, double rest) const {
     const double through = of_.distance(v);
-    return mesh_.is_pseudo_source(v) && through < piece.distance &&
-           through + rest <= piece.distance * (1 + kPathTie);
+    const bool nearer = through < piece.distance || !piece.end.is_vertex();
+    return mesh_.is_pseudo_source(v) && nearer && through + rest <= piece.distance * (1 + kPathTie);
   }
 
   /// @param along, across the line of the piece, from its end
   void consider(Index v, double along, double across, const Piece& piece, Detour& least) const {
     const double through = of_.distance(v);
-    if (!mesh_.is_pseudo_source(v) || !(through < piece.distance)) return;
+    if (!mesh_.is_pseudo_source(v) || through > piece.distance) return;
     const double distance = through + std::hypot(along, across);
     if (distance >= least.distance) return;
     const Direction line(minus(piece.from, piece.at), piece.length);
-    least = {distance,
-             v,
-             {piece.at.x + along * line.x - across * line.y,
-              piece.at.y + along * line.y + across * line.x}};
+    least.take(distance, v,
+               {piece.at.x + along * line.x - across * line.y,
+                piece.at.y + along * line.y + across * line.x});
+  }
+
+  /// The straight lines to the other corners of the faces at the end of a piece.
+  void consider_neighbours(Piece piece, Detour& least) const {
+    const auto consider_corners = [&](Index h, const Point2& end) {
+      piece.half_edge = h;
+      piece.side = mesh_.half_edge(h).length;
+      piece.at = end;
+      const HalfEdge& e = mesh_.half_edge(h);
+      const std::pair<Index, Point2> corners[] = {{e.origin, {0, 0}},
+                                                  {mesh_.head(h), {e.length, 0}},
+                                                  {mesh_.apex(h), {e.apex_x, e.apex_y}}};
+      for (const auto& [v, at] : corners) {
+        const double through = of_.distance(v);
+        const double distance = through + length_of(minus(at, end));
+        if (v == piece.end.vertex || through > piece.distance || distance >= least.distance) {
+          continue;
+        }
+        least.piece = piece;
+        least.take(distance, v, at);
+      }
+    };
+    if (piece.end.is_vertex()) {
+      for (const Index h : mesh_.outgoing(piece.end.vertex)) {
+        const HalfEdge& opposite = mesh_.half_edge(Mesh::next(h));
+        consider_corners(Mesh::next(h), {opposite.apex_x, opposite.apex_y});
+      }
+      return;
+    }
+    for (const SurfacePoint& end : {piece.end, beyond_edge(mesh_, piece.end)}) {
+      if (end.face == kNone) continue;
+      piece.end = end;
+      consider_corners(3 * end.face, in_frame(mesh_, end, 3 * end.face));
+    }
   }
 
   /// Adds the point where a line leaves a face.
