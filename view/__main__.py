@@ -1,7 +1,7 @@
 """`geodesic-bench view`: one page that turns a model and plays how solvers sweep it.
 
 Takes a run whose recordings have frames (`geodesic-bench run --frames`), or a mesh file, which it
-solves first from its first vertex. The page needs no other file and no network (docs/points-and-paths.md).
+solves first from its first vertex. The page needs no other file and no network (docs/view.md).
 """
 
 from __future__ import annotations
