@@ -24,7 +24,8 @@ install(DIRECTORY datasets/fetching DESTINATION ${GEODESIC_DATA_FOLDER}/datasets
         FILES_MATCHING PATTERN "*.py" PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY harness/suites DESTINATION ${GEODESIC_DATA_FOLDER}/harness)
 install(DIRECTORY results/published DESTINATION ${GEODESIC_DATA_FOLDER}/results)
-install(FILES results/__init__.py results/console.py results/published.py results/reader.py
+install(FILES results/__init__.py results/columns.py results/console.py results/merge.py results/published.py
+              results/reader.py results/schema.py
               results/statistics.py results/table.py
         DESTINATION ${GEODESIC_DATA_FOLDER}/results)
 install(DIRECTORY gate plots view docs examples DESTINATION ${GEODESIC_DATA_FOLDER}

@@ -200,6 +200,9 @@ def test_recordings_of_a_real_run_are_as_the_readme_describes(real_run: Path) ->
         distances = np.load(folder.parent / "distances.npy")
         assert (vertices.dtype, faces.dtype, distances.dtype) == ("<f4", "<u4", "<f8")
         assert vertices.shape == (64, 3) and faces.shape == (98, 3) and distances.shape == (64,)
+        if "dijkstra" in folder.as_posix():  # no windows: an inexact solver leaves its distances
+            assert not (folder / "curve.npy").exists()
+            continue
         curve = np.load(folder / "curve.npy")
         assert curve.dtype == CURVE and curve["reached"][-1] <= 64
         sides = {frozenset(side) for f in faces for side in zip(f, np.roll(f, 1), strict=True)}
