@@ -64,6 +64,7 @@ class Propagation {
   explicit Propagation(const Mesh& mesh, Recorder recorder = {})
       : mesh_(mesh),
         recorder_(recorder),
+        vertex_count_(mesh.vertex_count()),
         budget_(mesh),
         queue_(Policy::make_queue(mesh)),
         corners_(mesh.half_edge_count()),
@@ -72,6 +73,26 @@ class Propagation {
   void run(const Query& query, std::span<double> distances) {
     const auto timed = recorder_.enter(Phase::propagation);
     start(query, distances);
+    do {
+      propagate_all();
+    } while (kOneByOne && spread_next(query));
+    if (distances_.size() > distances.size()) {
+      std::copy_n(distances_.begin(), distances.size(), distances.begin());
+    }
+  }
+
+ private:
+  using Filter = typename Policy::Filter;
+  using Depth = std::conditional_t<Filter::filters, typename Recorder::Depth, StripDepth>;
+  using Stored = StoredWindow<Depth>;
+  using Arrival = ArrivalOf<Recorder>;
+
+  /// A source that is no vertex does not part the windows that pass it, which one angle, one split
+  /// presupposes (corners.h). Its windows own no corner therefore; where nothing but owners bounds
+  /// the work, such sources start one after the other.
+  static constexpr bool kOneByOne = !Filter::filters;
+
+  void propagate_all() {
     while (!queue_.empty()) {
       if (stops_ && is_over()) [[unlikely]]
         break;
@@ -88,16 +109,7 @@ class Propagation {
         if (progress_.made_step()) sample();
       }
     }
-    if (distances_.size() > distances.size()) {
-      std::copy_n(distances_.begin(), distances.size(), distances.begin());
-    }
   }
-
- private:
-  using Filter = typename Policy::Filter;
-  using Depth = std::conditional_t<Filter::filters, typename Recorder::Depth, StripDepth>;
-  using Stored = StoredWindow<Depth>;
-  using Arrival = ArrivalOf<Recorder>;
 
   Stored pop() {
     const auto timed = recorder_.enter(Phase::queue);
@@ -122,14 +134,12 @@ class Propagation {
     pipeline_.clear();
     corners_.clear();
     if constexpr (Recorder::kRecords) progress_.start(mesh_, query.source_vertices(mesh_));
-    Index beyond_vertices = mesh_.vertex_count();
     for (const Source& source : query.sources) {
-      const Index root = beyond_vertices++;
-      if (is_at_vertex(source)) {
-        start_at(source.at.vertex, source.distance, {kNone, source.at.vertex, {0, 0}});
-      } else {
-        spread(source, root);
-      }
+      if (!is_at_vertex(source)) continue;
+      start_at(source.at.vertex, source.distance, {kNone, source.at.vertex, {0, 0}});
+    }
+    next_source_ = 0;
+    while (!kOneByOne && spread_next(query)) {
     }
   }
 
@@ -155,14 +165,26 @@ class Propagation {
     distances_ = with_roots_;
   }
 
+  /// Starts from the next source that is no vertex. @return false when none is left
+  [[gnu::cold, gnu::noinline]] bool spread_next(const Query& query) {
+    const Index count = static_cast<Index>(query.sources.size());
+    while (next_source_ < count && is_at_vertex(query.sources[next_source_])) ++next_source_;
+    if (next_source_ == count) return false;
+    if constexpr (kOneByOne) {
+      corners_.clear();
+      budget_.start();
+    }
+    spread(query.sources[next_source_], mesh_.vertex_count() + next_source_);
+    ++next_source_;
+    return true;
+  }
+
   /// Starts from a source that is no vertex.
   [[gnu::cold, gnu::noinline]] void spread(const Source& source, Index root) {
     const auto reach_corner = [&](Index h, const Point2& from, double rest) __attribute__((cold)) {
       const FaceFrame face = face_frame(mesh_, h);
       const double distance = source.distance + rest;
-      // Rounding turns the lines of a source that is this near to a corner; between them there may
-      // be gaps. The lines of the corner, which are as long, fill them.
-      if (rest < kFlatFace * (face.length + face.left + face.right)) {
+      if (is_next_to_apex(mesh_.half_edge(h), rest)) {
         start_at(mesh_.apex(h), distance, {h, root, from});
       } else {
         reach_apex(h, face, distance, from, {h, root, from});
@@ -184,9 +206,11 @@ class Propagation {
     spread_from(mesh_, source.at, reach_corner, cross_side);
   }
 
-  /// Nothing is left to find; a queue that knows no least key runs empty instead.
+  /// Nothing is left to find. A queue that knows no least key runs empty, since nothing is pushed
+  /// that is farther than the farthest target can be.
   [[gnu::noinline]] bool is_over() {
     if constexpr (requires { queue_.least_key(); }) return ending_.is_over(queue_.least_key());
+    limit_ = ending_.farthest();
     return false;
   }
 
@@ -286,7 +310,7 @@ class Propagation {
       const double distance = w.sigma + std::sqrt(square);
       reach_apex(h, face, distance, {w.x, w.y}, {h, w.root, {w.x, w.y}});
       // A window that ends at the apex keeps its child: the owner may be its neighbour.
-      if (!touches_begin && !touches_end && has_owner(h)) {
+      if (!touches_begin && !touches_end && has_owner(h, w.root)) {
         const auto timed = recorder_.enter(Phase::trimming);
         const Children children =
             corners_.claim(h, distance, w.x - dx * w.y / dy, kApexReach * face.length);
@@ -311,11 +335,12 @@ class Propagation {
     }
   }
 
-  /// False for a corner whose claims cannot be trusted. Without a filter only they bound the work.
-  bool has_owner(Index h) const {
+  /// False for a corner whose claims cannot be trusted, and for roots that are no vertices. Without
+  /// a filter only claims bound the work.
+  bool has_owner(Index h, Index root) const {
     if constexpr (!Filter::filters) return true;
-    return !(unreliable_[mesh_.origin(h)] | unreliable_[mesh_.head(h)] |
-             unreliable_[mesh_.apex(h)]);
+    return root < vertex_count_ && !(unreliable_[mesh_.origin(h)] | unreliable_[mesh_.head(h)] |
+                                     unreliable_[mesh_.apex(h)]);
   }
 
   /// @param from a point of the path's last piece, in the frame of h
@@ -396,6 +421,7 @@ class Propagation {
 
   const Mesh& mesh_;
   Recorder recorder_;
+  Index vertex_count_;
   WindowBudget budget_;
   typename Policy::Queue queue_;  // of slots in pool_
   Pool<Stored> pool_;
@@ -407,6 +433,7 @@ class Propagation {
   double limit_ = kInfinity;
   Ending ending_;
   bool stops_ = false;            // the query says so
+  Index next_source_ = 0;         // of the query, to start from
   PrefetchPipeline<4> pipeline_;  // slots on their way through prefetch_ahead
   [[no_unique_address]] typename Recorder::Count waiting_{};  // windows in the queue
   [[no_unique_address]] typename Recorder::Progress progress_;

@@ -62,6 +62,13 @@ inline Index edge_under(const SurfacePoint& point) {
   return kNone;
 }
 
+/// True when a source in the face of a half-edge lies so near to its apex, at this distance, that
+/// rounding turns the lines of the source round it: where they part there may be a gap. The apex
+/// has to send out windows then, whatever vertex it is: its lines are as long.
+inline bool is_next_to_apex(const HalfEdge& e, double distance) {
+  return distance < kFlatFace * (e.length + std::hypot(e.apex_x, e.apex_y));
+}
+
 /// The same point of an edge in the face beyond it; in no face when it lies inside its face or on a
 /// boundary.
 SurfacePoint beyond_edge(const Mesh& mesh, const SurfacePoint& point);
@@ -69,9 +76,10 @@ SurfacePoint beyond_edge(const Mesh& mesh, const SurfacePoint& point);
 /// Follows all straight lines that leave a point of a face through its corners and sides, in both
 /// faces of a point on an edge.
 /// @param point not a vertex
-/// @param reach called as (Index h, Point2 from, double distance) for each corner, the apex of h; the
+/// @param reach called as (Index h, Point2 from, double distance) for each corner, the apex of h;
+/// the
 ///        point in the frame of h, and how far it is from the corner, with all digits that its
-///        weights have, however near that is
+///        weights have, however near that is; see is_next_to_apex
 /// @param cross called as (Index h, Point2 from) for each side on which the point does not lie: the
 ///        lines pass all of it. The point in the frame of the twin of h: y <= 0, and off the side
 ///        as an apex is (apex_from_beyond). The twin may not exist.

@@ -117,9 +117,7 @@ class Propagation {
     const Index number = add_source(d, root);
     const auto reach_corner = [&](Index h, const Point2& from, double rest) __attribute__((cold)) {
       const HalfEdge& e = mesh_.half_edge(h);
-      // Rounding turns the lines of a source that is this near to a corner; between them there may
-      // be gaps. The lines of the corner, which are as long, fill them.
-      if (rest < kFlatFace * (e.length + std::hypot(e.apex_x, e.apex_y))) {
+      if (is_next_to_apex(e, rest)) {
         start_at(mesh_.apex(h), d + rest, {h, root, from});
       } else {
         reach(mesh_.apex(h), d + rest, {h, root, from});
