@@ -88,8 +88,9 @@ class Propagation final : public Propagator<Recorder> {
   }
 
   // Out of line, so that `reach` is inlined into the loop.
-  [[gnu::noinline]] void begin_at(Index v, double distance, const ArrivalOf<Recorder>& arrival,
-                                  Recorder& recorder) {
+  [[gnu::cold, gnu::noinline]] void begin_at(Index v, double distance,
+                                             const ArrivalOf<Recorder>& arrival,
+                                             Recorder& recorder) {
     if (!(distance < distances_[v])) return;
     reach(v, distance, recorder);
     if constexpr (Recorder::kRemembers) recorder.arrived(v, arrival);
@@ -101,7 +102,7 @@ class Propagation final : public Propagator<Recorder> {
   /// what lies behind the corner may be between them: the corner sends windows too, as a source
   /// does. They are as long or longer, and soon beaten. Where the point is a window's width from
   /// the corner, its own lines have no direction, and there are only the corner's.
-  [[gnu::noinline]] void spread(const Source& source, Index root, Recorder& recorder) {
+  [[gnu::cold, gnu::noinline]] void spread(const Source& source, Index root, Recorder& recorder) {
     bool at_corner = false;
     const auto reach_corner = [&](Index h, const Point2& from, double to_apex) {
       const Index apex = mesh_.apex(h);
@@ -153,7 +154,7 @@ class Propagation final : public Propagator<Recorder> {
   }
 
   /// True when a window nearer than `end` waits on h.
-  bool has_nearer(Index h, double end) {
+  [[gnu::cold, gnu::noinline]] bool has_nearer(Index h, double end) {
     bool nearer = false;
     lists_.for_each_segment(h, [&](const auto& segment) {
       for (std::size_t i = 0; i < segment.count && !nearer; ++i) {
@@ -304,18 +305,14 @@ class Propagation final : public Propagator<Recorder> {
     const FaceFrame face = face_frame(mesh_, h);
     const Separator separator = classify(batch_, face, seen_left_.data(), seen_right_.data());
     const Index apex = mesh_.apex(h);
-    const bool reaches = separator.distance < distances_[apex];
-    if constexpr (Recorder::kRemembers) {
+    if (separator.distance < distances_[apex]) {
+      if constexpr (Recorder::kRemembers) recorder.arrived(apex, straight(h, separator));
+      reach(apex, separator.distance, recorder);
+    } else if constexpr (Recorder::kRemembers) {
       if (separator.window != SIZE_MAX) {
-        const Window best = batch_.window(separator.window);
-        const Arrival arrival{h, root_of(separator.window), {best.x, best.y}};
-        if (reaches)
-          recorder.arrived(apex, arrival);
-        else
-          arrive_straight(apex, separator.distance, arrival, recorder);
+        arrive_straight(apex, separator.distance, straight(h, separator), recorder);
       }
     }
-    if (reaches) reach(apex, separator.distance, recorder);
     choose_sides(separator, face, recorder);
     if constexpr (Recorder::kRecords) count(recorder);
 
@@ -452,6 +449,12 @@ class Propagation final : public Propagator<Recorder> {
     }
     to_left_ = kept_left_.data();
     to_right_ = kept_right_.data();
+  }
+
+  /// How the separating path arrives at the apex of h.
+  Arrival straight(Index h, const Separator& separator) const {
+    const Window best = batch_.window(separator.window);
+    return {h, root_of(separator.window), {best.x, best.y}};
   }
 
   /// Of a window of the batch.
