@@ -65,6 +65,19 @@ TEST_F(Differential, reports_a_solver_that_throws) {
   EXPECT_EQ(saved().soup.triangles.size(), 1u);
 }
 
+TEST_F(Differential, holds_inexact_solvers_to_what_they_promise_and_no_more) {
+  for (const auto& [solver, keeps] : {std::pair{"bounded?off=0.09", true},
+                                      {"bounded?off=0.11", false},
+                                      {"upper?off=0.5", true},
+                                      {"upper?off=-0.01", false},
+                                      {"unbounded?off=-0.5", true}}) {
+    Request asked = request(solver, 2);
+    asked.shrink = 0;
+    std::ostringstream report;
+    EXPECT_EQ(run_differential(asked, report), keeps) << solver << '\n' << report.str();
+  }
+}
+
 TEST_F(Differential, saves_nothing_where_solvers_agree) {
   for (const Description* solver : registered_solvers()) {
     if (solver->family == "test-only" || solver->exactness != Exactness::exact) continue;
