@@ -10,11 +10,16 @@
 namespace geodesic::harness {
 namespace {
 
+std::string name_of(const SurfacePoint& point) {
+  if (point.is_vertex()) return "vertex " + std::to_string(point.vertex);
+  return "a point in face " + std::to_string(point.face);
+}
+
 std::string sources_of(const Query& query) {
   constexpr std::size_t kShown = 4;
-  std::string text = query.sources.size() == 1 ? " from vertex " : " from vertices ";
+  std::string text = " from ";
   for (std::size_t i = 0; i < std::min(query.sources.size(), kShown); ++i) {
-    text += (i > 0 ? ", " : "") + std::to_string(query.sources[i].at.vertex);
+    text += (i > 0 ? ", " : "") + name_of(query.sources[i].at);
   }
   return query.sources.size() > kShown ? text + ", ..." : text;
 }

@@ -10,7 +10,7 @@ one sentence. Ctrl-C ends every call at once; a solve that has begun is left to 
 """
 
 from geodesic_bench._native import Defect, Solver
-from geodesic_bench.mesh import Mesh, defects, read_mesh, solvers
+from geodesic_bench.mesh import Mesh, Path, defects, read_mesh, solvers
 from geodesic_bench.program import Results, run
 
-__all__ = ["Defect", "Mesh", "Results", "Solver", "defects", "read_mesh", "run", "solvers"]
+__all__ = ["Defect", "Mesh", "Path", "Results", "Solver", "defects", "read_mesh", "run", "solvers"]

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 _Indices = NDArray[np.uint32]
 _Progress = Callable[[int], None] | None
+_Point = tuple[int, int, tuple[float, float, float]]
 _Compressed = tuple[NDArray[np.floating], NDArray[np.int64], NDArray[np.int64]]
 
 class SharedMesh:
@@ -60,6 +61,12 @@ def solvers() -> list[Solver]: ...
 def distances(
     mesh: SharedMesh, solver: str, sources: _Indices, initial: NDArray[np.float64], limit: float
 ) -> NDArray[np.float64]: ...
+def distances_and_nearest(
+    mesh: SharedMesh, solver: str, sources: _Indices, initial: NDArray[np.float64], limit: float
+) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...
+def path(
+    mesh: SharedMesh, solver: str, source: _Point, target: _Point
+) -> tuple[NDArray[np.float64], _Indices, NDArray[np.float64]]: ...
 def dense_float64(
     mesh: SharedMesh, solver: str, rows: _Indices, columns: _Indices, threads: int,
     progress: _Progress,

@@ -43,6 +43,31 @@ def vertex_indices(values: ArrayLike, what: str, vertices: int) -> NDArray[np.ui
     return array.astype(np.uint32)
 
 
+def surface_point(
+    point: object, what: str, vertices: int, faces: int
+) -> tuple[int, int, tuple[float, float, float]]:
+    """A vertex, a face and weights; the vertex is OUT_OF_RANGE for a point in a face.
+
+    @param what it is: "source"
+    @param vertices, faces of the mesh"""
+    wrong = f"a {what} must be a vertex, or a face and three weights"
+    if not isinstance(point, tuple | list):
+        vertex = vertex_indices(point, what, vertices)  # type: ignore[arg-type]
+        if vertex.size != 1:
+            raise ValueError(wrong)
+        return int(vertex[0]), 0, (0, 0, 0)
+    if len(point) != 2:
+        raise ValueError(wrong)
+    face = _integers(point[0], f"the face of a {what}")
+    weights = numbers(point[1], f"the weights of a {what}")
+    if face.ndim or weights.shape != (3,):
+        raise ValueError(wrong)
+    if not 0 <= face < faces:
+        raise ValueError(f"{what} face {face} is not in the mesh of {faces} faces")
+    first, second, third = weights.tolist()
+    return int(OUT_OF_RANGE), int(face), (first, second, third)
+
+
 def numbers(values: ArrayLike, what: str) -> NDArray[np.float64]:
     array = _array(values, what, "numbers")
     if array.dtype.kind not in "iuf" and array.size:

@@ -6,20 +6,47 @@ import math
 import operator
 import os
 import warnings
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Literal
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from geodesic_bench import _native
-from geodesic_bench.arrays import face_array, numbers, vertex_array, vertex_indices
+from geodesic_bench.arrays import (
+    face_array,
+    numbers,
+    surface_point,
+    vertex_array,
+    vertex_indices,
+)
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_matrix
 
 FASTEST = "edge-based"
 MOST_THREADS = 1024
+
+SurfacePoint = int | tuple[int, Sequence[float]]
+"""A vertex, or a point in a face: the face and a weight of each of its corners. The weights are
+divided by their sum; on an edge one of them is 0."""
+
+
+@dataclass(frozen=True, eq=False)
+class Path:
+    """A shortest path, from its source to its target."""
+
+    points: NDArray[np.float64]
+    """(k, 3): where it begins, crosses edges, runs through vertices, and ends."""
+    faces: NDArray[np.uint32]
+    """(k - 1,): the face that it crosses, straight, between each point and the next one."""
+    travelled: NDArray[np.float64]
+    """(k,): its length up to each point, in the unit of the coordinates."""
+
+    @property
+    def length(self) -> float:
+        return float(self.travelled[-1])
 
 
 class Mesh:
@@ -66,14 +93,38 @@ class Mesh:
         """Indices of vertices, of shape (m, 3); read-only."""
         return self._shared.faces
 
+    @overload
+    def distances(
+        self,
+        sources: ArrayLike,
+        initial: ArrayLike | None = ...,
+        limit: float = ...,
+        solver: str = ...,
+        *,
+        return_nearest: Literal[False] = ...,
+        **parameters: float | str,
+    ) -> NDArray[np.float64]: ...
+    @overload
+    def distances(
+        self,
+        sources: ArrayLike,
+        initial: ArrayLike | None = ...,
+        limit: float = ...,
+        solver: str = ...,
+        *,
+        return_nearest: Literal[True],
+        **parameters: float | str,
+    ) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...
     def distances(
         self,
         sources: ArrayLike,
         initial: ArrayLike | None = None,
         limit: float = math.inf,
         solver: str = FASTEST,
+        *,
+        return_nearest: bool = False,
         **parameters: float | str,
-    ) -> NDArray[np.float64]:
+    ) -> NDArray[np.float64] | tuple[NDArray[np.float64], NDArray[np.int64]]:
         """The distance of every vertex from the nearest of some sources.
 
         Parameters
@@ -86,6 +137,8 @@ class Mesh:
             Vertices that are farther are not reached; a small limit makes a query fast.
         solver : str
             A name of `solvers()`; all exact ones give the same distances up to rounding.
+        return_nearest : bool
+            Return the nearest source of every vertex, too: of the one where its path begins.
         parameters
             Those of the solver, where it has any: `geodesic-bench list` says which.
 
@@ -94,12 +147,16 @@ class Mesh:
         (n,) float64
             In the unit of the coordinates and the order of the vertices; inf for a vertex that no
             path leads to or that lies beyond the limit.
+        (n,) int64
+            With `return_nearest`, positions in `sources`; -1 where the distance is inf.
 
         >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
         >>> mesh.distances([0, 1], initial=[0, 1.5])
         array([0. , 1.5, 4. ])
         >>> mesh.distances(0, limit=3.5)
         array([ 0.,  3., inf])
+        >>> mesh.distances([1, 2], return_nearest=True)
+        (array([3., 0., 0.]), array([0, 0, 1]))
         """
         vertices = vertex_indices(sources, "source", len(self.vertices))
         begin = numbers(0 if initial is None else initial, "initial distances")
@@ -109,7 +166,49 @@ class Mesh:
             )
         begin = np.broadcast_to(begin, vertices.shape)
         name = _configured(solver, parameters)
+        if return_nearest:
+            return _native.distances_and_nearest(self._shared, name, vertices, begin, limit)
         return _native.distances(self._shared, name, vertices, begin, limit)
+
+    def path(
+        self,
+        source: SurfacePoint,
+        target: SurfacePoint,
+        solver: str = FASTEST,
+        **parameters: float | str,
+    ) -> Path:
+        """A shortest path over the surface.
+
+        Parameters
+        ----------
+        source, target : an integer, or a pair (integer, three numbers)
+            A vertex, or a point in a face with the weights of the face's corners: `(7, (1, 1, 1))` is
+            the middle of face 7.
+        solver : str
+        parameters
+            As for `distances`; a solver that remembers paths.
+
+        Raises
+        ------
+        ValueError
+            When no path leads there.
+
+        >>> mesh = Mesh([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]])
+        >>> path = mesh.path(1, 3)
+        >>> path.points
+        array([[1. , 0. , 0. ],
+               [0.5, 0.5, 0. ],
+               [0. , 1. , 0. ]])
+        >>> path.faces, round(path.length, 6)
+        (array([0, 1], dtype=uint32), 1.414214)
+        >>> mesh.path((0, (0, 1, 1)), 1).length
+        0.5
+        """
+        ends = (
+            surface_point(end, what, len(self.vertices), len(self.faces))
+            for end, what in ((source, "source"), (target, "target"))
+        )
+        return Path(*_native.path(self._shared, _configured(solver, parameters), *ends))
 
     def distance_matrix(
         self,

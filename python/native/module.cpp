@@ -19,6 +19,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,7 @@
 #include "python/native/shared_mesh.h"
 #include "solvers/core/messages.h"
 #include "solvers/core/registry.h"
+#include "solvers/paths/paths.h"
 
 namespace geodesic::python {
 namespace {
@@ -120,18 +122,74 @@ std::vector<Defect> defects(const SharedMeshPointer& mesh) {
   return in_background([=] { return find_defects(mesh->soup()).defects; });
 }
 
-py::array_t<double> distances(const SharedMeshPointer& mesh, const std::string& solver,
-                              const Array<Index>& sources, const Array<double>& initial,
-                              double limit) {
+Query query_of(const Array<Index>& sources, const Array<double>& initial, double limit) {
   Query query{.sources = {}, .limit = limit};
   for (py::ssize_t i = 0; i < sources.size(); ++i) {
     query.sources.push_back({.at = sources.data()[i], .distance = initial.data()[i]});
   }
-  return array_of(in_background([=, query = std::move(query)] {
+  return query;
+}
+
+py::array_t<double> distances(const SharedMeshPointer& mesh, const std::string& solver,
+                              const Array<Index>& sources, const Array<double>& initial,
+                              double limit) {
+  return array_of(in_background([=, query = query_of(sources, initial, limit)] {
     std::vector<double> result(mesh->soup().positions.size());
     BorrowedSolver(mesh, solver).solve(query, result);
     return result;
   }));
+}
+
+Paths solve_paths(const SharedMeshPointer& mesh, const std::string& solver, const Query& query) {
+  std::vector<double> distances(mesh->soup().positions.size());
+  Recording recording;
+  recording.what = Record::paths;
+  BorrowedSolver(mesh, solver).solve(query, distances, &recording);
+  return {mesh->mesh(), query, std::move(distances), std::move(recording)};
+}
+
+/// The distances, and by vertex the source that its path comes from, -1 where none does.
+py::tuple distances_and_nearest(const SharedMeshPointer& mesh, const std::string& solver,
+                                const Array<Index>& sources, const Array<double>& initial,
+                                double limit) {
+  auto [all, nearest] = in_background([=, query = query_of(sources, initial, limit)] {
+    const Paths paths = solve_paths(mesh, solver, query);
+    const std::vector<Index> indices = paths.nearest_sources();
+    std::vector<std::int64_t> signed_indices(indices.size(), -1);
+    for (std::size_t v = 0; v < indices.size(); ++v) {
+      if (indices[v] != kNone) signed_indices[v] = indices[v];
+    }
+    return std::pair(paths.distances(), std::move(signed_indices));
+  });
+  return py::make_tuple(array_of(std::move(all)), array_of(std::move(nearest)));
+}
+
+/// A vertex, or kNone and a point in a face: the face and its weights.
+using GivenPoint = std::tuple<Index, Index, std::array<double, 3>>;
+
+/// @return of the path from one point to another: positions of shape (k, 3), the k - 1 faces
+///         between them, and the length up to each
+py::tuple path(const SharedMeshPointer& mesh, const std::string& solver, const GivenPoint& source,
+               const GivenPoint& target) {
+  const Path found = in_background([=] {
+    const auto point = [&](const GivenPoint& given) {
+      const auto& [vertex, face, weights] = given;
+      return vertex != kNone ? SurfacePoint(vertex) : point_in_face(mesh->mesh(), face, weights);
+    };
+    const Query query{
+        .sources = {{point(source), 0}}, .targets = {point(target)}, .stop_at_targets = true};
+    return solve_paths(mesh, solver, query).to_target(0);
+  });
+  std::vector<double> positions, travelled;
+  std::vector<Index> faces;
+  for (const PathPoint& each : found.points) {
+    positions.insert(positions.end(), each.position.begin(), each.position.end());
+    travelled.push_back(each.travelled);
+    if (each.face != kNone) faces.push_back(each.face);
+  }
+  const auto count = static_cast<py::ssize_t>(found.points.size());
+  return py::make_tuple(array_of(std::move(positions), {count, 3}), array_of(std::move(faces)),
+                        array_of(std::move(travelled)));
 }
 
 /// Distances from each of some sources by itself, at some vertices, in the order of both.
@@ -262,6 +320,8 @@ PYBIND11_MODULE(_native, module) {
   module.def("defects", &defects);
   module.def("solvers", &registered_solvers, py::return_value_policy::reference);
   module.def("distances", &distances);
+  module.def("distances_and_nearest", &distances_and_nearest);
+  module.def("path", &path);
   define_matrices<double>(module);
   define_matrices<float>(module);
 }

@@ -38,9 +38,9 @@ BorrowedSolver::~BorrowedSolver() {
   from_->idle_.push_back(std::move(solver_));
 }
 
-void BorrowedSolver::solve(const Query& query, std::span<double> distances) {
+void BorrowedSolver::solve(const Query& query, std::span<double> distances, Recording* recording) {
   sound_ = false;
-  solver_->solve(query, distances);
+  solver_->solve(query, distances, recording);
   sound_ = true;
 }
 

@@ -49,7 +49,7 @@ class BorrowedSolver {
   BorrowedSolver& operator=(const BorrowedSolver&) = delete;
 
   /// As Solver::solve.
-  void solve(const Query& query, std::span<double> distances);
+  void solve(const Query& query, std::span<double> distances, Recording* recording = nullptr);
 
  private:
   std::shared_ptr<SharedMesh> from_;

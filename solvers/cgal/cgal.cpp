@@ -41,6 +41,8 @@ class Cgal final : public Solver {
 
  private:
   using Vertex = Surface::Vertex_index;
+  using Face = Surface::Face_index;
+  using Weights = ShortestPaths::Barycentric_coordinates;
 
   // CGAL's surface has no isolated vertices; `vertex_` maps the others to its ids.
   const Surface& build_surface() {
@@ -59,18 +61,52 @@ class Cgal final : public Solver {
     return surface_;
   }
 
+  /// CGAL counts the corners of a face from the source of its half-edge. Faces have the same
+  /// numbers in both.
+  Weights weights_of(const SurfacePoint& point) const {
+    Index h = 3 * point.face;
+    while (vertex_[mesh().origin(h)] != surface_.source(surface_.halfedge(Face(point.face)))) ++h;
+    Weights weights;
+    for (double& weight : weights) {
+      weight = point.weights[h % 3];
+      h = Mesh::next(h);
+    }
+    return weights;
+  }
+
+  /// CGAL 5.5 takes the weights of an edge's ends the wrong way round for sources, and the right
+  /// way for targets: then the source is not at distance 0 from itself.
+  void add_point(const SurfacePoint& source) {
+    constexpr double kElsewhere = 1e-12;  // of an edge
+    const Face face(source.face);
+    Weights weights = weights_of(source);
+    paths_.add_source_point(face, weights);
+    if (edge_under(source) == kNone) return;
+    if (!(paths_.shortest_distance_to_source_points(face, weights).first > kElsewhere)) return;
+    const auto opposite = std::ranges::find(weights, 0.0) - weights.begin();
+    std::swap(weights[static_cast<std::size_t>((opposite + 1) % 3)],
+              weights[static_cast<std::size_t>((opposite + 2) % 3)]);
+    paths_.remove_all_source_points();
+    paths_.add_source_point(face, weights);
+  }
+
   // One source after the other: with several at once, CGAL 5.5 can follow a path beyond a boundary
   // edge, which its own assertions forbid.
   void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
     for (const Source& source : query.sources) {
-      distances[source.at.vertex] = std::min(distances[source.at.vertex], source.distance);
-      if (vertex_[source.at.vertex] != Surface::null_vertex()) run_from(source, distances);
+      paths_.remove_all_source_points();
+      if (source.at.is_vertex()) {
+        distances[source.at.vertex] = std::min(distances[source.at.vertex], source.distance);
+        if (vertex_[source.at.vertex] == Surface::null_vertex()) continue;
+        paths_.add_source_point(vertex_[source.at.vertex]);
+      } else {
+        add_point(source.at);
+      }
+      reach_vertices(source, distances);
     }
   }
 
-  void run_from(const Source& source, std::span<double> distances) {
-    paths_.remove_all_source_points();
-    paths_.add_source_point(vertex_[source.at.vertex]);
+  void reach_vertices(const Source& source, std::span<double> distances) {
     paths_.build_sequence_tree();
     for (Index v = 0; v < mesh().vertex_count(); ++v) {
       if (vertex_[v] == Surface::null_vertex()) continue;
@@ -99,6 +135,7 @@ const RegisterSolver<Cgal> registered{{
     .relative_time = 140,
     .abilities = {.non_manifold_vertices = false,
                   .degenerate_faces = false,
+                  .surface_sources = true,
                   .max_vertices = kMaxVertices},
     .remarks =
         "wraps CGAL's Surface_mesh_shortest_path, which is GPL: a program that contains it "

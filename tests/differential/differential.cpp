@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <iomanip>
 #include <map>
 #include <mutex>
+#include <span>
 #include <thread>
 #include <tuple>
 #include <utility>
@@ -22,6 +24,7 @@
 #include "harness/verify/shrink.h"
 #include "meshes/mesh_file.h"
 #include "meshes/messages.h"
+#include "tests/differential/points.h"
 #include "tests/differential/scratch.h"
 
 namespace geodesic::differential {
@@ -31,6 +34,7 @@ using harness::Case;
 using harness::Finding;
 
 constexpr const char* kBruteForce = "brute force";
+constexpr const char* kPathsProperty = "paths-begin-in-faces-and-on-edges-too";
 // Brute force takes a second for so many faces; beyond, an independent oracle judges.
 constexpr Index kBruteForceFaces = 600;
 
@@ -50,6 +54,7 @@ struct Disagreement {
   std::uint64_t number;
   const Description* solver;
   std::string what;
+  const char* property;  ///< that may fail there too
 };
 
 double largest_error(const std::vector<double>& got, const std::vector<double>& want,
@@ -63,19 +68,20 @@ double largest_error(const std::vector<double>& got, const std::vector<double>& 
 }
 
 /// Distances by a solver that is not ours, and may crash or never end: then none.
+/// @param ask writes so many of them
 /// @throws std::runtime_error in these cases
-std::vector<double> ask_in_a_process(const Description& solver, const Mesh& mesh,
-                                     const Query& query) {
+std::vector<double> ask_in_a_process(const Description& solver, std::size_t count,
+                                     const std::function<void(std::span<double>)>& ask) {
   constexpr unsigned kSeconds = 60;
-  const std::size_t bytes = mesh.vertex_count() * sizeof(double);
+  const std::size_t bytes = count * sizeof(double);
   void* shared = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (shared == MAP_FAILED) throw std::runtime_error("no memory to share");
-  const std::span<double> distances(static_cast<double*>(shared), mesh.vertex_count());
+  const std::span<double> distances(static_cast<double*>(shared), count);
   const pid_t child = fork();
   if (child == 0) {
     alarm(kSeconds);
     try {
-      make_solver(solver.name, mesh)->solve(query, distances);
+      ask(distances);
       _exit(0);
     } catch (const std::exception&) {
       _exit(1);
@@ -140,9 +146,13 @@ class Differential {
       Answer answer{solver->name, {}};
       try {
         if (judges.empty() && !exact) judges.push_back(local_reference(*solver, mesh, query));
-        answer.distances = solver->independent_oracle
-                               ? ask_in_a_process(*solver, mesh, query)
-                               : harness::solve_once(solver->name, mesh, query);
+        answer.distances =
+            solver->independent_oracle
+                ? ask_in_a_process(*solver, mesh.vertex_count(),
+                                   [&](std::span<double> distances) {
+                                     make_solver(solver->name, mesh)->solve(query, distances);
+                                   })
+                : harness::solve_once(solver->name, mesh, query);
       } catch (const std::exception& error) {
         if (solver->independent_oracle) {
           const std::lock_guard lock(mutex_);
@@ -166,6 +176,7 @@ class Differential {
         judges.push_back(std::move(answer));
       }
     }
+    examine_points(number, kind, given, mesh);
     const std::lock_guard lock(mutex_);
     ++meshes_[kind];
   }
@@ -174,6 +185,62 @@ class Differential {
   static Answer local_reference(const Description& solver, const Mesh& mesh, const Query& query) {
     harness::LocalReference reference(solver, mesh);
     return {reference.name(), reference.distances(query)};
+  }
+
+  // Points in faces and on edges, and the paths between them.
+  void examine_points(std::uint64_t number, Kind kind, const Case& given, const Mesh& mesh) {
+    std::vector<const Description*> solvers = by_independence(mesh);
+    std::erase_if(solvers, [](const Description* solver) {
+      return !solver->abilities.paths || !solver->abilities.surface_sources;
+    });
+    if (solvers.empty() || mesh.face_count() == 0) return;
+    const auto judge = std::ranges::find_if(solvers, [](const Description* solver) {
+      return solver->exactness == Exactness::exact && !solver->independent_oracle;
+    });
+    if (judge == solvers.end() || mesh.face_count() == 0) return;
+    const PointTask task =
+        random_points(request_.seed, number, given, mesh, **judge, kBruteForceFaces);
+    for (const Description* solver : solvers) {
+      PathFigures figures{.at = number};
+      harness::Finding wrong;
+      try {
+        wrong = solver->independent_oracle ? ask_for_targets(*solver, mesh, task, figures)
+                                           : check_points(*solver, mesh, kind, task, figures);
+      } catch (const std::exception& error) {
+        if (solver->independent_oracle) {
+          const std::lock_guard lock(mutex_);
+          ++unanswered_[solver->name];
+          continue;
+        }
+        wrong = harness::Violation{.what = std::string("threw: ") + error.what()};
+      }
+      {
+        const std::lock_guard lock(mutex_);
+        add(figures, paths_[{kind, solver->name}]);
+      }
+      if (wrong && !solver->independent_oracle) {
+        note(number, *solver, given, wrong->what, kPathsProperty);
+      }
+    }
+  }
+
+  static harness::Finding ask_for_targets(const Description& solver, const Mesh& mesh,
+                                          const PointTask& task, PathFigures& figures) {
+    const auto ask = [&](std::span<double> distances) {
+      const auto object = make_solver(solver.name, mesh);
+      const Paths paths = solve_paths(*object, mesh, task.query);
+      for (std::size_t i = 0; i < distances.size(); ++i) distances[i] = paths.distance_to_target(i);
+    };
+    const auto got = ask_in_a_process(solver, task.expected.size(), ask);
+    return check_targets(solver, task, got, figures);
+  }
+
+  static void add(const PathFigures& figures, PathFigures& sum) {
+    sum.paths += figures.paths;
+    sum.pieces += figures.pieces;
+    if (figures.largest <= sum.largest && sum.at != 0) return;
+    sum.largest = figures.largest;
+    sum.at = figures.at;
   }
 
   static std::vector<double> cut_off(std::vector<double> distances, double limit) {
@@ -206,14 +273,14 @@ class Differential {
   }
 
   void note(std::uint64_t number, const Description& solver, const Case& given,
-            const std::string& what) {
+            const std::string& what, const char* property = harness::kDistancesProperty) {
     const std::lock_guard lock(mutex_);
     report_ << "seed " << request_.seed << ", mesh " << number << " (" << given.mesh << ", "
             << given.soup.triangles.size() << " faces): " << solver.name << ' ' << what << '\n';
     report_.flush();
     const bool first = std::ranges::none_of(
         disagreements_, [&](const Disagreement& each) { return each.solver == &solver; });
-    if (first) disagreements_.push_back({number, &solver, what});
+    if (first) disagreements_.push_back({number, &solver, what, property});
   }
 
   void print() const {
@@ -233,10 +300,16 @@ class Differential {
               << judge << std::setw(8) << apart.comparisons << "largest relative error "
               << significant(apart.largest, 2) << " at mesh " << apart.at << '\n';
     }
+    for (const auto& [pair, figures] : paths_) {
+      report_ << "  " << std::setw(13) << name_of(pair.first) << std::setw(18) << pair.second
+              << figures.paths << " paths over " << figures.pieces
+              << " faces; targets: largest relative error " << significant(figures.largest, 2)
+              << " at mesh " << figures.at << '\n';
+    }
   }
 
   void show(const Disagreement& each) const {
-    const harness::Property& property = *harness::find_property(harness::kDistancesProperty);
+    const harness::Property& property = *harness::find_property(each.property);
     const Case given = random_case(request_.seed, each.number, Scratch().folder());
     const Finding failed = harness::check_case(property, *each.solver, given);
     const std::string stem = harness::as_file_name(each.solver->name) + "-seed-" +
@@ -281,6 +354,7 @@ class Differential {
   std::mutex mutex_;  // of all below
   std::map<Kind, std::uint64_t> meshes_;
   std::map<std::tuple<Kind, std::string, std::string>, Distance> distances_;
+  std::map<std::pair<Kind, std::string>, PathFigures> paths_;
   std::map<std::string, std::uint64_t> unanswered_;  // by independent oracles
   std::vector<Disagreement> disagreements_;          // the first one of each solver
 };

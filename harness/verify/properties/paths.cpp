@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "harness/corpus/solvers.h"
 #include "harness/verify/path_check.h"
 #include "harness/verify/properties/properties.h"
 #include "meshes/inserted_points.h"
@@ -156,10 +157,12 @@ class WithPoints {
   Tolerance tolerance_;
 };
 
-void require_promise(const Trial& trial, const Query& query, std::span<const double> got,
-                     std::span<const double> expected, const Tolerance& tolerance) {
-  require("with the points inserted",
-          check_promise(Promise::of(trial.solver()), query, got, expected, tolerance));
+/// Distances of points, which are no query of the case: it has vertices only.
+void require_promise(const std::string& circumstances, const Trial& trial, const Query& query,
+                     std::span<const double> got, std::span<const double> expected,
+                     const Tolerance& tolerance) {
+  Finding finding = check_promise(Promise::of(trial.solver()), query, got, expected, tolerance);
+  if (finding) require(circumstances, Violation{.what = finding->what});
 }
 
 void sources_are_as_if_inserted(const Trial& trial) {
@@ -171,7 +174,8 @@ void sources_are_as_if_inserted(const Trial& trial) {
     const Query query{.sources = {{point, 0}}};
     std::vector<double> expected = finer.distances(point);
     expected.resize(trial.mesh().vertex_count());
-    require_promise(trial, query, trial.solve(*solver, query), expected, finer.tolerance());
+    require_promise("with the points inserted", trial, query, trial.solve(*solver, query), expected,
+                    finer.tolerance());
   }
 }
 
@@ -189,7 +193,43 @@ void targets_are_as_if_inserted(const Trial& trial) {
     got.push_back(paths.distance_to_target(i));
     expected.push_back(distances[finer.vertex(points[i])]);
   }
-  require_promise(trial, query, got, expected, finer.tolerance());
+  require_promise("with the points inserted", trial, query, got, expected, finer.tolerance());
+}
+
+/// By the best reference that starts at such points itself: no mesh is made finer for it. A target
+/// is as far as it is from there.
+void rivals_agree_between_points(const Trial& trial) {
+  const Mesh& mesh = trial.mesh();
+  const auto starts_anywhere = [&](const Description* other) {
+    return other->abilities.surface_sources && unsupported(*other, mesh).empty();
+  };
+  const auto rivals = rank_references(trial.solver(), registered_solvers(), {});
+  const auto rival = std::ranges::find_if(rivals, starts_anywhere);
+  if (rival == rivals.end()) throw NoReference("no other solver starts at points of faces");
+  const auto solver = trial.prepare(), other = make_solver((*rival)->name, mesh);
+  // Nearer points are where rounding of the corners puts them.
+  Tolerance tolerance = trial.tolerance();
+  tolerance.least = std::max(tolerance.least, mesh.mean_edge_length() / 256);
+  const std::string beside = "beside " + (*rival)->name;
+  const std::vector<SurfacePoint> points = points_by_chance(mesh, 3);  // in faces and on an edge
+  std::vector<std::vector<double>> expected;
+  for (const SurfacePoint& point : points) {
+    const Query query{.sources = {{point, 0}}};
+    expected.push_back(trial.solve(*other, query));
+    require_promise(beside, trial, query, trial.solve(*solver, query), expected.back(), tolerance);
+  }
+  std::vector<Index> vertices(mesh.vertex_count());
+  std::iota(vertices.begin(), vertices.end(), Index{0});
+  for (const Index v : some_of(vertices, 4)) {
+    const Query query{.sources = {{v, 0}}, .targets = points};
+    const Paths paths = solve_paths(*solver, mesh, query);
+    std::vector<double> got, back;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      got.push_back(paths.distance_to_target(i));
+      back.push_back(expected[i][v]);
+    }
+    require_promise(beside + ", at targets", trial, query, got, back, tolerance);
+  }
 }
 
 void points_of_a_plane_are_euclids(const Trial& trial) {
@@ -207,8 +247,7 @@ void points_of_a_plane_are_euclids(const Trial& trial) {
     }
     // Between points that are near, their own positions are rounded.
     const Tolerance tolerance{.relative = kExactTolerance, .least = 0.01};
-    require("as the crow flies",
-            check_promise(Promise::of(trial.solver()), query, got, expected, tolerance));
+    require_promise("as the crow flies", trial, query, got, expected, tolerance);
   }
 }
 
@@ -232,6 +271,11 @@ Cases from_several() {
     each.queries = {from({0, last / 3, last / 2, last})};
   }
   return cases;
+}
+
+Cases larger_meshes() {
+  return {{"terrain", rough_terrain(31, 16, 16, 1), {from(0)}},
+          {"sphere", rough_sphere(32, 3, 0.1), {from(0)}}};
 }
 
 Cases planes() {
@@ -280,6 +324,10 @@ std::vector<Property> path_properties() {
       {"targets-in-faces-and-on-edges-equal-inserted-vertices",
        "the distance of a point in a face or on an edge is that of the vertex it becomes",
        random_meshes_from_some_sources, targets_are_as_if_inserted, kPaths},
+      {"rivals-agree-between-points-in-faces-and-on-edges",
+       "from and to points in faces and on edges distances on larger meshes equal those of another "
+       "exact solver that starts there",
+       larger_meshes, rivals_agree_between_points, kAnyEnds | kExactDistances},
       {"points-of-a-plane-are-as-far-apart-as-in-space",
        "between points of a plane, wherever they lie, distances are Euclid's", planes,
        points_of_a_plane_are_euclids, kAnyEnds, /*on_any_mesh=*/false},

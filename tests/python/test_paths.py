@@ -1,0 +1,79 @@
+"""Paths from Python: as long as the distances, over the faces that they name."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from python_package import Arrays
+
+gb = pytest.importorskip("geodesic_bench")
+
+
+def test_a_path_is_as_long_as_the_distance_and_lies_on_its_faces(ground: Arrays) -> None:
+    mesh = gb.Mesh(*ground)
+    distances = mesh.distances(5)
+    for target in (0, 77, len(distances) - 1):
+        path = mesh.path(5, target)
+        assert path.points.shape == (len(path.faces) + 1, 3)
+        np.testing.assert_array_equal(path.points[[0, -1]], mesh.vertices[[5, target]])
+        steps = np.linalg.norm(np.diff(path.points, axis=0), axis=1)
+        np.testing.assert_allclose(np.cumsum(steps), path.travelled[1:], rtol=1e-12)
+        assert path.travelled[0] == 0
+        assert path.length == pytest.approx(distances[target], rel=1e-12)
+        corners = mesh.vertices[mesh.faces[path.faces]]
+        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        for ends in (path.points[:-1], path.points[1:]):
+            off = np.einsum("ij,ij->i", ends - corners[:, 0], normals)
+            np.testing.assert_allclose(off, 0, atol=1e-12)
+
+
+def test_paths_lead_between_points_of_faces_there_and_back(ground: Arrays) -> None:
+    mesh = gb.Mesh(*ground)
+    ends = [(3, (0.2, 0.3, 0.5)), (200, (0.5, 0.5, 0)), 44, (np.int64(17), np.array([1, 2, 3]))]
+    for a in ends:
+        for b in ends:
+            there, back = mesh.path(a, b), mesh.path(b, a)
+            assert there.length == pytest.approx(back.length, rel=1e-12)
+            np.testing.assert_allclose(there.points[0], back.points[-1])
+    weights = np.array([0.2, 0.3, 0.5])
+    np.testing.assert_allclose(
+        mesh.path(ends[0], 0).points[0], weights @ mesh.vertices[mesh.faces[3]]
+    )
+    assert len(mesh.path(44, 44).points) == 1
+
+
+def test_the_nearest_source_is_that_of_the_least_row(ground: Arrays) -> None:
+    mesh = gb.Mesh(*ground)
+    sources, initial = [0, 100, 60], [0.5, 0, 1]
+    distances, nearest = mesh.distances(sources, initial, return_nearest=True)
+    rows = mesh.distance_matrix(sources) + np.array(initial)[:, None]
+    np.testing.assert_allclose(rows[nearest, np.arange(len(nearest))], rows.min(axis=0), rtol=1e-12)
+    np.testing.assert_array_equal(distances, mesh.distances(sources, initial))
+    near, of_near = mesh.distances(sources, limit=2, return_nearest=True)
+    np.testing.assert_array_equal(of_near == -1, np.isinf(near))
+
+
+@pytest.mark.parametrize(
+    ("source", "message"),
+    [
+        (144, "source vertex 144 is not in the mesh of 144 vertices"),
+        ([1, 2, 3], "a source must be a vertex, or a face and three weights"),
+        (np.array([1, 2]), "a source must be a vertex, or a face and three weights"),
+        ((1, (0.5, 0.5)), "a source must be a vertex, or a face and three weights"),
+        ((-1, (1, 1, 1)), "source face -1 is not in the mesh of 242 faces"),
+        ((242, (1, 1, 1)), "source face 242 is not in the mesh of 242 faces"),
+        ((1, (0, 0, 0)), "the weights of a point in a face must be finite, none negative, and not all 0"),
+        ((1, (1, -1, 1)), "the weights of a point in a face must be finite, none negative, and not all 0"),
+        ("a", "source vertices must be integers, not <U1"),
+    ],
+)  # fmt: skip
+def test_a_point_that_is_none_is_refused(ground: Arrays, source: object, message: str) -> None:
+    with pytest.raises(ValueError) as refusal:
+        gb.Mesh(*ground).path(source, 0)
+    assert str(refusal.value) == message
+
+
+def test_no_path_is_an_error() -> None:
+    mesh = gb.Mesh(np.vstack([np.eye(3), np.eye(3) + 5]), [[0, 1, 2], [3, 4, 5]])
+    with pytest.raises(ValueError, match="no path leads to target 0"):
+        mesh.path(0, 4)
