@@ -1,11 +1,7 @@
 #include "harness/cells/progress.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <iostream>
 #include <set>
 #include <tuple>
 
@@ -14,9 +10,6 @@
 
 namespace geodesic::harness {
 namespace {
-
-constexpr double kSecondsBetweenLogLines = 60;
-constexpr const char* kEraseLine = "\r\033[K";  // on a terminal
 
 // Priors of the forecast, from runs of the corpora quick and real; measured paces replace them.
 constexpr double kProcessSeconds = 0.1;
@@ -29,16 +22,6 @@ constexpr double kMachineWeight = 1, kSolverWeight = 0.5;  // of priors, in expe
 double expected_solve_seconds(const Description& solver, Index vertices) {
   const double relative = solver.relative_time > 0 ? solver.relative_time : kUnknownRelativeTime;
   return kFastestSeconds * relative * std::pow(vertices / 5e4, kGrowth);
-}
-
-std::string duration(double seconds) {
-  char text[40];
-  if (seconds < 90) {
-    std::snprintf(text, sizeof text, "%.0f s", seconds);
-  } else {
-    std::snprintf(text, sizeof text, "%.0f min", seconds / 60);
-  }
-  return text;
 }
 
 }  // namespace
@@ -107,9 +90,7 @@ double Forecast::seconds_left(std::size_t first) const {
 }
 
 Progress::Progress(const std::vector<Cell>& cells, const Suite& suite)
-    : cells_(cells),
-      forecast_(cells, suite, registered_solvers()),
-      on_terminal_(isatty(STDERR_FILENO) == 1) {}
+    : cells_(cells), forecast_(cells, suite, registered_solvers()) {}
 
 // "[3/40] mmp/horse/src:0  "
 std::string Progress::heading() const {
@@ -122,27 +103,19 @@ std::string Progress::heading() const {
 }
 
 void Progress::working(const std::string& work) {
-  const double now = watch_.real_seconds();
-  const std::string line = heading() + work + ", " + duration(seconds_in_cell());
-  if (on_terminal_) {
-    std::cerr << kEraseLine << line << std::flush;
-  } else if (now - std::max(logged_seconds_, last_seconds_) >= kSecondsBetweenLogLines) {
-    logged_seconds_ = now;
-    std::cerr << line << " so far" << std::endl;
-  }
+  line_.show(heading() + work + ", " + duration(seconds_in_cell()) + " so far");
 }
 
 void Progress::ended(const std::string& result) {
-  const std::string line = heading() + result;
+  std::string text = heading() + result;
   const double seconds = seconds_in_cell();
   forecast_.measured(done_++, seconds);
   last_seconds_ += seconds;
-  if (on_terminal_) std::cerr << kEraseLine;
-  std::cerr << line << "  (" << duration(seconds);
+  text += "  (" + duration(seconds);
   if (done_ < cells_.size()) {
-    std::cerr << ", about " << duration(forecast_.seconds_left(done_)) << " left";
+    text += ", about " + duration(forecast_.seconds_left(done_)) + " left";
   }
-  std::cerr << ')' << std::endl;
+  line_.write(text + ')');
 }
 
 }  // namespace geodesic::harness

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "harness/base/clock.h"
+#include "harness/base/status_line.h"
 #include "harness/cells/plan.h"
 
 namespace geodesic::harness {
@@ -66,9 +67,8 @@ class Progress {
   const std::vector<Cell>& cells_;
   std::size_t done_ = 0;
   Forecast forecast_;
-  double last_seconds_ = 0;    // when the last cell ended
-  double logged_seconds_ = 0;  // when a log was last written to
-  const bool on_terminal_;
+  double last_seconds_ = 0;  // when the last cell ended
+  StatusLine line_;
   Stopwatch watch_;
 };
 

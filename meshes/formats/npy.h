@@ -21,6 +21,7 @@ template <class T>
 constexpr std::string_view npy_type() {
   if constexpr (std::same_as<T, std::int16_t>) return "<i2";
   if constexpr (std::same_as<T, std::int32_t>) return "<i4";
+  if constexpr (std::same_as<T, std::int64_t>) return "<i8";
   if constexpr (std::same_as<T, std::uint32_t>) return "<u4";
   if constexpr (std::same_as<T, std::uint64_t>) return "<u8";
   if constexpr (std::same_as<T, float>) return "<f4";

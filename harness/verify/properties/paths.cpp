@@ -8,6 +8,7 @@
 #include "harness/verify/path_check.h"
 #include "harness/verify/properties/properties.h"
 #include "meshes/inserted_points.h"
+#include "meshes/messages.h"
 #include "meshes/random.h"
 
 namespace geodesic::harness {

@@ -1,0 +1,302 @@
+#include "harness/commands/solving/answers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <thread>
+
+#include "harness/base/clock.h"
+#include "harness/base/error.h"
+#include "harness/base/interruption.h"
+#include "harness/measure/matrix.h"
+#include "harness/measure/recorded_solve.h"
+#include "harness/measure/solve_each.h"
+#include "harness/results/counters.h"
+#include "harness/verify/distance_check.h"
+#include "harness/verify/references.h"
+#include "meshes/formats/bytes.h"
+#include "meshes/path_file.h"
+#include "solvers/paths/paths.h"
+
+namespace geodesic::harness {
+namespace {
+
+// In file order, with the fewest digits that bring every double back.
+std::string separated(std::span<const double> distances, char separator) {
+  std::string text;
+  for (const double d : distances) {
+    append_text(text, d);
+    text += separator;
+  }
+  return text;
+}
+
+// The same with the number of each vertex's source, -1 where no path leads.
+std::string with_sources(std::span<const double> distances, std::span<const Index> sources) {
+  std::string text;
+  for (std::size_t v = 0; v < distances.size(); ++v) {
+    append_text(text, distances[v]);
+    append_text(text += ' ', sources[v] == kNone ? -1 : static_cast<std::int64_t>(sources[v]));
+    text += '\n';
+  }
+  return text;
+}
+
+struct Solved {
+  std::vector<double> distances, at_targets;
+  std::optional<Paths> paths = {};
+  Json json = Json::object();
+};
+
+// Counters, phases and the peak of memory, which further solves take.
+void add_counters(const Problem& problem, Solved& solved) {
+  const std::string& solver = problem.solver.name;
+  const InsertedPoints* const inserted = problem.inserted.get();
+  const Mesh& mesh = inserted == nullptr ? problem.mesh : inserted->mesh();
+  const Query query = inserted == nullptr ? problem.query : inserted->translated(problem.query);
+  std::vector<double> recorded(mesh.vertex_count());
+  const RecordedSolve counted = record_solve(solver, mesh, query, recorded);
+  for_each_counter(counted.counters,
+                   [&](const char* name, const auto& value) { solved.json[name] = value; });
+  if (counted.phases) solved.json["phase_seconds"] = *counted.phases;
+  solved.json["solver_peak_bytes"] = counted.peak_bytes;
+  if (problem.solver.deterministic && inserted == nullptr &&
+      !identical(recorded, solved.distances)) {
+    throw WrongAnswer(solver + ": a recorded solve gave other distances than the timed one");
+  }
+}
+
+Solved solve(const Problem& problem) {
+  Solved solved{.distances = std::vector<double>(problem.mesh.vertex_count()),
+                .at_targets = std::vector<double>(problem.query.targets.size())};
+  restart_peak_resident_bytes();
+  const Stopwatch preparation;
+  std::optional<PointSolver> prepared(std::in_place, problem.solver.name, problem.mesh,
+                                      problem.inserted);
+  const double prepare_time = preparation.cpu_seconds();
+
+  const Stopwatch watch;
+  if (wants_paths(problem.flags)) {
+    solved.paths.emplace(solve_paths(prepared->solver(), problem.mesh, problem.query));
+    solved.distances = solved.paths->distances();
+    for (std::size_t i = 0; i < solved.at_targets.size(); ++i) {
+      solved.at_targets[i] = solved.paths->distance_to_target(i);
+    }
+  } else {
+    prepared->solve(problem.query, solved.distances, solved.at_targets);
+  }
+  solved.json["cpu_time_s"] = watch.cpu_seconds();
+  solved.json["real_time_s"] = watch.real_seconds();
+  solved.json["prepare_time_s"] = prepare_time;
+  solved.json["instruction_set"] = name_of(prepared->solver().instruction_set());
+  solved.json["process_peak_bytes"] = peak_resident_bytes();
+  solved.json["unreachable_vertices"] = unreachable_vertices(solved.distances);
+  prepared.reset();
+  if (problem.flags.counters) add_counters(problem, solved);
+  return solved;
+}
+
+// Whether distances can be compared with others that end nowhere.
+bool ends_early(const Query& query) { return std::isfinite(query.limit) || query.stop_at_targets; }
+
+std::optional<std::vector<double>> closed_form(const Problem& problem, const Query& query) {
+  std::vector<Index> sources;
+  for (const Source& source : query.sources) {
+    if (!source.at.is_vertex() || source.distance > 0) return std::nullopt;
+    sources.push_back(source.at.vertex);
+  }
+  try {
+    return closed_form_distances(problem.entry, problem.soup, sources);
+  } catch (const HarnessError& error) {
+    warn(error.what());
+    return std::nullopt;
+  }
+}
+
+// The closed form; where there is none and the user asks for a check, brute force or another exact
+// solver: on a mesh that has all points as vertices, so that targets are compared too. Empty
+// without a reference. @throws WrongAnswer
+Json compare_with_reference(const Problem& problem, const Query& query,
+                            std::span<const double> distances, std::span<const double> at_targets) {
+  Json json{{"reference", nullptr}, {"max_relative_error", nullptr}};
+  if (ends_early(query)) return json;
+  const auto compare = [&](const Mesh& mesh, const Query& asked, std::span<const double> got,
+                           const NamedDistances& reference) {
+    const Verdict verdict =
+        verify_distances(mesh, asked, Promise::of(problem.solver), got, reference, std::nullopt);
+    if (!verdict.error.empty()) throw WrongAnswer(problem.solver.name + ": " + verdict.error);
+    json = {{"reference", reference.by}, {"max_relative_error", verdict.errors.max}};
+  };
+  if (const auto known = closed_form(problem, query)) {
+    compare(problem.mesh, query, distances, {kClosedForm, *known});
+  } else if (problem.flags.check) {
+    const Mesh as_given(problem.soup);  // whose numbers the points have
+    std::vector<SurfacePoint> points = query.targets;
+    for (const Source& source : query.sources) points.push_back(source.at);
+    const InsertedPoints inserted(as_given, points);
+    const Query asked = inserted.translated(query);
+    LocalReference local(problem.solver, inserted.mesh());
+    const std::vector<double> reference = local.distances(asked);
+    std::vector<double> got = reference;  // inserted sources have nothing to compare
+    std::ranges::copy(distances, got.begin());
+    for (std::size_t i = 0; i < at_targets.size(); ++i) {
+      got[asked.targets[i].vertex] = at_targets[i];
+    }
+    compare(inserted.mesh(), asked, got, {local.name(), reference});
+  }
+  return json;
+}
+
+// The paths to the targets that paths lead to.
+void write_paths(const Problem& problem, const Paths& paths, AtomicFile& file) {
+  std::vector<Path> traced;
+  for (std::size_t i = 0; i < problem.query.targets.size(); ++i) {
+    if (std::isfinite(paths.distance_to_target(i))) {
+      traced.push_back(paths.to_target(i));
+    } else {
+      warn("no path leads to the target " + written(problem.mesh, problem.query.targets[i]));
+    }
+  }
+  file.stream() << path_bytes(traced, problem.flags.paths);
+}
+
+Json shown_targets(const Problem& problem, const Solved& solved) {
+  Json targets = Json::array();
+  for (std::size_t i = 0; i < problem.query.targets.size(); ++i) {
+    targets.push_back({{"point", shown(problem.mesh, {.at = problem.query.targets[i]})},
+                       {"distance", solved.at_targets[i]}});
+  }
+  return targets;
+}
+
+}  // namespace
+
+void warn(const std::string& warning) {
+  std::cerr << "geodesic-bench: " << harmless(warning) << '\n';
+}
+
+Json solve_jointly(const Problem& problem, Outputs& outputs) {
+  Solved solved = solve(problem);
+  solved.json.update(
+      compare_with_reference(problem, problem.query, solved.distances, solved.at_targets));
+  if (outputs.distances != nullptr) {
+    *outputs.distances << (problem.flags.nearest_source
+                               ? with_sources(solved.distances, solved.paths->nearest_sources())
+                               : separated(solved.distances, '\n'));
+  }
+  if (outputs.paths_file) write_paths(problem, *solved.paths, *outputs.paths_file);
+  Json json = Json::object();
+  for (const Source& source : problem.query.sources) {
+    json["sources"].push_back(shown(problem.mesh, source));
+  }
+  if (!problem.query.targets.empty()) json["targets"] = shown_targets(problem, solved);
+  json.update(solved.json);
+  return json;
+}
+
+Json solve_separately(const Problem& problem, Outputs& outputs) {
+  const std::vector<Source>& sources = problem.query.sources;
+  const unsigned threads = std::max(problem.flags.threads, 1u);
+  const auto keep = [&](const SingleSolve& solve) -> Kept {
+    const Source& source = sources[solve.number];
+    Kept kept{.json = {{"source", shown(problem.mesh, source)}}, .text = {}};
+    if (!solve.at_targets.empty()) kept.json["at_targets"] = solve.at_targets;
+    kept.json.update({{"cpu_time_s", solve.cpu_seconds},
+                      {"real_time_s", solve.real_seconds},
+                      {"instruction_set", name_of(solve.instruction_set)},
+                      {"unreachable_vertices", unreachable_vertices(solve.distances)}});
+    Query alone = problem.query;
+    alone.sources = {source};
+    kept.json.update(compare_with_reference(problem, alone, solve.distances, solve.at_targets));
+    if (outputs.distances != nullptr) {
+      kept.text = separated(solve.distances, ' ');
+      if (!kept.text.empty()) kept.text.back() = '\n';
+    }
+    return kept;
+  };
+  Json solves = Json::array();
+  const auto deliver = [&](Kept kept) {
+    solves.push_back(std::move(kept.json));
+    if (outputs.distances != nullptr) *outputs.distances << kept.text;
+  };
+  Json json = Json::object();
+  for (const SurfacePoint& target : problem.query.targets) {
+    json["targets"].push_back(shown(problem.mesh, {.at = target}));
+  }
+  restart_peak_resident_bytes();
+  const Stopwatch watch;
+  solve_each(problem.solver.name, problem.mesh, problem.inserted, sources, problem.query, threads,
+             keep, deliver);
+  json.update({{"threads", threads},
+               {"cpu_time_s", watch.cpu_seconds()},
+               {"real_time_s", watch.real_seconds()},
+               {"process_peak_bytes", peak_resident_bytes()},
+               {"solves", solves}});
+  return json;
+}
+
+Json write_matrix(Problem& problem) {
+  const SolveFlags& flags = problem.flags;
+  Query& query = problem.query;
+  if (query.sources.empty()) {
+    for (Index v = 0; v < problem.mesh.vertex_count(); ++v) query.sources.push_back({.at = v});
+  }
+  query.stop_at_targets = !query.targets.empty();
+  const std::size_t columns =
+      query.targets.empty() ? problem.mesh.vertex_count() : query.targets.size();
+  const char* const type = flags.single_precision ? "float32" : "float64";
+  Json rows = Json::array(), points = Json::array();
+  for (const Source& source : query.sources) rows.push_back(shown(problem.mesh, source));
+  for (const SurfacePoint& target : query.targets) {
+    points.push_back(shown(problem.mesh, {.at = target}));
+  }
+  const Json identity{{"mesh", sha256_of_file(problem.entry.file)},
+                      {"repair", flags.repair},
+                      {"solver", problem.solver.name},
+                      {"limit", significant(flags.limit)},
+                      {"type", type},
+                      {"sources", rows},
+                      {"targets", points}};
+  const unsigned threads = flags.threads > 0 ? flags.threads
+                           : problem.solver.abilities.concurrent_objects
+                               ? std::max(1u, std::thread::hardware_concurrency())
+                               : 1;
+  const InterruptionGuard guard;
+  std::unique_ptr<MatrixFile> file = open_matrix({.file = flags.matrix,
+                                                  .rows = query.sources.size(),
+                                                  .columns = columns,
+                                                  .single_precision = flags.single_precision,
+                                                  .problem = sha256_of(identity.dump())},
+                                                 flags.resume);
+  restart_peak_resident_bytes();
+  const Stopwatch watch;
+  try {
+    solve_matrix({.solver = problem.solver.name,
+                  .mesh = problem.mesh,
+                  .inserted = problem.inserted,
+                  .sources = query.sources,
+                  .asked = query},
+                 threads, *file);
+  } catch (const Interrupted&) {
+    file.reset();  // leaves nothing where there is no row
+    if (std::filesystem::exists(unfinished(flags.matrix))) {
+      warn("the rows so far are in '" + unfinished(flags.matrix).string() +
+           "': the same command with --resume goes on");
+    }
+    throw;
+  }
+  file->finish();
+  return {{"matrix", flags.matrix},
+          {"rows", query.sources.size()},
+          {"columns", columns},
+          {"type", type},
+          {"threads", threads},
+          {"cpu_time_s", watch.cpu_seconds()},
+          {"real_time_s", watch.real_seconds()},
+          {"process_peak_bytes", peak_resident_bytes()}};
+}
+
+}  // namespace geodesic::harness

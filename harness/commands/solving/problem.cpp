@@ -1,0 +1,126 @@
+#include "harness/commands/solving/problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "harness/base/error.h"
+#include "solvers/core/registry.h"
+
+namespace geodesic::harness {
+namespace {
+
+bool are_vertices(const Query& query) {
+  return std::ranges::all_of(query.targets, &SurfacePoint::is_vertex) &&
+         std::ranges::all_of(query.sources, &SurfacePoint::is_vertex, &Source::at);
+}
+
+// Those of a flag, and of the file that another flag names.
+std::vector<WrittenPoint> points_of(const std::string& flag, const std::vector<std::string>& words,
+                                    const std::string& file) {
+  std::vector<WrittenPoint> points;
+  const auto add = [&points](const std::vector<WrittenPoint>& more) {
+    points.insert(points.end(), more.begin(), more.end());
+  };
+  for (const std::string& word : words) add(parse_points(word, "--" + flag));
+  if (!file.empty()) add(read_points(file, "--" + flag + "s-file"));
+  return points;
+}
+
+void check_matrix(const SolveFlags& flags) {
+  const auto refuse = [](const std::string& why) { throw HarnessError(why); };
+  if (flags.each || flags.counters || flags.check || wants_paths(flags) || flags.stop_at_targets ||
+      !flags.output.empty()) {
+    refuse("--matrix writes distances from each source, and goes with --limit, --threads, " +
+           std::string("--float32 and --resume only"));
+  }
+  const bool sparse = std::filesystem::path(flags.matrix).extension() == ".npz";
+  if (sparse != std::isfinite(flags.limit)) {
+    refuse(sparse ? "--matrix FILE.npz is sparse: it needs --limit"
+                  : "--matrix with --limit is sparse: name a file .npz");
+  }
+}
+
+// What is asked must be within the solver's abilities.
+void check_abilities(const SolveFlags& flags, const Description& solver, const Query& query) {
+  if (flags.threads > 1 && !solver.abilities.concurrent_objects) {
+    throw HarnessError(solver.name +
+                       " cannot solve in several threads at the same time: leave out --threads");
+  }
+  if (!wants_paths(flags)) return;
+  const auto can = [&](const Abilities& abilities) {
+    return abilities.paths && (abilities.surface_sources || are_vertices({query.sources}));
+  };
+  if (can(solver.abilities)) return;
+  std::vector<std::string> others;
+  for (const Description* other : registered_solvers()) {
+    if (can(other->abilities) && !other->by_name_only) others.push_back(other->name);
+  }
+  throw HarnessError(solver.name + " does not remember how paths arrive, which --paths and " +
+                     "--nearest-source need; there are: " + join(others));
+}
+
+}  // namespace
+
+bool wants_paths(const SolveFlags& flags) { return flags.nearest_source || !flags.paths.empty(); }
+
+void check_combination(const SolveFlags& flags) {
+  const auto refuse = [](const std::string& why) { throw HarnessError(why); };
+  const bool targets = !flags.targets.empty() || !flags.targets_file.empty();
+  const bool sources = !flags.sources.empty() || !flags.sources_file.empty();
+  if (!flags.matrix.empty()) return check_matrix(flags);
+  if (flags.single_precision || flags.resume) refuse("--float32 and --resume are for --matrix");
+  if (!sources) refuse("--source or --sources-file is required");
+  if (flags.threads > 1 && !flags.each) {
+    refuse("--threads is for --each and --matrix: it solves several sources at a time");
+  }
+  if (flags.each && flags.counters) refuse("--counters is for one solve: leave out --each");
+  if (flags.each && wants_paths(flags)) {
+    refuse("--paths and --nearest-source are for one solve: leave out --each");
+  }
+  if (flags.check && (std::isfinite(flags.limit) || flags.stop_at_targets)) {
+    refuse("--check is for distances without --limit and --stop-at-targets");
+  }
+  if (flags.stop_at_targets && !targets) refuse("--stop-at-targets needs --target");
+  if (!flags.paths.empty() && !targets) refuse("--paths needs --target, where the paths lead");
+  if (flags.nearest_source && flags.output.empty()) {
+    refuse("--nearest-source needs --output: it is a column of that file");
+  }
+}
+
+WrittenPoints::WrittenPoints(const SolveFlags& flags)
+    : sources(points_of("source", flags.sources, flags.sources_file)),
+      targets(points_of("target", flags.targets, flags.targets_file)) {}
+
+Problem read_problem(const SolveFlags& flags, const Description& solver, const MeshEntry& entry,
+                     const BuiltMesh& built, const WrittenPoints& points) {
+  const std::string unable = unsupported(solver, *built.mesh);
+  if (!unable.empty()) throw HarnessError(unable);
+  Problem problem{flags, solver, entry, built.loaded.soup, *built.mesh, {}};
+  problem.query.limit = flags.limit;
+  problem.query.stop_at_targets = flags.stop_at_targets;
+  const auto placed = [&](const WrittenPoint& point) {
+    const PlacedPoint found = place(point, problem.mesh);
+    if (found.from_surface) {
+      problem.places.push_back({{"place", point.numbers},
+                                {"point", written(problem.mesh, found.at)},
+                                {"distance_to_surface", *found.from_surface}});
+    }
+    return found;
+  };
+  for (const WrittenPoint& source : points.sources) {
+    const PlacedPoint at = placed(source);
+    problem.query.sources.push_back({.at = at.at, .distance = at.initial});
+  }
+  for (const WrittenPoint& target : points.targets) {
+    if (target.initial) throw HarnessError(target.text + ": a target has no initial distance");
+    problem.query.targets.push_back(placed(target).at);
+  }
+  check_abilities(flags, solver, problem.query);
+  std::vector<SurfacePoint> starts;
+  for (const Source& source : problem.query.sources) starts.push_back(source.at);
+  problem.inserted = insert_for(solver, problem.mesh, starts, problem.query.targets);
+  return problem;
+}
+
+}  // namespace geodesic::harness

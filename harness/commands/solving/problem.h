@@ -1,0 +1,60 @@
+// What `solve` is asked: its flags, and the problem that they describe.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "harness/base/json.h"
+#include "harness/corpus/manifest.h"
+#include "harness/corpus/points.h"
+#include "harness/corpus/solvers.h"
+#include "meshes/inserted_points.h"
+#include "meshes/load.h"
+
+namespace geodesic::harness {
+
+struct SolveFlags {
+  std::string mesh, solver;
+  std::vector<std::string> sources, targets;
+  std::string sources_file, targets_file, output, paths, matrix;
+  bool repair = false, each = false, check = false, counters = false;
+  bool stop_at_targets = false, nearest_source = false, single_precision = false, resume = false;
+  unsigned threads = 0;  ///< 0: as many as are best
+  double limit = kInfinity;
+  std::string vectors = kAutoVectors;
+  std::string manifest = default_manifest().string();
+};
+
+/// Whether paths are to be traced.
+bool wants_paths(const SolveFlags& flags);
+
+/// Flags that do not go together, before anything is read. @throws HarnessError
+void check_combination(const SolveFlags& flags);
+
+/// The problem, read and checked.
+struct Problem {
+  const SolveFlags& flags;
+  const Description& solver;
+  const MeshEntry& entry;
+  const TriangleSoup& soup;
+  const Mesh& mesh;
+  Query query;
+  Json places = Json::array();  ///< of points that were given by places in space
+  std::shared_ptr<const InsertedPoints> inserted = {};  ///< as of PointSolver
+};
+
+/// Points that the flags name, before there is a mesh. @throws HarnessError
+struct WrittenPoints {
+  explicit WrittenPoints(const SolveFlags& flags);
+  std::vector<WrittenPoint> sources, targets;
+};
+
+/// @param built from the entry's file; it and the other arguments but `points` must outlive the
+///        problem
+/// @throws HarnessError for points that the mesh does not have, and for what is beyond the solver's
+///         abilities
+Problem read_problem(const SolveFlags& flags, const Description& solver, const MeshEntry& entry,
+                     const BuiltMesh& built, const WrittenPoints& points);
+
+}  // namespace geodesic::harness

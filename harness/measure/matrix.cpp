@@ -1,0 +1,61 @@
+#include "harness/measure/matrix.h"
+
+#include <mutex>
+#include <vector>
+
+#include "harness/base/interruption.h"
+#include "harness/base/status_line.h"
+#include "harness/base/threads.h"
+
+namespace geodesic::harness {
+namespace {
+
+class RowProgress {
+ public:
+  RowProgress(std::size_t rows, std::size_t left) : rows_(rows), left_(left) {}
+  ~RowProgress() { line_.clear(); }
+
+  void row_ended() {
+    const std::lock_guard lock(mutex_);
+    ++ended_;
+    const double now = watch_.real_seconds();
+    if (now - shown_seconds_ < 1) return;
+    shown_seconds_ = now;
+    const auto open = static_cast<double>(left_ - ended_);
+    line_.show(std::to_string(rows_ - left_ + ended_) + " of " + std::to_string(rows_) +
+               " rows, about " + duration(now / static_cast<double>(ended_) * open) + " left");
+  }
+
+ private:
+  const std::size_t rows_, left_;  // in all, and when this began
+  std::size_t ended_ = 0;
+  double shown_seconds_ = 0;
+  StatusLine line_;
+  Stopwatch watch_;
+  std::mutex mutex_;
+};
+
+}  // namespace
+
+void solve_matrix(const MatrixProblem& problem, unsigned threads, MatrixFile& file) {
+  std::vector<std::size_t> open;
+  for (std::size_t row = 0; row < problem.sources.size(); ++row) {
+    if (!file.has(row)) open.push_back(row);
+  }
+  RowProgress progress(problem.sources.size(), open.size());
+  do_in_threads(open.size(), threads, [&]() -> Worker {
+    // Shared because a std::function must be copyable.
+    const auto own = std::make_shared<PointSolver>(problem.solver, problem.mesh, problem.inserted);
+    return [&, own, query = problem.asked,
+            distances = std::vector<double>(problem.mesh.vertex_count()),
+            at_targets = std::vector<double>(problem.asked.targets.size())](std::size_t i) mutable {
+      throw_if_interrupted();
+      query.sources = {problem.sources[open[i]]};
+      own->solve(query, distances, at_targets);
+      file.put(open[i], query.targets.empty() ? distances : at_targets);
+      progress.row_ended();
+    };
+  });
+}
+
+}  // namespace geodesic::harness
