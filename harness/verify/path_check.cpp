@@ -14,6 +14,9 @@ namespace {
 
 using Weights = std::array<double, 3>;
 
+/// A few units in the last place of a share of an edge.
+constexpr Real kRounding = 1e-15L;
+
 /// A path in the mesh's own numbers.
 Path in_own_numbers(const Mesh& mesh, Path path) {
   for (PathPoint& point : path.points) {
@@ -89,6 +92,11 @@ LaidFace next_face(const Mesh& mesh, Index h, const LaidFace& before) {
   return laid;
 }
 
+Real longest_side(const LaidFace& laid) {
+  const auto& [a, b, c] = laid.corners;
+  return std::max({distance(a, b), distance(b, c), distance(c, a)});
+}
+
 /// One end of a stretch, at a vertex: how its line lies in a face there.
 struct Beam {
   Index corner = kNone;  ///< the half-edge that leaves the vertex
@@ -130,19 +138,23 @@ class StraightCheck {
     LaidFace laid = first_face(mesh_, path_.points[first].face);
     const LaidFace start = laid;
     line.push_back(at(laid, first));
+    Real longest = longest_side(laid);
     for (std::size_t i = first; i < last; ++i) {
       const Index face = path_.points[i].face;
       if (face != laid.face) {
         const auto h = side_into(face, path_.points[i].at);
         if (!h || mesh_.twin(*h) / 3 != laid.face) return wrong("jumps", i);
         laid = next_face(mesh_, *h, laid);
+        longest = std::max(longest, longest_side(laid));
       }
       line.push_back(at(laid, i + 1));
     }
     stretch.length = distance(line.front(), line.back());
+    // A point of an edge is a share of the edge: rounding moves it by parts of its length.
+    const Real slack = tolerance_.relative * stretch.length + kRounding * longest;
     for (std::size_t i = 1; i + 1 < line.size(); ++i) {
       const Real off = std::abs(turn(line.front(), line.back(), line[i]));
-      if (off > tolerance_.relative * stretch.length * stretch.length) {
+      if (off > slack * stretch.length) {
         const Real relative = off / (stretch.length * stretch.length);
         return wrong("is not straight: it leaves its line by " +
                          significant(static_cast<double>(relative), 2) + " of its length",

@@ -14,7 +14,8 @@ Finding check_path(const Mesh& mesh, const Query& query, const SurfacePoint& end
                    const Path& path, const Tolerance& tolerance = {});
 
 /// Between the vertices it runs through the path is straight once the faces it crosses are
-/// unfolded: it leaves the line by no more than the tolerance, relative to the line's length. At
+/// unfolded: it leaves the line by no more than the tolerance, relative to the line's length, and
+/// what rounding does to shares of the edges it crosses. At
 /// these vertices it has an angle of at least pi on both sides: to cut the corner saves no more
 /// than the tolerance, relative to the distance. Where no path may bend, it is straight on one
 /// side: on the other one the angle may be smaller by what rounding does to coordinates. Corners of

@@ -67,7 +67,11 @@ void PathRecord::finish_place(const Place& place, std::span<const double> distan
   for (Index h = 3 * face; h < 3 * face + 3; ++h) {
     const Point2 at = in_frame(mesh_, place.point, h);
     const Index corner = mesh_.origin(h);
-    offer(place.target, distances[corner] + std::hypot(at.x, at.y), {h, corner, {0, 0}});
+    const double distance = distances[corner] + std::hypot(at.x, at.y);
+    // Where no path bends, the line that leads through the corner is a window's: a tie is its own.
+    const bool begins = mesh_.is_pseudo_source(corner) || arrivals_[corner].root == corner;
+    if (!begins && distance > targets_[place.target].distance * (1 - kPathMargin)) continue;
+    offer(place.target, distance, {h, corner, {0, 0}});
   }
   for (Index i = 0; i < query_.sources.size(); ++i) {
     const Source& source = query_.sources[i];

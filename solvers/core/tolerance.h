@@ -44,6 +44,10 @@ inline constexpr double kPassedMargin = 1e-6;
 /// length of the straight piece: what rounding does to the piece's root on the way here.
 inline constexpr double kPathThrough = 1e-14;
 
+/// The same relative to the edge that the piece leaves its first face by, which may be far longer
+/// than the piece: a few units in the last place of a position on it.
+inline constexpr double kPathRounding = 1e-15;
+
 /// Two paths are equally short when their lengths differ by less than this, relatively: a path that
 /// is traced may take either.
 inline constexpr double kPathTie = 1e-13;

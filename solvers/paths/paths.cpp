@@ -87,13 +87,13 @@ class Paths::Trace {
     Point2 at = {0, 0};                       ///< the end
     std::array<SurfacePoint, 2> source = {};  ///< the root that is no vertex, in each of its faces
     double length = 0;
-    double side = 0;   ///< length of the half-edge
-    double scale = 0;  ///< what rounding is relative to: the longer of the two
+    double side = 0;  ///< length of the half-edge
 
+    /// A part of the length, and what rounding does to points of the half-edge.
+    double part(double relative) const { return relative * length + kPathRounding * side; }
     void aim(const Point2& new_root) {
       from = new_root;
       length = length_of(minus(from, at));
-      scale = std::max(length, side);
     }
   };
 
@@ -181,7 +181,7 @@ class Paths::Trace {
     if (const auto root = root_on_face(piece, h)) {
       return arrive(piece, h, piece.at, piece.from, *root);
     }
-    const double slack = kPathThrough * piece.scale;
+    const double slack = piece.part(kPathThrough);
     const Direction to_root(minus(piece.from, piece.at), piece.length);
     Line line = leave(h, piece.at, piece.from, to_root, Side::own);
     double nearest = kInfinity;  // end of h that the line runs through
@@ -335,8 +335,8 @@ class Paths::Trace {
   Index arrive(const Piece& piece, Index h, const Point2& here, const Point2& aim,
                const Point2& at) {
     const double off = length_of(minus(aim, at));
-    if (!(off <= kApexReach * piece.scale)) return kNone;
-    strayed_ = off > kPathStray * piece.scale;
+    if (!(off <= piece.part(kApexReach))) return kNone;
+    strayed_ = off > piece.part(kPathStray);
     double rest = length_of(minus(at, here));
     SurfacePoint root = piece.source[0];
     if (piece.root < mesh_.vertex_count()) {

@@ -26,7 +26,7 @@ SurfacePoint random_point(const Mesh& mesh, Random& random) {
 }  // namespace
 
 PointTask random_points(std::uint64_t seed, std::uint64_t number, const harness::Case& given,
-                        const Mesh& mesh, const Description& judge, Index most_faces) {
+                        const Mesh& mesh, Kind kind, const Description& judge, Index most_faces) {
   constexpr std::size_t kTargets = 6;
   Random random(split_mix(split_mix(split_mix(seed) ^ number)));
   PointTask task{given.queries.front(), {}, given.tolerance};
@@ -39,6 +39,14 @@ PointTask random_points(std::uint64_t seed, std::uint64_t number, const harness:
   while (task.query.targets.size() < kTargets) {
     task.query.targets.push_back(random_point(mesh, random));
     points.push_back(task.query.targets.back());
+  }
+  if (kind == Kind::degenerate) {
+    const auto object = make_solver(judge.name, mesh);
+    const Paths paths = solve_paths(*object, mesh, task.query);
+    for (std::size_t i = 0; i < kTargets; ++i) {
+      task.expected.push_back(paths.distance_to_target(i));
+    }
+    return task;
   }
   const InsertedPoints finer(mesh, points);
   // Points move by up to place(), at both ends.

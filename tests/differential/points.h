@@ -17,12 +17,14 @@ struct PointTask {
   harness::Tolerance tolerance;
 };
 
+/// Right distances are those of the mesh with the points inserted, and on a mesh with degenerate
+/// faces, where insertion changes the surface, the judge's.
 /// @param number of the mesh, which gives the same points every time
-/// @param judge answers on meshes too large for brute force
+/// @param judge answers on meshes too large for brute force, too
 /// @param most_faces for brute force
 /// @throws std::exception as the judge does
 PointTask random_points(std::uint64_t seed, std::uint64_t number, const harness::Case& given,
-                        const Mesh& mesh, const Description& judge, Index most_faces);
+                        const Mesh& mesh, Kind kind, const Description& judge, Index most_faces);
 
 /// What was compared of one solver.
 struct PathFigures {
