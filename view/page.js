@@ -101,7 +101,7 @@ const PAINTING = {
     uniform vec3 cells[${CELLS + 1}];
     uniform vec3 plain, unreached;
     uniform float frame;
-    uniform int colour, taps;
+    uniform int colour, taps, samples;
     uniform vec2 corner;
     layout(location = 0) out vec4 painted;
     const vec3 DARK = vec3(0.50, 0.52, 0.56), BRIGHT = vec3(1.0, 0.995, 0.98);
@@ -120,8 +120,8 @@ const PAINTING = {
     void main() {
       ivec2 place = ivec2(gl_FragCoord.xy - corner) * taps;
       vec3 sum = vec3(0.0);
-      for (int x = 0; x < taps; ++x) for (int y = 0; y < taps; ++y) sum += at(place + ivec2(x, y));
-      painted = vec4(sum / float(taps * taps), 1.0);
+      for (int x = 0; x < samples; ++x) for (int y = 0; y < samples; ++y) sum += at(place + ivec2(x, y));
+      painted = vec4(sum / float(samples * samples), 1.0);
       gl_FragDepth = texelFetch(depths, place, 0).r;
     }`,
   depthFunc: THREE.AlwaysDepth,
@@ -381,7 +381,7 @@ class Panel {
     const [look, frames, framesToo] = target.textures, cells = scene.cells?.colors ?? Array(CELLS + 1).fill(PLAIN);
     const uniforms = {
       look, frames, framesToo, depths: target.depthTexture, ramp, mine: channel(0), mineToo: channel(4),
-      cells: cells.map((color) => new THREE.Color(color)), plain: new THREE.Color(PLAIN), unreached: new THREE.Color(UNREACHED), frame: 1, colour: 0, taps: 1,
+      cells: cells.map((color) => new THREE.Color(color)), plain: new THREE.Color(PLAIN), unreached: new THREE.Color(UNREACHED), frame: 1, colour: 0, taps: 1, samples: 1,
       corner: new THREE.Vector2(),
     };
     const named = Object.fromEntries(Object.entries(uniforms).map(([name, value]) => [name, { value }]));
@@ -407,14 +407,15 @@ class Panel {
 }
 
 class Page {
-  constructor(scene) {
+  // @param software whether the processor draws, for which smooth lines cost too much
+  constructor(scene, software) {
     this.scene = scene;
     this.views = element("views");
     this.surface = new Surface(scene);
     this.panels = (scene.solvers.length ? scene.solvers : [null]).map((solver, i) => new Panel(this.surface, solver, i));
     this.last = scene.solvers[0]?.windows.length ?? 0;
     this.state = { frame: Math.round(this.last / 2), colour: "distance", shown: new Set(), hidden: new Set() };
-    this.startRenderer();
+    this.startRenderer(software);
     this.startCamera();
     this.makeLayers();
     this.makeControls();
@@ -424,8 +425,8 @@ class Page {
     this.change({});
   }
 
-  startRenderer() {
-    this.renderer = new THREE.WebGLRenderer({ antialias: true });
+  startRenderer(software) {
+    this.renderer = new THREE.WebGLRenderer({ antialias: !software });
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     this.renderer.setClearColor("#ffffff");
     this.renderer.setScissorTest(true);
@@ -548,15 +549,22 @@ class Page {
     this.move();
   }
 
-  // The surface is drawn anew: coarsely, until it rests.
+  // The surface is drawn anew.
   move() {
     this.taps = 1;
     this.surfaceIsDrawn = false;
-    document.body.dataset.rests = false;
+    this.stir();
+  }
+
+  // All is drawn coarsely, until it rests.
+  stir() {
+    this.rests = false;
     clearTimeout(this.resting);
     this.resting = setTimeout(() => {
+      if (this.playing) return this.stir();
+      this.rests = true;
+      this.surfaceIsDrawn &&= this.taps === FINE;
       this.taps = FINE;
-      this.surfaceIsDrawn = false;
       this.draw();
     }, REST);
     this.draw();
@@ -571,7 +579,7 @@ class Page {
       element("frame").value = frame;
       element("progress").textContent = `${(100 * frame / this.last).toFixed(0)}% of the vertices`;
     }
-    this.draw();
+    this.stir();
   }
 
   play(on) {
@@ -615,6 +623,7 @@ class Page {
       this.renderer.setScissor(left, below, width, height);
       const { uniforms } = panel.paint.material;
       uniforms.taps.value = this.taps;
+      uniforms.samples.value = this.rests ? this.taps : 1;
       uniforms.corner.value.set(Math.floor(left * ratio), Math.floor(below * ratio));
       const ofCells = this.state.colour === "cells";
       panel.world.add(ofCells ? this.marksOfCells : this.marks);
@@ -625,7 +634,7 @@ class Page {
       }
       this.renderer.render(panel.world, this.camera);
     }
-    document.body.dataset.rests = this.taps === FINE;
+    document.body.dataset.rests = this.rests;
   }
 
   // Once for all pictures, which have the same size.
@@ -679,12 +688,15 @@ class Page {
 }
 
 async function start() {
-  if (!document.createElement("canvas").getContext("webgl2")) {
+  const context = document.createElement("canvas").getContext("webgl2");
+  if (!context) {
     return fail("This browser shows no WebGL 2, with which the page draws: turn it on, or try another browser.");
   }
   const scene = JSON.parse(element("scene").textContent);
   await unpack(scene);
-  new Page(scene);
+  const names = context.getExtension("WEBGL_debug_renderer_info");
+  const renderer = names ? context.getParameter(names.UNMASKED_RENDERER_WEBGL) : "";
+  new Page(scene, /swiftshader|llvmpipe|software/i.test(renderer));
 }
 
 start().catch((error) => fail(`The page cannot be shown: ${error.message}`));

@@ -66,6 +66,7 @@ class Measurement {
   void count();
   void record();
   void record_isolines(const std::filesystem::path& folder);
+  void record_paths(const std::filesystem::path& folder);
   const CellSpec& spec_;
   const Description& solver_;
   const TriangleSoup& soup_;
@@ -149,6 +150,7 @@ void Measurement::record() {
     if (exact && solver_.final_windows && !has_isolines(run / folders.source)) {
       record_isolines(run / folders.source);
     }
+    if (exact && solver_.abilities.paths) record_paths(run / folders.source);
     row_.recordings = folders.solver.string();
   } catch (const std::exception& error) {
     row_.recordings_error = error.what();
@@ -161,6 +163,18 @@ void Measurement::record_isolines(const std::filesystem::path& folder) {
   const std::vector<double> levels = isoline_levels(verified_, wavefront_recording().snapshots_at);
   write_isolines(folder, solve_isolines(spec_.solver, mesh_, query_, levels, distances));
   if (!identical(distances, verified_)) solved_ = distances;
+}
+
+// By the first solver of the source that remembers paths.
+void Measurement::record_paths(const std::filesystem::path& folder) {
+  if (!has_paths(folder)) {
+    std::vector<double> distances = verified_;
+    write_paths(folder, solve_figure_paths(spec_.solver, mesh_, spec_.source, distances));
+    if (!identical(distances, verified_)) solved_ = distances;
+  }
+  if (solver_.abilities.multiple_sources && !has_cells(folder)) {
+    write_cells(folder, solve_figure_cells(spec_.solver, mesh_, spec_.source, verified_));
+  }
 }
 
 double Measurement::seconds(const Stopwatch& watch) const {

@@ -30,6 +30,8 @@ std::vector<To> flattened(const std::vector<std::array<From, 3>>& rows) {
 }
 
 constexpr const char* kPieces = "isoline_pieces.npy";
+constexpr const char* kPathPieces = "path_pieces.npy";
+constexpr const char* kCells = "cells.npy";
 
 // A window as figures need it: on the edge between two vertices of the file.
 struct WindowOfFile {
@@ -142,6 +144,24 @@ void write_isolines(const fs::path& folder, const Isolines& isolines) {
               npy_table_bytes(isolines.pieces, npy_column<std::uint32_t>("face", &Piece::face),
                               npy_column<float>("level", &Piece::level),
                               npy_column<std::uint32_t>("first", &Piece::first)));
+}
+
+bool has_paths(const fs::path& folder) { return fs::exists(folder / kPathPieces); }
+bool has_cells(const fs::path& folder) { return fs::exists(folder / kCells); }
+
+void write_paths(const fs::path& folder, const FigurePaths& paths) {
+  make_folder(folder);
+  using Piece = FigurePaths::Piece;
+  write_bytes(folder / "path_points.npy", npy_bytes<float>(flattened<float>(paths.points), 3));
+  write_bytes(folder / kPathPieces,
+              npy_table_bytes(paths.pieces, npy_column<std::uint32_t>("target", &Piece::target),
+                              npy_column<std::uint32_t>("first", &Piece::first)));
+}
+
+void write_cells(const fs::path& folder, const FigureCells& cells) {
+  make_folder(folder);
+  write_bytes(folder / "cell_sources.npy", npy_bytes<std::uint32_t>(cells.sources));
+  write_bytes(folder / kCells, npy_bytes<std::uint32_t>(cells.nearest));
 }
 
 }  // namespace geodesic::harness

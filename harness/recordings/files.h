@@ -6,6 +6,7 @@
 #include <string>
 
 #include "harness/recordings/isolines/isolines.h"
+#include "harness/recordings/paths.h"
 #include "solvers/core/solver.h"
 
 namespace geodesic::harness {
@@ -44,5 +45,15 @@ bool has_isolines(const std::filesystem::path& folder);
 
 /// Writes isoline_points.npy and isoline_pieces.npy.
 void write_isolines(const std::filesystem::path& folder, const Isolines& isolines);
+
+/// Whether `write_paths` has written the folder; the same of cells.
+bool has_paths(const std::filesystem::path& folder);
+bool has_cells(const std::filesystem::path& folder);
+
+/// Writes path_points.npy and path_pieces.npy.
+void write_paths(const std::filesystem::path& folder, const FigurePaths& paths);
+
+/// Writes cell_sources.npy and cells.npy.
+void write_cells(const std::filesystem::path& folder, const FigureCells& cells);
 
 }  // namespace geodesic::harness

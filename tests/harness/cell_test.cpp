@@ -1,5 +1,6 @@
 // Whole runs, with sound solvers and with faulty ones.
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <set>
@@ -228,6 +229,49 @@ TEST_F(RunTest, RecordedSourcesGetIsolinesFromASolverThatKeepsItsWindows) {
       EXPECT_LE(end = first + 2, points);
     }
   }
+}
+
+template <class T>
+std::vector<T> npy_vector(const std::string& file) {
+  const std::string bytes = npy_numbers(file);
+  std::vector<T> numbers(bytes.size() / sizeof(T));
+  std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(T));
+  return numbers;
+}
+
+TEST_F(RunTest, RecordedPathsAreAsLongAsTheDistances) {
+  const Output run = run_suite(
+      PROGRAM, {"--solvers", "mmp", "--sources", "1", "--meshes", "hill", "--recordings", "all"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto folder = (out_ / rows().at(0).at("recordings").get<std::string>()).parent_path();
+  const auto distances = npy_vector<double>(read(folder / "distances.npy"));
+  const auto points = npy_vector<float>(read(folder / "path_points.npy"));
+  auto pieces = npy_vector<std::uint32_t>(read(folder / "path_pieces.npy"));  // target, first
+  ASSERT_EQ(pieces.size(), 2u * 36) << "to every other vertex, as there are only 37";
+  pieces.insert(pieces.end(), {0, static_cast<std::uint32_t>(points.size() / 3)});
+  for (std::size_t path = 0; path < 36; ++path) {
+    double length = 0;
+    for (std::size_t i = pieces[2 * path + 1] + 1; i < pieces[2 * path + 3]; ++i) {
+      const float *from = &points[3 * (i - 1)], *to = &points[3 * i];
+      length += std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
+    }
+    const double distance = distances.at(pieces[2 * path]);
+    EXPECT_NEAR(length, distance, 1e-5 * distance) << "target " << pieces[2 * path];
+  }
+}
+
+TEST_F(RunTest, RecordedCellsAreThoseOfSourcesThatAreTheirOwn) {
+  const Output run = run_suite(
+      PROGRAM, {"--solvers", "mmp", "--sources", "1", "--meshes", "hill", "--recordings", "all"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto folder = (out_ / rows().at(0).at("recordings").get<std::string>()).parent_path();
+  const auto sources = npy_vector<std::uint32_t>(read(folder / "cell_sources.npy"));
+  const auto nearest = npy_vector<std::uint32_t>(read(folder / "cells.npy"));
+  ASSERT_EQ(sources.size(), 8u);
+  ASSERT_EQ(nearest.size(), 37u);
+  EXPECT_EQ(rows().at(0).at("source"), sources.front());
+  for (std::uint32_t i = 0; i < sources.size(); ++i) EXPECT_EQ(nearest[sources[i]], i);
+  EXPECT_TRUE(std::ranges::all_of(nearest, [](std::uint32_t i) { return i < 8; }));
 }
 
 TEST_F(RunTest, SmallMeshesAndRunsWithoutRecordingsLeaveNone) {

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import shutil
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -123,28 +122,12 @@ def run(tmp_path: Path, recorded: Path) -> Run:
 
 @pytest.fixture(scope="session")
 def browser() -> Iterator[Any]:
-    """Headless Chromium, which draws WebGL without a graphics card."""
     pytest.importorskip("selenium", reason="python3-selenium is not installed")
-    from selenium import webdriver
-    from selenium.webdriver.chrome.options import Options
-    from selenium.webdriver.chrome.service import Service
+    import chromium
 
-    chromium, driver = shutil.which("chromium"), shutil.which("chromedriver")
-    if not (chromium and driver):
+    if not chromium.is_installed():
         pytest.skip("chromium or chromium-driver is not installed")
-    options: Any = Options()
-    options.binary_location = chromium
-    for argument in [
-        "--headless=new",
-        "--no-sandbox",  # which root cannot have
-        "--use-angle=swiftshader",
-        "--enable-unsafe-swiftshader",
-        "--disable-dev-shm-usage",
-        "--window-size=1280,900",
-    ]:
-        options.add_argument(argument)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-    started = webdriver.Chrome(service=Service(driver), options=options)
+    started = chromium.start()
     yield started
     started.quit()
 

@@ -1,0 +1,54 @@
+#include "harness/recordings/paths.h"
+
+#include <algorithm>
+
+#include "solvers/core/registry.h"
+#include "solvers/paths/paths.h"
+
+namespace geodesic::harness {
+
+std::vector<Index> spread_vertices(const Mesh& mesh, Index first, std::size_t count,
+                                   std::span<const double> distances) {
+  std::vector<Index> reached;  // in the mesh's own order
+  std::size_t at = 0;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const Index given = mesh.numbers().given_vertex(v);
+    if (given == first) at = reached.size();
+    if (distances[given] < kInfinity) reached.push_back(given);
+  }
+  count = std::min(count, reached.size());
+  std::vector<Index> spread;
+  for (std::size_t i = 0; i < count; ++i) {
+    spread.push_back(reached[(at + i * reached.size() / count) % reached.size()]);
+  }
+  return spread;
+}
+
+FigurePaths solve_figure_paths(const std::string& solver, const Mesh& mesh, Index source,
+                               std::span<double> distances) {
+  const std::vector<Index> ends = spread_vertices(mesh, source, kFigurePaths + 1, distances);
+  const auto fresh = make_solver(solver, mesh);
+  const Paths paths = geodesic::solve_paths(*fresh, mesh, {.sources = {{.at = source}}});
+  FigurePaths traced;
+  for (const Index target : std::span(ends).subspan(1)) {
+    traced.pieces.push_back({target, traced.points.size()});
+    for (const PathPoint& point : paths.to_vertex(target).points) {
+      traced.points.push_back(point.position);
+    }
+  }
+  std::ranges::copy(paths.distances(), distances.begin());
+  return traced;
+}
+
+FigureCells solve_figure_cells(const std::string& solver, const Mesh& mesh, Index source,
+                               std::span<const double> distances) {
+  FigureCells cells{.sources = spread_vertices(mesh, source, kFigureSources, distances),
+                    .nearest = {}};
+  Query query;
+  for (const Index v : cells.sources) query.sources.push_back({.at = v});
+  const auto fresh = make_solver(solver, mesh);
+  cells.nearest = geodesic::solve_paths(*fresh, mesh, query).nearest_sources();
+  return cells;
+}
+
+}  // namespace geodesic::harness

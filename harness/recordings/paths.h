@@ -1,0 +1,51 @@
+// Paths and cells of sources that figures show of a recorded source.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "solvers/core/solver.h"
+
+namespace geodesic::harness {
+
+inline constexpr std::size_t kFigurePaths = 40;
+inline constexpr std::size_t kFigureSources = 8;
+
+/// Vertices far from each other: equal steps of the mesh's own order, which follows the surface,
+/// over those that are reached.
+/// @param first comes first, by its given number as all of these; it is reached
+/// @param distances by given number, infinite where nothing is reached
+/// @return count vertices, fewer where fewer are reached
+std::vector<Index> spread_vertices(const Mesh& mesh, Index first, std::size_t count,
+                                   std::span<const double> distances);
+
+/// Polylines on the surface, from the source to each target.
+struct FigurePaths {
+  struct Piece {
+    Index target;       ///< as given to the mesh
+    std::size_t first;  ///< index of its first point; it ends where the next piece begins
+  };
+  std::vector<Vec3> points;
+  std::vector<Piece> pieces;
+};
+
+/// Solves on a fresh solver object for the paths to spread vertices.
+/// @param solver one that claims paths (Abilities::paths)
+/// @param distances one entry a vertex; those of an earlier solve, and then those of this one
+FigurePaths solve_figure_paths(const std::string& solver, const Mesh& mesh, Index source,
+                               std::span<double> distances);
+
+/// Which of several sources is the nearest of each vertex.
+struct FigureCells {
+  std::vector<Index> sources;  ///< as given to the mesh
+  std::vector<Index> nearest;  ///< by given number, a place in `sources`; kNone where none leads
+};
+
+/// Solves on a fresh solver object from spread vertices, the source among them.
+/// @param solver one that claims paths and several sources
+/// @param distances of a solve from the source
+FigureCells solve_figure_cells(const std::string& solver, const Mesh& mesh, Index source,
+                               std::span<const double> distances);
+
+}  // namespace geodesic::harness

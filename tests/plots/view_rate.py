@@ -1,0 +1,78 @@
+#!/usr/bin/python3
+"""Prints how many frames a second a page of `geodesic-bench view` draws in headless Chromium, by the
+processor alone: while the model turns, and while its solvers are played as fast as possible; and the
+seconds of processors that a frame takes, which another load of the machine changes less.
+
+view_rate.py PAGE.html
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+from pathlib import Path
+
+import chromium
+
+SECONDS, TIMES = 5, 3
+DRAW = """
+    const [keys, seconds, done] = arguments, begin = performance.now();
+    let frames = 0;
+    const draw = () => {
+      const options = {key: keys[frames % keys.length], bubbles: true};
+      document.body.dispatchEvent(new KeyboardEvent('keydown', options));
+      const passed = (performance.now() - begin) / 1000;
+      if (passed < seconds) { ++frames; requestAnimationFrame(draw); } else done([frames, passed]);
+    };
+    requestAnimationFrame(draw);"""
+
+
+def processor_seconds(process: int) -> float:
+    """Of a process and its descendants."""
+    of, parents = {}, {}
+    for file in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            words = file.read_text().rpartition(")")[2].split()
+        except OSError:  # it has ended
+            continue
+        number = int(file.parent.name)
+        parents[number] = int(words[1])
+        of[number] = (int(words[11]) + int(words[12])) / os.sysconf("SC_CLK_TCK")
+
+    def belongs(number: int) -> bool:
+        return number == process or (number in parents and belongs(parents[number]))
+
+    return sum(seconds for number, seconds in of.items() if belongs(number))
+
+
+def main() -> int:
+    if len(sys.argv) != 2 or not Path(sys.argv[1]).is_file():
+        print("view_rate.py: name one page, as geodesic-bench view writes them", file=sys.stderr)
+        return 1
+    browser = chromium.start()
+    try:
+        browser.set_script_timeout(60 * SECONDS)
+        browser.get(Path(sys.argv[1]).resolve().as_uri())
+        while browser.execute_script("return document.body.dataset.rests") != "true":
+            time.sleep(0.1)
+        for what, keys in {"turning": ["ArrowRight"], "playing": [",", "."]}.items():
+            rates, costs = [], []
+            for _ in range(TIMES):
+                before = processor_seconds(browser.service.process.pid)
+                frames, seconds = browser.execute_async_script(DRAW, keys, SECONDS)
+                rates.append(frames / seconds)
+                costs.append((processor_seconds(browser.service.process.pid) - before) / frames)
+            print(
+                f"{what}: {min(rates):.1f} to {max(rates):.1f} frames a second, "
+                f"{min(costs):.2f} to {max(costs):.2f} s of processors a frame"
+            )
+        load, processors = os.getloadavg()[0], os.cpu_count()
+        print(f"on {processors} processors with a load of {load:.1f}")
+    finally:
+        browser.quit()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
