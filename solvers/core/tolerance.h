@@ -46,7 +46,7 @@ inline constexpr double kPathThrough = 1e-14;
 
 /// The same relative to the edge that the piece leaves its first face by, which may be far longer
 /// than the piece: a few units in the last place of a position on it.
-inline constexpr double kPathRounding = 1e-15;
+inline constexpr double kPathRounding = 4e-15;
 
 /// Two paths are equally short when their lengths differ by less than this, relatively: a path that
 /// is traced may take either.

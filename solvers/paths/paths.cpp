@@ -222,7 +222,15 @@ class Paths::Trace {
         if (turns(piece, apex, travelled + rest)) return add(SurfacePoint(apex), in / 3, rest);
         line = leave_through_apex(in, line, across > 0, slack);
       } else {
-        line = leave(in, here, line.root, direction, across > 0 ? Side::right : Side::left);
+        const Line before = line;
+        line = leave(in, here, before.root, direction, across > 0 ? Side::right : Side::left);
+        if (!(line.root.y > 0)) {
+          // The line runs along a side, and its root lies before the apex: in a face without width
+          // that is beyond the other side.
+          const Line other =
+              leave(in, here, before.root, direction, across > 0 ? Side::left : Side::right);
+          if (other.root.y > line.root.y) line = other;
+        }
       }
       travelled += line.step;
       add_crossing(line);
