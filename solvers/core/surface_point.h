@@ -76,9 +76,8 @@ SurfacePoint beyond_edge(const Mesh& mesh, const SurfacePoint& point);
 /// Follows all straight lines that leave a point of a face through its corners and sides, in both
 /// faces of a point on an edge.
 /// @param point not a vertex
-/// @param reach called as (Index h, Point2 from, double distance) for each corner, the apex of h;
-/// the
-///        point in the frame of h, and how far it is from the corner, with all digits that its
+/// @param reach called as (Index h, Point2 from, double distance) for each corner, the apex of h:
+///        the point in the frame of h, and how far it is from the corner, with all digits that its
 ///        weights have, however near that is; see is_next_to_apex
 /// @param cross called as (Index h, Point2 from) for each side on which the point does not lie: the
 ///        lines pass all of it. The point in the frame of the twin of h: y <= 0, and off the side

@@ -252,6 +252,29 @@ void points_of_a_plane_are_euclids(const Trial& trial) {
   }
 }
 
+/// Lines of several sources meet all over a plane, and no vertex parts them.
+void nearest_points_of_a_plane_are_euclids(const Trial& trial) {
+  const Mesh& mesh = trial.mesh();
+  const auto solver = trial.prepare();
+  const std::vector<SurfacePoint> points = points_by_chance(mesh, 48);
+  for (std::size_t i = 0; i + 3 <= points.size(); i += 3) {
+    Query query;
+    for (std::size_t k = i; k < i + 3; ++k) query.sources.push_back({points[k], 0});
+    std::vector<double> expected;
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      double nearest = kInfinity;
+      for (const Source& source : query.sources) {
+        const Vec3 line = subtract(mesh.position(v), position_of(mesh, source.at));
+        nearest = std::min(nearest, geodesic::norm(line));
+      }
+      expected.push_back(nearest);
+    }
+    const Tolerance tolerance{.relative = kExactTolerance, .least = 0.01};
+    require_promise("as the crow flies", trial, query, trial.solve(*solver, query), expected,
+                    tolerance);
+  }
+}
+
 Cases of_all(const std::vector<Property>& properties) {
   Cases cases;
   for (const Property& property : properties) {
@@ -332,6 +355,10 @@ std::vector<Property> path_properties() {
       {"points-of-a-plane-are-as-far-apart-as-in-space",
        "between points of a plane, wherever they lie, distances are Euclid's", planes,
        points_of_a_plane_are_euclids, kAnyEnds, /*on_any_mesh=*/false},
+      {"several-points-of-a-plane-are-as-far-as-the-nearest",
+       "from several points of a plane, wherever they lie, distances are Euclid's to the nearest",
+       planes, nearest_points_of_a_plane_are_euclids, kSurfaceSources | kMultipleSources,
+       /*on_any_mesh=*/false},
   };
 }
 
