@@ -8,6 +8,12 @@ namespace geodesic {
 /// less than this angle, which changes a length by its square.
 inline constexpr double kSaddleAngleExcess = 1e-12;
 
+/// The lines from one end of an edge, to both sides of its other end, are turned against each other
+/// by the rounding of coordinates, divided by the edge's length: what lies behind that end may be
+/// between them. Where an edge is shorter than this times another side of its face, both ends count
+/// as pseudo-sources, which see what lies there.
+inline constexpr double kShortEdge = 1e-4;
+
 /// A ray that misses the apex of a face by less than this, relative to the lengths at hand, passes
 /// through it. Bending a path by an angle t changes its length by about t^2 / 2, so the error stays
 /// below 1e-20 relative; what it buys is that a window ending exactly on a vertex reaches it.

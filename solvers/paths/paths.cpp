@@ -155,17 +155,20 @@ class Paths::Trace {
   /// Adds the points of a piece after its end.
   /// @return where it begins, as in Arrival
   Index follow(const Piece& piece) {
-    const std::size_t before = points_.size();
+    const auto take_back = [this, before = points_.size(), last = last_] {
+      points_.resize(before);
+      last_ = last;
+    };
     Index root = walk(piece, nullptr);
     if (root != kNone && !strayed_) return root;
     Detour by_strip{.piece = piece}, by_edge{.piece = piece};
-    points_.resize(before);
+    take_back();
     root = walk(piece, &by_strip);
     consider_neighbours(piece, by_edge);
     for (const Detour* detour : {&by_strip, &by_edge}) {
       if (detour == &by_edge && root != kNone) return root;
       if (detour->distance > piece.distance * (1 + kPathTie)) continue;
-      points_.resize(before);
+      take_back();
       root = walk(detour->piece, nullptr);
     }
     if (root == kNone) lost(piece);

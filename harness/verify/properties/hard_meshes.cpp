@@ -162,6 +162,48 @@ void distances_equal_the_known(const Trial& trial) {
   }
 }
 
+/// A turned and scaled grid with one more vertex in a face next to vertex `at`.
+/// @param ahead the new vertex lies towards this one, if the position was not rounded
+/// @param distance of the new vertex from `at`, in sides of a cell
+TriangleSoup with_vertex_next_to(Index at, Index ahead, double distance) {
+  TriangleSoup soup = flat_grid(12, 12);
+  const double cos = 1.1 * std::cos(0.3), sin = 1.1 * std::sin(0.3);
+  for (Vec3& p : soup.positions) p = {cos * p[0] - sin * p[1], sin * p[0] + cos * p[1], 0};
+  const auto towards = [&](Index v) { return subtract(soup.positions[v], soup.positions[at]); };
+  const auto is_left = [](const Vec3& a, const Vec3& b) { return a[0] * b[1] > a[1] * b[0]; };
+  const Vec3 line = towards(ahead);
+  const Index added = static_cast<Index>(soup.positions.size());
+  for (Triangle& t : soup.triangles) {
+    while (t[0] != at && (t[1] == at || t[2] == at)) t = {t[1], t[2], t[0]};
+    const auto [a, b, c] = t;
+    if (a != at || !is_left(towards(b), line) || !is_left(line, towards(c))) continue;
+    const double part = distance * 1.1 / geodesic::norm(line);
+    const Vec3 from = soup.positions[at];
+    soup.positions.push_back({from[0] + part * line[0], from[1] + part * line[1], 0});
+    t = {a, b, added};
+    soup.triangles.insert(soup.triangles.end(), {{b, c, added}, {c, a, added}});
+    break;
+  }
+  return soup;
+}
+
+// Seen from the source, rounding turns the lines on both sides of a vertex that is near to it, and
+// the vertices behind it are right all the same.
+Cases vertices_next_to_sources() {
+  constexpr Index kSource = 6 * 13 + 6;
+  Cases cases;
+  for (int exponent = -14; exponent <= -2; ++exponent) {
+    for (const Index ahead : {2 * 13 + 5u, 3 * 13 + 11u, 9 * 13 + 8u, 11 * 13 + 3u, 5 * 13 + 0u}) {
+      const TriangleSoup soup = with_vertex_next_to(kSource, ahead, std::pow(10.0, exponent));
+      const Index added = static_cast<Index>(soup.positions.size()) - 1;
+      cases.push_back(plane_case("1e" + std::to_string(exponent) + " towards vertex " +
+                                     std::to_string(ahead),
+                                 soup, {from(kSource), from(added), from(0)}, soup));
+    }
+  }
+  return cases;
+}
+
 // The apex of a cone and of a saddle cone of a thousand sectors.
 Cases thousand_sectors() {
   return {
@@ -356,6 +398,9 @@ std::vector<Property> extreme_mesh_properties() {
       {"needles-of-aspect-1e8-keep-euclid",
        "faces 10^8 times longer than wide leave the distances of a plane Euclid's",
        needles_of_a_hundred_million, distances_are_right_in_few_windows, kOwnKernel},
+      {"vertices-next-to-a-source-hide-nothing",
+       "behind a flat vertex as near to the source as 10^-14 of an edge distances are Euclid's",
+       vertices_next_to_sources, distances_are_right, kOwnKernel},
       {"components-by-the-hundred-thousand-are-apart",
        "of 10^5 components those of the sources are reached, and no other", separate_triangles,
        distances_are_right_in_few_windows, kMultipleSources},
