@@ -58,7 +58,9 @@ inline constexpr double kPathRounding = 4e-15;
 /// is traced may take either.
 inline constexpr double kPathTie = 1e-13;
 
-/// A line that misses its root by less than this, relative to its length, ends in the root.
+/// A line that misses its root by less than this, relative to its length, ends in the root. Where a
+/// line leads to no root, a path by a vertex that is longer by less than this is the one that is
+/// meant.
 inline constexpr double kPathStray = 5e-13;
 
 }  // namespace geodesic

@@ -167,7 +167,11 @@ class Paths::Trace {
     consider_neighbours(piece, by_edge);
     for (const Detour* detour : {&by_strip, &by_edge}) {
       if (detour == &by_edge && root != kNone) return root;
-      if (detour->distance > piece.distance * (1 + kPathTie)) continue;
+      // Where the line leads past a corner that it has to touch, its distance is too short by what
+      // rounding turned it.
+      const double slack = root == kNone ? kPathStray * piece.distance + kPathRounding * piece.side
+                                         : kPathTie * piece.distance;
+      if (detour->distance > piece.distance + slack) continue;
       take_back();
       root = walk(detour->piece, nullptr);
     }

@@ -199,7 +199,7 @@ class Differential {
     });
     if (judge == solvers.end() || mesh.face_count() == 0) return;
     const PointTask task =
-        random_points(request_.seed, number, given, mesh, kind, **judge, kBruteForceFaces);
+        random_points(request_.seed, number, given, mesh, **judge, kBruteForceFaces);
     for (const Description* solver : solvers) {
       PathFigures figures{.at = number};
       harness::Finding wrong;

@@ -26,7 +26,7 @@ SurfacePoint random_point(const Mesh& mesh, Random& random) {
 }  // namespace
 
 PointTask random_points(std::uint64_t seed, std::uint64_t number, const harness::Case& given,
-                        const Mesh& mesh, Kind kind, const Description& judge, Index most_faces) {
+                        const Mesh& mesh, const Description& judge, Index most_faces) {
   constexpr std::size_t kTargets = 6;
   Random random(split_mix(split_mix(split_mix(seed) ^ number)));
   PointTask task{given.queries.front(), {}, given.tolerance};
@@ -40,7 +40,7 @@ PointTask random_points(std::uint64_t seed, std::uint64_t number, const harness:
     task.query.targets.push_back(random_point(mesh, random));
     points.push_back(task.query.targets.back());
   }
-  if (kind == Kind::degenerate) {
+  if (mesh.has_degenerate_faces()) {
     const auto object = make_solver(judge.name, mesh);
     const Paths paths = solve_paths(*object, mesh, task.query);
     for (std::size_t i = 0; i < kTargets; ++i) {
@@ -83,7 +83,7 @@ harness::Finding check_points(const Description& solver, const Mesh& mesh, Kind 
     figures.pieces += path.points.size() - 1;
     harness::Finding finding =
         harness::check_path(mesh, task.query, end, distance, path, task.tolerance);
-    const bool has_angles = kind == Kind::clean || kind == Kind::non_manifold;
+    const bool has_angles = kind != Kind::thin && !mesh.has_degenerate_faces();
     if (!finding && has_angles) finding = harness::check_straight(mesh, path, task.tolerance);
     return finding;
   };

@@ -24,7 +24,7 @@ struct PointTask {
 /// @param most_faces for brute force
 /// @throws std::exception as the judge does
 PointTask random_points(std::uint64_t seed, std::uint64_t number, const harness::Case& given,
-                        const Mesh& mesh, Kind kind, const Description& judge, Index most_faces);
+                        const Mesh& mesh, const Description& judge, Index most_faces);
 
 /// What was compared of one solver.
 struct PathFigures {
