@@ -401,13 +401,16 @@ class Propagation {
   /// The filter again, with the distances known by now.
   bool is_useless(const Stored& w) const {
     const auto timed = recorder_.enter(Phase::trimming);
+    if constexpr (std::is_same_v<Depth, StripDepth>) {
+      if (is_strip_too_long(mesh_, w.depth.faces + std::uint64_t{1})) return true;
+    }
     if constexpr (Filter::filters) {
       const Index across = mesh_.twin(w.half_edge);
       const Point2 third = apex_from_beyond(mesh_.half_edge(across));
       return Filter::is_useless(w, static_cast<Entry>(w.entry),
                                 passed_face(across, third, mesh_.apex(across)));
     } else {
-      return w.depth.faces >= mesh_.face_count();
+      return false;
     }
   }
 

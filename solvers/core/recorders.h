@@ -203,7 +203,9 @@ struct WavefrontRecorder : CountingRecorder {
 /// window, and calls
 struct PathRecorder : NoRecorder {
   static constexpr bool kRemembers = true;
+  using Depth = StripDepth;
 
+  void propagated(std::uint64_t /*windows*/, Depth /*deepest*/) {}
   explicit PathRecorder(PathRecord& into) : record(into) {}
   /// whenever a vertex gets a new distance, and
   void arrived(Index v, const Arrival& arrival) { record.arrived(v, arrival); }

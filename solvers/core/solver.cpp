@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "solvers/core/window_bound.h"
+
 namespace geodesic {
 namespace {
 
@@ -102,7 +104,14 @@ void Solver::solve(const Query& query, std::span<double> distances, Recording* r
 
 void Solver::run_to_end(const Query& query, std::span<double> distances, Recording* recording) {
   std::ranges::fill(distances, kInfinity);
-  run(query, distances, recording);
+  try {
+    run(query, distances, recording);
+  } catch (const EndlessPropagation&) {
+    if (recording != nullptr) throw;
+    Recording counted;
+    std::ranges::fill(distances, kInfinity);
+    run(query, distances, &counted);
+  }
   double farthest = Ending(mesh_, query, distances).farthest();
   if (query.stop_at_targets && recording != nullptr && recording->what == Record::paths) {
     double last = 0;

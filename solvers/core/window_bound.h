@@ -1,7 +1,11 @@
 // How many windows a solve may propagate before it counts as endless.
 //
-// No mesh is known on which a solver of this project propagates without end; rounding on degenerate
-// faces is where it could happen. The bound turns that into an error that names the mesh's size.
+// Around the tip of needles, and around a tube of them, windows wind as often as the needles are
+// longer than wide: where a solver keeps nothing of a window that has passed, only paths over
+// vertices beat what comes round, and these are far away. No shortest path enters a face twice, so
+// that its strip has at most as many faces as the mesh (Mitchell, Mount, Papadimitriou 1987, lemma
+// 3.2). Solves that are recorded know the length of strips and drop what is longer; a timed solve
+// that exceeds the bound is repeated as a recorded one (solver.cpp).
 #pragma once
 
 #include <cstdint>
@@ -25,6 +29,11 @@ class EndlessPropagation : public std::runtime_error {
 /// box of 1,200 faces took it a twenty-fifth of the bound. Chen and Han 1990 bound their windows by
 /// H^2, which meshes made for it need; up to H = 2^20, 350,000 faces, that is below this bound too.
 std::uint64_t window_bound(const Mesh& mesh);
+
+/// Whether no shortest path has a strip of so many faces, the one that is entered next among them.
+inline bool is_strip_too_long(const Mesh& mesh, std::uint64_t faces) {
+  return faces > mesh.face_count();
+}
 
 /// What is left of the bound in a solve.
 class WindowBudget {

@@ -35,7 +35,7 @@ class Batch {
   bool is_struck_out(std::size_t i) const { return array(kBegin)[i] == kInfinity; }
 
  private:
-  static constexpr unsigned kArrays = kNote + 1;  // one a Field
+  static constexpr unsigned kArrays = kRoot + 1;  // one a Field
   std::unique_ptr<double[]> arrays_;
   std::size_t room_ = 0;
 };

@@ -144,7 +144,9 @@ HWY_INLINE void gather(Segment& segment, const EndPaths& ends, Batch& batch) {
     pack.store(w.x, to[kX] + out);
     pack.store(w.y, to[kY] + out);
     pack.store(w.sigma, to[kSigma] + out);
-    if constexpr (note != Note::none) pack.store(hn::Load(kTag, from[kNote] + i), to[kNote] + out);
+    for (unsigned f = kDepth; f < fields; ++f) {
+      pack.store(hn::Load(kTag, from[f] + i), to[f] + out);
+    }
     out += pack.count();
   }
   batch.count = out;
@@ -332,9 +334,9 @@ HWY_INLINE void unfold(const Batch& batch, const FaceFrame& face, const std::uin
     pack.store(x, to[kX] + count);
     pack.store(y, to[kY] + count);
     pack.store(w.sigma, to[kSigma] + count);
-    if constexpr (note != Note::none) {
-      const Vec noted = hn::LoadU(kTag, batch.array(kNote) + i);
-      pack.store(note == Note::depth ? hn::Add(noted, all(1)) : noted, to[kNote] + count);
+    for (unsigned f = kDepth; f < fields; ++f) {
+      const Vec noted = hn::LoadU(kTag, batch.array(f) + i);
+      pack.store(f == kDepth ? hn::Add(noted, all(1)) : noted, to[f] + count);
     }
     count += pack.count();
   }

@@ -265,8 +265,8 @@ class Propagation final : public Propagator<Recorder> {
     segment->array(kX)[0] = from.x;
     segment->array(kY)[0] = from.y;
     segment->array(kSigma)[0] = distance;
-    if constexpr (kNoted == Note::depth) segment->array(kNote)[0] = 1;
-    if constexpr (kNoted == Note::root) segment->array(kNote)[0] = root;
+    if constexpr (kNoted != Note::none) segment->array(kDepth)[0] = 1;
+    if constexpr (kNoted == Note::root) segment->array(kRoot)[0] = root;
     land(e.twin, segment, Place::back);
   }
 
@@ -333,7 +333,7 @@ class Propagation final : public Propagator<Recorder> {
   void show_windows(Index h, Recorder& recorder) {
     lists_.for_each_segment(h, [&](const auto& segment) {
       for (std::size_t i = 0; i < segment.count; ++i) {
-        recorder.crossing(h, window_of(segment, i), static_cast<Index>(segment.array(kNote)[i]));
+        recorder.crossing(h, window_of(segment, i), static_cast<Index>(segment.array(kRoot)[i]));
       }
     });
   }
@@ -345,7 +345,7 @@ class Propagation final : public Propagator<Recorder> {
         recorder.created(segment.count);
         recorder.valid(segment.count);
         for (std::size_t i = 0; i < segment.count; ++i) {
-          recorder.propagated(1, {static_cast<std::uint32_t>(segment.array(kNote)[i]) + faces});
+          recorder.propagated(1, {static_cast<std::uint32_t>(segment.array(kDepth)[i]) + faces});
         }
       });
     }
@@ -367,6 +367,12 @@ class Propagation final : public Propagator<Recorder> {
     });
     reserve_masks();
     if (batch_.count > 1) trim(crossed_face(mesh_, h, rounding_));
+    if constexpr (kNoted != Note::none) {
+      for (std::size_t i = 0; i < batch_.count; ++i) {
+        const auto depth = static_cast<std::uint64_t>(batch_.array(kDepth)[i]);
+        if (is_strip_too_long(mesh_, depth + 1)) batch_.strike_out(i);
+      }
+    }
   }
 
   void reserve_masks() {
@@ -458,12 +464,12 @@ class Propagation final : public Propagator<Recorder> {
   }
 
   /// Of a window of the batch.
-  Index root_of(std::size_t i) const { return static_cast<Index>(batch_.array(kNote)[i]); }
+  Index root_of(std::size_t i) const { return static_cast<Index>(batch_.array(kRoot)[i]); }
 
   void count(Recorder& recorder) const {
     for (std::size_t i = 0; i < batch_.count; ++i) {
       if (batch_.is_struck_out(i)) continue;
-      const auto depth = static_cast<std::uint32_t>(batch_.array(kNote)[i]) + 1;
+      const auto depth = static_cast<std::uint32_t>(batch_.array(kDepth)[i]) + 1;
       recorder.propagated(1, {depth});
       if (bit(to_left_, i) || bit(to_right_, i)) recorder.valid(1);
     }

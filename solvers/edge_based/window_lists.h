@@ -22,17 +22,17 @@ namespace geodesic::edge_based {
 enum class Place { front, back };
 
 /// Where a window's numbers lie in a segment or a batch: one array each.
-enum Field : unsigned { kBegin, kEnd, kX, kY, kSigma, kNote };
+enum Field : unsigned { kBegin, kEnd, kX, kY, kSigma, kDepth, kRoot };
 
-/// What recorded solves keep of a window besides: a whole number, which a double holds exactly.
+/// What recorded solves keep of a window besides: whole numbers, which a double holds exactly.
 enum class Note : std::uint8_t {
   none,
   depth,  ///< of the window's strip, in faces: grows by 1 with every face crossed
-  root,   ///< as in Arrival, handed on as it is
+  root,   ///< the depth, and the root as in Arrival, handed on as it is
 };
 
 /// Number of arrays.
-constexpr unsigned fields_with(Note note) { return note == Note::none ? kNote : kNote + 1; }
+constexpr unsigned fields_with(Note note) { return kDepth + static_cast<unsigned>(note); }
 
 /// Vectors read whole: room and arrays are multiples of this many doubles.
 inline constexpr std::size_t kLaneRoom = 4;

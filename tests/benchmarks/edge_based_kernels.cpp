@@ -46,7 +46,7 @@ inline void gather_list(benchmark::State& state) {
   auto* segment = crossing.lists.allocate(crossing.windows.size());
   segment->count = static_cast<std::uint32_t>(crossing.windows.size());
   for (std::size_t i = 0; i < crossing.windows.size(); ++i) {
-    for (unsigned f = 0; f < kNote; ++f) segment->array(f)[i] = crossing.batch.array(f)[i];
+    for (unsigned f = 0; f < kDepth; ++f) segment->array(f)[i] = crossing.batch.array(f)[i];
   }
   const EndPaths ends(crossing.face.length, 2.2, 2.2);  // beaten by none
   for (auto _ : state) {

@@ -19,7 +19,7 @@ inline Steps run_kernels(const std::vector<Window>& windows, const FaceFrame& fa
     auto* segment = lists.allocate(list.size() + kLaneRoom);
     for (const Window& w : list) {
       const double fields[] = {w.begin, w.end, w.x, w.y, w.sigma};
-      for (unsigned f = 0; f < kNote; ++f) segment->array(f)[segment->count] = fields[f];
+      for (unsigned f = 0; f < kDepth; ++f) segment->array(f)[segment->count] = fields[f];
       ++segment->count;
     }
     return segment;

@@ -142,7 +142,7 @@ void add_windows(Lists& lists, Index h, int count, double from, double to, int f
     segment->array(edge_based::kX)[k] = t;
     segment->array(edge_based::kY)[k] = -1e3;
     segment->array(edge_based::kSigma)[k] = first + i;
-    segment->array(edge_based::kNote)[k] = 5;
+    segment->array(edge_based::kDepth)[k] = 5;
   }
   lists.add(h, segment, place);
 }
@@ -157,7 +157,7 @@ void see(const Segment& chunk, Seen& seen) {
   for (std::size_t i = 0; i < chunk.count; ++i) {
     seen.numbers.push_back(static_cast<int>(chunk.array(edge_based::kSigma)[i]));
     seen.begins.push_back(chunk.array(edge_based::kBegin)[i]);
-    seen.depths.push_back(chunk.array(edge_based::kNote)[i]);
+    seen.depths.push_back(chunk.array(edge_based::kDepth)[i]);
   }
   seen.longest = std::max<std::size_t>(seen.longest, chunk.count);
 }

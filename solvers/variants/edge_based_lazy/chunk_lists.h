@@ -92,8 +92,8 @@ class ChunkLists : edge_based::WindowLists<note, Passage> {
     const std::uint32_t faces = chunk.extra.faces();
     if (faces == 0) return;
     chunk.extra.arrive(chunk);
-    if constexpr (note == edge_based::Note::depth) {
-      for (std::size_t i = 0; i < chunk.count; ++i) chunk.array(edge_based::kNote)[i] += faces;
+    if constexpr (note != edge_based::Note::none) {
+      for (std::size_t i = 0; i < chunk.count; ++i) chunk.array(edge_based::kDepth)[i] += faces;
     }
   }
 
