@@ -302,6 +302,14 @@ Cases larger_meshes() {
           {"sphere", rough_sphere(32, 3, 0.1), {from(0)}}};
 }
 
+// Windows wind round such a tube a million times before a path over a vertex beats them.
+Cases tubes_of_needles() {
+  return {
+      {"tube",
+       generate("cylinder", {{"sides", 3}, {"rows", 2}, {"height", 1e6}, {"diagonal", "forward"}}),
+       {from(0)}}};
+}
+
 Cases planes() {
   Cases cases;
   for (const char* diagonal : {"alternating", "forward"}) {
@@ -345,6 +353,9 @@ std::vector<Property> path_properties() {
       {"sources-in-faces-and-on-edges-equal-inserted-vertices",
        "from a point in a face or on an edge distances are those of the mesh with it as a vertex",
        random_meshes_from_some_sources, sources_are_as_if_inserted, kSurfaceSources},
+      {"sources-in-faces-of-a-tube-of-needles-equal-inserted-vertices",
+       "in a tube a million times longer than wide windows do not wind without end",
+       tubes_of_needles, sources_are_as_if_inserted, kSurfaceSources},
       {"targets-in-faces-and-on-edges-equal-inserted-vertices",
        "the distance of a point in a face or on an edge is that of the vertex it becomes",
        random_meshes_from_some_sources, targets_are_as_if_inserted, kPaths},
