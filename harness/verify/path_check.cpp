@@ -213,6 +213,9 @@ class StraightCheck {
       }
     }
     if (mesh_.is_pseudo_source(v)) return {};
+    // So short a stretch has no direction: it may lead to a vertex next to a source and back.
+    const Real whole = std::max<Real>(path_.length(), tolerance_.least);
+    if (std::min(a, b) <= tolerance_.relative * whole) return {};
     const Real pi = std::numbers::pi_v<Real>;
     const Real bend = std::min(std::abs(left - pi), std::abs(right - pi));
     if (bend * a * b <= tolerance_.relative * (a + b) * (a + b)) return {};

@@ -257,6 +257,16 @@ class Propagation {
     if (mesh_.is_pseudo_source(v)) wait_to_emit(v, incoming);
   }
 
+  /// The apex of h, at the end of an edge from a vertex that emits.
+  void reach_neighbour(Index h, double distance, double edge, const Incoming& incoming,
+                       Arrival arrival) {
+    if (is_next_to_apex(mesh_.half_edge(h), edge)) {
+      start_at(mesh_.apex(h), distance + edge, arrival);
+    } else {
+      reach(mesh_.apex(h), distance + edge, incoming, arrival);
+    }
+  }
+
   void wait_to_emit(Index v, const Incoming& incoming) {
     const double distance = distances_[v];
     if (distance > limit_) return;
@@ -278,11 +288,10 @@ class Propagation {
     for (const Index h : mesh_.outgoing(v)) {
       const Index opposite = Mesh::next(h), into = Mesh::previous(h);
       const HalfEdge& at_head = mesh_.half_edge(opposite);
-      reach(mesh_.head(h), distance + mesh_.half_edge(h).length,
-            {opposite, at_head.apex_x, at_head.apex_y},
-            {into, v, {mesh_.half_edge(into).length, 0}});
-      const double length = mesh_.half_edge(into).length;
-      reach(mesh_.origin(into), distance + length, {into, length, 0}, {h, v, {0, 0}});
+      const double out = mesh_.half_edge(h).length, in = mesh_.half_edge(into).length;
+      reach_neighbour(into, distance, out, {opposite, at_head.apex_x, at_head.apex_y},
+                      {into, v, {in, 0}});
+      reach_neighbour(h, distance, in, {into, in, 0}, {h, v, {0, 0}});
     }
     find_shadow(mesh_, v, unreliable_[v] ? Incoming{} : incoming, shadow_);
     for (const ShadowedEdge& edge : shadow_) {

@@ -227,15 +227,9 @@ void Mesh::classify_vertices() {
     if (several_fans || !fan.closed || has_angle_excess(v)) pseudo_source_[v] = 1;
   }
   for (Index h = 0; h < half_edge_count(); ++h) {
-    const HalfEdge& e = half_edge(h);
-    const bool degenerate = !(e.apex_y > 0 && e.length > 0);
-    if (degenerate) {
-      pseudo_source_[apex(h)] = 1;
-      has_degenerate_faces_ = true;
-    }
-    if (degenerate || e.length < kShortEdge * std::hypot(e.apex_x, e.apex_y)) {
-      pseudo_source_[origin(h)] = pseudo_source_[head(h)] = 1;
-    }
+    if (half_edge(h).apex_y > 0 && half_edge(h).length > 0) continue;
+    pseudo_source_[origin(h)] = pseudo_source_[head(h)] = pseudo_source_[apex(h)] = 1;
+    has_degenerate_faces_ = true;
   }
 }
 

@@ -67,8 +67,7 @@ class Mesh {
   }
 
   /// True where a shortest path may bend: total angle above 2 pi, a boundary vertex, a vertex that
-  /// several fans share, a corner of a degenerate face (its angles are undefined), and an end of an
-  /// edge that is much shorter than its face (kShortEdge).
+  /// several fans share, and a corner of a degenerate face (its angles are undefined).
   bool is_pseudo_source(Index v) const { return pseudo_source_[v] != 0; }
 
   /// Sum of the face angles at v in radians; 0 for an isolated vertex. Computed at each call.

@@ -62,11 +62,11 @@ inline Index edge_under(const SurfacePoint& point) {
   return kNone;
 }
 
-/// True when a source in the face of a half-edge lies so near to its apex, at this distance, that
-/// rounding turns the lines of the source round it: where they part there may be a gap. The apex
-/// has to send out windows then, whatever vertex it is: its lines are as long.
+/// True when a source in the face of a half-edge, or at an end of it, lies so near to its apex, at
+/// this distance, that rounding turns the lines of the source round it: where they part there may
+/// be a gap. The apex has to send out windows then, whatever vertex it is: its lines are as long.
 inline bool is_next_to_apex(const HalfEdge& e, double distance) {
-  return distance < kFlatFace * (e.length + std::hypot(e.apex_x, e.apex_y));
+  return distance < kNextToCorner * (e.length + std::hypot(e.apex_x, e.apex_y));
 }
 
 /// The same point of an edge in the face beyond it; in no face when it lies inside its face or on a

@@ -8,11 +8,11 @@ namespace geodesic {
 /// less than this angle, which changes a length by its square.
 inline constexpr double kSaddleAngleExcess = 1e-12;
 
-/// The lines from one end of an edge, to both sides of its other end, are turned against each other
-/// by the rounding of coordinates, divided by the edge's length: what lies behind that end may be
-/// between them. Where an edge is shorter than this times another side of its face, both ends count
-/// as pseudo-sources, which see what lies there.
-inline constexpr double kShortEdge = 1e-4;
+/// A source is next to a corner of its face when it is nearer than this times two sides of the
+/// face. In a face of extent 1, coordinates of a source r from the corner turn its lines by 1e-16 /
+/// r. At a distance D the lines to both sides of the corner leave a gap of up to 1e-14 D, less than
+/// the kApexTolerance by which lines may miss an apex as long as D is below 10^4.
+inline constexpr double kNextToCorner = 1e-2;
 
 /// A ray that misses the apex of a face by less than this, relative to the lengths at hand, passes
 /// through it. Bending a path by an angle t changes its length by about t^2 / 2, so the error stays

@@ -107,10 +107,9 @@ class Propagation final : public Propagator<Recorder> {
     const auto reach_corner = [&](Index h, const Point2& from, double to_apex) {
       const Index apex = mesh_.apex(h);
       begin_at(apex, source.distance + to_apex, {h, root, from}, recorder);
-      const FaceFrame face = face_frame(mesh_, h);
-      const double longest = std::max({face.length, face.left, face.right});
-      if (to_apex < kNearCorner * longest) vertex_state_[apex] |= kSource;
-      at_corner |= to_apex < kWindowWidth * longest;
+      const HalfEdge& e = mesh_.half_edge(h);
+      if (is_next_to_apex(e, to_apex)) vertex_state_[apex] |= kSource;
+      at_corner |= to_apex < kWindowWidth * e.length;
     };
     const auto cross_side = [&](Index h, const Point2& from) {
       emit_over(mesh_.half_edge(h), from, source.distance, root);
@@ -211,6 +210,9 @@ class Propagation final : public Propagator<Recorder> {
           arrive_along_edge(mesh_.head(h), at_head, {into, v, head}, recorder);
         }
         reach(mesh_.head(h), at_head, recorder);
+        if (emits && is_next_to_apex(mesh_.half_edge(into), mesh_.half_edge(h).length)) {
+          vertex_state_[mesh_.head(h)] |= kSource;
+        }
       }
       const double at_origin = distances_[v] + mesh_.half_edge(into).length;
       if (at_origin < distances_[mesh_.origin(into)]) {
@@ -218,6 +220,9 @@ class Propagation final : public Propagator<Recorder> {
           arrive_along_edge(mesh_.origin(into), at_origin, {h, v, {0, 0}}, recorder);
         }
         reach(mesh_.origin(into), at_origin, recorder);
+        if (emits && is_next_to_apex(mesh_.half_edge(h), mesh_.half_edge(into).length)) {
+          vertex_state_[mesh_.origin(into)] |= kSource;
+        }
       }
       if (emits) emit(v, Mesh::next(h));
     }

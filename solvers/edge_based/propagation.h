@@ -25,12 +25,6 @@ struct ByDistance {
   static Queue make_queue(const Mesh& mesh) { return Queue(mesh.vertex_count()); }
 };
 
-/// A source in a face is near a corner when it is closer than this times the face's longest side.
-/// Coordinates of a source r from the corner, in a face of extent 1, turn its lines by 1e-16 / r.
-/// At a distance D that is a gap of up to 1e-14 D, less than the kApexTolerance by which lines may
-/// miss an apex as long as D is below 10^4.
-inline constexpr double kNearCorner = 1e-2;
-
 /// @tparam Recorder core/recorders.h
 template <class Recorder>
 class Propagator {

@@ -169,6 +169,15 @@ class Propagation {
     if (mesh_.is_pseudo_source(v) && has_news(v)) wavefront_.push_vertex(v, distance);
   }
 
+  /// The apex of h, at the end of an edge from a vertex that emits.
+  void reach_neighbour(Index h, double distance, double edge, Arrival arrival) {
+    if (is_next_to_apex(mesh_.half_edge(h), edge)) {
+      start_at(mesh_.apex(h), distance + edge, arrival);
+    } else {
+      reach(mesh_.apex(h), distance + edge, arrival);
+    }
+  }
+
   /// False when v has sent out windows of its distance, up to rounding, already.
   bool has_news(Index v) const { return distances_[v] < emitted_[v] * (1 - kPathMargin); }
 
@@ -182,8 +191,8 @@ class Propagation {
     for (const Index h : mesh_.outgoing(v)) {
       const Index opposite = Mesh::next(h), into = Mesh::previous(h);
       const double out = mesh_.half_edge(h).length, in = mesh_.half_edge(into).length;
-      reach(mesh_.head(h), d + out, {into, v, {in, 0}});
-      reach(mesh_.origin(into), d + in, {h, v, {0, 0}});
+      reach_neighbour(into, d, out, {into, v, {in, 0}});
+      reach_neighbour(h, d, in, {h, v, {0, 0}});
       land(h, {0, out, 0, 0, d}, along);
       // The other list of an edge, or the only one of an edge without a half-edge out of v.
       if (!Layout::kBothSides || mesh_.twin(into) == kNone) land(into, {0, in, in, 0, d}, along);

@@ -370,13 +370,13 @@ class Paths::Trace {
   bool turns(const Piece& piece, Index v, double rest) const {
     const double through = of_.distance(v);
     const bool nearer = through < piece.distance || !piece.end.is_vertex();
-    return mesh_.is_pseudo_source(v) && nearer && through + rest <= piece.distance * (1 + kPathTie);
+    return of_.may_bend(v) && nearer && through + rest <= piece.distance * (1 + kPathTie);
   }
 
   /// @param along, across the line of the piece, from its end
   void consider(Index v, double along, double across, const Piece& piece, Detour& least) const {
     const double through = of_.distance(v);
-    if (!mesh_.is_pseudo_source(v) || through > piece.distance) return;
+    if (!of_.may_bend(v) || through > piece.distance) return;
     const double distance = through + std::hypot(along, across);
     if (distance >= least.distance) return;
     const Direction line(minus(piece.from, piece.at), piece.length);
@@ -502,6 +502,10 @@ Paths::Paths(const Mesh& mesh, Query query, std::vector<double> distances, Recor
       distances_.size() != vertices || targets_.size() != query_.targets.size()) {
     throw std::invalid_argument("paths need a recording of paths, of this mesh and query");
   }
+  is_root_.resize(vertices);
+  for (const Arrival& arrival : arrivals_) {
+    if (arrival.root < vertices) is_root_[arrival.root] = true;
+  }
   for (SurfacePoint& target : query_.targets) target = in_own_numbers(mesh, target);
   for (Index i = 0; i < query_.sources.size(); ++i) {
     Source& source = query_.sources[i];
@@ -511,6 +515,8 @@ Paths::Paths(const Mesh& mesh, Query query, std::vector<double> distances, Recor
     if (!first && source.distance < query_.sources[at->second].distance) at->second = i;
   }
 }
+
+bool Paths::may_bend(Index v) const { return mesh_.is_pseudo_source(v) || is_root_[v]; }
 
 Index Paths::own_vertex(Index given) const {
   const std::string defect = defect_of(mesh_, SurfacePoint(given));

@@ -304,10 +304,9 @@ Cases larger_meshes() {
 
 // Windows wind round such a tube a million times before a path over a vertex beats them.
 Cases tubes_of_needles() {
-  return {
-      {"tube",
-       generate("cylinder", {{"sides", 3}, {"rows", 2}, {"height", 1e6}, {"diagonal", "forward"}}),
-       {from(0)}}};
+  const TriangleSoup tube =
+      generate("cylinder", {{"sides", 3}, {"rows", 2}, {"height", 1e6}, {"diagonal", "forward"}});
+  return {{"tube", tube, {from(0)}}};
 }
 
 Cases planes() {
@@ -355,7 +354,7 @@ std::vector<Property> path_properties() {
        random_meshes_from_some_sources, sources_are_as_if_inserted, kSurfaceSources},
       {"sources-in-faces-of-a-tube-of-needles-equal-inserted-vertices",
        "in a tube a million times longer than wide windows do not wind without end",
-       tubes_of_needles, sources_are_as_if_inserted, kSurfaceSources},
+       tubes_of_needles, sources_are_as_if_inserted, kSurfaceSources | kOwnKernel},
       {"targets-in-faces-and-on-edges-equal-inserted-vertices",
        "the distance of a point in a face or on an edge is that of the vertex it becomes",
        random_meshes_from_some_sources, targets_are_as_if_inserted, kPaths},

@@ -55,18 +55,22 @@ class Unfolding final : public Solver {
   }
 
   /// There is a path of this length to v.
-  void reach(Index v, double distance) {
+  /// @param sends_out wherever v lies
+  void reach(Index v, double distance, bool sends_out = false) {
     if (!(distance < distances_[v])) return;
     distances_[v] = distance;
-    if (mesh().is_pseudo_source(v)) sources_.push_back({v, distance});
+    if (sends_out || mesh().is_pseudo_source(v)) sources_.push_back({v, distance});
   }
 
   /// Follows the edges at a (pseudo-)source, and sends a window over the far edge of each face.
   void send_out(const Source& source) {
     for (const Index h : mesh().outgoing(source.at.vertex)) {
       const Index far = Mesh::next(h), into = Mesh::previous(h);
-      reach(mesh().head(h), source.distance + mesh().half_edge(h).length);
-      reach(mesh().origin(into), source.distance + mesh().half_edge(into).length);
+      for (const auto& [far_from, along] : {std::pair{into, h}, std::pair{h, into}}) {
+        const double length = mesh().half_edge(along).length;
+        reach(mesh().apex(far_from), source.distance + length,
+              is_next_to_apex(mesh().half_edge(far_from), length));
+      }
       const HalfEdge& edge = mesh().half_edge(far);
       land(far, 0, edge.length, apex_from_beyond(edge), source.distance);
     }
