@@ -170,8 +170,9 @@ def draw_source(axes: Axes, buffer: ZBuffer, recording: Recording) -> bool:
 def draw_points(axes: Axes, buffer: ZBuffer, points: Floats) -> int:
     """Marks sources at points (n, 3) that are not hidden. @return how many are shown"""
     seen = points[buffer.visible(points)]
-    x, y, _ = buffer.camera.project(seen).T
-    axes.plot(x, y, **SOURCE, clip_on=False, zorder=5)
+    if len(seen):  # matplotlib takes the place of a line without points for the figure's corner
+        x, y, _ = buffer.camera.project(seen).T
+        axes.plot(x, y, **SOURCE, clip_on=False, zorder=5)
     return len(seen)
 
 

@@ -201,7 +201,7 @@ class Mesh:
                [0. , 1. , 0. ]])
         >>> path.faces, round(path.length, 6)
         (array([0, 1], dtype=uint32), 1.414214)
-        >>> mesh.path((0, (0, 1, 1)), 1).length
+        >>> round(mesh.path((0, (0, 1, 1)), 1).length, 6)
         0.5
         """
         ends = (

@@ -11,6 +11,7 @@ from synthetic import Geometry, edges_of, plane, sphere, torus
 from plots import style, surface
 from plots.camera import Camera, Floats, close_up, framing, looking
 from plots.surface import Surface, draw_lines, draw_surface, shade
+from plots.wavefronts import draw_points
 from plots.zbuffer import NOTHING, ZBuffer, expand, z_buffer
 
 FRONT = np.eye(3)
@@ -202,6 +203,18 @@ def test_a_drawn_surface_is_an_image_and_its_lines_are_vectors(
     drawn = sum(length_of(np.stack([p[:-1], p[1:]], axis=1)) for p in lines.get_segments())
     assert drawn == pytest.approx(length_of(shown))
     assert axes.get_xlim() == pytest.approx(buffer.camera.extent[:2])
+
+
+def test_a_source_that_is_hidden_leaves_the_picture_its_size() -> None:
+    vertices, faces = together(square(2, 0), square(1, -1))
+    plates = Surface(vertices, faces)
+    figure = style.new_figure(2)
+    axes = figure.subplots()
+    buffer = draw_surface(axes, plates, framing(FRONT, vertices), 2)
+    assert draw_points(axes, buffer, vertices[4:]) == 0
+    figure.canvas.draw()
+    box = axes.get_window_extent()
+    assert min(box.width, box.height) > 0.9 * min(figure.bbox.width, figure.bbox.height)
 
 
 def test_expand_counts_up_for_each_owner() -> None:

@@ -115,7 +115,7 @@ def test_choices_change_what_is_seen(page: Any) -> None:
     for name in ("isolines", "paths", "edges of the mesh", "wavefront"):
         page.find_element(By.CSS_SELECTOR, f"input[name='{name}']").click()
         now = picture(page)
-        assert (now != before).any(axis=2).mean() > 0.002, name
+        assert (now != before).any(axis=2).mean() > 0.001, name
         before = now
     for name in ("cells", "none", "distance"):
         page.find_element(By.XPATH, f"//fieldset[@id='colour']/label[.='{name}']/input").click()
