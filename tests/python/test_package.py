@@ -116,7 +116,7 @@ def test_the_source_distribution_builds_and_installs_without_a_network(tmp_path:
     launcher = "ccache" if "CMAKE_CXX_COMPILER_LAUNCHER:STRING=ccache" in cache else ""
     run(
         *pip, "--wheel-dir", tmp_path, sdist,
-        CMAKE_ARGS="-DGEODESIC_SOLVERS=dijkstra -DCMAKE_CXX_FLAGS_RELEASE=-O0",
+        CMAKE_ARGS="-DGEODESIC_SOLVERS=dijkstra -DCMAKE_CXX_FLAGS_RELEASE=-O0 -DCMAKE_UNITY_BUILD=ON",
         CMAKE_CXX_COMPILER_LAUNCHER=launcher,
         CCACHE_BASEDIR=tempfile.gettempdir(), CCACHE_NOHASHDIR="1",
     )  # fmt: skip
