@@ -2,8 +2,8 @@
 
 A solver that declares that it does not support a mesh, an outcome that the suite expects, and a
 solver that was skipped on a mesh for a stated reason, are listed but are no failures. A mesh that
-was skipped whole is one, unless --allow-skipped is given. With --plugins-may-fail what the solvers of
-plug-ins fail at is a finding about them, and no failure of the run.
+was skipped whole is one, unless --allow-skipped is given. With --others-may-fail what solvers of others
+fail at, those of plug-ins and oracles, is a finding about them, and no failure of the run.
 """
 
 from __future__ import annotations
@@ -40,10 +40,15 @@ def line(row: Row) -> str:
 
 
 def findings(run: Run) -> list[Row]:
-    """Failed rows of the solvers that plug-ins brought."""
-    theirs = run.of_plugins
+    """Failed rows of solvers of others: of plug-ins, and oracles that share no code with ours."""
+    from_plugins = run.of_plugins
+
+    def of_others(row: Row) -> bool:
+        solver = run.solvers[row.solver]
+        return solver.base in from_plugins or solver.independent_oracle
+
     failed = [row for row in run.without_a_time if row.outcome not in ALLOWED]
-    return [row for row in failed if run.solvers[row.solver].base in theirs]
+    return [row for row in failed if of_others(row)]
 
 
 def failures(run: Run, harmless: Sequence[Row] = ()) -> list[str]:
@@ -134,8 +139,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         "--allow-skipped", action="store_true", help="accept meshes that were skipped whole"
     )
     parser.add_argument(
-        "--plugins-may-fail", action="store_true",
-        help="list the failures of solvers of plug-ins, and accept them",
+        "--others-may-fail", action="store_true",
+        help="list the failures of plug-ins' solvers and of oracles, and accept them",
     )  # fmt: skip
     options = parser.parse_args(arguments)
     try:
@@ -146,7 +151,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"NOT MEASURED: {words}")
     for words in first([line(row) for row in allowed(run)]):
         print(f"without a time: {words}")
-    found = findings(run) if options.plugins_may_fail else []
+    found = findings(run) if options.others_may_fail else []
     for words in first([line(row) for row in found]):
         print(f"FOUND: {words}")
     for largest in largest_errors(run):

@@ -54,19 +54,22 @@ def test_a_mesh_that_was_skipped_fails_unless_allowed(
     assert "NOT MEASURED: horse, ch: ch is for meshes of at most 20000 vertices" in printed
 
 
-def test_what_a_plug_in_fails_at_may_be_a_finding(
-    changed: Changed, capsys: pytest.CaptureFixture[str]
+@pytest.mark.parametrize("oracle", [False, True])
+def test_what_a_solver_of_others_fails_at_may_be_a_finding(
+    changed: Changed, capsys: pytest.CaptureFixture[str], oracle: bool
 ) -> None:
     def change(data: dict[str, Any]) -> None:
         keep_only_good(data)
-        data["context"]["geodesic_bench"]["plugins"] = [
-            {"file": "/peers/libich.so", "sha256": "0" * 64, "solvers": ["ich"]}
-        ]
+        ours = data["context"]["geodesic_bench"]
+        if oracle:
+            next(s for s in ours["solvers"] if s["name"] == "ich")["independent_oracle"] = True
+        else:
+            ours["plugins"] = [{"file": "/peers/libich.so", "sha256": "0" * 64, "solvers": ["ich"]}]
         row = next(row for row in data["benchmarks"] if row["solver"] == "ich")
         row.update(outcome="crashed", error_occurred=True, error_message="signal 11")
 
     run = str(changed(change))
-    assert [check.main(["--run", run, *more]) for more in [list[str](), ["--plugins-may-fail"]]] == [1, 0]
+    assert [check.main(["--run", run, *more]) for more in [list[str](), ["--others-may-fail"]]] == [1, 0]
     failed, found = (
         [line.split(": ")[0] for line in capsys.readouterr().out.splitlines() if "crashed" in line]
     )
