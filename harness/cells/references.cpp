@@ -5,11 +5,11 @@
 #include "harness/base/error.h"
 #include "harness/base/files.h"
 #include "harness/base/process.h"
-#include "harness/base/threads.h"
 #include "harness/cells/cell.h"
 #include "harness/cells/isolated.h"
 #include "harness/verify/references.h"
 #include "meshes/load.h"
+#include "meshes/threads.h"
 #include "solvers/core/registry.h"
 
 namespace geodesic::harness {

@@ -5,7 +5,8 @@
 
 #include "harness/base/interruption.h"
 #include "harness/base/status_line.h"
-#include "harness/base/threads.h"
+#include "meshes/row_solver.h"
+#include "meshes/threads.h"
 
 namespace geodesic::harness {
 namespace {
@@ -44,15 +45,12 @@ void solve_matrix(const MatrixProblem& problem, unsigned threads, MatrixFile& fi
   }
   RowProgress progress(problem.sources.size(), open.size());
   do_in_threads(open.size(), threads, [&]() -> Worker {
-    // Shared because a std::function must be copyable.
-    const auto own = std::make_shared<PointSolver>(problem.solver, problem.mesh, problem.inserted);
-    return [&, own, query = problem.asked,
-            distances = std::vector<double>(problem.mesh.vertex_count()),
-            at_targets = std::vector<double>(problem.asked.targets.size())](std::size_t i) mutable {
+    RowSolver row(std::make_shared<PointSolver>(problem.solver, problem.mesh, problem.inserted),
+                  problem.mesh, problem.asked);
+    return [&, row = std::move(row)](std::size_t i) mutable {
       throw_if_interrupted();
-      query.sources = {problem.sources[open[i]]};
-      own->solve(query, distances, at_targets);
-      file.put(open[i], query.targets.empty() ? distances : at_targets);
+      row.solve(problem.sources[open[i]]);
+      file.put(open[i], row.row());
       progress.row_ended();
     };
   });

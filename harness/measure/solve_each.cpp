@@ -4,7 +4,8 @@
 #include <mutex>
 
 #include "harness/base/clock.h"
-#include "harness/base/threads.h"
+#include "meshes/row_solver.h"
+#include "meshes/threads.h"
 
 namespace geodesic::harness {
 namespace {
@@ -40,20 +41,17 @@ void solve_each(const std::string& solver, const Mesh& mesh,
                 const std::function<void(Kept)>& deliver) {
   InOrder results(deliver);
   do_in_threads(sources.size(), threads, [&]() -> Worker {
-    // Shared because a std::function must be copyable.
-    const auto own = std::make_shared<PointSolver>(solver, mesh, inserted);
-    return [&, own, query = asked, distances = std::vector<double>(mesh.vertex_count()),
-            at_targets = std::vector<double>(asked.targets.size())](std::size_t i) mutable {
-      query.sources = {sources[i]};
+    RowSolver row(std::make_shared<PointSolver>(solver, mesh, inserted), mesh, asked);
+    return [&, row = std::move(row)](std::size_t i) mutable {
       const double cpu_start = thread_cpu_seconds();
       const Stopwatch watch;
-      own->solve(query, distances, at_targets);
+      row.solve(sources[i]);
       results.put(i, keep({.number = i,
-                           .distances = distances,
-                           .at_targets = at_targets,
+                           .distances = row.distances(),
+                           .at_targets = row.at_targets(),
                            .cpu_seconds = thread_cpu_seconds() - cpu_start,
                            .real_seconds = watch.real_seconds(),
-                           .instruction_set = own->solver().instruction_set()}));
+                           .instruction_set = row.instruction_set()}));
     };
   });
 }

@@ -7,7 +7,8 @@ from numpy.typing import NDArray
 
 _Indices = NDArray[np.uint32]
 _Progress = Callable[[int], None] | None
-_Point = tuple[int, int, tuple[float, float, float]]
+_Points = tuple[_Indices, _Indices, NDArray[np.float64]]
+"""Of vertices, faces and weights: arrays.Points."""
 _Compressed = tuple[NDArray[np.floating], NDArray[np.int64], NDArray[np.int64]]
 
 class SharedMesh:
@@ -59,27 +60,27 @@ def read(file: str, repair: bool) -> tuple[SharedMesh, list[str]]: ...
 def defects(mesh: SharedMesh) -> list[Defect]: ...
 def solvers() -> list[Solver]: ...
 def distances(
-    mesh: SharedMesh, solver: str, sources: _Indices, initial: NDArray[np.float64], limit: float
+    mesh: SharedMesh, solver: str, sources: _Points, initial: NDArray[np.float64], limit: float
 ) -> NDArray[np.float64]: ...
 def distances_and_nearest(
-    mesh: SharedMesh, solver: str, sources: _Indices, initial: NDArray[np.float64], limit: float
+    mesh: SharedMesh, solver: str, sources: _Points, initial: NDArray[np.float64], limit: float
 ) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...
 def path(
-    mesh: SharedMesh, solver: str, source: _Point, target: _Point
+    mesh: SharedMesh, solver: str, ends: _Points
 ) -> tuple[NDArray[np.float64], _Indices, NDArray[np.float64]]: ...
 def dense_float64(
-    mesh: SharedMesh, solver: str, rows: _Indices, columns: _Indices, threads: int,
+    mesh: SharedMesh, solver: str, rows: _Points, columns: _Points | None, threads: int,
     progress: _Progress,
 ) -> NDArray[np.float64]: ...  # fmt: skip
 def dense_float32(
-    mesh: SharedMesh, solver: str, rows: _Indices, columns: _Indices, threads: int,
+    mesh: SharedMesh, solver: str, rows: _Points, columns: _Points | None, threads: int,
     progress: _Progress,
 ) -> NDArray[np.float32]: ...  # fmt: skip
 def sparse_float64(
-    mesh: SharedMesh, solver: str, rows: _Indices, columns: _Indices, limit: float, threads: int,
-    progress: _Progress,
+    mesh: SharedMesh, solver: str, rows: _Points, columns: _Points | None, limit: float,
+    threads: int, progress: _Progress,
 ) -> _Compressed: ...  # fmt: skip
 def sparse_float32(
-    mesh: SharedMesh, solver: str, rows: _Indices, columns: _Indices, limit: float, threads: int,
-    progress: _Progress,
+    mesh: SharedMesh, solver: str, rows: _Points, columns: _Points | None, limit: float,
+    threads: int, progress: _Progress,
 ) -> _Compressed: ...  # fmt: skip

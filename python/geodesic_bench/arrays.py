@@ -3,7 +3,8 @@ or refused with one sentence."""
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -27,11 +28,83 @@ def face_array(faces: ArrayLike, vertices: int) -> NDArray[np.uint32]:
     return array.astype(np.uint32, order="C")
 
 
-def vertex_indices(values: ArrayLike, what: str, vertices: int) -> NDArray[np.uint32]:
-    """Of shape (k,).
+class Points(NamedTuple):
+    """Points of a surface, k of them."""
+
+    vertices: NDArray[np.uint32]
+    """(k,): OUT_OF_RANGE for a point in a face."""
+    faces: NDArray[np.uint32]
+    """(k,): 0 for a vertex."""
+    weights: NDArray[np.float64]
+    """(k, 3): of the corners of the face."""
+
+
+def surface_points(values: object, what: str, vertices: int, faces: int) -> Points:
+    """One point, or a list of them.
 
     @param what they are: "source"
-    @param vertices of the mesh"""
+    @param vertices, faces of the mesh"""
+    listed: Sequence[object]
+    if _names_a_face(values):
+        listed = [values]
+    elif isinstance(values, tuple | list) and any(map(_names_a_face, values)):
+        listed = values
+    else:
+        given = _vertex_indices(values, what, vertices)  # type: ignore[arg-type]
+        return Points(given, np.zeros(len(given), np.uint32), np.zeros((len(given), 3)))
+    points = Points(
+        np.full(len(listed), OUT_OF_RANGE),
+        np.zeros(len(listed), np.uint32),
+        np.zeros((len(listed), 3)),
+    )
+    for i, point in enumerate(listed):
+        if _names_a_face(point):
+            points.faces[i], points.weights[i] = _face_and_weights(point, what, faces)
+        else:
+            points.vertices[i] = surface_point(point, what, vertices, faces).vertices[0]
+    return points
+
+
+def surface_point(value: object, what: str, vertices: int, faces: int) -> Points:
+    """One point; otherwise as surface_points."""
+    point = surface_points(value, what, vertices, faces)
+    if len(point.vertices) != 1:
+        raise ValueError(_NO_POINT.format(what))
+    return point
+
+
+_NO_POINT = "a {} must be a vertex, or a face and three weights"
+
+
+def _names_a_face(point: object) -> bool:
+    """Whether it is a pair of a face and weights, right or wrong."""
+    listed = tuple | list | np.ndarray
+    return (
+        isinstance(point, tuple | list)
+        and len(point) == 2
+        and not isinstance(point[0], listed)
+        and isinstance(point[1], listed)
+        and not _names_a_face(point[1])
+    )
+
+
+def _face_and_weights(point: Any, what: str, faces: int) -> tuple[int, NDArray[np.float64]]:
+    face = _integers(point[0], f"the face of a {what}")
+    weights = numbers(point[1], f"the weights of a {what}")
+    if face.ndim or weights.shape != (3,):
+        raise ValueError(_NO_POINT.format(what))
+    if not 0 <= face < faces:
+        raise ValueError(f"{what} face {face} is not in the mesh of {faces} faces")
+    if not (np.isfinite(weights).all() and weights.min() >= 0 and weights.any()):
+        raise ValueError(
+            f"the weights of a {what} must be finite, none negative, and not all 0,"
+            f" not {tuple(weights.tolist())}"
+        )
+    return int(face), weights
+
+
+def _vertex_indices(values: ArrayLike, what: str, vertices: int) -> NDArray[np.uint32]:
+    """Of shape (k,)."""
     array = _integers(values, f"{what} vertices")
     if array.ndim > 1:
         raise ValueError(f"{what} vertices must be a list of indices, not of shape {array.shape}")
@@ -41,31 +114,6 @@ def vertex_indices(values: ArrayLike, what: str, vertices: int) -> NDArray[np.ui
         index = array[outside.argmax()]
         raise ValueError(f"{what} vertex {index} is not in the mesh of {vertices} vertices")
     return array.astype(np.uint32)
-
-
-def surface_point(
-    point: object, what: str, vertices: int, faces: int
-) -> tuple[int, int, tuple[float, float, float]]:
-    """A vertex, a face and weights; the vertex is OUT_OF_RANGE for a point in a face.
-
-    @param what it is: "source"
-    @param vertices, faces of the mesh"""
-    wrong = f"a {what} must be a vertex, or a face and three weights"
-    if not isinstance(point, tuple | list):
-        vertex = vertex_indices(point, what, vertices)  # type: ignore[arg-type]
-        if vertex.size != 1:
-            raise ValueError(wrong)
-        return int(vertex[0]), 0, (0, 0, 0)
-    if len(point) != 2:
-        raise ValueError(wrong)
-    face = _integers(point[0], f"the face of a {what}")
-    weights = numbers(point[1], f"the weights of a {what}")
-    if face.ndim or weights.shape != (3,):
-        raise ValueError(wrong)
-    if not 0 <= face < faces:
-        raise ValueError(f"{what} face {face} is not in the mesh of {faces} faces")
-    first, second, third = weights.tolist()
-    return int(OUT_OF_RANGE), int(face), (first, second, third)
 
 
 def numbers(values: ArrayLike, what: str) -> NDArray[np.float64]:

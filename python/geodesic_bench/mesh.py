@@ -6,7 +6,8 @@ import math
 import operator
 import os
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, overload
 
@@ -15,11 +16,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from geodesic_bench import _native
 from geodesic_bench.arrays import (
+    Points,
     face_array,
     numbers,
     surface_point,
+    surface_points,
     vertex_array,
-    vertex_indices,
 )
 
 if TYPE_CHECKING:
@@ -28,9 +30,12 @@ if TYPE_CHECKING:
 FASTEST = "edge-based"
 MOST_THREADS = 1024
 
-SurfacePoint = int | tuple[int, Sequence[float]]
+SurfacePoint = int | tuple[int, ArrayLike]
 """A vertex, or a point in a face: the face and a weight of each of its corners. The weights are
 divided by their sum; on an edge one of them is 0."""
+
+SurfacePoints = ArrayLike | SurfacePoint | Sequence[SurfacePoint]
+"""An array of vertices, one point, or a list of vertices and pairs."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,7 +101,7 @@ class Mesh:
     @overload
     def distances(
         self,
-        sources: ArrayLike,
+        sources: SurfacePoints,
         initial: ArrayLike | None = ...,
         limit: float = ...,
         solver: str = ...,
@@ -107,7 +112,7 @@ class Mesh:
     @overload
     def distances(
         self,
-        sources: ArrayLike,
+        sources: SurfacePoints,
         initial: ArrayLike | None = ...,
         limit: float = ...,
         solver: str = ...,
@@ -117,7 +122,7 @@ class Mesh:
     ) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...
     def distances(
         self,
-        sources: ArrayLike,
+        sources: SurfacePoints,
         initial: ArrayLike | None = None,
         limit: float = math.inf,
         solver: str = FASTEST,
@@ -129,8 +134,10 @@ class Mesh:
 
         Parameters
         ----------
-        sources : (k,) integers, or one integer
-            Vertices.
+        sources : (k,) integers, or k points, or one
+            Vertices, and points in faces: `(7, (1, 1, 1))` is the middle of face 7. Any solver
+            takes points in faces; for one that knows vertices only they become vertices of a finer
+            mesh at every call.
         initial : (k,) numbers or one number, >= 0, optional
             The distance that each source begins with, in the unit of the coordinates.
         limit : float
@@ -138,7 +145,8 @@ class Mesh:
         solver : str
             A name of `solvers()`; all exact ones give the same distances up to rounding.
         return_nearest : bool
-            Return the nearest source of every vertex, too: of the one where its path begins.
+            Return the nearest source of every vertex, too: the one where its path begins. For a
+            solver that remembers paths.
         parameters
             Those of the solver, where it has any: `geodesic-bench list` says which.
 
@@ -157,18 +165,21 @@ class Mesh:
         array([ 0.,  3., inf])
         >>> mesh.distances([1, 2], return_nearest=True)
         (array([3., 0., 0.]), array([0, 0, 1]))
+        >>> mesh.distances([2, (0, (1, 1, 0))])
+        array([1.5, 1.5, 0. ])
         """
-        vertices = vertex_indices(sources, "source", len(self.vertices))
+        points = surface_points(sources, "source", *self._size())
+        count = points.vertices.shape
         begin = numbers(0 if initial is None else initial, "initial distances")
-        if begin.ndim and begin.shape != vertices.shape:
+        if begin.ndim and begin.shape != count:
             raise ValueError(
-                f"initial distances must be one a source: {begin.size} for {vertices.size} sources"
+                f"initial distances must be one a source: {begin.size} for {count[0]} sources"
             )
-        begin = np.broadcast_to(begin, vertices.shape)
+        begin = np.broadcast_to(begin, count)
         name = _configured(solver, parameters)
         if return_nearest:
-            return _native.distances_and_nearest(self._shared, name, vertices, begin, limit)
-        return _native.distances(self._shared, name, vertices, begin, limit)
+            return _native.distances_and_nearest(self._shared, name, points, begin, limit)
+        return _native.distances(self._shared, name, points, begin, limit)
 
     def path(
         self,
@@ -182,8 +193,7 @@ class Mesh:
         Parameters
         ----------
         source, target : an integer, or a pair (integer, three numbers)
-            A vertex, or a point in a face with the weights of the face's corners: `(7, (1, 1, 1))` is
-            the middle of face 7.
+            A vertex, or a point in a face as for `distances`.
         solver : str
         parameters
             As for `distances`; a solver that remembers paths.
@@ -204,16 +214,15 @@ class Mesh:
         >>> round(mesh.path((0, (0, 1, 1)), 1).length, 6)
         0.5
         """
-        ends = (
-            surface_point(end, what, len(self.vertices), len(self.faces))
-            for end, what in ((source, "source"), (target, "target"))
-        )
-        return Path(*_native.path(self._shared, _configured(solver, parameters), *ends))
+        begin = surface_point(source, "source", *self._size())
+        end = surface_point(target, "target", *self._size())
+        ends = Points(*map(np.concatenate, zip(begin, end, strict=True)))
+        return Path(*_native.path(self._shared, _configured(solver, parameters), ends))
 
     def distance_matrix(
         self,
-        rows: ArrayLike,
-        columns: ArrayLike | None = None,
+        rows: SurfacePoints,
+        columns: SurfacePoints | None = None,
         threads: int = 0,
         dtype: Literal["float64", "float32"] = "float64",
         limit: float | None = None,
@@ -221,14 +230,14 @@ class Mesh:
         solver: str = FASTEST,
         **parameters: float | str,
     ) -> NDArray[Any] | csr_matrix:
-        """The distances from each of some vertices by itself.
+        """The distances from each of some points by itself.
 
         Parameters
         ----------
-        rows : (k,) integers
-            Vertices that are sources, one solve each.
-        columns : (l,) integers, optional
-            Vertices whose distances are kept; all of them if not given.
+        rows : (k,) integers, or k points, or one
+            Sources, one solve each: vertices, and points in faces as for `distances`.
+        columns : (l,) integers, or l points, or one, optional
+            Where distances are kept; all vertices if not given. A solve ends at the farthest.
         threads : int
             Rows that are solved at a time; 0: as many as there are processors. Each thread has a
             solver with its own memory. The matrix is the same for any number.
@@ -254,24 +263,39 @@ class Mesh:
                [5., 0.]])
         >>> mesh.distance_matrix([0, 1, 2], limit=4, dtype="float32").nnz
         7
+        >>> middle = (0, (0, 1, 1))
+        >>> mesh.distance_matrix([0, middle], columns=[1, middle])
+        array([[3. , 2.5],
+               [2.5, 0. ]])
         """
-        count = len(self.vertices)
-        sources = vertex_indices(rows, "row", count)
-        targets = vertex_indices(np.arange(count) if columns is None else columns, "column", count)
+        sources = surface_points(rows, "row", *self._size())
+        targets = None if columns is None else surface_points(columns, "column", *self._size())
         if not 0 <= operator.index(threads) <= MOST_THREADS:
             raise ValueError(f"threads must be between 0 and {MOST_THREADS}, not {threads}")
         if dtype not in ("float64", "float32"):
             raise ValueError(f"dtype must be float64 or float32, not {dtype}")
         what = (self._shared, _configured(solver, parameters), sources, targets)
-        how = threads or os.cpu_count() or 1, _bar(len(sources)) if progress else None
+        workers = threads or os.cpu_count() or 1
+        shape = len(sources.vertices), len((targets or self).vertices)
         if limit is None:
-            return (_native.dense_float64 if dtype == "float64" else _native.dense_float32)(
-                *what, *how
-            )
+            dense = _native.dense_float64 if dtype == "float64" else _native.dense_float32
+            try:
+                with _bar(shape[0], progress) as show:
+                    return dense(*what, workers, show)
+            except MemoryError:
+                raise MemoryError(
+                    f"no room for a matrix of {shape[0]} rows and {shape[1]} columns in {dtype}: ask"
+                    " for fewer at a time, or write it with geodesic-bench solve --matrix"
+                ) from None
         from scipy.sparse import csr_matrix
 
         sparse = _native.sparse_float64 if dtype == "float64" else _native.sparse_float32
-        return csr_matrix(sparse(*what, limit, *how), shape=(len(sources), len(targets)))
+        with _bar(shape[0], progress) as show:
+            return csr_matrix(sparse(*what, limit, workers, show), shape=shape)
+
+    def _size(self) -> tuple[int, int]:
+        """Of vertices and faces."""
+        return len(self.vertices), len(self.faces)
 
     def __repr__(self) -> str:
         return f"Mesh({len(self.vertices)} vertices, {len(self.faces)} faces)"
@@ -328,14 +352,13 @@ def _configured(solver: str, parameters: dict[str, float | str]) -> str:
     return f"{solver}?{values}" if values else solver
 
 
-def _bar(total: int) -> Callable[[int], None]:
+@contextmanager
+def _bar(total: int, shown: bool) -> Iterator[Callable[[int], None] | None]:
+    """What a bar is told of the rows that are done; None without a bar."""
+    if not shown:
+        yield None
+        return
     from tqdm.auto import tqdm
 
-    bar = tqdm(total=total, unit="row")
-
-    def show(done: int) -> None:
-        bar.update(done - bar.n)
-        if done == total:
-            bar.close()
-
-    return show
+    with tqdm(total=total, unit="row") as bar:
+        yield lambda done: bar.update(done - bar.n)

@@ -1,86 +1,64 @@
 #include "python/native/background.h"
 
-#include <algorithm>
+#include <atomic>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 
 namespace geodesic::python {
 
-struct Background::State {
-  State(std::size_t pieces, std::function<Worker()> maker)
-      : count(pieces), make_worker(std::move(maker)) {}
-
-  const std::size_t count;
-  const std::function<Worker()> make_worker;
-  std::mutex mutex;  // of all below
-  std::condition_variable changed;
-  std::size_t begun = 0;
-  std::size_t done = 0;
-  std::exception_ptr error;
-
-  bool take(std::size_t& piece) {
-    const std::lock_guard lock(mutex);
-    if (begun >= count) return false;
-    piece = begun++;
-    return true;
+class Background::State final : public Task {
+ public:
+  void count_piece() override { ++pieces_done_; }
+  void throw_if_abandoned() const override {
+    if (abandoned_) throw std::runtime_error("abandoned");
   }
 
-  void finish() {
-    const std::lock_guard lock(mutex);
-    if (++done == count) changed.notify_all();
+  std::size_t pieces_done() const { return pieces_done_; }
+  void abandon() { abandoned_ = true; }
+
+  void end(std::exception_ptr error) {
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+    error_ = std::move(error);
+    changed_.notify_all();
   }
 
-  void fail(std::exception_ptr why) {
-    const std::lock_guard lock(mutex);
-    begun = count;
-    if (!error) error = std::move(why);
-    changed.notify_all();
+  bool wait(std::chrono::milliseconds most) {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, most, [&] { return ended_; });
+    if (error_) std::rethrow_exception(error_);
+    return ended_;
   }
 
-  void begin_no_more() {
-    const std::lock_guard lock(mutex);
-    begun = count;
-  }
+ private:
+  std::atomic<std::size_t> pieces_done_ = 0;
+  std::atomic<bool> abandoned_ = false;
+  std::mutex mutex_;  // of all below
+  std::condition_variable changed_;
+  bool ended_ = false;
+  std::exception_ptr error_;
 };
 
-void Background::work(State& state) try {
-  const Worker worker = state.make_worker();
-  for (std::size_t piece = 0; state.take(piece);) {
-    worker(piece);
-    state.finish();
-  }
-} catch (...) {
-  state.fail(std::current_exception());
-}
-
-Background::Background(std::size_t count, unsigned threads, std::function<Worker()> make_worker)
-    : state_(std::make_shared<State>(count, std::move(make_worker))) {
-  try {
-    for (std::size_t i = 0; i < std::min<std::size_t>(threads, count); ++i) {
-      std::thread([state = state_] { work(*state); }).detach();
+Background::Background(std::function<void(Task&)> work) : state_(std::make_shared<State>()) {
+  std::thread([state = state_, work = std::move(work)]() mutable {
+    std::exception_ptr error;
+    try {
+      std::exchange(work, {})(*state);  // frees what it owns before anyone hears of its end
+    } catch (...) {
+      error = std::current_exception();
     }
-  } catch (...) {
-    state_->begin_no_more();
-    throw;
-  }
+    state->end(std::move(error));
+  }).detach();
 }
 
-Background::~Background() { state_->begin_no_more(); }
+Background::~Background() { state_->abandon(); }
 
-bool Background::wait(std::chrono::milliseconds most) {
-  std::unique_lock lock(state_->mutex);
-  state_->changed.wait_for(lock, most,
-                           [&] { return state_->error || state_->done == state_->count; });
-  if (state_->error) std::rethrow_exception(state_->error);
-  return state_->done == state_->count;
-}
+bool Background::wait(std::chrono::milliseconds most) { return state_->wait(most); }
 
-std::size_t Background::done() const {
-  const std::lock_guard lock(state_->mutex);
-  return state_->done;
-}
+std::size_t Background::pieces_done() const { return state_->pieces_done(); }
 
 }  // namespace geodesic::python

@@ -20,12 +20,15 @@
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "meshes/defects.h"
 #include "meshes/load.h"
 #include "meshes/messages.h"
+#include "meshes/row_solver.h"
+#include "meshes/threads.h"
 #include "python/native/background.h"
 #include "python/native/shared_mesh.h"
 #include "solvers/core/messages.h"
@@ -44,36 +47,37 @@ using Array = py::array_t<T, py::array::c_style | py::array::forcecast>;
 /// Ctrl-C ends a call within this time.
 constexpr std::chrono::milliseconds kSignalsAreSeenEvery(50);
 
-/// Waits for the work with the GIL released.
-/// @param progress called with the number of pieces done; may be empty
+using Progress = std::function<void(std::size_t done)>;  // may be empty
+
+/// What a function returns that takes long and uses no Python object; called with a Task. Waits for
+/// it with the GIL released.
+/// @param progress called with the number of pieces done
 /// @throws py::error_already_set as the handler of a signal does, KeyboardInterrupt for Ctrl-C
-void wait_for(Background& work, const std::function<void(std::size_t)>& progress = {}) {
-  const auto done = [&] {
+template <class Function>
+auto in_background(Function function, const Progress& progress = {}) {
+  using Result = std::invoke_result_t<Function&, Task&>;
+  const auto result = std::make_shared<std::optional<Result>>();
+  Background work(
+      [result, function = std::move(function)](Task& task) mutable { *result = function(task); });
+  const auto ended = [&] {
     const py::gil_scoped_release released;
     return work.wait(kSignalsAreSeenEvery);
   };
-  while (!done()) {
+  while (!ended()) {
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    if (progress) progress(work.done());
+    if (progress) progress(work.pieces_done());
   }
-  if (progress) progress(work.done());
-}
-
-/// What a function returns that takes long and uses no Python object.
-template <class Function>
-auto in_background(Function function) {
-  const auto result = std::make_shared<std::optional<decltype(function())>>();
-  Background work(1, 1, [=]() -> Worker { return [=](std::size_t) { *result = function(); }; });
-  wait_for(work);
+  if (progress) progress(work.pieces_done());
   return std::move(**result);
 }
 
-/// An array that takes over the memory of a vector.
-template <class T>
-py::array_t<T> array_of(std::vector<T> values, const std::vector<py::ssize_t>& shape) {
-  auto owned = std::make_unique<std::vector<T>>(std::move(values));
-  const py::capsule owner(owned.get(), [](void* p) { delete static_cast<std::vector<T>*>(p); });
-  return py::array_t<T>(shape, owned.release()->data(), owner);
+/// An array that takes over the memory of what has data().
+template <class Memory>
+auto array_of(Memory memory, const std::vector<py::ssize_t>& shape) {
+  auto owned = std::make_unique<Memory>(std::move(memory));
+  const py::capsule owner(owned.get(), [](void* p) { delete static_cast<Memory*>(p); });
+  const auto* const data = owned.release()->data();
+  return py::array_t<std::remove_cvref_t<decltype(*data)>>(shape, data, owner);
 }
 
 template <class T>
@@ -106,12 +110,13 @@ std::vector<Index> indices_of(const Array<Index>& array) {
 using SharedMeshPointer = std::shared_ptr<SharedMesh>;
 
 SharedMeshPointer mesh_from(const Array<double>& vertices, const Array<Index>& faces) {
-  return std::make_shared<SharedMesh>(TriangleSoup{rows_of(vertices), rows_of(faces)});
+  const auto soup = std::make_shared<TriangleSoup>(TriangleSoup{rows_of(vertices), rows_of(faces)});
+  return in_background([=](Task&) { return std::make_shared<SharedMesh>(std::move(*soup)); });
 }
 
 std::pair<SharedMeshPointer, std::vector<std::string>> read(const std::filesystem::path& file,
                                                             bool repair) {
-  return in_background([=] {
+  return in_background([=](Task&) {
     LoadedMesh loaded = load_mesh(file, {.repair = repair});
     return std::pair(std::make_shared<SharedMesh>(std::move(loaded.soup)),
                      std::move(loaded.warnings));
@@ -119,41 +124,81 @@ std::pair<SharedMeshPointer, std::vector<std::string>> read(const std::filesyste
 }
 
 std::vector<Defect> defects(const SharedMeshPointer& mesh) {
-  return in_background([=] { return find_defects(mesh->soup()).defects; });
+  return in_background([=](Task&) { return find_defects(mesh->soup()).defects; });
 }
 
-Query query_of(const Array<Index>& sources, const Array<double>& initial, double limit) {
-  Query query{.sources = {}, .limit = limit};
-  for (py::ssize_t i = 0; i < sources.size(); ++i) {
-    query.sources.push_back({.at = sources.data()[i], .distance = initial.data()[i]});
+/// Points as arrays.py has them: vertices, kNone for a point in a face; faces; and weights.
+class GivenPoints {
+ public:
+  using Arrays = std::tuple<Array<Index>, Array<Index>, Array<double>>;
+  explicit GivenPoints(const Arrays& arrays)
+      : vertices_(indices_of(std::get<0>(arrays))),
+        faces_(indices_of(std::get<1>(arrays))),
+        weights_(rows_of(std::get<2>(arrays))) {}
+
+  std::size_t size() const { return vertices_.size(); }
+
+  /// @throws std::invalid_argument as point_in_face does
+  std::vector<SurfacePoint> on(const Mesh& mesh) const {
+    std::vector<SurfacePoint> points(size());
+    for (std::size_t i = 0; i < size(); ++i) {
+      points[i] = vertices_[i] != kNone ? SurfacePoint(vertices_[i])
+                                        : point_in_face(mesh, faces_[i], weights_[i]);
+    }
+    return points;
   }
-  return query;
+
+ private:
+  std::vector<Index> vertices_, faces_;
+  std::vector<std::array<double, 3>> weights_;
+};
+
+/// A query from its nearest source, as it was given.
+struct GivenQuery {
+  GivenPoints sources;
+  std::vector<double> initial;
+  double limit;
+
+  Query on(const Mesh& mesh) const {
+    Query query{.sources = {}, .limit = limit};
+    const std::vector<SurfacePoint> points = sources.on(mesh);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      query.sources.push_back({.at = points[i], .distance = initial[i]});
+    }
+    return query;
+  }
+};
+
+GivenQuery query_of(const GivenPoints::Arrays& sources, const Array<double>& initial,
+                    double limit) {
+  return {GivenPoints(sources), {initial.data(), initial.data() + initial.size()}, limit};
 }
 
 py::array_t<double> distances(const SharedMeshPointer& mesh, const std::string& solver,
-                              const Array<Index>& sources, const Array<double>& initial,
+                              const GivenPoints::Arrays& sources, const Array<double>& initial,
                               double limit) {
-  return array_of(in_background([=, query = query_of(sources, initial, limit)] {
+  std::vector<double> all = in_background([=, given = query_of(sources, initial, limit)](Task&) {
+    const Query query = given.on(mesh->mesh());
+    std::vector<SurfacePoint> starts;
+    for (const Source& source : query.sources) starts.push_back(source.at);
+    const auto inserted = insert_for(solver_named(solver), mesh->mesh(), starts, {});
     std::vector<double> result(mesh->soup().positions.size());
-    BorrowedSolver(mesh, solver).solve(query, result);
+    BorrowedSolver(mesh, solver, inserted)->solve(query, result, {});
     return result;
-  }));
+  });
+  return array_of(std::move(all));
 }
 
-Paths solve_paths(const SharedMeshPointer& mesh, const std::string& solver, const Query& query) {
-  std::vector<double> distances(mesh->soup().positions.size());
-  Recording recording;
-  recording.what = Record::paths;
-  BorrowedSolver(mesh, solver).solve(query, distances, &recording);
-  return {mesh->mesh(), query, std::move(distances), std::move(recording)};
+Paths paths_of(const SharedMeshPointer& mesh, const std::string& solver, const Query& query) {
+  return solve_paths(BorrowedSolver(mesh, solver)->solver(), mesh->mesh(), query);
 }
 
 /// The distances, and by vertex the source that its path comes from, -1 where none does.
 py::tuple distances_and_nearest(const SharedMeshPointer& mesh, const std::string& solver,
-                                const Array<Index>& sources, const Array<double>& initial,
+                                const GivenPoints::Arrays& sources, const Array<double>& initial,
                                 double limit) {
-  auto [all, nearest] = in_background([=, query = query_of(sources, initial, limit)] {
-    const Paths paths = solve_paths(mesh, solver, query);
+  auto [all, nearest] = in_background([=, given = query_of(sources, initial, limit)](Task&) {
+    const Paths paths = paths_of(mesh, solver, given.on(mesh->mesh()));
     const std::vector<Index> indices = paths.nearest_sources();
     std::vector<std::int64_t> signed_indices(indices.size(), -1);
     for (std::size_t v = 0; v < indices.size(); ++v) {
@@ -164,21 +209,16 @@ py::tuple distances_and_nearest(const SharedMeshPointer& mesh, const std::string
   return py::make_tuple(array_of(std::move(all)), array_of(std::move(nearest)));
 }
 
-/// A vertex, or kNone and a point in a face: the face and its weights.
-using GivenPoint = std::tuple<Index, Index, std::array<double, 3>>;
-
-/// @return of the path from one point to another: positions of shape (k, 3), the k - 1 faces
-///         between them, and the length up to each
-py::tuple path(const SharedMeshPointer& mesh, const std::string& solver, const GivenPoint& source,
-               const GivenPoint& target) {
-  const Path found = in_background([=] {
-    const auto point = [&](const GivenPoint& given) {
-      const auto& [vertex, face, weights] = given;
-      return vertex != kNone ? SurfacePoint(vertex) : point_in_face(mesh->mesh(), face, weights);
-    };
+/// @param ends the source and the target
+/// @return of the path between them: positions of shape (k, 3), the k - 1 faces between them, and
+///         the length up to each
+py::tuple path(const SharedMeshPointer& mesh, const std::string& solver,
+               const GivenPoints::Arrays& ends) {
+  const Path found = in_background([=, given = GivenPoints(ends)](Task&) {
+    const std::vector<SurfacePoint> points = given.on(mesh->mesh());
     const Query query{
-        .sources = {{point(source), 0}}, .targets = {point(target)}, .stop_at_targets = true};
-    return solve_paths(mesh, solver, query).to_target(0);
+        .sources = {{points.at(0), 0}}, .targets = {points.at(1)}, .stop_at_targets = true};
+    return paths_of(mesh, solver, query).to_target(0);
   });
   std::vector<double> positions, travelled;
   std::vector<Index> faces;
@@ -192,74 +232,115 @@ py::tuple path(const SharedMeshPointer& mesh, const std::string& solver, const G
                         array_of(std::move(travelled)));
 }
 
-/// Distances from each of some sources by itself, at some vertices, in the order of both.
+/// Distances from each of some sources by itself, in the order of both; all vertices are columns
+/// when none are given.
 struct Matrix {
-  std::vector<Index> rows, columns;
+  SharedMeshPointer mesh;
+  std::string solver;
+  GivenPoints rows;
+  std::optional<GivenPoints> columns;
+  unsigned threads;
   double limit = kInfinity;
+
+  std::size_t width() const { return columns ? columns->size() : mesh->soup().positions.size(); }
 };
 
-/// @param put called once a row, by several threads at a time, with the distances of all vertices;
-///        it owns what it writes to
+Matrix matrix_of(const SharedMeshPointer& mesh, const std::string& solver,
+                 const GivenPoints::Arrays& rows, const std::optional<GivenPoints::Arrays>& columns,
+                 unsigned threads) {
+  Matrix matrix{mesh, solver, GivenPoints(rows), std::nullopt, threads};
+  if (columns) matrix.columns.emplace(*columns);
+  return matrix;
+}
+
+/// @param put called once a row, by several threads at a time
 /// @return after the last row
-void solve_rows(const SharedMeshPointer& mesh, const std::string& solver,
-                const std::shared_ptr<const Matrix>& matrix, unsigned threads,
-                const std::function<void(std::size_t)>& progress,
+void solve_rows(const Matrix& matrix, Task& task,
                 const std::function<void(std::size_t row, std::span<const double>)>& put) {
-  Background work(matrix->rows.size(), threads, [=]() -> Worker {
-    const auto own = std::make_shared<BorrowedSolver>(mesh, solver);
-    return [=, all = std::vector<double>(mesh->soup().positions.size())](std::size_t i) mutable {
-      own->solve({.sources = {{.at = matrix->rows[i]}}, .limit = matrix->limit}, all);
-      put(i, all);
+  const Mesh& mesh = matrix.mesh->mesh();
+  const std::vector<SurfacePoint> sources = matrix.rows.on(mesh);
+  Query asked{.sources = {}, .limit = matrix.limit};
+  if (matrix.columns) asked.targets = matrix.columns->on(mesh);
+  asked.stop_at_targets = !asked.targets.empty();
+  const auto inserted = insert_for(solver_named(matrix.solver), mesh, sources, asked.targets);
+  const std::size_t count = matrix.width() > 0 ? sources.size() : 0;
+  do_in_threads(count, matrix.threads, [&]() -> Worker {
+    const auto own = std::make_shared<BorrowedSolver>(matrix.mesh, matrix.solver, inserted);
+    RowSolver solver(std::shared_ptr<PointSolver>(own, &**own), mesh, asked);
+    return [&, solver = std::move(solver)](std::size_t i) mutable {
+      task.throw_if_abandoned();
+      solver.solve({.at = sources[i]});
+      put(i, solver.row());
+      task.count_piece();
     };
   });
-  wait_for(work, progress);
 }
+
+/// Memory that nothing was written to: who allocates a large matrix does not wait for it.
+template <class T>
+class Unwritten {
+ public:
+  explicit Unwritten(std::size_t size) : values_(std::make_unique_for_overwrite<T[]>(size)) {}
+  T* data() const { return values_.get(); }
+
+ private:
+  std::unique_ptr<T[]> values_;
+};
 
 /// @return of shape (rows, columns), infinite where no path leads
 template <class T>
 py::array_t<T> dense(const SharedMeshPointer& mesh, const std::string& solver,
-                     const Array<Index>& rows, const Array<Index>& columns, unsigned threads,
-                     const std::function<void(std::size_t)>& progress) {
-  const auto matrix = std::make_shared<const Matrix>(Matrix{indices_of(rows), indices_of(columns)});
-  const std::size_t width = matrix->columns.size();
-  const auto values = std::make_shared<std::vector<T>>(matrix->rows.size() * width);
-  solve_rows(mesh, solver, matrix, threads, progress, [=](std::size_t row, auto all) {
-    T* value = values->data() + row * width;
-    for (const Index v : matrix->columns) *value++ = static_cast<T>(all[v]);
-  });
-  return array_of(std::move(*values), {rows.size(), columns.size()});
+                     const GivenPoints::Arrays& rows,
+                     const std::optional<GivenPoints::Arrays>& columns, unsigned threads,
+                     const Progress& progress) {
+  Matrix matrix = matrix_of(mesh, solver, rows, columns, threads);
+  const std::size_t height = matrix.rows.size(), width = matrix.width();
+  const auto values = std::make_shared<Unwritten<T>>(height * width);
+  in_background(
+      [=, matrix = std::move(matrix)](Task& task) {
+        solve_rows(matrix, task, [&](std::size_t row, auto distances) {
+          T* value = values->data() + row * width;
+          for (const double d : distances) *value++ = static_cast<T>(d);
+        });
+        return true;
+      },
+      progress);
+  return array_of(std::move(*values),
+                  {static_cast<py::ssize_t>(height), static_cast<py::ssize_t>(width)});
 }
 
 /// @return of the finite distances: values, their columns by position, and where each row begins
 template <class T>
-py::tuple sparse(const SharedMeshPointer& mesh, const std::string& solver, const Array<Index>& rows,
-                 const Array<Index>& columns, double limit, unsigned threads,
-                 const std::function<void(std::size_t)>& progress) {
-  struct Row {
+py::tuple sparse(const SharedMeshPointer& mesh, const std::string& solver,
+                 const GivenPoints::Arrays& rows, const std::optional<GivenPoints::Arrays>& columns,
+                 double limit, unsigned threads, const Progress& progress) {
+  struct Compressed {
     std::vector<T> values;
-    std::vector<std::int64_t> columns;
+    std::vector<std::int64_t> columns, begins{0};
   };
-  const auto matrix =
-      std::make_shared<const Matrix>(Matrix{indices_of(rows), indices_of(columns), limit});
-  const auto found = std::make_shared<std::vector<Row>>(matrix->rows.size());
-  solve_rows(mesh, solver, matrix, threads, progress, [=](std::size_t row, auto all) {
-    Row& reached = (*found)[row];
-    for (std::size_t column = 0; column < matrix->columns.size(); ++column) {
-      const double distance = all[matrix->columns[column]];
-      if (std::isinf(distance)) continue;
-      reached.values.push_back(static_cast<T>(distance));
-      reached.columns.push_back(static_cast<std::int64_t>(column));
-    }
-  });
-  std::vector<T> values;
-  std::vector<std::int64_t> value_columns, begins{0};
-  for (const Row& row : *found) {
-    values.insert(values.end(), row.values.begin(), row.values.end());
-    value_columns.insert(value_columns.end(), row.columns.begin(), row.columns.end());
-    begins.push_back(static_cast<std::int64_t>(values.size()));
-  }
-  return py::make_tuple(array_of(std::move(values)), array_of(std::move(value_columns)),
-                        array_of(std::move(begins)));
+  Matrix matrix = matrix_of(mesh, solver, rows, columns, threads);
+  matrix.limit = limit;
+  Compressed all = in_background(
+      [matrix = std::move(matrix)](Task& task) {
+        std::vector<Compressed> found(matrix.rows.size());
+        solve_rows(matrix, task, [&](std::size_t row, auto distances) {
+          for (std::size_t column = 0; column < distances.size(); ++column) {
+            if (std::isinf(distances[column])) continue;
+            found[row].values.push_back(static_cast<T>(distances[column]));
+            found[row].columns.push_back(static_cast<std::int64_t>(column));
+          }
+        });
+        Compressed joined;
+        for (const Compressed& row : found) {
+          joined.values.insert(joined.values.end(), row.values.begin(), row.values.end());
+          joined.columns.insert(joined.columns.end(), row.columns.begin(), row.columns.end());
+          joined.begins.push_back(static_cast<std::int64_t>(joined.values.size()));
+        }
+        return joined;
+      },
+      progress);
+  return py::make_tuple(array_of(std::move(all.values)), array_of(std::move(all.columns)),
+                        array_of(std::move(all.begins)));
 }
 
 std::string_view severity_of(const Defect& defect) {

@@ -1,5 +1,6 @@
 #include "python/native/shared_mesh.h"
 
+#include <exception>
 #include <utility>
 
 #include "solvers/core/mesh_input.h"
@@ -17,9 +18,10 @@ const Mesh& SharedMesh::mesh() {
   return *mesh_;
 }
 
-BorrowedSolver::BorrowedSolver(std::shared_ptr<SharedMesh> from, const std::string& name)
-    : from_(std::move(from)), name_(solver_named(name).name) {
-  {
+BorrowedSolver::BorrowedSolver(std::shared_ptr<SharedMesh> from, const std::string& name,
+                               std::shared_ptr<const InsertedPoints> inserted)
+    : from_(std::move(from)), name_(solver_named(name).name), goes_back_(inserted == nullptr) {
+  if (goes_back_) {
     const std::lock_guard lock(from_->mutex_);
     if (from_->idle_name_ == name_ && !from_->idle_.empty()) {
       solver_ = std::move(from_->idle_.back());
@@ -27,21 +29,15 @@ BorrowedSolver::BorrowedSolver(std::shared_ptr<SharedMesh> from, const std::stri
       return;
     }
   }
-  solver_ = make_solver(name_, from_->mesh());
+  solver_ = std::make_unique<PointSolver>(name_, from_->mesh(), std::move(inserted));
 }
 
 BorrowedSolver::~BorrowedSolver() {
-  if (!sound_) return;
+  if (!goes_back_ || std::uncaught_exceptions() > 0) return;
   const std::lock_guard lock(from_->mutex_);
   if (from_->idle_name_ != name_) from_->idle_.clear();
   from_->idle_name_ = name_;
   from_->idle_.push_back(std::move(solver_));
-}
-
-void BorrowedSolver::solve(const Query& query, std::span<double> distances, Recording* recording) {
-  sound_ = false;
-  solver_->solve(query, distances, recording);
-  sound_ = true;
 }
 
 }  // namespace geodesic::python

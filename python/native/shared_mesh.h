@@ -4,12 +4,11 @@
 
 #include <memory>
 #include <mutex>
-#include <span>
 #include <string>
 #include <vector>
 
+#include "meshes/inserted_points.h"
 #include "solvers/core/mesh.h"
-#include "solvers/core/solver.h"
 
 namespace geodesic::python {
 
@@ -33,29 +32,32 @@ class SharedMesh {
   std::unique_ptr<const Mesh> mesh_;
   std::mutex mutex_;  // of all below
   std::string idle_name_;
-  std::vector<std::unique_ptr<Solver>> idle_;  // of that name
+  std::vector<std::unique_ptr<PointSolver>> idle_;  // of that name, on the mesh itself
 };
 
 /// A solver for one thread, from those that wait or prepared anew. It goes back to them at the end,
-/// with the memory that it has, and replaces those of other names; one whose solve failed does not.
+/// with the memory that it has, and replaces those of other names. One that an exception ends does
+/// not, nor does one on a finer mesh.
 class BorrowedSolver {
  public:
   /// @param name as of solver_named
+  /// @param inserted as of PointSolver
   /// @throws std::invalid_argument as solver_named does, and when the mesh needs an ability that
   ///         the solver lacks
-  BorrowedSolver(std::shared_ptr<SharedMesh> from, const std::string& name);
+  BorrowedSolver(std::shared_ptr<SharedMesh> from, const std::string& name,
+                 std::shared_ptr<const InsertedPoints> inserted = nullptr);
   ~BorrowedSolver();
   BorrowedSolver(const BorrowedSolver&) = delete;
   BorrowedSolver& operator=(const BorrowedSolver&) = delete;
 
-  /// As Solver::solve.
-  void solve(const Query& query, std::span<double> distances, Recording* recording = nullptr);
+  PointSolver& operator*() const { return *solver_; }
+  PointSolver* operator->() const { return solver_.get(); }
 
  private:
   std::shared_ptr<SharedMesh> from_;
   std::string name_;  // canonical
-  std::unique_ptr<Solver> solver_;
-  bool sound_ = true;
+  std::unique_ptr<PointSolver> solver_;
+  bool goes_back_;
 };
 
 }  // namespace geodesic::python

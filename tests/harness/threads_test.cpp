@@ -1,4 +1,4 @@
-#include "harness/base/threads.h"
+#include "meshes/threads.h"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +24,13 @@ def find_package() -> None:
     cache = BUILD / "CMakeCache.txt"
     if cache.exists() and "CMAKE_BUILD_TYPE:STRING=Release" in cache.read_text():
         sys.path.insert(0, str(BUILD / "python"))
+
+
+def write_obj(file: Path, mesh: Any) -> None:
+    """So that coordinates come back as the same bits."""
+    lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in mesh.vertices.tolist()]
+    lines += [f"f {a} {b} {c}" for a, b, c in (mesh.faces.astype(int) + 1).tolist()]
+    file.write_text("\n".join(lines) + "\n")
 
 
 def rough_ground(side: int) -> Arrays:

@@ -10,15 +10,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from python_package import BENCH, Arrays, rough_ground
+from python_package import BENCH, Arrays, rough_ground, write_obj
 
 gb = pytest.importorskip("geodesic_bench")
-
-
-def write_obj(file: Path, mesh: gb.Mesh) -> None:
-    lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in mesh.vertices.tolist()]
-    lines += [f"f {a} {b} {c}" for a, b, c in (mesh.faces.astype(int) + 1).tolist()]
-    file.write_text("\n".join(lines) + "\n")
 
 
 @pytest.mark.parametrize("solver", gb.solvers())
@@ -63,6 +57,25 @@ def test_a_matrix_with_a_limit_stores_what_it_reaches(ground: Arrays, dtype: str
     np.testing.assert_array_equal(sparse.toarray()[reached], dense[reached].astype(dtype))
     assert sparse.has_canonical_format
     assert mesh.distance_matrix([3], columns=[], limit=4.0).shape == (1, 0)
+    assert mesh.distance_matrix([3], columns=[]).shape == (1, 0)
+    assert mesh.distance_matrix([], limit=4.0).shape == (0, dense.shape[1])
+
+
+def test_a_bar_counts_the_rows(ground: Arrays, capsys: pytest.CaptureFixture[str]) -> None:
+    mesh = gb.Mesh(*ground)
+    expected = mesh.distance_matrix(range(30))
+    assert capsys.readouterr().err == ""
+    np.testing.assert_array_equal(mesh.distance_matrix(range(30), progress=True), expected)
+    mesh.distance_matrix(range(20), limit=1, progress=True)
+    said = capsys.readouterr().err
+    assert "30/30" in said and "20/20" in said
+
+
+def test_a_matrix_without_room_is_refused_with_its_size() -> None:
+    """Of more bytes than a process has addresses."""
+    many = np.zeros(4_500_000, np.uint8)
+    with pytest.raises(MemoryError, match=r"^no room for a matrix of 4500000 rows and 4500000 col"):
+        gb.Mesh(np.eye(3), [[0, 1, 2]]).distance_matrix(many, many)
 
 
 def test_initial_distances_are_added_and_the_least_sum_counts(ground: Arrays) -> None:

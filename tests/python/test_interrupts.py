@@ -22,6 +22,7 @@ def threads():
 
 alone = threads()
 mesh = gb.Mesh(*rough_ground(400))
+large = rough_ground(600)
 mesh.distances(0, limit=0)
 interrupt = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
 interrupt.start()
@@ -37,6 +38,7 @@ gc.collect()
 """
 LONG_SOLVE = 'mesh.distances(0, solver="mmp")'
 MANY_SOLVES = 'mesh.distance_matrix(range(160000), columns=[0], solver="mmp", threads=2)'
+BUILD_OF_A_MESH = "gb.Mesh(*large).distances(0)"
 WAIT = "while threads() > alone: time.sleep(0.05)"
 
 
@@ -54,8 +56,18 @@ def test_an_interrupted_solve_ends_after_its_mesh_is_gone(call: str) -> None:
     assert interrupted(call, WAIT) == "interrupted, still solving\n"
 
 
-def test_a_process_ends_while_a_solve_that_was_interrupted_goes_on() -> None:
-    assert interrupted(LONG_SOLVE, "") == "interrupted, still solving\n"
+@pytest.mark.parametrize(
+    "call",
+    [
+        LONG_SOLVE,
+        'mesh.distances(0, solver="mmp", return_nearest=True)',
+        'mesh.path(0, 159999, solver="mmp")',
+        'mesh.distance_matrix([0, (1, (1, 1, 1))], limit=1e9, solver="mmp")',
+        BUILD_OF_A_MESH,
+    ],
+)
+def test_a_process_ends_while_a_solve_that_was_interrupted_goes_on(call: str) -> None:
+    assert interrupted(call, "") == "interrupted, still solving\n"
 
 
 def test_an_exception_of_a_signal_handler_ends_a_call() -> None:

@@ -53,26 +53,6 @@ def test_the_nearest_source_is_that_of_the_least_row(ground: Arrays) -> None:
     np.testing.assert_array_equal(of_near == -1, np.isinf(near))
 
 
-@pytest.mark.parametrize(
-    ("source", "message"),
-    [
-        (144, "source vertex 144 is not in the mesh of 144 vertices"),
-        ([1, 2, 3], "a source must be a vertex, or a face and three weights"),
-        (np.array([1, 2]), "a source must be a vertex, or a face and three weights"),
-        ((1, (0.5, 0.5)), "a source must be a vertex, or a face and three weights"),
-        ((-1, (1, 1, 1)), "source face -1 is not in the mesh of 242 faces"),
-        ((242, (1, 1, 1)), "source face 242 is not in the mesh of 242 faces"),
-        ((1, (0, 0, 0)), "the weights of a point in a face must be finite, none negative, and not all 0"),
-        ((1, (1, -1, 1)), "the weights of a point in a face must be finite, none negative, and not all 0"),
-        ("a", "source vertices must be integers, not <U1"),
-    ],
-)  # fmt: skip
-def test_a_point_that_is_none_is_refused(ground: Arrays, source: object, message: str) -> None:
-    with pytest.raises(ValueError) as refusal:
-        gb.Mesh(*ground).path(source, 0)
-    assert str(refusal.value) == message
-
-
 def test_no_path_is_an_error() -> None:
     mesh = gb.Mesh(np.vstack([np.eye(3), np.eye(3) + 5]), [[0, 1, 2], [3, 4, 5]])
     with pytest.raises(ValueError, match="no path leads to target 0"):

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace geodesic::harness {
+namespace geodesic {
 
 /// Does one piece of work after the other, in one thread.
 using Worker = std::function<void(std::size_t piece)>;
@@ -16,4 +16,4 @@ using Worker = std::function<void(std::size_t piece)>;
 ///         had not been started by then are not done
 void do_in_threads(std::size_t count, unsigned threads, const std::function<Worker()>& make_worker);
 
-}  // namespace geodesic::harness
+}  // namespace geodesic

@@ -1,4 +1,4 @@
-#include "harness/base/threads.h"
+#include "meshes/threads.h"
 
 #include <algorithm>
 #include <atomic>
@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-namespace geodesic::harness {
+namespace geodesic {
 namespace {
 
 class Pieces {
@@ -55,4 +55,4 @@ void do_in_threads(std::size_t count, unsigned threads,
   pieces.rethrow();
 }
 
-}  // namespace geodesic::harness
+}  // namespace geodesic
