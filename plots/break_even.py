@@ -159,9 +159,9 @@ def figure(run: Run) -> Drawing:
             if known:
                 right.plot(*zip(*known, strict=True), linestyle=dashes, markerfacecolor=fill, **line)
     shown = [p.sources.value for points in found.values() for p in points]
-    known = [value for value in shown if 0 < value < math.inf]
-    if known:
-        left.set_ylim(min([0.9, *known]) / 1.1, 2 * max(known))  # one source is always in sight
+    finite = [value for value in shown if 0 < value < math.inf]
+    if finite:
+        left.set_ylim(min([0.9, *finite]) / 1.1, 2 * max(finite))  # one source is always in sight
     for axes, label in [(left, f"break-even with {style.plain(exact)} (sources)"),
                         (right, "relative error")]:  # fmt: skip
         axes.set_xlabel("vertices $n$")

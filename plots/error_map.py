@@ -49,7 +49,8 @@ class Map:
 
     @property
     def sizes(self) -> Floats:
-        return np.abs(self.errors[np.isfinite(self.errors)])
+        known: Floats = self.errors[np.isfinite(self.errors)]
+        return np.abs(known)
 
 
 def figure(run: Run) -> Drawing:

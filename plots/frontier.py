@@ -363,7 +363,7 @@ def _choices(run: Run, name: str, which: str) -> Table:
 
 def _block(run: Run, mesh: Mesh, which: str) -> list[list[Cell]]:
     points = measured(run, mesh.name)
-    rows = []
+    rows: list[list[Cell]] = []
     for level in LEVELS:
         keep = [p for p in points if p.solver.exact or (level and getattr(p, which) <= level)]
         cells = [cell for n in SOURCES for cell in _choice(run, mesh.name, keep, n, level)]

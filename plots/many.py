@@ -175,13 +175,17 @@ def over_vertices(run: Run) -> Drawing:
     handles = []
     for solver in measured_solvers(run):
         seconds = found.by_mesh(found.seconds[:, found.solvers.index(solver)])
-        middle, low, high, at = [], [], [], []
+        at: list[float] = []
+        low: list[float] = []
+        middle: list[float] = []
+        high: list[float] = []
         for one in range(BINS):
             own = (place == one) & ~np.isnan(seconds)
             if own.sum() >= LEAST:
                 at.append(float(np.exp(np.log(vertices[own]).mean())))
                 quantiles = np.quantile(seconds[own], (0.1, 0.5, 0.9))
-                low.append(quantiles[0]), middle.append(quantiles[1]), high.append(quantiles[2])
+                for values, quantile in zip((low, middle, high), quantiles, strict=True):
+                    values.append(quantile)
         if not at:
             continue
         look = styles[solver]

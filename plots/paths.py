@@ -76,7 +76,8 @@ def _borders(recording: Recording) -> Floats:
     faces = recording.surface.faces
     edges = faces[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
     owners = recording.cells.nearest[edges]
-    return recording.surface.vertices[edges[owners[:, 0] != owners[:, 1]]]
+    borders: Floats = recording.surface.vertices[edges[owners[:, 0] != owners[:, 1]]]
+    return borders
 
 
 def _draw_cells(axes: Axes, recording: Recording, camera: Camera, inches: float) -> bool:

@@ -88,7 +88,8 @@ class Columns:
         array = self.arrays.get(key)
         if array is None:
             return np.zeros(self.length, bool)
-        return ~np.isnan(array) if array.dtype == np.float64 else array != NONE
+        there: Array = ~np.isnan(array) if array.dtype == np.float64 else array != NONE
+        return there
 
     def number(self, key: str) -> NDArray[np.float64]:
         """NaN where a row has none."""
@@ -254,8 +255,8 @@ class Columns:
         order = np.argsort(group, kind="stable")
         starts = np.searchsorted(group[order], np.arange(group.max() + 1))
         found = []
-        for reduce in (np.minimum, np.maximum):
-            of = {key: reduce.reduceat(array[order], starts) for key, array in arrays.items()}
+        for reduceat in (np.minimum.reduceat, np.maximum.reduceat):
+            of = {key: reduceat(array[order], starts) for key, array in arrays.items()}
             for key in self.texts:
                 of[key] = ((of[key] & 0xFFFFFFFF) + NONE).astype(np.int32)
             bounds = Columns(len(starts), of, self.texts)

@@ -274,7 +274,7 @@ def context_of(parts: Sequence[Part], groups: Sequence[Group], out: Path) -> dic
     skips = {
         (skip["mesh"], skip["solver"]): skip for part in parts for skip in part.run.ours["skipped"]
     }
-    order = sorted(meshes, key=lambda mesh: places[mesh])
+    order = sorted(meshes, key=places.__getitem__)
     ours = {key: value for key, value in parts[0].run.ours.items() if key not in ("shard", "checksum")}
     ours |= {
         "started": min(part.run.ours["started"] for part in parts),

@@ -10,7 +10,7 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from pathlib import Path
@@ -284,14 +284,15 @@ class Run:
         return [self.rows[int(row)] for row in np.flatnonzero(~self.columns.where("outcome", OK))]
 
     @cached_property
-    def _places(self) -> dict[tuple[str, str], Sequence[int]]:
+    def _places(self) -> Mapping[tuple[str, str], Iterable[int]]:
         """Of rows, by mesh and solver."""
         if isinstance(self.rows, ColumnRows):
-            return self.rows.columns.by_texts("mesh", "solver")
+            places = self.rows.columns.by_texts("mesh", "solver")
+            return {(mesh, solver): rows for (mesh, solver), rows in places.items()}
         found: dict[tuple[str, str], list[int]] = {}
         for place, row in enumerate(self.rows):
             found.setdefault((row.mesh, row.solver), []).append(place)
-        return dict(found)
+        return found
 
     def cells(self, program: str | None = None) -> dict[Cell, list[Row]]:
         """The rows by cell, in the file's order.
@@ -516,7 +517,7 @@ def _numbers(row: dict[str, Any]) -> dict[str, float]:
 
 def _check_columns(run: Run, columns: Columns) -> None:
     """As `_check_names`."""
-    for key, known in (("mesh", run.meshes), ("solver", run.solvers)):
+    for key, known in (("mesh", list(run.meshes)), ("solver", list(run.solvers))):
         present = columns.by_texts(key)
         for (name,) in present.keys() - {(name,) for name in known}:
             raise ResultError(f"{run.file}: {key}: {name!r} is not among the context's")

@@ -1,6 +1,7 @@
 """The compiled part (python/native/module.cpp). It takes what arrays.py has checked."""
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,7 +10,7 @@ _Indices = NDArray[np.uint32]
 _Progress = Callable[[int], None] | None
 _Points = tuple[_Indices, _Indices, NDArray[np.float64]]
 """Of vertices, faces and weights: arrays.Points."""
-_Compressed = tuple[NDArray[np.floating], NDArray[np.int64], NDArray[np.int64]]
+_Compressed = tuple[NDArray[np.floating[Any]], NDArray[np.int64], NDArray[np.int64]]
 
 class SharedMesh:
     def __init__(self, vertices: NDArray[np.float64], faces: _Indices) -> None: ...

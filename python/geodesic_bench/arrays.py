@@ -38,6 +38,13 @@ class Points(NamedTuple):
     weights: NDArray[np.float64]
     """(k, 3): of the corners of the face."""
 
+    def followed_by(self, more: Points) -> Points:
+        return Points(
+            np.concatenate([self.vertices, more.vertices]),
+            np.concatenate([self.faces, more.faces]),
+            np.concatenate([self.weights, more.weights]),
+        )
+
 
 def surface_points(values: object, what: str, vertices: int, faces: int) -> Points:
     """One point, or a list of them.
@@ -78,7 +85,7 @@ _NO_POINT = "a {} must be a vertex, or a face and three weights"
 
 def _names_a_face(point: object) -> bool:
     """Whether it is a pair of a face and weights, right or wrong."""
-    listed = tuple | list | np.ndarray
+    listed = (tuple, list, np.ndarray)
     return (
         isinstance(point, tuple | list)
         and len(point) == 2

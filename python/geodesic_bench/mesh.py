@@ -16,7 +16,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from geodesic_bench import _native
 from geodesic_bench.arrays import (
-    Points,
     face_array,
     numbers,
     surface_point,
@@ -215,8 +214,7 @@ class Mesh:
         0.5
         """
         begin = surface_point(source, "source", *self._size())
-        end = surface_point(target, "target", *self._size())
-        ends = Points(*map(np.concatenate, zip(begin, end, strict=True)))
+        ends = begin.followed_by(surface_point(target, "target", *self._size()))
         return Path(*_native.path(self._shared, _configured(solver, parameters), ends))
 
     def distance_matrix(
@@ -361,4 +359,8 @@ def _bar(total: int, shown: bool) -> Iterator[Callable[[int], None] | None]:
     from tqdm.auto import tqdm
 
     with tqdm(total=total, unit="row") as bar:
-        yield lambda done: bar.update(done - bar.n)
+
+        def show(done: int) -> None:
+            bar.update(done - bar.n)
+
+        yield show
