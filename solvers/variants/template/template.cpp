@@ -55,7 +55,7 @@ class Unfolding final : public Solver {
   }
 
   /// There is a path of this length to v.
-  /// @param sends_out wherever v lies
+  /// `sends_out`: wherever v lies.
   void reach(Index v, double distance, bool sends_out = false) {
     if (!(distance < distances_[v])) return;
     distances_[v] = distance;
