@@ -4,10 +4,10 @@
 #include <memory>
 
 #include "harness/base/error.h"
+#include "harness/base/large_pages.h"
 #include "harness/commands/commands.h"
 #include "harness/commands/solving/answers.h"
 #include "harness/commands/values.h"
-#include "harness/measure/large_pages.h"
 #include "meshes/path_file.h"
 
 namespace geodesic::harness {

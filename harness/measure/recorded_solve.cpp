@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "harness/base/allocation_meter.h"
 #include "harness/base/clock.h"
-#include "harness/measure/allocation_meter.h"
 #include "solvers/core/registry.h"
 
 namespace geodesic::harness {

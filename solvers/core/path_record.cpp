@@ -25,25 +25,9 @@ PathRecord::PathRecord(const Mesh& mesh, const Query& query)
   for (Index f = 0; f < mesh.face_count(); ++f) first_target_[f + 1] += first_target_[f];
 }
 
-namespace {
-
-// True when a line through the window passes the point. Other paths through it bend at a vertex:
-// that is where they begin to lead straight to the point.
-bool is_seen(const Window& w, const Point2& p) {
-  const double dx = p.x - w.x, dy = p.y - w.y, square = dx * dx + dy * dy;
-  // Right of the line to position t, or within the tolerance that vertices are reached by.
-  const auto is_right = [&](double t, int direction) {
-    const double to = t - w.x, side = direction * (dx * -w.y - to * dy);
-    return side >= 0 || side * side <= kApexReach * kApexReach * square * (to * to + w.y * w.y);
-  };
-  return is_right(w.begin, 1) && is_right(w.end, -1);
-}
-
-}  // namespace
-
 void PathRecord::cross(Index h, const Window& w, Index root, Index place) {
   const Point2 at = in_frame(mesh_, places_[place].point, h);
-  if (!is_seen(w, at)) return;
+  if (!sees(w, at)) return;
   offer(places_[place].target, least_distance_to(w, at.x, at.y), {h, root, {w.x, w.y}});
 }
 

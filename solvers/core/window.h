@@ -61,6 +61,18 @@ inline double least_distance_to(const Window& w, double px, double py) {
   return distance_at(w, bend) + std::abs(px - bend);
 }
 
+/// True when a line through the window passes the point p, p.y >= 0, within the tolerance that
+/// vertices are reached by. Other paths through the window to p bend at one of its ends.
+inline bool sees(const Window& w, const Point2& p) {
+  const double dx = p.x - w.x, dy = p.y - w.y, square = dx * dx + dy * dy;
+  // Right (direction 1) or left (-1) of the line to position t.
+  const auto is_beside = [&](double t, int direction) {
+    const double to = t - w.x, side = direction * (dx * -w.y - to * dy);
+    return side >= 0 || side * side <= kApexReach * kApexReach * square * (to * to + w.y * w.y);
+  };
+  return is_beside(w.begin, 1) && is_beside(w.end, -1);
+}
+
 /// The face beyond a half-edge, ready for unfolding windows onto its other two edges.
 ///
 /// Children are expressed in the frames of the twins of `previous(h)` (left: from the origin of h

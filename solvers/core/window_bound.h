@@ -2,10 +2,10 @@
 //
 // Around the tip of needles, and around a tube of them, windows wind as often as the needles are
 // longer than wide: where a solver keeps nothing of a window that has passed, only paths over
-// vertices beat what comes round, and these are far away. No shortest path enters a face twice, so
-// that its strip has at most as many faces as the mesh (Mitchell, Mount, Papadimitriou 1987, lemma
-// 3.2). Solves that are recorded know the length of strips and drop what is longer; a timed solve
-// that exceeds the bound is repeated as a recorded one (solver.cpp).
+// vertices beat what comes round, and these are far away. No shortest path enters a face twice:
+// between the two points of a face the straight line in it is shorter. A strip of faces therefore
+// has at most as many as the mesh. Solves that are recorded know the length of strips and drop what
+// is longer; a timed solve that exceeds the bound is repeated as a recorded one (solver.cpp).
 #pragma once
 
 #include <cstdint>

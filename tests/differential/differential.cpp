@@ -194,12 +194,19 @@ class Differential {
       return !solver->abilities.paths || !solver->abilities.surface_sources;
     });
     if (solvers.empty() || mesh.face_count() == 0) return;
+    // For the points' true distances; one that is meant for small meshes would take hours on some.
     const auto judge = std::ranges::find_if(solvers, [](const Description* solver) {
-      return solver->exactness == Exactness::exact && !solver->independent_oracle;
+      return solver->exactness == Exactness::exact && !solver->independent_oracle &&
+             solver->abilities.max_vertices == kNone;
     });
-    if (judge == solvers.end() || mesh.face_count() == 0) return;
-    const PointTask task =
-        random_points(request_.seed, number, given, mesh, **judge, kBruteForceFaces);
+    if (judge == solvers.end()) return;
+    PointTask task;
+    try {
+      task = random_points(request_.seed, number, given, mesh, **judge, kBruteForceFaces);
+    } catch (const std::exception& error) {
+      note(number, **judge, given, std::string("threw: ") + error.what(), kPathsProperty);
+      return;
+    }
     for (const Description* solver : solvers) {
       PathFigures figures{.at = number};
       harness::Finding wrong;

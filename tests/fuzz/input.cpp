@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "harness/base/allocation_meter.h"
 #include "harness/base/error.h"
-#include "harness/measure/allocation_meter.h"
 
 namespace geodesic::harness::fuzz {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/measure/allocation_meter.h"
+#include "harness/base/allocation_meter.h"
 
 #include <benchmark/benchmark.h>
 #include <gtest/gtest.h>

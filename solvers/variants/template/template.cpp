@@ -10,7 +10,9 @@
 // short and slow.
 #include <algorithm>
 #include <deque>
+#include <optional>
 
+#include "solvers/core/path_record.h"
 #include "solvers/core/registry.h"
 #include "solvers/core/tolerance.h"
 #include "solvers/core/window.h"
@@ -27,67 +29,94 @@ class Unfolding final : public Solver {
  private:
   struct Waiting {
     Index half_edge;  ///< the one whose face the lines enter, and in whose frame the window is
+    Index root;       ///< where the lines begin, as in Arrival (core/recording.h)
+    Index faces;      ///< crossed since
     Window window;
   };
 
-  void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
+  void run(const Query& query, std::span<double> distances, Recording* recording) override {
     distances_ = distances;
     sources_.clear();
     windows_.clear();
     budget_.start();
-    for (const Source& source : query.sources) {
-      distances_[source.at.vertex] = std::min(distances_[source.at.vertex], source.distance);
-      sources_.push_back(source);
-    }
+    paths_.reset();
+    if (recording != nullptr && recording->what == Record::paths) paths_.emplace(mesh(), query);
+    for (Index i = 0; i < query.sources.size(); ++i)
+      start(query.sources[i], mesh().vertex_count() + i);
     while (!sources_.empty() || !windows_.empty()) {
       if (!sources_.empty()) {
         const Source source = sources_.front();
         sources_.pop_front();
         if (!(distances_[source.at.vertex] < source.distance)) send_out(source);
       } else {
-        const auto [half_edge, window] = windows_.front();
+        const Waiting w = windows_.front();
         windows_.pop_front();
         budget_.spend(1);
-        const bool is_too_far = least_distance(window) > query.limit;
-        if (!is_too_far && !is_beaten(half_edge, window)) cross_face(half_edge, window);
+        const bool is_too_far = least_distance(w.window) > query.limit;
+        if (!is_too_far && !is_beaten(w)) cross_face(w);
       }
     }
+    if (paths_) paths_->finish(distances_, *recording);
+  }
+
+  /// From a source: at a vertex, or from a point of a face to its corners and through its sides.
+  /// @param root of a source that is no vertex
+  void start(const Source& source, Index root) {
+    if (source.at.is_vertex()) {
+      const Index v = source.at.vertex;
+      return reach(v, source.distance, {kNone, v, {0, 0}}, true);
+    }
+    spread_from(
+        mesh(), source.at,
+        [&](Index h, const Point2& from, double rest) {
+          reach(mesh().apex(h), source.distance + rest, {h, root, from},
+                is_next_to_apex(mesh().half_edge(h), rest));
+        },
+        [&](Index h, const Point2& from) {
+          land(h, root, 0, {0, mesh().half_edge(h).length, from.x, from.y, source.distance});
+        });
   }
 
   /// There is a path of this length to v.
   /// `sends_out`: wherever v lies.
-  void reach(Index v, double distance, bool sends_out = false) {
+  void reach(Index v, double distance, const Arrival& arrival, bool sends_out = false) {
     if (!(distance < distances_[v])) return;
+    // Where rounding alone makes a path shorter, the one that is known goes on to count.
+    if (paths_ && distance < distances_[v] * (1 - kPathMargin)) paths_->arrived(v, arrival);
     distances_[v] = distance;
     if (sends_out || mesh().is_pseudo_source(v)) sources_.push_back({v, distance});
   }
 
   /// Follows the edges at a (pseudo-)source, and sends a window over the far edge of each face.
   void send_out(const Source& source) {
-    for (const Index h : mesh().outgoing(source.at.vertex)) {
+    const Index v = source.at.vertex;
+    for (const Index h : mesh().outgoing(v)) {
       const Index far = Mesh::next(h), into = Mesh::previous(h);
-      for (const auto& [far_from, along] : {std::pair{into, h}, std::pair{h, into}}) {
-        const double length = mesh().half_edge(along).length;
-        reach(mesh().apex(far_from), source.distance + length,
-              is_next_to_apex(mesh().half_edge(far_from), length));
-      }
+      const double out = mesh().half_edge(h).length, in = mesh().half_edge(into).length;
+      reach(mesh().head(h), source.distance + out, {into, v, {in, 0}},
+            is_next_to_apex(mesh().half_edge(into), out));
+      reach(mesh().apex(h), source.distance + in, {h, v, {0, 0}},
+            is_next_to_apex(mesh().half_edge(h), in));
       const HalfEdge& edge = mesh().half_edge(far);
-      land(far, 0, edge.length, apex_from_beyond(edge), source.distance);
+      const Point2 from = apex_from_beyond(edge);
+      land(far, v, 0, {0, edge.length, from.x, from.y, source.distance});
     }
   }
 
-  /// Puts a window on the edge of h, for the face beyond it, if there is one. All is in the frame
-  /// of the twin of h.
-  void land(Index h, double begin, double end, const Point2& source, double sigma) {
+  /// Puts a window on the edge of h, for the face beyond it, if there is one. It is in the frame of
+  /// the twin of h.
+  void land(Index h, Index root, Index faces, Window w) {
     const HalfEdge& edge = mesh().half_edge(h);
-    if (edge.twin == kNone || !(end - begin > kWindowWidth * edge.length)) return;
-    // Rounding must not move the source across the edge.
-    windows_.push_back({edge.twin, {begin, end, source.x, std::min(source.y, 0.0), sigma}});
+    if (edge.twin == kNone || !(w.end - w.begin > kWindowWidth * edge.length)) return;
+    if (is_strip_too_long(mesh(), faces + 1)) return;
+    w.y = std::min(w.y, 0.0);  // Rounding must not move the source across the edge.
+    windows_.push_back({edge.twin, root, faces, w});
   }
 
   /// True when the path over an end of the edge is the shorter one for every point of the window.
   /// It is when it is for the window's farther end: the ways there pass all its points.
-  bool is_beaten(Index h, const Window& w) const {
+  bool is_beaten(const Waiting& waiting) const {
+    const auto& [h, root, faces, w] = waiting;
     const HalfEdge& edge = mesh().half_edge(h);
     const double over_origin = distances_[edge.origin] + w.end;
     const double over_head = distances_[mesh().head(h)] + (edge.length - w.begin);
@@ -95,26 +124,36 @@ class Unfolding final : public Solver {
            over_head < distance_at(w, w.begin) * (1 - kPathMargin);
   }
 
-  /// Unfolds a window over the face of h: to the apex, and on to the edges left and right of it.
-  void cross_face(Index h, const Window& w) {
+  /// Unfolds a window over its face: to the apex, and on to the edges left and right of it.
+  void cross_face(const Waiting& waiting) {
+    const auto& [h, root, faces, w] = waiting;
+    if (paths_) paths_->crossing(h, w, root);
     const FaceFrame face = face_frame(mesh(), h);
-    reach(mesh().apex(h), least_distance_to(w, face.apex_x, face.apex_y));
+    const Point2 apex = {face.apex_x, face.apex_y};
+    if (sees(w, apex)) {
+      reach(mesh().apex(h), least_distance_to(w, apex.x, apex.y), {h, root, {w.x, w.y}});
+    }
     const bool any_left = apex_side(w, w.begin, face) > 0;
     const bool any_right = apex_side(w, w.end, face) < 0;
     if (any_left) {
       const double end = any_right ? face.left : face.on_left(w, w.end);
-      land(Mesh::previous(h), face.on_left(w, w.begin), end, face.to_left(w.x, w.y), w.sigma);
+      const Point2 from = face.to_left(w.x, w.y);
+      land(Mesh::previous(h), root, faces + 1,
+           {face.on_left(w, w.begin), end, from.x, from.y, w.sigma});
     }
     if (any_right) {
       const double begin = any_left ? 0 : face.on_right(w, w.begin);
-      land(Mesh::next(h), begin, face.on_right(w, w.end), face.to_right(w.x, w.y), w.sigma);
+      const Point2 from = face.to_right(w.x, w.y);
+      land(Mesh::next(h), root, faces + 1,
+           {begin, face.on_right(w, w.end), from.x, from.y, w.sigma});
     }
   }
 
   WindowBudget budget_;
   std::span<double> distances_;
-  std::deque<Source> sources_;   // that have not sent out windows of their distance yet
-  std::deque<Waiting> windows_;  // that have not crossed a face yet
+  std::deque<Source> sources_;       // that have not sent out windows of their distance yet
+  std::deque<Waiting> windows_;      // that have not crossed a face yet
+  std::optional<PathRecord> paths_;  // how paths arrive, where the solve is asked for them
 };
 
 const RegisterSolver<Unfolding> registered{{
@@ -125,7 +164,7 @@ const RegisterSolver<Unfolding> registered{{
     .time_complexity = "not known",
     .space_complexity = "not known",
     .propagation = "window",
-    .abilities = {.max_vertices = 5000},
+    .abilities = {.surface_sources = true, .paths = true, .max_vertices = 5000},
 }};
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "harness/measure/allocation_meter.h"
+#include "harness/base/allocation_meter.h"
 
 #include <malloc.h>
 #include <sys/mman.h>
@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "harness/measure/large_pages.h"
+#include "harness/base/large_pages.h"
 
 namespace {
 
