@@ -38,11 +38,11 @@ void move_to_origin(std::vector<Vec3>& positions) {
 TriangleSoup as_given(const Mesh& mesh) {
   const MeshNumbers& numbers = mesh.numbers();
   TriangleSoup soup{std::vector<Vec3>(mesh.vertex_count()),
-                    std::vector<Triangle>(mesh.face_count())};
+                    std::vector<Triangle>(mesh.given_face_count())};
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     soup.positions[numbers.given_vertex(v)] = mesh.position(v);
   }
-  for (Index f = 0; f < mesh.face_count(); ++f) {
+  for (Index f = 0; f < mesh.given_face_count(); ++f) {
     Triangle& given = soup.triangles[numbers.given_face(f)];
     given = mesh.triangle(f);
     for (Index& corner : given) corner = numbers.given_vertex(corner);
@@ -169,6 +169,24 @@ class SplitFace {
   std::vector<Triangle> triangles_;
 };
 
+// A face's side of an edge.
+struct EdgeSide {
+  Index half_edge;
+  bool turned;  // against the one that was asked for
+};
+
+// All sides of the edge of h, its own first; none of mirror images.
+// @param h of a face that is no mirror image
+std::vector<EdgeSide> sides_of_edge(const Mesh& mesh, Index h) {
+  std::vector<EdgeSide> sides = {{h, false}};
+  mesh.for_each_sheet(h, [&](Index g) {
+    const Index twin = mesh.twin(g);
+    const bool is_image = twin >= 3 * mesh.given_face_count();
+    sides.push_back({is_image ? mesh.mirrored(twin) : twin, !is_image});
+  });
+  return sides;
+}
+
 // Builds the finer mesh: points are first sorted by where they lie, then edges get theirs, then
 // faces are split.
 class Inserter {
@@ -194,7 +212,7 @@ class Inserter {
 
  private:
   struct OnEdge {
-    double position;  // from the origin of the half-edge of smaller number
+    double position;  // from the origin of the half-edge of least number
     std::size_t point;
     Vec3 at;
   };
@@ -241,9 +259,9 @@ class Inserter {
       return;
     }
     const double along = in_frame(mesh_, own, edge).x;
-    const Index twin = mesh_.twin(edge);
-    const bool turned = twin < edge;  // kNone is the greatest
-    on_edges_[turned ? twin : edge].push_back(
+    const auto [least, turned] =
+        std::ranges::min(sides_of_edge(mesh_, edge), {}, &EdgeSide::half_edge);
+    on_edges_[least].push_back(
         {turned ? mesh_.half_edge(edge).length - along : along, i, position_in(own)});
   }
 
@@ -261,14 +279,12 @@ class Inserter {
       }
       vertices_[p.point] = added.back().vertex;
     }
-    in_faces_[h / 3];
-    sides_[h] = added;
-    const Index twin = mesh_.twin(h);
-    if (twin == kNone) return;
-    in_faces_[twin / 3];
-    for (OnSide& p : added) p.position = mesh_.half_edge(h).length - p.position;
-    std::ranges::reverse(added);
-    sides_[twin] = std::move(added);
+    std::vector<OnSide> reversed(added.rbegin(), added.rend());
+    for (OnSide& p : reversed) p.position = mesh_.half_edge(h).length - p.position;
+    for (const auto& [side, turned] : sides_of_edge(mesh_, h)) {
+      in_faces_[side / 3];
+      sides_[side] = turned ? reversed : added;
+    }
   }
 
   void split_face(Index face, const std::vector<Inside>& points) {
@@ -312,7 +328,7 @@ class Inserter {
   TriangleSoup soup_;
   double place_ = 0;
   std::vector<Index> vertices_;                    // by point
-  std::map<Index, std::vector<OnEdge>> on_edges_;  // by half-edge, the smaller of the twins
+  std::map<Index, std::vector<OnEdge>> on_edges_;  // by half-edge, the least of the edge
   std::map<Index, std::vector<OnSide>> sides_;     // by half-edge, in order along it
   std::map<Index, std::vector<Inside>> in_faces_;  // by face: all that are split
 };
@@ -333,9 +349,9 @@ struct InFace {
 std::vector<InFace> faces_of(const Mesh& mesh, const SurfacePoint& own) {
   std::vector<InFace> faces;
   if (!own.is_vertex()) {
-    faces.push_back({own.face, own.weights});
-    const SurfacePoint beyond = beyond_edge(mesh, own);
-    if (beyond.face != kNone) faces.push_back({beyond.face, beyond.weights});
+    for (const SurfacePoint& image : images_of(mesh, own)) {
+      faces.push_back({image.face, image.weights});
+    }
     return faces;
   }
   for (const Index h : mesh.outgoing(own.vertex)) {
@@ -379,9 +395,10 @@ InsertedPoints::InsertedPoints(const Mesh& mesh, std::span<const SurfacePoint> p
   Inserter inserter(mesh);
   const std::vector<Index> vertices = inserter.insert(points);
   place_ = inserter.place();
-  mesh_ = std::make_unique<Mesh>(inserter.take_soup(), mesh.numbers().are_given()
-                                                           ? Numbering::as_given
-                                                           : Numbering::along_surface);
+  mesh_ = std::make_unique<Mesh>(
+      inserter.take_soup(),
+      mesh.numbers().are_given() ? Numbering::as_given : Numbering::along_surface,
+      mesh.non_manifold_edges());
   for (std::size_t i = 0; i < points.size(); ++i) vertices_.emplace_back(points[i], vertices[i]);
   std::ranges::sort(vertices_, comes_before);
 }

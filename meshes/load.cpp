@@ -10,10 +10,13 @@
 namespace geodesic {
 namespace {
 
-std::string list_errors(const DefectReport& report) {
+std::string list_errors(const DefectReport& report, NonManifoldEdges non_manifold_edges) {
   std::string text;
   for (const Defect& defect : report.defects) {
     if (type_of(defect.kind).severity != Severity::error) continue;
+    const bool of_edges = defect.kind == DefectKind::non_manifold_edge ||
+                          defect.kind == DefectKind::inconsistent_orientation;
+    if (of_edges && non_manifold_edges == NonManifoldEdges::crossed) continue;
     text += (text.empty() ? "" : "; ") + defect.text();
   }
   return text;
@@ -26,7 +29,7 @@ LoadedMesh load_mesh(MeshFile file, DefectReport defects, const std::string& nam
   mesh.format = std::move(file.format);
   mesh.defects = std::move(defects);
   if (options.repair) mesh.repairs = repair(mesh.soup);
-  require_measurable(mesh.soup, mesh.defects, name, options.repair);
+  require_measurable(mesh.soup, mesh.defects, name, options);
   mesh.warnings = std::move(file.warnings);
   for (const Defect& defect : mesh.defects.defects) mesh.warnings.push_back(defect.text());
   for (const RepairAction& action : mesh.repairs) {
@@ -38,14 +41,13 @@ LoadedMesh load_mesh(MeshFile file, DefectReport defects, const std::string& nam
 }  // namespace
 
 void require_measurable(const TriangleSoup& soup, const DefectReport& defects,
-                        const std::string& name, bool repaired) {
-  if (defects.has_errors() && !repaired) {
-    throw MeshError(name + ": distances would be meaningless: " + list_errors(defects) +
+                        const std::string& name, const LoadOptions& options) {
+  const std::string errors = list_errors(defects, options.non_manifold_edges);
+  if (!errors.empty() && !options.repair) {
+    throw MeshError(name + ": distances would be meaningless: " + errors +
                     "; correct the file or use --repair");
   }
-  if (soup.triangles.empty()) {
-    throw MeshError(name + ": no usable face is left: " + list_errors(defects));
-  }
+  if (soup.triangles.empty()) throw MeshError(name + ": no usable face is left: " + errors);
   try {
     Unit::of(soup.positions);
   } catch (const std::invalid_argument& error) {
@@ -65,8 +67,9 @@ LoadedMesh load_mesh(MeshFile file, const std::string& name, const LoadOptions& 
 BuiltMesh build_mesh(const std::filesystem::path& path, const LoadOptions& options) {
   MeshFile file = read_mesh(path);
   BuiltMesh built;
-  const auto build = [&built](const TriangleSoup& soup) {
-    built.mesh = std::make_unique<const Mesh>(soup, Numbering::along_surface);
+  const auto build = [&](const TriangleSoup& soup) {
+    built.mesh =
+        std::make_unique<const Mesh>(soup, Numbering::along_surface, options.non_manifold_edges);
   };
   if (options.repair) {
     built.loaded = load_mesh(std::move(file), path.string(), options);

@@ -15,6 +15,9 @@ namespace geodesic {
 
 struct LoadOptions {
   bool repair = false;  ///< repair what would be refused (see repair.h)
+  /// crossed: non-manifold edges, and edges between inconsistently oriented faces, are no errors.
+  /// Where a repair cuts them, no such edge is left.
+  NonManifoldEdges non_manifold_edges = NonManifoldEdges::cut;
 };
 
 struct LoadedMesh {
@@ -48,6 +51,6 @@ BuiltMesh build_mesh(const std::filesystem::path& path, const LoadOptions& optio
 /// @param name of the file, for messages
 /// @throws MeshError as `load_mesh`
 void require_measurable(const TriangleSoup& soup, const DefectReport& defects,
-                        const std::string& name, bool repaired);
+                        const std::string& name, const LoadOptions& options);
 
 }  // namespace geodesic

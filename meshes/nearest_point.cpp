@@ -68,7 +68,7 @@ NearestPoint nearest_point(const Mesh& mesh, const Vec3& place) {
   };
   const Vec3 from = in_unit(place);
   Nearest nearest;
-  for (Index f = 0; f < mesh.face_count(); ++f) {
+  for (Index f = 0; f < mesh.given_face_count(); ++f) {
     Corners corners;
     for (std::size_t k = 0; k < 3; ++k) corners[k] = in_unit(mesh.position(mesh.triangle(f)[k]));
     const Weights inside = projected(corners, from);

@@ -151,7 +151,7 @@ void inspect(const Flags& flags) {
   } else {
     print_text(flags, findings);
   }
-  require_measurable(file.soup, findings.defects, flags.file, flags.repair);
+  require_measurable(file.soup, findings.defects, flags.file, {.repair = flags.repair});
   if (!flags.output.empty()) write_bytes(flags.output, mesh_bytes(file.soup, flags.output));
 }
 

@@ -44,7 +44,10 @@ void run_solve(const SolveFlags& flags) {
     outputs.paths_file.emplace(flags.paths);
   }
   const LargePages large_pages;
-  const BuiltMesh built = build_mesh(entry.file, {.repair = flags.repair});
+  const NonManifoldEdges non_manifold_edges =
+      flags.cross_non_manifold ? NonManifoldEdges::crossed : NonManifoldEdges::cut;
+  const BuiltMesh built =
+      build_mesh(entry.file, {.repair = flags.repair, .non_manifold_edges = non_manifold_edges});
   for (const std::string& warning : built.loaded.warnings) {
     warn(entry.file.string() + ": " + warning);
   }
@@ -53,7 +56,7 @@ void run_solve(const SolveFlags& flags) {
   Json json{{"solver", solver.name},
             {"mesh", entry.name},
             {"vertices", problem.mesh.vertex_count()},
-            {"faces", problem.mesh.face_count()},
+            {"faces", problem.mesh.given_face_count()},
             {"limit", std::isinf(flags.limit) ? Json(nullptr) : Json(flags.limit)}};
   if (!problem.places.empty()) json["places"] = problem.places;
   json.update(!flags.matrix.empty() ? write_matrix(problem)
@@ -125,7 +128,13 @@ void add_solve_command(CLI::App& app) {
       "compare with brute force on up to 400 faces, otherwise with another exact solver");
   command->add_flag("--counters", flags->counters,
                     "solve again for counters, phases and the peak of memory");
-  command->add_flag("--repair", flags->repair, "repair defects of the mesh, and say which");
+  CLI::Option* repair =
+      command->add_flag("--repair", flags->repair, "repair defects of the mesh, and say which");
+  command
+      ->add_flag("--cross-non-manifold", flags->cross_non_manifold,
+                 "paths go from a face into each of the others at an edge of more than two faces, "
+                 "and at one between inconsistently oriented faces")
+      ->excludes(repair);
   command->add_option("--limit", flags->limit, "distance beyond which vertices are unreachable")
       ->check(zero_or_above());
   command

@@ -94,6 +94,9 @@ std::string unsupported(const Description& solver, const Mesh& mesh) {
   if (mesh.has_non_manifold_vertices() && !can.non_manifold_vertices) {
     return solver.name + " supports no vertices that several fans of faces share";
   }
+  if (mesh.crosses_non_manifold_edges() && !can.non_manifold_edges) {
+    return solver.name + " does not cross edges of more than two faces";
+  }
   if (mesh.has_degenerate_faces() && !can.degenerate_faces) {
     return solver.name + " supports no faces with a zero-length edge or without area";
   }

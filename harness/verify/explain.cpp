@@ -79,7 +79,7 @@ class Explanation {
  public:
   Explanation(const Description& solver, const Case& given, const Violation& violation)
       : solver_(solver),
-        mesh_(given.soup),
+        mesh_(given.build()),
         query_(violation.query),
         got_(violation.got),
         reference_(solver, mesh_),

@@ -57,12 +57,16 @@ class CheckProcess {
  private:
   std::vector<Case> all_cases() const {
     if (task_.mesh_file.empty()) return property_.cases();
-    return {{task_.mesh_file, read_mesh(task_.mesh_file).soup, task_.queries}};
+    Case given{task_.mesh_file, read_mesh(task_.mesh_file).soup, task_.queries};
+    if ((property_.needs & kNonManifoldEdges) != 0) {
+      given.non_manifold_edges = NonManifoldEdges::crossed;
+    }
+    return {given};
   }
 
   CheckResult check(Case given, std::size_t at_case) const {
     const CheckResult in_solver{.outcome = CheckOutcome::crashed, .at_case = at_case};
-    const Mesh mesh(given.soup);
+    const Mesh mesh = given.build();
     LocalReference reference(solver_, mesh);
     if (!given.known) {
       given.known = [&](const Query& query) {

@@ -37,9 +37,11 @@ std::optional<Weights> weights_on(const Mesh& mesh, Index face, const SurfacePoi
     return weights;
   }
   if (point.face == face) return point.weights;
-  const SurfacePoint other = beyond_edge(mesh, point);
-  if (other.face == face) return other.weights;
-  return {};
+  if (edge_under(point) == kNone) return {};
+  const std::vector<SurfacePoint> images = images_of(mesh, point);
+  const auto image = std::ranges::find(images, face, &SurfacePoint::face);
+  if (image == images.end()) return {};
+  return image->weights;
 }
 
 Real length_between(const Mesh& mesh, Index face, const Weights& a, const Weights& b) {
@@ -263,7 +265,7 @@ Finding check_path(const Mesh& mesh, const Query& query, const SurfacePoint& end
       return wrong("is not as long as it says", i);
     }
     if (i + 1 == own.points.size()) break;
-    if (point.face >= mesh.face_count()) return wrong("leaves the surface", i);
+    if (point.face >= mesh.given_face_count()) return wrong("leaves the surface", i);
     const auto from = weights_on(mesh, point.face, point.at);
     const auto to = weights_on(mesh, point.face, own.points[i + 1].at);
     if (!from || !to) return wrong("leaves its face", i);

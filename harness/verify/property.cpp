@@ -34,6 +34,8 @@ constexpr ClaimInWords kClaims[] = {
      [](const Description& d) { return d.abilities.concurrent_objects; }},
     {kSurfaceSources, "sources in faces and on edges",
      [](const Description& d) { return d.abilities.surface_sources; }},
+    {kNonManifoldEdges, "to cross non-manifold edges",
+     [](const Description& d) { return d.abilities.non_manifold_edges; }},
     {kPaths, "paths", [](const Description& d) { return d.abilities.paths; }},
 };
 

@@ -22,6 +22,11 @@ struct Case {
   std::function<std::vector<double>(const Query&)> known = {};
   /// Another one where the mesh's own numbers allow no better, which the property explains.
   Tolerance tolerance = {};
+  /// What paths do at the mesh's edges that are no manifold's.
+  NonManifoldEdges non_manifold_edges = NonManifoldEdges::cut;
+
+  /// @throws std::invalid_argument when it cannot be built
+  Mesh build() const { return Mesh(soup, Numbering::as_given, non_manifold_edges); }
 };
 
 /// One solver on one case.
@@ -29,7 +34,7 @@ class Trial {
  public:
   /// Both must outlive it. @throws std::invalid_argument when the mesh cannot be built
   Trial(const Description& solver, const Case& given)
-      : solver_(solver), given_(given), mesh_(given.soup), reference_(solver, mesh_) {}
+      : solver_(solver), given_(given), mesh_(given.build()), reference_(solver, mesh_) {}
   Trial(const Trial&) = delete;
   Trial& operator=(const Trial&) = delete;
 
@@ -89,6 +94,7 @@ enum Claim : unsigned {
   kConcurrentObjects = 256,
   kSurfaceSources = 512,
   kPaths = 1024,
+  kNonManifoldEdges = 2048,  ///< its cases are to be built with them crossed
 };
 
 struct Property {

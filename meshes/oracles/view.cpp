@@ -30,52 +30,62 @@ Real nearest(const PlanePoint& a, const PlanePoint& b) {
 class View {
  public:
   View(const Mesh& mesh, Real reach, const std::function<void(const Sight&)>& see)
-      : mesh_(mesh), reach_(reach), see_(see), entered_(mesh.face_count()) {}
+      : mesh_(mesh), reach_(reach), see_(see), entered_(mesh.given_face_count()) {}
 
   void look_from(Index v) {
     for (const Index h : mesh_.outgoing(v)) {
       const PlanePoint right = {straight_distance(mesh_, v, mesh_.head(h)), 0};
       if (right.x == 0) continue;  // a bend at the other end sees all that lies beyond
       const PlanePoint left = lay_out_apex(mesh_, h, {0, 0}, right);
-      entered_[h / 3] = true;
-      enter(mesh_.twin(Mesh::next(h)), left, right, left, right);
-      entered_[h / 3] = false;
+      entered(h) = true;
+      leave(Mesh::next(h), left, right, left, right);
+      entered(h) = false;
     }
   }
 
  private:
+  // Leaves a face through h, into each face beyond.
+  void leave(Index h, const PlanePoint& left, const PlanePoint& right, const PlanePoint& l,
+             const PlanePoint& r) {
+    mesh_.for_each_sheet(h, [&](Index g) { enter(mesh_.twin(g), left, right, l, r); });
+  }
+
   // Enters the face of h, seen from below between the rays through `l` and `r`. The edge lies with
   // its origin at `left` and its head at `right` as its own face sees it from outside: h is the
   // twin, so it runs from left to right with its face above.
   void enter(Index h, const PlanePoint& left, const PlanePoint& right, const PlanePoint& l,
              const PlanePoint& r) {
-    if (h == kNone || !opens(r, l) || nearest(left, right) > reach_) return;
-    if (entered_[h / 3] || mesh_.half_edge(h).length == 0) return;
+    if (!opens(r, l) || nearest(left, right) > reach_) return;
+    if (entered(h) || mesh_.half_edge(h).length == 0) return;
     if (left.x == right.x && left.y == right.y) return;  // a bend at its ends sees as much
-    entered_[h / 3] = true;
+    entered(h) = true;
     strip_.push_back({h, left, right});
     const PlanePoint apex = lay_out_apex(mesh_, h, left, right);
     // The apex splits what is seen; a line through it exactly is continued by the bend there.
-    const Index left_edge = mesh_.twin(Mesh::previous(h));
-    const Index right_edge = mesh_.twin(Mesh::next(h));
+    const Index left_edge = Mesh::previous(h), right_edge = Mesh::next(h);
     const Real from_l = turn({}, apex, l), from_r = turn({}, r, apex);
     const bool half_plane =
         turn({}, r, l) == 0;  // no narrow cone, whose lines both round to the apex
     if (half_plane && from_l == 0 && from_r == 0) {
       // A face without area, seen from a point of its line: one of its edges has the half-plane.
       see_({mesh_.apex(h), apex, std::hypot(apex.x, apex.y), {}});
-      enter(left_edge, left, apex, left, apex);
-      enter(right_edge, apex, right, apex, right);
+      leave(left_edge, left, apex, left, apex);
+      leave(right_edge, apex, right, apex, right);
     } else {
       const bool right_of_l = from_l > 0, left_of_r = from_r > 0;
       if (right_of_l && left_of_r) {
         see_({mesh_.apex(h), apex, std::hypot(apex.x, apex.y), strip_});
       }
-      if (right_of_l) enter(left_edge, left, apex, l, left_of_r ? apex : r);
-      if (left_of_r) enter(right_edge, apex, right, right_of_l ? apex : l, r);
+      if (right_of_l) leave(left_edge, left, apex, l, left_of_r ? apex : r);
+      if (left_of_r) leave(right_edge, apex, right, right_of_l ? apex : l, r);
     }
     strip_.pop_back();
-    entered_[h / 3] = false;
+    entered(h) = false;
+  }
+
+  // Of both images of the face, where there are two.
+  std::vector<bool>::reference entered(Index h) {
+    return entered_[h / 3 % mesh_.given_face_count()];
   }
 
   const Mesh& mesh_;

@@ -38,7 +38,7 @@ void check_mesh_input(std::span<const Vec3> positions, std::span<const Triangle>
 }
 
 Mesh::Mesh(std::span<const Vec3> positions, std::span<const Triangle> triangles,
-           Numbering numbering) {
+           Numbering numbering, NonManifoldEdges non_manifold_edges) {
   check_mesh_input(positions, triangles);
   if (numbering == Numbering::along_surface) {
     number_along_surface(positions, triangles);
@@ -47,7 +47,12 @@ Mesh::Mesh(std::span<const Vec3> positions, std::span<const Triangle> triangles,
     set_faces(triangles);
   }
   index_outgoing();
-  link_twins();
+  const bool is_cut = link_twins();
+  if (is_cut && non_manifold_edges == NonManifoldEdges::crossed) {
+    add_mirror_images();
+    index_outgoing();
+    link_sheets();
+  }
   compute_frames();
   classify_vertices();
 }
@@ -89,8 +94,10 @@ void Mesh::index_outgoing() {
   for (Index h = 0; h < half_edge_count(); ++h) outgoing_[fill[origin(h)]++] = h;
 }
 
-void Mesh::link_twins() {
+// Whether an edge of several faces is none of a manifold, and cut.
+bool Mesh::link_twins() {
   for (HalfEdge& e : half_edges_) e.twin = kNone;
+  bool is_cut = false;
   // Per vertex a, the half-edges a -> b and b -> a of each neighbour b > a, as b 2^32 + half-edge.
   // Sorting them keeps a vertex of very high valence from costing its square.
   std::vector<std::uint64_t> sides;
@@ -117,10 +124,65 @@ void Mesh::link_twins() {
         ++edge_count_;
       } else {
         edge_count_ += static_cast<Index>(end - i);  // a boundary edge for each face
+        is_cut |= end - i > 1;
       }
       i = end;
     }
   }
+  return is_cut;
+}
+
+void Mesh::add_mirror_images() {
+  const Index given = half_edge_count();
+  if (given > kNone / 2) throw std::invalid_argument("mesh too large: indices have 32 bits");
+  half_edges_.resize(2 * static_cast<std::size_t>(given));
+  for (Index h = 0; h < given; h += 3) {
+    for (const auto& [to, from] : {std::pair<Index, Index>{0, 0}, {1, 2}, {2, 1}}) {
+      half_edges_[given + h + to].origin = half_edges_[h + from].origin;
+    }
+  }
+  next_sheet_.assign(half_edges_.size(), kNone);
+}
+
+// The images of the faces of an edge that have it in one direction follow one another by
+// next_sheet_, in the other direction the other way round. A twin is the one after the next: out of
+// face i into face i + 1, and back.
+void Mesh::link_sheets() {
+  std::vector<std::pair<Index, Index>> sides;  // of vertex a: neighbour b > a, half-edge a -> b
+  edge_count_ = 0;
+  for (HalfEdge& e : half_edges_) e.twin = kNone;
+  for (Index a = 0; a < vertex_count(); ++a) {
+    sides.clear();
+    for (const Index h : outgoing(a)) {
+      if (head(h) > a) sides.emplace_back(head(h), h);
+    }
+    std::ranges::sort(sides);
+    for (std::size_t first = 0; first < sides.size();) {
+      std::size_t end = first + 1;
+      while (end < sides.size() && sides[end].first == sides[first].first) ++end;
+      for (std::size_t i = first; i < end; ++i) {
+        const Index h = sides[i].second, next = sides[i + 1 < end ? i + 1 : first].second;
+        next_sheet_[h] = next;
+        next_sheet_[mirrored(next)] = mirrored(h);
+        if (next == h) continue;  // a boundary
+        half_edges_[h].twin = mirrored(next);
+        half_edges_[mirrored(next)].twin = h;
+      }
+      ++edge_count_;
+      first = end;
+    }
+  }
+}
+
+// True for one half-edge of every edge.
+bool Mesh::is_least_of_edge(Index h) const {
+  if (!crosses_non_manifold_edges()) return twin(h) == kNone || twin(h) > h;
+  Index g = h;
+  do {
+    if (g < h || mirrored(g) < h) return false;
+    g = next_sheet(g);
+  } while (g != h);
+  return true;
 }
 
 void Mesh::compute_frames() {
@@ -134,7 +196,7 @@ void Mesh::compute_frames() {
     compute_frames_of_face(first, at);
     for (Index h = first; h < first + 3; ++h) {
       HalfEdge& e = half_edges_[h];
-      if (e.twin == kNone || e.twin > h) sum += e.length;
+      if (is_least_of_edge(h)) sum += e.length;
       if (unit.is_one()) continue;
       for (double* length : {&e.length, &e.apex_x, &e.apex_y}) *length = unit.in_mesh(*length);
     }
@@ -171,9 +233,15 @@ void Mesh::compute_frames_of_face(Index first, std::span<const Vec3> at) {
   }
 }
 
+std::span<const Index> Mesh::given_corners(Index v) const {
+  const std::span<const Index> all = outgoing(v);
+  return crosses_non_manifold_edges() ? all.first(all.size() / 2) : all;
+}
+
 double Mesh::total_angle(Index v) const {
   double sum = 0;
-  for (const Index h : outgoing(v)) sum += std::atan2(half_edge(h).apex_y, half_edge(h).apex_x);
+  for (const Index h : given_corners(v))
+    sum += std::atan2(half_edge(h).apex_y, half_edge(h).apex_x);
   return sum;
 }
 
@@ -203,7 +271,7 @@ bool Mesh::has_angle_excess(Index v) const {
   constexpr double kNear = 1e-9;  // radians, above the rounding of any valence
   double x = 1, y = 0;
   bool past_full_turn = false;
-  for (const Index h : outgoing(v)) {
+  for (const Index h : given_corners(v)) {
     const HalfEdge& e = half_edge(h);
     const double scale = 1 / half_edge(previous(h)).length;
     const double cosine = e.apex_x * scale, sine = e.apex_y * scale;
@@ -219,12 +287,20 @@ bool Mesh::has_angle_excess(Index v) const {
 void Mesh::classify_vertices() {
   pseudo_source_.assign(positions_.size(), 0);
   for (Index v = 0; v < vertex_count(); ++v) {
-    const std::span<const Index> around = outgoing(v);
+    const std::span<const Index> around = given_corners(v);
     if (around.empty()) continue;
     const Fan fan = fan_at(v);
     const bool several_fans = fan.faces < around.size();
     has_non_manifold_vertices_ |= several_fans;
     if (several_fans || !fan.closed || has_angle_excess(v)) pseudo_source_[v] = 1;
+  }
+  if (crosses_non_manifold_edges()) {
+    // Around such a vertex every two sheets are a surface of their own, with angles of their own.
+    for (Index h = 0; h < half_edge_count(); ++h) {
+      if (!is_branching(h)) continue;
+      pseudo_source_[origin(h)] = pseudo_source_[head(h)] = 1;
+      has_non_manifold_vertices_ = true;
+    }
   }
   for (Index h = 0; h < half_edge_count(); ++h) {
     if (half_edge(h).apex_y > 0 && half_edge(h).length > 0) continue;

@@ -26,22 +26,36 @@ struct HalfEdge {
 };
 static_assert(sizeof(HalfEdge) == 32, "two half-edges share a cache line");
 
+/// What paths do at an edge that does not have exactly one face in each direction: an edge of more
+/// than two faces, or of two that run along it in the same direction.
+enum class NonManifoldEdges : std::uint8_t {
+  cut,     ///< it is a boundary of each of its faces
+  crossed  ///< they go from each of its faces into each of the others
+};
+
 /// A triangle mesh as solvers walk over it; constant once it is built.
+///
+/// Where paths cross non-manifold edges, every face is there twice, seen from either side: face f,
+/// and its mirror image f + given_face_count(), with its corners in the order 0, 2, 1. A line that
+/// leaves a face through half-edge h goes on in each other face that has the edge, in that image of
+/// it that has the edge in the other direction, as a twin has (`for_each_sheet`). Lines that start
+/// in both images of a face never meet, but for such surfaces as have one side only.
 class Mesh {
  public:
   /// Builds the structure in time linear in its input (expected), apart from one pass of angles.
   ///
-  /// Two half-edges become twins when exactly one face has the edge in each direction. Every other
-  /// edge (boundary, more than two faces, inconsistent orientation) is a boundary of each of its
-  /// faces; paths cross it only at its end vertices. Vertices may be isolated, and several fans of
-  /// faces may share one vertex.
+  /// Two half-edges become twins when exactly one face has the edge in each direction. What paths
+  /// do at any other edge of several faces is said by `non_manifold_edges`; at a boundary they pass
+  /// its end vertices. Vertices may be isolated, and several fans of faces may share one vertex.
   /// @throws std::invalid_argument for an index out of range, a triangle that names a vertex twice,
   ///         a coordinate that is not finite, an extent that is not 0 and beyond 1e-289 or 1e289,
   ///         or more elements than an Index can number.
   Mesh(std::span<const Vec3> positions, std::span<const Triangle> triangles,
-       Numbering numbering = Numbering::as_given);
-  explicit Mesh(const TriangleSoup& soup, Numbering numbering = Numbering::as_given)
-      : Mesh(soup.positions, soup.triangles, numbering) {}
+       Numbering numbering = Numbering::as_given,
+       NonManifoldEdges non_manifold_edges = NonManifoldEdges::cut);
+  explicit Mesh(const TriangleSoup& soup, Numbering numbering = Numbering::as_given,
+                NonManifoldEdges non_manifold_edges = NonManifoldEdges::cut)
+      : Mesh(soup.positions, soup.triangles, numbering, non_manifold_edges) {}
 
   /// How the vertices and faces of this class translate to those that were given.
   const MeshNumbers& numbers() const { return numbers_; }
@@ -49,6 +63,10 @@ class Mesh {
   Index vertex_count() const { return static_cast<Index>(positions_.size()); }
   Index half_edge_count() const { return static_cast<Index>(half_edges_.size()); }
   Index face_count() const { return half_edge_count() / 3; }
+  /// Without mirror images.
+  Index given_face_count() const {
+    return crosses_non_manifold_edges() ? face_count() / 2 : face_count();
+  }
   Index edge_count() const { return edge_count_; }
 
   const HalfEdge& half_edge(Index h) const { return half_edges_[h]; }
@@ -60,8 +78,34 @@ class Mesh {
   /// The vertex of the half-edge's face that lies opposite to it.
   Index apex(Index h) const { return half_edges_[previous(h)].origin; }
 
+  /// True when paths cross some edge that is no manifold's: every face has a mirror image then.
+  bool crosses_non_manifold_edges() const { return !next_sheet_.empty(); }
+  NonManifoldEdges non_manifold_edges() const {
+    return crosses_non_manifold_edges() ? NonManifoldEdges::crossed : NonManifoldEdges::cut;
+  }
+  /// The image of a half-edge in the other image of its face, in the other direction. Only where
+  /// paths cross non-manifold edges, as the next two.
+  Index mirrored(Index h) const {
+    const Index half = half_edge_count() / 2, own = h < half ? h : h - half;
+    return (h < half ? half : 0) + own - own % 3 + (2 - own % 3);
+  }
+  /// Out of another face of the same edge, in the same direction; h itself at a boundary.
+  Index next_sheet(Index h) const { return next_sheet_[h]; }
+  /// True for an edge of more than two faces.
+  bool is_branching(Index h) const { return next_sheet_[next_sheet_[h]] != h; }
+
+  /// Calls visit(g) for each half-edge g whose twin is entered by a line that leaves the face of h
+  /// through h: for h alone, in general, and for none at a boundary.
+  template <class Visit>
+  void for_each_sheet(Index h, const Visit& visit) const {
+    if (twin(h) == kNone) return;
+    if (!crosses_non_manifold_edges()) return visit(h);
+    const Index back = mirrored(h);
+    for (Index g = h; twin(g) != back; g = next_sheet(g)) visit(g);
+  }
+
   /// Half-edges that start at vertex v, one a face corner, in no particular order; empty when v is
-  /// isolated.
+  /// isolated. The second half of them are mirror images, where there are.
   std::span<const Index> outgoing(Index v) const {
     return {outgoing_.data() + first_outgoing_[v], outgoing_.data() + first_outgoing_[v + 1]};
   }
@@ -98,7 +142,11 @@ class Mesh {
  private:
   void number_along_surface(std::span<const Vec3> positions, std::span<const Triangle> triangles);
   void set_faces(std::span<const Triangle> triangles);
-  void link_twins();
+  bool link_twins();
+  void add_mirror_images();
+  void link_sheets();
+  bool is_least_of_edge(Index h) const;
+  std::span<const Index> given_corners(Index v) const;
   void index_outgoing();
   void compute_frames();
   void compute_frames_of_face(Index first, std::span<const Vec3> at);
@@ -115,6 +163,7 @@ class Mesh {
   std::vector<HalfEdge> half_edges_;
   std::vector<Index> first_outgoing_;  // vertex_count + 1 offsets into outgoing_
   std::vector<Index> outgoing_;
+  std::vector<Index> next_sheet_;  // by half-edge; empty where no path crosses a non-manifold edge
   std::vector<std::uint8_t> pseudo_source_;
   bool has_non_manifold_vertices_ = false;
   bool has_degenerate_faces_ = false;

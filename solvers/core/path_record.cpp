@@ -14,9 +14,7 @@ PathRecord::PathRecord(const Mesh& mesh, const Query& query)
   for (Index i = 0; i < query.targets.size(); ++i) {
     const SurfacePoint& target = query.targets[i];
     if (target.is_vertex()) continue;
-    places_.push_back({i, target});
-    const SurfacePoint other = beyond_edge(mesh, target);
-    if (other.face != kNone) places_.push_back({i, other});
+    for (const SurfacePoint& image : images_of(mesh, target)) places_.push_back({i, image});
   }
   if (places_.empty()) return;
   std::ranges::stable_sort(places_, {}, [](const Place& p) { return p.point.face; });
@@ -60,7 +58,7 @@ void PathRecord::finish_place(const Place& place, std::span<const double> distan
   for (Index i = 0; i < query_.sources.size(); ++i) {
     const Source& source = query_.sources[i];
     if (source.at.is_vertex()) continue;
-    for (const SurfacePoint& from : {source.at, beyond_edge(mesh_, source.at)}) {
+    for (const SurfacePoint& from : images_of(mesh_, source.at)) {
       if (from.face != face) continue;
       // From the nearest corner: next to it, coordinates have all digits of the weights.
       const auto& weights = place.point.weights;

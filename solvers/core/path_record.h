@@ -29,7 +29,7 @@ class PathRecord {
   void finish(std::span<const double> distances, Recording& recording);
 
  private:
-  /// A target that is no vertex, for each face it lies in: two on an edge.
+  /// A target that is no vertex, for each face it lies in.
   struct Place {
     Index target;
     SurfacePoint point;

@@ -5,9 +5,11 @@ namespace {
 
 /// In the mesh's own numbering, which is that of the result.
 Mesh converted(const Mesh& mesh, const Unit& unit) {
-  std::vector<Triangle> triangles(mesh.face_count());
-  for (Index f = 0; f < mesh.face_count(); ++f) triangles[f] = mesh.triangle(f);
-  return Mesh(unit.in_unit(mesh.positions()), triangles);
+  std::vector<Triangle> triangles(mesh.given_face_count());
+  for (Index f = 0; f < mesh.given_face_count(); ++f) triangles[f] = mesh.triangle(f);
+  return Mesh(
+      unit.in_unit(mesh.positions()), triangles, Numbering::as_given,
+      mesh.crosses_non_manifold_edges() ? NonManifoldEdges::crossed : NonManifoldEdges::cut);
 }
 
 class Rescaled final : public Solver {

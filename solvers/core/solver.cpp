@@ -75,6 +75,9 @@ Solver::Solver(const Mesh& mesh, const Description& description)
   if (mesh.has_non_manifold_vertices() && !description.abilities.non_manifold_vertices) {
     refuse(description, "supports no vertices that several fans of faces share");
   }
+  if (mesh.crosses_non_manifold_edges() && !description.abilities.non_manifold_edges) {
+    refuse(description, "does not cross edges of more than two faces");
+  }
   if (mesh.has_degenerate_faces() && !description.abilities.degenerate_faces) {
     refuse(description, "supports no faces with a zero-length edge or without area");
   }

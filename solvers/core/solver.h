@@ -38,6 +38,7 @@ struct Abilities {
   bool distance_limit = true;
   bool non_manifold_vertices = true;  ///< several fans of faces at one vertex
   bool degenerate_faces = true;       ///< zero-length edges, zero-area faces
+  bool non_manifold_edges = false;    ///< crosses edges of more than two faces, into each of them
   bool concurrent_objects = true;     ///< objects may solve in several threads at the same time
   bool surface_sources = false;       ///< sources on edges and faces; else at vertices only
   bool paths = false;                 ///< remembers how paths arrive (Record::paths)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace geodesic {
 namespace {
@@ -19,7 +20,7 @@ Index own_face(const Mesh& mesh, Index given) { return mesh.numbers().own_face(g
 SurfacePoint point_in_face(const Mesh& mesh, Index face, const std::array<double, 3>& weights) {
   SurfacePoint point;
   point.face = face;
-  if (face >= mesh.face_count()) throw std::invalid_argument(defect_of(mesh, point));
+  if (face >= mesh.given_face_count()) throw std::invalid_argument(defect_of(mesh, point));
   const double largest = std::ranges::max(weights);
   const bool sound = std::ranges::all_of(weights, [](double w) { return w >= 0 && w < kInfinity; });
   if (!sound || !(largest > 0)) {
@@ -75,8 +76,8 @@ std::string defect_of(const Mesh& mesh, const SurfacePoint& point) {
     return not_in_mesh("vertex", point.vertex, mesh.vertex_count(), "vertices");
   }
   if (point.face == kNone) return "a surface point is neither a vertex nor in a face";
-  if (point.face >= mesh.face_count()) {
-    return not_in_mesh("face", point.face, mesh.face_count(), "faces");
+  if (point.face >= mesh.given_face_count()) {
+    return not_in_mesh("face", point.face, mesh.given_face_count(), "faces");
   }
   const auto& w = point.weights;
   const bool in_range = std::ranges::all_of(w, [](double x) { return x >= 0 && x < 1; });
@@ -96,15 +97,50 @@ SurfacePoint in_own_numbers(const Mesh& mesh, SurfacePoint given) {
   return given;
 }
 
-SurfacePoint beyond_edge(const Mesh& mesh, const SurfacePoint& point) {
+namespace {
+
+/// Of the points of an edge, the one with these weights of the edge's ends.
+SurfacePoint on_half_edge(Index h, double at_origin, double at_head) {
+  SurfacePoint point;
+  point.face = h / 3;
+  point.weights[h % 3] = at_origin;
+  point.weights[Mesh::next(h) % 3] = at_head;
+  return point;
+}
+
+}  // namespace
+
+std::vector<SurfacePoint> images_of(const Mesh& mesh, const SurfacePoint& point) {
+  std::vector<SurfacePoint> images = {point};
   const Index under = edge_under(point);
-  SurfacePoint beyond;
-  if (under == kNone || mesh.twin(under) == kNone) return beyond;
-  const Index twin = mesh.twin(under);
-  beyond.face = twin / 3;
-  beyond.weights[twin % 3] = point.weights[Mesh::next(under) % 3];
-  beyond.weights[Mesh::next(twin) % 3] = point.weights[under % 3];
-  return beyond;
+  if (under == kNone) {
+    if (mesh.crosses_non_manifold_edges()) {
+      SurfacePoint& image = images.emplace_back(point);
+      image.face = mesh.mirrored(3 * point.face) / 3;
+      std::swap(image.weights[1], image.weights[2]);
+    }
+    return images;
+  }
+  const double at_origin = point.weights[under % 3], at_head = point.weights[Mesh::next(under) % 3];
+  if (!mesh.crosses_non_manifold_edges()) {
+    const Index twin = mesh.twin(under);
+    if (twin != kNone) images.push_back(on_half_edge(twin, at_head, at_origin));
+    return images;
+  }
+  Index h = under;
+  do {
+    if (h != under) images.push_back(on_half_edge(h, at_origin, at_head));
+    images.push_back(on_half_edge(mesh.mirrored(h), at_head, at_origin));
+    h = mesh.next_sheet(h);
+  } while (h != under);
+  return images;
+}
+
+SurfacePoint in_given_face(const Mesh& mesh, SurfacePoint point) {
+  if (point.is_vertex() || point.face < mesh.given_face_count()) return point;
+  point.face -= mesh.given_face_count();
+  std::swap(point.weights[1], point.weights[2]);
+  return point;
 }
 
 }  // namespace geodesic

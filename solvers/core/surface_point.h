@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "solvers/core/mesh.h"
 #include "solvers/core/window.h"
@@ -69,12 +70,17 @@ inline bool is_next_to_apex(const HalfEdge& e, double distance) {
   return distance < kNextToCorner * (e.length + std::hypot(e.apex_x, e.apex_y));
 }
 
-/// The same point of an edge in the face beyond it; in no face when it lies inside its face or on a
-/// boundary.
-SurfacePoint beyond_edge(const Mesh& mesh, const SurfacePoint& point);
+/// The same point in every face that it lies in, first in its own: on an edge, in the face beyond
+/// it too, and where paths cross non-manifold edges, in all faces of the edge and in their mirror
+/// images.
+/// @param point not a vertex
+std::vector<SurfacePoint> images_of(const Mesh& mesh, const SurfacePoint& point);
 
-/// Follows all straight lines that leave a point of a face through its corners and sides, in both
-/// faces of a point on an edge.
+/// The point of a mirror image in the face itself; any other point as it is.
+SurfacePoint in_given_face(const Mesh& mesh, SurfacePoint point);
+
+/// Follows all straight lines that leave a point of a face through its corners and sides, in every
+/// face that it lies in.
 /// @param point not a vertex
 /// @param reach called as (Index h, Point2 from, double distance) for each corner, the apex of h:
 ///        the point in the frame of h, and how far it is from the corner, with all digits that its
@@ -85,8 +91,7 @@ SurfacePoint beyond_edge(const Mesh& mesh, const SurfacePoint& point);
 template <class Reach, class Cross>
 void spread_from(const Mesh& mesh, const SurfacePoint& point, const Reach& reach,
                  const Cross& cross) {
-  for (const SurfacePoint& in_face : {point, beyond_edge(mesh, point)}) {
-    if (in_face.face == kNone) continue;
+  for (const SurfacePoint& in_face : images_of(mesh, point)) {
     const Index under = edge_under(in_face);
     for (Index h = 3 * in_face.face; h < 3 * in_face.face + 3; ++h) {
       const Point2 from = in_frame(mesh, in_face, h);

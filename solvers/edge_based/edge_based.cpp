@@ -27,7 +27,7 @@ const RegisterSolver<EdgeBased<ByDistance>> registered{{
     .propagation = "edge",
     .spatial_order = true,
     .relative_time = 1,
-    .abilities = {.surface_sources = true, .paths = true},
+    .abilities = {.non_manifold_edges = true, .surface_sources = true, .paths = true},
 }};
 
 }  // namespace

@@ -112,7 +112,7 @@ class Propagation final : public Propagator<Recorder> {
       at_corner |= to_apex < kWindowWidth * e.length;
     };
     const auto cross_side = [&](Index h, const Point2& from) {
-      emit_over(mesh_.half_edge(h), from, source.distance, root);
+      emit_over(h, from, source.distance, root);
     };
     spread_from(mesh_, source.at, reach_corner, [](Index, const Point2&) {});
     if (at_corner) return;
@@ -132,21 +132,24 @@ class Propagation final : public Propagator<Recorder> {
   /// @param end at least the distance of all that is asked for
   [[gnu::cold, gnu::noinline]] void finish(double end, Recorder& recorder) {
     const auto enqueue_nearer = [&](Index h) {
-      if (h != kNone && has_nearer(h, end)) enqueue(h);
+      if (has_nearer(h, end)) enqueue(h);
+    };
+    const auto enqueue_nearer_beyond = [&](Index h) {
+      mesh_.for_each_sheet(h, [&](Index g) { enqueue_nearer(mesh_.twin(g)); });
     };
     while (!front_.empty()) {
       const Index v = pop(recorder);
       if (distances_[v] <= end) enter_faces_around(v, recorder);
       for (const Index h : mesh_.outgoing(v)) {
-        for (const Index side : {h, Mesh::previous(h), mesh_.twin(Mesh::next(h))}) {
-          enqueue_nearer(side);
-        }
+        enqueue_nearer(h);
+        enqueue_nearer(Mesh::previous(h));
+        enqueue_nearer_beyond(Mesh::next(h));
       }
       for (std::size_t i = 0; i < fifo_.size(); ++i) {
         const Index h = fifo_[i];
         cross_with_list(h, recorder);
-        enqueue_nearer(mesh_.twin(Mesh::previous(h)));
-        enqueue_nearer(mesh_.twin(Mesh::next(h)));
+        enqueue_nearer_beyond(Mesh::previous(h));
+        enqueue_nearer_beyond(Mesh::next(h));
       }
       fifo_.clear();
     }
@@ -255,13 +258,13 @@ class Propagation final : public Propagator<Recorder> {
 
   /// Sends a window from the (pseudo-)source v over the whole of the opposite edge.
   void emit(Index v, Index opposite) {
-    const HalfEdge& e = mesh_.half_edge(opposite);
-    emit_over(e, apex_from_beyond(e), distances_[v], v);
+    emit_over(opposite, apex_from_beyond(mesh_.half_edge(opposite)), distances_[v], v);
   }
 
   /// Sends a window over the whole of a side of a face.
   /// @param from the source in the frame of the side's twin
-  HWY_INLINE void emit_over(const HalfEdge& e, const Point2& from, double distance, Index root) {
+  HWY_INLINE void emit_over(Index side, const Point2& from, double distance, Index root) {
+    const HalfEdge& e = mesh_.half_edge(side);
     if (e.twin == kNone || !(e.length > 0)) return;
     auto* segment = lists_.allocate(1);
     segment->count = 1;
@@ -272,16 +275,39 @@ class Propagation final : public Propagator<Recorder> {
     segment->array(kSigma)[0] = distance;
     if constexpr (kNoted != Note::none) segment->array(kDepth)[0] = 1;
     if constexpr (kNoted == Note::root) segment->array(kRoot)[0] = root;
-    land(e.twin, segment, Place::back);
+    land(side, e.twin, segment, Place::back);
   }
 
-  void land(Index h, typename Lists::Segment* segment, Place place) {
+  /// @param side through which the windows leave a face
+  /// @param into its twin, on which they land
+  void land(Index side, Index into, typename Lists::Segment* segment, Place place) {
     if (segment->count == 0) {
       lists_.release(segment);
       return;
     }
+    if (mesh_.crosses_non_manifold_edges()) [[unlikely]]
+      land_on_other_sheets(side, *segment, place);
+    land_on(into, segment, place);
+  }
+
+  void land_on(Index h, typename Lists::Segment* segment, Place place) {
     lists_.add(h, segment, place);
     if (is_entered(h)) enqueue(h);
+  }
+
+  /// Windows that leave a face where it meets several others go on in each of them.
+  [[gnu::cold, gnu::noinline]] void land_on_other_sheets(Index side,
+                                                         const typename Lists::Segment& segment,
+                                                         Place place) {
+    mesh_.for_each_sheet(side, [&](Index g) {
+      if (g == side) return;
+      auto* copy = lists_.allocate(segment.count + kLaneRoom - 1);
+      copy->count = segment.count;
+      for (unsigned field = 0; field < fields_with(kNoted); ++field) {
+        std::copy_n(segment.array(field), segment.count, copy->array(field));
+      }
+      land_on(mesh_.twin(g), copy, place);
+    });
   }
 
   void cross_with_list(Index h, Recorder& recorder) {
@@ -325,12 +351,12 @@ class Propagation final : public Propagator<Recorder> {
     if (left != kNone && separator.any_left) {
       auto* out = lists_.allocate(batch_.count + kLaneRoom - 1);
       unfold<LeftEdge, kNoted>(batch_, face, to_left_, seen_right_.data(), *out);
-      land(left, out, Place::front);
+      land(Mesh::previous(h), left, out, Place::front);
     }
     if (right != kNone && separator.any_right) {
       auto* out = lists_.allocate(batch_.count + kLaneRoom - 1);
       unfold<RightEdge, kNoted>(batch_, face, to_right_, seen_left_.data(), *out);
-      land(right, out, Place::back);
+      land(Mesh::next(h), right, out, Place::back);
     }
   }
 
@@ -411,6 +437,8 @@ class Propagation final : public Propagator<Recorder> {
   /// Strategy I over the batch: suspicious pairs go through trim_pair, in order, and so does what
   /// follows a window that changed. What is beaten wholly is struck out (Batch::strike_out).
   void trim(const Crossed& face) {
+    if (mesh_.crosses_non_manifold_edges()) [[unlikely]]
+      return trim_overlaps(face);
     if (!find_suspects(batch_, suspects_.data())) return;
     std::size_t i = next_suspect(1);
     while (i < batch_.count) {
@@ -438,11 +466,33 @@ class Propagation final : public Propagator<Recorder> {
     }
   }
 
+  /// Strategy I where windows of one edge may have come through different sheets: lines that cross
+  /// in the unfolded picture need not do so on the surface, so that only points of the edge decide.
+  [[gnu::cold, gnu::noinline]] void trim_overlaps(const Crossed& face) {
+    for (std::size_t i = 1; i < batch_.count; ++i) {
+      for (std::size_t before = 0; before < i && !batch_.is_struck_out(i); ++before) {
+        if (batch_.is_struck_out(before)) continue;
+        Window first = batch_.window(before), second = batch_.window(i);
+        trim_overlap(first, second, face);
+        put_back(before, first, face);
+        put_back(i, second, face);
+      }
+    }
+  }
+
+  void put_back(std::size_t i, const Window& w, const Crossed& face) {
+    if (is_void(w, face.length)) {
+      batch_.strike_out(i);
+    } else {
+      batch_.set_interval(i, w);
+    }
+  }
+
   /// Strategy II: decides for each window to which edges it goes.
   void choose_sides(const Separator& separator, const FaceFrame& face, Recorder& recorder) {
     to_left_ = seen_left_.data();
     to_right_ = seen_right_.data();
-    if (separator.window == SIZE_MAX) return;
+    if (separator.window == SIZE_MAX || mesh_.crosses_non_manifold_edges()) return;
     const auto timed = recorder.enter(Phase::trimming);
     if (separator.rivals == 0 && !any_crosses(batch_, separator, to_left_, to_right_)) return;
     const std::size_t groups = batch_.count / kLanes + 1;

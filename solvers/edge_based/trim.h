@@ -237,4 +237,14 @@ inline void trim_pair(Window& first, Window& second, const Crossed& face) {
   internal::settle_overlap(first, second, at_begin, at_end, face.rounding);
 }
 
+/// The part of `trim_pair` that does not ask through which faces the windows came: where one of
+/// them is nowhere longer on their overlap, the other keeps only what reaches beyond it.
+inline void trim_overlap(Window& first, Window& second, const Crossed& face) {
+  if (touches_edge(first, face.length) || touches_edge(second, face.length)) return;
+  const double begin = std::max(first.begin, second.begin), end = std::min(first.end, second.end);
+  if (end - begin <= face.rounding) return;
+  internal::settle_overlap(first, second, internal::pair_at(first, second, begin),
+                           internal::pair_at(first, second, end), face.rounding);
+}
+
 }  // namespace geodesic::edge_based

@@ -14,7 +14,7 @@ const RegisterSolver<Mmp<ByDistance>> mmp{{
     .propagation = "window",
     .final_windows = true,
     .relative_time = 12,
-    .abilities = {.surface_sources = true, .paths = true},
+    .abilities = {.non_manifold_edges = true, .surface_sources = true, .paths = true},
 }};
 
 const RegisterSolver<Mmp<ByBucket>> fwp_mmp{{
@@ -27,7 +27,7 @@ const RegisterSolver<Mmp<ByBucket>> fwp_mmp{{
     .propagation = "window",
     .final_windows = true,
     .relative_time = 10,
-    .abilities = {.surface_sources = true, .paths = true},
+    .abilities = {.non_manifold_edges = true, .surface_sources = true, .paths = true},
 }};
 
 }  // namespace

@@ -215,10 +215,12 @@ class Propagation {
     const bool on_edge = w.y > 0 && w.y <= kFlatFace * e.length && w.begin < w.x && w.x < w.end;
     if (!on_edge || e.twin == kNone || row_ == kMostInRow) return;
     ++row_;
-    budget_.spend(1);
     const Beam beyond{beam.source, beam.depth.next()};
-    recorder_.propagated(1, beyond.depth);
-    cross_face(e.twin, turned(w, e.length), beyond);
+    mesh_.for_each_sheet(h, [&](Index g) {
+      budget_.spend(1);
+      recorder_.propagated(1, beyond.depth);
+      cross_face(mesh_.twin(g), turned(w, e.length), beyond);
+    });
   }
 
   /// True when the paths along the edge from its ends beat a pseudo-source's window everywhere, as
@@ -285,6 +287,15 @@ class Propagation {
   void land(Index h, const Window& w, const Beam& beam) {
     const double length = mesh_.half_edge(h).length;
     if (!(w.end - w.begin > kWindowWidth * length)) return;
+    insert(h, length, w, beam);
+    if (!mesh_.crosses_non_manifold_edges() || !(w.y > 0)) return;
+    mesh_.for_each_sheet(h, [&](Index g) {
+      if (g != h) insert(g, length, w, beam);
+    });
+  }
+
+  /// @param w in the frame of h, as of every half-edge of the edge that has its direction
+  void insert(Index h, double length, const Window& w, const Beam& beam) {
     const Index twin = mesh_.twin(h);
     const bool goes_on = twin != kNone && w.y > 0;
     if (Layout::list(h, twin) == h) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -84,8 +85,8 @@ class Paths::Trace {
     Index half_edge;
     Index root;  ///< as in Arrival
     Point2 from;
-    Point2 at = {0, 0};                       ///< the end
-    std::array<SurfacePoint, 2> source = {};  ///< the root that is no vertex, in each of its faces
+    Point2 at = {0, 0};                         ///< the end
+    std::span<const SurfacePoint> source = {};  ///< images of the root that is no vertex
     double length = 0;
     double side = 0;  ///< length of the half-edge
 
@@ -133,15 +134,18 @@ class Paths::Trace {
       const HalfEdge& e = mesh_.half_edge(piece.half_edge);
       piece.at = {e.apex_x, e.apex_y};
     } else {
-      const bool beyond = end.face != piece.half_edge / 3;
-      if (beyond) piece.end = beyond_edge(mesh_, end);
-      if (piece.end.face != piece.half_edge / 3) lost(piece);
+      const Index face = piece.half_edge / 3;
+      if (end.face != face) {
+        const std::vector<SurfacePoint> images = images_of(mesh_, end);
+        const auto image = std::ranges::find(images, face, &SurfacePoint::face);
+        if (image == images.end()) lost(piece);
+        piece.end = *image;
+      }
       piece.at = in_frame(mesh_, piece.end, piece.half_edge);
     }
     if (piece.root >= vertices) {
-      const SurfacePoint& source = of_.query_.sources[piece.root - vertices].at;
-      if (source.is_vertex()) lost(piece);
-      piece.source = {source, beyond_edge(mesh_, source)};
+      piece.source = of_.source_images_[piece.root - vertices];
+      if (piece.source.empty()) lost(piece);
     }
     piece.side = mesh_.half_edge(piece.half_edge).length;
     piece.aim(arrival.from);
@@ -180,9 +184,62 @@ class Paths::Trace {
   }
 
   /// Adds the points of a piece after its end.
+  ///
+  /// From which of several faces of an edge the line comes is not remembered: each is tried, in
+  /// the order of a search in depth. A wrong one is left as soon as a vertex of the faces it leads
+  /// to is farther from the source than by this line, or nearer.
   /// @param detour becomes the shortest by a vertex of the faces on the way, if not null
   /// @return where the piece begins; kNone when its line does not lead to its root
   Index walk(const Piece& piece, Detour* detour) {
+    sheets_.clear();
+    for (;;) {
+      sheets_met_ = 0;
+      const auto before = points_.size();
+      const SurfacePoint last = last_;
+      const Index root = walk_by_sheets(piece, detour);
+      if (root != kNone || sheets_.empty()) return root;
+      while (!sheets_.empty() && ++sheets_.back().chosen == sheets_.back().count) {
+        sheets_.pop_back();
+      }
+      if (sheets_.empty()) return kNone;
+      points_.resize(before);
+      last_ = last;
+    }
+  }
+
+  /// Of the sheets at an edge, the one that a line is taken to come from.
+  struct Sheet {
+    Index chosen, count;
+  };
+
+  /// The face before the one that a line leaves by `side`, by its half-edge; kNone at a boundary.
+  Index enter_beyond(Index side) {
+    const Index twin = mesh_.twin(side);
+    if (twin == kNone || !mesh_.crosses_non_manifold_edges() || !mesh_.is_branching(side)) {
+      return twin;
+    }
+    if (sheets_met_ == sheets_.size()) {
+      Index count = 0;
+      mesh_.for_each_sheet(side, [&](Index) { ++count; });
+      sheets_.push_back({0, count});
+    }
+    Index left = sheets_[sheets_met_++].chosen, in = kNone;
+    mesh_.for_each_sheet(side, [&](Index g) {
+      if (left-- == 0) in = mesh_.twin(g);
+    });
+    return in;
+  }
+
+  /// False when a line that comes to a corner's face with so much of its way to go contradicts the
+  /// distance of the corner.
+  bool fits(Index corner, double to_corner, double left_to_go, const Piece& piece) const {
+    const double slack = piece.part(kPathStray) + kPathStray * piece.distance;
+    const double here = piece.distance - piece.length + left_to_go;
+    return std::abs(of_.distance(corner) - here) <= to_corner + slack;
+  }
+
+  /// As `walk`, by one choice of sheets.
+  Index walk_by_sheets(const Piece& piece, Detour* detour) {
     strayed_ = false;
     const Index h = piece.half_edge;
     if (const auto root = root_on_face(piece, h)) {
@@ -210,7 +267,7 @@ class Paths::Trace {
     if (nearest < kInfinity || !leaves_at_end(piece, line)) add_crossing(line);
     double travelled = line.step;
     for (Index faces = 0; faces < mesh_.face_count(); ++faces) {
-      const Index in = mesh_.twin(line.side);
+      const Index in = enter_beyond(line.side);
       if (in == kNone) return kNone;
       const Point2 here = {line.x, 0};
       if (const auto root = root_on_face(piece, in)) {
@@ -223,6 +280,7 @@ class Paths::Trace {
       const double left_to_go = length_of(ahead);
       const Direction direction(ahead, left_to_go);
       const double along = direction.along(to_apex), across = direction.across(to_apex);
+      if (sheets_met_ > 0 && !fits(apex, length_of(to_apex), left_to_go, piece)) return kNone;
       if (detour != nullptr) consider(apex, travelled + along, across, piece, *detour);
       if (is_through(along, across, left_to_go, slack)) {
         const double rest = length_of(to_apex);
@@ -353,9 +411,10 @@ class Paths::Trace {
     if (!(off <= piece.part(kApexReach))) return kNone;
     strayed_ = off > piece.part(kPathStray);
     double rest = length_of(minus(at, here));
-    SurfacePoint root = piece.source[0];
-    if (piece.root < mesh_.vertex_count()) {
-      root = SurfacePoint(piece.root);
+    SurfacePoint root(piece.root);
+    if (piece.root >= mesh_.vertex_count()) {
+      root = piece.source.front();
+    } else {
       const Index first = piece.half_edge;
       if (h == first && piece.root != mesh_.apex(h)) {
         rest = to_end(piece, piece.root != mesh_.origin(first));
@@ -412,8 +471,7 @@ class Paths::Trace {
       }
       return;
     }
-    for (const SurfacePoint& end : {piece.end, beyond_edge(mesh_, piece.end)}) {
-      if (end.face == kNone) continue;
+    for (const SurfacePoint& end : images_of(mesh_, piece.end)) {
       piece.end = end;
       consider_corners(3 * end.face, in_frame(mesh_, end, 3 * end.face));
     }
@@ -438,7 +496,8 @@ class Paths::Trace {
   /// Adds the next point towards the source, unless it is the one added last.
   /// @param face it shares with the point before it
   /// @return the vertex it is
-  Index add(const SurfacePoint& own, Index face, double step) {
+  Index add(const SurfacePoint& image, Index face, double step) {
+    const SurfacePoint own = in_given_face(mesh_, image);
     if (!points_.empty() && own == last_) return own.vertex;
     last_ = own;
     const MeshNumbers& numbers = mesh_.numbers();
@@ -455,7 +514,7 @@ class Paths::Trace {
         point.position = geodesic::add(point.position, scale(own.weights[k], corner));
       }
     }
-    if (face != kNone) point.face = numbers.given_face(face);
+    if (face != kNone) point.face = numbers.given_face(face % mesh_.given_face_count());
     points_.push_back(point);
     return own.vertex;
   }
@@ -486,6 +545,8 @@ class Paths::Trace {
 
   const Paths& of_;
   const Mesh& mesh_;
+  std::vector<Sheet> sheets_;  // at the edges of several faces on the way, in this order
+  std::size_t sheets_met_ = 0;
   std::vector<PathPoint> points_;  // from the end; `travelled` is from the point before
   SurfacePoint last_;              // in the mesh's own numbers
   bool strayed_ = false;           // the last line missed its root
@@ -507,10 +568,14 @@ Paths::Paths(const Mesh& mesh, Query query, std::vector<double> distances, Recor
     if (arrival.root < vertices) is_root_[arrival.root] = true;
   }
   for (SurfacePoint& target : query_.targets) target = in_own_numbers(mesh, target);
+  source_images_.resize(query_.sources.size());
   for (Index i = 0; i < query_.sources.size(); ++i) {
     Source& source = query_.sources[i];
     source.at = in_own_numbers(mesh, source.at);
-    if (!source.at.is_vertex()) continue;
+    if (!source.at.is_vertex()) {
+      source_images_[i] = images_of(mesh, source.at);
+      continue;
+    }
     const auto [at, first] = source_at_.try_emplace(source.at.vertex, i);
     if (!first && source.distance < query_.sources[at->second].distance) at->second = i;
   }

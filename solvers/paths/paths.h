@@ -80,7 +80,8 @@ class Paths {
   std::vector<Arrival> arrivals_;
   std::vector<bool> is_root_;  // of an arrival
   std::vector<AtTarget> targets_;
-  std::unordered_map<Index, Index> source_at_;  // of vertices: the earliest
+  std::unordered_map<Index, Index> source_at_;            // of vertices: the earliest
+  std::vector<std::vector<SurfacePoint>> source_images_;  // by source; none of vertices
 };
 
 /// Solves a query for its distances and paths.

@@ -120,9 +120,11 @@ TEST(SurfacePoint, spreads_to_every_corner_and_side_of_its_faces_at_their_distan
 TEST(SurfacePoint, beyond_its_edge_is_at_the_same_place) {
   const Mesh mesh(rough_sphere(1, 2, 0.3));
   for (const SurfacePoint& point : random_points(mesh, 40)) {
-    const SurfacePoint beyond = beyond_edge(mesh, point);
-    EXPECT_EQ(beyond.face == kNone, edge_under(point) == kNone);
-    if (beyond.face == kNone) continue;
+    const std::vector<SurfacePoint> images = images_of(mesh, point);
+    EXPECT_EQ(images.front(), point);
+    ASSERT_EQ(images.size(), edge_under(point) == kNone ? 1u : 2u);
+    if (images.size() == 1) continue;
+    const SurfacePoint& beyond = images[1];
     EXPECT_LT(space_between(position_of(mesh, point), position_of(mesh, beyond)), 1e-15);
     EXPECT_EQ(defect_of(mesh, beyond), "");
   }

@@ -199,10 +199,10 @@ TEST_P(SurfacePoints, arrive_from_roots_that_are_as_much_nearer_as_the_line_is_l
       SCOPED_TRACE("target " + std::to_string(t));
       const auto& [distance, arrival] = answer.recording.targets[t];
       if (query.targets[t].is_vertex() || arrival.root == kNone) continue;
-      SurfacePoint in_face = query.targets[t];
-      if (in_face.face != arrival.half_edge / 3) in_face = beyond_edge(mesh, in_face);
-      ASSERT_EQ(in_face.face, arrival.half_edge / 3);
-      expect_length(arrival, in_frame(mesh, in_face, arrival.half_edge), distance);
+      const std::vector<SurfacePoint> images = images_of(mesh, query.targets[t]);
+      const auto in_face = std::ranges::find(images, arrival.half_edge / 3, &SurfacePoint::face);
+      ASSERT_NE(in_face, images.end());
+      expect_length(arrival, in_frame(mesh, *in_face, arrival.half_edge), distance);
     }
   }
 }

@@ -133,7 +133,8 @@ Json compare_with_reference(const Problem& problem, const Query& query,
   if (const auto known = closed_form(problem, query)) {
     compare(problem.mesh, query, distances, {kClosedForm, *known});
   } else if (problem.flags.check) {
-    const Mesh as_given(problem.soup);  // whose numbers the points have
+    const Mesh as_given(problem.soup, Numbering::as_given,  // whose numbers the points have
+                        problem.mesh.non_manifold_edges());
     std::vector<SurfacePoint> points = query.targets;
     for (const Source& source : query.sources) points.push_back(source.at);
     const InsertedPoints inserted(as_given, points);
@@ -255,6 +256,7 @@ Json write_matrix(Problem& problem) {
   }
   const Json identity{{"mesh", sha256_of_file(problem.entry.file)},
                       {"repair", flags.repair},
+                      {"cross_non_manifold", flags.cross_non_manifold},
                       {"solver", problem.solver.name},
                       {"limit", significant(flags.limit)},
                       {"type", type},

@@ -18,7 +18,7 @@ struct SolveFlags {
   std::string mesh, solver;
   std::vector<std::string> sources, targets;
   std::string sources_file, targets_file, output, paths, matrix;
-  bool repair = false, each = false, check = false, counters = false;
+  bool repair = false, cross_non_manifold = false, each = false, check = false, counters = false;
   bool stop_at_targets = false, nearest_source = false, single_precision = false, resume = false;
   unsigned threads = 0;  ///< 0: as many as are best
   double limit = kInfinity;

@@ -196,9 +196,9 @@ Cases vertices_next_to_sources() {
     for (const Index ahead : {2 * 13 + 5u, 3 * 13 + 11u, 9 * 13 + 8u, 11 * 13 + 3u, 5 * 13 + 0u}) {
       const TriangleSoup soup = with_vertex_next_to(kSource, ahead, std::pow(10.0, exponent));
       const Index added = static_cast<Index>(soup.positions.size()) - 1;
-      cases.push_back(plane_case("1e" + std::to_string(exponent) + " towards vertex " +
-                                     std::to_string(ahead),
-                                 soup, {from(kSource), from(added), from(0)}, soup));
+      cases.push_back(
+          plane_case("1e" + std::to_string(exponent) + " towards vertex " + std::to_string(ahead),
+                     soup, {from(kSource), from(added), from(0)}, soup));
     }
   }
   return cases;

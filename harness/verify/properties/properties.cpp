@@ -13,7 +13,7 @@ const std::vector<Property>& all_properties() {
          {query_properties(), component_properties(), repetition_properties(),
           recording_properties(), invariance_properties(), closed_form_properties(),
           unclean_mesh_properties(), extreme_mesh_properties(), rough_mesh_properties(),
-          path_properties()}) {
+          path_properties(), sheet_properties()}) {
       properties.insert(properties.end(), group.begin(), group.end());
     }
     return properties;

@@ -20,6 +20,7 @@ std::vector<Property> unclean_mesh_properties();
 std::vector<Property> extreme_mesh_properties();
 std::vector<Property> rough_mesh_properties();
 std::vector<Property> path_properties();
+std::vector<Property> sheet_properties();
 
 using Cases = std::vector<Case>;
 
@@ -38,6 +39,9 @@ std::vector<Query> some_sources(const TriangleSoup& soup);
 /// The random meshes, each with some_sources.
 Cases random_meshes_from_some_sources();
 std::vector<Query> every_source(const TriangleSoup& soup);
+
+/// Books, surfaces with fins and such of one side, whose non-manifold edges paths cross.
+Cases surfaces_of_several_sheets();
 
 /// A generated mesh with distances in closed form.
 /// @param sources empty: every vertex

@@ -26,7 +26,7 @@ const RegisterSolver<edge_based::EdgeBased<InBuckets>> registered{{
     .space_complexity = "O(n)",
     .propagation = "edge",
     .spatial_order = true,
-    .abilities = {.surface_sources = true, .paths = true},
+    .abilities = {.non_manifold_edges = true, .surface_sources = true, .paths = true},
 }};
 
 }  // namespace
