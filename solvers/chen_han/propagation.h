@@ -260,6 +260,7 @@ class Propagation {
   /// The apex of h, at the end of an edge from a vertex that emits.
   void reach_neighbour(Index h, double distance, double edge, const Incoming& incoming,
                        Arrival arrival) {
+    if (!(distance + edge < distances_[mesh_.apex(h)])) return;
     if (is_next_to_apex(mesh_.half_edge(h), edge)) {
       start_at(mesh_.apex(h), distance + edge, arrival);
     } else {

@@ -34,7 +34,7 @@ class Pool {
   }
 
   /// @return the number of the item's slot
-  Index add(const T& item) {
+  [[gnu::always_inline]] Index add(const T& item) {
     if (free_ == kNone) {
       slots_.push_back(item);
       return static_cast<Index>(slots_.size() - 1);

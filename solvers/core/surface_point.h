@@ -66,8 +66,10 @@ inline Index edge_under(const SurfacePoint& point) {
 /// True when a source in the face of a half-edge, or at an end of it, lies so near to its apex, at
 /// this distance, that rounding turns the lines of the source round it: where they part there may
 /// be a gap. The apex has to send out windows then, whatever vertex it is: its lines are as long.
+/// Compared with the sides of the face, up to a factor: every neighbour of a vertex that sends out
+/// windows is asked.
 inline bool is_next_to_apex(const HalfEdge& e, double distance) {
-  return distance < kNextToCorner * (e.length + std::hypot(e.apex_x, e.apex_y));
+  return distance < kNextToCorner * (e.length + std::abs(e.apex_x) + e.apex_y);
 }
 
 /// The same point in every face that it lies in, first in its own: on an edge, in the face beyond

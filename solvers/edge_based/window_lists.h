@@ -74,7 +74,7 @@ class WindowLists {
   void prefetch(Index h) const { geodesic::prefetch(&last_[h]); }
 
   /// A segment with room for at least `windows`, in no list yet; its count is 0.
-  Segment* allocate(std::size_t windows) {
+  [[gnu::always_inline]] Segment* allocate(std::size_t windows) {
     const unsigned bin =
         windows <= kLaneRoom ? 0 : static_cast<unsigned>(std::bit_width((windows - 1) / kLaneRoom));
     Index& head = free_[bin];

@@ -171,6 +171,7 @@ class Propagation {
 
   /// The apex of h, at the end of an edge from a vertex that emits.
   void reach_neighbour(Index h, double distance, double edge, Arrival arrival) {
+    if (!(distance + edge < distances_[mesh_.apex(h)])) return;
     if (is_next_to_apex(mesh_.half_edge(h), edge)) {
       start_at(mesh_.apex(h), distance + edge, arrival);
     } else {
@@ -288,7 +289,13 @@ class Propagation {
     const double length = mesh_.half_edge(h).length;
     if (!(w.end - w.begin > kWindowWidth * length)) return;
     insert(h, length, w, beam);
-    if (!mesh_.crosses_non_manifold_edges() || !(w.y > 0)) return;
+    if (crosses_sheets_) [[unlikely]]
+      insert_on_other_sheets(h, length, w, beam);
+  }
+
+  [[gnu::cold, gnu::noinline]] void insert_on_other_sheets(Index h, double length, const Window& w,
+                                                           const Beam& beam) {
+    if (!(w.y > 0)) return;
     mesh_.for_each_sheet(h, [&](Index g) {
       if (g != h) insert(g, length, w, beam);
     });
@@ -314,6 +321,7 @@ class Propagation {
   static constexpr int kMostInRow = 32;
 
   const Mesh& mesh_;
+  const bool crosses_sheets_ = mesh_.crosses_non_manifold_edges();
   Recorder recorder_;
   WindowBudget budget_;
   Front wavefront_;
