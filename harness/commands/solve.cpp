@@ -48,10 +48,10 @@ void run_solve(const SolveFlags& flags) {
       flags.cross_non_manifold ? NonManifoldEdges::crossed : NonManifoldEdges::cut;
   const BuiltMesh built =
       build_mesh(entry.file, {.repair = flags.repair, .non_manifold_edges = non_manifold_edges});
+  Problem problem = read_problem(flags, solver, entry, built, points);
   for (const std::string& warning : built.loaded.warnings) {
     warn(entry.file.string() + ": " + warning);
   }
-  Problem problem = read_problem(flags, solver, entry, built, points);
 
   Json json{{"solver", solver.name},
             {"mesh", entry.name},

@@ -95,7 +95,13 @@ std::string unsupported(const Description& solver, const Mesh& mesh) {
     return solver.name + " supports no vertices that several fans of faces share";
   }
   if (mesh.crosses_non_manifold_edges() && !can.non_manifold_edges) {
-    return solver.name + " does not cross edges of more than two faces";
+    std::vector<std::string> others;
+    for (const Description* other : registered_solvers()) {
+      if (other->abilities.non_manifold_edges && !other->by_name_only) {
+        others.push_back(other->name);
+      }
+    }
+    return solver.name + " does not cross edges of more than two faces; there are: " + join(others);
   }
   if (mesh.has_degenerate_faces() && !can.degenerate_faces) {
     return solver.name + " supports no faces with a zero-length edge or without area";

@@ -9,6 +9,7 @@ import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
@@ -63,6 +64,10 @@ class Mesh:
         Coordinates, of any type and memory order; copied as float64.
     faces : (m, 3) integers, m > 0
         Indices of vertices from 0, counter-clockwise seen from outside; copied.
+    cross_non_manifold : bool
+        Paths go from a face into each of the others at an edge of more than two faces, and at one
+        between faces that do not agree on the outside. Otherwise such edges are boundaries. The
+        solver must be one that does so: edge-based, mmp, fwp-mmp.
 
     Raises
     ------
@@ -83,9 +88,12 @@ class Mesh:
 
     _shared: _native.SharedMesh
 
-    def __init__(self, vertices: ArrayLike, faces: ArrayLike) -> None:
+    def __init__(
+        self, vertices: ArrayLike, faces: ArrayLike, *, cross_non_manifold: bool = False
+    ) -> None:
         points = vertex_array(vertices)
-        self._shared = _native.SharedMesh(points, face_array(faces, len(points)))
+        corners = face_array(faces, len(points))
+        self._shared = _native.SharedMesh(points, corners, cross_non_manifold)
 
     @property
     def vertices(self) -> NDArray[np.float64]:
@@ -299,10 +307,13 @@ class Mesh:
         return f"Mesh({len(self.vertices)} vertices, {len(self.faces)} faces)"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Mesh, (self.vertices, self.faces)
+        crosses = self._shared.crosses_non_manifold
+        return partial(Mesh, cross_non_manifold=crosses), (self.vertices, self.faces)
 
 
-def read_mesh(file: str | os.PathLike[str], repair: bool = False) -> Mesh:
+def read_mesh(
+    file: str | os.PathLike[str], repair: bool = False, *, cross_non_manifold: bool = False
+) -> Mesh:
     """The mesh of an OBJ, OFF, PLY or STL file, with the file's vertex numbers.
 
     Parameters
@@ -310,6 +321,8 @@ def read_mesh(file: str | os.PathLike[str], repair: bool = False) -> Mesh:
     file : path
     repair : bool
         Repair what would be refused; docs/adding-a-mesh.md says how. Vertices keep their numbers.
+    cross_non_manifold : bool
+        As of Mesh; what it concerns is not refused then.
 
     Raises
     ------
@@ -319,7 +332,7 @@ def read_mesh(file: str | os.PathLike[str], repair: bool = False) -> Mesh:
     What may surprise, and what was repaired, is a UserWarning.
     """
     mesh = Mesh.__new__(Mesh)
-    mesh._shared, remarks = _native.read(os.fspath(file), repair)
+    mesh._shared, remarks = _native.read(os.fspath(file), repair, cross_non_manifold)
     for remark in remarks:
         warnings.warn(f"{os.fspath(file)}: {remark}", stacklevel=2)
     return mesh

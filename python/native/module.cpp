@@ -109,16 +109,25 @@ std::vector<Index> indices_of(const Array<Index>& array) {
 
 using SharedMeshPointer = std::shared_ptr<SharedMesh>;
 
-SharedMeshPointer mesh_from(const Array<double>& vertices, const Array<Index>& faces) {
+NonManifoldEdges crossed_if(bool cross_non_manifold) {
+  return cross_non_manifold ? NonManifoldEdges::crossed : NonManifoldEdges::cut;
+}
+
+SharedMeshPointer mesh_from(const Array<double>& vertices, const Array<Index>& faces,
+                            bool cross_non_manifold) {
   const auto soup = std::make_shared<TriangleSoup>(TriangleSoup{rows_of(vertices), rows_of(faces)});
-  return in_background([=](Task&) { return std::make_shared<SharedMesh>(std::move(*soup)); });
+  return in_background([=](Task&) {
+    return std::make_shared<SharedMesh>(std::move(*soup), crossed_if(cross_non_manifold));
+  });
 }
 
 std::pair<SharedMeshPointer, std::vector<std::string>> read(const std::filesystem::path& file,
-                                                            bool repair) {
+                                                            bool repair,
+                                                            bool cross_non_manifold) {
   return in_background([=](Task&) {
-    LoadedMesh loaded = load_mesh(file, {.repair = repair});
-    return std::pair(std::make_shared<SharedMesh>(std::move(loaded.soup)),
+    const NonManifoldEdges edges = crossed_if(cross_non_manifold);
+    LoadedMesh loaded = load_mesh(file, {.repair = repair, .non_manifold_edges = edges});
+    return std::pair(std::make_shared<SharedMesh>(std::move(loaded.soup), edges),
                      std::move(loaded.warnings));
   });
 }
@@ -373,6 +382,9 @@ PYBIND11_MODULE(_native, module) {
                              })
       .def_property_readonly("faces", [](const py::object& self) {
         return view_of(self.cast<SharedMesh&>().soup().triangles, self);
+      })
+      .def_property_readonly("crosses_non_manifold", [](const SharedMesh& mesh) {
+        return mesh.non_manifold_edges() == NonManifoldEdges::crossed;
       });
 
   py::class_<Defect>(module, "Defect", "A kind of fault that a mesh has.")

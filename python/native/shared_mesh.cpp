@@ -8,13 +8,15 @@
 
 namespace geodesic::python {
 
-SharedMesh::SharedMesh(TriangleSoup soup) : soup_(std::move(soup)) {
+SharedMesh::SharedMesh(TriangleSoup soup, NonManifoldEdges non_manifold_edges)
+    : soup_(std::move(soup)), non_manifold_edges_(non_manifold_edges) {
   check_mesh_input(soup_.positions, soup_.triangles);
 }
 
 const Mesh& SharedMesh::mesh() {
-  std::call_once(built_,
-                 [&] { mesh_ = std::make_unique<const Mesh>(soup_, Numbering::along_surface); });
+  std::call_once(built_, [&] {
+    mesh_ = std::make_unique<const Mesh>(soup_, Numbering::along_surface, non_manifold_edges_);
+  });
   return *mesh_;
 }
 

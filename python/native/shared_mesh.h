@@ -16,9 +16,11 @@ namespace geodesic::python {
 class SharedMesh {
  public:
   /// @throws std::invalid_argument as the constructor of Mesh does
-  explicit SharedMesh(TriangleSoup soup);
+  explicit SharedMesh(TriangleSoup soup,
+                      NonManifoldEdges non_manifold_edges = NonManifoldEdges::cut);
 
   const TriangleSoup& soup() const { return soup_; }
+  NonManifoldEdges non_manifold_edges() const { return non_manifold_edges_; }
 
   /// The structure that solvers walk over, built by the first call: that takes as long as reading
   /// the arrays many times, and is best done where a user can interrupt it.
@@ -28,6 +30,7 @@ class SharedMesh {
   friend class BorrowedSolver;
 
   const TriangleSoup soup_;
+  const NonManifoldEdges non_manifold_edges_;
   std::once_flag built_;
   std::unique_ptr<const Mesh> mesh_;
   std::mutex mutex_;  // of all below

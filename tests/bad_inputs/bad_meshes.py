@@ -34,11 +34,21 @@ def mesh(what: str, file: str, content: str | bytes, *says: str) -> Case:
     )  # fmt: skip
 
 
+def crossed(what: str, flags: str, *says: str) -> Case:
+    fin = OBJ + "v 0 0 1\nv 0 -1 0\nf 1 2 3\nf 1 2 4\nf 2 1 5\n"
+    command = f"geodesic-bench solve fin.obj --source 0 --cross-non-manifold {flags}"
+    return Case(f"edge of three faces: {what}", command, list(says), files={"fin.obj": fin})
+
+
 def not_there(what: str, file: str, place: str) -> Case:
     return mesh(what, file, place, file, "a vertex that does not exist", "line ", *MEANINGLESS)
 
 
 CASES = [
+    crossed("a solver that does not cross it", "--solver ich",
+            "ich does not cross edges of more than two faces; there are: edge-based, fwp-mmp, mmp"),
+    crossed("a repair would cut it", "--solver mmp --repair",
+            "--repair excludes --cross-non-manifold"),
     # OBJ
     mesh("a coordinate that is no number", "a.obj", OBJ + "v 0 x 0\nf 1 2 3\n",
          "a.obj, line 4: the y coordinate 'x' is not a number, such as 0.5"),

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <vector>
 
 namespace geodesic {
 namespace {
@@ -169,6 +170,64 @@ TEST(Mesh, an_edge_that_two_faces_have_in_one_direction_is_a_boundary_of_both) {
   const Mesh mesh(soup);
   for (Index h = 0; h < mesh.half_edge_count(); ++h) EXPECT_EQ(mesh.twin(h), kNone) << h;
   EXPECT_EQ(mesh.edge_count(), 6u);
+}
+
+TEST(Mesh, lines_cross_an_edge_of_several_faces_from_each_image_into_one_of_every_other_face) {
+  TriangleSoup soup = square();
+  for (const double height : {1, 2}) {
+    const Index top = static_cast<Index>(soup.positions.size());
+    soup.positions.push_back({0, 0, height});
+    soup.triangles.push_back({2, 0, top});
+  }
+  const Mesh mesh(soup, Numbering::as_given, NonManifoldEdges::crossed);
+  ASSERT_TRUE(mesh.crosses_non_manifold_edges());
+  EXPECT_EQ(mesh.given_face_count(), 4u);
+  ASSERT_EQ(mesh.face_count(), 8u);
+  EXPECT_EQ(mesh.edge_count(), 9u);
+  int lines = 0;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    EXPECT_EQ(mesh.mirrored(mesh.mirrored(h)), h);
+    EXPECT_EQ(mesh.origin(mesh.mirrored(h)), mesh.head(h));
+    std::vector<Index> faces;
+    mesh.for_each_sheet(h, [&](Index g) {
+      const Index into = mesh.twin(g);
+      EXPECT_EQ(mesh.twin(into), g);
+      EXPECT_EQ(mesh.origin(into), mesh.head(h));
+      EXPECT_EQ(mesh.half_edge(into).length, mesh.half_edge(h).length);
+      faces.push_back(into / 3 % 4);
+    });
+    const bool is_common = mesh.origin(h) + mesh.head(h) == 2;  // vertices 0 and 2
+    EXPECT_EQ(faces.size(), is_common ? 3u : 0u);
+    faces.push_back(h / 3 % 4);
+    std::ranges::sort(faces);
+    EXPECT_EQ(std::ranges::unique(faces).size(), 0u);
+    lines += is_common;
+  }
+  EXPECT_EQ(lines, 8);
+}
+
+TEST(Mesh, of_flipped_faces_has_the_vertices_of_the_surface_when_their_edges_are_crossed) {
+  TriangleSoup soup = fan(7, 0.4);
+  const Mesh clean(soup);
+  for (const std::size_t face : {1u, 2u, 5u}) {
+    std::swap(soup.triangles[face][0], soup.triangles[face][1]);
+  }
+  EXPECT_TRUE(Mesh(soup).is_boundary(0));
+  const Mesh mesh(soup, Numbering::as_given, NonManifoldEdges::crossed);
+  EXPECT_FALSE(mesh.has_non_manifold_vertices());
+  EXPECT_EQ(mesh.edge_count(), clean.edge_count());
+  EXPECT_NEAR(mesh.mean_edge_length(), clean.mean_edge_length(), kRounding);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    EXPECT_EQ(mesh.is_pseudo_source(v), clean.is_pseudo_source(v)) << v;
+    EXPECT_EQ(mesh.is_boundary(v), clean.is_boundary(v)) << v;
+    EXPECT_NEAR(mesh.total_angle(v), clean.total_angle(v), 4 * kRounding);
+  }
+}
+
+TEST(Mesh, of_a_manifold_has_no_images_of_its_faces) {
+  const Mesh mesh(fan(6, 0.3), Numbering::as_given, NonManifoldEdges::crossed);
+  EXPECT_FALSE(mesh.crosses_non_manifold_edges());
+  EXPECT_EQ(mesh.face_count(), 6u);
 }
 
 TEST(Mesh, closed_fans_that_share_a_vertex_make_it_a_pseudo_source) {

@@ -213,6 +213,12 @@ Cases thousand_sectors() {
   };
 }
 
+// An apex of 10,000 degrees.
+Cases twenty_eight_turns() {
+  return {closed_form_case("saddle-cone", {{"sectors", 200}, {"sector-angle", 50}, {"rings", 3}},
+                           {0, 1, 350, 601})};
+}
+
 Case flat(const std::string& name, const TriangleSoup& soup) {
   return plane_case(name, soup, some_sources(soup), soup);
 }
@@ -242,6 +248,16 @@ Cases valence_three() {
                                  {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
   return {{"tetrahedron", tetrahedron, {from(0), from(3)}},
           flat("a triangle cut at centroids", cut_at_centroids())};
+}
+
+// 10,000 faces in a row: every line crosses all that lie between its ends.
+Cases long_strips() {
+  Cases cases;
+  for (const char* diagonal : {"alternating", "forward"}) {
+    const TriangleSoup soup = flat_grid(5'000, 1, diagonal);
+    cases.push_back(plane_case(diagonal, soup, {from(0), from(7'000)}, soup));
+  }
+  return cases;
 }
 
 // The cells of a rough terrain for which `keep` holds.
@@ -387,6 +403,12 @@ std::vector<Property> extreme_mesh_properties() {
       {"valence-of-a-thousand-is-exact",
        "around a vertex of a thousand faces distances are those of the unrolled sectors",
        thousand_sectors, distances_are_right_in_few_windows},
+      {"saddle-of-ten-thousand-degrees-is-exact",
+       "around an apex of 28 turns distances are those of the unrolled sectors", twenty_eight_turns,
+       distances_are_right_in_few_windows},
+      {"strips-of-ten-thousand-faces-keep-euclid",
+       "along a strip of a plane distances are Euclid's, however many faces a line crosses",
+       long_strips, distances_are_right, kOwnKernel},
       {"valence-of-three-is-exact", "where vertices have three faces distances are exact",
        valence_three, distances_are_right_in_few_windows},
       {"saddles-next-to-flat-are-exact",

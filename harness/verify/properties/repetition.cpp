@@ -128,6 +128,27 @@ void scales_to_some_units(const Trial& trial) { scales_exactly(trial, {10, -30})
 // About 10^150 and 10^-150.
 void scales_to_far_units(const Trial& trial) { scales_exactly(trial, {498, -498}); }
 
+// Coordinates are multiples of 2^-20.
+Cases on_a_lattice() {
+  Cases cases = {{"terrain", rough_terrain(87, 9, 9, 1.5), {from(4)}},
+                 {"sphere", rough_sphere(88, 2, 0.3), {from(4)}}};
+  for (Case& each : cases) {
+    for (Vec3& p : each.soup.positions) {
+      for (double& c : p) c = std::ldexp(std::nearbyint(std::ldexp(c, 20)), -20);
+    }
+  }
+  return cases;
+}
+
+// By a vector of the lattice, 10^9 long: differences of coordinates keep every bit.
+void moves_far_away(const Trial& trial) {
+  const Query& query = trial.query();
+  TriangleSoup moved = trial.soup();
+  for (Vec3& p : moved.positions) p = add(p, {0x1p30, -0x1p30, 0x1p29});
+  const Mesh other(moved);
+  require("moved by 2^30", same_bits(query, trial.solve(other, query), trial.solve(query)));
+}
+
 // Sources with initial distances and a limit, in the unit of length too.
 Cases for_far_units() {
   const Query query{.sources = {{1, 0.5}, {9, 0}}, .limit = 6};
@@ -298,6 +319,9 @@ std::vector<Property> invariance_properties() {
        "other exponents and the same bits besides",
        for_far_units, scales_to_far_units,
        kMultipleSources | kInitialDistances | kDistanceLimit | kSameBits},
+      {"surfaces-moved-by-1e9-keep-every-bit",
+       "where coordinates stay exact, distances do not depend on where the surface lies",
+       on_a_lattice, moves_far_away, kSameBits | kOwnKernel, /*on_any_mesh=*/false},
       {"renumbered-vertices-keep-their-distances",
        "distances do not depend on the numbers of vertices", random_meshes_from_vertex_2,
        keeps_distances_when_renumbered, kExactDistances},

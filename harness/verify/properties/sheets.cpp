@@ -170,7 +170,11 @@ Cases surfaces_of_several_sheets() {
   for (std::uint64_t seed = 100; seed < 104; ++seed) {
     add("terrain with fins", with_fins(rough_terrain(seed, 6, 6, 1), seed, 5));
     add("sphere with fins", with_fins(rough_sphere(seed, 1, 0.3), seed, 4));
-    add("rough book", Book(seed, 2 + static_cast<Index>(seed % 4), 4, 0.3).soup());
+    const TriangleSoup book = Book(seed, 2 + static_cast<Index>(seed % 4), 4, 0.3).soup();
+    add("rough book", book);
+    add("ragged book", with_missing_faces(book, seed, 4));
+    const Index last = static_cast<Index>(book.positions.size()) - 1;
+    cases.back().queries.push_back(from({7, last / 2, last}));
   }
   return cases;
 }

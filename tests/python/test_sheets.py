@@ -1,0 +1,53 @@
+"""Meshes whose edges of more than two faces are crossed."""
+
+from __future__ import annotations
+
+import pickle
+from pathlib import Path
+
+import numpy as np
+import pytest
+from python_package import write_obj
+
+gb = pytest.importorskip("geodesic_bench")
+
+# Three unit squares on the edge from (0, 0, 0) to (0, 1, 0); faces of both orientations.
+VERTICES = [
+    [0, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 0], [-1, 0, 0], [-1, 1, 0], [0, 0, 1], [0, 1, 1],
+]  # fmt: skip
+FACES = [[0, 2, 3], [0, 3, 1], [0, 4, 5], [0, 1, 5], [0, 6, 7], [0, 7, 1]]
+
+
+@pytest.mark.parametrize("solver", ["edge-based", "mmp", "fwp-mmp"])
+def test_any_two_sheets_of_an_edge_are_a_plane(solver: str) -> None:
+    mesh = gb.Mesh(VERTICES, FACES, cross_non_manifold=True)
+    far = np.hypot(2, 1)
+    expected = [1, np.sqrt(2), 0, 1, 2, far, 2, far]
+    np.testing.assert_allclose(mesh.distances(2, solver=solver), expected, rtol=1e-15)
+    path = mesh.path(2, 7, solver=solver)
+    assert path.length == pytest.approx(far, rel=1e-15)
+    through = [[1, 0, 0], [1 / 3, 1 / 3, 0], [0, 0.5, 0], [0, 1, 1]]
+    np.testing.assert_allclose(path.points, through, atol=1e-15)
+
+
+def test_without_the_flag_such_an_edge_is_a_boundary() -> None:
+    mesh = gb.Mesh(VERTICES, FACES)
+    assert mesh.distances(2)[7] == 1 + np.sqrt(2)
+
+
+def test_a_solver_that_does_not_cross_them_says_so() -> None:
+    mesh = gb.Mesh(VERTICES, FACES, cross_non_manifold=True)
+    with pytest.raises(ValueError, match="ich: does not cross edges of more than two faces"):
+        mesh.distances(0, solver="ich")
+
+
+def test_a_copy_and_a_file_keep_what_is_crossed(tmp_path: Path) -> None:
+    mesh = gb.Mesh(VERTICES, FACES, cross_non_manifold=True)
+    expected = mesh.distances(2)
+    np.testing.assert_array_equal(pickle.loads(pickle.dumps(mesh)).distances(2), expected)
+    write_obj(tmp_path / "book.obj", mesh)
+    with pytest.raises(ValueError, match="non-manifold edge"):
+        gb.read_mesh(tmp_path / "book.obj")
+    with pytest.warns(UserWarning, match="non-manifold edge"):
+        read = gb.read_mesh(tmp_path / "book.obj", cross_non_manifold=True)
+    np.testing.assert_array_equal(read.distances(2), expected)
