@@ -122,8 +122,7 @@ SharedMeshPointer mesh_from(const Array<double>& vertices, const Array<Index>& f
 }
 
 std::pair<SharedMeshPointer, std::vector<std::string>> read(const std::filesystem::path& file,
-                                                            bool repair,
-                                                            bool cross_non_manifold) {
+                                                            bool repair, bool cross_non_manifold) {
   return in_background([=](Task&) {
     const NonManifoldEdges edges = crossed_if(cross_non_manifold);
     LoadedMesh loaded = load_mesh(file, {.repair = repair, .non_manifold_edges = edges});
@@ -380,9 +379,10 @@ PYBIND11_MODULE(_native, module) {
                              [](const py::object& self) {
                                return view_of(self.cast<SharedMesh&>().soup().positions, self);
                              })
-      .def_property_readonly("faces", [](const py::object& self) {
-        return view_of(self.cast<SharedMesh&>().soup().triangles, self);
-      })
+      .def_property_readonly("faces",
+                             [](const py::object& self) {
+                               return view_of(self.cast<SharedMesh&>().soup().triangles, self);
+                             })
       .def_property_readonly("crosses_non_manifold", [](const SharedMesh& mesh) {
         return mesh.non_manifold_edges() == NonManifoldEdges::crossed;
       });
