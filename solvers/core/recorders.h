@@ -74,6 +74,9 @@ struct NoCount {};
 struct NoRecorder {
   static constexpr bool kRecords = false;
   static constexpr bool kRemembers = false;
+  /// Whether the solve may be on a mesh with crossed edges (Mesh::crosses_non_manifold_edges). It
+  /// costs a timed solve nothing: there, a solver counts instead, and drops what it counted.
+  static constexpr bool kCrossesSheets = false;
   using Depth = NoDepth;
   using Progress = NoProgress;
   using Count = NoCount;
@@ -93,6 +96,7 @@ struct NoRecorder {
 
 /// Reads the clock whenever the phase changes, and counts nothing.
 struct TimingRecorder : NoRecorder {
+  static constexpr bool kCrossesSheets = true;
   explicit TimingRecorder(PhaseTimer& into) : timer(into) {}
   PhaseScope<PhaseTimer> enter(Phase phase) const { return {timer, phase}; }
 
@@ -103,6 +107,7 @@ struct TimingRecorder : NoRecorder {
 struct CountingRecorder {
   static constexpr bool kRecords = true;
   static constexpr bool kRemembers = false;
+  static constexpr bool kCrossesSheets = true;
   using Depth = StripDepth;
   using Progress = geodesic::Progress;
   using Count = std::uint64_t;
@@ -203,6 +208,7 @@ struct WavefrontRecorder : CountingRecorder {
 /// window, and calls
 struct PathRecorder : NoRecorder {
   static constexpr bool kRemembers = true;
+  static constexpr bool kCrossesSheets = true;
   using Depth = StripDepth;
 
   void propagated(std::uint64_t /*windows*/, Depth /*deepest*/) {}

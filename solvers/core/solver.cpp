@@ -85,7 +85,12 @@ Solver::Solver(const Mesh& mesh, const Description& description)
 
 void Solver::solve(const Query& query, std::span<double> distances, Recording* recording) {
   check_query(query, mesh_, description_);
-  if (recording != nullptr) check_recording(*recording, description_);
+  if (recording != nullptr) {
+    check_recording(*recording, description_);
+    if (recording->what == Record::windows && mesh_.crosses_non_manifold_edges()) {
+      refuse(description_, "hands over no windows where paths cross non-manifold edges");
+    }
+  }
   if (distances.size() != mesh_.vertex_count()) {
     refuse(description_, "needs room for one distance a vertex");
   }

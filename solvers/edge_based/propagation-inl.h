@@ -69,6 +69,10 @@ class Propagation final : public Propagator<Recorder> {
   static constexpr std::uint8_t kSource = 2;  // sends windows even where no path bends
   using Lists = typename Policy::template Lists<kNoted>;
 
+  bool crosses_sheets() const {
+    return Recorder::kCrossesSheets && mesh_.crosses_non_manifold_edges();
+  }
+
   /// Forgets the last solve, however it ended.
   void start(std::span<double> distances) {
     distances_ = distances;
@@ -285,7 +289,7 @@ class Propagation final : public Propagator<Recorder> {
       lists_.release(segment);
       return;
     }
-    if (crosses_sheets_) [[unlikely]]
+    if (crosses_sheets()) [[unlikely]]
       land_on_other_sheets(side, *segment, place);
     land_on(into, segment, place);
   }
@@ -437,7 +441,7 @@ class Propagation final : public Propagator<Recorder> {
   /// Strategy I over the batch: suspicious pairs go through trim_pair, in order, and so does what
   /// follows a window that changed. What is beaten wholly is struck out (Batch::strike_out).
   void trim(const Crossed& face) {
-    if (crosses_sheets_) [[unlikely]]
+    if (crosses_sheets()) [[unlikely]]
       return trim_overlaps(face);
     if (!find_suspects(batch_, suspects_.data())) return;
     std::size_t i = next_suspect(1);
@@ -492,7 +496,7 @@ class Propagation final : public Propagator<Recorder> {
   void choose_sides(const Separator& separator, const FaceFrame& face, Recorder& recorder) {
     to_left_ = seen_left_.data();
     to_right_ = seen_right_.data();
-    if (separator.window == SIZE_MAX || crosses_sheets_) return;
+    if (separator.window == SIZE_MAX || crosses_sheets()) return;
     const auto timed = recorder.enter(Phase::trimming);
     if (separator.rivals == 0 && !any_crosses(batch_, separator, to_left_, to_right_)) return;
     const std::size_t groups = batch_.count / kLanes + 1;
@@ -543,7 +547,6 @@ class Propagation final : public Propagator<Recorder> {
   }
 
   const Mesh& mesh_;
-  const bool crosses_sheets_ = mesh_.crosses_non_manifold_edges();
   std::span<double> distances_;
   Lists lists_;
   typename Policy::Queue front_;

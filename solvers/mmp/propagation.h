@@ -289,8 +289,9 @@ class Propagation {
     const double length = mesh_.half_edge(h).length;
     if (!(w.end - w.begin > kWindowWidth * length)) return;
     insert(h, length, w, beam);
-    if (crosses_sheets_) [[unlikely]]
-      insert_on_other_sheets(h, length, w, beam);
+    if constexpr (Recorder::kCrossesSheets) {
+      if (mesh_.crosses_non_manifold_edges()) insert_on_other_sheets(h, length, w, beam);
+    }
   }
 
   [[gnu::cold, gnu::noinline]] void insert_on_other_sheets(Index h, double length, const Window& w,
@@ -321,7 +322,6 @@ class Propagation {
   static constexpr int kMostInRow = 32;
 
   const Mesh& mesh_;
-  const bool crosses_sheets_ = mesh_.crosses_non_manifold_edges();
   Recorder recorder_;
   WindowBudget budget_;
   Front wavefront_;
