@@ -108,7 +108,8 @@ struct Beam {
 
 /// What lies between two vertices that the path runs through.
 struct Stretch {
-  Real length = 0;  ///< of the straight line
+  Real length = 0;   ///< of the straight line
+  Real longest = 0;  ///< side of the faces that it crosses
   Beam first, last;
 };
 
@@ -152,6 +153,7 @@ class StraightCheck {
       line.push_back(at(laid, i + 1));
     }
     stretch.length = distance(line.front(), line.back());
+    stretch.longest = longest;
     // A point of an edge is a share of the edge: rounding moves it by parts of its length.
     const Real slack = tolerance_.relative * stretch.length + kRounding * longest;
     for (std::size_t i = 1; i + 1 < line.size(); ++i) {
@@ -220,7 +222,12 @@ class StraightCheck {
     if (std::min(a, b) <= tolerance_.relative * whole) return {};
     const Real pi = std::numbers::pi_v<Real>;
     const Real bend = std::min(std::abs(left - pi), std::abs(right - pi));
-    if (bend * a * b <= tolerance_.relative * (a + b) * (a + b)) return {};
+    // How far the vertex lies off the straight line between the stretches' other ends: as little as
+    // rounding may put any other point of the path off its line (`unfold`).
+    const Real off = bend * a * b / (a + b);
+    if (off <= tolerance_.relative * (a + b) + kRounding * std::max(in.longest, out.longest)) {
+      return {};
+    }
     return wrong("bends where none may, by " + significant(static_cast<double>(bend), 2), i);
   }
 

@@ -6,6 +6,7 @@
 
 #include "harness/verify/path_check.h"
 #include "harness/verify/references.h"
+#include "meshes/defects.h"
 #include "meshes/inserted_points.h"
 #include "meshes/random.h"
 
@@ -40,7 +41,10 @@ PointTask random_points(std::uint64_t seed, std::uint64_t number, const harness:
     task.query.targets.push_back(random_point(mesh, random));
     points.push_back(task.query.targets.back());
   }
-  if (mesh.has_degenerate_faces()) {
+  const bool has_flat_faces = std::ranges::any_of(given.soup.triangles, [&](const Triangle& t) {
+    return has_zero_area(given.soup.positions, t);
+  });
+  if (mesh.has_degenerate_faces() || has_flat_faces) {
     const auto object = make_solver(judge.name, mesh);
     const Paths paths = solve_paths(*object, mesh, task.query);
     for (std::size_t i = 0; i < kTargets; ++i) {
