@@ -43,9 +43,7 @@ inline double distance_at(const Window& w, double t) { return distance_through(w
 inline double nearest_position(const Window& w) { return std::clamp(w.x, w.begin, w.end); }
 
 /// Least distance over the window, the key by which windows are queued.
-inline double least_distance(const Window& w) {
-  return distance_at(w, nearest_position(w));
-}
+inline double least_distance(const Window& w) { return distance_at(w, nearest_position(w)); }
 
 /// Least distance to (px, py), py >= 0, over paths through the window: straight when the line from
 /// the source passes the interval, otherwise bent at its nearer end (thesis Figure 5.3).
