@@ -63,7 +63,18 @@ class Paths::Trace {
  public:
   explicit Trace(const Paths& of) : of_(of), mesh_(of.mesh_) {}
 
+  /// A path that is not as long as its end is far is none, and is not given.
   Path run(const SurfacePoint& end, double distance, const Arrival& arrival) {
+    Path path = trace(end, distance, arrival);
+    const double length = path.length() + of_.query_.sources[path.source].distance;
+    if (std::abs(length - distance) > kPathWrong * (distance + mesh_.mean_edge_length())) {
+      lost(piece_to(end, distance, arrival));
+    }
+    return path;
+  }
+
+ private:
+  Path trace(const SurfacePoint& end, double distance, const Arrival& arrival) {
     add(end, kNone, 0);
     Piece piece = piece_to(end, distance, arrival);
     for (Index bends = 0; !begins_at_end(piece); ++bends) {
@@ -77,7 +88,6 @@ class Paths::Trace {
     return from_source(source->second);
   }
 
- private:
   /// A straight piece. Points are in the frame of a half-edge of the face that it ends in.
   struct Piece {
     SurfacePoint end;
