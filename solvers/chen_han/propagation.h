@@ -195,6 +195,7 @@ class Propagation {
       if (e.twin == kNone || !(e.length > 0)) return;
       const Stored w{
           {0, e.length, from.x, from.y, source.distance}, e.twin, root & kMaxRoots, 0, {}};
+      // As least_distance: one more call of that would cost the hot ones their inlining.
       if (distance_at(w, nearest_position(w)) > limit_) return;
       if constexpr (Recorder::kRecords) {
         recorder_.created(1);

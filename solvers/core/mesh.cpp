@@ -94,7 +94,7 @@ void Mesh::index_outgoing() {
   for (Index h = 0; h < half_edge_count(); ++h) outgoing_[fill[origin(h)]++] = h;
 }
 
-// Whether an edge of several faces is none of a manifold, and cut.
+// @return whether some edge has several faces and no twins
 bool Mesh::link_twins() {
   for (HalfEdge& e : half_edges_) e.twin = kNone;
   bool is_cut = false;
@@ -145,7 +145,7 @@ void Mesh::add_mirror_images() {
 }
 
 // The images of the faces of an edge that have it in one direction follow one another by
-// next_sheet_, in the other direction the other way round. A twin is the one after the next: out of
+// next_sheet_, those that have it in the other direction the other way round. Twins lead out of
 // face i into face i + 1, and back.
 void Mesh::link_sheets() {
   std::vector<std::pair<Index, Index>> sides;  // of vertex a: neighbour b > a, half-edge a -> b

@@ -75,7 +75,7 @@ struct NoRecorder {
   static constexpr bool kRecords = false;
   static constexpr bool kRemembers = false;
   /// Whether the solve may be on a mesh with crossed edges (Mesh::crosses_non_manifold_edges). It
-  /// costs a timed solve nothing: there, a solver counts instead, and drops what it counted.
+  /// costs a timed solve nothing: there, Solver::solve asks for counters, and drops them.
   static constexpr bool kCrossesSheets = false;
   using Depth = NoDepth;
   using Progress = NoProgress;

@@ -112,6 +112,8 @@ void Solver::solve(const Query& query, std::span<double> distances, Recording* r
 
 void Solver::run_to_end(const Query& query, std::span<double> distances, Recording* recording) {
   std::ranges::fill(distances, kInfinity);
+  Recording dropped;  // timed solves are not compiled for crossed edges (recorders.h)
+  if (recording == nullptr && mesh_.crosses_non_manifold_edges()) recording = &dropped;
   try {
     run(query, distances, recording);
   } catch (const EndlessPropagation&) {

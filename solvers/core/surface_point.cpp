@@ -108,39 +108,34 @@ SurfacePoint on_half_edge(Index h, double at_origin, double at_head) {
   return point;
 }
 
+/// The same point in the other image of its face.
+SurfacePoint mirrored(const Mesh& mesh, SurfacePoint point) {
+  point.face = mesh.mirrored(3 * point.face) / 3;
+  std::swap(point.weights[1], point.weights[2]);
+  return point;
+}
+
 }  // namespace
 
 std::vector<SurfacePoint> images_of(const Mesh& mesh, const SurfacePoint& point) {
   std::vector<SurfacePoint> images = {point};
   const Index under = edge_under(point);
-  if (under == kNone) {
-    if (mesh.crosses_non_manifold_edges()) {
-      SurfacePoint& image = images.emplace_back(point);
-      image.face = mesh.mirrored(3 * point.face) / 3;
-      std::swap(image.weights[1], image.weights[2]);
-    }
-    return images;
+  if (under != kNone) {
+    const double at_origin = point.weights[under % 3];
+    const double at_head = point.weights[Mesh::next(under) % 3];
+    mesh.for_each_sheet(
+        under, [&](Index g) { images.push_back(on_half_edge(mesh.twin(g), at_head, at_origin)); });
   }
-  const double at_origin = point.weights[under % 3], at_head = point.weights[Mesh::next(under) % 3];
-  if (!mesh.crosses_non_manifold_edges()) {
-    const Index twin = mesh.twin(under);
-    if (twin != kNone) images.push_back(on_half_edge(twin, at_head, at_origin));
-    return images;
+  if (!mesh.crosses_non_manifold_edges()) return images;
+  for (std::size_t i = 0, seen = images.size(); i < seen; ++i) {
+    images.push_back(mirrored(mesh, images[i]));
   }
-  Index h = under;
-  do {
-    if (h != under) images.push_back(on_half_edge(h, at_origin, at_head));
-    images.push_back(on_half_edge(mesh.mirrored(h), at_head, at_origin));
-    h = mesh.next_sheet(h);
-  } while (h != under);
   return images;
 }
 
-SurfacePoint in_given_face(const Mesh& mesh, SurfacePoint point) {
-  if (point.is_vertex() || point.face < mesh.given_face_count()) return point;
-  point.face -= mesh.given_face_count();
-  std::swap(point.weights[1], point.weights[2]);
-  return point;
+SurfacePoint in_given_face(const Mesh& mesh, const SurfacePoint& point) {
+  const bool is_image = !point.is_vertex() && point.face >= mesh.given_face_count();
+  return is_image ? mirrored(mesh, point) : point;
 }
 
 }  // namespace geodesic

@@ -79,7 +79,7 @@ inline bool is_next_to_apex(const HalfEdge& e, double distance) {
 std::vector<SurfacePoint> images_of(const Mesh& mesh, const SurfacePoint& point);
 
 /// The point of a mirror image in the face itself; any other point as it is.
-SurfacePoint in_given_face(const Mesh& mesh, SurfacePoint point);
+SurfacePoint in_given_face(const Mesh& mesh, const SurfacePoint& point);
 
 /// Follows all straight lines that leave a point of a face through its corners and sides, in every
 /// face that it lies in.

@@ -63,8 +63,8 @@ inline constexpr double kPathTie = 1e-13;
 /// meant.
 inline constexpr double kPathStray = 5e-13;
 
-/// A traced path whose length differs from its end's distance by more than this, of the distance and
-/// a mean edge, is wrong. Well above what is left of rounding.
+/// A traced path whose length differs from its end's distance by more than this, of the distance
+/// and a mean edge, is wrong. Well above what is left of rounding.
 inline constexpr double kPathWrong = 1e-9;
 
 }  // namespace geodesic

@@ -60,8 +60,6 @@ class EdgeBased final : public Solver {
   }
 
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
-    Recording dropped;
-    if (recording == nullptr && mesh().crosses_non_manifold_edges()) recording = &dropped;
     if (recording == nullptr) return timed_->run(query, distances, NoRecorder());
     record(mesh(), instruction_set_, query, distances, *recording);
   }

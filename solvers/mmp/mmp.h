@@ -40,8 +40,6 @@ class Mmp final : public Solver {
 
  private:
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
-    Recording dropped;
-    if (recording == nullptr && mesh().crosses_non_manifold_edges()) recording = &dropped;
     if (recording != nullptr && recording->what != Record::windows) {
       return record(mesh(), query, distances, *recording);
     }

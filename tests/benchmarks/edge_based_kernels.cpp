@@ -5,8 +5,8 @@
 #define HWY_TARGET_INCLUDE "tests/benchmarks/edge_based_kernels.cpp"
 #include <hwy/foreach_target.h>
 
-#include "tests/benchmarks/microbench.h"
 #include "solvers/edge_based/kernels-inl.h"
+#include "tests/benchmarks/microbench.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace geodesic::edge_based::HWY_NAMESPACE {
@@ -80,9 +80,9 @@ inline void unfold_list(benchmark::State& state) {
   auto *to_left = crossing.lists.allocate(room), *to_right = crossing.lists.allocate(room);
   for (auto _ : state) {
     unfold<LeftEdge, Note::none>(crossing.batch, crossing.face, crossing.left.data(),
-                              crossing.right.data(), *to_left);
+                                 crossing.right.data(), *to_left);
     unfold<RightEdge, Note::none>(crossing.batch, crossing.face, crossing.right.data(),
-                               crossing.left.data(), *to_right);
+                                  crossing.left.data(), *to_right);
     benchmark::ClobberMemory();
   }
 }

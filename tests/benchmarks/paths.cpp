@@ -22,8 +22,8 @@ void trace_path(benchmark::State& state) {
   Random random(1);
   std::int64_t faces = 0;
   for (auto _ : state) {
-    faces += static_cast<std::int64_t>(
-        paths.to_vertex(random.below(mesh.vertex_count())).points.size());
+    faces +=
+        static_cast<std::int64_t>(paths.to_vertex(random.below(mesh.vertex_count())).points.size());
   }
   state.counters["per_face"] = benchmark::Counter(
       static_cast<double>(faces), benchmark::Counter::kIsRate | benchmark::Counter::kInvert);

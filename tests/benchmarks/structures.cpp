@@ -3,13 +3,13 @@
 
 #include <vector>
 
-#include "tests/benchmarks/microbench.h"
 #include "meshes/generators/generators.h"
 #include "solvers/chen_han/propagation.h"
 #include "solvers/core/pool.h"
 #include "solvers/core/recorders.h"
 #include "solvers/edge_based/window_lists.h"
 #include "solvers/mmp/edge_window.h"
+#include "tests/benchmarks/microbench.h"
 
 namespace geodesic {
 namespace {

@@ -41,9 +41,8 @@ inline double area_of(const TriangleSoup& soup) {
   double sum = 0;
   for (const auto& [a, b, c] : soup.triangles) {
     const Vec3& corner = soup.positions[a];
-    sum += norm(cross(subtract(soup.positions[b], corner),
-                               subtract(soup.positions[c], corner))) /
-           2;
+    sum +=
+        norm(cross(subtract(soup.positions[b], corner), subtract(soup.positions[c], corner))) / 2;
   }
   return sum;
 }

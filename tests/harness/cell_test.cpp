@@ -247,7 +247,8 @@ TEST_F(RunTest, RecordedPathsAreAsLongAsTheDistances) {
   const auto distances = npy_vector<double>(read(folder / "distances.npy"));
   const auto points = npy_vector<float>(read(folder / "path_points.npy"));
   auto pieces = npy_vector<std::uint32_t>(read(folder / "path_pieces.npy"));  // target, first
-  ASSERT_EQ(pieces.size(), 2u * 35) << "to every other vertex that is reached: one of 37 is isolated";
+  ASSERT_EQ(pieces.size(), 2u * 35)
+      << "to every other vertex that is reached: one of 37 is isolated";
   pieces.insert(pieces.end(), {0, static_cast<std::uint32_t>(points.size() / 3)});
   for (std::size_t path = 0; path < 35; ++path) {
     double length = 0;

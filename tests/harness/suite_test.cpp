@@ -34,7 +34,8 @@ TEST_F(SuiteFile, LeavesOutWhatItDoesNotChange) {
 TEST_F(SuiteFile, RefusesUnknownKeysAndListsTheKnownOnes) {
   const auto file = write("suite.json", R"({"repetition": 3})");
   expect_error([&] { read_suite(file); },
-               {"suite.json", "'repetition'", "did you mean 'repetitions'", "min_time, other_queries, reference"});
+               {"suite.json", "'repetition'", "did you mean 'repetitions'",
+                "min_time, other_queries, reference"});
 }
 
 TEST_F(SuiteFile, RefusesValuesOutOfRange) {
