@@ -17,7 +17,13 @@ inline constexpr double kNextToCorner = 1e-2;
 /// A ray that misses the apex of a face by less than this, relative to the lengths at hand, passes
 /// through it. Bending a path by an angle t changes its length by about t^2 / 2, so the error stays
 /// below 1e-20 relative; what it buys is that a window ending exactly on a vertex reaches it.
+/// Where the source or the apex is far nearer to the bend than the edge is long, the change is
+/// larger: kApexExcess holds it down.
 inline constexpr double kApexTolerance = 1e-10;
+
+/// How much longer than such a ray the path may be that bends at the window's end, relative to the
+/// distance: a few units in the last place.
+inline constexpr double kApexExcess = 1e-15;
 
 /// A window whose nearest line misses the apex of a face by less than this angle, in
 /// radians, gives the apex the length of the path that bends at the window's end. That is a real
@@ -58,9 +64,8 @@ inline constexpr double kPathRounding = 4e-15;
 /// is traced may take either.
 inline constexpr double kPathTie = 1e-13;
 
-/// A line that misses its root by less than this, relative to its length, ends in the root. Where a
-/// line leads to no root, a path by a vertex that is longer by less than this is the one that is
-/// meant.
+/// A line that misses its root, or the faces on its way, by less than this, relative to its length,
+/// is straight. A piece that is found anew may be longer than the remembered one by as much.
 inline constexpr double kPathStray = 5e-13;
 
 /// A traced path whose length differs from its end's distance by more than this, of the distance

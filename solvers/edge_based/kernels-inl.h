@@ -189,6 +189,25 @@ HWY_INLINE bool find_suspects(const Batch& batch, std::uint8_t* suspects) {
   return any != 0;
 }
 
+/// Takes one of their sides from windows whose lines to the apex miss the interval by no more than
+/// kApexTolerance and that do not see it all the same: next to a source or an apex that is far
+/// nearer than the edge is long, the path round the interval's end is longer than the line by more
+/// than rounding.
+/// @param missed as bits, of the group that begins with window i
+/// @param left, right of the group
+HWY_NOINLINE inline void take_side(const Batch& batch, std::size_t i, unsigned missed,
+                                   const FaceFrame& face, std::uint8_t& left, std::uint8_t& right) {
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    if (((missed >> lane) & 1) == 0) continue;
+    const Window w = batch.window(i + lane);
+    const double line = distance_through(w, face.apex_x, face.apex_y);
+    const double bent = least_distance_to(w, face.apex_x, face.apex_y);
+    if (bent - line <= kApexExcess * line) continue;
+    std::uint8_t& side = crossing(w, face) == w.end ? right : left;
+    side = static_cast<std::uint8_t>(side & ~(1u << lane));
+  }
+}
+
 /// Which sides of the apex the windows' lines pass, in groups of kLanes bits; both bits are set for
 /// a window that sees the apex.
 /// @return the window that gives the least distance to the apex
@@ -218,6 +237,11 @@ HWY_INLINE Separator classify(const Batch& batch, const FaceFrame& face, std::ui
     any_right |= passes_right;
     unsigned straddling = passes_left & passes_right;
     if (straddling == 0) continue;
+    const Mask misses = hn::Or(hn::Gt(crossing, end), hn::Lt(crossing, begin));
+    if (const unsigned missed = bits(misses) & straddling; missed != 0) {
+      take_side(batch, i, missed, face, left[i / kLanes], right[i / kLanes]);
+      straddling &= left[i / kLanes] & right[i / kLanes];
+    }
     const Vec squared = hn::Add(hn::Mul(across, across), hn::Mul(up, up));
     const Vec sigma = hn::LoadU(kTag, batch.array(kSigma) + i);
     hn::Store(hn::Add(sigma, hn::Sqrt(squared)), kTag, distance);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "solvers/core/tolerance.h"
+#include "solvers/paths/search.h"
 
 namespace geodesic {
 namespace {
@@ -30,14 +31,6 @@ struct Direction {
   double x, y;
 };
 
-/// Where a line crosses a side of a face: how far from a corner at its end.
-/// @param at a point of the line, as seen from the corner
-/// @param side of length 1, away from the corner
-double crossing(const Direction& line, const Point2& at, const Point2& side, double length) {
-  const double from_corner = line.across(at) / line.across(side);
-  return from_corner < length ? std::max(from_corner, 0.0) : length;
-}
-
 constexpr const char* kRoundabout =
     "the paths that the solver remembers come from no source; please report this mesh and query";
 
@@ -53,12 +46,10 @@ constexpr const char* kRoundabout =
 ///
 /// A line that comes within rounding (kPathThrough) of a vertex runs through it. Where paths may
 /// bend at that vertex, the faces on one side of it do not lead where those on the other do: the
-/// piece ends there, and the vertex's own path continues, which is as short. A piece that misses
-/// its root all the same, because its window saw the end by no more than kApexReach, goes to that
-/// vertex of its faces where paths may bend and by which it is as short (kPathTie); among faces
-/// without area, where rounding decides which way a line runs, to such a neighbour. The vertex that
-/// is taken in place of a root is no farther from the source than the piece's end, and no path has
-/// more pieces than the mesh has vertices.
+/// piece ends there, and the vertex's own path continues, which is as short (kPathTie).
+///
+/// What is remembered was seen within kApexReach, and need not be what a straight line follows
+/// within rounding. Where it is not, the piece is found anew (search.h).
 class Paths::Trace {
  public:
   explicit Trace(const Paths& of) : of_(of), mesh_(of.mesh_) {}
@@ -102,10 +93,6 @@ class Paths::Trace {
 
     /// A part of the length, and what rounding does to points of the half-edge.
     double part(double relative) const { return relative * length + kPathRounding * side; }
-    void aim(const Point2& new_root) {
-      from = new_root;
-      length = length_of(minus(from, at));
-    }
   };
 
   /// Where the line of a piece leaves a face, in the frame of the twin of a half-edge; there need
@@ -119,18 +106,6 @@ class Paths::Trace {
 
   /// Of a face, by one of its half-edges: that itself, the one before it, the one after it.
   enum class Side : std::uint8_t { own, left, right };
-
-  /// A vertex by which a path to a piece's end is short.
-  struct Detour {
-    Piece piece;  ///< with the vertex for a root
-    double distance = kInfinity;
-
-    void take(double shorter, Index vertex, const Point2& at) {
-      distance = shorter;
-      piece.root = vertex;
-      piece.aim(at);
-    }
-  };
 
   Piece piece_to(const SurfacePoint& end, double distance, const Arrival& arrival) const {
     Piece piece{end, distance, arrival.half_edge, arrival.root, arrival.from};
@@ -158,7 +133,7 @@ class Paths::Trace {
       if (piece.source.empty()) lost(piece);
     }
     piece.side = mesh_.half_edge(piece.half_edge).length;
-    piece.aim(arrival.from);
+    piece.length = length_of(minus(piece.from, piece.at));
     return piece;
   }
 
@@ -169,88 +144,32 @@ class Paths::Trace {
   /// Adds the points of a piece after its end.
   /// @return where it begins, as in Arrival
   Index follow(const Piece& piece) {
-    const auto take_back = [this, before = points_.size(), last = last_] {
-      points_.resize(before);
-      last_ = last;
-    };
-    Index root = walk(piece, nullptr);
-    if (root != kNone && !strayed_) return root;
-    Detour by_strip{.piece = piece}, by_edge{.piece = piece};
-    take_back();
-    root = walk(piece, &by_strip);
-    consider_neighbours(piece, by_edge);
-    for (const Detour* detour : {&by_strip, &by_edge}) {
-      if (detour == &by_edge && root != kNone) return root;
-      // Where the line leads past a corner that it has to touch, its distance is too short by what
-      // rounding turned it.
-      const double slack = root == kNone ? kPathStray * piece.distance + kPathRounding * piece.side
-                                         : kPathTie * piece.distance;
-      if (detour->distance > piece.distance + slack) continue;
-      take_back();
-      root = walk(detour->piece, nullptr);
-    }
-    if (root == kNone) lost(piece);
-    return root;
+    const auto before = points_.size();
+    const SurfacePoint last = last_;
+    const Index root = walk(piece);
+    const bool straight = root != kNone && strayed_ <= piece.part(kPathStray);
+    // A target's path may lead through a corner of its face, as straight as the window beside it.
+    if (straight && (root >= mesh_.vertex_count() || of_.may_bend(root))) return root;
+    points_.resize(before);
+    last_ = last;
+    return search(piece);
+  }
+
+  /// As follow, when the line of the piece does not lead to its root.
+  Index search(const Piece& piece) {
+    const Search::Piece found = Search(of_, piece.end, piece.distance).run();
+    const double slack = kPathStray * piece.distance + kPathRounding * piece.side;
+    if (!(found.distance <= piece.distance + slack)) lost(piece);
+    for (const Search::End& end : found.ends) add(SurfacePoint(end.vertex), end.face, 0);
+    for (const Search::Crossing& c : found.crossings) add_crossing(c.side, c.x, c.step);
+    add(found.at, found.half_edge / 3, found.rest);
+    return found.root;
   }
 
   /// Adds the points of a piece after its end.
-  ///
-  /// From which of several faces of an edge the line comes is not remembered: each is tried, in
-  /// the order of a search in depth. A wrong one is left as soon as a vertex of the faces it leads
-  /// to is farther from the source than by this line, or nearer.
-  /// @param detour becomes the shortest by a vertex of the faces on the way, if not null
   /// @return where the piece begins; kNone when its line does not lead to its root
-  Index walk(const Piece& piece, Detour* detour) {
-    sheets_.clear();
-    for (;;) {
-      sheets_met_ = 0;
-      const auto before = points_.size();
-      const SurfacePoint last = last_;
-      const Index root = walk_by_sheets(piece, detour);
-      if (root != kNone || sheets_.empty()) return root;
-      while (!sheets_.empty() && ++sheets_.back().chosen == sheets_.back().count) {
-        sheets_.pop_back();
-      }
-      if (sheets_.empty()) return kNone;
-      points_.resize(before);
-      last_ = last;
-    }
-  }
-
-  /// Of the sheets at an edge, the one that a line is taken to come from.
-  struct Sheet {
-    Index chosen, count;
-  };
-
-  /// The face before the one that a line leaves by `side`, by its half-edge; kNone at a boundary.
-  Index enter_beyond(Index side) {
-    const Index twin = mesh_.twin(side);
-    if (twin == kNone || !mesh_.crosses_non_manifold_edges() || !mesh_.is_branching(side)) {
-      return twin;
-    }
-    if (sheets_met_ == sheets_.size()) {
-      Index count = 0;
-      mesh_.for_each_sheet(side, [&](Index) { ++count; });
-      sheets_.push_back({0, count});
-    }
-    Index left = sheets_[sheets_met_++].chosen, in = kNone;
-    mesh_.for_each_sheet(side, [&](Index g) {
-      if (left-- == 0) in = mesh_.twin(g);
-    });
-    return in;
-  }
-
-  /// False when a line that comes to a corner's face with so much of its way to go contradicts the
-  /// distance of the corner.
-  bool fits(Index corner, double to_corner, double left_to_go, const Piece& piece) const {
-    const double slack = piece.part(kPathStray) + kPathStray * piece.distance;
-    const double here = piece.distance - piece.length + left_to_go;
-    return std::abs(of_.distance(corner) - here) <= to_corner + slack;
-  }
-
-  /// As `walk`, by one choice of sheets.
-  Index walk_by_sheets(const Piece& piece, Detour* detour) {
-    strayed_ = false;
+  Index walk(const Piece& piece) {
+    strayed_ = 0;
     const Index h = piece.half_edge;
     if (const auto root = root_on_face(piece, h)) {
       return arrive(piece, h, piece.at, piece.from, *root);
@@ -263,22 +182,22 @@ class Paths::Trace {
       const Index v = head ? mesh_.head(h) : mesh_.origin(h);
       const Point2 to = minus({head ? mesh_.half_edge(h).length : 0, 0}, piece.at);
       const double along = to_root.along(to), across = to_root.across(to);
-      if (detour != nullptr) consider(v, along, across, piece, *detour);
       if (is_through(along, across, piece.length, slack)) {
         const double rest = to_end(piece, head);
         if (turns(piece, v, rest)) return add(SurfacePoint(v), h / 3, rest);
         if (rest < nearest) line = leave_through_end(piece, head, slack);
         nearest = std::min(nearest, rest);
-      } else if (nearest == kInfinity && (head ? across < -slack : across > slack)) {
-        // Seen past the end of h by no more than kApexReach, the line leaves by the side beyond.
-        line = leave(h, piece.at, piece.from, to_root, head ? Side::right : Side::left);
       }
     }
-    if (nearest < kInfinity || !leaves_at_end(piece, line)) add_crossing(line);
+    if (nearest < kInfinity || !leaves_at_end(piece, line)) {
+      add_crossing(line.side, line.x, line.step);
+    }
     double travelled = line.step;
     for (Index faces = 0; faces < mesh_.face_count(); ++faces) {
-      const Index in = enter_beyond(line.side);
+      const Index in = mesh_.twin(line.side);
       if (in == kNone) return kNone;
+      // From which of several faces the line comes is not remembered.
+      if (mesh_.crosses_non_manifold_edges() && mesh_.is_branching(line.side)) return kNone;
       const Point2 here = {line.x, 0};
       if (const auto root = root_on_face(piece, in)) {
         return arrive(piece, in, here, line.root, *root);
@@ -290,25 +209,15 @@ class Paths::Trace {
       const double left_to_go = length_of(ahead);
       const Direction direction(ahead, left_to_go);
       const double along = direction.along(to_apex), across = direction.across(to_apex);
-      if (sheets_met_ > 0 && !fits(apex, length_of(to_apex), left_to_go, piece)) return kNone;
-      if (detour != nullptr) consider(apex, travelled + along, across, piece, *detour);
       if (is_through(along, across, left_to_go, slack)) {
         const double rest = length_of(to_apex);
         if (turns(piece, apex, travelled + rest)) return add(SurfacePoint(apex), in / 3, rest);
         line = leave_through_apex(in, line, across > 0, slack);
       } else {
-        const Line before = line;
-        line = leave(in, here, before.root, direction, across > 0 ? Side::right : Side::left);
-        if (!(line.root.y > 0)) {
-          // The line runs along a side, and its root lies before the apex: in a face without width
-          // that is beyond the other side.
-          const Line other =
-              leave(in, here, before.root, direction, across > 0 ? Side::left : Side::right);
-          if (other.root.y > line.root.y) line = other;
-        }
+        line = leave(in, here, line.root, direction, across > 0 ? Side::right : Side::left);
       }
       travelled += line.step;
-      add_crossing(line);
+      add_crossing(line.side, line.x, line.step);
     }
     return kNone;
   }
@@ -335,10 +244,22 @@ class Paths::Trace {
     return std::abs(across) <= slack && along > -slack && along < length + slack;
   }
 
+  /// Where a line crosses a side of a face: how far from a corner at its end.
+  /// @param at a point of the line, as seen from the corner
+  /// @param side of length 1, away from the corner
+  double crossing(const Direction& line, const Point2& at, const Point2& side, double length) {
+    const double corner = line.across(at), along = line.across(side);
+    const double from_corner = corner / along;
+    if (from_corner >= 0 && from_corner <= length) return from_corner;
+    const bool beyond = from_corner > length;
+    const double missed = std::abs(beyond ? corner - along * length : corner);
+    strayed_ = std::max(strayed_, missed);
+    return beyond ? length : 0;
+  }
+
   /// How a line leaves the face of h by one of its sides.
   /// @param at on the line, in the frame of h, as the root
-  Line leave(Index h, const Point2& at, const Point2& root, const Direction& line,
-             Side side) const {
+  Line leave(Index h, const Point2& at, const Point2& root, const Direction& line, Side side) {
     const FaceFrame f = face_frame(mesh_, h);
     if (side == Side::own) {
       const double t = crossing(line, at, {1, 0}, f.length);
@@ -418,8 +339,7 @@ class Paths::Trace {
   Index arrive(const Piece& piece, Index h, const Point2& here, const Point2& aim,
                const Point2& at) {
     const double off = length_of(minus(aim, at));
-    if (!(off <= piece.part(kApexReach))) return kNone;
-    strayed_ = off > piece.part(kPathStray);
+    if (!(off <= piece.part(kPathStray))) return kNone;
     double rest = length_of(minus(at, here));
     SurfacePoint root(piece.root);
     if (piece.root >= mesh_.vertex_count()) {
@@ -442,56 +362,11 @@ class Paths::Trace {
     return of_.may_bend(v) && nearer && through + rest <= piece.distance * (1 + kPathTie);
   }
 
-  /// @param along, across the line of the piece, from its end
-  void consider(Index v, double along, double across, const Piece& piece, Detour& least) const {
-    const double through = of_.distance(v);
-    if (!of_.may_bend(v) || through > piece.distance) return;
-    const double distance = through + std::hypot(along, across);
-    if (distance >= least.distance) return;
-    const Direction line(minus(piece.from, piece.at), piece.length);
-    least.take(distance, v,
-               {piece.at.x + along * line.x - across * line.y,
-                piece.at.y + along * line.y + across * line.x});
-  }
-
-  /// The straight lines to the other corners of the faces at the end of a piece.
-  void consider_neighbours(Piece piece, Detour& least) const {
-    const auto consider_corners = [&](Index h, const Point2& end) {
-      piece.half_edge = h;
-      piece.side = mesh_.half_edge(h).length;
-      piece.at = end;
-      const HalfEdge& e = mesh_.half_edge(h);
-      const std::pair<Index, Point2> corners[] = {{e.origin, {0, 0}},
-                                                  {mesh_.head(h), {e.length, 0}},
-                                                  {mesh_.apex(h), {e.apex_x, e.apex_y}}};
-      for (const auto& [v, at] : corners) {
-        const double through = of_.distance(v);
-        const double distance = through + length_of(minus(at, end));
-        if (v == piece.end.vertex || through > piece.distance || distance >= least.distance) {
-          continue;
-        }
-        least.piece = piece;
-        least.take(distance, v, at);
-      }
-    };
-    if (piece.end.is_vertex()) {
-      for (const Index h : mesh_.outgoing(piece.end.vertex)) {
-        const HalfEdge& opposite = mesh_.half_edge(Mesh::next(h));
-        consider_corners(Mesh::next(h), {opposite.apex_x, opposite.apex_y});
-      }
-      return;
-    }
-    for (const SurfacePoint& end : images_of(mesh_, piece.end)) {
-      piece.end = end;
-      consider_corners(3 * end.face, in_frame(mesh_, end, 3 * end.face));
-    }
-  }
-
   /// Adds the point where a line leaves a face.
-  void add_crossing(const Line& line) {
-    const Index h = line.side;
+  /// @param x from the head of h, by which it leaves
+  void add_crossing(Index h, double x, double step) {
     const double length = mesh_.half_edge(h).length;
-    const double at_origin = length > 0 ? line.x / length : 0, at_head = 1 - at_origin;
+    const double at_origin = length > 0 ? x / length : 0, at_head = 1 - at_origin;
     SurfacePoint point;
     if (at_origin == 1 || at_head == 1) {
       point.vertex = at_head == 1 ? mesh_.head(h) : mesh_.origin(h);
@@ -500,7 +375,7 @@ class Paths::Trace {
       point.weights[h % 3] = at_origin;
       point.weights[Mesh::next(h) % 3] = at_head;
     }
-    add(point, h / 3, line.step);
+    add(point, h / 3, step);
   }
 
   /// Adds the next point towards the source, unless it is the one added last.
@@ -555,11 +430,9 @@ class Paths::Trace {
 
   const Paths& of_;
   const Mesh& mesh_;
-  std::vector<Sheet> sheets_;  // at the edges of several faces on the way, in this order
-  std::size_t sheets_met_ = 0;
   std::vector<PathPoint> points_;  // from the end; `travelled` is from the point before
   SurfacePoint last_;              // in the mesh's own numbers
-  bool strayed_ = false;           // the last line missed its root
+  double strayed_ = 0;             // how far the last line ran beside its faces
 };
 
 Paths::Paths(const Mesh& mesh, Query query, std::vector<double> distances, Recording recording)
@@ -572,10 +445,6 @@ Paths::Paths(const Mesh& mesh, Query query, std::vector<double> distances, Recor
   if (recording.what != Record::paths || arrivals_.size() != vertices ||
       distances_.size() != vertices || targets_.size() != query_.targets.size()) {
     throw std::invalid_argument("paths need a recording of paths, of this mesh and query");
-  }
-  is_root_.resize(vertices);
-  for (const Arrival& arrival : arrivals_) {
-    if (arrival.root < vertices) is_root_[arrival.root] = true;
   }
   for (SurfacePoint& target : query_.targets) target = in_own_numbers(mesh, target);
   source_images_.resize(query_.sources.size());
@@ -591,7 +460,7 @@ Paths::Paths(const Mesh& mesh, Query query, std::vector<double> distances, Recor
   }
 }
 
-bool Paths::may_bend(Index v) const { return mesh_.is_pseudo_source(v) || is_root_[v]; }
+bool Paths::may_bend(Index v) const { return mesh_.is_pseudo_source(v) || source_at_.contains(v); }
 
 Index Paths::own_vertex(Index given) const {
   const std::string defect = defect_of(mesh_, SurfacePoint(given));

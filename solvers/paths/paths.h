@@ -64,12 +64,13 @@ class Paths {
   std::vector<Index> nearest_sources() const;
 
  private:
+  class Search;
   class Trace;
 
   /// Below, all is in the mesh's own numbers.
   double distance(Index v) const { return distances_[mesh_.numbers().given_vertex(v)]; }
   Index own_vertex(Index given) const;
-  /// Whether a path may end a straight piece at v: pseudo-sources, and what sent out windows.
+  /// Whether a path may end a straight piece at v: pseudo-sources, and the query's own.
   bool may_bend(Index v) const;
   /// The source of the path to v, when that is straight.
   std::optional<Index> source_here(Index v) const;
@@ -78,7 +79,6 @@ class Paths {
   Query query_;
   std::vector<double> distances_;  // by given number
   std::vector<Arrival> arrivals_;
-  std::vector<bool> is_root_;  // of an arrival
   std::vector<AtTarget> targets_;
   std::unordered_map<Index, Index> source_at_;            // of vertices: the earliest
   std::vector<std::vector<SurfacePoint>> source_images_;  // by source; none of vertices

@@ -278,6 +278,42 @@ void nearest_points_of_a_plane_are_euclids(const Trial& trial) {
   }
 }
 
+/// Three quadrangles round a reflex corner, vertex 4, turned. Vertex 7 is at the end of one of its
+/// walls; from that wall 1, 2 and 5 lie behind the corner.
+TriangleSoup reflex_corner() {
+  TriangleSoup soup;
+  for (const auto& [x, y] :
+       {std::pair{0., 0.}, {1., 0.}, {2., 0.}, {0., 1.}, {1., 1.}, {2., 1.}, {0., 2.}, {1.3, 2.}}) {
+    soup.positions.push_back({0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y, 0});
+  }
+  soup.triangles = {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {3, 4, 7}, {3, 7, 6}};
+  return soup;
+}
+
+/// A line from the point to what lies behind the corner misses it by less than it is away, and is
+/// shorter than the way round by as much.
+void near_points_go_round_a_corner(const Trial& trial) {
+  const Mesh& mesh = trial.mesh();
+  const auto solver = trial.prepare();
+  for (const double share : {1e-3, 1e-5, 1e-7, 1e-9, 2e-10, 7e-11, 1e-11, 1e-13}) {
+    const SurfacePoint from = point_on_edge(mesh, 4, 7, share);
+    const auto between = [&](Index v, const Vec3& place) {
+      return geodesic::norm(subtract(mesh.position(v), place));
+    };
+    const double to_corner = share * between(7, mesh.position(4));
+    std::vector<double> expected;
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      const bool behind = v == 1 || v == 2 || v == 5;
+      expected.push_back(behind ? to_corner + between(v, mesh.position(4))
+                                : between(v, position_of(mesh, from)));
+    }
+    const Tolerance tolerance{.relative = kExactTolerance, .least = 0.01};
+    const Query query{.sources = {{from, 0}}};
+    require_promise(significant(share, 2) + " from the corner", trial, query,
+                    trial.solve(*solver, query), expected, tolerance);
+  }
+}
+
 Cases of_all(const std::vector<Property>& properties) {
   Cases cases;
   for (const Property& property : properties) {
@@ -381,6 +417,12 @@ std::vector<Property> path_properties() {
        "from several points of a plane, wherever they lie, distances are Euclid's to the nearest",
        planes, nearest_points_of_a_plane_are_euclids, kSurfaceSources | kMultipleSources,
        /*on_any_mesh=*/false},
+      {"points-next-to-a-corner-of-a-boundary-go-round-it",
+       "from a point a hair before a reflex corner paths go round it",
+       [] {
+         return Cases{{"reflex corner", reflex_corner(), {from(4)}}};
+       },
+       near_points_go_round_a_corner, kSurfaceSources, /*on_any_mesh=*/false},
   };
 }
 

@@ -1,0 +1,246 @@
+#include "solvers/paths/search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solvers/core/tolerance.h"
+
+namespace geodesic {
+namespace {
+
+Point2 minus(const Point2& a, const Point2& b) { return {a.x - b.x, a.y - b.y}; }
+
+double distance_between(const Point2& a, const Point2& b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+/// A line of sight.
+class Ray {
+ public:
+  /// @param otherwise where it leads when it goes through the eye, of length 1
+  Ray(const Point2& eye, const Point2& through, const Point2& otherwise)
+      : eye_(eye), to_(minus(through, eye)) {
+    const double length = std::hypot(to_.x, to_.y);
+    to_ = length > 0 ? Point2{to_.x / length, to_.y / length} : otherwise;
+  }
+  /// How far a point lies to the left.
+  double across(const Point2& p) const { return to_.x * (p.y - eye_.y) - to_.y * (p.x - eye_.x); }
+  /// Where it crosses a side of a face, from the side's corner.
+  /// @param side of length 1, away from the corner
+  /// @param along where it does when it runs along the side
+  double crossing(const Point2& corner, const Point2& side, double length, double along) const {
+    const double turn = to_.x * side.y - to_.y * side.x;
+    return turn == 0 ? along : std::clamp(-across(corner) / turn, 0.0, length);
+  }
+
+ private:
+  Point2 eye_, to_;
+};
+
+/// The first and the last line from the eye to what is seen of an edge.
+Ray to_begin(const auto& view) { return {view.eye, {view.begin, 0}, {-1, 0}}; }
+Ray to_end(const auto& view) { return {view.eye, {view.end, 0}, {1, 0}}; }
+
+/// What rounding does to lines from the eye through a half-edge.
+double rounding(const Point2& eye, double length) {
+  return kPathThrough * (std::hypot(eye.x, eye.y) + length);
+}
+
+}  // namespace
+
+Paths::Search::Search(const Paths& of, const SurfacePoint& end, double distance)
+    : of_(of), mesh_(of.mesh_), end_(end), distance_(distance), tie_(kPathThrough * distance) {}
+
+Paths::Search::Piece Paths::Search::run() {
+  if (end_.is_vertex()) {
+    ends_.push_back({end_.vertex, kNone, kNone});
+    for (Index i = 0; i < ends_.size(); ++i) start_at_vertex(i);
+  } else {
+    for (const SurfacePoint& end : images_of(mesh_, end_)) {
+      const Index under = edge_under(end);
+      for (Index h = 3 * end.face; h < 3 * end.face + 3; ++h) {
+        start(h, in_frame(mesh_, end, h), under, kNone);
+      }
+    }
+  }
+  // Views are looked through in the order in which they are added.
+  for (Index view = 0; view < views_.size(); ++view) look_beyond(view);
+  return piece_from(best_);
+}
+
+/// At the end, or at a vertex in the same place: those add themselves to `ends_`.
+void Paths::Search::start_at_vertex(Index i) {
+  for (const Index outgoing : mesh_.outgoing(ends_[i].vertex)) {
+    const Index h = Mesh::next(outgoing), back = Mesh::next(h);
+    if (mesh_.half_edge(outgoing).length == 0) add_end(mesh_.head(outgoing), h / 3, i);
+    if (mesh_.half_edge(back).length == 0) add_end(mesh_.origin(back), h / 3, i);
+    const HalfEdge& e = mesh_.half_edge(h);
+    start(h, {e.apex_x, e.apex_y}, kNone, i);
+  }
+}
+
+void Paths::Search::add_end(Index vertex, Index face, Index before) {
+  if (std::ranges::find(ends_, vertex, &End::vertex) == ends_.end()) {
+    ends_.push_back({vertex, face, before});
+  }
+}
+
+/// @param eye in the frame of h, one side of a face of the end
+/// @param under the half-edge on which the end lies; what is beyond it has an image of its own
+void Paths::Search::start(Index h, const Point2& eye, Index under, Index end) {
+  const double length = mesh_.half_edge(h).length;
+  const Root root{.half_edge = h, .end = end};
+  consider_vertex(mesh_.origin(h), {0, 0}, eye, root);
+  consider_vertex(mesh_.head(h), {length, 0}, eye, root);
+  consider_sources(eye, root);
+  if (h == under) return;
+  see(h, {length - eye.x, -eye.y}, 0, length, kNone, end);
+}
+
+void Paths::Search::look_beyond(Index view) {
+  const View seen = views_[view];
+  const FaceFrame f = face_frame(mesh_, seen.in);
+  const Point2 apex{f.apex_x, f.apex_y};
+  const double slack = rounding(seen.eye, f.length);
+  const Root root{.half_edge = seen.in, .view = view, .end = seen.first};
+  consider_sources(seen.eye, root);
+  const Ray first = to_begin(seen), last = to_end(seen);
+  // Whether the apex is seen, or a side beyond it.
+  const bool left = first.across(apex) <= slack;
+  const bool right = last.across(apex) >= -slack;
+  if (left && right) consider_vertex(mesh_.apex(seen.in), apex, seen.eye, root);
+  if (left) {
+    const Point2 origin{0, 0}, side{f.left_x, f.left_y};
+    const double begin = first.crossing(origin, side, f.left, 0);
+    const double end = right ? f.left : last.crossing(origin, side, f.left, f.left);
+    see(Mesh::previous(seen.in), f.to_left(seen.eye.x, seen.eye.y), begin, end, view, seen.first);
+  }
+  if (right) {
+    const Point2 head{f.length, 0}, side{-f.right_x, -f.right_y};
+    const double begin = left ? 0 : f.right - first.crossing(head, side, f.right, f.right);
+    const double end = f.right - last.crossing(head, side, f.right, 0);
+    see(Mesh::next(seen.in), f.to_right(seen.eye.x, seen.eye.y), begin, end, view, seen.first);
+  }
+}
+
+void Paths::Search::see(Index side, const Point2& eye, double begin, double end, Index before,
+                        Index first) {
+  mesh_.for_each_sheet(side, [&](Index sheet) {
+    const View view{mesh_.twin(sheet), eye, std::min(begin, end), end, side, before, first};
+    if (!may_lead(view) || is_seen(view)) return;
+    views_of_[view.in].push_back(static_cast<Index>(views_.size()));
+    views_.push_back(view);
+  });
+}
+
+/// Whether the path may run through a view, by the distances of the edge's ends.
+bool Paths::Search::may_lead(const View& view) const {
+  const double length = mesh_.half_edge(view.in).length;
+  // Where the eye is at an end of the edge, so is a vertex in the same place, which has a start.
+  if (view.eye.y == 0 && (view.eye.x == 0 || view.eye.x == length)) return false;
+  const double slack = kPathStray * distance_ + tie_;
+  const double beside = std::max({view.begin - view.eye.x, view.eye.x - view.end, 0.0});
+  const double nearest = std::hypot(beside, view.eye.y);
+  const double farthest = std::max(distance_between(view.eye, {view.begin, 0}),
+                                   distance_between(view.eye, {view.end, 0}));
+  if (nearest > distance_ + slack) return false;
+  for (const bool head : {false, true}) {
+    const Index v = head ? mesh_.head(view.in) : mesh_.origin(view.in);
+    const double to_end = head ? length - view.begin : view.end;
+    const double less = distance_ - of_.distance(v);  // than at the end of the piece
+    if (less > farthest + to_end + slack) return false;
+    if (of_.distance(v) < kInfinity && nearest - to_end > less + slack) return false;
+  }
+  return true;
+}
+
+/// Whether another view shows as much, or a line comes into a face for the second time: round the
+/// tip of needles, or among faces without area, lines lead round without end, no shortest path
+/// does.
+bool Paths::Search::is_seen(const View& view) const {
+  for (Index i = view.before; i != kNone; i = views_[i].before) {
+    if (views_[i].in / 3 == view.in / 3) return true;
+  }
+  const auto others = views_of_.find(view.in);
+  if (others == views_of_.end()) return false;
+  const double slack = rounding(view.eye, mesh_.half_edge(view.in).length);
+  return std::ranges::any_of(others->second, [&](Index i) {
+    const View& other = views_[i];
+    return distance_between(view.eye, other.eye) <= slack && view.begin >= other.begin - slack &&
+           view.end <= other.end + slack;
+  });
+}
+
+/// @param place in the frame of the root's half-edge, as the eye
+void Paths::Search::consider_vertex(Index v, const Point2& place, const Point2& eye, Root root) {
+  const double before = of_.distance(v);
+  if (before > distance_ || !of_.may_bend(v)) return;
+  if (std::ranges::find(ends_, v, &End::vertex) != ends_.end()) return;
+  root.root = v;
+  root.at = SurfacePoint(v);
+  consider(root, before, place, eye);
+}
+
+void Paths::Search::consider_sources(const Point2& eye, Root root) {
+  for (Index i = 0; i < of_.source_images_.size(); ++i) {
+    for (const SurfacePoint& source : of_.source_images_[i]) {
+      if (source.face != root.half_edge / 3) continue;
+      const Point2 place = in_frame(mesh_, source, root.half_edge);
+      if (root.view != kNone && !is_visible(views_[root.view], place)) continue;
+      root.root = mesh_.vertex_count() + i;
+      root.at = of_.source_images_[i].front();
+      consider(root, of_.query_.sources[i].distance, place, eye);
+    }
+  }
+}
+
+bool Paths::Search::is_visible(const View& view, const Point2& place) {
+  const double slack = kPathThrough * distance_between(view.eye, place);
+  return to_begin(view).across(place) <= slack && to_end(view).across(place) >= -slack;
+}
+
+void Paths::Search::consider(Root root, double before, const Point2& place, const Point2& eye) {
+  root.place = place;
+  root.before = before;
+  root.distance = before + distance_between(place, eye);
+  if (root.distance > best_.distance + tie_) return;
+  if (root.distance < best_.distance - tie_ || root.before < best_.before) best_ = root;
+}
+
+Paths::Search::Piece Paths::Search::piece_from(const Root& root) const {
+  Piece piece{
+      .root = root.root, .at = root.at, .half_edge = root.half_edge, .distance = root.distance};
+  if (root.root == kNone) return piece;
+  for (Index i = root.end; i != kNone && ends_[i].before != kNone; i = ends_[i].before) {
+    piece.ends.push_back(ends_[i]);
+  }
+  std::ranges::reverse(piece.ends);
+  // From the root: the line aims at the end anew in every face.
+  Point2 ahead = root.place;
+  for (Index i = root.view; i != kNone; i = views_[i].before) {
+    const View& view = views_[i];
+    const double up = ahead.y - view.eye.y;
+    const double x = up > 0 ? ahead.x - (ahead.x - view.eye.x) * (ahead.y / up) : ahead.x;
+    const Point2 here{std::clamp(x, view.begin, view.end), 0};
+    (piece.crossings.empty() ? piece.rest : piece.crossings.back().step) =
+        distance_between(here, ahead);
+    piece.crossings.push_back({view.side, here.x, 0});
+    if (view.before == kNone) {
+      piece.crossings.back().step = distance_between(here, view.eye);
+      break;
+    }
+    const Index in = views_[view.before].in;
+    const FaceFrame f = face_frame(mesh_, in);
+    if (view.side == Mesh::previous(in)) {
+      ahead = {here.x * f.left_x, here.x * f.left_y};
+    } else {
+      const double u = f.right - here.x;
+      ahead = {f.length - u * f.right_x, -u * f.right_y};
+    }
+  }
+  if (root.view == kNone) piece.rest = root.distance - root.before;
+  std::ranges::reverse(piece.crossings);
+  return piece;
+}
+
+}  // namespace geodesic
