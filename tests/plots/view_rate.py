@@ -1,7 +1,9 @@
 #!/usr/bin/python3
 """Prints how many frames a second a page of `geodesic-bench view` draws in headless Chromium, by the
-processor alone: while the model turns, and while its solvers are played as fast as possible; and the
-seconds of processors that a frame takes, which another load of the machine changes less.
+processor alone: while the model turns, and while its solvers are played as fast as possible; the
+seconds of processors that a frame takes, which another load of the machine changes less; and the
+part of them that is the page's own: scripts, and handing the scene to what draws it. With a
+graphics processor only that part stays on the processor.
 
 view_rate.py PAGE.html
 """
@@ -9,6 +11,7 @@ view_rate.py PAGE.html
 from __future__ import annotations
 
 import os
+import statistics
 import sys
 import time
 from pathlib import Path
@@ -18,12 +21,16 @@ import chromium
 SECONDS, TIMES = 5, 3
 DRAW = """
     const [keys, seconds, done] = arguments, begin = performance.now();
-    let frames = 0;
+    const ends = new MessageChannel(), own = [];
+    let frames = 0, start = 0;
+    ends.port1.onmessage = () => own.push(performance.now() - start);
     const draw = () => {
+      start = performance.now();
+      ends.port2.postMessage(null);  // handled after all scripts of this frame
       const options = {key: keys[frames % keys.length], bubbles: true};
       document.body.dispatchEvent(new KeyboardEvent('keydown', options));
       const passed = (performance.now() - begin) / 1000;
-      if (passed < seconds) { ++frames; requestAnimationFrame(draw); } else done([frames, passed]);
+      if (passed < seconds) { ++frames; requestAnimationFrame(draw); } else done([frames, passed, own]);
     };
     requestAnimationFrame(draw);"""
 
@@ -57,15 +64,17 @@ def main() -> int:
         while browser.execute_script("return document.body.dataset.rests") != "true":
             time.sleep(0.1)
         for what, keys in {"turning": ["ArrowRight"], "playing": [",", "."]}.items():
-            rates, costs = [], []
+            rates, costs, own = [], [], []
             for _ in range(TIMES):
                 before = processor_seconds(browser.service.process.pid)
-                frames, seconds = browser.execute_async_script(DRAW, keys, SECONDS)
+                frames, seconds, scripts = browser.execute_async_script(DRAW, keys, SECONDS)
                 rates.append(frames / seconds)
+                own.append(statistics.median(scripts))
                 costs.append((processor_seconds(browser.service.process.pid) - before) / frames)
             print(
                 f"{what}: {min(rates):.1f} to {max(rates):.1f} frames a second, "
-                f"{min(costs):.2f} to {max(costs):.2f} s of processors a frame"
+                f"{min(costs):.2f} to {max(costs):.2f} s of processors a frame, "
+                f"{min(own):.1f} to {max(own):.1f} ms of them the page's own"
             )
         load, processors = os.getloadavg()[0], os.cpu_count()
         print(f"on {processors} processors with a load of {load:.1f}")
