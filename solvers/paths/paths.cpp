@@ -54,18 +54,24 @@ class Paths::Trace {
  public:
   explicit Trace(const Paths& of) : of_(of), mesh_(of.mesh_) {}
 
-  /// A path that is not as long as its end is far is none, and is not given.
+  /// A path that is not as long as its end is far is none, and is not given. One whose lines misled
+  /// it, over faces without area, is looked for by distances.
   Path run(const SurfacePoint& end, double distance, const Arrival& arrival) {
+    const auto is_off = [&](const Path& path, double relative) {
+      const double length = path.length() + of_.query_.sources[path.source].distance;
+      return std::abs(length - distance) > relative * (distance + mesh_.mean_edge_length());
+    };
     Path path = trace(end, distance, arrival);
-    const double length = path.length() + of_.query_.sources[path.source].distance;
-    if (std::abs(length - distance) > kPathWrong * (distance + mesh_.mean_edge_length())) {
-      lost(piece_to(end, distance, arrival));
-    }
+    if (!is_off(path, kPathStray)) return path;
+    trusts_lines_ = false;
+    path = trace(end, distance, arrival);
+    if (is_off(path, kPathWrong)) lost(piece_to(end, distance, arrival));
     return path;
   }
 
  private:
   Path trace(const SurfacePoint& end, double distance, const Arrival& arrival) {
+    points_.clear();
     add(end, kNone, 0);
     Piece piece = piece_to(end, distance, arrival);
     for (Index bends = 0; !begins_at_end(piece); ++bends) {
@@ -144,6 +150,7 @@ class Paths::Trace {
   /// Adds the points of a piece after its end.
   /// @return where it begins, as in Arrival
   Index follow(const Piece& piece) {
+    if (!trusts_lines_) return search(piece);
     const auto before = points_.size();
     const SurfacePoint last = last_;
     const Index root = walk(piece);
@@ -432,6 +439,7 @@ class Paths::Trace {
   const Mesh& mesh_;
   std::vector<PathPoint> points_;  // from the end; `travelled` is from the point before
   SurfacePoint last_;              // in the mesh's own numbers
+  bool trusts_lines_ = true;       // false: pieces are looked for by distances alone
   double strayed_ = 0;             // how far the last line ran beside its faces
 };
 

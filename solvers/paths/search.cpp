@@ -126,7 +126,13 @@ void Paths::Search::look_beyond(Index view) {
 void Paths::Search::see(Index side, const Point2& eye, double begin, double end, Index before,
                         Index first) {
   mesh_.for_each_sheet(side, [&](Index sheet) {
-    const View view{mesh_.twin(sheet), eye, std::min(begin, end), end, side, before, first};
+    const View view{mesh_.twin(sheet),
+                    {eye.x, std::min(eye.y, 0.0)},
+                    std::min(begin, end),
+                    end,
+                    side,
+                    before,
+                    first};
     if (!may_lead(view) || is_seen(view)) return;
     views_of_[view.in].push_back(static_cast<Index>(views_.size()));
     views_.push_back(view);
