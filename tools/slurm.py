@@ -293,9 +293,9 @@ def follow_until_interrupted(job: Job) -> int:
     try:
         given_up = follow(job)
     except KeyboardInterrupt:
-        say(f"\nnot followed any more; the jobs go on. Follow them: {follow_again}; cancel them: "
-            f"scancel --name={job.name}, or Ctrl-C again within {CANCEL_WITHIN} seconds")  # fmt: skip
         try:
+            say(f"\nnot followed any more; the jobs go on. Follow them: {follow_again}; cancel them: "
+                f"scancel --name={job.name}, or Ctrl-C again within {CANCEL_WITHIN} seconds")  # fmt: skip
             time.sleep(CANCEL_WITHIN)
         except KeyboardInterrupt:
             call("scancel", f"--user={getpass.getuser()}", f"--name={job.name}")

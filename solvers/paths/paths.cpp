@@ -72,6 +72,7 @@ class Paths::Trace {
  private:
   Path trace(const SurfacePoint& end, double distance, const Arrival& arrival) {
     points_.clear();
+    passed_.clear();
     add(end, kNone, 0);
     Piece piece = piece_to(end, distance, arrival);
     for (Index bends = 0; !begins_at_end(piece); ++bends) {
@@ -156,7 +157,8 @@ class Paths::Trace {
     const Index root = walk(piece);
     const bool straight = root != kNone && strayed_ <= piece.part(kPathStray);
     // A target's path may lead through a corner of its face, as straight as the window beside it.
-    if (straight && (root >= mesh_.vertex_count() || of_.may_bend(root))) return root;
+    const bool begins = root >= mesh_.vertex_count() || of_.may_bend(root);
+    if (straight && begins && std::ranges::find(passed_, root) == passed_.end()) return root;
     points_.resize(before);
     last_ = last;
     return search(piece);
@@ -164,12 +166,16 @@ class Paths::Trace {
 
   /// As follow, when the line of the piece does not lead to its root.
   Index search(const Piece& piece) {
-    const Search::Piece found = Search(of_, piece.end, piece.distance).run();
+    const Search::Piece found = Search(of_, piece.end, piece.distance, passed_).run();
     const double slack = kPathStray * piece.distance + kPathRounding * piece.side;
     if (!(found.distance <= piece.distance + slack)) lost(piece);
     for (const Search::End& end : found.ends) add(SurfacePoint(end.vertex), end.face, 0);
     for (const Search::Crossing& c : found.crossings) add_crossing(c.side, c.x, c.step);
     add(found.at, found.half_edge / 3, found.rest);
+    // Vertices in one place are as far: the path must not come back.
+    const bool gains = found.root >= mesh_.vertex_count() || found.before < piece.distance;
+    if (gains) passed_.clear();
+    if (!gains && piece.end.is_vertex()) passed_.push_back(piece.end.vertex);
     return found.root;
   }
 
@@ -439,6 +445,7 @@ class Paths::Trace {
   const Mesh& mesh_;
   std::vector<PathPoint> points_;  // from the end; `travelled` is from the point before
   SurfacePoint last_;              // in the mesh's own numbers
+  std::vector<Index> passed_;      // vertices in the place of the last one
   bool trusts_lines_ = true;       // false: pieces are looked for by distances alone
   double strayed_ = 0;             // how far the last line ran beside its faces
 };

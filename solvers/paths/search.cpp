@@ -48,8 +48,14 @@ double rounding(const Point2& eye, double length) {
 
 }  // namespace
 
-Paths::Search::Search(const Paths& of, const SurfacePoint& end, double distance)
-    : of_(of), mesh_(of.mesh_), end_(end), distance_(distance), tie_(kPathThrough * distance) {}
+Paths::Search::Search(const Paths& of, const SurfacePoint& end, double distance,
+                      std::span<const Index> passed)
+    : of_(of),
+      mesh_(of.mesh_),
+      end_(end),
+      distance_(distance),
+      tie_(kPathThrough * distance),
+      passed_(passed) {}
 
 Paths::Search::Piece Paths::Search::run() {
   if (end_.is_vertex()) {
@@ -182,6 +188,7 @@ void Paths::Search::consider_vertex(Index v, const Point2& place, const Point2& 
   const double before = of_.distance(v);
   if (before > distance_ || !of_.may_bend(v)) return;
   if (std::ranges::find(ends_, v, &End::vertex) != ends_.end()) return;
+  if (std::ranges::find(passed_, v) != passed_.end()) return;
   root.root = v;
   root.at = SurfacePoint(v);
   consider(root, before, place, eye);
@@ -214,8 +221,11 @@ void Paths::Search::consider(Root root, double before, const Point2& place, cons
 }
 
 Paths::Search::Piece Paths::Search::piece_from(const Root& root) const {
-  Piece piece{
-      .root = root.root, .at = root.at, .half_edge = root.half_edge, .distance = root.distance};
+  Piece piece{.root = root.root,
+              .at = root.at,
+              .half_edge = root.half_edge,
+              .distance = root.distance,
+              .before = root.before};
   if (root.root == kNone) return piece;
   for (Index i = root.end; i != kNone && ends_[i].before != kNone; i = ends_[i].before) {
     piece.ends.push_back(ends_[i]);

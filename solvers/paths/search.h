@@ -1,6 +1,7 @@
 // The last straight piece of a shortest path, found from its end.
 #pragma once
 
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -38,6 +39,7 @@ class Paths::Search {
     SurfacePoint at = {};                  ///< the root, in the mesh's own numbers
     Index half_edge = kNone;               ///< of the face that has the root and the last crossing
     double distance = kInfinity;           ///< of the end, by this piece
+    double before = kInfinity;             ///< of the root
     double rest = 0;                       ///< from the last crossing to the root
     std::vector<End> ends = {};            ///< after the end, when the piece leads to the last one
     std::vector<Crossing> crossings = {};  ///< from there
@@ -45,7 +47,8 @@ class Paths::Search {
 
   /// @param end in the mesh's own numbers
   /// @param distance at the end
-  Search(const Paths& of, const SurfacePoint& end, double distance);
+  /// @param passed vertices that the piece must not begin in
+  Search(const Paths& of, const SurfacePoint& end, double distance, std::span<const Index> passed);
 
   /// The piece by which the end is nearest. Of equally short ones, that with the farthest root.
   Piece run();
@@ -93,6 +96,7 @@ class Paths::Search {
   SurfacePoint end_;
   double distance_;
   double tie_;  ///< paths that differ by less are equally short
+  std::span<const Index> passed_;
   std::vector<End> ends_;
   std::vector<View> views_;
   std::unordered_map<Index, std::vector<Index>> views_of_;  // of a half-edge, by their places
