@@ -46,7 +46,7 @@ def page(
         if isinstance(one, Table):
             tables.setdefault(SECTION_OF.get(base_name(name), "tables"), {})[name] = one
         else:
-            pictures[name] = _picture(one, figures / f"{name}.png")
+            pictures[name] = picture(one, figures / f"{name}.png")
     sections = {
         "results": "Results" if "results" in tables else "",
         "thesis": "Compared with the thesis" if "thesis" in tables else "",
@@ -77,13 +77,13 @@ def page(
         left_out=[
             f"{name}: {why.removeprefix(f'{run.file}: ')}" for name, why in left_out.items()
         ],
-        folder=folder,
+        drawn_by=lambda name: f"python3 -m plots {base_name(name)} --run {folder}",
         mark=mark,
-        base_name=base_name,
     )
 
 
-def _picture(drawing: Drawing, png: Path) -> dict[str, Any]:
+def picture(drawing: Drawing, png: Path) -> dict[str, Any]:
+    """For one_figure of parts.html."""
     width, height = (round(CSS_DPI * inches) for inches in drawing.figure.get_size_inches())
     return {
         "title": drawing.title, "caption": drawing.caption, "width": width, "height": height,

@@ -27,6 +27,7 @@ if __name__ == "__main__":
 
 import numpy as np
 
+from results.checksum import computed
 from results.columns import NONE, Columns
 from results.reader import ColumnRows, ResultError, Run, read_file
 
@@ -305,6 +306,8 @@ def write(context: dict[str, Any], rows: Columns, out: Path, most_in_json: int) 
         part = out / f"{ROWS}.{os.getpid()}.part"
         rows.save(part)
         part.replace(out / ROWS)
+    ours = context["geodesic_bench"]
+    ours["checksum"] = computed(json.dumps(data, ensure_ascii=False))
     part = out / f"{RUN}.{os.getpid()}.part"
     part.write_text(json.dumps(data, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
     part.replace(out / RUN)

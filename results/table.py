@@ -27,6 +27,8 @@ class Cell:
     """A footnote; equal notes of a table share one mark."""
     latex: str | None = None
     """Instead of the escaped text."""
+    link: str = ""
+    """On a page: the address of what the text names."""
 
 
 BLANK = Cell("")

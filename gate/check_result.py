@@ -1,0 +1,145 @@
+"""`geodesic-bench check-result`: whether a result file can stand beside others' results.
+
+Its sums are right, its machine and revision are stated, every time has a distance field that was
+verified, and its numbers are plausible beside each other, the manifest and the counters of this
+revision. Nothing is measured again. That a solver failed is a result, too.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+from results import console
+
+if __name__ == "__main__":
+    console.prepare("geodesic-bench check-result")  # before imports that may fail
+
+from gate import baseline
+from gate.cells import COUNTERS
+from gate.findings import GateError
+from plots import check
+from results import checksum
+from results.console import ROOT
+from results.reader import Cell, ResultError, Row, Run, read_run
+
+LARGEST_ERROR = 1e-9
+"""Of an exact solver, relative. What geodesic-bench lets pass is a thousandth of it; the errors of
+a row are relative to distances that may be nearly 0."""
+NANOSECONDS = (0.2, 1e5)
+"""That the propagation of a window may take."""
+CPU_OVER_WALL = 1.1
+"""Of one thread: clocks tick apart."""
+COUNTS_APART = 2.0
+"""Counters of other revisions may differ from this one's by such a factor."""
+
+
+def problems(run: Run, counters: baseline.Counters, manifest: Mapping[str, Mapping[str, object]]) -> Iterator[str]:
+    """One line each."""
+    yield from _sums(run)
+    yield from _origin(run)
+    yield from _meshes(run, manifest)
+    yield from [*check.missing(run), *check.parts_missing(run)]
+    for row in run.rows:
+        if row.ok:
+            yield from (f"{row.cell}, repetition {row.repetition}: {why}" for why in _row(run, row))
+    yield from _counters(run, counters)
+
+
+def _sums(run: Run) -> Iterator[str]:
+    text = run.file.read_text(encoding="utf-8")
+    stated = checksum.stated(text)
+    if stated is None:
+        yield "no checksum: runs have one that this program measured or merged"
+    elif stated != checksum.computed(text):
+        yield "the checksum is another one: the file was changed after it was written"
+
+
+def _origin(run: Run) -> Iterator[str]:
+    ours = run.ours
+    if ours["revision"] == "unknown":
+        yield "the revision is unknown: build it in a checkout"
+    if ours["modified"] is not False:
+        yield "the sources were modified, or nobody knows: commit, and measure that revision"
+    if ours["build_type"] != "Release":
+        yield f"the build type is {ours['build_type']}, not Release"
+    if "unknown" in run.processors:
+        yield "the processor is unknown: rows need the name of the one that measured them"
+    if run.shard:
+        yield "a shard of a run: merge all of them first"
+
+
+def _meshes(run: Run, manifest: Mapping[str, Mapping[str, object]]) -> Iterator[str]:
+    for mesh in run.meshes.values():
+        known = manifest.get(mesh.name)
+        if known and known["sha256"] != mesh.sha256:
+            yield f"{mesh.name}: is another file than the mesh of that name in datasets/manifest.json"
+
+
+def _row(run: Run, row: Row) -> Iterator[str]:
+    numbers, solver = row.numbers, run.solvers[row.solver]
+    error = numbers.get("max_relative_error")
+    if row.reference is None or error is None:
+        yield "has a time and no verified distances"
+    elif numbers.get("unreachable_mismatches", 0) > 0:
+        yield "reaches other vertices than its reference"
+    elif solver.exactness == "bounded" and error > float(solver.error_bound or 0) * (1 + 1e-12):
+        yield f"an error of {error:.2g}, above the bound of {solver.error_bound:g}"
+    elif solver.exact and error > LARGEST_ERROR:
+        yield f"an error of {error:.2g} of an exact solver"
+    cpu, wall = numbers["cpu_time"], numbers["real_time"]
+    if not (cpu > 0 and wall > 0):
+        yield "a time that is not positive"
+    elif cpu > CPU_OVER_WALL * wall * max(1.0, numbers.get("threads", 1)):
+        yield f"{cpu:g} ms of the processor within {wall:g} ms"
+    if windows := numbers.get("window_propagations"):
+        each = 1e6 * row.time / windows
+        if not NANOSECONDS[0] <= each <= NANOSECONDS[1]:
+            yield f"{each:.3g} ns for the propagation of a window"
+
+
+def _counters(run: Run, known: baseline.Counters) -> Iterator[str]:
+    cells: dict[Cell, dict[str, int]] = {}
+    for row in run.rows:
+        counted = {name: int(row.numbers[name]) for name in COUNTERS if name in row.numbers}
+        if counted and cells.setdefault(row.cell, counted) != counted:
+            yield f"{row.cell}: counters differ between repetitions"
+    for cell, counted in cells.items():
+        for name, count in known.get(cell, {}).items():
+            there = counted.get(name, 0)
+            if not count / COUNTS_APART <= there <= count * COUNTS_APART:
+                yield f"{cell}: {name} is {there:,}; this revision counts {count:,}"
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = console.Parser(__doc__, "geodesic-bench check-result results/contributed/*.json")
+    parser.add_argument("files", nargs="+", type=Path, metavar="FILE", help="run.json of a run, by any name")
+    options = parser.parse_args(arguments)
+    failed = 0
+    try:
+        meshes = json.loads((ROOT / "datasets" / "manifest.json").read_text(encoding="utf-8"))["meshes"]
+        manifest = {mesh["name"]: mesh for mesh in meshes}
+        counters = baseline.read(ROOT)
+    except (OSError, GateError) as error:
+        return console.complain(error)
+    for file in options.files:
+        try:
+            run = read_run(file)
+            found = list(problems(run, counters, manifest))
+        except (ResultError, OSError) as error:
+            found, run = [str(error).removeprefix(f"{file}: ")], None
+        for line in check.first(found):
+            console.say(f"FAILED: {file}: {line}")
+        if found or run is None:
+            failed += 1
+            continue
+        console.say(f"{file}: cells: {check.verified(run)} verified, {check.cells(run.without_a_time)} "
+                    f"without a time; {run.ours['revision'][:10]}, {', '.join(run.processors)}, "
+                    f"{run.ours['started'][:10]}")  # fmt: skip
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,416 @@
+"""Static pages of many runs: a table of all results to sort and filter, a page a solver and a mesh,
+accuracy against time, and the raw files. They are opened from disk, and need no server and no network.
+
+Times of different processors are never in one ratio. A solver's history compares runs on one
+processor, over the meshes and sources that they share.
+"""
+
+from __future__ import annotations
+
+import shutil
+import sys
+import tempfile
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+from urllib.parse import quote, unquote
+
+from results import console
+
+if __name__ == "__main__":
+    console.prepare("geodesic-bench site")  # before imports that may fail
+
+from plots import check
+from plots.measures import (
+    EDGE_BASED, ERROR, PEAK_BYTES, PROPAGATIONS, TIME, baseline, by_source, failure, our_cell, values,
+)  # fmt: skip
+from plots.ratios import time_over
+from plots.report import TEMPLATES, picture
+from results.reader import Mesh, ResultError, Run, Solver, read_run
+from results.statistics import geometric_mean_of_ratios, median
+from results.table import BLANK, Cell, Table, estimate_cell, four_digits, mark
+
+if TYPE_CHECKING:
+    from plots.drawing import Drawing
+
+HERE = Path(__file__).resolve().parent
+SHARED = ("report.css", "report.js", "site.js")
+COLUMNS = [
+    "Mesh", "Solver", "Processor", "Revision", "Date", "Raw", "Vertices", "Time (ms)",
+    "Time / the run's base", "Windows", "Memory (MB)", "Largest error",
+]  # fmt: skip
+TEXTS = 6
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A run, as pages show it."""
+
+    run: Run
+    name: str
+    """Of its folder below runs/."""
+
+    @property
+    def raw(self) -> str:
+        return f"runs/{quote(self.name)}/run.json"
+
+    @property
+    def date(self) -> str:
+        return str(self.run.ours["started"])[:10]
+
+    @property
+    def revision(self) -> str:
+        return str(self.run.ours["revision"])[:10] + ("+" if self.run.ours["modified"] else "")
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A solver on a mesh, in a run, on one processor."""
+
+    shown: Shown
+    run: Run
+    """What that processor measured of it."""
+    processor: str
+    mesh: Mesh
+    solver: Solver
+
+
+def shown(runs: Iterable[Run]) -> list[Shown]:
+    """The oldest first."""
+    named: list[Shown] = []
+    for run in sorted(runs, key=lambda one: str(one.ours["started"])):
+        name = str(run.ours["started"]).replace(":", "").replace("-", "")
+        same = sum(other.name.split("_")[0] == name for other in named)
+        named.append(Shown(run, f"{name}_{same + 1}" if same else name))
+    return named
+
+
+def entries(runs: Sequence[Shown]) -> list[Entry]:
+    found = []
+    for one in runs:
+        for processor in one.run.processors:
+            part = one.run.of_processor(processor)
+            found += [
+                Entry(one, part, processor, mesh, solver)
+                for mesh in part.meshes.values()
+                for solver in one.run.solvers.values()
+                if part.cell(mesh.name, solver.name)
+            ]
+    return found
+
+
+def newest_first(of: Sequence[Entry]) -> list[Entry]:
+    runs = list(dict.fromkeys(entry.shown.name for entry in of))
+    return sorted(of, key=lambda entry: -runs.index(entry.shown.name))
+
+
+def mesh_page(mesh: Mesh) -> str:
+    """Meshes of one name that are different files have a page each."""
+    return f"meshes/{quote(quote(mesh.name, safe=''))}-{mesh.sha256[:8]}.html"
+
+
+def solver_page(solver: Solver) -> str:
+    return f"solvers/{quote(quote(solver.name, safe=''))}.html"
+
+
+def row(entry: Entry, root: str) -> list[Cell]:
+    """@param root from the page to the site's folder"""
+    run, mesh, solver = entry.run, entry.mesh, entry.solver
+    promise = "" if solver.exact else f" ({solver.promise})"
+    texts = [
+        Cell(mesh.name, link=root + mesh_page(mesh)),
+        Cell(solver.name + promise, link=root + solver_page(solver)),
+        Cell(entry.processor),
+        Cell(entry.shown.revision),
+        Cell(entry.shown.date),
+        Cell("run.json", link=root + entry.shown.raw),
+        Cell(f"{mesh.vertices:,}", mesh.vertices),
+    ]
+    times = by_source(values(run, mesh.name, solver.name, TIME))
+    if not times:
+        return [*texts, failure(run, mesh.name, solver.name) or BLANK, *[BLANK] * 4]
+    time = median(times)
+    ratio = time_over(baseline(run, EDGE_BASED)).cell(run, mesh.name, solver.name)
+    measured = [our_cell(run, mesh.name, solver.name, m) for m in (PROPAGATIONS, PEAK_BYTES, ERROR)]
+    return [*texts, estimate_cell(time, four_digits(1e3 * time.value)), ratio, *measured]
+
+
+def results(name: str, title: str, of: Sequence[Entry], root: str) -> Table:
+    return Table(
+        name=name, title=title, header=COLUMNS, text_columns=TEXTS,
+        rows=[row(entry, root) for entry in of],
+        remarks=[
+            "CPU time of one solve without preparation, window propagations, measured peak memory of "
+            "the solver: medians over sources and repetitions. The base of a run's ratios is "
+            f"{EDGE_BASED}, or the first exact solver where it was not measured; ratios are paired by "
+            "source and repetition, with 95% intervals. Times of different processors cannot be "
+            "compared. A revision with a + was modified.",
+        ],
+    )  # fmt: skip
+
+
+def runs_table(runs: Sequence[Shown]) -> Table:
+    rows = []
+    for one in runs:
+        ours = one.run.ours
+        failed = len(check.failures(one.run))
+        texts = [one.date, ours["corpus"], one.revision, ", ".join(one.run.processors), ours["compiler"]]
+        rows.append(
+            [
+                *(Cell(text) for text in texts),
+                Cell("run.json", link=one.raw),
+                *(Cell(f"{n:,}", n) for n in (len(one.run.meshes), len(one.run.solvers))),
+                *(Cell(f"{n:,}", n) for n in (check.verified(one.run), failed)),
+            ]
+        )
+    return Table(
+        name="runs", title="Runs",
+        header=["Date", "Corpus", "Revision", "Processor", "Compiler", "Raw", "Meshes", "Solvers",
+                "Cells verified", "Failed or missing"],
+        text_columns=6, rows=rows,
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Step:
+    """How a solver's times in a run compare with those of the first run on the same processor."""
+
+    shown: Shown
+    processor: str
+    shared: int
+    """Cells that both runs have."""
+    time: Cell
+    ratio: float
+    low: float
+    high: float
+
+
+def history(of: Sequence[Entry]) -> list[Step]:
+    """@param of one solver, the oldest run first"""
+    times: dict[str, dict[str, dict[tuple[str, int], list[float]]]] = {}
+    runs = {entry.shown.name: entry.shown for entry in of}
+    for entry in of:
+        cells = times.setdefault(entry.processor, {}).setdefault(entry.shown.name, {})
+        measured = values(entry.run, entry.mesh.name, entry.solver.name, TIME)
+        for (source, _), time in measured.items():
+            cells.setdefault((entry.mesh.sha256, source), []).append(time)
+    steps = []
+    for processor, by_run in times.items():
+        first = next((cells for cells in by_run.values() if cells), {})
+        for name, cells in by_run.items():
+            shared = [cell for cell in first if cell in cells]
+            if not shared:
+                continue
+            ratio = geometric_mean_of_ratios([(first[cell], cells[cell]) for cell in shared])
+            text = f"{ratio.value:.3f} [{ratio.low:.3f}, {ratio.high:.3f}]"
+            steps.append(
+                Step(runs[name], processor, len(shared), estimate_cell(ratio, text),
+                     ratio.value, ratio.low, ratio.high)
+            )  # fmt: skip
+    return steps
+
+
+def history_table(steps: Sequence[Step]) -> Table:
+    return Table(
+        name="history", title="History",
+        header=["Processor", "Date", "Revision", "Raw", "Cells in common", "Time / the first run's"],
+        text_columns=4,
+        rows=[
+            [
+                Cell(step.processor), Cell(step.shown.date), Cell(step.shown.revision),
+                Cell("run.json", link=f"../{step.shown.raw}"), Cell(f"{step.shared:,}", step.shared),
+                step.time,
+            ]
+            for step in steps
+        ],
+        remarks=[
+            "Geometric mean over meshes and sources that a run shares with the first one on the same "
+            "processor, with a 95% interval. The runs were not interleaved: what else the machine "
+            "did is in it."
+        ],
+    )  # fmt: skip
+
+
+def history_figure(solver: str, steps: Sequence[Step]) -> Drawing | None:
+    """None where no processor has two runs."""
+    from plots import style
+    from plots.drawing import Drawing
+
+    by_processor: dict[str, list[Step]] = {}
+    for step in steps:
+        by_processor.setdefault(step.processor, []).append(step)
+    lines = {processor: of for processor, of in by_processor.items() if len(of) > 1}
+    if not lines:
+        return None
+    figure = style.new_figure(2.8)
+    axes = figure.add_subplot()
+    names = list(dict.fromkeys(step.shown.name for of in lines.values() for step in of))
+    for look, (processor, of) in zip(
+        style.solver_styles(lines).values(), lines.items(), strict=True
+    ):
+        x = [names.index(step.shown.name) for step in of]
+        bars = [[step.ratio - step.low for step in of], [step.high - step.ratio for step in of]]
+        axes.errorbar(
+            x, [step.ratio for step in of], yerr=bars, color=look.color, marker=look.marker,
+            capsize=3, label=style.plain(processor),
+        )  # fmt: skip
+    labels = {step.shown.name: f"{step.shown.revision}\n{step.shown.date}" for step in steps}
+    axes.set_xticks(range(len(names)), [style.plain(labels[name]) for name in names])
+    axes.set_ylabel("Time / the first run's")
+    axes.axhline(1, color=style.PALE, linewidth=0.7)
+    axes.set_ylim(bottom=0)
+    handles, _ = axes.get_legend_handles_labels()
+    style.legend_above(figure, handles)
+    return Drawing(
+        f"{solver} over revisions",
+        "Each line is a processor: times of a run over those of its first run, geometric mean over the "
+        "meshes and sources that both have, with 95% intervals.",
+        figure,
+    )
+
+
+class Site:
+    """The pages in a folder."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+
+    def write(
+        self, file: str, title: str, summary: Sequence[str], tables: Sequence[Table] = (),
+        facts: Mapping[str, object] | None = None, drawings: Mapping[str, Drawing] | None = None,
+    ) -> None:  # fmt: skip
+        """@param file relative to the site's folder, as a link has it"""
+        from plots import style
+
+        path = self.folder / unquote(file)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        root = "../" * file.count("/")
+        pictures: dict[str, Any] = {}
+        with tempfile.TemporaryDirectory() as figures:
+            for name, one in (drawings or {}).items():
+                png = Path(figures) / f"{name}.png"
+                style.save(one.figure, png)
+                pictures[name] = picture(one, png)
+        page = TEMPLATES.get_template("site.html").render(
+            title=title, summary=summary, root=root, tables={table.name: table for table in tables},
+            facts=facts or {}, pictures=pictures, mark=mark,
+        )  # fmt: skip
+        path.write_text(page, encoding="utf-8")
+
+
+def write_site(runs: Sequence[Shown], folder: Path) -> None:
+    """@raises ResultError, OSError"""
+    site = Site(folder)
+    every = entries(runs)
+    for one in runs:
+        raw = folder / "runs" / one.name
+        raw.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(one.run.file, raw / "run.json")
+        if columns := one.run.context.get("columns", {}).get("file"):
+            shutil.copyfile(one.run.file.parent / columns, raw / columns)
+    for name in SHARED:
+        shutil.copyfile(HERE / name, folder / name)
+    solvers = {entry.solver.name: entry.solver for entry in every}
+    meshes = {entry.mesh.sha256: entry.mesh for entry in every}
+    processors = dict.fromkeys(entry.processor for entry in every)
+    revisions = dict.fromkeys(one.revision for one in runs)
+    summary = [
+        f"Runs: {len(runs)}. Revisions: {len(revisions)}. Processors: {len(processors)}. Solvers: "
+        f"{len(solvers)}. Meshes: {len(meshes)}. Only times of solvers whose distances were verified "
+        "are shown; every line has its raw file."
+    ]
+    site.write(
+        "index.html", "Geodesic distances: all results", summary,
+        [results("results", "Results", newest_first(every), ""), runs_table(runs)],
+    )  # fmt: skip
+    for name, solver in solvers.items():
+        of = [entry for entry in every if entry.solver.name == name]
+        steps = history(of)
+        figure = history_figure(name, steps)
+        site.write(
+            solver_page(solver), name, [solver.remarks] if solver.remarks else [],
+            [results("results", "Results", newest_first(of), "../"), history_table(steps)],
+            facts_of(of[-1].solver), {"history": figure} if figure else {},
+        )  # fmt: skip
+    for mesh in meshes.values():
+        of = [entry for entry in every if entry.mesh.sha256 == mesh.sha256]
+        latest = of[-1].mesh
+        facts = {
+            "Vertices": f"{latest.vertices:,}", "Faces": f"{latest.faces:,}",
+            "Mean edge": f"{latest.mean_edge_length:.6g}", "SHA-256 of the file": latest.sha256,
+        }  # fmt: skip
+        site.write(
+            mesh_page(mesh), latest.name, [latest.why] if latest.why else [],
+            [results("results", "Results", newest_first(of), "../")], facts, frontiers(of),
+        )  # fmt: skip
+    of_all, left_out = {}, []
+    for number, one in enumerate(reversed(runs), 1):
+        try:
+            of_all |= frontier(f"run_{number}", one.run, one)
+        except ResultError as error:
+            left_out.append(f"{one.date}, {one.revision}: {str(error).removeprefix(f'{one.run.file}: ')}")
+    site.write(
+        "frontier.html", "Accuracy against time",
+        ["Of every run with solvers that are not exact, the newest first.",
+         *(f"No figure of the run of {why}." for why in left_out)],
+        drawings=of_all,
+    )  # fmt: skip
+
+
+def facts_of(solver: Solver) -> dict[str, object]:
+    facts = {
+        "Family": solver.family, "Paper": solver.paper, "Answers": solver.promise,
+        "Data structure": solver.data_structure, "Time": solver.time_complexity,
+        "Space": solver.space_complexity, "Propagation": solver.propagation,
+    }  # fmt: skip
+    return {key: fact for key, fact in facts.items() if fact}
+
+
+def frontiers(of: Sequence[Entry]) -> dict[str, Drawing]:
+    """Of one mesh, from the newest run that has a figure."""
+    for one in dict.fromkeys(entry.shown.name for entry in reversed(of)):
+        entry = next(entry for entry in of if entry.shown.name == one)
+        try:
+            return frontier("frontier", entry.shown.run.of_meshes([entry.mesh.name]), entry.shown)
+        except ResultError:
+            continue
+    return {}
+
+
+def frontier(name: str, run: Run, of: Shown) -> dict[str, Drawing]:
+    """One a processor. @raises ResultError where the run lacks the data"""
+    from dataclasses import replace
+
+    from plots import catalogue
+
+    drawn, left_out = catalogue.draw(run, ["frontier"])
+    found = {
+        f"{name}_{number}": replace(one, title=f"{one.title}; {of.date}, {of.revision}")
+        for number, (part, one) in enumerate(drawn.items(), 1)
+        if catalogue.OF not in part
+    }
+    if not found:
+        raise ResultError(next(iter(left_out.values())))
+    return found  # type: ignore[return-value]  # of a figure's name there are figures only
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = console.Parser(
+        __doc__, "geodesic-bench site results/runs/* --out site",
+        "geodesic-bench site mine.json theirs.json --out site",
+    )  # fmt: skip
+    parser.add_argument("runs", nargs="+", type=Path, metavar="RUN", help="run folder or run.json")
+    parser.add_argument("--out", type=Path, metavar="DIR", default=Path("site"), help="default: site")
+    options = parser.parse_args(arguments)
+    try:
+        runs = shown(read_run(path) for path in options.runs)
+        write_site(runs, options.out)
+        console.say(str(options.out / "index.html"))
+    except (ResultError, OSError) as error:
+        return console.complain(error)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
