@@ -32,8 +32,8 @@ NANOSECONDS = (0.2, 1e5)
 """That the propagation of a window may take."""
 CPU_OVER_WALL = 1.1
 """Of one thread: clocks tick apart."""
-COUNTS_APART = 2.0
-"""Counters of other revisions may differ from this one's by such a factor."""
+COUNTS_APART, FEW = 2.0, 100
+"""Counters of other revisions may differ from this one's by such a factor, and so few at all."""
 
 
 def problems(run: Run, counters: baseline.Counters, manifest: Mapping[str, Mapping[str, object]]) -> Iterator[str]:
@@ -109,7 +109,8 @@ def _counters(run: Run, known: baseline.Counters) -> Iterator[str]:
     for cell, counted in cells.items():
         for name, count in known.get(cell, {}).items():
             there = counted.get(name, 0)
-            if not count / COUNTS_APART <= there <= count * COUNTS_APART:
+            least, most = sorted([count, there])
+            if most > FEW and most > COUNTS_APART * least:
                 yield f"{cell}: {name} is {there:,}; this revision counts {count:,}"
 
 

@@ -14,8 +14,8 @@ namespace {
 
 using Weights = std::array<double, 3>;
 
-/// A few units in the last place of a share of an edge.
-constexpr Real kRounding = 1e-15L;
+/// Lengths of edges are rounded, in a solver's frames as in a point's share of an edge.
+constexpr Real kLastPlace = 2.2e-16L;
 
 /// A path in the mesh's own numbers.
 Path in_own_numbers(const Mesh& mesh, Path path) {
@@ -108,8 +108,8 @@ struct Beam {
 
 /// What lies between two vertices that the path runs through.
 struct Stretch {
-  Real length = 0;   ///< of the straight line
-  Real longest = 0;  ///< side of the faces that it crosses
+  Real length = 0;    ///< of the straight line
+  Real rounding = 0;  ///< of a point beside it: of each of its faces
   Beam first, last;
 };
 
@@ -153,9 +153,9 @@ class StraightCheck {
       line.push_back(at(laid, i + 1));
     }
     stretch.length = distance(line.front(), line.back());
-    stretch.longest = longest;
-    // A point of an edge is a share of the edge: rounding moves it by parts of its length.
-    const Real slack = tolerance_.relative * stretch.length + kRounding * longest;
+    // Every face that is unfolded adds the rounding of its sides, and a few are the check's own.
+    stretch.rounding = kLastPlace * static_cast<Real>(line.size() + 2) * longest;
+    const Real slack = tolerance_.relative * stretch.length + stretch.rounding;
     for (std::size_t i = 1; i + 1 < line.size(); ++i) {
       const Real off = std::abs(turn(line.front(), line.back(), line[i]));
       if (off > slack * stretch.length) {
@@ -225,7 +225,7 @@ class StraightCheck {
     // How far the vertex lies off the straight line between the stretches' other ends: as little as
     // rounding may put any other point of the path off its line (`unfold`).
     const Real off = bend * a * b / (a + b);
-    if (off <= tolerance_.relative * (a + b) + kRounding * std::max(in.longest, out.longest)) {
+    if (off <= tolerance_.relative * (a + b) + std::max(in.rounding, out.rounding)) {
       return {};
     }
     return wrong("bends where none may, by " + significant(static_cast<double>(bend), 2), i);

@@ -324,6 +324,10 @@ def ci(checkout: Path) -> Callable[..., Ended]:
         (checkout / "run_tests.sh").write_text(f"#!/bin/bash\n{copy}; exit {tests}\n")
         (checkout / "run_all.sh").write_text(f'#!/bin/bash\necho "asked: $*"; exit {job}\n')
         (checkout / "tests/fuzz/fuzz.sh").write_text(f"#!/bin/bash\necho fuzzed; exit {fuzzing}\n")
+        slurm = checkout / "tests" / "slurm" / "slurm.sh"
+        slurm.parent.mkdir()
+        slurm.write_text("#!/bin/bash\necho queued\n")
+        slurm.chmod(0o755)
         return run(checkout / ".ci" / "run")
 
     return start
@@ -333,20 +337,21 @@ def test_ci_ends_with_the_number_of_tests(ci: Callable[..., Ended]) -> None:
     ended = ci(CTEST.format(failures=0), "0", "0")
     assert ended.returncode == 0
     assert "3 tests skipped" in ended.stdout
-    assert ended.stdout.splitlines()[-1] == "14 passed, 0 failed"
+    assert ended.stdout.splitlines()[-1] == "15 passed, 0 failed"
+    assert "queued" in ended.stdout
     assert "asked: --preset ci --corpus tiny --repetitions 2" in ended.stdout
 
 
 def test_ci_fails_with_a_failed_test_and_still_runs_the_job(ci: Callable[..., Ended]) -> None:
     ended = ci(CTEST.format(failures=1), "1", "0")
     assert ended.returncode == 1 and "asked:" in ended.stdout
-    assert ended.stdout.splitlines()[-1] == "12 passed, 2 failed"
+    assert ended.stdout.splitlines()[-1] == "13 passed, 2 failed"
 
 
 def test_ci_fails_with_a_failed_job(ci: Callable[..., Ended]) -> None:
     ended = ci(CTEST.format(failures=0), "0", "1")
     assert ended.returncode == 1
-    assert ended.stdout.splitlines()[-1] == "12 passed, 2 failed"
+    assert ended.stdout.splitlines()[-1] == "13 passed, 2 failed"
 
 
 def test_ci_says_so_where_the_public_codes_cannot_be_had(ci: Callable[..., Ended]) -> None:
@@ -358,7 +363,7 @@ def test_ci_says_so_where_the_public_codes_cannot_be_had(ci: Callable[..., Ended
 def test_ci_fails_with_a_finding_and_still_runs_the_job(ci: Callable[..., Ended]) -> None:
     ended = ci(CTEST.format(failures=0), "0", "0", "1")
     assert ended.returncode == 1 and "asked:" in ended.stdout
-    assert ended.stdout.splitlines()[-1] == "13 passed, 1 failed"
+    assert ended.stdout.splitlines()[-1] == "14 passed, 1 failed"
 
 
 def build_with_fake_cmake(checkout: Path, tmp_path: Path, version: str) -> Ended:

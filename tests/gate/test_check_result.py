@@ -1,0 +1,141 @@
+"""A result that stands beside others: what is wrong with one is said in a line, and what is right passes."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from gate import check_result
+from results import checksum
+
+ROOT = Path(__file__).resolve().parents[2]
+GOLDEN = ROOT / "tests" / "plots" / "golden" / "run" / "run.json"
+Data = dict[str, Any]
+
+
+def write(file: Path, data: Data) -> Path:
+    """With the checksum that it should have."""
+    data["context"]["geodesic_bench"]["checksum"] = checksum.computed(json.dumps(data))
+    file.write_text(json.dumps(data, indent=1))
+    return file
+
+
+@pytest.fixture
+def result() -> Data:
+    """One that passes."""
+    data: Data = json.loads(GOLDEN.read_text())
+    data["benchmarks"] = [row for row in data["benchmarks"] if row["mesh"] == "horse"]
+    ours(data)["meshes"] = [mesh for mesh in ours(data)["meshes"] if mesh["name"] == "horse"]
+    ours(data)["sources"] = {"horse": ours(data)["sources"]["horse"]}
+    ours(data)["skipped"] = [one for one in ours(data)["skipped"] if one["mesh"] == "horse"]
+    manifest = json.loads((ROOT / "datasets" / "manifest.json").read_text())
+    sums = {mesh["name"]: mesh["sha256"] for mesh in manifest["meshes"]}
+    for mesh in data["context"]["geodesic_bench"]["meshes"]:
+        mesh["sha256"] = sums[mesh["name"]]
+    for row in rows_of(data, "dijkstra"):
+        row |= {"reference": "mmp", "max_relative_error": 0.1}
+    return data
+
+
+def rows_of(data: Data, solver: str) -> list[Data]:
+    found = [row for row in data["benchmarks"] if row["solver"] == solver and row["outcome"] == "ok"]
+    assert found
+    return found
+
+
+def test_a_result_that_was_written_by_the_program_passes(
+    result: Data, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert check_result.main([str(write(tmp_path / "run.json", result))]) == 0
+    said = capsys.readouterr().out
+    assert "cells: " in said and "0123456789, Some processor, 2026-01-02" in said
+
+
+def test_every_contributed_result_passes() -> None:
+    files = sorted((ROOT / "results" / "contributed").glob("*.json"))
+    assert not files or check_result.main([str(file) for file in files]) == 0
+
+
+def ours(data: Data) -> Data:
+    found: Data = data["context"]["geodesic_bench"]
+    return found
+
+
+def another_mesh(data: Data) -> None:
+    ours(data)["meshes"][0]["sha256"] = "1" * 64
+
+
+def without_a_row(data: Data) -> None:
+    gone = data["benchmarks"][0]["name"]
+    data["benchmarks"] = [row for row in data["benchmarks"] if row["name"] != gone]
+
+
+def unverified(data: Data) -> None:
+    del rows_of(data, "mmp")[0]["reference"]
+
+
+def faster_than_light(data: Data) -> None:
+    for row in rows_of(data, "edge-based"):
+        row["cpu_time"] = row["real_time"] = 1e-6
+
+
+def uneven(data: Data) -> None:
+    rows_of(data, "mmp")[0]["window_propagations"] += 1
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (lambda data: ours(data).update(modified=True), "the sources were modified"),
+        (lambda data: ours(data).update(revision="unknown"), "the revision is unknown"),
+        (lambda data: ours(data).update(build_type="Debug"), "the build type is Debug, not Release"),
+        (lambda data: ours(data).update(processor="unknown"), "the processor is unknown"),
+        (another_mesh, "horse: is another file than the mesh of that name"),
+        (without_a_row, "missing: the run has no row for this cell"),
+        (unverified, "mmp/horse/src:0, repetition 0: has a time and no verified distances"),
+        (lambda data: rows_of(data, "mmp")[0].update(max_relative_error=1e-6),
+         "an error of 1e-06 of an exact solver"),
+        (lambda data: rows_of(data, "ich")[0].update(unreachable_mismatches=3),
+         "reaches other vertices than its reference"),
+        (lambda data: rows_of(data, "ich")[0].update(cpu_time=1e9), "ms of the processor within"),
+        (faster_than_light, "ns for the propagation of a window"),
+        (uneven, "mmp/horse/src:0: counters differ between repetitions"),
+        (lambda data: data.pop("benchmarks"), "'benchmarks' is a required property"),
+    ],
+)  # fmt: skip
+def test_what_is_wrong_is_a_line_and_an_exit_code(
+    result: Data, tmp_path: Path, capsys: pytest.CaptureFixture[str],
+    change: Callable[[Data], None], said: str,
+) -> None:  # fmt: skip
+    change(result)
+    file = write(tmp_path / "theirs.json", result)
+    assert check_result.main([str(file)]) == 1
+    lines = capsys.readouterr().out.splitlines()
+    assert any(line.startswith(f"FAILED: {file}: ") and said in line for line in lines), lines
+
+
+def test_a_number_that_was_changed_afterwards_is_found(
+    result: Data, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = write(tmp_path / "run.json", result)
+    time = rows_of(result, "edge-based")[0]["cpu_time"]
+    text = file.read_text()
+    assert text.count(str(time)) >= 1
+    file.write_text(text.replace(str(time), str(time * 0.9), 1))
+    assert check_result.main([str(file)]) == 1
+    assert "the checksum is another one" in capsys.readouterr().out
+
+
+def test_counters_far_from_those_of_this_revision_are_found(
+    result: Data, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    row = rows_of(result, "mmp")[0]
+    cell = check_result.Cell("mmp", row["mesh"], row["source"])
+    known = {cell: {"window_propagations": 3 * row["window_propagations"]}}
+    monkeypatch.setattr(check_result.baseline, "read", lambda _: known)
+    assert check_result.main([str(write(tmp_path / "run.json", result))]) == 1
+    assert "; this revision counts " in capsys.readouterr().out

@@ -1,0 +1,173 @@
+"""Pages of many runs: what they show, and that they work in a browser from disk."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Callable, Iterator
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any
+from urllib.parse import unquote
+
+import pytest
+
+from plots import site
+
+GOLDEN = Path(__file__).parent / "golden" / "run" / "run.json"
+PHONE = 360
+"""Pixels."""
+
+
+def a_run(file: Path, change: Callable[[dict[str, Any], list[dict[str, Any]]], None]) -> Path:
+    """@param change gets the context and the rows of a copy of the golden run"""
+    data = json.loads(GOLDEN.read_text())
+    change(data["context"]["geodesic_bench"], data["benchmarks"])
+    file.write_text(json.dumps(data))
+    return file
+
+
+def faster(ours: dict[str, Any], rows: list[dict[str, Any]]) -> None:
+    ours |= {"started": "2026-03-02T03:04:05Z", "revision": "f" * 40}
+    for row in rows:
+        if row["solver"] == "mmp" and "cpu_time" in row:
+            row["cpu_time"] *= 0.5
+
+
+def elsewhere(ours: dict[str, Any], rows: list[dict[str, Any]]) -> None:
+    ours |= {"started": "2026-02-02T03:04:05Z", "processor": "Another processor"}
+
+
+@pytest.fixture(scope="module")
+def pages(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Of three runs: two revisions on one processor, and another processor."""
+    folder = tmp_path_factory.mktemp("many runs")
+    runs = [a_run(folder / "b.json", faster), a_run(folder / "c.json", elsewhere)]
+    shutil.copy(GOLDEN, folder / "a.json")
+    out = folder / "site"
+    assert site.main([*map(str, [*runs, folder / "a.json"]), "--out", str(out)]) == 0
+    return out
+
+
+class Links(HTMLParser):
+    def __init__(self, page: Path) -> None:
+        super().__init__()
+        self.found: list[str] = []
+        self.feed(page.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
+        self.found += [value for key, value in attributes if key in ("href", "src") and value]
+
+
+def test_every_link_leads_to_a_file_of_the_site(pages: Path) -> None:
+    every = list(pages.rglob("*.html"))
+    assert len(every) == 2 + 7 + 3
+    for page in every:
+        for link in Links(page).found:
+            if not link.startswith(("data:", "#")):
+                assert (page.parent / unquote(link)).is_file(), f"{page.name}: {link}"
+
+
+def test_the_raw_file_of_every_run_is_there_unchanged(pages: Path) -> None:
+    raw = sorted(pages.glob("runs/*/run.json"))
+    assert len(raw) == 3
+    assert GOLDEN.read_bytes() in [file.read_bytes() for file in raw]
+
+
+def test_a_history_compares_runs_on_one_processor(pages: Path) -> None:
+    table = site.history_table(site.history(entries_of(pages, "mmp")))
+    shown = [(row[0].text, row[1].text, row[5].text.split()[0]) for row in table.rows]
+    assert sorted(shown) == [
+        ("Another processor", "2026-02-02", "1.000"),
+        ("Some processor", "2026-01-02", "1.000"),
+        ("Some processor", "2026-03-02", "0.500"),
+    ]
+
+
+def entries_of(pages: Path, solver: str) -> list[site.Entry]:
+    runs = site.shown(site.read_run(file) for file in pages.glob("runs/*/run.json"))
+    return [entry for entry in site.entries(runs) if entry.solver.name == solver]
+
+
+@pytest.mark.parametrize("text", ["", "{", '{"context": {}, "benchmarks": []}'])
+def test_a_broken_file_is_one_line_and_an_exit_code(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], text: str
+) -> None:
+    file = tmp_path / "broken.json"
+    file.write_text(text)
+    assert site.main([str(file), "--out", str(tmp_path / "site")]) == 1
+    said = capsys.readouterr().err
+    assert said.count("\n") == 1 and str(file) in said
+    assert not (tmp_path / "site").exists()
+
+
+@pytest.fixture
+def page(browser: Any, pages: Path) -> Iterator[Any]:
+    """The first page, opened; whatever a test did, the console must have stayed empty."""
+    browser.get((pages / "index.html").as_uri())
+    yield browser
+    assert browser.get_log("browser") == []
+
+
+def rows(page: Any) -> list[list[str]]:
+    script = """return [...document.querySelectorAll('#results tbody tr')].filter(row => !row.hidden)
+        .map(row => [...row.cells].map(cell => cell.innerText.trim()))"""
+    return [[str(text) for text in row] for row in page.execute_script(script)]
+
+
+def press(page: Any, *keys: str) -> None:
+    from selenium.webdriver.common.action_chains import ActionChains
+
+    ActionChains(page).send_keys(*keys).perform()
+
+
+def test_rows_are_filtered_by_words_with_the_keyboard_alone(page: Any) -> None:
+    from selenium.webdriver.common.keys import Keys
+
+    whole = rows(page)
+    press(page, *[Keys.TAB] * 3, "MMP horse another")
+    left = rows(page)
+    assert 0 < len(left) < len(whole)
+    assert left == [row for row in whole if "mmp" in row[1] and row[0] == "horse" and "Another" in row[2]]
+    assert f"{len(left)} of {len(whole)}" in page.page_source
+    press(page, *[Keys.BACKSPACE] * 20)
+    assert rows(page) == whole
+
+
+def test_a_filtered_table_is_sorted_too(page: Any) -> None:
+    from selenium.webdriver.common.by import By
+
+    page.find_element(By.CSS_SELECTOR, ".filter input").send_keys("edge-based some")
+    for button in page.find_elements(By.CSS_SELECTOR, "#results thead button"):
+        if button.text.startswith("Time (ms)"):
+            button.click()
+    times = [float(row[7]) for row in rows(page)]
+    assert len(times) > 2 and times == sorted(times)
+
+
+def test_links_lead_to_pages_with_figures_that_open(page: Any, pages: Path) -> None:
+    from selenium.webdriver.common.by import By
+
+    page.find_element(By.LINK_TEXT, "mmp").click()
+    assert page.title == "mmp"
+    page.find_element(By.CSS_SELECTOR, "figure button").click()
+    large = page.find_element(By.CSS_SELECTOR, "dialog img")
+    assert page.execute_script("return arguments[0].naturalWidth", large) > 500
+    page.find_element(By.CSS_SELECTOR, "dialog button").click()
+    page.find_element(By.LINK_TEXT, "All results").click()
+    assert page.current_url == (pages / "index.html").as_uri()
+
+
+@pytest.mark.parametrize("name", ["index.html", "frontier.html", "solvers/edge-based.html"])
+def test_nothing_is_wider_than_a_phone(page: Any, pages: Path, name: str) -> None:
+    size = page.get_window_size()
+    try:
+        page.execute_cdp_cmd(
+            "Emulation.setDeviceMetricsOverride",
+            {"width": PHONE, "height": 740, "deviceScaleFactor": 2, "mobile": True},
+        )
+        page.get((pages / name).as_uri())
+        assert page.execute_script("return document.documentElement.scrollWidth") <= PHONE
+    finally:
+        page.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+        page.set_window_size(size["width"], size["height"])
