@@ -20,6 +20,7 @@
 #include "harness/base/files.h"
 #include "harness/base/plugins.h"
 #include "harness/corpus/solvers.h"
+#include "harness/verify/path_check.h"
 #include "harness/verify/property.h"
 #include "harness/verify/shrink.h"
 #include "meshes/mesh_file.h"
@@ -162,14 +163,14 @@ class Differential {
         note(number, *solver, given, std::string("threw: ") + error.what());
         continue;
       }
-      for (const Answer& judge : judges) {
+      for (Answer& judge : judges) {
         const double error = compare(number, kind, given, answer, judge);
         // The first judge decides; an independent oracle is not ours to repair.
         if (&judge != &judges.front() || solver->independent_oracle) continue;
         const Finding wrong =
             harness::check_promise(harness::Promise::of(*solver), query, answer.distances,
                                    judge.distances, given.tolerance);
-        if (!wrong) continue;
+        if (!wrong || refutes(*solver, answer.distances, judge, mesh, given)) continue;
         note(number, *solver, given, "differs from " + judge.by + " by " + significant(error, 3));
       }
       if (exact && (judges.empty() || solver->independent_oracle)) {
@@ -179,6 +180,31 @@ class Differential {
     examine_points(number, kind, given, mesh);
     const std::lock_guard lock(mutex_);
     ++meshes_[kind];
+  }
+
+  // Whether the judge is wrong wherever the two differ: the solver is below it there, and has a
+  // path over the surface that is so long, which proves it. The judge takes these distances over.
+  bool refutes(const Description& solver, const std::vector<double>& distances, Answer& judge,
+               const Mesh& mesh, const Case& given) {
+    if (!solver.abilities.paths) return false;
+    const Query& query = given.queries.front();
+    const auto object = make_solver(solver.name, mesh);
+    const Paths paths = solve_paths(*object, mesh, query);
+    std::vector<double> corrected = judge.distances;
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      const double error =
+          harness::relative_error(distances[v], judge.distances[v], given.tolerance.least);
+      if (std::abs(error) <= given.tolerance.relative) continue;
+      if (!(distances[v] < judge.distances[v])) return false;
+      if (harness::check_path(mesh, query, v, distances[v], paths.to_vertex(v), given.tolerance)) {
+        return false;
+      }
+      corrected[v] = distances[v];
+    }
+    judge.distances = std::move(corrected);
+    const std::lock_guard lock(mutex_);
+    ++refuted_[judge.by];
+    return true;
   }
 
   // Where no exact solver was asked for and the mesh is too large for brute force.
@@ -300,6 +326,9 @@ class Differential {
     for (const auto& [solver, count] : unanswered_) {
       report_ << "  " << solver << " refused or crashed on " << count;
     }
+    for (const auto& [judge, count] : refuted_) {
+      report_ << "  " << judge << " refuted by shorter paths on " << count;
+    }
     report_ << '\n' << std::left;
     for (const auto& [pair, apart] : distances_) {
       const auto& [kind, solver, judge] = pair;
@@ -363,6 +392,7 @@ class Differential {
   std::map<std::tuple<Kind, std::string, std::string>, Distance> distances_;
   std::map<std::pair<Kind, std::string>, PathFigures> paths_;
   std::map<std::string, std::uint64_t> unanswered_;  // by independent oracles
+  std::map<std::string, std::uint64_t> refuted_;     // judges, by meshes
   std::vector<Disagreement> disagreements_;          // the first one of each solver
 };
 

@@ -78,6 +78,20 @@ TEST_F(Differential, holds_inexact_solvers_to_what_they_promise_and_no_more) {
   }
 }
 
+TEST_F(Differential, counts_a_judge_that_shorter_paths_refute_and_blames_no_solver) {
+  Request asked = request("mmp", 1);
+  asked.seed = 3;
+  asked.only = 513;  // too large for brute force
+  asked.shrink = 0;
+  for (const auto& [off, refuted] : {std::pair{"1e-6", true}, {"-1e-6", false}}) {
+    asked.solvers = {std::string("oracle?off=") + off, "mmp"};
+    std::ostringstream report;
+    EXPECT_EQ(run_differential(asked, report), refuted) << report.str();
+    const bool said = report.str().find(" refuted by shorter paths on ") != std::string::npos;
+    EXPECT_EQ(said, refuted) << report.str();
+  }
+}
+
 TEST_F(Differential, saves_nothing_where_solvers_agree) {
   for (const Description* solver : registered_solvers()) {
     if (solver->family == "test-only" || solver->exactness != Exactness::exact) continue;

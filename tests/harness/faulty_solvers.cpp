@@ -257,6 +257,12 @@ Description bounded() {
   return description;
 }
 
+Description oracle() {
+  Description description = inexact("oracle", Exactness::exact);
+  description.independent_oracle = true;
+  return description;
+}
+
 Description renewable() {
   Description description = faulty("renewable");
   description.needs_renewal = true;
@@ -275,6 +281,7 @@ const RegisterSolver<Printing> printing{faulty("printing")};
 const RegisterSolver<Off> off_within{bounded()};
 const RegisterSolver<Off> off_above{inexact("upper", Exactness::upper_bound)};
 const RegisterSolver<Off> off_anyhow{inexact("unbounded", Exactness::unbounded)};
+const RegisterSolver<Off> off_as_oracle{oracle()};
 const RegisterSolver<Renewable> renewable_solver{renewable()};
 const RegisterSolver<Fickle> fickle_solver{fickle()};
 const RegisterSolver<Wrong> wrong{faulty("wrong")};
