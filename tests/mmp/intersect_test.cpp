@@ -64,6 +64,19 @@ TEST(Divide, LeavesTiesToTheIncumbent) {
   }
 }
 
+TEST(Divide, GivesAllToTheShorterWindowWhereRoundingHidesItsLeadAtTheFarEnd) {
+  const double length = 370361;
+  const Window shorter{0, length, length, 0.3, 1.5};
+  Window longer = shorter;
+  longer.sigma += 1.7e-9;  // below kPathMargin of the distances beyond a half of the edge
+  const Division won = divide(shorter, longer, 0, length, 1e-14 * length);
+  EXPECT_TRUE(won.challenger_first);
+  EXPECT_EQ(won.cuts, 0);
+  const Division lost = divide(longer, shorter, 0, length, 1e-14 * length);
+  EXPECT_FALSE(lost.challenger_first);
+  EXPECT_EQ(lost.cuts, 0);
+}
+
 TEST(Divide, PrefersTheSmallerSigmaOfCoincidingSources) {
   const Window early = from_source(0.3, -0.7, 1), late = from_source(0.3, -0.7, 1.25);
   EXPECT_TRUE(divide(early, late, 0, 1, kNarrowest).challenger_first);
