@@ -18,15 +18,14 @@ install(FILES CITATION.cff LICENSE README.md DESTINATION ${GEODESIC_DATA_FOLDER}
 install(PROGRAMS datasets/fetch.py DESTINATION ${GEODESIC_DATA_FOLDER}/datasets)
 install(FILES datasets/README.md datasets/manifest.json datasets/manifest.schema.json
         DESTINATION ${GEODESIC_DATA_FOLDER}/datasets)
-install(FILES results/README.md results/run.schema.json
+install(FILES results/README.md results/fingerprints.json results/run.schema.json
         DESTINATION ${GEODESIC_DATA_FOLDER}/results)
 install(DIRECTORY datasets/fetching DESTINATION ${GEODESIC_DATA_FOLDER}/datasets
         FILES_MATCHING PATTERN "*.py" PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY harness/suites DESTINATION ${GEODESIC_DATA_FOLDER}/harness)
-install(DIRECTORY results/published DESTINATION ${GEODESIC_DATA_FOLDER}/results)
-install(FILES results/__init__.py results/columns.py results/console.py results/merge.py results/published.py
-              results/reader.py results/schema.py
-              results/statistics.py results/table.py
+install(DIRECTORY results/baseline results/published DESTINATION ${GEODESIC_DATA_FOLDER}/results)
+install(FILES results/__init__.py results/checksum.py results/columns.py results/console.py results/merge.py
+              results/published.py results/reader.py results/schema.py results/statistics.py results/table.py
         DESTINATION ${GEODESIC_DATA_FOLDER}/results)
 install(DIRECTORY gate plots view docs examples DESTINATION ${GEODESIC_DATA_FOLDER}
         USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE PATTERN build EXCLUDE)

@@ -38,7 +38,7 @@ constexpr const char* kPathsProperty = "paths-begin-in-faces-and-on-edges-too";
 // Brute force takes a second for so many faces; beyond, an independent oracle judges.
 constexpr Index kBruteForceFaces = 600;
 // Where that oracle and a solver differ, brute force is asked all the same: minutes, on few meshes.
-constexpr Index kArbiterFaces = 2000;
+constexpr Index kArbiterFaces = 4000;
 
 struct Answer {
   std::string by;
