@@ -193,18 +193,29 @@ HWY_INLINE bool find_suspects(const Batch& batch, std::uint8_t* suspects) {
 /// kApexTolerance and that do not see it all the same: next to a source or an apex that is far
 /// nearer than the edge is long, the path round the interval's end is longer than the line by more
 /// than rounding.
-/// @param missed as bits, of the group that begins with window i
-/// @param left, right of the group
-HWY_NOINLINE inline void take_side(const Batch& batch, std::size_t i, unsigned missed,
-                                   const FaceFrame& face, std::uint8_t& left, std::uint8_t& right) {
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    if (((missed >> lane) & 1) == 0) continue;
-    const Window w = batch.window(i + lane);
+/// @param best of the windows that see the apex, overwritten
+HWY_NOINLINE inline void take_blind_sides(const Batch& batch, const FaceFrame& face,
+                                          std::uint8_t* left, std::uint8_t* right, Separator& best,
+                                          std::size_t& seeing) {
+  best.distance = kInfinity;
+  seeing = 0;
+  for (std::size_t i = 0; i < batch.count; ++i) {
+    std::uint8_t &l = left[i / kLanes], &r = right[i / kLanes];
+    const unsigned lane = 1u << (i % kLanes);
+    if ((l & r & lane) == 0) continue;
+    const Window w = batch.window(i);
     const double line = distance_through(w, face.apex_x, face.apex_y);
     const double bent = least_distance_to(w, face.apex_x, face.apex_y);
-    if (bent - line <= kApexExcess * line) continue;
-    std::uint8_t& side = crossing(w, face) == w.end ? right : left;
-    side = static_cast<std::uint8_t>(side & ~(1u << lane));
+    if (bent - line > kApexExcess * line) {
+      std::uint8_t& side = crossing(w, face) == w.end ? r : l;
+      side = static_cast<std::uint8_t>(side & ~lane);
+      continue;
+    }
+    ++seeing;
+    if (line < best.distance) {
+      best.window = i;
+      best.distance = line;
+    }
   }
 }
 
@@ -214,11 +225,11 @@ HWY_NOINLINE inline void take_side(const Batch& batch, std::size_t i, unsigned m
 HWY_INLINE Separator classify(const Batch& batch, const FaceFrame& face, std::uint8_t* left,
                               std::uint8_t* right) {
   const Vec apex_x = all(face.apex_x), apex_y = all(face.apex_y);
-  const Vec slack = all(kApexTolerance * face.length);
+  const Vec slack = all(-kApexTolerance * face.length);
   const Vec least_height = all(kLeastHeight);
   Separator best;
   std::size_t seeing = 0;
-  unsigned any_left = 0, any_right = 0;
+  unsigned any_left = 0, any_right = 0, any_missed = 0;
   HWY_ALIGN double distance[kLaneRoom];
   for (std::size_t i = 0; i < batch.count; i += kLanes) {
     const Vec x = hn::LoadU(kTag, batch.array(kX) + i), y = hn::LoadU(kTag, batch.array(kY) + i);
@@ -227,8 +238,9 @@ HWY_INLINE Separator classify(const Batch& batch, const FaceFrame& face, std::ui
     const Vec begin = hn::LoadU(kTag, batch.array(kBegin) + i);
     const Vec end = hn::LoadU(kTag, batch.array(kEnd) + i);
     const Mask inside = hn::FirstN(kTag, batch.count - i);
-    const Mask only_left = hn::Gt(crossing, hn::Add(end, slack));
-    const Mask only_right = hn::Lt(crossing, hn::Sub(begin, slack));
+    // Positive inside the interval.
+    const Vec to_end = hn::Sub(end, crossing), from_begin = hn::Sub(crossing, begin);
+    const Mask only_left = hn::Lt(to_end, slack), only_right = hn::Lt(from_begin, slack);
     const unsigned passes_left = bits(hn::AndNot(only_right, inside));
     const unsigned passes_right = bits(hn::AndNot(only_left, inside));
     left[i / kLanes] = static_cast<std::uint8_t>(passes_left);
@@ -237,11 +249,7 @@ HWY_INLINE Separator classify(const Batch& batch, const FaceFrame& face, std::ui
     any_right |= passes_right;
     unsigned straddling = passes_left & passes_right;
     if (straddling == 0) continue;
-    const Mask misses = hn::Or(hn::Gt(crossing, end), hn::Lt(crossing, begin));
-    if (const unsigned missed = bits(misses) & straddling; missed != 0) {
-      take_side(batch, i, missed, face, left[i / kLanes], right[i / kLanes]);
-      straddling &= left[i / kLanes] & right[i / kLanes];
-    }
+    any_missed |= straddling & bits(hn::Lt(hn::Min(to_end, from_begin), hn::Zero(kTag)));
     const Vec squared = hn::Add(hn::Mul(across, across), hn::Mul(up, up));
     const Vec sigma = hn::LoadU(kTag, batch.array(kSigma) + i);
     hn::Store(hn::Add(sigma, hn::Sqrt(squared)), kTag, distance);
@@ -254,6 +262,7 @@ HWY_INLINE Separator classify(const Batch& batch, const FaceFrame& face, std::ui
       }
     }
   }
+  if (any_missed != 0) take_blind_sides(batch, face, left, right, best, seeing);
   if (seeing > 0) {
     best.rivals = seeing - 1;
     best.crossing = crossing(batch.window(best.window), face);
