@@ -303,9 +303,10 @@ void Mesh::classify_vertices() {
     }
   }
   for (Index h = 0; h < half_edge_count(); ++h) {
-    if (half_edge(h).apex_y > 0 && half_edge(h).length > 0) continue;
+    const HalfEdge& e = half_edge(h);
+    if (e.apex_y > kFlatFace * e.length) continue;
     pseudo_source_[origin(h)] = pseudo_source_[head(h)] = pseudo_source_[apex(h)] = 1;
-    has_degenerate_faces_ = true;
+    has_degenerate_faces_ |= !(e.apex_y > 0 && e.length > 0);
   }
 }
 

@@ -111,7 +111,7 @@ class Mesh {
   }
 
   /// True where a shortest path may bend: total angle above 2 pi, a boundary vertex, a vertex that
-  /// several fans share, and a corner of a degenerate face (its angles are undefined).
+  /// several fans share, and a corner of a face so flat (kFlatFace) that its angles are rounding.
   bool is_pseudo_source(Index v) const { return pseudo_source_[v] != 0; }
 
   /// Sum of the face angles at v in radians; 0 for an isolated vertex. Computed at each call.

@@ -38,7 +38,8 @@ inline constexpr double kApexReach = 1e-6;
 /// in units in which a mesh is of ordinary extent (unit.h).
 inline constexpr double kTouchingHeight = 1e-200;
 
-/// Chen-Han: a face lower than this times its base has no reliable angles.
+/// A face lower than this times one of its sides has no reliable angles: whether a path may bend at
+/// its corners is not known, and every one of them sends out windows.
 inline constexpr double kFlatFace = 1e-9;
 
 /// A window narrower than this times the length of its edge is dropped.

@@ -32,8 +32,7 @@ class Propagation {
       : mesh_(mesh),
         recorder_(recorder),
         budget_(mesh),
-        wavefront_(mesh.half_edge_count(), Policy::make_queue(mesh), recorder_),
-        emits_(find_emitters(mesh)) {}
+        wavefront_(mesh.half_edge_count(), Policy::make_queue(mesh), recorder_) {}
   Propagation(const Propagation&) = delete;
   Propagation& operator=(const Propagation&) = delete;
 
@@ -103,20 +102,6 @@ class Propagation {
     }
   }
 
-  /// Vertices that send out windows when they are reached: where paths may bend, and at the corners
-  /// of faces so flat that rounding decides which way a line through them runs. Windows from
-  /// there are as right as any, and few.
-  static std::vector<std::uint8_t> find_emitters(const Mesh& mesh) {
-    std::vector<std::uint8_t> emits(mesh.vertex_count());
-    for (Index v = 0; v < mesh.vertex_count(); ++v) emits[v] = mesh.is_pseudo_source(v);
-    for (Index h = 0; h < mesh.half_edge_count(); ++h) {
-      const HalfEdge& e = mesh.half_edge(h);
-      if (e.apex_y > kFlatFace * e.length) continue;
-      emits[mesh.origin(h)] = emits[mesh.head(h)] = emits[mesh.apex(h)] = 1;
-    }
-    return emits;
-  }
-
   /// v sends out windows, be it a pseudo-source or not.
   void start_at(Index v, double distance, Arrival arrival) {
     if (!(distance < distances_[v])) return;
@@ -181,7 +166,7 @@ class Propagation {
     if (!(distance < distances_[v])) return;
     set_distance(v, distance);
     if constexpr (Recorder::kRemembers) recorder_.arrived(v, arrival);
-    if (emits_[v] != 0 && has_news(v)) wavefront_.push_vertex(v, distance);
+    if (mesh_.is_pseudo_source(v) && has_news(v)) wavefront_.push_vertex(v, distance);
   }
 
   /// The apex of h, at the end of an edge from a vertex that emits.
@@ -341,8 +326,7 @@ class Propagation {
   WindowBudget budget_;
   Front wavefront_;
   std::span<double> distances_;
-  std::vector<std::uint8_t> emits_;  // find_emitters
-  std::vector<double> emitted_;      // distance of the windows that each vertex sent out last
+  std::vector<double> emitted_;  // distance of the windows that each vertex sent out last
   int row_ = 0;                      // faces crossed at once by the window being sent out
   Ending ending_;
   bool stops_ = false;        // the query says so
