@@ -8,8 +8,6 @@
 namespace geodesic {
 namespace {
 
-Point2 minus(const Point2& a, const Point2& b) { return {a.x - b.x, a.y - b.y}; }
-
 double distance_between(const Point2& a, const Point2& b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
@@ -19,7 +17,7 @@ class Ray {
  public:
   /// @param otherwise where it leads when it goes through the eye, of length 1
   Ray(const Point2& eye, const Point2& through, const Point2& otherwise)
-      : eye_(eye), to_(minus(through, eye)) {
+      : eye_(eye), to_{through.x - eye.x, through.y - eye.y} {
     const double length = std::hypot(to_.x, to_.y);
     to_ = length > 0 ? Point2{to_.x / length, to_.y / length} : otherwise;
   }
