@@ -12,9 +12,11 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <fstream>
 #include <optional>
+#include <thread>
 
 #include "harness/base/clock.h"
 #include "harness/base/error.h"
@@ -267,6 +269,17 @@ Disturbance disturbance_since(const Ticks& before, const Child::Exit& exit) {
   return disturbance;
 }
 
+// Who ends many processes at once, as schedulers do, may reach a child first: that is no crash. The
+// same signal comes here within moments, if it comes.
+void throw_if_interrupted_soon() {
+  constexpr int kSteps = 100;
+  constexpr std::chrono::milliseconds kStep(10);
+  for (int i = 0; i < kSteps; ++i) {
+    throw_if_interrupted();
+    std::this_thread::sleep_for(kStep);
+  }
+}
+
 }  // namespace
 
 std::vector<char*> argv_of(std::vector<std::string>& words) {
@@ -311,6 +324,9 @@ Ended run_program(const std::filesystem::path& program, const std::vector<std::s
   const Child::Exit exit = child.finish();
   ended.crashed = WIFSIGNALED(exit.status);
   ended.code = ended.crashed ? WTERMSIG(exit.status) : WEXITSTATUS(exit.status);
+  if (ended.crashed && std::ranges::count(InterruptionGuard::kSignals, ended.code) > 0) {
+    throw_if_interrupted_soon();
+  }
   ended.disturbance = disturbance_since(before, exit);
   ended.error_lines = last_lines(exit.error_tail);
   ended.out_of_memory = ran_out_of_memory(ended, exit.peak_resident_bytes, limits.memory_bytes);

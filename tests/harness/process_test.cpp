@@ -3,6 +3,12 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <thread>
+
+#include "harness/base/interruption.h"
 
 namespace geodesic::harness {
 namespace {
@@ -21,6 +27,22 @@ TEST(RunProgram, tells_how_the_process_ended_and_its_error_lines) {
   EXPECT_TRUE(killed.crashed);
   EXPECT_EQ(killed.code, SIGSEGV);
   EXPECT_TRUE(run_in_shell("exit 0", kLong).succeeded());
+}
+
+TEST(RunProgram, is_interrupted_when_the_signal_of_a_whole_group_reaches_the_child_first) {
+  const InterruptionGuard guard;
+  std::jthread scheduler([] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    kill(getpid(), SIGTERM);
+  });
+  EXPECT_THROW(run_in_shell("kill -TERM $$", kLong), Interrupted);
+}
+
+TEST(RunProgram, knows_a_crash_by_a_signal_that_comes_to_the_child_alone) {
+  const InterruptionGuard guard;
+  const Ended ended = run_in_shell("kill -TERM $$", kLong);
+  EXPECT_TRUE(ended.crashed);
+  EXPECT_EQ(ended.code, SIGTERM);
 }
 
 TEST(RunProgram, kills_what_does_not_end_in_time) {
