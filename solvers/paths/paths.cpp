@@ -166,8 +166,16 @@ class Paths::Trace {
 
   /// As follow, when the line of the piece does not lead to its root.
   Index search(const Piece& piece) {
-    const Search::Piece found = Search(of_, piece.end, piece.distance, passed_).run();
     const double slack = kPathStray * piece.distance + kPathRounding * piece.side;
+    Search::Piece found;
+    // Where only the sheets are not known, the line is.
+    if (trusts_lines_ && mesh_.crosses_non_manifold_edges()) {
+      found = Search(of_, piece.end, piece.distance, passed_)
+                  .run_along(piece.half_edge, piece.at, piece.from);
+    }
+    if (!(found.distance <= piece.distance + slack)) {
+      found = Search(of_, piece.end, piece.distance, passed_).run();
+    }
     if (!(found.distance <= piece.distance + slack)) lost(piece);
     for (const Search::End& end : found.ends) add(SurfacePoint(end.vertex), end.face, 0);
     for (const Search::Crossing& c : found.crossings) add_crossing(c.side, c.x, c.step);
