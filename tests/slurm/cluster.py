@@ -152,11 +152,14 @@ class Cluster:
     def stop_node(self, node: int) -> None:
         """As if its power failed: the daemon and the jobs that run there are gone at once."""
         self._stop(f"slurmd-n{node}", signal.SIGKILL)
-        for process in self._processes_of(node):
-            try:
-                os.kill(process, signal.SIGKILL)
-            except ProcessLookupError:
-                continue
+        processes = self._processes_of(node)
+        # Stopped first: none of them sees another one end, and writes down that it crashed.
+        for how in (signal.SIGSTOP, signal.SIGKILL):
+            for process in processes:
+                try:
+                    os.kill(process, how)
+                except ProcessLookupError:
+                    continue
 
     def _processes_of(self, node: int) -> list[int]:
         """Of this cluster's jobs on the node, with what started them."""
