@@ -193,12 +193,11 @@ HWY_INLINE bool find_suspects(const Batch& batch, std::uint8_t* suspects) {
 /// kApexTolerance and that do not see it all the same: next to a source or an apex that is far
 /// nearer than the edge is long, the path round the interval's end is longer than the line by more
 /// than rounding.
-/// @param best of the windows that see the apex, overwritten
-HWY_NOINLINE inline void take_blind_sides(const Batch& batch, const FaceFrame& face,
-                                          std::uint8_t* left, std::uint8_t* right, Separator& best,
-                                          std::size_t& seeing) {
-  best.distance = kInfinity;
-  seeing = 0;
+/// @return the separator that the windows that see the apex give
+HWY_NOINLINE inline Separator take_blind_sides(const Batch& batch, const FaceFrame& face,
+                                               std::uint8_t* left, std::uint8_t* right) {
+  Separator best;
+  std::size_t seeing = 0;
   for (std::size_t i = 0; i < batch.count; ++i) {
     std::uint8_t &l = left[i / kLanes], &r = right[i / kLanes];
     const unsigned lane = 1u << (i % kLanes);
@@ -215,8 +214,11 @@ HWY_NOINLINE inline void take_blind_sides(const Batch& batch, const FaceFrame& f
     if (line < best.distance) {
       best.window = i;
       best.distance = line;
+      best.crossing = crossing(w, face);
     }
   }
+  if (seeing > 0) best.rivals = seeing - 1;
+  return best;
 }
 
 /// Which sides of the apex the windows' lines pass, in groups of kLanes bits; both bits are set for
@@ -229,7 +231,7 @@ HWY_INLINE Separator classify(const Batch& batch, const FaceFrame& face, std::ui
   const Vec least_height = all(kLeastHeight);
   Separator best;
   std::size_t seeing = 0;
-  unsigned any_left = 0, any_right = 0, any_missed = 0;
+  unsigned any_left = 0, any_right = 0;
   HWY_ALIGN double distance[kLaneRoom];
   for (std::size_t i = 0; i < batch.count; i += kLanes) {
     const Vec x = hn::LoadU(kTag, batch.array(kX) + i), y = hn::LoadU(kTag, batch.array(kY) + i);
@@ -238,9 +240,8 @@ HWY_INLINE Separator classify(const Batch& batch, const FaceFrame& face, std::ui
     const Vec begin = hn::LoadU(kTag, batch.array(kBegin) + i);
     const Vec end = hn::LoadU(kTag, batch.array(kEnd) + i);
     const Mask inside = hn::FirstN(kTag, batch.count - i);
-    // Positive inside the interval.
-    const Vec to_end = hn::Sub(end, crossing), from_begin = hn::Sub(crossing, begin);
-    const Mask only_left = hn::Lt(to_end, slack), only_right = hn::Lt(from_begin, slack);
+    const Mask only_left = hn::Lt(hn::Sub(end, crossing), slack);
+    const Mask only_right = hn::Lt(hn::Sub(crossing, begin), slack);
     const unsigned passes_left = bits(hn::AndNot(only_right, inside));
     const unsigned passes_right = bits(hn::AndNot(only_left, inside));
     left[i / kLanes] = static_cast<std::uint8_t>(passes_left);
@@ -249,7 +250,6 @@ HWY_INLINE Separator classify(const Batch& batch, const FaceFrame& face, std::ui
     any_right |= passes_right;
     unsigned straddling = passes_left & passes_right;
     if (straddling == 0) continue;
-    any_missed |= straddling & bits(hn::Lt(hn::Min(to_end, from_begin), hn::Zero(kTag)));
     const Vec squared = hn::Add(hn::Mul(across, across), hn::Mul(up, up));
     const Vec sigma = hn::LoadU(kTag, batch.array(kSigma) + i);
     hn::Store(hn::Add(sigma, hn::Sqrt(squared)), kTag, distance);
@@ -262,10 +262,13 @@ HWY_INLINE Separator classify(const Batch& batch, const FaceFrame& face, std::ui
       }
     }
   }
-  if (any_missed != 0) take_blind_sides(batch, face, left, right, best, seeing);
   if (seeing > 0) {
     best.rivals = seeing - 1;
-    best.crossing = crossing(batch.window(best.window), face);
+    const Window w = batch.window(best.window);
+    best.crossing = crossing(w, face);
+    if (best.crossing == w.begin || best.crossing == w.end) {
+      best = take_blind_sides(batch, face, left, right);
+    }
   }
   best.any_left = any_left != 0;
   best.any_right = any_right != 0;

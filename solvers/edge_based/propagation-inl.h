@@ -231,7 +231,7 @@ class Propagation final : public Propagator<Recorder> {
           vertex_state_[mesh_.origin(into)] |= kSource;
         }
       }
-      if (emits) emit(v, Mesh::next(h));
+      if (emits && !is_beaten(v, h)) emit(v, Mesh::next(h));
     }
     const auto timed = recorder.enter(Phase::queue);
     for (const Index h : mesh_.outgoing(v)) {
@@ -258,6 +258,19 @@ class Propagation final : public Propagator<Recorder> {
     const Index root = recorder.record.arrival(v).root;
     const bool bends = root < mesh_.vertex_count() && !may_bend_at(root);
     if (bends && !is_shorter(distances_[v], distance, rounding_)) recorder.arrived(v, arrival);
+  }
+
+  /// True when a window from v over the opposite edge of the face of h would be dropped as soon as
+  /// it is looked at, because a path along that edge is shorter (EndPaths). Distances only shrink:
+  /// it is of no use later either.
+  /// @param h from v
+  bool is_beaten(Index v, Index h) const {
+    const Index opposite = Mesh::next(h), back = Mesh::previous(h);
+    const double along = mesh_.half_edge(opposite).length;
+    const double to_head = distances_[v] + mesh_.half_edge(back).length;
+    const double to_origin = distances_[v] + mesh_.half_edge(h).length;
+    return distances_[mesh_.origin(opposite)] * (1 + kPathMargin) + along < to_head ||
+           distances_[mesh_.head(opposite)] * (1 + kPathMargin) + along < to_origin;
   }
 
   /// Sends a window from the (pseudo-)source v over the whole of the opposite edge.

@@ -111,6 +111,26 @@ class Paths::Trace {
     double step;  ///< its length in the face
   };
 
+  /// Of a line beyond a face.
+  struct Way {
+    Line line;
+    Index through;     ///< the half-edge whose twin it enters: line.side, or of another sheet
+    double travelled;  ///< from the end of the piece
+  };
+
+  /// A way not taken, and what was known there.
+  struct Fork {
+    Way way;
+    std::size_t points;
+    SurfacePoint last;
+    double strayed;
+  };
+
+  struct Step {
+    enum Kind : std::uint8_t { went_on, ended, failed } kind;
+    Index root = kNone;  ///< where the piece begins, when it has ended
+  };
+
   /// Of a face, by one of its half-edges: that itself, the one before it, the one after it.
   enum class Side : std::uint8_t { own, left, right };
 
@@ -167,15 +187,7 @@ class Paths::Trace {
   /// As follow, when the line of the piece does not lead to its root.
   Index search(const Piece& piece) {
     const double slack = kPathStray * piece.distance + kPathRounding * piece.side;
-    Search::Piece found;
-    // Where only the sheets are not known, the line is.
-    if (trusts_lines_ && mesh_.crosses_non_manifold_edges()) {
-      found = Search(of_, piece.end, piece.distance, passed_)
-                  .run_along(piece.half_edge, piece.at, piece.from);
-    }
-    if (!(found.distance <= piece.distance + slack)) {
-      found = Search(of_, piece.end, piece.distance, passed_).run();
-    }
+    const Search::Piece found = Search(of_, piece.end, piece.distance, passed_).run();
     if (!(found.distance <= piece.distance + slack)) lost(piece);
     for (const Search::End& end : found.ends) add(SurfacePoint(end.vertex), end.face, 0);
     for (const Search::Crossing& c : found.crossings) add_crossing(c.side, c.x, c.step);
@@ -213,34 +225,79 @@ class Paths::Trace {
     if (nearest < kInfinity || !leaves_at_end(piece, line)) {
       add_crossing(line.side, line.x, line.step);
     }
-    double travelled = line.step;
+    return go_on(piece, {line, line.side, line.step}, slack);
+  }
+
+  /// Follows a line beyond its first face. Which of several faces beyond an edge it comes from is
+  /// not remembered: they are tried one after the other, until distances show that it is another.
+  /// @return as walk
+  Index go_on(const Piece& piece, Way way, double slack) {
+    forks_.clear();
     for (Index faces = 0; faces < mesh_.face_count(); ++faces) {
-      const Index in = mesh_.twin(line.side);
-      if (in == kNone) return kNone;
-      // From which of several faces the line comes is not remembered.
-      if (mesh_.crosses_non_manifold_edges() && mesh_.is_branching(line.side)) return kNone;
-      const Point2 here = {line.x, 0};
-      if (const auto root = root_on_face(piece, in)) {
-        return arrive(piece, in, here, line.root, *root);
-      }
-      if (!(line.root.y > 0)) return kNone;
-      const HalfEdge& e = mesh_.half_edge(in);
-      const Index apex = mesh_.apex(in);
-      const Point2 to_apex = minus({e.apex_x, e.apex_y}, here), ahead = minus(line.root, here);
-      const double left_to_go = length_of(ahead);
-      const Direction direction(ahead, left_to_go);
-      const double along = direction.along(to_apex), across = direction.across(to_apex);
-      if (is_through(along, across, left_to_go, slack)) {
-        const double rest = length_of(to_apex);
-        if (turns(piece, apex, travelled + rest)) return add(SurfacePoint(apex), in / 3, rest);
-        line = leave_through_apex(in, line, across > 0, slack);
-      } else {
-        line = leave(in, here, line.root, direction, across > 0 ? Side::right : Side::left);
-      }
-      travelled += line.step;
-      add_crossing(line.side, line.x, line.step);
+      if (mesh_.crosses_non_manifold_edges()) remember_other_sheet(way);
+      const Step step = cross(piece, way, slack);
+      if (step.kind == Step::ended) return step.root;
+      if (step.kind == Step::failed && !take_other_sheet(way)) return kNone;
     }
     return kNone;
+  }
+
+  /// Crosses the next face of a line's way.
+  Step cross(const Piece& piece, Way& way, double slack) {
+    const Line& line = way.line;
+    const Index in = mesh_.twin(way.through);
+    if (in == kNone) return {Step::failed};
+    const Point2 here = {line.x, 0};
+    if (const auto root = root_on_face(piece, in)) {
+      const Index arrived = arrive(piece, in, here, line.root, *root);
+      const bool straight = arrived != kNone && strayed_ <= piece.part(kPathStray);
+      return straight ? Step{Step::ended, arrived} : Step{Step::failed};
+    }
+    if (!(line.root.y > 0)) return {Step::failed};
+    const HalfEdge& e = mesh_.half_edge(in);
+    const Index apex = mesh_.apex(in);
+    const Point2 to_apex = minus({e.apex_x, e.apex_y}, here), ahead = minus(line.root, here);
+    if (mesh_.crosses_non_manifold_edges()) {
+      const double off = std::abs(of_.distance(apex) - (piece.distance - way.travelled));
+      if (off > length_of(to_apex) + piece.part(kPathWrong)) return {Step::failed};
+    }
+    const double left_to_go = length_of(ahead);
+    const Direction direction(ahead, left_to_go);
+    const double along = direction.along(to_apex), across = direction.across(to_apex);
+    if (is_through(along, across, left_to_go, slack)) {
+      const double rest = length_of(to_apex);
+      if (turns(piece, apex, way.travelled + rest)) {
+        return {Step::ended, add(SurfacePoint(apex), in / 3, rest)};
+      }
+      way.line = leave_through_apex(in, line, across > 0, slack);
+    } else {
+      way.line = leave(in, here, line.root, direction, across > 0 ? Side::right : Side::left);
+    }
+    way.through = line.side;
+    way.travelled += line.step;
+    add_crossing(line.side, line.x, line.step);
+    return {Step::went_on};
+  }
+
+  /// Keeps the way through the next of the faces beyond an edge, should this one be the wrong one.
+  void remember_other_sheet(const Way& way) {
+    if (mesh_.twin(way.through) == kNone) return;
+    const Index next = mesh_.next_sheet(way.through);
+    if (mesh_.twin(next) == mesh_.mirrored(way.line.side)) return;
+    forks_.push_back({{way.line, next, way.travelled}, points_.size(), last_, strayed_});
+  }
+
+  /// Goes back to where another face is left to try.
+  /// @return false when there is none
+  bool take_other_sheet(Way& way) {
+    if (forks_.empty()) return false;
+    const Fork& fork = forks_.back();
+    way = fork.way;
+    points_.resize(fork.points);
+    last_ = fork.last;
+    strayed_ = fork.strayed;
+    forks_.pop_back();
+    return true;
   }
 
   /// Whether a line leaves its first face where the piece ends; it is then made to, to the last
@@ -454,6 +511,7 @@ class Paths::Trace {
   std::vector<PathPoint> points_;  // from the end; `travelled` is from the point before
   SurfacePoint last_;              // in the mesh's own numbers
   std::vector<Index> passed_;      // vertices in the place of the last one
+  std::vector<Fork> forks_;        // of the line that is followed
   bool trusts_lines_ = true;       // false: pieces are looked for by distances alone
   double strayed_ = 0;             // how far the last line ran beside its faces
 };

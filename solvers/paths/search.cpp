@@ -67,24 +67,7 @@ Paths::Search::Piece Paths::Search::run() {
       }
     }
   }
-  return look_through();
-}
-
-Paths::Search::Piece Paths::Search::run_along(Index h, const Point2& eye, const Point2& towards) {
-  if (!(eye.y > 0 && towards.y < 0)) return {};
-  if (end_.is_vertex()) ends_.push_back({end_.vertex, kNone, kNone});
-  const double length = mesh_.half_edge(h).length;
-  const double at = eye.x + (towards.x - eye.x) * (eye.y / (eye.y - towards.y));
-  const double reach = kApexReach * (length + distance_between(eye, towards));
-  const double begin = std::max(at - reach, 0.0), end = std::min(at + reach, length);
-  if (!(begin <= end)) return {};
-  see(h, {length - eye.x, -eye.y}, length - end, length - begin, kNone,
-      end_.is_vertex() ? 0 : kNone);
-  return look_through();
-}
-
-/// Views are looked through in the order in which they are added.
-Paths::Search::Piece Paths::Search::look_through() {
+  // Views are looked through in the order in which they are added.
   for (Index view = 0; view < views_.size(); ++view) look_beyond(view);
   return piece_from(best_);
 }

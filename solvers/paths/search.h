@@ -16,7 +16,7 @@ namespace geodesic {
 /// is left surrounds the path by about an edge.
 ///
 /// For the few paths whose remembered piece is not what a straight line follows: it was seen past
-/// a vertex by rounding, it runs along faces without area, or it crosses an edge of several faces.
+/// a vertex by rounding, or it runs along faces without area.
 class Paths::Search {
  public:
   /// Where the piece leaves a face: at the distance x from the head of the half-edge `side`.
@@ -52,9 +52,6 @@ class Paths::Search {
 
   /// The piece by which the end is nearest. Of equally short ones, that with the farthest root.
   Piece run();
-  /// The same among lines within kApexReach of one that leaves the end's face by h.
-  /// @param eye, towards in the frame of h: the end, and another point of the line
-  Piece run_along(Index h, const Point2& eye, const Point2& towards);
 
  private:
   /// The part of an edge that is seen from the end through faces, in the frame of the half-edge
@@ -80,7 +77,6 @@ class Paths::Search {
     double before = kInfinity;  ///< of the root itself
   };
 
-  Piece look_through();
   void start_at_vertex(Index i);
   void add_end(Index vertex, Index face, Index before);
   void start(Index h, const Point2& eye, Index under, Index end);

@@ -11,14 +11,11 @@
 namespace geodesic {
 namespace {
 
-/// From one vertex of a terrain of range(0) by range(0) cells to others by chance, which no path
-/// has made the cache know.
-void trace_path(benchmark::State& state) {
-  const auto cells = static_cast<Index>(state.range(0));
-  const Mesh mesh(generate("terrain", {{"columns", cells}, {"rows", cells}}),
-                  Numbering::along_surface);
-  const auto solver = make_solver("fwp-ch", mesh);
-  const Paths paths = solve_paths(*solver, mesh, {.sources = {{.at = 0}}});
+/// From the first vertex of a surface to others by chance, which no path has made the cache know.
+/// @param solver its name
+void trace_paths(benchmark::State& state, const Mesh& mesh, const char* solver) {
+  const auto solve = make_solver(solver, mesh);
+  const Paths paths = solve_paths(*solve, mesh, {.sources = {{.at = 0}}});
   Random random(1);
   std::int64_t faces = 0;
   for (auto _ : state) {
@@ -28,7 +25,32 @@ void trace_path(benchmark::State& state) {
   state.counters["per_face"] = benchmark::Counter(
       static_cast<double>(faces), benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
+
+/// A terrain of range(0) by range(0) cells.
+TriangleSoup terrain(const benchmark::State& state) {
+  const auto cells = static_cast<Index>(state.range(0));
+  return generate("terrain", {{"columns", cells}, {"rows", cells}});
+}
+
+void trace_path(benchmark::State& state) {
+  trace_paths(state, Mesh(terrain(state), Numbering::along_surface), "fwp-ch");
+}
 BENCHMARK(trace_path)->Arg(32)->Arg(224);
+
+/// With a face that stands on an edge of every other face: paths cross edges of three faces.
+void trace_path_over_sheets(benchmark::State& state) {
+  TriangleSoup soup = terrain(state);
+  const std::size_t faces = soup.triangles.size();
+  for (std::size_t f = 0; f < faces; f += 2) {
+    const Triangle& face = soup.triangles[f];
+    Vec3 top = soup.positions[face[2]];
+    top[2] += 1;
+    soup.triangles.push_back({face[0], face[1], static_cast<Index>(soup.positions.size())});
+    soup.positions.push_back(top);
+  }
+  trace_paths(state, Mesh(soup, Numbering::along_surface, NonManifoldEdges::crossed), "edge-based");
+}
+BENCHMARK(trace_path_over_sheets)->Arg(32)->Arg(224);
 
 }  // namespace
 }  // namespace geodesic
