@@ -27,14 +27,18 @@ namespace geodesic::edge_based {
 
 /// @param set AVX2 only when it was compiled
 template <class Policy, class Recorder>
-std::unique_ptr<Propagator<Recorder>> make_propagator(const Mesh& mesh, InstructionSet set) {
+std::unique_ptr<Propagator<Recorder>> make_propagator(const Mesh& mesh, InstructionSet set,
+                                                      const Policy& policy) {
+  if constexpr (Policy::kMerges) {
+    if (policy.shortfall() == 0) return make_propagator<ByDistance, Recorder>(mesh, set, policy);
+  }
 #if GEODESIC_AVX2_BESIDE_STATIC
   if (set == InstructionSet::avx2) {
-    return std::make_unique<N_AVX2::Propagation<Policy, Recorder>>(mesh);
+    return std::make_unique<N_AVX2::Propagation<Policy, Recorder>>(mesh, policy);
   }
 #endif
   static_cast<void>(set);
-  return std::make_unique < HWY_STATIC_DISPATCH(Propagation) < Policy, Recorder >> (mesh);
+  return std::make_unique < HWY_STATIC_DISPATCH(Propagation) < Policy, Recorder >> (mesh, policy);
 }
 
 template <class Policy>
@@ -42,14 +46,15 @@ class EdgeBased final : public Solver {
  public:
   EdgeBased(const Mesh& mesh, const Description& description)
       : Solver(mesh, description),
+        policy_(description),
         instruction_set_(compiled_for(geodesic::instruction_set())),
-        timed_(make_propagator<Policy, NoRecorder>(mesh, instruction_set_)) {}
+        timed_(make_propagator<Policy, NoRecorder>(mesh, instruction_set_, policy_)) {}
 
   InstructionSet instruction_set() const override { return instruction_set_; }
 
   /// A recorded solve, compiled apart (core/recorders.h).
   /// @param set that make_propagator takes
-  static void record(const Mesh& mesh, InstructionSet set, const Query& query,
+  static void record(const Mesh& mesh, InstructionSet set, const Policy& policy, const Query& query,
                      std::span<double> distances, Recording& recording);
 
  private:
@@ -61,9 +66,10 @@ class EdgeBased final : public Solver {
 
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
     if (recording == nullptr) return timed_->run(query, distances, NoRecorder());
-    record(mesh(), instruction_set_, query, distances, *recording);
+    record(mesh(), instruction_set_, policy_, query, distances, *recording);
   }
 
+  Policy policy_;
   InstructionSet instruction_set_;
   std::unique_ptr<Propagator<NoRecorder>> timed_;
 };
@@ -71,10 +77,10 @@ class EdgeBased final : public Solver {
 #ifdef GEODESIC_RECORDED
 template <class Policy>
 [[gnu::used]] void EdgeBased<Policy>::record(const Mesh& mesh, InstructionSet set,
-                                             const Query& query, std::span<double> distances,
-                                             Recording& recording) {
+                                             const Policy& policy, const Query& query,
+                                             std::span<double> distances, Recording& recording) {
   solve_recording(mesh, query, distances, recording, [&](auto recorder) {
-    make_propagator<Policy, decltype(recorder)>(mesh, set)->run(query, distances, recorder);
+    make_propagator<Policy, decltype(recorder)>(mesh, set, policy)->run(query, distances, recorder);
   });
 }
 #endif

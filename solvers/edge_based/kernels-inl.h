@@ -95,31 +95,22 @@ struct Windows {
   Vec begin, end, x, y, sigma;
 };
 
-/// Distances to the two ends of the edge, prepared for comparing without square roots.
-struct EndPaths {
-  double length;
-  double at_origin, at_head;  ///< with kPathMargin added
-
-  EndPaths(double edge, double origin, double head)
-      : length(edge), at_origin(origin * (1 + kPathMargin)), at_head(head * (1 + kPathMargin)) {}
-
-  /// Windows all of whose points are reached at least as well along the edge from one of its ends
-  /// (the filter of Xin and Wang 2009): d(origin) + end < sigma + |source - end|, or the mirror.
-  Mask beat(const Windows& w) const {
-    const Vec zero = hn::Zero(kTag);
-    const Vec y2 = hn::Mul(w.y, w.y);
-    const Vec over_origin = hn::Sub(hn::Add(all(at_origin), w.end), w.sigma);
-    const Vec over_head = hn::Sub(hn::Add(all(at_head), hn::Sub(all(length), w.begin)), w.sigma);
-    const Vec to_end = hn::Sub(w.end, w.x), to_begin = hn::Sub(w.begin, w.x);
-    const Vec end2 = hn::Add(hn::Mul(to_end, to_end), y2);
-    const Vec begin2 = hn::Add(hn::Mul(to_begin, to_begin), y2);
-    const Mask by_origin =
-        hn::Or(hn::Lt(over_origin, zero), hn::Lt(hn::Mul(over_origin, over_origin), end2));
-    const Mask by_head =
-        hn::Or(hn::Lt(over_head, zero), hn::Lt(hn::Mul(over_head, over_head), begin2));
-    return hn::Or(by_origin, by_head);
-  }
-};
+/// EndPaths::beat.
+HWY_INLINE Mask beaten(const Windows& w, const EndPaths& ends) {
+  const Vec zero = hn::Zero(kTag);
+  const Vec y2 = hn::Mul(w.y, w.y);
+  const Vec over_origin = hn::Sub(hn::Add(all(ends.at_origin), w.end), w.sigma);
+  const Vec over_head =
+      hn::Sub(hn::Add(all(ends.at_head), hn::Sub(all(ends.length), w.begin)), w.sigma);
+  const Vec to_end = hn::Sub(w.end, w.x), to_begin = hn::Sub(w.begin, w.x);
+  const Vec end2 = hn::Add(hn::Mul(to_end, to_end), y2);
+  const Vec begin2 = hn::Add(hn::Mul(to_begin, to_begin), y2);
+  const Mask by_origin =
+      hn::Or(hn::Lt(over_origin, zero), hn::Lt(hn::Mul(over_origin, over_origin), end2));
+  const Mask by_head =
+      hn::Or(hn::Lt(over_head, zero), hn::Lt(hn::Mul(over_head, over_head), begin2));
+  return hn::Or(by_origin, by_head);
+}
 
 /// Appends to `batch` the windows of a segment that no path over an end of the edge beats.
 template <Note note, class Segment>
@@ -137,7 +128,7 @@ HWY_INLINE void gather(Segment& segment, const EndPaths& ends, Batch& batch) {
     const Windows w{hn::Load(kTag, from[kBegin] + i), hn::Load(kTag, from[kEnd] + i),
                     hn::Load(kTag, from[kX] + i), hn::Load(kTag, from[kY] + i),
                     hn::Load(kTag, from[kSigma] + i)};
-    const Mask keep = hn::AndNot(ends.beat(w), hn::FirstN(kTag, segment.count - i));
+    const Mask keep = hn::AndNot(beaten(w, ends), hn::FirstN(kTag, segment.count - i));
     const Packer pack(bits(keep));
     pack.store(w.begin, to[kBegin] + out);
     pack.store(w.end, to[kEnd] + out);

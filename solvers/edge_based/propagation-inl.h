@@ -16,6 +16,7 @@
 #include "solvers/core/recorders.h"
 #include "solvers/core/window_bound.h"
 #include "solvers/edge_based/kernels-inl.h"
+#include "solvers/edge_based/pencils.h"
 #include "solvers/edge_based/propagation.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -28,8 +29,9 @@ class Propagation final : public Propagator<Recorder> {
                 "the policy's Queue lacks a member of VertexQueue (core/queues/concepts.h)");
 
  public:
-  explicit Propagation(const Mesh& mesh)
+  Propagation(const Mesh& mesh, const Policy& policy)
       : mesh_(mesh),
+        policy_(policy),
         lists_(mesh.half_edge_count()),
         front_(Policy::make_queue(mesh)),
         vertex_state_(mesh.vertex_count()),
@@ -59,10 +61,16 @@ class Propagation final : public Propagator<Recorder> {
       }
     }
     if (!front_.empty()) finish(ending.farthest(), recorder);
+    if constexpr (Policy::kMerges) {
+      for (std::size_t v = 0; v < distances_.size(); ++v) {
+        distances_[v] += policy_.share() * shortfalls_[v];
+      }
+    }
   }
 
  private:
-  static constexpr Note kNoted = Recorder::kRecords     ? Note::depth
+  static constexpr Note kNoted = Policy::kMerges        ? Note::shortfall
+                                 : Recorder::kRecords   ? Note::depth
                                  : Recorder::kRemembers ? Note::root
                                                         : Note::none;
   static constexpr std::uint8_t kPassed = 1;  // popped at least once
@@ -82,6 +90,7 @@ class Propagation final : public Propagator<Recorder> {
     front_.clear();
     lists_.clear();
     budget_.start();
+    if constexpr (Policy::kMerges) shortfalls_.assign(distances.size(), 0);
   }
 
   /// @param number of the source in the query
@@ -97,6 +106,7 @@ class Propagation final : public Propagator<Recorder> {
                                              Recorder& recorder) {
     if (!(distance < distances_[v])) return;
     reach(v, distance, recorder);
+    if constexpr (Policy::kMerges) shortfalls_[v] = 0;
     if constexpr (Recorder::kRemembers) recorder.arrived(v, arrival);
   }
 
@@ -217,6 +227,7 @@ class Propagation final : public Propagator<Recorder> {
           arrive_along_edge(mesh_.head(h), at_head, {into, v, head}, recorder);
         }
         reach(mesh_.head(h), at_head, recorder);
+        if constexpr (Policy::kMerges) shortfalls_[mesh_.head(h)] = shortfalls_[v];
         if (emits && is_next_to_apex(mesh_.half_edge(into), mesh_.half_edge(h).length)) {
           vertex_state_[mesh_.head(h)] |= kSource;
         }
@@ -227,6 +238,7 @@ class Propagation final : public Propagator<Recorder> {
           arrive_along_edge(mesh_.origin(into), at_origin, {h, v, {0, 0}}, recorder);
         }
         reach(mesh_.origin(into), at_origin, recorder);
+        if constexpr (Policy::kMerges) shortfalls_[mesh_.origin(into)] = shortfalls_[v];
         if (emits && is_next_to_apex(mesh_.half_edge(h), mesh_.half_edge(into).length)) {
           vertex_state_[mesh_.origin(into)] |= kSource;
         }
@@ -292,6 +304,9 @@ class Propagation final : public Propagator<Recorder> {
     segment->array(kSigma)[0] = distance;
     if constexpr (kNoted != Note::none) segment->array(kDepth)[0] = 1;
     if constexpr (kNoted == Note::root) segment->array(kRoot)[0] = root;
+    if constexpr (kNoted == Note::shortfall) {
+      segment->array(kShortfall)[0] = root < mesh_.vertex_count() ? shortfalls_[root] : 0;
+    }
     land(side, e.twin, segment, Place::back);
   }
 
@@ -333,7 +348,11 @@ class Propagation final : public Propagator<Recorder> {
       if constexpr (Recorder::kRemembers) show_windows(h, recorder);
       lists_.carry(h, face_frame(mesh_, h));
     }
-    cross_face(h, recorder);
+    if constexpr (Policy::kMerges) {
+      cross_face_merged(h, recorder);
+    } else {
+      cross_face(h, recorder);
+    }
     if constexpr (Lists::kCarries) land_carried(h, recorder);
     recorder.wavefront_size(lists_.size());
   }
@@ -375,6 +394,60 @@ class Propagation final : public Propagator<Recorder> {
       unfold<RightEdge, kNoted>(batch_, face, to_right_, seen_left_.data(), *out);
       land(Mesh::next(h), right, out, Place::back);
     }
+  }
+
+  /// As cross_face, with neighbours of the list merged (merge.h).
+  void cross_face_merged(Index h, Recorder& recorder) {
+    const HalfEdge& edge = mesh_.half_edge(h);
+    const EndPaths ends(edge.length, distances_[edge.origin], distances_[mesh_.head(h)]);
+    gather_pencils(h, ends, recorder);
+    if (pencils_.empty()) return;
+    budget_.spend(pencils_.size());
+
+    const FaceFrame face = face_frame(mesh_, h);
+    const Index apex = mesh_.apex(h);
+    double distance = kInfinity;
+    const Pencil* best = pencils_.classify(face, distance);
+    if (distance < distances_[apex]) {
+      reach(apex, distance, recorder);
+      shortfalls_[apex] = best->shortfall;
+    }
+    if (pencils_.size() > 1) pencils_.drop_crossing(face, distance, rounding_);
+    if constexpr (Recorder::kRecords) {
+      pencils_.for_each([&](const Pencil& pencil, bool goes_on) {
+        recorder.propagated(1, {static_cast<std::uint32_t>(pencil.depth) + 1});
+        if (goes_on) recorder.valid(1);
+      });
+    }
+
+    const Index left = mesh_.twin(Mesh::previous(h)), right = mesh_.twin(Mesh::next(h));
+    if (left != kNone) {
+      auto* out = lists_.allocate(pencils_.size());
+      pencils_.unfold_left(face, *out);
+      land(Mesh::previous(h), left, out, Place::front);
+    }
+    if (right != kNone) {
+      auto* out = lists_.allocate(pencils_.size());
+      pencils_.unfold_right(face, *out);
+      land(Mesh::next(h), right, out, Place::back);
+    }
+  }
+
+  /// As gather_and_trim, for windows that are merged.
+  void gather_pencils(Index h, const EndPaths& ends, Recorder& recorder) {
+    const auto timed = recorder.enter(Phase::trimming);
+    pencils_.clear();
+    lists_.consume(h, [&](auto& segment) {
+      recorder.created(segment.count);
+      for (std::size_t i = 0; i < segment.count; ++i) {
+        const Window w = window_of(segment, i);
+        const double depth = segment.array(kDepth)[i];
+        if (ends.beat(w) || is_strip_too_long(mesh_, static_cast<std::uint64_t>(depth) + 1))
+          continue;
+        pencils_.add({w, segment.array(kShortfall)[i], depth});
+      }
+    });
+    if (pencils_.size() > 1) pencils_.trim_and_merge(ends.length, rounding_, policy_.shortfall());
   }
 
   /// All windows of the list of h cross its face; those that are then carried do so unseen.
@@ -560,7 +633,10 @@ class Propagation final : public Propagator<Recorder> {
   }
 
   const Mesh& mesh_;
+  [[no_unique_address]] Policy policy_;
   std::span<double> distances_;
+  std::vector<double> shortfalls_;  // of the distances, where windows are merged
+  Pencils pencils_;                 // scratch of one list, where windows are merged
   Lists lists_;
   typename Policy::Queue front_;
   std::vector<std::uint8_t> vertex_state_;

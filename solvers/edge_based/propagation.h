@@ -6,6 +6,10 @@
 //                      where its kCarries is true, also with carry, land_carried and
 //                      for_each_carried (propagation-inl.h), for windows that cross a face without
 //                      being unfolded
+//   kMerges            whether windows of an edge are merged (merge.h); if so, also
+//   shortfall()        the greatest, relative to distances; 0: the solver is `edge-based`
+//   share()            of a vertex's shortfall, which is added to its distance in the end
+// and is made from the solver's description.
 // Any order of vertices is correct; one by distance keeps late arrivals rare.
 #pragma once
 
@@ -19,6 +23,9 @@ namespace geodesic::edge_based {
 
 /// Least distance first.
 struct ByDistance {
+  static constexpr bool kMerges = false;
+  explicit ByDistance(const Description& /*description*/) {}
+
   using Queue = VertexHeap;
   template <Note note>
   using Lists = WindowLists<note>;

@@ -37,11 +37,15 @@ inline double bent_distance(const Window& w, Side side, const FaceFrame& face) {
   return distance_at(w, bend) + std::sqrt(dx * dx + face.apex_y * face.apex_y);
 }
 
-/// Where the line from the window's source to the apex crosses the edge.
-inline double crossing(const Window& w, const FaceFrame& face) {
+/// Where the line from the window's source to the apex crosses the line of the edge.
+inline double line_crossing(const Window& w, const FaceFrame& face) {
   const double up = std::max(face.apex_y - w.y, kLeastHeight);
-  const double t = w.x + (face.apex_x - w.x) * (-w.y / up);
-  return std::clamp(t, w.begin, w.end);
+  return w.x + (face.apex_x - w.x) * (-w.y / up);
+}
+
+/// The position of the window's interval that is nearest to it.
+inline double crossing(const Window& w, const FaceFrame& face) {
+  return std::clamp(line_crossing(w, face), w.begin, w.end);
 }
 
 /// What remains of a window that is not the separator's own.

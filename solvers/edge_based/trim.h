@@ -44,6 +44,26 @@ inline bool is_shorter(double a, double b, double rounding) {
   return a < b * (1 - kPathMargin) - rounding;
 }
 
+/// Distances to the two ends of an edge, prepared for comparing without square roots.
+struct EndPaths {
+  double length;
+  double at_origin, at_head;  ///< with kPathMargin added
+
+  EndPaths(double edge, double origin, double head)
+      : length(edge), at_origin(origin * (1 + kPathMargin)), at_head(head * (1 + kPathMargin)) {}
+
+  /// True when every point of the window is reached at least as well along the edge from one of its
+  /// ends (the filter of Xin and Wang 2009): d(origin) + end < sigma + |source - end|, or the
+  /// mirror.
+  bool beat(const Window& w) const {
+    const double over_origin = at_origin + w.end - w.sigma;
+    const double over_head = at_head + (length - w.begin) - w.sigma;
+    const double to_end = w.end - w.x, to_begin = w.begin - w.x, y2 = w.y * w.y;
+    return over_origin < 0 || over_origin * over_origin < to_end * to_end + y2 || over_head < 0 ||
+           over_head * over_head < to_begin * to_begin + y2;
+  }
+};
+
 /// True when too narrow to matter, or emptied by trimming.
 inline bool is_void(const Window& w, double length) {
   return !(w.end - w.begin > kWindowWidth * length);

@@ -22,17 +22,20 @@ namespace geodesic::edge_based {
 enum class Place { front, back };
 
 /// Where a window's numbers lie in a segment or a batch: one array each.
-enum Field : unsigned { kBegin, kEnd, kX, kY, kSigma, kDepth, kRoot };
+enum Field : unsigned { kBegin, kEnd, kX, kY, kSigma, kDepth, kRoot, kShortfall = kRoot };
 
-/// What recorded solves keep of a window besides: whole numbers, which a double holds exactly.
+/// What some solves keep of a window besides. Whole numbers are held exactly by a double.
 enum class Note : std::uint8_t {
   none,
-  depth,  ///< of the window's strip, in faces: grows by 1 with every face crossed
-  root,   ///< the depth, and the root as in Arrival, handed on as it is
+  depth,      ///< of the window's strip, in faces: grows by 1 with every face crossed
+  root,       ///< the depth, and the root as in Arrival, handed on as it is
+  shortfall,  ///< the depth, and how much shorter than the truth its distances may be (merge.h)
 };
 
 /// Number of arrays.
-constexpr unsigned fields_with(Note note) { return kDepth + static_cast<unsigned>(note); }
+constexpr unsigned fields_with(Note note) {
+  return kDepth + std::min(static_cast<unsigned>(note), 2u);
+}
 
 /// Vectors read whole: room and arrays are multiples of this many doubles.
 inline constexpr std::size_t kLaneRoom = 4;

@@ -320,14 +320,18 @@ class Differential {
       report_ << "  " << judge << " went to the arbiter on " << count;
     }
     report_ << '\n' << std::left;
+    std::size_t widest = 0;
+    for (const Description* solver : solvers_) widest = std::max(widest, solver->name.size());
+    const int names = static_cast<int>(std::max<std::size_t>(widest, 16)) + 2;
     for (const auto& [pair, apart] : distances_) {
       const auto& [kind, solver, judge] = pair;
-      report_ << "  " << std::setw(13) << name_of(kind) << std::setw(18) << solver << std::setw(18)
-              << judge << std::setw(8) << apart.comparisons << "largest relative error "
-              << significant(apart.largest, 2) << " at mesh " << apart.at << '\n';
+      report_ << "  " << std::setw(13) << name_of(kind) << std::setw(names) << solver
+              << std::setw(18) << judge << std::setw(8) << apart.comparisons
+              << "largest relative error " << significant(apart.largest, 2) << " at mesh "
+              << apart.at << '\n';
     }
     for (const auto& [pair, figures] : paths_) {
-      report_ << "  " << std::setw(13) << name_of(pair.first) << std::setw(18) << pair.second
+      report_ << "  " << std::setw(13) << name_of(pair.first) << std::setw(names) << pair.second
               << figures.paths << " paths over " << figures.pieces
               << " faces; targets: largest relative error " << significant(figures.largest, 2)
               << " at mesh " << figures.at << '\n';

@@ -132,6 +132,9 @@ TEST_P(Wavefronts, of_a_snapshot_are_those_of_the_sample_at_that_moment) {
 }
 
 TEST_P(Wavefronts, lie_on_edges_no_nearer_than_the_truth) {
+  // A bounded solver's distances and windows may be off in opposite directions.
+  const Description& solver = solver_named(GetParam());
+  const double slack = solver.exactness == Exactness::bounded ? 2 * solver.error_bound(solver) : 0;
   for (const auto& [name, soup] : meshes()) {
     const Mesh mesh(soup);
     const Recording recording = record(mesh, 4);
@@ -145,7 +148,7 @@ TEST_P(Wavefronts, lie_on_edges_no_nearer_than_the_truth) {
         // A point of the edge is at most as much nearer than an end as it is away from it.
         const double from_origin = distances_[mesh.origin(w.half_edge)] - w.end;
         const double from_head = distances_[mesh.head(w.half_edge)] - (length - w.begin);
-        EXPECT_GE(w.distance, std::max(from_origin, from_head) - 1e-9)
+        EXPECT_GE(w.distance * (1 + slack), std::max(from_origin, from_head) - 1e-9)
             << name << ", half-edge " << w.half_edge << " at " << snapshot.share;
       }
     }

@@ -1,0 +1,122 @@
+// What merge.h promises of a merged window, against the two that it stands for, in the plane of the
+// edge and the face beyond.
+#include "solvers/edge_based/merge.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "meshes/random.h"
+
+namespace geodesic::edge_based {
+namespace {
+
+constexpr double kOff = 1e-12;  // by rounding
+
+struct Neighbours {
+  Pencil first, second;
+};
+
+/// Neighbours whose intervals meet or overlap, of sources that are near to one another, as after
+/// passing a vertex on both sides; some with different pseudo-sources.
+Neighbours random_neighbours(Random& random) {
+  const double begin = random.between(0, 0.3), tie = random.between(0.4, 0.6);
+  const double end = random.between(0.7, 1), overlap = random.below(2) * random.between(0, 0.05);
+  const double x = random.between(-2, 3), y = random.between(-3, -0.1);
+  const double apart = std::pow(10, random.between(-4, -0.5));
+  Window a{begin, tie + overlap, x, y, random.between(0, 2)};
+  Window b{tie - overlap, end, x + apart * random.between(-1, 1),
+           std::min(y + apart * random.between(-1, 1), -0.05), 0};
+  b.sigma = distance_at(a, tie) - distance_at({0, 0, b.x, b.y, 0}, tie);
+  return {{a, random.between(0, 0.001), 3}, {b, random.between(0, 0.001), 5}};
+}
+
+/// The least distance to a point of the face over points of the interval.
+double distance_by(const Window& w, double x, double y) { return least_distance_to(w, x, y); }
+
+template <class Check>
+void for_each_merged(double tolerance, int least, const Check& check) {
+  Random random(1);
+  int merged = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Neighbours pair = random_neighbours(random);
+    Pencil m = pair.first;
+    if (!merge(m, pair.second, 1, tolerance)) continue;
+    ++merged;
+    check(pair, m);
+    if (testing::Test::HasFailure()) return;
+  }
+  EXPECT_GT(merged, least);
+}
+
+TEST(Merge, keeps_the_distances_of_both_ends) {
+  for_each_merged(0.1, 5000, [](const Neighbours& pair, const Pencil& m) {
+    const Window &a = pair.first.window, &b = pair.second.window;
+    EXPECT_EQ(m.window.begin, a.begin);
+    EXPECT_EQ(m.window.end, b.end);
+    EXPECT_NEAR(distance_at(m.window, a.begin), distance_at(a, a.begin), kOff);
+    EXPECT_NEAR(distance_at(m.window, b.end), distance_at(b, b.end), kOff);
+  });
+}
+
+TEST(Merge, makes_no_distance_longer_in_the_face_or_on_the_edge) {
+  Random random(2);
+  for_each_merged(0.1, 5000, [&](const Neighbours& pair, const Pencil& m) {
+    for (const Pencil& of : {pair.first, pair.second}) {
+      const Window& w = of.window;
+      for (int k = 0; k <= 16; ++k) {
+        // A line of the window, to a point of the face.
+        const double t = w.begin + (w.end - w.begin) * k / 16;
+        const double beyond = k % 2 == 0 ? 0 : random.between(0, 1);
+        const double x = t + (t - w.x) * beyond, y = -w.y * beyond;
+        EXPECT_LE(distance_by(m.window, x, y) - distance_through(w, x, y), kOff);
+      }
+    }
+  });
+}
+
+TEST(Merge, makes_no_distance_shorter_than_the_shortfall_says) {
+  for_each_merged(0.1, 5000, [](const Neighbours& pair, const Pencil& m) {
+    const Window &a = pair.first.window, &b = pair.second.window;
+    const double before = std::max(pair.first.shortfall, pair.second.shortfall);
+    for (int k = 0; k <= 64; ++k) {
+      const double t = a.begin + (b.end - a.begin) * k / 64;
+      double shortest = kInfinity;
+      if (t <= a.end) shortest = std::min(shortest, distance_at(a, t));
+      if (t >= b.begin) shortest = std::min(shortest, distance_at(b, t));
+      EXPECT_GE(distance_at(m.window, t), shortest - (m.shortfall - before) - kOff);
+    }
+    EXPECT_EQ(m.depth, 5);
+  });
+}
+
+TEST(Merge, keeps_the_shortfall_below_the_tolerance) {
+  for (const double tolerance : {0.3, 0.01, 0.001}) {
+    for_each_merged(tolerance, 1000, [&](const Neighbours&, const Pencil& m) {
+      EXPECT_LE(m.shortfall, tolerance * least_distance(m.window));
+    });
+  }
+}
+
+TEST(Merge, of_two_parts_of_one_window_is_that_window) {
+  const Window whole{0.1, 0.9, 0.4, -1.5, 2};
+  Pencil m{{0.1, 0.5, 0.4, -1.5, 2}, 0, 1};
+  ASSERT_TRUE(merge(m, {{0.5, 0.9, 0.4, -1.5, 2}, 0, 1}, 1, 1e-9));
+  for (const double t : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+    EXPECT_NEAR(distance_at(m.window, t), distance_at(whole, t), kOff);
+  }
+  EXPECT_LE(m.shortfall, kOff);
+}
+
+TEST(Merge, leaves_windows_alone_that_are_apart_nested_or_of_a_source_on_the_edge) {
+  const Pencil first{{0.1, 0.5, 0.4, -1.5, 2}, 0, 1};
+  for (const Window& w : {Window{0.6, 0.9, 0.4, -1.5, 2}, Window{0.2, 0.4, 0.4, -1.5, 2},
+                          Window{0.5, 0.9, 0.4, 0, 2}}) {
+    Pencil m = first;
+    EXPECT_FALSE(merge(m, {w, 0, 1}, 1, 1));
+    EXPECT_EQ(m.window.end, 0.5);
+  }
+}
+
+}  // namespace
+}  // namespace geodesic::edge_based
