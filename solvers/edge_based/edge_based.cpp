@@ -17,7 +17,7 @@
 namespace geodesic::edge_based {
 namespace {
 
-const RegisterSolver<EdgeBased<ByDistance>> registered{{
+const RegisterSolver<EdgeBased<ByDistance>> exact{{
     .name = "edge-based",
     .family = "edge-based",
     .paper = "thesis chapter 5; Qin, Han, Yu, Yu, Zhang 2016",

@@ -2,11 +2,11 @@
 // distance is off by more than a tolerance. How, and why that holds: solvers/edge_based/merge.h.
 #include "solvers/edge_based/edge_based.h"
 
-namespace geodesic::edge_based_approximate {
+namespace geodesic::edge_based {
 
 /// Merges as long as a distance D is short of the truth by at most a shortfall s, and gives D +
 /// share * s: off by no more than (1 - share) * s, which is what the tolerance limits.
-class Merging : public edge_based::ByDistance {
+class Merging : public ByDistance {
  public:
   static constexpr bool kMerges = true;
 
@@ -27,7 +27,7 @@ class Merging : public edge_based::ByDistance {
 
 namespace {
 
-const RegisterSolver<edge_based::EdgeBased<Merging>> registered{{
+const RegisterSolver<EdgeBased<Merging>> approximate{{
     .name = "edge-based-approximate",
     .family = "edge-based",
     .paper = "thesis section 6.2.2",
@@ -45,4 +45,4 @@ const RegisterSolver<edge_based::EdgeBased<Merging>> registered{{
 }};
 
 }  // namespace
-}  // namespace geodesic::edge_based_approximate
+}  // namespace geodesic::edge_based
