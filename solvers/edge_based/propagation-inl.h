@@ -8,6 +8,8 @@
 #endif
 
 #include <bit>
+#include <cmath>
+#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -63,7 +65,7 @@ class Propagation final : public Propagator<Recorder> {
     if (!front_.empty()) finish(ending.farthest(), recorder);
     if constexpr (Policy::kMerges) {
       for (std::size_t v = 0; v < distances_.size(); ++v) {
-        distances_[v] += policy_.share() * shortfalls_[v];
+        distances_[v] += policy_.share() * double{shortfalls_[v]};
       }
     }
   }
@@ -305,7 +307,7 @@ class Propagation final : public Propagator<Recorder> {
     if constexpr (kNoted != Note::none) segment->array(kDepth)[0] = 1;
     if constexpr (kNoted == Note::root) segment->array(kRoot)[0] = root;
     if constexpr (kNoted == Note::shortfall) {
-      segment->array(kShortfall)[0] = root < mesh_.vertex_count() ? shortfalls_[root] : 0;
+      segment->array(kShortfall)[0] = root < mesh_.vertex_count() ? double{shortfalls_[root]} : 0;
     }
     land(side, e.twin, segment, Place::back);
   }
@@ -410,7 +412,8 @@ class Propagation final : public Propagator<Recorder> {
     const Pencil* best = pencils_.classify(face, distance);
     if (distance < distances_[apex]) {
       reach(apex, distance, recorder);
-      shortfalls_[apex] = best->shortfall;
+      shortfalls_[apex] =
+          std::nextafter(static_cast<float>(best->shortfall), std::numeric_limits<float>::max());
     }
     if (pencils_.size() > 1) pencils_.drop_crossing(face, distance, rounding_);
     if constexpr (Recorder::kRecords) {
@@ -635,8 +638,8 @@ class Propagation final : public Propagator<Recorder> {
   const Mesh& mesh_;
   [[no_unique_address]] Policy policy_;
   std::span<double> distances_;
-  std::vector<double> shortfalls_;  // of the distances, where windows are merged
-  Pencils pencils_;                 // scratch of one list, where windows are merged
+  std::vector<float> shortfalls_;  // of the distances, rounded up, where windows are merged
+  Pencils pencils_;                // scratch of one list, where windows are merged
   Lists lists_;
   typename Policy::Queue front_;
   std::vector<std::uint8_t> vertex_state_;

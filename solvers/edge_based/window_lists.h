@@ -155,10 +155,10 @@ class WindowLists {
   }
 
  private:
-  // Handles count units of 32 bytes; a block holds 2^15 of them, 1 MiB. A longer segment gets
+  // Handles count units of 32 bytes; a block holds 2^13 of them, 256 KiB. A longer segment gets
   // blocks of its own.
   static constexpr std::size_t kUnit = 32;
-  static constexpr unsigned kBlockBits = 15;
+  static constexpr unsigned kBlockBits = 13;
   static constexpr std::size_t kBlockUnits = std::size_t{1} << kBlockBits;
   static constexpr unsigned kBins = 30;
   struct alignas(kUnit) Unit {
