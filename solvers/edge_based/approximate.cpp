@@ -10,8 +10,7 @@ class Merging : public ByDistance {
  public:
   static constexpr bool kMerges = true;
 
-  explicit Merging(const Description& description)
-      : ByDistance(description), tolerance_(description.real("tolerance")) {}
+  explicit Merging(const Description& description) : tolerance_(description.real("tolerance")) {}
 
   double shortfall() const { return tolerance_ < kLeast ? 0 : tolerance_ / (1 - kShare); }
   double share() const { return kShare; }

@@ -4,6 +4,7 @@
 // To be included before anything else of Highway's. Needs Google Highway.
 #pragma once
 
+#include <concepts>
 #include <memory>
 
 #undef HWY_DISABLED_TARGETS
@@ -46,7 +47,7 @@ class EdgeBased final : public Solver {
  public:
   EdgeBased(const Mesh& mesh, const Description& description)
       : Solver(mesh, description),
-        policy_(description),
+        policy_(policy_of(description)),
         instruction_set_(compiled_for(geodesic::instruction_set())),
         timed_(make_propagator<Policy, NoRecorder>(mesh, instruction_set_, policy_)) {}
 
@@ -58,6 +59,14 @@ class EdgeBased final : public Solver {
                      std::span<double> distances, Recording& recording);
 
  private:
+  static Policy policy_of(const Description& description) {
+    if constexpr (std::constructible_from<Policy, const Description&>) {
+      return Policy(description);
+    } else {
+      return {};
+    }
+  }
+
   /// The instruction set nearest to `wanted` that was compiled.
   static InstructionSet compiled_for(InstructionSet wanted) {
     if (HWY_STATIC_TARGET == HWY_AVX2) return InstructionSet::avx2;

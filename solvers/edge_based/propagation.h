@@ -9,7 +9,7 @@
 //   kMerges            whether windows of an edge are merged (merge.h); if so, also
 //   shortfall()        the greatest, relative to distances; 0: the solver is `edge-based`
 //   share()            of a vertex's shortfall, which is added to its distance in the end
-// and is made from the solver's description.
+// and is made from the solver's description where it can be.
 // Any order of vertices is correct; one by distance keeps late arrivals rare.
 #pragma once
 
@@ -24,7 +24,6 @@ namespace geodesic::edge_based {
 /// Least distance first.
 struct ByDistance {
   static constexpr bool kMerges = false;
-  explicit ByDistance(const Description& /*description*/) {}
 
   using Queue = VertexHeap;
   template <Note note>

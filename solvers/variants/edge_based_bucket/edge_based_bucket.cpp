@@ -6,7 +6,6 @@
 namespace geodesic::edge_based_bucket {
 
 struct InBuckets : edge_based::ByDistance {
-  using ByDistance::ByDistance;
   /// Of a bucket, in mean edge lengths.
   static constexpr double kWidth = 0.125;
 

@@ -7,7 +7,6 @@ namespace geodesic::edge_based_lazy {
 
 /// Lists that carry chunks of windows across faces.
 struct Lazy : edge_based::ByDistance {
-  using ByDistance::ByDistance;
   template <edge_based::Note note>
   using Lists = ChunkLists<note>;
 };
