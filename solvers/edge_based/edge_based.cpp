@@ -15,6 +15,25 @@
 #include "solvers/edge_based/edge_based.h"
 
 namespace geodesic::edge_based {
+
+template <class Recorder>
+std::unique_ptr<Propagator<Recorder>> make_exact_propagator(const Mesh& mesh, InstructionSet set) {
+  return make_propagator<ByDistance, Recorder>(mesh, set, {});
+}
+
+#ifndef GEODESIC_RECORDED
+template std::unique_ptr<Propagator<NoRecorder>> make_exact_propagator(const Mesh&, InstructionSet);
+#else
+template std::unique_ptr<Propagator<CountingRecorder>> make_exact_propagator(const Mesh&,
+                                                                             InstructionSet);
+template std::unique_ptr<Propagator<WavefrontRecorder>> make_exact_propagator(const Mesh&,
+                                                                              InstructionSet);
+template std::unique_ptr<Propagator<TimingRecorder>> make_exact_propagator(const Mesh&,
+                                                                           InstructionSet);
+template std::unique_ptr<Propagator<PathRecorder>> make_exact_propagator(const Mesh&,
+                                                                         InstructionSet);
+#endif
+
 namespace {
 
 const RegisterSolver<EdgeBased<ByDistance>> exact{{

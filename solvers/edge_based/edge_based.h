@@ -26,12 +26,16 @@
 
 namespace geodesic::edge_based {
 
+/// That of `edge-based`, compiled once, with it (edge_based.cpp).
+template <class Recorder>
+std::unique_ptr<Propagator<Recorder>> make_exact_propagator(const Mesh& mesh, InstructionSet set);
+
 /// @param set AVX2 only when it was compiled
 template <class Policy, class Recorder>
 std::unique_ptr<Propagator<Recorder>> make_propagator(const Mesh& mesh, InstructionSet set,
                                                       const Policy& policy) {
   if constexpr (Policy::kMerges) {
-    if (policy.shortfall() == 0) return make_propagator<ByDistance, Recorder>(mesh, set, policy);
+    if (policy.shortfall() == 0) return make_exact_propagator<Recorder>(mesh, set);
   }
 #if GEODESIC_AVX2_BESIDE_STATIC
   if (set == InstructionSet::avx2) {
