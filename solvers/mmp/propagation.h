@@ -211,7 +211,8 @@ class Propagation {
   /// sides of that point and still not see what lies beyond: the window loses, and its children
   /// must not be lost with it. They may come to another such edge.
   /// @param w in the frame of h, whose face it leaves
-  void cross_at_once(Index h, const Window& w, const Beam& beam) {
+  // Out of line, so that cross_face is compiled as without it.
+  [[gnu::cold, gnu::noinline]] void cross_at_once(Index h, const Window& w, const Beam& beam) {
     const HalfEdge& e = mesh_.half_edge(h);
     const bool on_edge = w.y > 0 && w.y <= kFlatFace * e.length && w.begin < w.x && w.x < w.end;
     if (!on_edge || e.twin == kNone || row_ == kMostInRow) return;
@@ -281,7 +282,8 @@ class Propagation {
     const Window child =
         turned({on.begin, on.end, source.x, std::min(source.y, 0.0), sigma}, length);
     land(h, child, beam);
-    if (row_ > 0) cross_at_once(h, child, beam);
+    if (row_ > 0) [[unlikely]]
+      cross_at_once(h, child, beam);
   }
 
   /// @param w in the frame of h, whose face it leaves; y >= 0
@@ -327,7 +329,7 @@ class Propagation {
   Front wavefront_;
   std::span<double> distances_;
   std::vector<double> emitted_;  // distance of the windows that each vertex sent out last
-  int row_ = 0;                      // faces crossed at once by the window being sent out
+  int row_ = 0;                  // faces crossed at once by the window being sent out
   Ending ending_;
   bool stops_ = false;        // the query says so
   std::vector<Index> roots_;  // by number of source; empty in timed solves
