@@ -116,7 +116,7 @@ HWY_INLINE Mask beaten(const Windows& w, const EndPaths& ends) {
 template <Note note, class Segment>
 HWY_INLINE void gather(Segment& segment, const EndPaths& ends, Batch& batch) {
   batch.reserve(batch.count + segment.count);
-  constexpr unsigned fields = fields_with(note);
+  const unsigned fields = fields_with(note);
   double* from[fields];
   double* to[fields];
   for (unsigned f = 0; f < fields; ++f) {
@@ -339,7 +339,7 @@ struct RightEdge {
 template <class Edge, Note note, class Segment>
 HWY_INLINE void unfold(const Batch& batch, const FaceFrame& face, const std::uint8_t* to_edge,
                        const std::uint8_t* seen_other, Segment& out) {
-  constexpr unsigned fields = fields_with(note);
+  const unsigned fields = fields_with(note);
   double* to[fields];
   for (unsigned f = 0; f < fields; ++f) to[f] = out.array(f);
   const Vec width = all(kWindowWidth * Edge::length(face));

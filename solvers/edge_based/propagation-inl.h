@@ -319,8 +319,9 @@ class Propagation final : public Propagator<Recorder> {
       lists_.release(segment);
       return;
     }
-    if (crosses_sheets()) [[unlikely]]
+    if (crosses_sheets()) [[unlikely]] {
       land_on_other_sheets(side, *segment, place);
+    }
     land_on(into, segment, place);
   }
 
@@ -445,9 +446,8 @@ class Propagation final : public Propagator<Recorder> {
       for (std::size_t i = 0; i < segment.count; ++i) {
         const Window w = window_of(segment, i);
         const double depth = segment.array(kDepth)[i];
-        if (ends.beat(w) || is_strip_too_long(mesh_, static_cast<std::uint64_t>(depth) + 1))
-          continue;
-        pencils_.add({w, segment.array(kShortfall)[i], depth});
+        const bool too_long = is_strip_too_long(mesh_, static_cast<std::uint64_t>(depth) + 1);
+        if (!too_long && !ends.beat(w)) pencils_.add({w, segment.array(kShortfall)[i], depth});
       }
     });
     if (pencils_.size() > 1) pencils_.trim_and_merge(ends.length, rounding_, policy_.shortfall());
@@ -530,8 +530,9 @@ class Propagation final : public Propagator<Recorder> {
   /// Strategy I over the batch: suspicious pairs go through trim_pair, in order, and so does what
   /// follows a window that changed. What is beaten wholly is struck out (Batch::strike_out).
   void trim(const Crossed& face) {
-    if (crosses_sheets()) [[unlikely]]
+    if (crosses_sheets()) [[unlikely]] {
       return trim_overlaps(face);
+    }
     if (!find_suspects(batch_, suspects_.data())) return;
     std::size_t i = next_suspect(1);
     while (i < batch_.count) {

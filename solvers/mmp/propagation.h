@@ -41,8 +41,9 @@ class Propagation {
     const auto timed = recorder_.enter(Phase::propagation);
     start(query, distances);
     while (!wavefront_.empty()) {
-      if (stops_ && is_over()) [[unlikely]]
+      if (stops_ && is_over()) [[unlikely]] {
         break;
+      }
       budget_.spend(1);
       // Lists of one side accept what comes behind the other side's: that work is to be seen.
       if constexpr (Layout::kBothSides) {
@@ -282,8 +283,9 @@ class Propagation {
     const Window child =
         turned({on.begin, on.end, source.x, std::min(source.y, 0.0), sigma}, length);
     land(h, child, beam);
-    if (row_ > 0) [[unlikely]]
+    if (row_ > 0) [[unlikely]] {
       cross_at_once(h, child, beam);
+    }
   }
 
   /// @param w in the frame of h, whose face it leaves; y >= 0

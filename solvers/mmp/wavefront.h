@@ -112,8 +112,9 @@ class Wavefront {
     }
     const std::span<const W> list = lists_.windows(edge);
     const W challenger{w.begin, w.x, w.y, source, kNoEventYet, depth};
-    if (!overlay(list, length, challenger, w.end, std::span<const double>(sigmas_), overlay_))
+    if (!overlay(list, length, challenger, w.end, std::span<const double>(sigmas_), overlay_)) {
       return;
+    }
     const std::span<const W> replaced =
         list.subspan(overlay_.first, overlay_.last - overlay_.first);
     if constexpr (Recorder::kRecords) waiting_ -= count_waiting(replaced);
