@@ -12,12 +12,16 @@ class Merging : public ByDistance {
 
   explicit Merging(const Description& description) : tolerance_(description.real("tolerance")) {}
 
-  double shortfall() const { return tolerance_ < kLeast ? 0 : tolerance_ / (1 - kShare); }
+  double shortfall() const {
+    return tolerance_ < kLeast ? 0 : tolerance_ / (1 - kShare) * (1 - kRoundedUp);
+  }
   double share() const { return kShare; }
 
  private:
   /// Of the shortfall, of distances on scans: between 0.2 and 0.4, whatever the tolerance.
   static constexpr double kShare = 0.3;
+  /// Vertices keep shortfalls in 32 bits, rounded up by less than this, relatively.
+  static constexpr double kRoundedUp = 1e-6;
   /// What is less is not worth merging, and comes near to rounding.
   static constexpr double kLeast = 1e-9;
 

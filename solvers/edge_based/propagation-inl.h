@@ -413,8 +413,7 @@ class Propagation final : public Propagator<Recorder> {
     const Pencil* best = pencils_.classify(face, distance);
     if (distance < distances_[apex]) {
       reach(apex, distance, recorder);
-      shortfalls_[apex] =
-          std::nextafter(static_cast<float>(best->shortfall), std::numeric_limits<float>::max());
+      shortfalls_[apex] = rounded_up(best->shortfall);
     }
     if (pencils_.size() > 1) pencils_.drop_crossing(face, distance, rounding_);
     if constexpr (Recorder::kRecords) {
@@ -435,6 +434,12 @@ class Propagation final : public Propagator<Recorder> {
       pencils_.unfold_right(face, *out);
       land(Mesh::next(h), right, out, Place::back);
     }
+  }
+
+  /// What is a float already stays as it is: nothing grows from vertex to vertex.
+  static float rounded_up(double shortfall) {
+    const auto near = static_cast<float>(shortfall);
+    return near < shortfall ? std::nextafter(near, std::numeric_limits<float>::max()) : near;
   }
 
   /// As gather_and_trim, for windows that are merged.

@@ -211,8 +211,8 @@ class Propagation {
   /// lines pass the edge in one point. Whatever came there by other ways may own the edge on both
   /// sides of that point and still not see what lies beyond: the window loses, and its children
   /// must not be lost with it. They may come to another such edge.
+  /// Out of line, so that cross_face is compiled as without it.
   /// @param w in the frame of h, whose face it leaves
-  // Out of line, so that cross_face is compiled as without it.
   [[gnu::cold, gnu::noinline]] void cross_at_once(Index h, const Window& w, const Beam& beam) {
     const HalfEdge& e = mesh_.half_edge(h);
     const bool on_edge = w.y > 0 && w.y <= kFlatFace * e.length && w.begin < w.x && w.x < w.end;

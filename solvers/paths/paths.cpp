@@ -175,10 +175,9 @@ class Paths::Trace {
     const auto before = points_.size();
     const SurfacePoint last = last_;
     const Index root = walk(piece);
-    const bool straight = root != kNone && strayed_ <= piece.part(kPathStray);
     // A target's path may lead through a corner of its face, as straight as the window beside it.
     const bool begins = root >= mesh_.vertex_count() || of_.may_bend(root);
-    if (straight && begins && std::ranges::find(passed_, root) == passed_.end()) return root;
+    if (root != kNone && begins && std::ranges::find(passed_, root) == passed_.end()) return root;
     points_.resize(before);
     last_ = last;
     return search(piece);
@@ -186,8 +185,8 @@ class Paths::Trace {
 
   /// As follow, when the line of the piece does not lead to its root.
   Index search(const Piece& piece) {
-    const double slack = kPathStray * piece.distance + kPathRounding * piece.side;
     const Search::Piece found = Search(of_, piece.end, piece.distance, passed_).run();
+    const double slack = kPathStray * piece.distance + kPathRounding * piece.side;
     if (!(found.distance <= piece.distance + slack)) lost(piece);
     for (const Search::End& end : found.ends) add(SurfacePoint(end.vertex), end.face, 0);
     for (const Search::Crossing& c : found.crossings) add_crossing(c.side, c.x, c.step);
@@ -236,8 +235,8 @@ class Paths::Trace {
     for (Index faces = 0; faces < mesh_.face_count(); ++faces) {
       if (mesh_.crosses_non_manifold_edges()) remember_other_sheet(way);
       const Step step = cross(piece, way, slack);
-      if (step.kind == Step::ended) return step.root;
-      if (step.kind == Step::failed && !take_other_sheet(way)) return kNone;
+      if (step.kind == Step::ended && strayed_ <= piece.part(kPathStray)) return step.root;
+      if (step.kind != Step::went_on && !take_other_sheet(way)) return kNone;
     }
     return kNone;
   }
@@ -250,8 +249,7 @@ class Paths::Trace {
     const Point2 here = {line.x, 0};
     if (const auto root = root_on_face(piece, in)) {
       const Index arrived = arrive(piece, in, here, line.root, *root);
-      const bool straight = arrived != kNone && strayed_ <= piece.part(kPathStray);
-      return straight ? Step{Step::ended, arrived} : Step{Step::failed};
+      return {arrived == kNone ? Step::failed : Step::ended, arrived};
     }
     if (!(line.root.y > 0)) return {Step::failed};
     const HalfEdge& e = mesh_.half_edge(in);

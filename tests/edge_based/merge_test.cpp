@@ -31,9 +31,6 @@ Neighbours random_neighbours(Random& random) {
   return {{a, random.between(0, 0.001), 3}, {b, random.between(0, 0.001), 5}};
 }
 
-/// The least distance to a point of the face over points of the interval.
-double distance_by(const Window& w, double x, double y) { return least_distance_to(w, x, y); }
-
 template <class Check>
 void for_each_merged(double tolerance, int least, const Check& check) {
   Random random(1);
@@ -69,7 +66,7 @@ TEST(Merge, makes_no_distance_longer_in_the_face_or_on_the_edge) {
         const double t = w.begin + (w.end - w.begin) * k / 16;
         const double beyond = k % 2 == 0 ? 0 : random.between(0, 1);
         const double x = t + (t - w.x) * beyond, y = -w.y * beyond;
-        EXPECT_LE(distance_by(m.window, x, y) - distance_through(w, x, y), kOff);
+        EXPECT_LE(least_distance_to(m.window, x, y) - distance_through(w, x, y), kOff);
       }
     }
   });
