@@ -55,6 +55,8 @@ def _sums(run: Run) -> Iterator[str]:
         yield "no checksum: runs have one that this program measured or merged"
     elif stated != checksum.computed(text):
         yield "the checksum is another one: the file was changed after it was written"
+    if run.rows_file and run.stored.get("sha256") != checksum.of_file(run.rows_file):
+        yield f"{run.rows_file.name} has another checksum, or none: merge the shards again"
 
 
 def _origin(run: Run) -> Iterator[str]:

@@ -307,8 +307,8 @@ def write_site(runs: Sequence[Shown], folder: Path) -> None:
         raw = folder / "runs" / one.name
         raw.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(one.run.file, raw / "run.json")
-        if columns := one.run.context.get("columns", {}).get("file"):
-            shutil.copyfile(one.run.file.parent / columns, raw / columns)
+        if one.run.rows_file:
+            shutil.copyfile(one.run.rows_file, raw / one.run.rows_file.name)
     for name in SHARED:
         shutil.copyfile(HERE / name, folder / name)
     solvers = {entry.solver.name: entry.solver for entry in every}

@@ -8,7 +8,6 @@ measured, where there are several.
 from __future__ import annotations
 
 import argparse
-import hashlib
 import json
 import os
 import shlex
@@ -27,7 +26,7 @@ if __name__ == "__main__":
 
 import numpy as np
 
-from results.checksum import computed
+from results.checksum import computed, of_file
 from results.columns import NONE, Columns
 from results.reader import ColumnRows, ResultError, Run, read_file
 
@@ -72,7 +71,7 @@ class Part:
         found = {
             "shard": self.index,
             "folder": os.path.relpath(self.folder, out),
-            "sha256": hashlib.sha256(self.run.file.read_bytes()).hexdigest(),
+            "sha256": of_file(self.run.file),
             "host": str(self.run.context.get("host_name", "")),
             "processors": self.run.processors or [ours["processor"]],
         }
@@ -302,9 +301,11 @@ def write(context: dict[str, Any], rows: Columns, out: Path, most_in_json: int) 
     if rows.length <= most_in_json:
         data["benchmarks"] = [rows.data(row) for row in range(rows.length)]
     else:
-        data["columns"] = {"file": ROWS, "rows": rows.length, "texts": rows.texts}
         part = out / f"{ROWS}.{os.getpid()}.part"
         rows.save(part)
+        data["columns"] = {
+            "file": ROWS, "sha256": of_file(part), "rows": rows.length, "texts": rows.texts,
+        }  # fmt: skip
         part.replace(out / ROWS)
     ours = context["geodesic_bench"]
     ours["checksum"] = computed(json.dumps(data, ensure_ascii=False))

@@ -216,6 +216,13 @@ class Run:
     sources: dict[str, list[int]]
     skipped: list[Skip]
     rows: Sequence[Row]
+    stored: dict[str, Any] = field(default_factory=dict)
+    """The file's `columns`, where its rows are in a file beside it."""
+
+    @property
+    def rows_file(self) -> Path | None:
+        """The file beside it that its rows are in."""
+        return self.file.parent / self.stored["file"] if self.stored else None
 
     @property
     def ours(self) -> dict[str, Any]:
@@ -486,6 +493,7 @@ def _typed(file: Path, data: Any) -> Run:
         sources={mesh: [int(v) for v in sources] for mesh, sources in ours["sources"].items()},
         skipped=[_of(Skip, skip) for skip in ours["skipped"]],
         rows=[_row(row, ours["processor"]) for row in data["benchmarks"]],
+        stored=data.get("columns", {}),
     )
 
 

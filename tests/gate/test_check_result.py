@@ -10,7 +10,9 @@ from typing import Any
 import pytest
 
 from gate import check_result
-from results import checksum
+from results import checksum, merge
+from results.columns import Columns
+from results.reader import read_run
 
 ROOT = Path(__file__).resolve().parents[2]
 GOLDEN = ROOT / "tests" / "plots" / "golden" / "run" / "run.json"
@@ -128,6 +130,18 @@ def test_a_number_that_was_changed_afterwards_is_found(
     file.write_text(text.replace(str(time), str(time * 0.9), 1))
     assert check_result.main([str(file)]) == 1
     assert "the checksum is another one" in capsys.readouterr().out
+
+
+def test_a_row_of_columns_that_was_changed_afterwards_is_found(
+    result: Data, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = merge.write(result["context"], Columns.of(result["benchmarks"]), tmp_path, 0)
+    assert check_result.main([str(file)]) == 0
+    run = read_run(file)
+    run.columns.arrays["real_time"] *= 1.0625
+    run.columns.save(tmp_path / "rows.npz")
+    assert check_result.main([str(file)]) == 1
+    assert "rows.npz has another checksum, or none" in capsys.readouterr().out
 
 
 def test_counters_far_from_those_of_this_revision_are_found(

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from plots import catalogue, check, many
+from results import merge
 from results.columns import Columns, NotColumns
 from results.reader import ColumnRows, ResultError, Run, read_file, read_run, run_of
 
@@ -21,11 +22,7 @@ Change = Callable[[dict[str, Any]], object]
 def stored(golden_folder: Path, tmp_path: Path) -> Path:
     """The golden run with its rows as columns; its rows are named as geodesic-bench names them."""
     data = json.loads((golden_folder / "run.json").read_text())
-    columns = Columns.of(data.pop("benchmarks"))
-    columns.save(tmp_path / "rows.npz")
-    data["columns"] = {"file": "rows.npz", "rows": columns.length, "texts": columns.texts}
-    (tmp_path / "run.json").write_text(json.dumps(data))
-    return tmp_path
+    return merge.write(data["context"], Columns.of(data["benchmarks"]), tmp_path, 0).parent
 
 
 def test_a_run_in_columns_is_the_run_in_json(stored: Path, golden_run: Run) -> None:

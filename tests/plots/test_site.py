@@ -13,6 +13,9 @@ from urllib.parse import unquote
 import pytest
 
 from plots import site
+from results import merge
+from results.columns import Columns
+from results.reader import read_run
 
 GOLDEN = Path(__file__).parent / "golden" / "run" / "run.json"
 PHONE = 360
@@ -72,6 +75,14 @@ def test_the_raw_file_of_every_run_is_there_unchanged(pages: Path) -> None:
     raw = sorted(pages.glob("runs/*/run.json"))
     assert len(raw) == 3
     assert GOLDEN.read_bytes() in [file.read_bytes() for file in raw]
+
+
+def test_the_rows_of_a_run_in_columns_are_there_too(tmp_path: Path) -> None:
+    data = json.loads(GOLDEN.read_text())
+    file = merge.write(data["context"], Columns.of(data["benchmarks"]), tmp_path, 0)
+    assert site.main([str(file), "--out", str(tmp_path / "site")]) == 0
+    [raw] = tmp_path.glob("site/runs/*")
+    assert list(read_run(raw).rows) == list(read_run(GOLDEN).rows)
 
 
 def test_a_history_compares_runs_on_one_processor(pages: Path) -> None:
