@@ -89,24 +89,23 @@ class ObjParser {
     polygons_.end_polygon(reader_.line());
   }
 
-  // v, v/vt, v//vn or v/vt/vn: numbers from 1, or from -1 backwards from the last one read.
+  // v, v/vt, v//vn or v/vt/vn, the last of which may lack behind their slash: numbers from 1, or
+  // from -1 backwards from the last one read.
   Index corner(std::string_view word) const {
     const std::size_t slash = std::min(word.find('/'), word.size());
     const std::int64_t number = reader_.to_integer(word.substr(0, slash), "vertex of a face");
-    if (slash < word.size()) check_references(word, word.substr(slash + 1));
+    if (slash < word.size()) check_references(word.substr(slash + 1));
     const auto read = static_cast<std::int64_t>(file_.soup.positions.size());
     return to_index(number > 0 ? number - 1 : number < 0 ? read + number : -1);
   }
 
-  // Texture and normal of a corner: vt, /vn or vt/vn.
-  void check_references(std::string_view word, std::string_view references) const {
-    const std::size_t slash = references.find('/');
+  // Texture and normal of a corner: vt, /vn or vt/vn, each of which may be empty.
+  void check_references(std::string_view references) const {
+    const std::size_t slash = std::min(references.find('/'), references.size());
     const std::string_view texture = references.substr(0, slash);
     if (!texture.empty()) reader_.to_integer(texture, "texture of a corner");
-    if (slash != std::string_view::npos) {
+    if (slash + 1 < references.size()) {
       reader_.to_integer(references.substr(slash + 1), "normal of a corner");
-    } else if (texture.empty()) {
-      reader_.fail("the corner " + in_quotes(word) + " ends with a slash");
     }
   }
 

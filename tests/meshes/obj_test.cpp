@@ -46,7 +46,8 @@ TEST(Obj, DoesNotDependOnTheLocale) {
 
 TEST(Obj, ReadsCornersWithTexturesAndNormals) {
   const std::string head = kCorners + "vt 0 0\nvn 0 0 1\n";
-  for (const char* face : {"f 1 2 3", "f 1/1 2/1 3/1", "f 1//1 2//1 3//1", "f 1/1/1 2/1/1 3/1/1"}) {
+  for (const char* face :
+       {"f 1 2 3", "f 1/1 2/1 3/1", "f 1//1 2//1 3//1", "f 1/1/1 2/1/1 3/1/1", "f 1/ 2// 3/1/"}) {
     EXPECT_EQ(parse(head + face + "\n").soup.triangles, (std::vector<Triangle>{{0, 1, 2}})) << face;
   }
 }
@@ -116,8 +117,8 @@ TEST(Obj, NamesTheLineOfWhatIsMalformed) {
       {"v 1 2 3 4 5 6 7 8 9\n", "9 numbers"},
       {kCorners + "f 1 2 3.5\n", "line 5: the vertex of a face '3.5' is not an integer"},
       {kCorners + "f 1 2/a 3\n", "texture of a corner"},
-      {kCorners + "f 1 2 3/\n", "ends with a slash"},
-      {kCorners + "f 1 2 3//\n", "normal of a corner"},
+      {kCorners + "f 1 2 3//a\n", "normal of a corner"},
+      {kCorners + "f 1 2 3///\n", "normal of a corner"},
       {kCorners + "face 1 2 3\n", "line 5: unknown statement 'face'"},
       {kCorners + "f 1 2 3 \\", "the file ends before"},
       {"v 0 0 \x7f\n", "'\\x7f'"},
