@@ -1,5 +1,5 @@
-// Mesh files: OBJ, OFF, PLY (ASCII, both binary orders) and STL (ASCII, binary) are read; OBJ, OFF
-// and PLY are written.
+// Mesh files: OBJ, OFF (text, binary), PLY (ASCII, both binary orders) and STL (ASCII, binary) are
+// read; OBJ, OFF and PLY are written.
 //
 // Vertex ids are the order of the vertices in the file, from 0, and isolated vertices stay; an STL
 // file has no vertices of its own, so equal corners are joined and numbered by first appearance.

@@ -1,7 +1,11 @@
-// OFF (Geomview): a header, three counts, one line a vertex, and the faces. A line with more
-// numbers than its face has corners ends with a colour; with fewer, the face continues on the next
-// line. The variants with texture coordinates, colours and normals a vertex (ST, C, N before OFF)
-// are read too, those in another dimension and the binary one are refused.
+// OFF (Geomview): a header, three counts, the vertices and the faces, as text or binary. White
+// space separates numbers, be it a line end or not, with two exceptions. What follows a face's
+// corners on their line is its colour, unless fewer lines are left than faces: then it is the next
+// face. And a vertex's colour has four numbers, or three where the line ends behind them. The
+// variants with texture coordinates, colours and normals a vertex (ST, C, N before OFF) are read
+// too, those in another dimension are refused. Binary are 32-bit integers and floats, the highest
+// byte first; a face then has the count of its colour's numbers behind its corners.
+#include <optional>
 #include <utility>
 
 #include "meshes/formats/parsing.h"
@@ -19,19 +23,15 @@ bool remove_prefix(std::string_view& word, std::string_view prefix) {
 class OffParser {
  public:
   OffParser(std::string_view text, const std::string& name)
-      : reader_(text, name, {.comment = '#'}), name_(name) {
-    file_.format = "OFF";
-  }
+      : reader_(text, name, {.comment = '#'}), bytes_(text), name_(name) {}
 
   MeshFile parse() {
     read_header();
-    for (std::size_t i = 0; i < vertices_; ++i) read_vertex(i);
-    for (std::size_t i = 0; i < faces_; ++i) read_face(i);
-    if (reader_.next_line()) {
-      reader_.fail("more lines than the header's " + std::to_string(vertices_) + " vertices and " +
-                   std::to_string(faces_) + " faces; correct the counts");
-    }
-    if (!reader_.ends_with_line_end()) file_.warnings.push_back(kNoLineEnd);
+    check_room();
+    for (number_ = 0; number_ < vertices_; ++number_) read_vertex();
+    for (number_ = 0; number_ < faces_; ++number_) read_face();
+    check_end();
+    file_.format = binary_ ? "OFF binary" : "OFF";
     polygons_.triangulate(file_, name_);
     return std::move(file_);
   }
@@ -44,7 +44,7 @@ class OffParser {
     const bool texture = remove_prefix(word, "ST");
     colours_ = remove_prefix(word, "C");
     const bool normals = remove_prefix(word, "N");
-    extras_ = (texture ? 2u : 0u) + (normals ? 3u : 0u);
+    vertex_numbers_ = 3u + (texture ? 2u : 0u) + (normals ? 3u : 0u) + (colours_ ? 4u : 0u);
     if (word.starts_with("4") || word.starts_with("n")) {
       reader_.fail("vertices of another dimension than three (" + in_quotes(header) +
                    ") are not supported");
@@ -55,94 +55,173 @@ class OffParser {
       reader_.fail_truncated("the counts");
     }
     if (word.empty()) word = reader_.word();
-    if (word == "BINARY") {
-      reader_.fail("binary OFF is not supported; convert the file to ASCII OFF or to PLY");
+    binary_ = word == "BINARY";
+    if (binary_) {
+      if (!reader_.at_line_end()) reader_.fail("binary OFF has its counts on the next line");
+      offset_ = bytes_.size() - reader_.bytes_left();
+      vertices_ = binary_count("vertices");
+      faces_ = binary_count("faces");
+      load<std::int32_t>();  // edges
+      return;
     }
     vertices_ = reader_.count(word, "vertices");
     faces_ = reader_.count(reader_.word(), "faces");
     if (!reader_.at_line_end()) reader_.integer("number of edges");
     if (!reader_.at_line_end()) reader_.fail("a header has three counts: vertices, faces, edges");
-    check_room();
   }
 
   // Nothing is allocated for counts that the rest of the file cannot hold: a vertex takes at least
-  // six bytes ("0 0 0" and a line end, which only the last line may lack), a face eight.
+  // six bytes ("0 0 0" and a line end, which only the last line may lack), a face eight; a binary
+  // triangle has five numbers.
   void check_room() {
-    if (6 * vertices_ + 8 * faces_ > reader_.bytes_left() + 1) {
-      reader_.fail("the header declares " + std::to_string(vertices_) + " vertices and " +
-                   std::to_string(faces_) + " faces, but only " +
-                   std::to_string(reader_.bytes_left()) +
-                   " bytes follow: the file is truncated; get a whole copy");
+    const std::size_t vertex = binary_ ? 4 * vertex_numbers_ : 6;
+    const std::size_t face = binary_ ? 4 * 5 : 8;
+    const std::size_t left = binary_ ? bytes_.size() - offset_ : reader_.bytes_left();
+    if (vertex * vertices_ + face * faces_ > left + (binary_ ? 0 : 1)) {
+      fail("the header declares " + std::to_string(vertices_) + " vertices and " +
+           std::to_string(faces_) + " faces, but only " + std::to_string(left) +
+           " bytes follow: the file is truncated; get a whole copy");
     }
     file_.soup.positions.reserve(vertices_);
-    file_.lines.vertices.reserve(vertices_);
+    if (!binary_) file_.lines.vertices.reserve(vertices_);
     polygons_.reserve(faces_);
   }
 
-  void next_line_of(const std::string& what, std::size_t i, std::size_t declared) {
-    if (reader_.next_line()) return;
-    fail_truncated(what + " " + std::to_string(i) + " of " + std::to_string(declared));
-  }
-
-  void read_vertex(std::size_t i) {
-    next_line_of("vertex", i, vertices_);
+  void read_vertex() {
+    const std::uint32_t line = begin("vertex");
     Vec3 position;
-    for (double& coordinate : position) coordinate = reader_.number("coordinate");
-    std::size_t extras = 0;
-    for (; !reader_.at_line_end(); ++extras) reader_.number("number behind the coordinates");
-    // A colour has three or four numbers.
-    const bool fits = colours_ ? extras == extras_ + 3 || extras == extras_ + 4 : extras == extras_;
-    if (!fits) {
-      reader_.fail("vertex " + std::to_string(i) + " has " + std::to_string(3 + extras) +
-                   " numbers, which does not fit the header; a header COFF announces colours, "
-                   "NOFF normals, and every vertex has a line of its own");
+    for (std::size_t k = 0; k < vertex_numbers_; ++k) {
+      const bool colour_of_three = colours_ && !binary_ && k + 1 == vertex_numbers_;
+      if (colour_of_three && reader_.at_line_end()) break;
+      const double value = real("coordinate");
+      if (k < 3) position[k] = value;
     }
     file_.soup.positions.push_back(position);
-    file_.lines.vertices.push_back(reader_.line());
+    if (line > 0) file_.lines.vertices.push_back(line);
   }
 
-  // A count of corners and their vertices, which may continue on later lines, and perhaps a colour
-  // at the end of the last line.
-  void read_face(std::size_t i) {
-    next_line_of("face", i, faces_);
-    const std::uint32_t line = reader_.line();
-    const std::int64_t corners = reader_.integer("number of corners");
+  void read_face() {
+    const std::uint32_t line = begin("face");
+    const std::int64_t corners = integer("number of corners");
     if (corners < 3) {
-      reader_.fail("face " + std::to_string(i) + " has " + std::to_string(corners) +
-                   " corners and needs three; remove it and correct the count of faces");
+      fail("face " + std::to_string(number_) + " has " + std::to_string(corners) +
+           " corners and needs three; remove it and correct the count of faces");
     }
     for (std::int64_t k = 0; k < corners; ++k) {
-      if (reader_.at_line_end() && first_continued_ == 0) first_continued_ = line;
-      const std::string_view word = reader_.word_across_lines();
-      if (word.empty())
-        fail_truncated("corner " + std::to_string(k) + " of face " + std::to_string(i));
-      polygons_.add_corner(to_index(reader_.to_integer(word, "vertex of a face")));
+      polygons_.add_corner(to_index(integer("vertex of a face")));
     }
-    std::size_t colours = 0;
-    for (; !reader_.at_line_end(); ++colours) reader_.number("colour of a face");
-    if (colours > 4) reader_.fail("face " + std::to_string(i) + " has too many numbers");
+    std::int64_t colours = binary_ ? integer("number of colours") : 0;
+    for (std::int64_t k = 0; binary_ && k < colours && k <= 4; ++k) real("colour of a face");
+    if (!binary_ && !reader_.at_line_end() && !faces_share_lines()) {
+      for (; !reader_.at_line_end(); ++colours) reader_.number("colour of a face");
+    }
+    if (colours < 0 || colours > 4) {
+      fail("face " + std::to_string(number_) + " has " + std::to_string(colours) +
+           " numbers of a colour, not 0 to 4");
+    }
     polygons_.end_polygon(line);
   }
 
-  // A count of corners that is too high takes the next face for its own continuation: the end of
-  // the file is then missed far from the mistake.
-  [[noreturn]] void fail_truncated(const std::string& missing) const {
-    reader_.fail_truncated(missing +
-                           (first_continued_ == 0
-                                ? ""
-                                : " (the face of line " + std::to_string(first_continued_) +
-                                      " is the first that continues on the next line)"));
+  // Asked behind a face that does not end its line, and found once.
+  bool faces_share_lines() {
+    if (!share_lines_) {
+      TextReader rest = reader_;
+      std::size_t left = faces_ - number_ - 1;
+      while (left > 0 && rest.next_line()) --left;
+      share_lines_ = left > 0;
+    }
+    return *share_lines_;
+  }
+
+  void check_end() {
+    const std::string declared = "the header's " + std::to_string(vertices_) + " vertices and " +
+                                 std::to_string(faces_) + " faces; correct the counts";
+    if (binary_) {
+      if (bytes_.find_first_not_of(" \t\r\n", offset_) == std::string_view::npos) return;
+      fail(std::to_string(bytes_.size() - offset_) + " bytes more than " + declared);
+    }
+    if (!reader_.at_line_end() || reader_.next_line()) fail("more numbers than " + declared);
+    if (!reader_.ends_with_line_end()) file_.warnings.push_back(kNoLineEnd);
+  }
+
+  // Returns the line of a vertex or face; 0 in a binary file.
+  std::uint32_t begin(std::string_view element) {
+    element_ = element;
+    if (binary_) return 0;
+    if (!reader_.at_line_end()) {
+      remark_on_line();
+    } else if (!reader_.next_line()) {
+      reader_.fail_truncated(rest_of_element());
+    }
+    return reader_.line();
+  }
+
+  double real(std::string_view what) {
+    return binary_ ? load<float>() : reader_.to_number(word(), what);
+  }
+  std::int64_t integer(std::string_view what) {
+    return binary_ ? load<std::int32_t>() : reader_.to_integer(word(), what);
+  }
+
+  std::string_view word() {
+    std::string_view found = reader_.word();
+    if (!found.empty()) return found;
+    remark_on_line();
+    found = reader_.word_across_lines();
+    if (found.empty()) reader_.fail_truncated(rest_of_element());
+    return found;
+  }
+
+  // What is wrong with a line may become apparent far behind it.
+  void remark_on_line() {
+    if (std::exchange(remarked_, true)) return;
+    reader_.add_to_messages(" (line " + std::to_string(reader_.line()) +
+                            " is the first that is not one vertex or one face; a header COFF "
+                            "announces colours of vertices, NOFF normals)");
+  }
+
+  // The next binary number.
+  template <class T>
+  T load() {
+    if (bytes_.size() - offset_ < sizeof(T)) {
+      fail("the file ends before " + rest_of_element() + ": it is truncated; get a whole copy");
+    }
+    offset_ += sizeof(T);
+    return load_number<T>(bytes_.data() + offset_ - sizeof(T), std::endian::big);
+  }
+
+  std::size_t binary_count(const std::string& what) {
+    const auto count = load<std::int32_t>();
+    if (count < 0) fail("the number of " + what + " is negative");
+    return static_cast<std::size_t>(count);
+  }
+
+  std::string rest_of_element() const {
+    if (element_.empty()) return "the end of the counts";
+    return "the end of " + std::string(element_) + " " + std::to_string(number_) + " of " +
+           std::to_string(element_ == "face" ? faces_ : vertices_);
+  }
+
+  [[noreturn]] void fail(const std::string& what) const {
+    if (!binary_) reader_.fail(what);
+    throw MeshError(name_ + ", byte " + std::to_string(offset_) + ": " + what);
   }
 
   TextReader reader_;
+  std::string_view bytes_;
   const std::string& name_;
   MeshFile file_;
   Polygons polygons_;
+  bool binary_ = false;
+  std::size_t offset_ = 0;  // of the next binary number
   std::size_t vertices_ = 0;
   std::size_t faces_ = 0;
-  std::size_t extras_ = 0;  // numbers of a vertex besides coordinates and colour
-  bool colours_ = false;
-  std::uint32_t first_continued_ = 0;  // line of the first face that continues on the next line
+  std::size_t vertex_numbers_ = 3;  // coordinates and what the header announces
+  bool colours_ = false;            // the last number of a vertex in text may lack
+  std::string_view element_;        // what is being read, "vertex" or "face", and the how manieth
+  std::size_t number_ = 0;
+  std::optional<bool> share_lines_;  // faces do, once known
+  bool remarked_ = false;
 };
 
 }  // namespace

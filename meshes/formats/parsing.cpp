@@ -151,12 +151,12 @@ bool TextReader::ends_with_line_end() const {
 }
 
 void TextReader::fail(const std::string& what) const {
-  throw MeshError(name_ + ", line " + std::to_string(std::max(line_, 1u)) + ": " + what);
+  throw MeshError(name_ + ", line " + std::to_string(std::max(line_, 1u)) + ": " + what + remark_);
 }
 
 void TextReader::fail_truncated(const std::string& missing) const {
   throw MeshError(name_ + ", line " + std::to_string(next_line_) + ": the file ends before " +
-                  missing + ": it is truncated; get a whole copy");
+                  missing + ": it is truncated; get a whole copy" + remark_);
 }
 
 std::string in_quotes(std::string_view word) {

@@ -58,6 +58,8 @@ class TextReader {
   /// True when the text's last byte ends a line, as it does in a file that was written to its end.
   bool ends_with_line_end() const;
 
+  /// Adds to the end of every later message.
+  void add_to_messages(const std::string& remark) { remark_ += remark; }
   /// @throws MeshError "<name>, line <line>: <what>"
   [[noreturn]] void fail(const std::string& what) const;
   /// @throws MeshError: the file ends before `missing`
@@ -67,6 +69,7 @@ class TextReader {
   std::string_view take_physical_line();
 
   std::string name_;
+  std::string remark_;
   TextRules rules_;
   const char* next_;  // first byte behind the line
   const char* end_;

@@ -8,6 +8,7 @@ from case import Case
 
 OBJ = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
 OFF = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n"
+OFF_BINARY = b"OFF BINARY\n" + struct.pack(">3i9f5i", 3, 1, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 3, 0, 1, 2, 0)
 VERTICES = "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
 FACES = "element face {}\nproperty list uchar int vertex_indices\nend_header\n"
 CORNERS = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
@@ -78,11 +79,15 @@ CASES = [
          "a.off, line 2: the header declares 4000000000 vertices", WHOLE_COPY),
     mesh("cut", "a.off", OFF, "a.off, line", "truncated", WHOLE_COPY),
     mesh("a face cut off between two lines", "a.off", OFF + "4 0 1\n2\n",
-         "a.off, line 8: the file ends before corner 3 of face 0", "truncated", WHOLE_COPY),
+         "a.off, line 8: the file ends before the end of face 0 of 1", "truncated", WHOLE_COPY),
     not_there("an index out of range", "a.off", OFF + "3 0 1 7\n"),
     not_there("a negative index", "a.off", OFF + "3 0 1 -2\n"),
     mesh("counts that are none", "a.off", "OFF\n3 x 0\n0 0 0\n1 0 0\n",
          "a.off, line 2: the number of faces 'x' is not an integer, such as 12"),
+    mesh("binary and cut", "a.off", OFF_BINARY[:-6],
+         "a.off, byte 23: the header declares 3 vertices and 1 faces, but only 50 bytes", WHOLE_COPY),
+    mesh("binary and of the other byte order", "a.off", b"OFF BINARY\n" + struct.pack("<3i", 3, 1, 0),
+         "a.off, byte 23: the header declares 50331648 vertices", WHOLE_COPY),
     mesh("another word than OFF", "a.off", "OFX\n3 1 0\n", "a.off", *UNKNOWN),
     # PLY
     mesh("cut in the header", "a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n",

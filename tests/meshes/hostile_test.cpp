@@ -16,6 +16,7 @@ struct Sample {
 std::vector<Sample> all_formats() {
   return {{"a.obj", kObj},
           {"a.off", kOff},
+          {"binary.off", binary_off()},
           {"ascii.ply", kPly},
           {"little.ply", binary_ply<float>(std::endian::little)},
           {"big.ply", binary_ply<double>(std::endian::big)},
@@ -81,6 +82,9 @@ TEST(Hostile, CountsThatTheFileCannotHoldAreRefusedWithoutMemoryForThem) {
       {"a.off", "OFF\n4000000000 1 0\n0 0 0\n1 0 0\n"},
       {"b.off", "OFF\n3 4000000000 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
       {"c.off", "OFF\n9223372036854775807 9223372036854775807 0\n0 0 0\n"},
+      {"d.off", "OFF BINARY\n\x7f\xff\xff\xff" + binary_off("").substr(4)},
+      {"e.off", "OFF BINARY\n" + binary_off("").replace(4, 1, "\x7f")},
+      {"f.off", "OFF BINARY\n" + binary_off("").replace(60, 1, "\x7f")},  // corners of a face
       {"a.ply", ply("ascii", vertices + "element face 1\n" + corners)},
       {"b.ply", ply("binary_little_endian", vertices + "element face 1\n" + corners)},
       {"c.ply", ply("binary_big_endian", few + "element face 4000000000\n" + corners)},
@@ -102,7 +106,7 @@ TEST(Hostile, CountsThatTheFileCannotHoldAreRefusedWithoutMemoryForThem) {
 
 TEST(Hostile, AFaceOfFewerCornersThanItClaimsIsRefused) {
   EXPECT_TRUE(contains(refusal("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n", "a.off"),
-                       "line 7: the file ends before corner 3 of face 0"));
+                       "line 7: the file ends before the end of face 0 of 1"));
 }
 
 TEST(Hostile, OtherFilesAreOfTheWrongFormat) {

@@ -60,6 +60,24 @@ std::string binary_ply(std::endian order) {
   return bytes;
 }
 
+/// Counts and coordinates, and faces with a colour of so many numbers each.
+inline std::string binary_off(const std::string& header = "OFF BINARY\n", int colours = 0) {
+  const TriangleSoup soup = tetrahedron();
+  std::string bytes = header;
+  const auto append = [&](auto number) { bytes += bytes_of(number, std::endian::big); };
+  for (const std::int32_t count : {4, 4, 6}) append(count);
+  for (const Vec3& p : soup.positions) {
+    for (const double c : p) append(static_cast<float>(c));
+  }
+  for (const Triangle& t : soup.triangles) {
+    append(std::int32_t{3});
+    for (const Index v : t) append(v);
+    append(std::int32_t{colours});
+    for (int k = 0; k < colours; ++k) append(0.5f);
+  }
+  return bytes;
+}
+
 inline std::string ascii_stl() {
   const TriangleSoup soup = tetrahedron();
   std::string text = "solid tetrahedron\n";

@@ -59,32 +59,103 @@ TEST(Off, FacesContinueOnLaterLines) {
   EXPECT_TRUE(file.warnings.empty());
 }
 
-TEST(Off, ACountThatTakesTheNextFaceIsFoundAtTheEnd) {
+TEST(Off, VerticesAndFacesMayShareLinesAndRunOverThem) {
+  const std::vector<Triangle> two = {{0, 1, 2}, {0, 2, 1}};
+  for (const char* text :
+       {"OFF\n3 2 0\n0 0 0 1 0 0\n0 1 0\n3 0 1 2 3 0 2 1\n",
+        "OFF\n3 2 0\n0 0 0 1 0 0 0 1 0 3 0 1 2 3 0 2 1\n",
+        "OFF\n3 2 0\n0\n0 0 1 # a comment\n0 0 0 1\n0\n3 0 1\n2 3 0 2 1\n",
+        "COFF\n3 2 0\n0 0 0 9 9 9 9 1 0 0 9 9 9 9\n0 1 0 9 9 9\n3 0 1 2\n3 0 2 1 0.5 0.5 0.5\n"}) {
+    const MeshFile file = parse_mesh(text, "test.off");
+    EXPECT_EQ(file.soup.positions, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})) << text;
+    EXPECT_EQ(file.soup.triangles, two) << text;
+  }
+  const MeshFile file = parse_mesh("OFF\n3 2 0\n0 0 0 1 0\n0 0 1 0\n3 0 1\n2 3 0 2 1\n", "a.off");
+  EXPECT_EQ(file.lines.vertices, (std::vector<std::uint32_t>{3, 3, 4}));
+  EXPECT_EQ(file.lines.triangles, (std::vector<std::uint32_t>{5, 6}));
+}
+
+TEST(Off, FourNumbersBehindAFaceAreItsColourWhereEveryFaceHasALine) {
+  const std::string vertices = "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n";
+  const std::vector<Triangle> two = {{0, 1, 2}, {0, 2, 1}};
+  for (const char* faces :
+       {"3 0 1 2 3 0 2 1\n3 0 2 1 3 0 1 2\n", "3 0 1 2 3 0 2 1\n", "3 0 1 2\n3 0 2 1 3 0 1 2\n"}) {
+    EXPECT_EQ(parse_mesh(vertices + faces, "test.off").soup.triangles, two) << faces;
+  }
+}
+
+TEST(Off, BinaryIsReadWithWhateverItsHeaderAnnounces) {
+  for (const std::string& bytes :
+       {binary_off(), binary_off("OFF BINARY # c\r\n"), binary_off("OFF BINARY\n", 1),
+        binary_off("OFF BINARY\n", 4), binary_off() + "\n"}) {
+    const MeshFile file = parse_mesh(bytes, "test.off");
+    EXPECT_EQ(file.soup.positions, tetrahedron().positions);
+    EXPECT_EQ(file.soup.triangles, tetrahedron().triangles);
+    EXPECT_EQ(file.format, "OFF binary");
+    EXPECT_TRUE(file.lines.vertices.empty() && file.lines.triangles.empty());
+  }
+  for (const auto& [header, extras] :
+       {std::pair{"NOFF", 3u}, {"COFF", 4u}, {"STOFF", 2u}, {"STCNOFF", 9u}}) {
+    std::string bytes = binary_off(header + std::string(" BINARY\n"));
+    const std::size_t first = bytes.size() - 4 * (4 * 3 + 4 * 5) + 12;
+    for (std::size_t i = 4; i-- > 0;) bytes.insert(first + 12 * i, 4 * extras, '?');
+    EXPECT_EQ(parse_mesh(bytes, "test.off").soup.positions, tetrahedron().positions) << header;
+  }
+}
+
+TEST(Off, NamesTheByteOfWhatIsMalformedInBinary) {
+  const auto with = [](std::size_t number,
+                       char byte) {  // which of the 32-bit numbers, and its first
+    return "OFF BINARY\n" + binary_off("").replace(4 * number, 1, 1, byte);
+  };
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"OFF BINARY", "byte 10: the file ends before the end of the counts"},
+      {"OFF BINARY 4 4 6\n", "line 1: binary OFF has its counts on the next line"},
+      {with(0, '\xff'), "byte 15: the number of vertices is negative"},
+      {with(1, '\xff'), "byte 19: the number of faces is negative"},
+      {with(0, '\1'), "byte 23: the header declares 16777220 vertices and 4 faces, but only 128"},
+      {with(15, '\xff'), "byte 75: face 0 has -16777213 corners"},
+      {with(15, '\1'), "byte 151: the file ends before the end of face 0 of 4"},
+      {with(19, '\1'), "byte 111: face 0 has 16777216 numbers of a colour"},
+      {with(34, '\xff'), "byte 151: face 3 has -16777216 numbers of a colour"},
+      {binary_off() + "1234", "byte 151: 4 bytes more than the header's 4 vertices and 4 faces"},
+  };
+  for (const auto& [bytes, expected] : cases) {
+    EXPECT_TRUE(contains(refusal(bytes, "test.off"), expected))
+        << refusal(bytes, "test.off") << "\nexpected: " << expected;
+  }
+}
+
+TEST(Off, ACountThatTakesTheNextFaceIsNamedByItsLine) {
   const std::string text = "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n4 0 2 1\n3 0 1 3\n";
-  const std::string expected =
-      "line 10: the file ends before face 2 of 3 (the face of line 8 is the first that continues "
-      "on "
-      "the next line)";
+  const std::string expected = "(line 8 is the first that is not one vertex or one face";
   EXPECT_TRUE(contains(refusal(text, "test.off"), expected)) << refusal(text, "test.off");
 }
 
 TEST(Off, NamesTheLineOfWhatIsMalformed) {
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"OFF\n3 2 0\n" + kBody + "# end\n\n\n", "line 10: the file ends before face 1 of 2"},
-      {"OFF\n3 1 0\n" + kBody + "3 0 1 2\n", "line 7: more lines than the header's 3 vertices"},
+      {"OFF\n3 2 0\n" + kBody + "# end\n\n\n",
+       "line 10: the file ends before the end of face 1 of 2"},
+      {"OFF\n3 1 0\n" + kBody + "3 0 1 2\n", "line 7: more numbers than the header's 3 vertices"},
       {"OFF\n-3 1 0\n" + kBody, "the number of vertices is negative"},
       {"OFF\n3 x 0\n" + kBody, "the number of faces 'x' is not an integer"},
       {"OFF\n3 1 0 4\n" + kBody, "a header has three counts"},
       {"OFF\n3\n" + kBody, "the number of faces '' is not an integer"},
-      {"OFF BINARY\n3 1 0\n" + kBody, "binary OFF is not supported"},
       {"4OFF\n3 1 0\n" + kBody, "another dimension"},
       {"nOFF\n3\n3 1 0\n" + kBody, "another dimension"},
-      {"OFF\n3 1 0\n0 0 0 9 9 9\n1 0 0\n0 1 0\n3 0 1 2\n", "vertex 0 has 6 numbers"},
-      {"COFF\n3 1 0\n" + kBody, "vertex 0 has 3 numbers"},
-      {"OFF\n3 1 0\n0 0  \n1 0 0\n0 1 0\n3 0 1 2\n", "line 3: the coordinate is missing"},
+      {"OFF\n3 1 0\n0 0 0 9 9 9\n1 0 0\n0 1 0\n3 0 1 2\n",
+       "line 5: face 0 has 0 corners and needs three; remove it and correct the count of faces "
+       "(line 3 is the first that is not one vertex or one face; a header COFF announces colours"},
+      {"COFF\n3 1 0\n" + kBody,
+       "before the end of vertex 2 of 3: it is truncated; get a whole copy "
+       "(line 3 is the first that is not one vertex or one face"},
+      {"OFF\n3 1 0\n0 0  \n1 0 0\n0 1 0\n3 0 1 2\n", "(line 3 is the first"},
+      {"OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 0.5 0.5 0.5\n",
+       "line 6: the number of corners '0.5' is not an integer, such as 12 (line 6 is the first"},
+      {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 1 2 3 4 5\n", "face 0 has 5 numbers of a colour"},
       {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1 \n", "line 6: face 0 has 2 corners"},
       {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4 0 1 2\n",
-       "line 7: the file ends before corner 3 of face 0"},
+       "line 7: the file ends before the end of face 0 of 1"},
       {"OFF\n", "the file ends before the counts"},
   };
   for (const auto& [text, expected] : cases) {
