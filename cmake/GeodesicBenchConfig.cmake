@@ -1,9 +1,20 @@
 # find_package(GeodesicBench) gives
 #   GeodesicBench::geodesic        the solvers as a library
-#   GeodesicBench::meshes          files of meshes, their defects and repair; static, with the solvers
+#   GeodesicBench::meshes          files of meshes, their defects and repair; static, with the solvers;
+#                                  needs OpenMesh
+#   GeodesicBench::openmesh        meshes/editing/open_mesh.h: OpenMesh's meshes as meshes of the library;
+#                                  the component `openmesh`, there where OpenMesh is
 #   GeodesicBench::geodesic-bench  the program
 #   geodesic_add_solver            solvers of one's own, as a plug-in of the program
+find_package(OpenMesh QUIET)
 include(${CMAKE_CURRENT_LIST_DIR}/GeodesicBenchTargets.cmake)
+if(OpenMesh_FOUND)
+  add_library(GeodesicBench::openmesh INTERFACE IMPORTED)
+  target_link_libraries(GeodesicBench::openmesh INTERFACE GeodesicBench::geodesic OpenMeshCore)
+elseif(GeodesicBench_FIND_REQUIRED_openmesh)
+  set(GeodesicBench_FOUND FALSE)
+  set(GeodesicBench_NOT_FOUND_MESSAGE "the component openmesh needs OpenMesh (libopenmesh-dev)")
+endif()
 
 include(${CMAKE_CURRENT_LIST_DIR}/RecordedSolves.cmake)
 

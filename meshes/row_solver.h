@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "meshes/inserted_points.h"
+#include "meshes/point_solver.h"
 
 namespace geodesic {
 

@@ -44,9 +44,18 @@ def surface(mesh: Mesh) -> str:
     return re.split(r"(?<=\D)\d", mesh.name)[0]
 
 
-def series(run: Run) -> dict[str, list[Point]]:
-    """By solver the meshes on which it has both numbers, by their vertices: of the surface with the
-    most meshes, and only where they are long enough for a fit.
+@dataclass(frozen=True)
+class Series:
+    """A solver on a surface at several sizes."""
+
+    solver: str
+    surface: str
+    points: list[Point]
+    """By their vertices."""
+
+
+def series(run: Run) -> list[Series]:
+    """Of each surface by solver, and only where they are long enough for a fit.
 
     @raises ResultError when no solver has such a series"""
 
@@ -54,18 +63,20 @@ def series(run: Run) -> dict[str, list[Point]]:
         sample = by_source(values(run, mesh, solver, measure))
         return median(sample).value if sample else 0
 
-    surfaces = [surface(mesh) for mesh in run.meshes.values()]
-    of = [m for m in run.meshes.values() if surface(m) == max(surfaces, key=surfaces.count)]
-    found = {}
-    for solver in columns(run):
-        points = [
-            Point(mesh, middle(mesh.name, solver, TIME), middle(mesh.name, solver, PROPAGATIONS))
-            for mesh in sorted(of, key=lambda mesh: mesh.vertices)
-        ]
-        measured = [point for point in points if point.time > 0 and point.windows > 0]
-        sizes = {point.mesh.vertices for point in measured}
-        if len(sizes) >= LEAST_MESHES and max(sizes) >= LEAST_SPAN * min(sizes):
-            found[solver] = measured
+    surfaces: dict[str, list[Mesh]] = {}
+    for mesh in sorted(run.meshes.values(), key=lambda mesh: mesh.vertices):
+        surfaces.setdefault(surface(mesh), []).append(mesh)
+    found = []
+    for name, meshes in surfaces.items():
+        for solver in columns(run) if len(meshes) >= LEAST_MESHES else ():
+            points = [
+                Point(m, middle(m.name, solver, TIME), middle(m.name, solver, PROPAGATIONS))
+                for m in meshes
+            ]
+            measured = [point for point in points if point.time > 0 and point.windows > 0]
+            sizes = {point.mesh.vertices for point in measured}
+            if len(sizes) >= LEAST_MESHES and max(sizes) >= LEAST_SPAN * min(sizes):
+                found.append(Series(solver, name.rstrip("-_"), measured))
     if not found:
         raise ResultError(
             f"{run.file}: no solver has {LEAST_MESHES} meshes of one surface of which the largest "
@@ -82,7 +93,7 @@ def fit(points: list[Point], what: list[float]) -> PowerLaw:
 def table(run: Run) -> Table:
     """@raises ResultError as series does"""
     found = series(run)
-    unit = time_unit([point.time for points in found.values() for point in points])
+    unit = time_unit([point.time for each in found for point in each.points])
     return Table(
         name="table_growth",
         title="Growth: time and windows over vertices",
@@ -91,9 +102,9 @@ def table(run: Run) -> Table:
         ],
         text_columns=2,
         rows=[
-            _row(solver, point, points[0], unit)
-            for solver, points in found.items()
-            for point in points
+            _row(each.solver, point, each.points[0], unit)
+            for each in found
+            for point in each.points
         ],
         remarks=[
             "Medians over sources and repetitions. Time per window: CPU time of a timed solve over "
@@ -107,12 +118,12 @@ def exponents(run: Run) -> Table:
     return Table(
         name="table_growth_exponents",
         title="Growth: fitted exponents",
-        header=["Solver", "Meshes", "n from", "n to", "of time", "of windows"],
-        text_columns=1,
-        rows=[_exponents(solver, points) for solver, points in series(run).items()],
+        header=["Solver", "Surface", "Meshes", "n from", "n to", "of time", "of windows"],
+        text_columns=2,
+        rows=[_exponents(each) for each in series(run)],
         remarks=[
             "Least squares of log time and log window propagations on log vertices, with 95% "
-            "intervals of the slope (Student's t). They describe this series and no bound: the "
+            "intervals of the slope (Student's t). They describe these series and no bound: the "
             "worst case is O(n^2) windows, and Surazhsky et al. 2005 observe about n^1.5.",
         ],
     )
@@ -132,12 +143,14 @@ def _row(solver: str, point: Point, smallest: Point, unit: TimeUnit) -> list[Cel
     ]
 
 
-def _exponents(solver: str, points: list[Point]) -> list[Cell]:
+def _exponents(of: Series) -> list[Cell]:
+    points = of.points
     first, last = points[0].mesh.vertices, points[-1].mesh.vertices
     laws = [fit(points, [p.time for p in points]), fit(points, [p.windows for p in points])]
     texts = [f"{law.exponent:.3f} [{law.low:.3f}, {law.high:.3f}]" for law in laws]
     return [
-        Cell(solver),
+        Cell(of.solver),
+        Cell(of.surface),
         Cell(str(len(points)), len(points)),
         Cell(count(first), first),
         Cell(count(last), last),
@@ -146,14 +159,15 @@ def _exponents(solver: str, points: list[Point]) -> list[Cell]:
 
 
 def figure(run: Run) -> Drawing:
-    """Time against vertices, both logarithmic. @raises ResultError as series does"""
+    """Time against vertices, both logarithmic, a panel a surface. @raises ResultError as series does"""
     found = series(run)
+    surfaces = list(dict.fromkeys(each.surface for each in found))
     styles = style.solver_styles(run.solvers)
     picture = style.new_figure(4.4)
-    axes = picture.subplots()
+    panels = picture.subplots(1, len(surfaces), sharey=True, squeeze=False)[0]
     handles = []
-    for solver, points in found.items():
-        look = styles[solver]
+    for each in found:
+        axes, look, points = panels[surfaces.index(each.surface)], styles[each.solver], each.points
         vertices = [point.mesh.vertices for point in points]
         law = fit(points, [point.time for point in points])
         mark = {"color": look.color, "marker": look.marker, "markersize": 4.5}
@@ -161,21 +175,25 @@ def figure(run: Run) -> Drawing:
         ends = [min(vertices), max(vertices)]
         axes.plot(ends, [law.at(n) for n in ends], color=look.color, linestyle=look.line)
         label = f"$n^{{{law.exponent:.2f}}}$ [{law.low:.2f}, {law.high:.2f}]"
-        label = f"{style.plain(solver)}: {label}"
+        on = f", {each.surface}" if len(surfaces) > 1 else ""
+        label = f"{style.plain(each.solver)}{on}: {label}"
         handles.append(Line2D([], [], linestyle=look.line, label=label, **mark))
-    for axis in (axes.xaxis, axes.yaxis):
-        logarithmic(axis)
-    axes.set_xlabel("vertices $n$")
-    axes.set_ylabel("CPU time of one solve (s)")
-    axes.grid()
+    for axes, name in zip(panels, surfaces, strict=True):
+        for axis in (axes.xaxis, axes.yaxis):
+            logarithmic(axis)
+        axes.set_xlabel("vertices $n$" + (f", {name}" if len(surfaces) > 1 else ""))
+        axes.grid()
+    panels[0].set_ylabel("CPU time of one solve (s)")
     style.legend_above(picture, handles, columns=2)
-    meshes = {point.mesh.name for points in found.values() for point in points}
-    short = [s for s in columns(run) if s in run.solvers and s not in found]
+    meshes = {point.mesh.name for each in found for point in each.points}
+    drawn = {each.solver for each in found}
+    short = [s for s in columns(run) if s in run.solvers and s not in drawn]
+    of = "one surface" if len(surfaces) == 1 else f"{len(surfaces)} surfaces"
     return Drawing(
         title="Time against vertices",
         caption=sentences(
             "Medians over sources and repetitions of each solver that counts windows, on "
-            f"{len(meshes)} meshes of one surface; lines are least squares of the logarithms, with "
+            f"{len(meshes)} meshes of {of}; lines are least squares of the logarithms, with "
             "95% intervals of the exponent. They describe these meshes and no bound.",
             f"Without: {', '.join(short)} (fewer than {LEAST_MESHES} sizes with a time and a "
             "count of windows)."

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "harness/measure/matrix_file.h"
-#include "meshes/inserted_points.h"
+#include "meshes/point_solver.h"
 
 namespace geodesic::harness {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "harness/base/json.h"
-#include "meshes/inserted_points.h"
+#include "meshes/point_solver.h"
 
 namespace geodesic::harness {
 

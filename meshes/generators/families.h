@@ -41,6 +41,7 @@ std::vector<Family> spheres();   ///< icosphere, two-components
 std::vector<Family> terrains();  ///< terrain, elevation
 std::vector<Family> tubes();     ///< cylinder, needles, torus, torus-knot
 Family clean();
+Family decimate();
 Family noise();
 Family refine();
 Family subdivide();

@@ -2,10 +2,12 @@
 //
 // The same name and parameters give the same bits on every run and every x86-64 machine: generators
 // use only the operations that IEEE 754 rounds correctly (+ - * / sqrt), their own sine and cosine
-// (families.h) and their own random numbers (random.h), compiled without contraction.
+// (families.h) and their own random numbers (random.h), compiled without contraction. Loop's
+// weights come from OpenMesh, by the C library's cosine of 2 pi / valence, which is the correctly
+// rounded one for valences below 200 with fused multiply-add and without.
 //
-// To add a generator, add a family to a source file of this folder and to the table in
-// generators.cpp.
+// To add a generator, add a family to a source file of this folder, or of meshes/editing where it
+// edits the mesh of a file, and to the table in generators.cpp.
 #pragma once
 
 #include <optional>

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "meshes/inserted_points.h"
+#include "meshes/point_solver.h"
 #include "solvers/core/mesh.h"
 
 namespace geodesic::python {

@@ -17,8 +17,7 @@ struct PointTask {
   harness::Tolerance tolerance;
 };
 
-/// Right distances are those of the mesh with the points inserted, and on a mesh with faces without
-/// area, or none but what rounding leaves, where insertion changes the surface, the judge's.
+/// Right distances are those of the mesh with the points inserted.
 /// @param number of the mesh, which gives the same points every time
 /// @param judge answers on meshes too large for brute force, too
 /// @param most_faces for brute force

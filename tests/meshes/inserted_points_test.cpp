@@ -1,4 +1,4 @@
-#include "meshes/inserted_points.h"
+#include "meshes/point_solver.h"
 
 #include <gtest/gtest.h>
 
@@ -76,6 +76,29 @@ TEST(InsertedPoints, leave_vertices_their_numbers_and_the_surface_its_shape) {
     const std::vector<double> after = distances_of(finer, query);
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
       EXPECT_LE(relative_error(after[v], before[v]), kExact) << "vertex " << v;
+    }
+  }
+}
+
+// Points of a flat cap are near the lines of all three edges, and between the ends of two.
+TEST(InsertedPoints, in_faces_without_height_leave_distances_as_they_are) {
+  for (const double height : {0.0, 1e-17, 1e-15}) {
+    const Mesh mesh(
+        TriangleSoup{{{0, 0, 0}, {1, 0, 0}, {0.5, height, 0}, {0.5, -1, 0}, {0.2, 1, 0}},
+                     {{0, 1, 2}, {1, 0, 3}, {0, 2, 4}, {2, 1, 4}}});
+    std::vector<SurfacePoint> points;
+    for (const double share : {0.1, 0.3, 0.6, 0.8}) {
+      points.push_back(point_in_face(mesh, 0, {share / 2, 1 - share, share / 2}));
+      points.push_back(point_in_face(mesh, 0, {1 - share, share / 2, share / 2}));
+    }
+    const InsertedPoints inserted(mesh, points);
+    for (const Index source : {0u, 3u, 4u}) {
+      const Query query{.sources = {{.at = source}}};
+      const std::vector<double> before = distances_of(mesh, query);
+      const std::vector<double> after = distances_of(inserted.mesh(), query);
+      for (Index v = 0; v < mesh.vertex_count(); ++v) {
+        EXPECT_LE(relative_error(after[v], before[v]), kExact) << height << ": " << source << v;
+      }
     }
   }
 }

@@ -115,14 +115,23 @@ def test_library_reads_meshes_and_solves_in_threads(
         assert str(words[-1] if words[0] is cube else words[0]) in refused.stderr
 
 
+def test_library_takes_a_mesh_of_openmesh_and_gives_distances_back_to_it(
+    installed: Installed, tmp_path: Path, cube: Path
+) -> None:
+    build = installed.build(ROOT / "examples" / "library", tmp_path / "build")
+    ended = subprocess.run([build / "with_openmesh", cube], capture_output=True, text=True, check=True)
+    distances = [float(line) for line in ended.stdout.splitlines()]
+    assert distances == pytest.approx([0, 1, 2**0.5, 1, 1, 2**0.5, FAR_CORNER, 2**0.5], rel=1e-12)
+
+
 def test_headers_compile_alone_and_need_the_standard_library_only(
     installed: Installed, tmp_path: Path
 ) -> None:
-    """Those that need Google Highway besides say so. A source of the library that includes its own
+    """Those that need Google Highway or OpenMesh besides say so. A source of the library that includes its own
     header first has shown already that this one compiles alone."""
     headers = sorted(installed.include.rglob("*.h"))
     assert installed.include / "solvers" / "core" / "solver.h" in headers
-    plain = [header for header in headers if "Google Highway" not in header.read_text()]
+    plain = [h for h in headers if not re.search("Google Highway|OpenMesh", h.read_text())]
     assert len(plain) > len(headers) / 2
     names = [str(header.relative_to(installed.include)) for header in plain]
 
@@ -138,7 +147,8 @@ def test_headers_compile_alone_and_need_the_standard_library_only(
         )  # fmt: skip
         if ended.returncode != 0:
             return f"{included}: {ended.stderr}"
-        return f"{included}: needs Google Highway" if "/hwy/" in needs.read_text() else ""
+        needed = re.search("/hwy/|/OpenMesh/", needs.read_text())
+        return f"{included}: needs {needed[0]}" if needed else ""
 
     units = [[name] for name in names if not is_first_in_its_source(name)]
     assert 0 < len(units) < len(names)

@@ -59,6 +59,17 @@ def test_meshes_of_different_surfaces_are_no_series() -> None:
         growth.table(replace(run, meshes=meshes, rows=rows))
 
 
+def test_each_surface_has_a_series_of_its_own() -> None:
+    run = run_of([1_000, 2_000, 4_000, 10_000, 100_000, 1_000_000], 1.5)
+    names = dict(zip(run.meshes, ["h-1k", "h-2k", "h-4k", "d-10k", "d-100k", "d-1m"], strict=True))
+    meshes = {names[name]: replace(m, name=names[name]) for name, m in run.meshes.items()}
+    rows = [replace(row, mesh=names[row.mesh]) for row in run.rows]
+    two = replace(run, meshes=meshes, rows=rows)
+    assert [row[1].text for row in growth.exponents(two).rows] == ["h", "d"]
+    assert [row[-1].value for row in growth.table(two).rows] == pytest.approx([1] * 6)
+    assert len(growth.figure(two).figure.axes) == 2
+
+
 @pytest.mark.parametrize(
     ("name", "surface"), [("growth-1m", "growth-"), ("my_scan_lod2", "my_scan_lod"), ("3d", "3d")]
 )

@@ -9,7 +9,7 @@
 #include "harness/corpus/manifest.h"
 #include "harness/corpus/points.h"
 #include "harness/corpus/solvers.h"
-#include "meshes/inserted_points.h"
+#include "meshes/point_solver.h"
 #include "meshes/load.h"
 
 namespace geodesic::harness {

@@ -7,7 +7,7 @@
 #include "harness/corpus/solvers.h"
 #include "harness/verify/path_check.h"
 #include "harness/verify/properties/properties.h"
-#include "meshes/inserted_points.h"
+#include "meshes/editing/inserted_points.h"
 #include "meshes/messages.h"
 #include "meshes/random.h"
 

@@ -10,9 +10,8 @@
 
 #include "meshes/connectivity.h"
 #include "meshes/defects.h"
-#include "meshes/generators/families.h"
+#include "meshes/editing/edit.h"
 #include "meshes/mesh_file.h"
-#include "meshes/repair.h"
 
 namespace geodesic {
 namespace {
@@ -105,33 +104,8 @@ std::vector<RepairAction> weld_edges(TriangleSoup& soup) {
   return {{"welded_vertices", "vertices joined to another along an edge without length", count}};
 }
 
-/// Gives each fan of faces at a vertex a vertex of its own, so that every edge has one face, or two
-/// that run along it in opposite directions. The first fan keeps the vertex, copies follow all
-/// others. Faces at an edge of three or more stay connected when they are in the same fans at both
-/// of its ends: two tubes that touch along an edge come apart, a fin comes off.
-///
-/// One pass is enough. The faces of a fan run the same way round, in a row whose two ends alone
-/// lack a neighbour. All faces at an edge (a, b) of the result are in the one fan of a: they are
-/// two at most, the ends of the row, and run along the edge in opposite directions.
-std::vector<RepairAction> separate_sheets(TriangleSoup& soup) {
-  DisjointSets fans = join_fans(pair_half_edges(soup.triangles, EdgeTable(soup)));
-  const std::size_t before = soup.positions.size();
-  std::vector<bool> has_fan(before, false);
-  for (Index h = 0; h < 3 * soup.triangles.size(); ++h) {
-    const Index first = fans.find(h);  // the least corner of the fan: settled before h
-    Index& v = soup.triangles[h / 3][h % 3];
-    if (first != h) {
-      v = origin_of(soup.triangles, first);
-    } else if (has_fan[v]) {
-      const Vec3 position = soup.positions[v];
-      v = static_cast<Index>(soup.positions.size());
-      soup.positions.push_back(position);
-    } else {
-      has_fan[v] = true;
-    }
-  }
-  return {{"copied_vertices", "copies made of vertices at which separate sheets of the surface met",
-           soup.positions.size() - before}};
+std::vector<RepairAction> separate(TriangleSoup& soup) {
+  return {separated(separate_sheets(soup).size())};
 }
 
 /// True when a solver, or the report of defects, sees no area or an edge of length zero.
@@ -152,111 +126,100 @@ bool is_flat_face(std::span<const Vec3> positions, const Triangle& face) {
 /// longer one, so that the new edge is shorter and flipping among flat faces ends.
 class FlatFaceRemover {
  public:
-  explicit FlatFaceRemover(TriangleSoup& soup) : soup_(soup) {
-    for (Index f = 0; f < soup.triangles.size(); ++f) enqueue_if_flat(f);
-    if (queue_.empty()) return;
-    twins_ = pair_half_edges(soup.triangles, EdgeTable(soup));
-    removed_.assign(soup.triangles.size(), false);
+  explicit FlatFaceRemover(const TriangleSoup& soup) : mesh_(edited(soup)) {
+    for (const Face face : mesh_.faces()) enqueue_if_flat(face);
     // A flip that turns a face with area into a flat one, by rounding, could be undone by the next.
     flips_left_ = 64 + 16 * queue_.size();
   }
 
-  std::vector<RepairAction> remove() {
+  std::vector<RepairAction> remove_all() {
     while (!queue_.empty()) {
-      const FlatFace next = queue_.top();
+      const Side side = mesh_.halfedge_handle(static_cast<unsigned>(queue_.top().side));
       queue_.pop();
-      const bool is_up_to_date = !removed_[next.side / 3] && is_flat(next.side / 3) &&
-                                 longest_side(next.side / 3) == next.side;
-      if (is_up_to_date) remove(next.side);
+      const Face face = mesh_.face_handle(side);
+      const bool is_up_to_date = face.is_valid() && is_flat(face) && longest_side(face) == side;
+      if (is_up_to_date) remove(side);
     }
-    if (drops_ > 0) drop_faces(soup_, removed_);
     return {{"flipped_edges", "edges flipped to the vertex that a face without area had on them",
              flips_},
+            {"cut_edges", "edges cut where a face without area had a vertex on them", cuts_},
             {"dropped_flat_faces", "faces without area dropped", drops_}};
   }
 
+  TriangleSoup soup() const { return soup_of(mesh_); }
+
  private:
+  using Face = EditedMesh::FaceHandle;
+  using Side = EditedMesh::HalfedgeHandle;
+
   struct FlatFace {
     double length;
-    Index side;  // the face's longest
+    int side;  // the face's longest
 
     bool operator<(const FlatFace& other) const {  // later in the queue
       return std::tie(length, other.side) < std::tie(other.length, side);
     }
   };
 
-  Index origin(Index h) const { return origin_of(soup_.triangles, h); }
-  Index apex(Index h) const { return origin(previous_in_face(h)); }
-  bool is_flat(Index f) const { return is_flat_face(soup_.positions, soup_.triangles[f]); }
-
-  double length(Index h) const {
-    return norm(subtract(soup_.positions[origin(next_in_face(h))], soup_.positions[origin(h)]));
+  bool is_flat(Face face) const {
+    std::array<Vec3, 3> corners;
+    std::ranges::transform(mesh_.fv_range(face), corners.begin(),
+                           [&](EditedMesh::VertexHandle v) { return to_vec3(mesh_.point(v)); });
+    return is_flat_face(corners, {0, 1, 2});
   }
 
-  Index longest_side(Index f) const {
-    Index longest = 3 * f;
-    for (const Index h : {3 * f + 1, 3 * f + 2}) {
-      if (length(h) > length(longest)) longest = h;
-    }
-    return longest;
+  Side longest_side(Face face) const {
+    const auto sides = mesh_.fh_range(face);
+    return *std::ranges::max_element(sides.begin(), sides.end(), {},
+                                     [&](Side side) { return mesh_.calc_edge_length(side); });
   }
 
-  void enqueue_if_flat(Index f) {
-    if (is_flat(f)) queue_.push({length(longest_side(f)), longest_side(f)});
+  void enqueue_if_flat(Face face) {
+    if (!is_flat(face)) return;
+    const Side side = longest_side(face);
+    queue_.push({mesh_.calc_edge_length(side), side.idx()});
   }
 
-  void remove(Index side) {
-    if (twins_[side] == kNone || flips_left_ == 0) {
-      drop(side / 3);
-    } else if (apex(side) != apex(twins_[side])) {
-      flip(side);
+  void remove(Side side) {
+    const Face face = mesh_.face_handle(side);
+    const Side beyond = mesh_.opposite_halfedge_handle(side);
+    const auto edge = mesh_.edge_handle(side);
+    if (mesh_.is_boundary(edge) || flips_left_ == 0) {
+      mesh_.delete_face(face, false);
+      ++drops_;
+    } else if (mesh_.is_flip_ok(edge)) {
+      const Face other = mesh_.face_handle(beyond);
+      mesh_.flip(edge);
+      ++flips_;
+      --flips_left_;
+      enqueue_if_flat(face);
+      enqueue_if_flat(other);
+    } else if (mesh_.opposite_vh(side) != mesh_.opposite_vh(beyond)) {
+      // The edge that a flip would make is there. The next round welds the vertex to the new one.
+      mesh_.split(edge, mesh_.point(mesh_.opposite_vh(side)));
+      ++cuts_;
     }  // else a flip laid the two back to back, and the next round cancels them
   }
 
-  void link(Index h, Index twin) {
-    if (h != kNone) twins_[h] = twin;
-    if (twin != kNone) twins_[twin] = h;
-  }
-
-  void drop(Index f) {
-    for (const Index h : {3 * f, 3 * f + 1, 3 * f + 2}) link(kNone, twins_[h]);
-    removed_[f] = true;
-    ++drops_;
-  }
-
-  /// From the faces (a, b, c) and (b, a, d) of side a -> b to (d, b, c) and (c, a, d).
-  void flip(Index side) {
-    const Index beyond = twins_[side];
-    const Index f = side / 3, g = beyond / 3;
-    const Index a = origin(side), b = origin(beyond), c = apex(side), d = apex(beyond);
-    const Index bc = twins_[next_in_face(side)], ca = twins_[previous_in_face(side)];
-    const Index ad = twins_[next_in_face(beyond)], db = twins_[previous_in_face(beyond)];
-    soup_.triangles[f] = {d, b, c};
-    soup_.triangles[g] = {c, a, d};
-    link(3 * f, db);
-    link(3 * f + 1, bc);
-    link(3 * g, ca);
-    link(3 * g + 1, ad);
-    link(3 * f + 2, 3 * g + 2);
-    ++flips_;
-    --flips_left_;
-    enqueue_if_flat(f);
-    enqueue_if_flat(g);
-  }
-
-  TriangleSoup& soup_;
-  std::vector<Index> twins_;
-  std::vector<bool> removed_;
+  EditedMesh mesh_;
   std::priority_queue<FlatFace> queue_;
   std::size_t flips_left_ = 0;
-  std::size_t flips_ = 0, drops_ = 0;
+  std::size_t flips_ = 0, cuts_ = 0, drops_ = 0;
 };
 
 /// Removes faces without area whose longest edge has the third vertex on it: the edge is flipped,
 /// which cuts the face beyond it in two at that vertex and leaves the surface as it is. Where no
 /// face lies beyond, the face is dropped.
 std::vector<RepairAction> remove_flat_faces(TriangleSoup& soup) {
-  return FlatFaceRemover(soup).remove();
+  if (std::ranges::none_of(soup.triangles, [&](const Triangle& face) {
+        return is_flat_face(soup.positions, face);
+      })) {
+    return {};
+  }
+  FlatFaceRemover remover(soup);
+  std::vector<RepairAction> done = remover.remove_all();
+  soup = remover.soup();
+  return done;
 }
 
 /// Keeps the group of connected faces that has the most, of equal ones the first.
@@ -280,8 +243,8 @@ std::vector<RepairAction> keep_largest_component(TriangleSoup& soup) {
 using CleaningStep = std::vector<RepairAction> (*)(TriangleSoup& soup);
 
 // Welding and flips can make faces meet that did not before, which the next round separates.
-constexpr CleaningStep kCleaningSteps[] = {cancel_opposite_faces, repair, weld_edges,
-                                           separate_sheets, remove_flat_faces};
+constexpr CleaningStep kCleaningSteps[] = {cancel_opposite_faces, repair, weld_edges, separate,
+                                           remove_flat_faces};
 
 /// Far more than any scan takes; each round but the last removes something.
 constexpr int kMostRounds = 100;
