@@ -13,12 +13,15 @@ from plots import (
     table_5_3, table_thesis, twins, wavefronts,
 )  # fmt: skip
 from plots.drawing import Drawing
+from plots.ratios import MANY
 from results import table
 from results.reader import ResultError, Run
 from results.table import Table
 
 TABLES: dict[str, Callable[[Run], Table]] = {
-    "summary": summary.table,
+    "summary": summary.overall,
+    "summary_by_mesh": summary.by_mesh,
+    "every_solver": summary.every,
     "table_thesis": table_thesis.table,
     "table_5_1": table_5_1.table,
     "table_5_2": table_5_2.table,
@@ -65,7 +68,7 @@ OF = "_of_"
 
 EVERYTHING: dict[str, Callable[[Run], Table | Drawing]] = {**TABLES, **FIGURES}
 WITH_SECONDS = {
-    "summary", "table_thesis", "table_5_2", "table_growth", "table_growth_exponents", "answers",
+    "summary_by_mesh", "every_solver", "table_thesis", "table_5_2", "table_growth", "table_growth_exponents", "answers",
     "break_even_numbers", "figure_5_9", "time_over_vertices", "break_even", "frontier",
     "which_to_take", "which_to_take_mean",
 }  # fmt: skip
@@ -76,12 +79,12 @@ ON = "_on_processor_"
 
 
 OF_MANY: dict[str, Callable[[Run], Table | Drawing]] = {
-    "summary": many.table,
+    "summary": summary.overall,
     "table_5_3": table_5_3.table,
     "overview": many.overview,
     "time_over_vertices": many.over_vertices,
 }
-"""What is drawn, in place of EVERYTHING, of a run of more than `many.MANY` meshes."""
+"""What is drawn, in place of EVERYTHING, of a run of more than `MANY` meshes."""
 OF_MANY_WITH_SECONDS = {"time_over_vertices"}
 
 
@@ -96,7 +99,7 @@ def _parts(run: Run, name: str) -> dict[str, tuple[Run, str]]:
     if name in BY_MESH and len(run.meshes) > 1:
         parts |= {f"{name}{OF}{quote(m, safe='')}": run.of_meshes([m]) for m in run.meshes}
     processors = run.processors
-    with_seconds = WITH_SECONDS if len(run.meshes) <= many.MANY else OF_MANY_WITH_SECONDS
+    with_seconds = WITH_SECONDS if len(run.meshes) <= MANY else OF_MANY_WITH_SECONDS
     if name not in with_seconds or len(processors) < 2:
         return {part: (of, "") for part, of in parts.items()}
     return {
@@ -117,11 +120,11 @@ def draw(run: Run, names: Sequence[str] = ()) -> tuple[dict[str, Table | Drawing
         raise ResultError(f"{run.file}: a run of several programs; the gate compares them")
     drawn: dict[str, Table | Drawing] = {}
     left_out: dict[str, str] = {}
-    known = EVERYTHING if len(run.meshes) <= many.MANY else OF_MANY
+    known = EVERYTHING if len(run.meshes) <= MANY else OF_MANY
     for one in names or known:
         if one not in known:
             left_out[one] = (
-                f"{run.file}: drawn of at most {many.MANY} meshes, which --meshes chooses; "
+                f"{run.file}: drawn of at most {MANY} meshes, which --meshes chooses; "
                 f"the run has {len(run.meshes)}"
             )
             continue

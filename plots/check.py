@@ -1,4 +1,5 @@
-"""Whether every cell of a run is there and verified; exit code 1 and a list of what is not.
+"""What a run shows, in short, and whether every cell of it is there and verified; exit code 1 and a
+list of what is not.
 
 A solver that declares that it does not support a mesh, an outcome that the suite expects, and a
 solver that was skipped on a mesh for a stated reason, are listed but are no failures. A mesh that
@@ -10,29 +11,22 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 
 from results import console
+from results.console import printable
 
 if __name__ == "__main__":
     console.prepare("geodesic-bench check")  # before imports that may fail
 
 import numpy as np
 
+from plots.declared import ALLOWED, allowed, reasons
 from results.reader import CLOSED_FORM, OK, ResultError, Row, Run, newest_run, read_run
+from results.table import to_text
 
-ALLOWED = ("unsupported", "skipped")
 MANY = 100
 """Lines of a kind: of more, the first are listed."""
-
-
-def allowed(run: Run) -> list[Row]:
-    """Rows without a time that are no failures."""
-    expected: dict[str, str] = run.ours.get("expected", {})
-    return [
-        row
-        for row in run.without_a_time
-        if row.outcome in ALLOWED or row.outcome == expected.get(f"{row.solver}/{row.mesh}")
-    ]
 
 
 def line(row: Row) -> str:
@@ -81,8 +75,8 @@ def parts_missing(run: Run) -> list[str]:
 
 
 def skipped(run: Run) -> list[str]:
-    """One line a solver, or all solvers, that the run skipped on a mesh."""
-    return [f"{skip.mesh}, {skip.solver or 'all solvers'}: {skip.why}" for skip in run.skipped]
+    """One line a mesh that the run skipped whole."""
+    return [f"{skip.mesh}: {skip.why}" for skip in run.not_measured]
 
 
 def largest_errors(run: Run) -> list[str]:
@@ -142,20 +136,33 @@ def main(arguments: Sequence[str] | None = None) -> int:
         "--others-may-fail", action="store_true",
         help="list the failures of plug-ins' solvers and of oracles, and accept them",
     )  # fmt: skip
+    parser.add_argument(
+        "--long", action="store_true", help="every solver on every mesh, and where errors are largest"
+    )
     options = parser.parse_args(arguments)
+    from plots import headline, summary  # which import this module
+
     try:
         run = read_run(options.run or newest_run())
     except ResultError as error:
         return console.complain(error)
+    if len(run.columns.texts.get("program", ())) < 2:  # the gate compares programs
+        for sentence in headline.sentences(run):
+            print(printable(sentence))
+        print("", to_text(replace(summary.overall(run), remarks=[])), sep="\n")
+    if options.long:
+        print(to_text(summary.every(run)))
+        for largest in largest_errors(run):
+            print(f"largest relative error: {largest}")
+    else:
+        print(f"Every solver on every mesh: geodesic-bench check --long --run {run.file.parent}")
     for words in first(skipped(run)):
         print(f"NOT MEASURED: {words}")
-    for words in first([line(row) for row in allowed(run)]):
+    for words in reasons(run).values():
         print(f"without a time: {words}")
     found = findings(run) if options.others_may_fail else []
     for words in first([line(row) for row in found]):
         print(f"FOUND: {words}")
-    for largest in largest_errors(run):
-        print(f"largest relative error: {largest}")
     failed = failures(run, found)
     for failure in first(failed):
         print(f"FAILED: {failure}")

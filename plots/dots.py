@@ -15,6 +15,7 @@ from plots import style
 from plots.logarithmic import logarithmic
 from plots.measures import columns, failure
 from plots.models import ordered_meshes
+from plots.ratios import number
 from plots.style import SolverStyle
 from results.published import THESIS_SOLVERS
 from results.reader import Mesh, ResultError, Run
@@ -174,10 +175,6 @@ def reach(values: Mapping[str, Sequence[float]]) -> float:
     @return the largest value that a figure of them has to show"""
     of_thesis = [value for s in THESIS_SOLVERS for value in values.get(s, [])]
     return BEYOND * max(of_thesis) if of_thesis else math.inf
-
-
-def number(value: float) -> str:
-    return f"{value:,.0f}" if value >= 100 else f"{value:#.3g}"
 
 
 def _draw_dot(axes: Axes, y: float, dot: Dot, look: SolverStyle, *, limit: float) -> None:

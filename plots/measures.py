@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
+from plots.declared import is_allowed, reasons
 from results.published import THESIS_SOLVERS, Published
 from results.reader import OK, Mesh, Row, Run
 from results.statistics import Estimate, median
@@ -170,12 +171,13 @@ def failure(run: Run, mesh: str, solver: str) -> Cell | None:
     rows = run.cell(mesh, solver)
     if any(row.ok for row in rows):
         return None
-    if rows:
-        return Cell(rows[0].outcome, note=_failed(rows))
     skip = run.skip(mesh, solver)
-    if skip is not None:
-        return Cell("skipped", note=f"Skipped, {solver} on {mesh}: {skip.why}")
-    return Cell("missing")
+    if rows and not is_allowed(run, rows[0]):
+        return Cell(rows[0].outcome, note=_failed(rows))
+    if rows or (skip and skip.solver):
+        outcome = rows[0].outcome if rows else "skipped"
+        return Cell(outcome, note=reasons(run)[solver, outcome])
+    return Cell("skipped", note=f"{mesh}: {skip.why}") if skip else Cell("missing")
 
 
 def our_cell(run: Run, mesh: str, solver: str, measure: Measure) -> Cell:

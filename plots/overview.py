@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from plots import style
-from plots.dots import number, sentences
+from plots.dots import sentences
 from plots.drawing import Drawing
 from plots.logarithmic import ratio_axis
-from plots.measures import EDGE_BASED, baseline, measured_solvers
-from plots.ratios import BELOW_1, BY_KEY, Ratio, time_over
+from plots.measures import measured_solvers
+from plots.ratios import BELOW_1, BY_KEY, Ratio, fastest_exact, mean, number, over_each_mesh, time_over
 from results.reader import Mesh, ResultError, Run
 from results.statistics import geometric_mean
 
@@ -27,9 +29,11 @@ def kind(mesh: Mesh) -> str:
 
 def figure(run: Run) -> Drawing:
     """@raises ResultError when no solver has a time"""
-    base = baseline(run, EDGE_BASED)
+    base = fastest_exact(run)
     solvers = [solver for solver in measured_solvers(run) if run.solvers[solver].exact]
     ratios = [time_over(base), BY_KEY["propagations over the limit"]]
+    by_time = over_each_mesh(run, base)
+    solvers.sort(key=lambda s: mean(by_time[s]) if s in by_time else math.inf)
     by_solver = [{s: _means(run, ratio, s) for s in solvers} for ratio in ratios]
     both = zip(ratios, by_solver, strict=True)
     panels = [(ratio, means) for ratio, means in both if any(means.values())]
@@ -50,11 +54,11 @@ def figure(run: Run) -> Drawing:
         for name in KINDS
         if counts[name]
     ]
-    mean = Line2D(
+    bar = Line2D(
         [], [], linestyle="", label="geometric mean", marker="|", color=style.INK, markersize=11,
         markeredgewidth=1.8,
     )  # fmt: skip
-    style.legend_above(picture, [*marks, mean])
+    style.legend_above(picture, [*marks, bar])
     both_panels = len(panels) > 1
     return Drawing(
         title="Overview",
@@ -95,13 +99,13 @@ def _mark(of: str, color: str) -> dict[str, object]:
 def _draw(axes: Axes, run: Run, means: dict[str, dict[str, float]]) -> None:
     styles = style.solver_styles(run.solvers)
     for place, (solver, by_mesh) in enumerate(means.items()):
-        for name, mean in by_mesh.items():
-            axes.plot([mean], [place], **_mark(kind(run.meshes[name]), styles[solver].color))
+        for name, ratio in by_mesh.items():
+            axes.plot([ratio], [place], **_mark(kind(run.meshes[name]), styles[solver].color))
         if by_mesh:
-            mean = geometric_mean([[[mean] for mean in by_mesh.values()]]).value
-            axes.plot([mean], [place], "|", color=style.INK, markersize=17, markeredgewidth=1.8)
+            middle = mean(np.array(list(by_mesh.values())))
+            axes.plot([middle], [place], "|", color=style.INK, markersize=17, markeredgewidth=1.8)
             axes.annotate(
-                number(mean), (mean, place), (0, 10), textcoords="offset points", ha="center"
+                number(middle), (middle, place), (0, 10), textcoords="offset points", ha="center"
             )
     axes.set_yticks(range(len(means)), [style.plain(solver) for solver in means])
     axes.set_ylim(len(means) - 0.5, -0.6)

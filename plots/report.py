@@ -16,7 +16,8 @@ if __name__ == "__main__":
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from plots import check
+from plots import check, headline
+from plots.declared import reasons
 from results.reader import ResultError, Run, read_run, run_folder
 from results.table import Table, mark
 
@@ -28,8 +29,11 @@ TEMPLATES = Environment(
     undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True,
 )  # fmt: skip
 CSS_DPI = 96
-SECTION_OF = {"summary": "results", "table_thesis": "thesis"}
+SECTION_OF = {"summary_by_mesh": "results", "table_thesis": "thesis", "every_solver": "long",
+              "summary": "long"}  # fmt: skip
 """Of a table; the others are in "tables"."""
+FIRST = "overview"
+"""The picture that stands before all others."""
 FEW = 4
 """As many meshes are named in the title, more are counted."""
 
@@ -40,17 +44,19 @@ def page(
     """@param figures the folder that the figures' PNG files are in"""
     from plots.catalogue import base_name  # drawn by it, so it has been imported
 
+    places = SECTION_OF | ({} if "summary_by_mesh" in map(base_name, drawn) else {"summary": "results"})
     tables: dict[str, dict[str, Table]] = {}
     pictures = {}
     for name, one in drawn.items():
         if isinstance(one, Table):
-            tables.setdefault(SECTION_OF.get(base_name(name), "tables"), {})[name] = one
+            tables.setdefault(places.get(base_name(name), "tables"), {})[name] = one
         else:
             pictures[name] = picture(one, figures / f"{name}.png")
     sections = {
-        "results": "Results" if "results" in tables else "",
+        "results": "Results" if "results" in tables or FIRST in pictures else "",
         "thesis": "Compared with the thesis" if "thesis" in tables else "",
-        "figures": "Figures" if pictures else "",
+        "long": "Every solver on every mesh" if "long" in tables else "",
+        "figures": "Figures" if pictures.keys() - {FIRST} else "",
         "tables": "Tables" if "tables" in tables else "",
         "cells": "Cells",
         "machine": "Machine and revision",
@@ -59,14 +65,16 @@ def page(
     folder = _folder(run)
     return TEMPLATES.get_template("report.html").render(
         title=_title(run),
-        summary=_summary(run),
+        about=_about(run),
+        headline=headline.sentences(run),
         sections={key: title for key, title in sections.items() if title},
         tables=tables,
-        pictures=pictures,
+        first={name: one for name, one in pictures.items() if name == FIRST},
+        pictures={name: one for name, one in pictures.items() if name != FIRST},
         checked=check.checked_against_truth(run).capitalize(),
         failed=check.first(check.failures(run)),
         errors=check.largest_errors(run),
-        without_a_time=check.first([check.line(row) for row in check.allowed(run)]),
+        without_a_time=list(reasons(run).values()),
         skipped=check.first(check.skipped(run)),
         machine=_machine(run),
         commands={
@@ -104,16 +112,14 @@ def _folder(run: Run) -> str:
     return shlex.quote(str(folder.relative_to(root) if folder.is_relative_to(root) else folder))
 
 
-def _summary(run: Run) -> str:
-    passed = check.verified(run)
-    without_a_time = check.cells(check.allowed(run))
+def _about(run: Run) -> str:
+    ours = run.ours
     stand_ins = sum(mesh.stand_in for mesh in run.meshes.values())
     return (
         f"Solvers: {len(run.solvers)}. Meshes: {len(run.meshes)}"
         + (f", stand-ins among them: {stand_ins}" if stand_ins else "")
-        + f". Cells: {passed} verified, {len(check.failures(run))} failed or missing"
-        + (f", {without_a_time} without a time, as declared or expected" if without_a_time else "")
-        + ". Only times of solvers whose distances were verified are shown."
+        + f". Measured on {ours['started'][:10]}, {_processors(run)}; revision "
+        f"{ours['revision'][:10]}. Only times of answers that were verified are shown."
     )
 
 

@@ -1,37 +1,166 @@
-"""The compact table of a run: each solver on each mesh, the fastest first."""
+"""The results of a run in three tables: a line a solver, ratios mesh by mesh, and every solver on
+every mesh. All ratios of times are to the fastest exact solver."""
 
 from __future__ import annotations
 
+import numpy as np
+
 from plots.measures import (
-    EDGE_BASED, ERROR, PEAK_BYTES, PROPAGATIONS, TIME, baseline, by_source, columns, failure,
-    our_cell, partial_failure, time_unit, values,
+    ABSENT, ERROR, PEAK_BYTES, PROPAGATIONS, TIME, by_source, columns, count, failure, our_cell,
+    partial_failure, time_unit, values,
 )  # fmt: skip
 from plots.models import left_out, ordered_meshes
-from plots.ratios import Ratio, mean_cell, over_meshes, time_over
-from results.reader import Mesh, Run
-from results.statistics import median
+from plots.ratios import (
+    MANY, Floats, Ratio, fastest_exact, mean, number, over_each_mesh, over_meshes, plain, time_over,
+)  # fmt: skip
+from results.reader import OK, Mesh, ResultError, Run
+from results.statistics import geometric_mean, median
 from results.table import BLANK, Cell, Table, estimate_cell
 
 ALL = "all meshes"
+QUANTILES = (0.05, 0.25, 0.5, 0.75, 0.95)
+"""Shown of many meshes; of fewer, the least and the greatest."""
+PAIRED = (
+    "Ratios of times are paired by mesh, source and repetition; a mean is geometric, over the meshes "
+    "that have both times, each of which counts once."
+)
 
 
-def table(run: Run) -> Table:
-    base = baseline(run, EDGE_BASED)
-    ratio = time_over(base)
-    rows = [row for mesh in ordered_meshes(run) for row in _block(run, mesh, ratio)]
-    if len(run.meshes) > 1:
-        rows += _means(run, ratio)
+def overall(run: Run) -> Table:
+    """A line a solver, the fastest first."""
+    base = fastest_exact(run)
+    of = over_each_mesh(run, base)
+    few = len(run.meshes) <= MANY
+    spread = ["Least", "Most"] if few else [f"{100 * q:.0f}%" for q in QUANTILES]
     return Table(
         name="summary",
-        title="Results",
+        title="Results over all meshes" if len(run.meshes) > 1 else "Results",
+        header=["Solver", time_over(base).label, "Meshes", *spread, "Verified", "Without a time",
+                ERROR.label],
+        text_columns=1,
+        rows=[
+            [_name(run, solver), *_ratios(run, base, solver, of.get(solver)), *_counts(run, solver)]
+            for solver in sorted(columns(run), key=lambda s: mean(of[s]) if s in of else np.inf)
+        ],
+        remarks=[
+            PAIRED + (
+                " In brackets the 95% bootstrap interval; then the meshes with the least and the "
+                "greatest ratio."
+                if few
+                else " Then quantiles over these meshes. Tables of fewer meshes have a line for each: "
+                "python3 -m plots --meshes A,B."
+            ),
+            "Verified and without a time: cells, each a mesh and a source.",
+        ],
+    )  # fmt: skip
+
+
+def _name(run: Run, solver: str) -> Cell:
+    promise = "" if run.solvers[solver].exact else f" ({run.solvers[solver].promise})"
+    return Cell(f"{solver}{promise}", solver)
+
+
+def _ratios(run: Run, base: str, solver: str, of: Floats | None) -> list[Cell]:
+    few = len(run.meshes) <= MANY
+    if of is None:
+        return [BLANK, Cell("0", 0), *[BLANK] * (2 if few else len(QUANTILES))]
+    ratio, value = time_over(base), mean(of)
+    interval = over_meshes(ratio, run, list(run.meshes), solver) if few else None
+    first = Cell(plain(value), value)
+    if interval and solver != base:
+        first = estimate_cell(interval.estimate, ratio.interval(interval.estimate))
+    spread = [of.min(), of.max()] if few else np.quantile(of, QUANTILES)
+    return [first, Cell(f"{len(of):,}", len(of)), *(Cell(plain(v), float(v)) for v in spread)]
+
+
+def _counts(run: Run, solver: str) -> list[Cell]:
+    cells = run.columns
+    own, ok = cells.where("solver", solver), cells.where("outcome", OK)
+    errors = cells.number(ERROR.key)[own & ok]
+    known = errors[~np.isnan(errors)]
+    counts = (cells.cells(own & ok), cells.cells(own & ~ok))
+    largest = float(known.max()) if len(known) else None
+    error = BLANK if largest is None else Cell(ERROR.show(largest), largest)
+    return [*(Cell(f"{one:,}", one) for one in counts), error]
+
+
+def by_mesh(run: Run) -> Table:
+    """Meshes x solvers. @raises ResultError when no solver has a time"""
+    base = fastest_exact(run)
+    if not base:
+        raise ResultError(f"{run.file}: no verified time")
+    of = over_each_mesh(run, base)
+
+    def place(solver: str) -> tuple[bool, bool, float]:
+        return solver != base, not run.solvers[solver].exact, mean(of[solver]) if solver in of else np.inf
+
+    solvers = sorted(columns(run), key=place)
+    means = [_mean(of[s], len(run.meshes)) if s in of else BLANK for s in solvers[1:]]
+    rows = [[Cell(ALL), BLANK, BLANK, *means]] if len(run.meshes) > 1 else []
+    for mesh in ordered_meshes(run):
+        seconds = by_source(values(run, mesh.name, base, TIME))
+        value = median(seconds).value if seconds else None
+        own = _missing(run, mesh, base) if value is None else Cell(_time(value), value)
+        rows.append([
+            Cell(mesh.label, mesh.name),
+            Cell(count(mesh.vertices), mesh.vertices),
+            own,
+            *(_ratio(run, mesh, time_over(base), solver) for solver in solvers[1:]),
+        ])  # fmt: skip
+    return Table(
+        name="summary_by_mesh",
+        title=f"Time over that of {base}",
+        header=["Mesh", "Vertices", f"{base}, time", *(_name(run, s).text for s in solvers[1:])],
+        text_columns=1,
+        rows=rows,
+        remarks=[f"CPU time of one solve without preparation. {PAIRED}", *left_out(run)],
+    )
+
+
+def _mean(ratios: Floats, meshes: int) -> Cell:
+    few = f" (on {len(ratios)})" if len(ratios) < meshes else ""
+    return Cell(number(mean(ratios)) + few, mean(ratios))
+
+
+def _time(seconds: float) -> str:
+    return time_unit([seconds]).text(seconds)
+
+
+def _missing(run: Run, mesh: Mesh, solver: str) -> Cell:
+    failed = failure(run, mesh.name, solver) or Cell(ABSENT)
+    declared = failed.text in ("unsupported", "skipped")
+    return Cell(ABSENT if declared else failed.text, title=failed.note)
+
+
+def _ratio(run: Run, mesh: Mesh, ratio: Ratio, solver: str) -> Cell:
+    sample = ratio.measured(run, mesh.name, solver)
+    times = by_source(values(run, mesh.name, solver, TIME))
+    if not times:
+        return _missing(run, mesh, solver)
+    words = [_time(median(times).value), partial_failure(run, mesh.name, solver)]
+    if not sample:
+        return Cell(_time(median(times).value), title=words[1])
+    estimate = geometric_mean([sample])
+    words.insert(1, f"ratio {ratio.interval(estimate)}")
+    return Cell(
+        number(estimate.value), estimate.value, estimate.low, estimate.high,
+        title="; ".join(filter(None, words)),
+    )  # fmt: skip
+
+
+def every(run: Run) -> Table:
+    """A line for each solver on each mesh, the fastest first."""
+    ratio = time_over(fastest_exact(run))
+    return Table(
+        name="every_solver",
+        title="Every solver on every mesh",
         header=["Mesh", "Solver", "Time", ratio.label, "Windows", "Memory (MB)", "Largest error"],
         text_columns=2,
-        rows=rows,
+        rows=[row for mesh in ordered_meshes(run) for row in _block(run, mesh, ratio)],
         remarks=[
             "CPU time of one solve without preparation, window propagations, measured peak memory "
             "of the solver: medians over sources and repetitions. Ratios of times are paired by "
-            "source and repetition, with 95% bootstrap intervals; a mean is geometric, over the "
-            "meshes that have the ratio.",
+            "source and repetition, with 95% bootstrap intervals.",
             *left_out(run),
         ],
     )
@@ -55,19 +184,4 @@ def _block(run: Run, mesh: Mesh, ratio: Ratio) -> list[list[Cell]]:
                 *(our_cell(run, mesh.name, solver, m) for m in (PROPAGATIONS, PEAK_BYTES, ERROR)),
             ]
         rows.append([Cell("" if rows else mesh.name, mesh.label), _name(run, solver), *cells])
-    return rows
-
-
-def _name(run: Run, solver: str) -> Cell:
-    promise = "" if run.solvers[solver].exact else f" ({run.solvers[solver].promise})"
-    return Cell(f"{solver}{promise}", solver)
-
-
-def _means(run: Run, ratio: Ratio) -> list[list[Cell]]:
-    means = {s: over_meshes(ratio, run, list(run.meshes), s) for s in columns(run)}
-    known = {solver: mean for solver, mean in means.items() if mean}
-    rows: list[list[Cell]] = []
-    for solver, mean in sorted(known.items(), key=lambda item: item[1].estimate.value):
-        cells = [BLANK, mean_cell(ratio, mean, solver), BLANK, BLANK, BLANK]
-        rows.append([Cell("" if rows else ALL, ALL), _name(run, solver), *cells])
     return rows

@@ -29,6 +29,8 @@ class Cell:
     """Instead of the escaped text."""
     link: str = ""
     """On a page: the address of what the text names."""
+    title: str = ""
+    """On a page: shown while the cell is pointed at."""
 
 
 BLANK = Cell("")
@@ -65,6 +67,9 @@ class Table:
     def notes(self) -> list[str]:
         """The footnotes in the order in which their cells come."""
         return list(dict.fromkeys(cell.note for row in self.rows for cell in row if cell.note))
+
+    def has_titles(self) -> bool:
+        return any(cell.title for row in self.rows for cell in row)
 
 
 def without_empty_columns(table: Table) -> Table:

@@ -232,7 +232,7 @@ RunResult Run::conclude() const {
   std::cerr << ok_ << " of " << cells_.size() << " cells ok";
   if (unsupported > 0) std::cerr << ", " << unsupported << " unsupported as declared";
   std::cerr << std::endl;
-  std::cout << result_table(rows_) << '\n' << (folder_ / "run.json").string() << std::endl;
+  std::cout << (folder_ / "run.json").string() << std::endl;
   return result;
 }
 

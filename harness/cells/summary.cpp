@@ -5,11 +5,9 @@
 #include <iomanip>
 #include <iostream>
 #include <map>
-#include <optional>
 #include <sstream>
 
 #include "harness/base/error.h"
-#include "harness/results/text_table.h"
 
 namespace geodesic::harness {
 namespace {
@@ -70,30 +68,6 @@ std::string time_text(double ms) {
   return ms < 1e3 ? fixed_digits(ms, 4) + " ms" : fixed_digits(1e-3 * ms, 4) + " s";
 }
 
-std::string error_text(double error) {
-  std::ostringstream text;
-  text << std::scientific << std::setprecision(1) << error;
-  return error == 0 ? "0" : text.str();
-}
-
-// Of a solver on a mesh, over sources and repetitions.
-struct Summary {
-  std::vector<double> ms = {};
-  std::optional<double> max_relative_error = {};
-  std::map<std::string_view, int> failures = {};  // by outcome
-
-  double median_ms() const { return ms.empty() ? kInfinity : median(ms); }
-  std::string outcome() const {
-    std::vector<std::string> words;
-    if (!ms.empty()) words.emplace_back("ok");
-    for (const auto& [name, count] : failures) {
-      words.push_back(ms.empty() ? std::string(name)
-                                 : std::to_string(count) + ' ' + std::string(name));
-    }
-    return join(words);
-  }
-};
-
 }  // namespace
 
 RunResult report_failures(const std::vector<Row>& rows, const Plan& plan, const Suite& suite) {
@@ -113,39 +87,6 @@ std::string one_line(const std::vector<Row>& rows) {
   std::vector<double> times;
   for (const Row& row : rows) times.push_back(row.solve_time());
   return "ok  " + time_text(median(times));
-}
-
-std::string result_table(const std::vector<Row>& rows) {
-  std::vector<std::string> meshes;  // in their order
-  std::map<std::string, std::map<std::string, Summary>> summaries;
-  for (const Row& row : rows) {
-    if (!summaries.contains(row.mesh)) meshes.push_back(row.mesh);
-    Summary& summary = summaries[row.mesh][row.solver + (row.program ? " by " + *row.program : "")];
-    // Of wrong answers too.
-    summary.max_relative_error = std::max(summary.max_relative_error, row.max_relative_error);
-    if (row.ok()) {
-      summary.ms.push_back(row.solve_time());
-    } else {
-      ++summary.failures[name_of(row.outcome)];
-    }
-  }
-  TextTable table{{"mesh", "solver", "time", "ratio", "max error", "outcome"}};
-  for (const std::string& mesh : meshes) {
-    std::vector<std::pair<std::string, Summary>> solvers(summaries[mesh].begin(),
-                                                         summaries[mesh].end());
-    std::ranges::stable_sort(solvers, {},
-                             [](const auto& solver) { return solver.second.median_ms(); });
-    const double best = solvers.front().second.median_ms();
-    for (const auto& [solver, summary] : solvers) {
-      const bool timed = !summary.ms.empty();
-      const double ms = summary.median_ms();
-      const std::optional<double>& error = summary.max_relative_error;
-      table.push_back({mesh, solver, timed ? time_text(ms) : "",
-                       timed ? fixed_digits(ms / best, 3) : "", error ? error_text(*error) : "",
-                       summary.outcome()});
-    }
-  }
-  return as_text(table);
 }
 
 }  // namespace geodesic::harness

@@ -1,4 +1,4 @@
-// What a run ends with: what failed, its exit code, and a table of results.
+// What a run ends with: what failed, and its exit code. Results are judged by plots/check.py.
 #pragma once
 
 #include <string>
@@ -17,10 +17,6 @@ enum class RunResult { ok = 0, error = 1, wrong_answer = 2 };
 /// expects, unsupported meshes, cells that were skipped after a failure, and meshes that are not in
 /// the cache are no errors.
 RunResult report_failures(const std::vector<Row>& rows, const Plan& plan, const Suite& suite);
-
-/// For each mesh its solvers, the fastest first: median time over sources and repetitions, its
-/// ratio to the fastest, the largest relative error, and what failed.
-std::string result_table(const std::vector<Row>& rows);
 
 /// "ok  12.3 ms", "wrong answer: vertex 7 has ..."
 /// @param rows of one cell

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from plots import catalogue, check, many
+from plots import catalogue, check
+from plots.ratios import MANY, over_each_mesh
 from results import merge
 from results.columns import Columns, NotColumns
 from results.reader import ColumnRows, ResultError, Run, read_file, read_run, run_of
@@ -134,10 +135,10 @@ def crowd(golden_folder: Path, meshes: int) -> Run:
 
 
 def test_of_many_meshes_the_spread_is_drawn(golden_folder: Path) -> None:
-    run = crowd(golden_folder, many.MANY + 1)
+    run = crowd(golden_folder, MANY + 1)
     drawn, left_out = catalogue.draw(run)
     assert list(drawn) == list(catalogue.OF_MANY) and not left_out
-    found = many.ratios(run, "edge-based")["mmp"]
+    found = over_each_mesh(run, "edge-based")["mmp"]
     one = crowd(golden_folder, 1)
     pairs = {
         (row.source, row.repetition): row.time for row in one.cell("horse-1", "edge-based") if row.ok
@@ -147,7 +148,7 @@ def test_of_many_meshes_the_spread_is_drawn(golden_folder: Path) -> None:
         for row in one.cell("horse-1", "mmp")
         if (row.source, row.repetition) in pairs
     ]
-    assert np.allclose(found, np.exp(np.mean(logs)) * np.arange(1, many.MANY + 2), rtol=1e-12)
+    assert np.allclose(found, np.exp(np.mean(logs)) * np.arange(1, MANY + 2), rtol=1e-12)
     _, refused = catalogue.draw(run, ["table_5_2"])
     assert "drawn of at most 100 meshes, which --meshes chooses" in refused["table_5_2"]
     few, _ = catalogue.draw(run.of_meshes(["horse-1", "horse-7"]), ["table_5_2"])

@@ -125,7 +125,7 @@ def test_nothing_reaches_over_the_edge_of_the_page(page: Any, width: int) -> Non
 def test_the_table_of_results_is_as_wide_as_the_page(page: Any) -> None:
     """At 1280 pixels every solver and number of it is in sight without scrolling sideways."""
     shown, all_of_it = page.execute_script(
-        """const box = document.querySelector('#summary .scroll');
+        """const box = document.querySelector('#summary_by_mesh .scroll');
            return [box.clientWidth, box.scrollWidth]"""
     )
     assert 0 < all_of_it <= shown

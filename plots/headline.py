@@ -1,0 +1,169 @@
+"""What a reader wants to know first: a few sentences, all computed from the run."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from plots import check
+from plots.measures import ERROR, LIMIT_SOLVER
+from plots.models import groups_of_thesis
+from plots.ratios import MANY, Floats, fastest_exact, mean, number, over_each_mesh, over_meshes, time_over
+from plots.table_thesis import SPEED, WINDOWS, Pair, compare
+from results.reader import CLOSED_FORM, OK, ResultError, Run
+
+INEXACT = 2
+"""So many solvers that are not exact have a sentence, the fastest."""
+FEW = 4
+"""Meshes or solvers that are named; more are counted."""
+
+
+def sentences(run: Run) -> list[str]:
+    base = fastest_exact(run)
+    if not base:
+        return ["No answer of the run is verified, so that it has no times."]
+    ratios = over_each_mesh(run, base)
+    found = [_speed(run, base, ratios), _inexact(run, base, ratios), _verified(run), _lacking(run),
+             _thesis(run)]  # fmt: skip
+    return [sentence for sentence in found if sentence]
+
+
+def _speed(run: Run, base: str, ratios: dict[str, Floats]) -> str:
+    exact = [s for s in ratios if run.solvers[s].exact]
+    others = [s for s in (exact or ratios) if s != base]
+    kind = "exact " if exact else ""
+    lone = "" if exact else "No exact solver has a verified time. "
+    if not others:
+        return f"{lone}{base} is the only {kind}solver with a verified time{_on(run, ratios[base])}."
+    second = fastest_exact(run, but={base, *(s for s in ratios if s not in others)})
+    more = [s for s in others if s != second]
+    last = LIMIT_SOLVER if LIMIT_SOLVER in more else max(more, key=lambda s: mean(ratios[s]), default="")
+    named = f"{second}, the fastest of the other {kind}solvers" if more else f"{second}, the other {kind}solver"
+    resolved = _resolved(run, base, second)
+    if resolved is None:
+        share = mean(ratios[second])
+        words = (f"The run does not resolve which of {base} and {second} is faster "
+                 f"(ratio {share:.3f}){_on(run, ratios[second])}")  # fmt: skip
+        if last:
+            words += f"; {base} takes {_share(ratios[last])} of {last}{_on(run, ratios[last])}"
+        return f"{lone}{words}."
+    words = f"{base} takes {_share(ratios[second])} of {named}"
+    if not last:
+        return f"{lone}{words}{_on(run, ratios[second])}."
+    same = len(ratios[second]) == len(ratios[last])
+    middle = "" if same else _on(run, ratios[second])
+    return f"{lone}{words}{middle}, and {_share(ratios[last])} of {last}{_on(run, ratios[last])}."
+
+
+def _resolved(run: Run, base: str, other: str) -> bool | None:
+    """None: the interval of the ratio contains 1."""
+    if len(run.meshes) > MANY:
+        return True
+    found = over_meshes(time_over(base), run, list(run.meshes), other)
+    return True if found is None or found.estimate.excludes_one else None
+
+
+def _share(ratios: Floats) -> str:
+    """Of the base's time in that of a solver with these ratios."""
+    ratio = mean(ratios)
+    return f"1/{_short(ratio)} of the time" if ratio >= 1 else f"{_short(1 / ratio)} times the time"
+
+
+def _short(ratio: float) -> str:
+    return number(ratio) if ratio < 2 else f"{ratio:.1f}" if ratio < 10 else f"{ratio:,.0f}"
+
+
+def _on(run: Run, ratios: Sequence[float] | Floats) -> str:
+    count, of = len(ratios), len(run.meshes)
+    if count < of:
+        return f", on {count:,} of {of:,} meshes"
+    return f", over {of:,} meshes" if of > 1 else f", on {next(iter(run.meshes))}"
+
+
+def _inexact(run: Run, base: str, ratios: dict[str, Floats]) -> str:
+    found = [s for s in ratios if not run.solvers[s].exact]
+    words = []
+    for solver in sorted(found, key=lambda s: mean(ratios[s]))[:INEXACT]:
+        ratio, errors = mean(ratios[solver]), _errors(run, solver)
+        takes = f"1/{_short(1 / ratio)} of" if ratio < 1 else f"{_short(ratio)} times"
+        error = f" with errors of up to {_percent(errors.max())}" if len(errors) else ""
+        words.append(f"{solver} takes {takes} the time of {base}{error}{_on(run, ratios[solver])}")
+    return f"Not exact: {'; '.join(words)}." if words and run.solvers[base].exact else ""
+
+
+def _percent(error: float) -> str:
+    return f"{100 * error:.2g}%" if error >= 1e-4 else f"{error:.1e}"
+
+
+def _errors(run: Run, solver: str) -> Floats:
+    cells = run.columns
+    errors = cells.number(ERROR.key)[cells.where("solver", solver) & cells.where("outcome", OK)]
+    return np.asarray(errors[~np.isnan(errors)])
+
+
+def _verified(run: Run) -> str:
+    cells = run.columns
+    ok = cells.where("outcome", OK)
+    words = f"{_many(cells.cells(ok), 'answer')} verified"
+    worst = {s: errors.max() for s in run.solvers if run.solvers[s].exact and len(errors := _errors(run, s))}
+    if worst:
+        solver = max(worst, key=lambda s: worst[s])
+        words += f", worst relative error of an exact solver {worst[solver]:.1e} ({solver})"
+    against = cells.cells(ok & cells.where("reference", CLOSED_FORM))
+    return words + (f"; {against:,} of them against a closed form." if against else ".")
+
+
+def _many(count: int, what: str) -> str:
+    return f"{count:,} {what}{'s' * (count != 1)}"
+
+
+def _lacking(run: Run) -> str:
+    failed = len(check.failures(run))
+    words = [f"{_many(failed, 'answer')} failed or missing"] if failed else []
+    if run.not_measured:
+        words.append(f"not measured: {_named([skip.mesh for skip in run.not_measured])}")
+    text = "; ".join(words)
+    return f"{text[0].upper()}{text[1:]}." if text else ""
+
+
+def _named(names: list[str]) -> str:
+    rest = len(names) - FEW
+    return ", ".join(names[:FEW]) + (f" and {rest:,} more" if rest > 0 else "")
+
+
+def _thesis(run: Run) -> str:
+    """Of its own models where one is measured, else of stand-ins."""
+    try:
+        groups = groups_of_thesis(run)
+    except ResultError:
+        return ""
+    for kind, meshes in groups.items():
+        speed = compare(run, meshes, SPEED)
+        if len(speed) > 1:
+            break
+    else:
+        return ""
+    models = list(dict.fromkeys(str(mesh.thesis_model) for mesh in meshes))
+    role = "a model of the thesis" if len(models) == 1 else "models of the thesis"
+    place = f"On stand-ins for {_named(models)}" if kind == "stand-ins" else f"On {_named(models)}, {role}"
+    here, there = (sorted(speed, key=lambda s: getattr(speed[s], of)) for of in ("ours", "thesis"))
+    if here == there:
+        order = f"{place}, the order by time is the thesis's: {', '.join(here)}"
+    elif here[0] == there[0]:
+        order = (f"{place}, {here[0]} is the fastest as in the thesis; then come {', '.join(here[1:])}, "
+                 f"in the thesis {', '.join(there[1:])}")  # fmt: skip
+    else:
+        order = f"{place}, the order by time is {', '.join(here)}, in the thesis {', '.join(there)}"
+    most = max(speed, key=lambda s: speed[s].ours)
+    pair = speed[most]
+    times = f"{most} takes {_short(pair.ours)} times as long as edge-based, in the thesis {_short(pair.thesis)}"
+    return f"{order}; {times}{_windows(compare(run, meshes, WINDOWS))}."
+
+
+def _windows(windows: dict[str, Pair]) -> str:
+    if not windows:
+        return ""
+    most = max(windows, key=lambda s: abs(windows[s].ours / windows[s].thesis - 1))
+    change = windows[most].ours / windows[most].thesis - 1
+    return f"; windows propagated over the limit differ by at most {abs(change):.1%} ({most})"
