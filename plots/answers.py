@@ -10,7 +10,7 @@ from plots.measures import (
     columns, failure, interval, our_cell, partial_failure, time_unit,
 )  # fmt: skip
 from plots.models import ordered_meshes
-from plots.ratios import plain
+from plots.ratios import paired, plain
 from results.reader import Mesh, Row, Run
 from results.statistics import geometric_mean, median
 from results.table import BLANK, Cell, Table, estimate_cell
@@ -118,10 +118,10 @@ def _time(run: Run, mesh: str, solver: str, base: str, time: Time) -> list[Cell]
     ours, theirs = (times(run, mesh, s, time) for s in (solver, base))
     estimate = median(by_source(ours))
     shown = time_unit([estimate.value]).text(estimate.value)
-    pairs = {pair: ours[pair] / theirs[pair] for pair in ours.keys() & theirs.keys()}
+    pairs = paired(ours, theirs)
     if not pairs:
         return [estimate_cell(estimate, shown), Cell(ABSENT)]
-    ratio = geometric_mean([by_source(pairs)])
+    ratio = geometric_mean([pairs])
     return [estimate_cell(estimate, shown), estimate_cell(ratio, interval(ratio, plain))]
 
 

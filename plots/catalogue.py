@@ -9,8 +9,8 @@ from urllib.parse import quote
 
 from plots import (
     answers, break_even, curves, dot_figures, drawing, error_map, figure_5_9, figure_6_4, frontier,
-    growth, many, overview, paths, robustness, summary, table_5_1, table_5_2, table_5_2_ratios,
-    table_5_3, table_thesis, twins, wavefronts,
+    growth, many, overview, paths, peers_overview, robustness, summary, table_5_1, table_5_2,
+    table_5_2_ratios, table_5_3, table_thesis, twins, wavefronts,
 )  # fmt: skip
 from plots.drawing import Drawing
 from plots.ratios import MANY
@@ -40,6 +40,7 @@ TABLES: dict[str, Callable[[Run], Table]] = {
     "robustness_failures": robustness.failures,
 }
 FIGURES: dict[str, Callable[[Run], Drawing]] = {
+    "peers_overview": peers_overview.figure,
     "overview": overview.figure,
     "figure_5_7": wavefronts.isoline,
     "figure_5_8": curves.windows,

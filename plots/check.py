@@ -22,6 +22,7 @@ if __name__ == "__main__":
 import numpy as np
 
 from plots.declared import ALLOWED, allowed, reasons
+from plots.measures import of_others
 from results.reader import CLOSED_FORM, OK, ResultError, Row, Run, newest_run, read_run
 from results.table import to_text
 
@@ -35,14 +36,9 @@ def line(row: Row) -> str:
 
 def findings(run: Run) -> list[Row]:
     """Failed rows of solvers of others: of plug-ins, and oracles that share no code with ours."""
-    from_plugins = run.of_plugins
-
-    def of_others(row: Row) -> bool:
-        solver = run.solvers[row.solver]
-        return solver.base in from_plugins or solver.independent_oracle
-
+    others = of_others(run)
     failed = [row for row in run.without_a_time if row.outcome not in ALLOWED]
-    return [row for row in failed if of_others(row)]
+    return [row for row in failed if row.solver in others]
 
 
 def failures(run: Run, harmless: Sequence[Row] = ()) -> list[str]:

@@ -18,8 +18,9 @@ from plots.dots import sentences, without_value
 from plots.drawing import Drawing
 from plots.logarithmic import logarithmic
 from plots.measures import ABSENT, EDGE_BASED, baseline, by_source, columns, count, time_unit
+from plots.ratios import paired
 from results.reader import Mesh, ResultError, Run, Solver
-from results.statistics import Estimate, geometric_mean, median
+from results.statistics import Estimate, Sample, geometric_mean, median
 from results.table import Cell, Table, estimate_cell
 
 COSTS: dict[str, Time] = {
@@ -101,7 +102,7 @@ def over_meshes(run: Run, meshes: Sequence[Mesh], base: str) -> list[Point]:
     points = []
     for solver in (s for s in columns(run) if all(s in of for of in found)):
         ratios = {
-            name: [by_source(_ratios(run, mesh.name, solver, base, cost)) for mesh in meshes]
+            name: [_ratios(run, mesh.name, solver, base, cost) for mesh in meshes]
             for name, cost in COSTS.items()
         }
         if not all(sample for samples in ratios.values() for sample in samples):
@@ -117,11 +118,8 @@ def over_meshes(run: Run, meshes: Sequence[Mesh], base: str) -> list[Point]:
     return points
 
 
-def _ratios(
-    run: Run, mesh: str, above: str, below: str, time: Time
-) -> dict[tuple[int, int], float]:
-    ours, theirs = times(run, mesh, above, time), times(run, mesh, below, time)
-    return {pair: ours[pair] / theirs[pair] for pair in ours if theirs.get(pair)}
+def _ratios(run: Run, mesh: str, above: str, below: str, time: Time) -> Sample:
+    return paired(times(run, mesh, above, time), times(run, mesh, below, time))
 
 
 def front(points: Iterable[Point], cost: str, error: Error) -> list[Point]:
@@ -400,4 +398,4 @@ def _choice(
 def _as_fast(run: Run, mesh: str, rival: str, best: str, cost: Time) -> bool:
     """Whether the interval of the ratio of their times reaches 1."""
     pairs = _ratios(run, mesh, rival, best, cost)
-    return bool(pairs) and geometric_mean([by_source(pairs)]).low <= 1
+    return bool(pairs) and geometric_mean([pairs]).low <= 1

@@ -7,11 +7,15 @@ from collections.abc import Sequence
 import numpy as np
 
 from plots import check
-from plots.measures import ERROR, LIMIT_SOLVER
+from plots.answers import first, times
+from plots.measures import ERROR, LIMIT_SOLVER, of_others
 from plots.models import groups_of_thesis
-from plots.ratios import MANY, Floats, fastest_exact, mean, number, over_each_mesh, over_meshes, time_over
+from plots.ratios import (
+    MANY, Floats, fastest_exact, mean, number, over_each_mesh, over_meshes, paired, time_over,
+)  # fmt: skip
 from plots.table_thesis import SPEED, WINDOWS, Pair, compare
 from results.reader import CLOSED_FORM, OK, ResultError, Run
+from results.statistics import geometric_mean
 
 INEXACT = 2
 """So many solvers that are not exact have a sentence, the fastest."""
@@ -24,7 +28,7 @@ def sentences(run: Run) -> list[str]:
     if not base:
         return ["No answer of the run is verified, so that it has no times."]
     ratios = over_each_mesh(run, base)
-    found = [_speed(run, base, ratios), _inexact(run, base, ratios), _verified(run), _lacking(run),
+    found = [_speed(run, base, ratios), _public(run, base, ratios), _inexact(run, base, ratios), _verified(run), _lacking(run),
              _thesis(run)]  # fmt: skip
     return [sentence for sentence in found if sentence]
 
@@ -54,6 +58,16 @@ def _speed(run: Run, base: str, ratios: dict[str, Floats]) -> str:
     same = len(ratios[second]) == len(ratios[last])
     middle = "" if same else _on(run, ratios[second])
     return f"{lone}{words}{middle}, and {_share(ratios[last])} of {last}{_on(run, ratios[last])}."
+
+
+def _public(run: Run, base: str, ratios: dict[str, Floats]) -> str:
+    others = of_others(run)
+    exact = [s for s in ratios if s in others and run.solvers[s].exact]
+    if not exact or base in others or not run.solvers[base].exact:
+        return ""
+    solver = min(exact, key=lambda s: mean(ratios[s]))
+    return (f"Of the public codes that are exact, {solver} is the fastest: {base} takes "
+            f"{_share(ratios[solver]).replace('the time', 'its time')}{_on(run, ratios[solver])}.")  # fmt: skip
 
 
 def _resolved(run: Run, base: str, other: str) -> bool | None:
@@ -87,9 +101,21 @@ def _inexact(run: Run, base: str, ratios: dict[str, Floats]) -> str:
     for solver in sorted(found, key=lambda s: mean(ratios[s]))[:INEXACT]:
         ratio, errors = mean(ratios[solver]), _errors(run, solver)
         takes = f"1/{_short(1 / ratio)} of" if ratio < 1 else f"{_short(ratio)} times"
-        error = f" with errors of up to {_percent(errors.max())}" if len(errors) else ""
-        words.append(f"{solver} takes {takes} the time of {base}{error}{_on(run, ratios[solver])}")
+        parts = [f"{solver} takes {takes} the time of {base}", _prepared(run, base, solver, ratio)]
+        if len(errors):
+            parts.append(f"with errors of up to {_percent(errors.max())}")
+        words.append(", ".join(filter(None, parts)) + _on(run, ratios[solver]))
     return f"Not exact: {'; '.join(words)}." if words and run.solvers[base].exact else ""
+
+
+def _prepared(run: Run, base: str, solver: str, ratio: float) -> str:
+    """The same of a first answer, where preparation makes a difference."""
+    if len(run.meshes) > MANY:
+        return ""
+    pairs = [paired(*(times(run, mesh, s, first) for s in (solver, base))) for mesh in run.meshes]
+    known = [sample for sample in pairs if sample]
+    whole = geometric_mean(known).value if known else ratio
+    return f"{_short(whole)} times with its preparation" if whole > max(1, 2 * ratio) else ""
 
 
 def _percent(error: float) -> str:

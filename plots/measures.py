@@ -142,6 +142,12 @@ def baseline(run: Run, preferred: str) -> str:
     return preferred if preferred in exact or not exact else exact[0]
 
 
+def of_others(run: Run) -> set[str]:
+    """Public codes: solvers of plug-ins, and oracles that share no code with ours."""
+    plugins = run.of_plugins
+    return {n for n, solver in run.solvers.items() if solver.base in plugins or solver.independent_oracle}
+
+
 def values(run: Run, mesh: str, solver: str, measure: Measure) -> dict[tuple[int, int], float]:
     """The measure by (source, repetition), in the label's unit, where the row has it."""
     return {

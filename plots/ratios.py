@@ -7,7 +7,7 @@ counts once, by the geometric mean over its sources and repetitions.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -28,6 +28,8 @@ MANY = 100
 """Meshes: with more, a run is summed up and no mesh has a line of its own."""
 
 Floats = NDArray[np.float64]
+Numbers = Mapping[tuple[int, int], float]
+"""By source and repetition."""
 
 
 def plain(value: float) -> str:
@@ -41,6 +43,17 @@ def number(value: float) -> str:
 
 def _fewer(value: float) -> str:
     return f"{100 * (1 - value):.1f}%"
+
+
+def paired(above: Numbers, below: Numbers) -> Sample:
+    """Ratios by source, of the pairs of source and repetition in which both are greater than 0."""
+    return by_source(
+        {
+            pair: above[pair] / below[pair]
+            for pair in above.keys() & below.keys()
+            if above[pair] > 0 and below[pair] > 0
+        }
+    )
 
 
 @dataclass(frozen=True)
@@ -62,13 +75,7 @@ class Ratio:
             values(run, mesh, self._solver(run, mesh, of, measure, solver), measure)
             for of, measure in (self.above, self.below)
         )
-        return by_source(
-            {
-                pair: above[pair] / below[pair]
-                for pair in above.keys() & below.keys()
-                if above[pair] > 0 and below[pair] > 0
-            }
-        )
+        return paired(above, below)
 
     @staticmethod
     def _solver(run: Run, mesh: str, of: str, measure: Measure, rival: str) -> str:

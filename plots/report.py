@@ -32,8 +32,8 @@ CSS_DPI = 96
 SECTION_OF = {"summary_by_mesh": "results", "table_thesis": "thesis", "every_solver": "long",
               "summary": "long"}  # fmt: skip
 """Of a table; the others are in "tables"."""
-FIRST = "overview"
-"""The picture that stands before all others."""
+FIRST = ("peers_overview", "overview")
+"""The pictures that stand before all others."""
 FEW = 4
 """As many meshes are named in the title, more are counted."""
 
@@ -53,10 +53,10 @@ def page(
         else:
             pictures[name] = picture(one, figures / f"{name}.png")
     sections = {
-        "results": "Results" if "results" in tables or FIRST in pictures else "",
+        "results": "Results" if "results" in tables or pictures.keys() & set(FIRST) else "",
         "thesis": "Compared with the thesis" if "thesis" in tables else "",
         "long": "Every solver on every mesh" if "long" in tables else "",
-        "figures": "Figures" if pictures.keys() - {FIRST} else "",
+        "figures": "Figures" if pictures.keys() - set(FIRST) else "",
         "tables": "Tables" if "tables" in tables else "",
         "cells": "Cells",
         "machine": "Machine and revision",
@@ -69,8 +69,8 @@ def page(
         headline=headline.sentences(run),
         sections={key: title for key, title in sections.items() if title},
         tables=tables,
-        first={name: one for name, one in pictures.items() if name == FIRST},
-        pictures={name: one for name, one in pictures.items() if name != FIRST},
+        first={name: one for name, one in pictures.items() if name in FIRST},
+        pictures={name: one for name, one in pictures.items() if name not in FIRST},
         checked=check.checked_against_truth(run).capitalize(),
         failed=check.first(check.failures(run)),
         errors=check.largest_errors(run),

@@ -38,6 +38,7 @@ NEEDS = {
     "figure_5_9": ["phase_seconds.queue"],
     "figure_5_10": ["wavefront_sd_edges"],
     "overview": ["window_limit", "cpu_time"],
+    "peers_overview": ["cpu_time"],
     "speedup": ["cpu_time"],
     "time_over_vertices": ["cpu_time"],
     "windows_over_limit": ["window_propagations"],
@@ -88,9 +89,25 @@ def suited(name: str, run: Run) -> Run:
     """The run, as a series of one surface or with a heat method for the figure that needs one."""
     if name == "break_even":
         return with_inexact(run, "my-heat")
+    if name == "peers_overview":
+        return with_peers(run)
     if name == "frontier":
         return with_inexact(run, "my-heat", "steiner?points=7")
     return renamed(run, SERIES) if name == "time_over_vertices" else run
+
+
+def with_peers(run: Run) -> Run:
+    """The run with public codes: an exact one, and a heat method."""
+    rows = [replace(row, solver="vtp") for row in run.rows if row.solver == "mmp"]
+    grown = with_inexact(run, "gc-heat")
+    vtp = replace(run.solvers["mmp"], name="vtp")
+    plugins = [{"file": f"/peers/{name}/lib{name}.so", "solvers": [name]} for name in ("vtp", "gc-heat")]
+    return replace(
+        grown,
+        context=run.context | {"geodesic_bench": run.ours | {"plugins": plugins}},
+        rows=[*grown.rows, *rows],
+        solvers=grown.solvers | {"vtp": vtp},
+    )
 
 
 def with_inexact(run: Run, *names: str) -> Run:
@@ -295,7 +312,8 @@ def test_all_draws_what_it_can_and_says_what_it_leaves_out(golden_run: Run) -> N
         assert "of one surface" in why.pop(series)
     for table in ("robustness", "robustness_counts", "robustness_failures"):
         assert "run --corpus robustness" in why.pop(table)
-    assert "public code" in why.pop("twins")
+    for peers in ("twins", "peers_overview"):
+        assert "public code" in why.pop(peers)
     for heat in ("break_even", "break_even_numbers"):
         assert "run --corpus break-even" in why.pop(heat)
     for name in ("frontier", "which_to_take", "which_to_take_mean"):

@@ -116,10 +116,30 @@ def test_errors_of_inexact_solvers_and_failures_are_told(changed: Changed) -> No
 
     sentences = headline.sentences(read_run(changed(change)))
     assert (
-        "Not exact: dijkstra takes 1/8.5 of the time of edge-based with errors of up to 29%, over 3 "
+        "Not exact: dijkstra takes 1/8.5 of the time of edge-based, with errors of up to 29%, over 3 "
         "meshes." in sentences
     )
     assert "3 answers failed or missing; not measured: stanford-bunny." in sentences
+
+
+def test_the_fastest_exact_public_code_is_named_and_preparation_is_not_left_out(
+    golden_run: Run, changed: Changed
+) -> None:
+    def change(data: dict[str, Any]) -> None:
+        data["context"]["geodesic_bench"]["plugins"] = [
+            {"file": f"/peers/{n}/lib{n}.so", "sha256": "0" * 64, "solvers": [n]} for n in ("ich", "dijkstra")
+        ]
+        for row in data["benchmarks"]:
+            if row["solver"] == "dijkstra":
+                row["prepare_time"] = 3000
+
+    sentences = headline.sentences(read_run(changed(change)))
+    assert (
+        "Of the public codes that are exact, ich is the fastest: edge-based takes 1/5.1 of its time, "
+        "over 3 meshes." in sentences
+    )
+    assert "of the time of edge-based, 206 times with its preparation, over 3 meshes." in sentences[2]
+    assert not any("public" in sentence for sentence in headline.sentences(golden_run))
 
 
 def test_the_thesis_is_agreed_with_or_not_as_the_times_have_it(

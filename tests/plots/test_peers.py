@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from plots import answers, break_even, robustness, twins
+from plots import answers, break_even, peers_overview, robustness, twins
 from results.reader import Mesh, ResultError, Row, Run, Skip, Solver
 from results.table import Cell, Table
 
@@ -288,3 +288,43 @@ def test_one_mesh_has_no_break_even_over_size() -> None:
     run = heat_run().of_meshes(["knot-1k"])
     with pytest.raises(ResultError, match="run --corpus break-even --peers all"):
         break_even.figure(run)
+
+
+# ---- ours beside the public codes, on one picture
+
+
+def peers_run(**ours: Any) -> Run:
+    rows = [
+        *(row(s, mesh, cpu_time=10) for s in ("edge-based",) for mesh in MESHES),
+        row("vtp", cpu_time=20, prepare_time=5),
+        row("my-heat", cpu_time=2, prepare_time=50, max_relative_error=0.2, mean_relative_error=0.03),
+    ]
+    plugins = [{"file": f"/some/where/peers/{n}/lib{n}.so", "solvers": [n]} for n in ("vtp", "my-heat")]
+    context = {"plugins": plugins, "started": "2026-01-02T03:04:05Z", "processor": "P", "corpus": "standard",
+               "command": "geodesic-bench run --corpus standard --plugin /some/where/libvtp.so --sources 2"}  # fmt: skip
+    data = [replace(r, processor="P", data=r.data | {"solver": r.solver, "mesh": r.mesh, "source": 0,
+                    "repetition_index": 0, "outcome": "ok"}) for r in rows]  # fmt: skip
+    return replace(run_of(data), context={"geodesic_bench": context | ours})
+
+
+def test_the_picture_of_peers_has_preparation_errors_and_the_meshes_that_are_lacking() -> None:
+    drawn = peers_overview.figure(peers_run())
+    axes = drawn.figure.axes[0]
+    assert [tick.get_text() for tick in axes.get_yticklabels()] == ["edge-based", "vtp", "my-heat"]
+    texts = [text.get_text() for text in axes.texts]
+    assert texts[2::2] == ["2.27", "4.73"]  # (20 + 5) / (10 + 1), (2 + 50) / (10 + 1)
+    assert texts[3::2] == [
+        "exact; on 1 of 2 meshes", "errors: mean 3%, largest 20%; on 1 of 2 meshes"
+    ]  # fmt: skip
+
+
+def test_the_picture_of_peers_says_when_on_what_and_how_it_was_measured() -> None:
+    words = "2026-01-02, P, 2 meshes: ./run_all.sh --corpus standard --peers vtp,my-heat --sources 2"
+    drawn = peers_overview.figure(peers_run())
+    assert words in drawn.caption and "/some/where" not in drawn.caption
+    assert " ".join(drawn.figure._supxlabel.get_text().split()) == words
+
+
+def test_a_run_without_public_codes_has_no_picture_of_them() -> None:
+    with pytest.raises(ResultError, match="no public code: ./run_all.sh --peers all"):
+        peers_overview.figure(peers_run(plugins=[]))

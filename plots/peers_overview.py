@@ -1,0 +1,155 @@
+"""Our exact solvers beside the public codes of the field, on one picture: what a first answer costs
+of each, and what it is worth."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from matplotlib.lines import Line2D
+
+from plots import style
+from plots.answers import errors, first, times
+from plots.dots import sentences
+from plots.drawing import Drawing
+from plots.logarithmic import ratio_axis
+from plots.measures import columns, of_others
+from plots.ratios import fastest_exact, mean, number, paired
+from results.console import ROOT
+from results.reader import ResultError, Run
+from results.statistics import geometric_mean, median
+
+OURS, EXACT, OTHER = "of this project", "public code, exact or within 1e-6", "public code, approximate"
+GROUPS = {OURS: "#000000", EXACT: "#0072B2", OTHER: "#D55E00"}
+"""Their colours."""
+NEARLY = 1e-6
+"""A bound that is not drawn as an approximation."""
+KEPT = ("--meshes", "--sources", "--repetitions")
+"""Options of a run that its command is told with."""
+CHARACTERS = 110
+"""Of a line of the footer."""
+
+
+@dataclass(frozen=True)
+class Line:
+    solver: str
+    group: str
+    ratios: list[float]
+    """One a mesh."""
+    worth: str
+
+    @property
+    def mean(self) -> float:
+        return mean(np.array(self.ratios))
+
+
+def figure(run: Run) -> Drawing:
+    """@raises ResultError when the run has no public code with a time"""
+    public = of_others(run)
+    if not public:
+        raise ResultError(f"{run.file}: no public code: ./run_all.sh --peers all measures them")
+    base = fastest_exact(run)
+    lines = [_line(run, solver, base, public) for solver in columns(run)
+             if solver in public or run.solvers[solver].exact]  # fmt: skip
+    # Of ours, without those that are limited to a few small meshes.
+    least = len(run.meshes) / 2
+    shown = sorted(
+        (line for line in lines if line.ratios and (line.solver in public or len(line.ratios) >= least)),
+        key=lambda line: line.mean,
+    )
+    if not any(line.solver in public for line in shown):
+        raise ResultError(f"{run.file}: no public code has a first answer beside {base}'s")
+    picture = _draw(run, shown, base)
+    return Drawing(
+        title="Ours and the public codes",
+        caption=sentences(
+            f"Time of a first answer, preparation and solve, over that of {base}: a dot a mesh, paired "
+            "by source and repetition; the bar and the number are the geometric mean over the meshes "
+            "that have a verified answer. On the right, what is known of the distances: where they "
+            "are not exact, relative errors, the mean over vertices and meshes and the largest.",
+            footer(run) + ".",
+        ),
+        figure=picture,
+    )
+
+
+def _line(run: Run, solver: str, base: str, public: set[str]) -> Line:
+    ratios = [
+        geometric_mean([sample]).value
+        for mesh in run.meshes
+        if (sample := paired(*(times(run, mesh, one, first) for one in (solver, base))))
+    ]
+    about = run.solvers[solver]
+    near = about.exact or (about.error_bound or 1) <= NEARLY
+    group = OURS if solver not in public else EXACT if near else OTHER
+    means = [median([known]).value for m in run.meshes
+             if (known := errors(run, m, solver, "mean_relative_error"))]  # fmt: skip
+    largest = [e for m in run.meshes for e in errors(run, m, solver, "max_relative_error")]
+    worth = about.promise
+    if not near and means and largest:
+        worth = f"errors: mean {_percent(sum(means) / len(means))}, largest {_percent(max(largest))}"
+    if len(ratios) < len(run.meshes):
+        worth += f"; on {len(ratios)} of {len(run.meshes)} meshes"
+    return Line(solver, group, ratios, worth)
+
+
+def _percent(error: float) -> str:
+    return f"{100 * error:.2g}%" if error >= 1e-4 else f"{error:.0e}"
+
+
+def _draw(run: Run, lines: Sequence[Line], base: str) -> style.Figure:
+    foot = textwrap.wrap(footer(run), CHARACTERS, break_on_hyphens=False)
+    picture = style.new_figure(1.1 + 0.27 * len(lines) + 0.13 * len(foot), width=8)
+    axes = picture.subplots()
+    for place, line in enumerate(lines):
+        color = GROUPS[line.group]
+        axes.plot(line.ratios, [place] * len(line.ratios), "o", color=color, markersize=3, alpha=0.55)
+        axes.plot([line.mean], [place], "|", color=color, markersize=14, markeredgewidth=1.8)
+        axes.annotate(
+            f"{number(line.mean)}", (1.02, place), xycoords=("axes fraction", "data"), va="center",
+            fontsize=9,
+        )  # fmt: skip
+        axes.annotate(
+            line.worth, (1.09, place), xycoords=("axes fraction", "data"), va="center", fontsize=8,
+            color=style.PALE,
+        )  # fmt: skip
+    axes.set_yticks(range(len(lines)), [style.plain(line.solver) for line in lines])
+    for label, line in zip(axes.get_yticklabels(), lines, strict=True):
+        label.set_color(GROUPS[line.group])
+    axes.set_ylim(len(lines) - 0.4, -0.6)
+    axes.tick_params(axis="y", length=0)
+    axes.grid(axis="x")
+    ratio_axis(axes.xaxis)
+    axes.set_xlabel(f"time of a first answer / {style.plain(base)}")
+    picture.supxlabel(style.plain("\n".join(foot)), fontsize=7.5, color=style.PALE)
+    used = [group for group in GROUPS if any(line.group == group for line in lines)]
+    style.legend_above(
+        picture,
+        [Line2D([], [], marker="o", linestyle="", color=GROUPS[g], markersize=4, label=g) for g in used],
+    )
+    return picture
+
+
+def footer(run: Run) -> str:
+    """When, on what, and how it was measured."""
+    ours = run.ours
+    count = len(run.meshes)
+    return (
+        f"{ours['started'][:10]}, {' and '.join(run.processors)}, {count} mesh{'es' * (count > 1)}: "
+        f"{command(run)}"
+    )
+
+
+def command(run: Run) -> str:
+    """The line that measures the same, from the root of a checkout with the meshes."""
+    files = [Path(plugin["file"]) for plugin in run.ours.get("plugins", [])]
+    names = list(dict.fromkeys(file.parent.name for file in files))
+    known = {file.parent.name for file in (ROOT / "peers").glob("*/peer.json")}
+    peers = "all" if set(names) == known else ",".join(names)
+    words = run.ours["command"].split()
+    options = [f"{word} {value}" for word, value in zip(words, words[1:], strict=False) if word in KEPT]
+    with_peers = [f"--peers {peers}"] if peers else []
+    return " ".join(["./run_all.sh", f"--corpus {run.ours['corpus']}", *with_peers, *options])
