@@ -259,8 +259,9 @@ step_check() {
     check_failed=yes
 }
 
+# Its hundred files are listed in the log alone: what check found stays in sight.
 step_plot() {
-  PYTHONPATH=${PYTHONPATH:+$PYTHONPATH:}$root logged "$python" -m plots.report --run "$out"
+  PYTHONPATH=${PYTHONPATH:+$PYTHONPATH:}$root "$python" -m plots.report --run "$out" >>"$log"
 }
 
 # choose_out: the folder that `run` writes and that check and plot read.

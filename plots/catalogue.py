@@ -69,9 +69,9 @@ OF = "_of_"
 
 EVERYTHING: dict[str, Callable[[Run], Table | Drawing]] = {**TABLES, **FIGURES}
 WITH_SECONDS = {
-    "summary_by_mesh", "every_solver", "table_thesis", "table_5_2", "table_growth", "table_growth_exponents", "answers",
-    "break_even_numbers", "figure_5_9", "time_over_vertices", "break_even", "frontier",
-    "which_to_take", "which_to_take_mean",
+    "summary_by_mesh", "every_solver", "table_thesis", "table_5_2", "table_growth",
+    "table_growth_exponents", "answers", "break_even_numbers", "figure_5_9", "time_over_vertices",
+    "break_even", "frontier", "which_to_take", "which_to_take_mean",
 }  # fmt: skip
 """Those that show times. Of a run on several processors they are drawn for each processor by itself;
 the others show counts, errors, and ratios of times that one processor measured on one source."""

@@ -28,8 +28,10 @@ def sentences(run: Run) -> list[str]:
     if not base:
         return ["No answer of the run is verified, so that it has no times."]
     ratios = over_each_mesh(run, base)
-    found = [_speed(run, base, ratios), _public(run, base, ratios), _inexact(run, base, ratios), _verified(run), _lacking(run),
-             _thesis(run)]  # fmt: skip
+    found = [
+        _speed(run, base, ratios), _public(run, base, ratios), _inexact(run, base, ratios),
+        _verified(run), _lacking(run), _thesis(run),
+    ]  # fmt: skip
     return [sentence for sentence in found if sentence]
 
 
@@ -42,10 +44,11 @@ def _speed(run: Run, base: str, ratios: dict[str, Floats]) -> str:
         return f"{lone}{base} is the only {kind}solver with a verified time{_on(run, ratios[base])}."
     second = fastest_exact(run, but={base, *(s for s in ratios if s not in others)})
     more = [s for s in others if s != second]
-    last = LIMIT_SOLVER if LIMIT_SOLVER in more else max(more, key=lambda s: mean(ratios[s]), default="")
-    named = f"{second}, the fastest of the other {kind}solvers" if more else f"{second}, the other {kind}solver"
-    resolved = _resolved(run, base, second)
-    if resolved is None:
+    slowest = max(more, key=lambda s: mean(ratios[s]), default="")
+    last = LIMIT_SOLVER if LIMIT_SOLVER in more else slowest
+    rank = "the fastest of the other {}solvers" if more else "the other {}solver"
+    named = f"{second}, {rank.format(kind)}"
+    if not _resolved(run, base, second):
         share = mean(ratios[second])
         words = (f"The run does not resolve which of {base} and {second} is faster "
                  f"(ratio {share:.3f}){_on(run, ratios[second])}")  # fmt: skip
@@ -66,16 +69,18 @@ def _public(run: Run, base: str, ratios: dict[str, Floats]) -> str:
     if not exact or base in others or not run.solvers[base].exact:
         return ""
     solver = min(exact, key=lambda s: mean(ratios[s]))
-    return (f"Of the public codes that are exact, {solver} is the fastest: {base} takes "
+    fastest = f"Of the exact public codes, {solver} is the fastest"
+    one = f"The exact public code is {solver}"
+    return (f"{fastest if len(exact) > 1 else one}: {base} takes "
             f"{_share(ratios[solver]).replace('the time', 'its time')}{_on(run, ratios[solver])}.")  # fmt: skip
 
 
-def _resolved(run: Run, base: str, other: str) -> bool | None:
-    """None: the interval of the ratio contains 1."""
+def _resolved(run: Run, base: str, other: str) -> bool:
+    """Whether the interval of the ratio excludes 1; many meshes have none."""
     if len(run.meshes) > MANY:
         return True
     found = over_meshes(time_over(base), run, list(run.meshes), other)
-    return True if found is None or found.estimate.excludes_one else None
+    return found is None or found.estimate.excludes_one
 
 
 def _share(ratios: Floats) -> str:
@@ -132,7 +137,8 @@ def _verified(run: Run) -> str:
     cells = run.columns
     ok = cells.where("outcome", OK)
     words = f"{_many(cells.cells(ok), 'answer')} verified"
-    worst = {s: errors.max() for s in run.solvers if run.solvers[s].exact and len(errors := _errors(run, s))}
+    exact = [solver for solver in run.solvers if run.solvers[solver].exact]
+    worst = {solver: errors.max() for solver in exact if len(errors := _errors(run, solver))}
     if worst:
         solver = max(worst, key=lambda s: worst[s])
         words += f", worst relative error of an exact solver {worst[solver]:.1e} ({solver})"
@@ -172,7 +178,8 @@ def _thesis(run: Run) -> str:
         return ""
     models = list(dict.fromkeys(str(mesh.thesis_model) for mesh in meshes))
     role = "a model of the thesis" if len(models) == 1 else "models of the thesis"
-    place = f"On stand-ins for {_named(models)}" if kind == "stand-ins" else f"On {_named(models)}, {role}"
+    own = kind != "stand-ins"
+    place = f"On {_named(models)}, {role}" if own else f"On stand-ins for {_named(models)}"
     here, there = (sorted(speed, key=lambda s: getattr(speed[s], of)) for of in ("ours", "thesis"))
     if here == there:
         order = f"{place}, the order by time is the thesis's: {', '.join(here)}"
@@ -183,8 +190,9 @@ def _thesis(run: Run) -> str:
         order = f"{place}, the order by time is {', '.join(here)}, in the thesis {', '.join(there)}"
     most = max(speed, key=lambda s: speed[s].ours)
     pair = speed[most]
-    times = f"{most} takes {_short(pair.ours)} times as long as edge-based, in the thesis {_short(pair.thesis)}"
-    return f"{order}; {times}{_windows(compare(run, meshes, WINDOWS))}."
+    longer = (f"{most} takes {_short(pair.ours)} times as long as edge-based, in the thesis "
+              f"{_short(pair.thesis)}")  # fmt: skip
+    return f"{order}; {longer}{_windows(compare(run, meshes, WINDOWS))}."
 
 
 def _windows(windows: dict[str, Pair]) -> str:

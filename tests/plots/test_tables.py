@@ -31,8 +31,8 @@ Changed = Callable[[Callable[[dict[str, Any]], object]], Path]
 
 ROCKER_ARM = "rocker-arm (stand-in for rocker arm)"
 NAMES = [
-    "summary", "summary_by_mesh", "every_solver", "table_thesis", "table_5_1", "table_5_2", "table_5_2_ratios",
-    "table_5_2_claims", "table_5_3",
+    "summary", "summary_by_mesh", "every_solver", "table_thesis", "table_5_1", "table_5_2",
+    "table_5_2_ratios", "table_5_2_claims", "table_5_3",
 ]  # fmt: skip
 
 
