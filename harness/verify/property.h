@@ -114,7 +114,7 @@ const std::vector<Property>& all_properties();
 const Property* find_property(std::string_view name);
 
 /// @throws HarnessError naming the known ones
-const Property& property_named(const std::string& name);
+const Property& property_named(std::string_view name);
 
 /// Distances equal those of the reference: what is checked on a user's mesh.
 inline constexpr const char* kDistancesProperty = "distances-equal-the-reference";

@@ -4,6 +4,7 @@
 #include <functional>
 #include <iostream>
 #include <set>
+#include <string_view>
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"
@@ -99,8 +100,9 @@ class Verification {
     } else if (meshes.empty()) {
       check(property_named(request_.property));
     }
-    const Property& property =
-        property_named(request_.property.empty() ? kDistancesProperty : request_.property);
+    const std::string_view name =
+        request_.property.empty() ? kDistancesProperty : std::string_view(request_.property);
+    const Property& property = property_named(name);
     for (const MeshEntry& mesh : meshes) check(property, mesh);
     for (const FailedProperty& failed : failed_) show(failed);
     summarise();

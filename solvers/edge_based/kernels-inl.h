@@ -223,7 +223,7 @@ HWY_INLINE Separator classify(const Batch& batch, const FaceFrame& face, std::ui
   Separator best;
   std::size_t seeing = 0;
   unsigned any_left = 0, any_right = 0;
-  HWY_ALIGN double distance[kLaneRoom];
+  HWY_ALIGN double distance[kLanes];
   for (std::size_t i = 0; i < batch.count; i += kLanes) {
     const Vec x = hn::LoadU(kTag, batch.array(kX) + i), y = hn::LoadU(kTag, batch.array(kY) + i);
     const Vec across = hn::Sub(apex_x, x), up = hn::Max(hn::Sub(apex_y, y), least_height);

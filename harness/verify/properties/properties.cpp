@@ -26,7 +26,7 @@ const Property* find_property(std::string_view name) {
   return at == all_properties().end() ? nullptr : &*at;
 }
 
-const Property& property_named(const std::string& name) {
+const Property& property_named(std::string_view name) {
   return named("property", all_properties(), name, &Property::name);
 }
 
