@@ -12,7 +12,10 @@ import signal
 import sys
 from pathlib import Path
 from types import TracebackType
-from typing import NoReturn, TextIO
+from typing import TYPE_CHECKING, NoReturn, TextIO
+
+if TYPE_CHECKING:
+    from _typeshed import SupportsWrite
 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGES = "python3-jinja2, python3-jsonschema, python3-matplotlib, python3-numpy and python3-scipy"
@@ -81,6 +84,10 @@ class Parser(argparse.ArgumentParser):
             prog=program(), description=description, epilog="\n".join(lines) if examples else None,
             formatter_class=argparse.RawDescriptionHelpFormatter,
         )  # fmt: skip
+
+    def print_help(self, file: SupportsWrite[str] | None = None) -> None:
+        """Raises OSError where it cannot be written, which argparse leaves out from Python 3.12 on."""
+        print(self.format_help(), end="", file=file, flush=True)
 
     def error(self, message: str) -> NoReturn:
         self.exit(1, f"{self.prog}: {printable(message)}; see {self.prog} --help\n")

@@ -118,6 +118,9 @@ class Downloader:
         length = response.headers.get("Content-Length", "")
         total = have + int(length) if length.isdecimal() else None
         cause = None
+        # Whether it is whole is seen below. urllib3 2 would see to it too, and drop the last bytes of
+        # a body that broke off.
+        response.raw.enforce_content_length = False
         with part.open("ab" if have else "wb") as file:
             with self._progress.download(label, total, have) as advance:
                 try:

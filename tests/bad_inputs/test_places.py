@@ -30,9 +30,12 @@ def german(tmp_path: Path) -> None:
     target = tmp_path / "here" / "de_DE.UTF-8"
     if shutil.which("localedef") is None:
         pytest.skip("there is no localedef to compile a locale with")
+    # Without the sources, localedef of glibc 2.41 leaves a locale that nothing can use.
+    sources = [Path("/usr/share/i18n", name) for name in ("locales/de_DE", "charmaps/UTF-8.gz")]
+    if not all(source.exists() for source in sources):
+        pytest.skip("localedef has no sources of de_DE (Debian: locales)")
     command = ["localedef", "-i", "de_DE", "-f", "UTF-8", str(target)]
-    if subprocess.run(command, capture_output=True).returncode not in (0, 1) or not target.exists():
-        pytest.skip("localedef has no sources of de_DE")
+    subprocess.run(command, capture_output=True, check=False)
 
 
 @pytest.mark.parametrize("name", ENVIRONMENTS)

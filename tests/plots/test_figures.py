@@ -202,7 +202,9 @@ def drawn_texts(figure: Figure) -> list[str]:
     with matplotlib.rc_context({"svg.fonttype": "none"}):
         figure.savefig(file, format="svg")
     texts = ElementTree.fromstring(file.getvalue()).iter("{http://www.w3.org/2000/svg}text")
-    return ["".join(text.itertext()).strip() for text in texts]
+    # Pieces that begin a line are the file's indentation: some versions write one line a glyph.
+    return ["".join(piece for piece in text.itertext() if piece[:1] != "\n" or piece.strip()).strip()
+            for text in texts]  # fmt: skip
 
 
 def dots_of(figure: Figure, marker: str) -> list[Line2D]:
