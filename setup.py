@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -29,6 +30,8 @@ class BuildByCMake(build_ext):
     def build_extension(self, ext: Extension) -> None:
         package = Path(self.get_ext_fullpath(ext.name)).resolve().parent
         build = Path(self.build_temp).resolve()
+        # CMake itself would take make, even where there is none.
+        generator = {"CMAKE_GENERATOR": "Ninja"} if shutil.which("ninja") else {}
         for words in (
             [
                 "-S", ROOT, "-B", build, "-DGEODESIC_PYTHON=ON", "-DCMAKE_BUILD_TYPE=Release",
@@ -38,11 +41,13 @@ class BuildByCMake(build_ext):
             ["--build", build, "--target", "geodesic_python", "--parallel", str(os.cpu_count())],
             ["--install", build, "--component", "python", "--strip", "--prefix", package],
         ):  # fmt: skip
-            subprocess.run(["cmake", *words], check=True)
+            subprocess.run(["cmake", *words], check=True, env=generator | os.environ)
 
 
 setup(
     version=version(),
+    # setuptools 66 knows no `license = "MIT"` in pyproject.toml, and 77 warns of any other.
+    license="MIT",
     packages=["geodesic_bench", "geodesic_bench.results"],
     # One reader of results, whose files plots and gate import as `results`.
     package_dir={"geodesic_bench": "python/geodesic_bench", "geodesic_bench.results": "results"},
