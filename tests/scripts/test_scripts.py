@@ -81,6 +81,29 @@ def test_unknown_option_names_the_help(checkout: Path, script: str) -> None:
     assert (ended.returncode, ended.stderr) == (1, says)
 
 
+def test_a_command_on_a_release_of_debian_is_refused_in_one_line(
+    checkout: Path, fake_path: Callable[..., dict[str, str]]
+) -> None:
+    script = checkout / "tools/on_debian.sh"
+    for words, says in {
+        (): "needs a release and a command; see on_debian.sh --help",
+        ("trixie",): "needs a release and a command; see on_debian.sh --help",
+        ("--fast", "trixie", "true"): "unknown option --fast; see on_debian.sh --help",
+        ("--roots", "--mirror"): "--roots needs a value; see on_debian.sh --help",
+        ("../etc", "true"): "a release is a name such as trixie, not '../etc'",
+    }.items():
+        ended = run(script, *words)
+        assert (ended.returncode, ended.stderr) == (1, f"on_debian.sh: {says}\n")
+    environment = fake_path(id='echo "$USER_ID"')
+    for user, says in {
+        "1000": "needs root, for debootstrap, mount and chroot",
+        "0": "needs debootstrap (Debian's package debootstrap)",
+    }.items():
+        ended = run(script, "trixie", "true", env=environment | {"USER_ID": user})
+        assert (ended.returncode, ended.stderr) == (1, f"on_debian.sh: {says}\n")
+    assert not (checkout / "build").exists()
+
+
 def test_unknown_step_lists_the_steps(checkout: Path) -> None:
     ended = run(checkout / "run_all.sh", "biuld")
     assert ended.returncode == 1
