@@ -163,6 +163,7 @@ bind() {
 
 # All that a command may expect of a machine, without its disks. Runs in a mount namespace.
 mount_all() {
+  mount --bind "$chroot" "$chroot"  # as the root of a machine it is a mount: unshare wants that
   mount -t proc proc "$chroot/proc"
   bind /sys ro
   mount -t tmpfs -o mode=755 tmpfs "$chroot/dev"

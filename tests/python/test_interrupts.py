@@ -15,6 +15,7 @@ SCRIPT = """
 import gc, os, signal, sys, threading, time
 sys.path[:0] = {paths!r}
 import numpy as np, geodesic_bench as gb
+import scipy.sparse  # which a matrix with a limit imports, in more than the 0.2 s below
 from python_package import rough_ground
 
 def threads():
