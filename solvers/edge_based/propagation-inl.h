@@ -77,7 +77,7 @@ class Propagation final : public Propagator<Recorder> {
                                                         : Note::none;
   static constexpr std::uint8_t kPassed = 1;  // popped at least once
   static constexpr std::uint8_t kSource = 2;  // sends windows even where no path bends
-  using Lists = typename Policy::template Lists<kNoted>;
+  using Lists = WindowLists<kNoted>;
 
   bool crosses_sheets() const {
     return Recorder::kCrossesSheets && mesh_.crosses_non_manifold_edges();
@@ -314,7 +314,7 @@ class Propagation final : public Propagator<Recorder> {
 
   /// @param side through which the windows leave a face
   /// @param into its twin, on which they land
-  void land(Index side, Index into, typename Lists::Segment* segment, Place place) {
+  void land(Index side, Index into, Lists::Segment* segment, Place place) {
     if (segment->count == 0) {
       lists_.release(segment);
       return;
@@ -325,14 +325,13 @@ class Propagation final : public Propagator<Recorder> {
     land_on(into, segment, place);
   }
 
-  void land_on(Index h, typename Lists::Segment* segment, Place place) {
+  void land_on(Index h, Lists::Segment* segment, Place place) {
     lists_.add(h, segment, place);
     if (is_entered(h)) enqueue(h);
   }
 
   /// Windows that leave a face where it meets several others go on in each of them.
-  [[gnu::cold, gnu::noinline]] void land_on_other_sheets(Index side,
-                                                         const typename Lists::Segment& segment,
+  [[gnu::cold, gnu::noinline]] void land_on_other_sheets(Index side, const Lists::Segment& segment,
                                                          Place place) {
     mesh_.for_each_sheet(side, [&](Index g) {
       if (g == side) return;
@@ -347,16 +346,11 @@ class Propagation final : public Propagator<Recorder> {
 
   void cross_with_list(Index h, Recorder& recorder) {
     queued_[h] = 0;
-    if constexpr (Lists::kCarries) {
-      if constexpr (Recorder::kRemembers) show_windows(h, recorder);
-      lists_.carry(h, face_frame(mesh_, h));
-    }
     if constexpr (Policy::kMerges) {
       cross_face_merged(h, recorder);
     } else {
       cross_face(h, recorder);
     }
-    if constexpr (Lists::kCarries) land_carried(h, recorder);
     recorder.wavefront_size(lists_.size());
   }
 
@@ -456,33 +450,6 @@ class Propagation final : public Propagator<Recorder> {
       }
     });
     if (pencils_.size() > 1) pencils_.trim_and_merge(ends.length, rounding_, policy_.shortfall());
-  }
-
-  /// All windows of the list of h cross its face; those that are then carried do so unseen.
-  void show_windows(Index h, Recorder& recorder) {
-    lists_.for_each_segment(h, [&](const auto& segment) {
-      for (std::size_t i = 0; i < segment.count; ++i) {
-        recorder.crossing(h, window_of(segment, i), static_cast<Index>(segment.array(kRoot)[i]));
-      }
-    });
-  }
-
-  /// Hands on what the lists have carried across the face of h.
-  void land_carried(Index h, Recorder& recorder) {
-    if constexpr (Recorder::kRecords) {
-      lists_.for_each_carried([&](const auto& segment, std::uint32_t faces) {
-        recorder.created(segment.count);
-        recorder.valid(segment.count);
-        for (std::size_t i = 0; i < segment.count; ++i) {
-          recorder.propagated(1, {static_cast<std::uint32_t>(segment.array(kDepth)[i]) + faces});
-        }
-      });
-    }
-    const Index left = mesh_.twin(Mesh::previous(h)), right = mesh_.twin(Mesh::next(h));
-    lists_.land_carried(left, right);
-    for (const Index to : {left, right}) {
-      if (to != kNone && is_entered(to)) enqueue(to);
-    }
   }
 
   /// Moves the list of h into the batch, without what paths over the ends of h or other windows of

@@ -2,10 +2,6 @@
 // policies that its solvers differ in. A policy has
 //   Queue              of vertices that wait for the wavefront (VertexQueue)
 //   make_queue(mesh)   an empty one
-//   Lists<note>        in which windows wait on half-edges, with the functions of WindowLists;
-//                      where its kCarries is true, also with carry, land_carried and
-//                      for_each_carried (propagation-inl.h), for windows that cross a face without
-//                      being unfolded
 //   kMerges            whether windows of an edge are merged (merge.h); if so, also
 //   shortfall()        the greatest, relative to distances; 0: the solver is `edge-based`
 //   share()            of a vertex's shortfall, which is added to its distance in the end
@@ -26,8 +22,6 @@ struct ByDistance {
   static constexpr bool kMerges = false;
 
   using Queue = VertexHeap;
-  template <Note note>
-  using Lists = WindowLists<note>;
   static Queue make_queue(const Mesh& mesh) { return Queue(mesh.vertex_count()); }
 };
 

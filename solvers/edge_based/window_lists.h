@@ -40,8 +40,6 @@ constexpr unsigned fields_with(Note note) {
 /// Vectors read whole: room and arrays are multiples of this many doubles.
 inline constexpr std::size_t kLaneRoom = 4;
 
-struct NoExtra {};
-
 /// Window i of a segment or batch.
 template <class Arrays>
 Window window_of(const Arrays& arrays, std::size_t i) {
@@ -49,20 +47,15 @@ Window window_of(const Arrays& arrays, std::size_t i) {
           arrays.array(kSigma)[i]};
 }
 
-/// @tparam Extra what else a segment keeps about its windows; set by what fills the segment
-template <Note note, class Extra = NoExtra>
+template <Note note>
 class WindowLists {
  public:
-  /// Whether windows may cross a face without being unfolded (propagation.h).
-  static constexpr bool kCarries = false;
-
   /// Header and arrays of `room` doubles each follow one another in a block.
   struct alignas(32) Segment {
     std::uint32_t count;
     std::uint32_t room;
     Index next;  // handle of the segment behind this one; of the first one in the last
     Index self;
-    [[no_unique_address]] Extra extra;
 
     double* array(unsigned field) { return reinterpret_cast<double*>(this + 1) + field * room; }
     const double* array(unsigned field) const {
@@ -112,15 +105,6 @@ class WindowLists {
   /// Hands the segments of h to `visit` in order and releases them; the list is empty afterwards.
   template <class Visit>
   void consume(Index h, Visit&& visit) {
-    take(h, [&](Segment& segment) {
-      visit(segment);
-      release(&segment);
-    });
-  }
-
-  /// As `consume`, but the segments belong to `visit`.
-  template <class Visit>
-  void take(Index h, Visit&& visit) {
     const Index last = last_[h];
     if (last == kNone) return;
     last_[h] = kNone;
@@ -130,6 +114,7 @@ class WindowLists {
       const Index next = segment->next;
       size_ -= segment->count;
       visit(*segment);
+      release(segment);
       if (s == last) break;
       s = next;
     }

@@ -32,7 +32,7 @@ const std::vector<Pin> kPins = {
     // each other through it.
     {"mesh-7257", 7, "edge-based and its variants: 0.55"},
     // An edge a billionth as long as those beside it: its direction was no unit vector.
-    {"mesh-705", 0, "edge-based-lazy: 0.07, all but edge-based and edge-based-bucket: 1e-11"},
+    {"mesh-705", 0, "a lazy variant: 0.07, all but edge-based and edge-based-bucket: 1e-11"},
     {"mesh-705", 17, "template: 8e-12, all but the edge-based: 6e-12"},
     {"mesh-705-again", 10, "template: 8e-10"},
     {"mesh-6969", 10, "template: 2e-11"},

@@ -13,7 +13,7 @@
 namespace geodesic {
 namespace {
 
-constexpr const char* kSolvers[] = {"edge-based", "edge-based-lazy", "edge-based-bucket"};
+constexpr const char* kSolvers[] = {"edge-based", "edge-based-bucket"};
 
 double space_between(const Vec3& a, const Vec3& b) { return norm(subtract(a, b)); }
 
