@@ -1,4 +1,4 @@
-// Meshes made from the mesh of a file by changing its connectivity.
+// Meshes made from the mesh of a file by changing its connectivity, over the mesh of OpenMesh.
 #pragma once
 
 #include <utility>

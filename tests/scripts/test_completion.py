@@ -21,7 +21,7 @@ CASES = [
     ("solve --solver edge-based-b", {"edge-based-bucket"}),
     ("solve --solver steiner", {"steiner", "steiner?points="}),
     ("run --corpus qu", {"quick"}),
-    ("run --meshes hor", {"horse"}),
+    ("run --meshes nefertiti-l", {"nefertiti-loop2"}),
     ("run --repet", {"--repetitions"}),
     ("generate icos", {"icosphere"}),
     ("solve --output icos", set()),
