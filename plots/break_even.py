@@ -15,7 +15,9 @@ from plots.dots import sentences
 from plots.drawing import Drawing
 from plots.growth import surface
 from plots.logarithmic import logarithmic
-from plots.measures import EDGE_BASED, baseline, by_source, columns, count, interval, time_unit
+from plots.measures import (
+    EDGE_BASED, baseline, by_source, columns, count, interval, percent, time_unit,
+)  # fmt: skip
 from results.reader import Mesh, ResultError, Run
 from results.statistics import Estimate, median
 from results.table import Cell, Table, estimate_cell
@@ -210,7 +212,7 @@ def _sentence(heat: str, exact: str, points: list[Point]) -> str:
         for point in (points[0], points[-1])
     ]
     worst = max((p.mean_error for p in points if math.isfinite(p.mean_error)), default=math.nan)
-    error = f", with a mean error of up to {100 * worst:.2g}%" if math.isfinite(worst) else ""
+    error = f", with a mean error of up to {percent(worst)}" if math.isfinite(worst) else ""
     return f"{heat} is faster than {exact} from {' and '.join(words)} on{error}."
 
 

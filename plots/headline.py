@@ -8,7 +8,7 @@ import numpy as np
 
 from plots import check
 from plots.answers import first, times
-from plots.measures import ERROR, LIMIT_SOLVER, of_others
+from plots.measures import ERROR, LIMIT_SOLVER, of_others, percent
 from plots.models import groups_of_thesis
 from plots.ratios import (
     MANY, Floats, fastest_exact, mean, number, over_each_mesh, over_meshes, paired, time_over,
@@ -108,7 +108,7 @@ def _inexact(run: Run, base: str, ratios: dict[str, Floats]) -> str:
         takes = f"1/{_short(1 / ratio)} of" if ratio < 1 else f"{_short(ratio)} times"
         parts = [f"{solver} takes {takes} the time of {base}", _prepared(run, base, solver, ratio)]
         if len(errors):
-            parts.append(f"with errors of up to {_percent(errors.max())}")
+            parts.append(f"with errors of up to {percent(errors.max())}")
         words.append(", ".join(filter(None, parts)) + _on(run, ratios[solver]))
     return f"Not exact: {'; '.join(words)}." if words and run.solvers[base].exact else ""
 
@@ -121,10 +121,6 @@ def _prepared(run: Run, base: str, solver: str, ratio: float) -> str:
     known = [sample for sample in pairs if sample]
     whole = geometric_mean(known).value if known else ratio
     return f"{_short(whole)} times with its preparation" if whole > max(1, 2 * ratio) else ""
-
-
-def _percent(error: float) -> str:
-    return f"{100 * error:.2g}%" if error >= 1e-4 else f"{error:.1e}"
 
 
 def _errors(run: Run, solver: str) -> Floats:

@@ -142,6 +142,13 @@ def baseline(run: Run, preferred: str) -> str:
     return preferred if preferred in exact or not exact else exact[0]
 
 
+def percent(error: float) -> str:
+    """A relative error: 110%, 6.1%, 0.027%, and below that 2e-06."""
+    if error < 1e-4:
+        return f"{error:.0e}"
+    return f"{100 * error:,.0f}%" if error >= 1 else f"{100 * error:.2g}%"
+
+
 def of_others(run: Run) -> set[str]:
     """Public codes: solvers of plug-ins, and oracles that share no code with ours."""
     plugins = run.of_plugins

@@ -16,7 +16,7 @@ from plots.answers import errors, first, times
 from plots.dots import sentences
 from plots.drawing import Drawing
 from plots.logarithmic import ratio_axis
-from plots.measures import columns, of_others
+from plots.measures import columns, of_others, percent
 from plots.ratios import fastest_exact, mean, number, paired
 from results.console import ROOT
 from results.reader import ResultError, Run
@@ -90,14 +90,10 @@ def _line(run: Run, solver: str, base: str, public: set[str]) -> Line:
     largest = [e for m in run.meshes for e in errors(run, m, solver, "max_relative_error")]
     worth = about.promise
     if not near and means and largest:
-        worth = f"errors: mean {_percent(sum(means) / len(means))}, largest {_percent(max(largest))}"
+        worth = f"errors: mean {percent(sum(means) / len(means))}, largest {percent(max(largest))}"
     if len(ratios) < len(run.meshes):
         worth += f"; on {len(ratios)} of {len(run.meshes)} meshes"
     return Line(solver, group, ratios, worth)
-
-
-def _percent(error: float) -> str:
-    return f"{100 * error:.2g}%" if error >= 1e-4 else f"{error:.0e}"
 
 
 def _draw(run: Run, lines: Sequence[Line], base: str) -> style.Figure:
