@@ -134,7 +134,7 @@ def _verified(run: Run) -> str:
     ok = cells.where("outcome", OK)
     words = f"{_many(cells.cells(ok), 'answer')} verified"
     exact = [solver for solver in run.solvers if run.solvers[solver].exact]
-    worst = {solver: errors.max() for solver in exact if len(errors := _errors(run, solver))}
+    worst = {solver: float(errors.max()) for solver in exact if len(errors := _errors(run, solver))}
     if worst:
         solver = max(worst, key=lambda s: worst[s])
         words += f", worst relative error of an exact solver {worst[solver]:.1e} ({solver})"
@@ -176,7 +176,7 @@ def _thesis(run: Run) -> str:
     role = "a model of the thesis" if len(models) == 1 else "models of the thesis"
     own = kind != "stand-ins"
     place = f"On {_named(models)}, {role}" if own else f"On stand-ins for {_named(models)}"
-    here, there = (sorted(speed, key=lambda s: getattr(speed[s], of)) for of in ("ours", "thesis"))
+    here, there = (sorted(speed, key=lambda s: float(getattr(speed[s], of))) for of in ("ours", "thesis"))
     if here == there:
         order = f"{place}, the order by time is the thesis's: {', '.join(here)}"
     elif here[0] == there[0]:

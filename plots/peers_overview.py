@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from plots import style
@@ -96,7 +97,7 @@ def _line(run: Run, solver: str, base: str, public: set[str]) -> Line:
     return Line(solver, group, ratios, worth)
 
 
-def _draw(run: Run, lines: Sequence[Line], base: str) -> style.Figure:
+def _draw(run: Run, lines: Sequence[Line], base: str) -> Figure:
     foot = textwrap.wrap(footer(run), CHARACTERS, break_on_hyphens=False)
     picture = style.new_figure(1.1 + 0.27 * len(lines) + 0.13 * len(foot), width=8)
     axes = picture.subplots()

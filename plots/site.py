@@ -197,7 +197,7 @@ def history(of: Sequence[Entry]) -> list[Step]:
             cells.setdefault((entry.mesh.sha256, source), []).append(time)
     steps = []
     for processor, by_run in times.items():
-        first = next((cells for cells in by_run.values() if cells), {})
+        first: dict[tuple[str, int], list[float]] = next(filter(None, by_run.values()), {})
         for name, cells in by_run.items():
             shared = [cell for cell in first if cell in cells]
             if not shared:
@@ -344,7 +344,8 @@ def write_site(runs: Sequence[Shown], folder: Path) -> None:
             mesh_page(mesh), latest.name, [latest.why] if latest.why else [],
             [results("results", "Results", newest_first(of), "../")], facts, frontiers(of),
         )  # fmt: skip
-    of_all, left_out = {}, []
+    of_all: dict[str, Drawing] = {}
+    left_out: list[str] = []
     for number, one in enumerate(reversed(runs), 1):
         try:
             of_all |= frontier(f"run_{number}", one.run, one)

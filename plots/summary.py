@@ -69,7 +69,7 @@ def _ratios(run: Run, base: str, solver: str, of: Floats | None) -> list[Cell]:
     first = Cell(plain(value), value)
     if interval and solver != base:
         first = estimate_cell(interval.estimate, ratio.interval(interval.estimate))
-    spread = [of.min(), of.max()] if few else np.quantile(of, QUANTILES)
+    spread = np.quantile(of, (0, 1) if few else QUANTILES)
     return [first, Cell(f"{len(of):,}", len(of)), *(Cell(plain(v), float(v)) for v in spread)]
 
 

@@ -87,7 +87,8 @@ class Parser(argparse.ArgumentParser):
 
     def print_help(self, file: SupportsWrite[str] | None = None) -> None:
         """Raises OSError where it cannot be written, which argparse leaves out from Python 3.12 on."""
-        print(self.format_help(), end="", file=file, flush=True)
+        print(self.format_help(), end="", file=file)
+        sys.stdout.flush()
 
     def error(self, message: str) -> NoReturn:
         self.exit(1, f"{self.prog}: {printable(message)}; see {self.prog} --help\n")

@@ -65,7 +65,7 @@ class Edges:
 
     def _key(self, a: Integers, b: Integers) -> Integers:
         count = int(self.faces.max()) + 1
-        return np.minimum(a, b) * count + np.maximum(a, b)
+        return np.asarray(np.minimum(a, b) * count + np.maximum(a, b))
 
 
 def with_frames(recording: Recording) -> list[str]:

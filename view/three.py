@@ -29,7 +29,7 @@ if __name__ == "__main__":
 from fetching.archive import extract
 from fetching.cache import sha256_of
 from fetching.packages import npm_package
-from fetching.reporting import Unavailable
+from fetching.reporting import Unavailable as Unavailable
 
 NAME, VERSION = "three", "0.171.0"
 FOLDER = ROOT / "view" / "three"

@@ -27,7 +27,7 @@ def origin_from_environment(variable: str, upstream: Callable[[str], str]) -> Or
     `upstream`: the address of a path there. A mirror is a folder, or a file:// or http(s)://
     address, below which every path lies as it is. Raises FetchError for any other kind of address.
     """
-    place = os.environ.get(variable)
+    place = os.environ.get(variable, "")
     if not place:
         return upstream
     parts = urlsplit(place)

@@ -109,7 +109,7 @@ def generate(bench: Path, mesh: Entry, inputs: Mapping[str, Path], target: Path)
 
     Raises Unavailable with the program's message.
     """
-    given = {**inputs, **mesh.parameters}
+    given: dict[str, object] = {**inputs, **mesh.parameters}
     parameters = [f"--{name}={value}" for name, value in given.items()]
     done = _run(bench, "generate", mesh.generator, *parameters, "-o", str(target))
     if done.returncode != 0:

@@ -89,8 +89,8 @@ Division divide_at_crossings(Window challenger, Window incumbent, double from, d
   }
   Crossings cuts = crossings(challenger, incumbent);
   restrict_to(from, to, narrowest, cuts);
-  // Without a cut one is nearer everywhere. Where they tie at one end, since the lead is lost in the
-  // rounding of far longer distances there, the other end decides.
+  // Without a cut one is nearer everywhere. Where they tie at one end, since the lead is lost in
+  // the rounding of far longer distances there, the other end decides.
   if (cuts.count == 0 && at_from + at_to != 0) return whole(at_from + at_to < 0);
   if (at_from * at_to < 0 && cuts.count == 1) {
     return {.challenger_first = at_from < 0, .cuts = 1, .at = {cuts.at[0]}};

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "meshes/generators/generators.h"
-#include "meshes/point_solver.h"
 #include "meshes/oracles/random_meshes.h"
+#include "meshes/point_solver.h"
 #include "meshes/random.h"
 #include "solvers/core/registry.h"
 

@@ -9,8 +9,8 @@
 #include "harness/corpus/manifest.h"
 #include "harness/corpus/points.h"
 #include "harness/corpus/solvers.h"
-#include "meshes/point_solver.h"
 #include "meshes/load.h"
+#include "meshes/point_solver.h"
 
 namespace geodesic::harness {
 
