@@ -7,6 +7,7 @@
 // are about to enter; their source therefore has y <= 0.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -70,8 +71,9 @@ class Mesh {
   Index edge_count() const { return edge_count_; }
 
   const HalfEdge& half_edge(Index h) const { return half_edges_[h]; }
-  static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
-  static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  // By table: the branches that a comparison compiles to are mispredicted at every third call.
+  static Index next(Index h) { return h + kToNext[h % 3]; }
+  static Index previous(Index h) { return h + kToPrevious[h % 3]; }
   Index twin(Index h) const { return half_edges_[h].twin; }
   Index origin(Index h) const { return half_edges_[h].origin; }
   Index head(Index h) const { return half_edges_[next(h)].origin; }
@@ -140,6 +142,9 @@ class Mesh {
   double mean_edge_length() const { return mean_edge_length_; }
 
  private:
+  static constexpr std::array<Index, 3> kToNext = {1, 1, Index{0} - 2};  // modulo 2^32
+  static constexpr std::array<Index, 3> kToPrevious = {2, Index{0} - 1, Index{0} - 1};
+
   void number_along_surface(std::span<const Vec3> positions, std::span<const Triangle> triangles);
   void set_faces(std::span<const Triangle> triangles);
   bool link_twins();
