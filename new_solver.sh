@@ -124,16 +124,13 @@ write_folder() {
     write_template
   else
     write_variant
-    sources="RECORDED $sources"
   fi
   if [[ -n $outside ]]; then write_project; fi
 }
 
 write_project() {
   local parts="$root/tools/new_solver/outside"
-  local lists=("$parts/CMakeLists.txt.in")
-  if [[ $from == edge-based ]]; then lists+=("$parts/highway.cmake.in"); fi
-  instance_of "${lists[@]}" >"$folder/CMakeLists.txt"
+  instance_of "$parts/CMakeLists.txt.in" >"$folder/CMakeLists.txt"
 }
 
 rivals() {

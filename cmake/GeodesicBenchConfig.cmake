@@ -16,16 +16,13 @@ elseif(GeodesicBench_FIND_REQUIRED_openmesh)
   set(GeodesicBench_NOT_FOUND_MESSAGE "the component openmesh needs OpenMesh (libopenmesh-dev)")
 endif()
 
-include(${CMAKE_CURRENT_LIST_DIR}/RecordedSolves.cmake)
-
-# geodesic_add_solver(NAME [BY_NAME_ONLY] [SOURCES...] [RECORDED SOURCES...])
+# geodesic_add_solver(NAME [BY_NAME_ONLY] SOURCES...)
 #
 # The plug-in libNAME.so, for geodesic-bench --plugin. With BY_NAME_ONLY its solvers run only when
-# they are named. Sources named RECORDED are compiled for timed solves and again for recorded ones.
+# they are named.
 function(geodesic_add_solver name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "BY_NAME_ONLY" "" "RECORDED")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "BY_NAME_ONLY" "" "")
   add_library(${name} MODULE ${arg_UNPARSED_ARGUMENTS})
-  geodesic_add_recorded_sources(${name} ${arg_RECORDED})
   if(arg_BY_NAME_ONLY)
     target_compile_definitions(${name} PRIVATE GEODESIC_BY_NAME_ONLY)
   endif()

@@ -10,7 +10,7 @@ install(
 install(EXPORT GeodesicBenchTargets NAMESPACE GeodesicBench:: DESTINATION ${package_folder})
 write_basic_package_version_file(
   ${PROJECT_BINARY_DIR}/GeodesicBenchConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES cmake/GeodesicBenchConfig.cmake cmake/RecordedSolves.cmake
+install(FILES cmake/GeodesicBenchConfig.cmake
               ${PROJECT_BINARY_DIR}/GeodesicBenchConfigVersion.cmake
         DESTINATION ${package_folder})
 

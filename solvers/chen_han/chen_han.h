@@ -41,11 +41,14 @@ class ChenHan final : public Solver {
   ChenHan(const Mesh& mesh, const Description& description)
       : Solver(mesh, description), propagation_(checked(mesh, description)) {}
 
-  /// A recorded solve, compiled apart (core/recorders.h).
+ private:
+  /// A recorded solve; defined in recorded.h, as the next one.
   static void record(const Mesh& mesh, const Query& query, std::span<double> distances,
                      Recording& recording);
+  /// As a timed solve, with windows that carry the length of their strip.
+  static void solve_dropping_long_strips(const Mesh& mesh, const Query& query,
+                                         std::span<double> distances);
 
- private:
   static const Mesh& checked(const Mesh& mesh, const Description& description) {
     if (mesh.vertex_count() <= kMaxRoots) return mesh;
     throw std::invalid_argument(description.name + ": supports at most " +
@@ -53,22 +56,14 @@ class ChenHan final : public Solver {
   }
 
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
-    if (recording == nullptr) return propagation_.run(query, distances);
-    record(mesh(), query, distances, *recording);
+    if (recording != nullptr) return record(mesh(), query, distances, *recording);
+    solve_within_bound(distances, [&](bool drops_long_strips) {
+      if (drops_long_strips) return solve_dropping_long_strips(mesh(), query, distances);
+      propagation_.run(query, distances);
+    });
   }
 
-  Propagation<Policy, NoRecorder> propagation_;
+  Propagation<Policy, DepthOf<Policy, NoRecorder>, NoRecorder> propagation_;
 };
-
-#ifdef GEODESIC_RECORDED
-template <class Policy>
-[[gnu::used]] void ChenHan<Policy>::record(const Mesh& mesh, const Query& query,
-                                           std::span<double> distances, Recording& recording) {
-  solve_recording(mesh, query, distances, recording, [&](auto recorder) {
-    if constexpr (recorder.kRecords) recording.window_bytes = sizeof(StoredWindow<NoDepth>);
-    Propagation<Policy, decltype(recorder)>(mesh, recorder).run(query, distances);
-  });
-}
-#endif
 
 }  // namespace geodesic::chen_han

@@ -53,9 +53,15 @@ struct StoredWindow : Window {
 /// As many roots as `StoredWindow::root` can tell apart.
 inline constexpr Index kMaxRoots = (Index{1} << 31) - 1;
 
+/// What windows carry of their strip's length. Where none are filtered, nothing else ends a solve
+/// on some meshes.
+template <class Policy, class Recorder>
+using DepthOf = std::conditional_t<Policy::Filter::filters, typename Recorder::Depth, StripDepth>;
+
 /// The state of the solves of one solver, one after the other.
 /// @tparam Policy as in chen_han.h
-template <class Policy, class Recorder>
+/// @tparam Depth NoDepth or StripDepth; strips that are too long are dropped where it is known
+template <class Policy, class Depth, class Recorder>
 class Propagation {
   static_assert(WindowQueue<typename Policy::Queue>,
                 "the policy's Queue lacks a member of WindowQueue (core/queues/concepts.h)");
@@ -83,7 +89,6 @@ class Propagation {
 
  private:
   using Filter = typename Policy::Filter;
-  using Depth = std::conditional_t<Filter::filters, typename Recorder::Depth, StripDepth>;
   using Stored = StoredWindow<Depth>;
   using Arrival = ArrivalOf<Recorder>;
 

@@ -6,14 +6,8 @@
 // reads the clock instead. `PathRecorder` remembers how paths arrive.
 //
 // What the compiler inlines into a timed solve depends on what else is in the file, by 1% to 3% of
-// its instructions. Timed and recorded solves are therefore compiled apart, from the same file: a
-// source named RECORDED in geodesic_add_solver is compiled as it is, and once more with
-// GEODESIC_RECORDED defined. A family's solver class declares
-//
-//   static void record(mesh, query, distances, recording);
-//
-// and defines it, as [[gnu::used]], only where GEODESIC_RECORDED is defined; there RegisterSolver
-// (registry.h) instantiates `record` in place of the solver. Nothing else depends on the macro.
+// its instructions. A family therefore defines its recorded solves in a header of their own,
+// recorded.h, which is instantiated in FAMILY_recorded.cpp, and variants include that header.
 #pragma once
 
 #include <algorithm>
@@ -74,9 +68,6 @@ struct NoCount {};
 struct NoRecorder {
   static constexpr bool kRecords = false;
   static constexpr bool kRemembers = false;
-  /// Whether the solve may be on a mesh with crossed edges (Mesh::crosses_non_manifold_edges). It
-  /// costs a timed solve nothing: there, Solver::solve asks for counters, and drops them.
-  static constexpr bool kCrossesSheets = false;
   using Depth = NoDepth;
   using Progress = NoProgress;
   using Count = NoCount;
@@ -96,7 +87,6 @@ struct NoRecorder {
 
 /// Reads the clock whenever the phase changes, and counts nothing.
 struct TimingRecorder : NoRecorder {
-  static constexpr bool kCrossesSheets = true;
   explicit TimingRecorder(PhaseTimer& into) : timer(into) {}
   PhaseScope<PhaseTimer> enter(Phase phase) const { return {timer, phase}; }
 
@@ -107,7 +97,6 @@ struct TimingRecorder : NoRecorder {
 struct CountingRecorder {
   static constexpr bool kRecords = true;
   static constexpr bool kRemembers = false;
-  static constexpr bool kCrossesSheets = true;
   using Depth = StripDepth;
   using Progress = geodesic::Progress;
   using Count = std::uint64_t;
@@ -208,7 +197,6 @@ struct WavefrontRecorder : CountingRecorder {
 /// window, and calls
 struct PathRecorder : NoRecorder {
   static constexpr bool kRemembers = true;
-  static constexpr bool kCrossesSheets = true;
   using Depth = StripDepth;
 
   void propagated(std::uint64_t /*windows*/, Depth /*deepest*/) {}

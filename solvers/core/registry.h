@@ -74,7 +74,6 @@ inline constexpr bool kByNameOnly = true;
 inline constexpr bool kByNameOnly = false;
 #endif
 
-#ifndef GEODESIC_RECORDED
 /// Registers S when it is constructed, as an object at namespace scope.
 template <class S>
 struct RegisterSolver {
@@ -86,15 +85,5 @@ struct RegisterSolver {
     geodesic_register_solver(compiled_contract().c_str(), &description, &factory);
   }
 };
-#else
-// The file is compiled again, for the recorded solves of the solvers in it (recorders.h). A
-// namespace of its own: no name must stand for two things in one program.
-inline namespace recorded {
-template <class S>
-struct RegisterSolver {
-  explicit RegisterSolver(const Description&) { static_cast<void>(&S::record); }
-};
-}  // namespace recorded
-#endif
 
 }  // namespace geodesic

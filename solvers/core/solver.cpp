@@ -4,8 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "solvers/core/window_bound.h"
-
 namespace geodesic {
 namespace {
 
@@ -112,16 +110,7 @@ void Solver::solve(const Query& query, std::span<double> distances, Recording* r
 
 void Solver::run_to_end(const Query& query, std::span<double> distances, Recording* recording) {
   std::ranges::fill(distances, kInfinity);
-  Recording dropped;  // timed solves are not compiled for crossed edges (recorders.h)
-  if (recording == nullptr && mesh_.crosses_non_manifold_edges()) recording = &dropped;
-  try {
-    run(query, distances, recording);
-  } catch (const EndlessPropagation&) {
-    if (recording != nullptr) throw;
-    Recording counted;
-    std::ranges::fill(distances, kInfinity);
-    run(query, distances, &counted);
-  }
+  run(query, distances, recording);
   double farthest = Ending(mesh_, query, distances).farthest();
   if (query.stop_at_targets && recording != nullptr && recording->what == Record::paths) {
     double last = 0;

@@ -4,11 +4,13 @@
 // longer than wide: where a solver keeps nothing of a window that has passed, only paths over
 // vertices beat what comes round, and these are far away. No shortest path enters a face twice:
 // between the two points of a face the straight line in it is shorter. A strip of faces therefore
-// has at most as many as the mesh. Solves that are recorded know the length of strips and drop what
-// is longer; a timed solve that exceeds the bound is repeated as a recorded one (solver.cpp).
+// has at most as many as the mesh. Windows need not carry the length of their strip for that: a
+// solve without it that exceeds the bound is repeated with it, and drops what is longer.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <span>
 #include <stdexcept>
 
 #include "solvers/core/mesh.h"
@@ -33,6 +35,18 @@ std::uint64_t window_bound(const Mesh& mesh);
 /// Whether no shortest path has a strip of so many faces, the one that is entered next among them.
 inline bool is_strip_too_long(const Mesh& mesh, std::uint64_t faces) {
   return faces > mesh.face_count();
+}
+
+/// Calls solve(false), which need not know how long strips are; and where that exceeds the bound,
+/// solve(true), which drops those that are too long, from fresh distances.
+template <class Solve>
+void solve_within_bound(std::span<double> distances, const Solve& solve) {
+  try {
+    solve(false);
+  } catch (const EndlessPropagation&) {
+    std::ranges::fill(distances, kInfinity);
+    solve(true);
+  }
 }
 
 /// What is left of the bound in a solve.

@@ -1,20 +1,73 @@
 // The windows of one list while they cross a face: a structure of arrays.
 #pragma once
 
-#include <array>
+#include <algorithm>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "solvers/core/window.h"
+#include "solvers/edge_based/trim.h"
 #include "solvers/edge_based/window_lists.h"
 
 namespace geodesic::edge_based {
 
+/// One bit for each window of a list, those of kLaneRoom windows in a byte.
+class Marks {
+ public:
+  void reserve(std::size_t windows) {
+    if (groups_.size() <= windows / kLaneRoom) groups_.resize(2 * (windows / kLaneRoom + 1));
+  }
+
+  bool operator[](std::size_t i) const {
+    return (groups_[i / kLaneRoom] >> (i % kLaneRoom) & 1) != 0;
+  }
+  void clear(std::size_t i) {
+    groups_[i / kLaneRoom] &= static_cast<std::uint8_t>(~(1u << (i % kLaneRoom)));
+  }
+
+  /// Those of so many windows, from another list's.
+  void copy(const Marks& from, std::size_t windows) {
+    reserve(windows);
+    std::copy_n(from.groups_.begin(), windows / kLaneRoom + 1, groups_.begin());
+  }
+
+  /// The first marked window from `i` on, of `count`; `count` where there is none.
+  std::size_t next(std::size_t i, std::size_t count) const {
+    if (i >= count) return count;
+    std::size_t group = i / kLaneRoom;
+    unsigned marks = groups_[group] & (~0u << (i % kLaneRoom));
+    while (marks == 0) {
+      if (++group * kLaneRoom >= count) return count;
+      marks = groups_[group];
+    }
+    return group * kLaneRoom + static_cast<std::size_t>(std::countr_zero(marks));
+  }
+
+  /// For kernels.
+  std::uint8_t* groups() { return groups_.data(); }
+  const std::uint8_t* groups() const { return groups_.data(); }
+
+ private:
+  std::vector<std::uint8_t> groups_;
+};
+
 /// Arrays of equal room; vectors may read and write up to kLaneRoom doubles behind the last window.
 class Batch {
  public:
-  std::size_t count = 0;
+  /// @param fields that windows have, of Field
+  explicit Batch(unsigned fields) : fields_(fields) {}
 
+  std::size_t count = 0;
+  /// Written by the kernels: which sides of the apex the lines of a window pass; both are marked
+  /// where they pass the apex.
+  Marks passes_left, passes_right;
+  /// Windows that are not in order with the next one; windows that sides_kept (split.h) decides.
+  Marks suspects, contested;
+
+  unsigned fields() const { return fields_; }
   double* array(unsigned field) { return arrays_.get() + field * room_; }
   const double* array(unsigned field) const { return arrays_.get() + field * room_; }
 
@@ -32,10 +85,21 @@ class Batch {
     array(kBegin)[i] = kInfinity;
     array(kEnd)[i] = -kInfinity;
   }
+  /// What is left of a window of an edge of this length; struck out where that is nothing.
+  /// @return false when it is struck out
+  bool put_back(std::size_t i, const Window& w, double length) {
+    const bool remains = !is_void(w, length);
+    if (remains) {
+      set_interval(i, w);
+    } else {
+      strike_out(i);
+    }
+    return remains;
+  }
   bool is_struck_out(std::size_t i) const { return array(kBegin)[i] == kInfinity; }
 
  private:
-  static constexpr unsigned kArrays = kRoot + 1;  // one a Field
+  unsigned fields_;
   std::unique_ptr<double[]> arrays_;
   std::size_t room_ = 0;
 };
@@ -43,12 +107,13 @@ class Batch {
 inline void Batch::reserve(std::size_t windows) {
   if (windows + kLaneRoom <= room_) return;
   const std::size_t room = 2 * (windows + 2 * kLaneRoom) / kLaneRoom * kLaneRoom;
-  auto larger = std::make_unique<double[]>(kArrays * room);
-  for (unsigned f = 0; f < kArrays; ++f) {
+  auto larger = std::make_unique<double[]>(fields_ * room);
+  for (unsigned f = 0; f < fields_; ++f) {
     for (std::size_t i = 0; i < count; ++i) larger[f * room + i] = array(f)[i];
   }
   arrays_ = std::move(larger);
   room_ = room;
+  for (Marks* marks : {&passes_left, &passes_right, &suspects, &contested}) marks->reserve(room);
 }
 
 }  // namespace geodesic::edge_based

@@ -9,30 +9,13 @@
 // through a FIFO; all others wait. Any order is correct, since only beaten lines are ever dropped;
 // this one keeps late arrivals rare.
 //
-// The loop (propagation-inl.h) and its steps over whole lists (kernels-inl.h) are compiled for
-// several instruction sets; which one runs is chosen when a solver is constructed
-// (core/instruction_set.h). All of them give the same bits.
+// What waits, what is entered and when a solve is over: wavefront.h. What crosses a face:
+// list_crossing.h, whose steps over whole lists (kernels.h) are compiled for several instruction
+// sets; which one runs is chosen when a solver is constructed (core/instruction_set.h). All of them
+// give the same bits.
 #include "solvers/edge_based/edge_based.h"
 
 namespace geodesic::edge_based {
-
-template <class Recorder>
-std::unique_ptr<Propagator<Recorder>> make_exact_propagator(const Mesh& mesh, InstructionSet set) {
-  return make_propagator<ByDistance, Recorder>(mesh, set, {});
-}
-
-#ifndef GEODESIC_RECORDED
-template std::unique_ptr<Propagator<NoRecorder>> make_exact_propagator(const Mesh&, InstructionSet);
-#else
-template std::unique_ptr<Propagator<CountingRecorder>> make_exact_propagator(const Mesh&,
-                                                                             InstructionSet);
-template std::unique_ptr<Propagator<WavefrontRecorder>> make_exact_propagator(const Mesh&,
-                                                                              InstructionSet);
-template std::unique_ptr<Propagator<TimingRecorder>> make_exact_propagator(const Mesh&,
-                                                                           InstructionSet);
-template std::unique_ptr<Propagator<PathRecorder>> make_exact_propagator(const Mesh&,
-                                                                         InstructionSet);
-#endif
 
 namespace {
 

@@ -1,101 +1,65 @@
-// The family edge-based as solvers: the propagation (propagation-inl.h) with a policy
-// (propagation.h), compiled for AVX2 and for every other processor (plain_lanes.h).
-//
-// To be included before anything else of Highway's. Needs Google Highway.
+// Edge-based propagation as a solver: the wavefront (wavefront.h) of exact lists (list_crossing.h).
 #pragma once
 
-#include <concepts>
-#include <memory>
+#include <span>
 
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS (HWY_AVX3_DL | HWY_AVX3 | HWY_SSE4 | HWY_SSSE3)
-
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "solvers/edge_based/propagation-inl.h"
-#include <hwy/foreach_target.h>
-
+#include "solvers/core/queues/vertex_heap.h"
 #include "solvers/core/registry.h"
-#include "solvers/edge_based/propagation-inl.h"
-
-/// Whether there is an AVX2 version beside the one for every processor of the build.
-#if (HWY_TARGETS & HWY_AVX2) != 0 && HWY_STATIC_TARGET != HWY_AVX2
-#define GEODESIC_AVX2_BESIDE_STATIC 1
-#else
-#define GEODESIC_AVX2_BESIDE_STATIC 0
-#endif
+#include "solvers/edge_based/list_crossing.h"
+#include "solvers/edge_based/wavefront.h"
 
 namespace geodesic::edge_based {
 
-/// That of `edge-based`, compiled once, with it (edge_based.cpp).
-template <class Recorder>
-std::unique_ptr<Propagator<Recorder>> make_exact_propagator(const Mesh& mesh, InstructionSet set);
+/// Least distance first.
+struct ByDistance {
+  using Queue = VertexHeap;
+  static Queue make_queue(const Mesh& mesh) { return Queue(mesh.vertex_count()); }
+};
 
-/// @param set AVX2 only when it was compiled
-template <class Policy, class Recorder>
-std::unique_ptr<Propagator<Recorder>> make_propagator(const Mesh& mesh, InstructionSet set,
-                                                      const Policy& policy) {
-  if constexpr (Policy::kMerges) {
-    if (policy.shortfall() == 0) return make_exact_propagator<Recorder>(mesh, set);
-  }
-#if GEODESIC_AVX2_BESIDE_STATIC
-  if (set == InstructionSet::avx2) {
-    return std::make_unique<N_AVX2::Propagation<Policy, Recorder>>(mesh, policy);
-  }
-#endif
-  static_cast<void>(set);
-  return std::make_unique < HWY_STATIC_DISPATCH(Propagation) < Policy, Recorder >> (mesh, policy);
-}
-
-template <class Policy>
+/// @tparam Order in which vertices leave the queue, as ByDistance
+template <class Order>
 class EdgeBased final : public Solver {
  public:
   EdgeBased(const Mesh& mesh, const Description& description)
       : Solver(mesh, description),
-        policy_(policy_of(description)),
         instruction_set_(compiled_for(geodesic::instruction_set())),
-        timed_(make_propagator<Policy, NoRecorder>(mesh, instruction_set_, policy_)) {}
+        timed_(make_wavefront(mesh, instruction_set_, Carried::nothing, NoRecorder())) {}
 
   InstructionSet instruction_set() const override { return instruction_set_; }
 
-  /// A recorded solve, compiled apart (core/recorders.h).
-  /// @param set that make_propagator takes
-  static void record(const Mesh& mesh, InstructionSet set, const Policy& policy, const Query& query,
-                     std::span<double> distances, Recording& recording);
+  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+    solve_within_bound(distances, [&](bool drops_long_strips) {
+      const Carried carried = carried_by(recording, drops_long_strips);
+      if (recording != nullptr) {
+        record(mesh(), instruction_set_, carried, query, distances, *recording);
+      } else if (carried == Carried::nothing) {
+        timed_.run(query, distances);
+      } else {
+        make_wavefront(mesh(), instruction_set_, carried, NoRecorder()).run(query, distances);
+      }
+    });
+  }
 
  private:
-  static Policy policy_of(const Description& description) {
-    if constexpr (std::constructible_from<Policy, const Description&>) {
-      return Policy(description);
-    } else {
-      return {};
-    }
+  template <class Recorder>
+  static auto make_wavefront(const Mesh& mesh, InstructionSet set, Carried carried,
+                             const Recorder& recorder) {
+    return Wavefront<ListCrossing, typename Order::Queue, Recorder>(
+        mesh, Order::make_queue(mesh), ListCrossing(mesh, set, carried), recorder);
   }
 
-  /// The instruction set nearest to `wanted` that was compiled.
-  static InstructionSet compiled_for(InstructionSet wanted) {
-    if (HWY_STATIC_TARGET == HWY_AVX2) return InstructionSet::avx2;
-    return GEODESIC_AVX2_BESIDE_STATIC ? wanted : InstructionSet::plain;
+  static Carried carried_by(const Recording* recording, bool drops_long_strips) {
+    if (recording != nullptr && recording->what == Record::paths) return Carried::root;
+    const bool counts = recording != nullptr && recording->what != Record::phase_times;
+    return counts || drops_long_strips ? Carried::depth : Carried::nothing;
   }
 
-  void run(const Query& query, std::span<double> distances, Recording* recording) override {
-    if (recording == nullptr) return timed_->run(query, distances, NoRecorder());
-    record(mesh(), instruction_set_, policy_, query, distances, *recording);
-  }
+  /// A recorded solve; defined in recorded.h.
+  static void record(const Mesh& mesh, InstructionSet set, Carried carried, const Query& query,
+                     std::span<double> distances, Recording& recording);
 
-  Policy policy_;
   InstructionSet instruction_set_;
-  std::unique_ptr<Propagator<NoRecorder>> timed_;
+  Wavefront<ListCrossing, typename Order::Queue, NoRecorder> timed_;
 };
-
-#ifdef GEODESIC_RECORDED
-template <class Policy>
-[[gnu::used]] void EdgeBased<Policy>::record(const Mesh& mesh, InstructionSet set,
-                                             const Policy& policy, const Query& query,
-                                             std::span<double> distances, Recording& recording) {
-  solve_recording(mesh, query, distances, recording, [&](auto recorder) {
-    make_propagator<Policy, decltype(recorder)>(mesh, set, policy)->run(query, distances, recorder);
-  });
-}
-#endif
 
 }  // namespace geodesic::edge_based

@@ -1,8 +1,8 @@
-// The steps of propagation over whole batches, four (AVX2), two (SSE) or one window at a time.
+// The kernels of one instruction set, over four (AVX2) or two windows at a time.
 //
-// Included once per instruction set. Every operation is one correctly rounded IEEE operation in a
-// fixed order, no contraction, and minima are exact: all instruction sets give the same bits. Needs
-// Google Highway.
+// Included once per instruction set (kernels.cpp). Every operation is one correctly rounded IEEE
+// operation in a fixed order, no contraction, and minima are exact: all instruction sets give the
+// same bits. Needs Google Highway.
 #if defined(GEODESIC_EDGE_BASED_KERNELS) == defined(HWY_TARGET_TOGGLE)
 #ifdef GEODESIC_EDGE_BASED_KERNELS
 #undef GEODESIC_EDGE_BASED_KERNELS
@@ -13,10 +13,8 @@
 #include <hwy/highway.h>
 
 #include "solvers/core/tolerance.h"
-#include "solvers/edge_based/batch.h"
+#include "solvers/edge_based/kernels.h"
 #include "solvers/edge_based/plain_lanes.h"
-#include "solvers/edge_based/split.h"
-#include "solvers/edge_based/trim.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace geodesic::edge_based::HWY_NAMESPACE {
@@ -90,13 +88,27 @@ inline constexpr Tag kTag{};
 
 inline Vec all(double value) { return hn::Set(kTag, value); }
 
+/// The bits of the kLanes windows from i on, a multiple of kLanes, among those of a list (Marks).
+inline unsigned marks_at(const std::uint8_t* groups, std::size_t i) {
+  return groups[i / kLaneRoom] >> (i % kLaneRoom) & ((1u << kLanes) - 1);
+}
+/// Sets them; in ascending order of i.
+inline void set_marks(std::uint8_t* groups, std::size_t i, unsigned marks) {
+  std::uint8_t& group = groups[i / kLaneRoom];
+  group = static_cast<std::uint8_t>((i % kLaneRoom == 0 ? 0 : group) | marks << (i % kLaneRoom));
+}
+inline Mask mask_of(unsigned marks) {
+  const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(marks)};
+  return hn::LoadMaskBits(kTag, bytes);
+}
+
 /// Windows of a segment or batch, a vector's worth.
 struct Windows {
   Vec begin, end, x, y, sigma;
 };
 
-/// EndPaths::beat.
-HWY_INLINE Mask beaten(const Windows& w, const EndPaths& ends) {
+/// EndpointBounds::beat.
+HWY_INLINE Mask beaten(const Windows& w, const EndpointBounds& ends) {
   const Vec zero = hn::Zero(kTag);
   const Vec y2 = hn::Mul(w.y, w.y);
   const Vec over_origin = hn::Sub(hn::Add(all(ends.at_origin), w.end), w.sigma);
@@ -112,12 +124,11 @@ HWY_INLINE Mask beaten(const Windows& w, const EndPaths& ends) {
   return hn::Or(by_origin, by_head);
 }
 
-/// Appends to `batch` the windows of a segment that no path over an end of the edge beats.
-template <Note note, class Segment>
-HWY_INLINE void gather(Segment& segment, const EndPaths& ends, Batch& batch) {
+template <Carried carried>
+void gather(const Segment& segment, const EndpointBounds& bounds, Batch& batch) {
   batch.reserve(batch.count + segment.count);
-  const unsigned fields = fields_with(note);
-  double* from[fields];
+  constexpr unsigned fields = fields_with(carried);
+  const double* from[fields];
   double* to[fields];
   for (unsigned f = 0; f < fields; ++f) {
     from[f] = segment.array(f);
@@ -128,7 +139,7 @@ HWY_INLINE void gather(Segment& segment, const EndPaths& ends, Batch& batch) {
     const Windows w{hn::Load(kTag, from[kBegin] + i), hn::Load(kTag, from[kEnd] + i),
                     hn::Load(kTag, from[kX] + i), hn::Load(kTag, from[kY] + i),
                     hn::Load(kTag, from[kSigma] + i)};
-    const Mask keep = hn::AndNot(beaten(w, ends), hn::FirstN(kTag, segment.count - i));
+    const Mask keep = hn::AndNot(beaten(w, bounds), hn::FirstN(kTag, segment.count - i));
     const Packer pack(bits(keep));
     pack.store(w.begin, to[kBegin] + out);
     pack.store(w.end, to[kEnd] + out);
@@ -153,10 +164,8 @@ inline Side2 right_of(Vec x, Vec y, Vec t, Vec px, Vec py) {
   return {hn::Sub(a, b), hn::Mul(all(kOnLine), hn::Add(hn::Abs(a), hn::Abs(b)))};
 }
 
-/// For each window but the first, in groups of kLanes bits: whether it and the one before it are
-/// not `in_order`, so that `trim_pair` has to look at them.
-/// @return true when any is
-HWY_INLINE bool find_suspects(const Batch& batch, std::uint8_t* suspects) {
+inline bool find_suspects(Batch& batch) {
+  std::uint8_t* suspects = batch.suspects.groups();
   const double* begin = batch.array(kBegin);
   const double* end = batch.array(kEnd);
   const double* xs = batch.array(kX);
@@ -174,54 +183,88 @@ HWY_INLINE bool find_suspects(const Batch& batch, std::uint8_t* suspects) {
                               hn::Le(end1, hn::LoadU(kTag, end + i + 1)));
     const unsigned group =
         bits(hn::AndNot(hn::And(sources, ends), hn::FirstN(kTag, batch.count - 1 - i)));
-    suspects[i / kLanes] = static_cast<std::uint8_t>(group);
+    set_marks(suspects, i, group);
     any |= group;
   }
   return any != 0;
+}
+
+/// The first window from `i` on that is not in order with the one before it, or the batch's count.
+inline std::size_t next_suspect(const Batch& batch, std::size_t i) {
+  return batch.suspects.next(i - 1, batch.count - 1) + 1;
+}
+
+/// Suspicious pairs go through trim_pair, in order, and so does what follows a window that changed.
+/// Compiled here, since a fifth of the windows come through: scalar code of AVX2 has fewer moves.
+inline void trim(Batch& batch, const EdgeBelow& edge) {
+  if (batch.count < 2 || !find_suspects(batch)) return;
+  for (std::size_t i = next_suspect(batch, 1); i < batch.count;) {
+    const Window original = batch.window(i);
+    Window second = original;
+    bool keeps = true;
+    for (std::size_t before = i; keeps && before-- > 0;) {
+      if (batch.is_struck_out(before)) continue;
+      Window first = batch.window(before);
+      trim_pair(first, second, edge);
+      keeps = !is_void(second, edge.length);
+      if (batch.put_back(before, first, edge.length)) break;
+    }
+    batch.put_back(i, second, edge.length);
+    const bool changed = !keeps || second.begin != original.begin || second.end != original.end;
+    i = changed ? i + 1 : next_suspect(batch, i + 1);
+  }
 }
 
 /// Takes one of their sides from windows whose lines to the apex miss the interval by no more than
 /// kApexTolerance and that do not see it all the same: next to a source or an apex that is far
 /// nearer than the edge is long, the path round the interval's end is longer than the line by more
 /// than rounding.
-/// @return the separator that the windows that see the apex give
-HWY_NOINLINE inline Separator take_blind_sides(const Batch& batch, const FaceFrame& face,
-                                               std::uint8_t* left, std::uint8_t* right) {
-  Separator best;
-  std::size_t seeing = 0;
+/// @return the winner among the windows that see the apex
+HWY_NOINLINE inline ApexWinner drop_unreached_sides(Batch& batch, const FaceFrame& face) {
+  ApexWinner best;
   for (std::size_t i = 0; i < batch.count; ++i) {
-    std::uint8_t &l = left[i / kLanes], &r = right[i / kLanes];
-    const unsigned lane = 1u << (i % kLanes);
-    if ((l & r & lane) == 0) continue;
+    if (!batch.passes_left[i] || !batch.passes_right[i]) continue;
     const Window w = batch.window(i);
     const double line = distance_through(w, face.apex_x, face.apex_y);
     const double bent = least_distance_to(w, face.apex_x, face.apex_y);
     if (bent - line > kApexExcess * line) {
-      std::uint8_t& side = crossing(w, face) == w.end ? r : l;
-      side = static_cast<std::uint8_t>(side & ~lane);
-      continue;
-    }
-    ++seeing;
-    if (line < best.distance) {
+      (crossing(w, face) == w.end ? batch.passes_right : batch.passes_left).clear(i);
+    } else if (line < best.distance) {
       best.window = i;
       best.distance = line;
       best.crossing = crossing(w, face);
     }
   }
-  if (seeing > 0) best.rivals = seeing - 1;
   return best;
 }
 
-/// Which sides of the apex the windows' lines pass, in groups of kLanes bits; both bits are set for
-/// a window that sees the apex.
-/// @return the window that gives the least distance to the apex
-HWY_INLINE Separator classify(const Batch& batch, const FaceFrame& face, std::uint8_t* left,
-                              std::uint8_t* right) {
+/// Marks the windows that sides_kept may take lines from: those that see the apex too, and those
+/// that pass it on one side and start from the other side of the winner's line.
+/// @return true when there are any
+HWY_INLINE bool find_contested(Batch& batch, const ApexWinner& winner) {
+  const std::uint8_t* left = batch.passes_left.groups();
+  const std::uint8_t* right = batch.passes_right.groups();
+  const Vec position = all(winner.crossing);
+  unsigned any = 0;
+  for (std::size_t i = 0; i < batch.count; i += kLanes) {
+    const unsigned l = marks_at(left, i), r = marks_at(right, i);
+    const unsigned beyond = bits(hn::Ge(hn::LoadU(kTag, batch.array(kBegin) + i), position));
+    const unsigned before = bits(hn::Le(hn::LoadU(kTag, batch.array(kEnd) + i), position));
+    unsigned group = (l & (r | beyond)) | (r & before);
+    if (winner.window - i < kLanes) group &= ~(1u << (winner.window - i));
+    set_marks(batch.contested.groups(), i, group);
+    any |= group;
+  }
+  return any != 0;
+}
+
+inline ApexWinner classify(Batch& batch, const FaceFrame& face) {
+  std::uint8_t* left = batch.passes_left.groups();
+  std::uint8_t* right = batch.passes_right.groups();
   const Vec apex_x = all(face.apex_x), apex_y = all(face.apex_y);
   const Vec slack = all(-kApexTolerance * face.length);
   const Vec least_height = all(kLeastHeight);
-  Separator best;
-  std::size_t seeing = 0;
+  ApexWinner best;
   unsigned any_left = 0, any_right = 0;
   HWY_ALIGN double distance[kLanes];
   for (std::size_t i = 0; i < batch.count; i += kLanes) {
@@ -235,8 +278,8 @@ HWY_INLINE Separator classify(const Batch& batch, const FaceFrame& face, std::ui
     const Mask only_right = hn::Lt(hn::Sub(crossing, begin), slack);
     const unsigned passes_left = bits(hn::AndNot(only_right, inside));
     const unsigned passes_right = bits(hn::AndNot(only_left, inside));
-    left[i / kLanes] = static_cast<std::uint8_t>(passes_left);
-    right[i / kLanes] = static_cast<std::uint8_t>(passes_right);
+    set_marks(left, i, passes_left);
+    set_marks(right, i, passes_right);
     any_left |= passes_left;
     any_right |= passes_right;
     unsigned straddling = passes_left & passes_right;
@@ -246,38 +289,23 @@ HWY_INLINE Separator classify(const Batch& batch, const FaceFrame& face, std::ui
     hn::Store(hn::Add(sigma, hn::Sqrt(squared)), kTag, distance);
     for (std::size_t lane = 0; straddling != 0; ++lane, straddling >>= 1) {
       if ((straddling & 1) == 0) continue;
-      ++seeing;
       if (distance[lane] < best.distance) {
         best.window = i + lane;
         best.distance = distance[lane];
       }
     }
   }
-  if (seeing > 0) {
-    best.rivals = seeing - 1;
+  if (best.window != SIZE_MAX) {
     const Window w = batch.window(best.window);
     best.crossing = crossing(w, face);
     if (best.crossing == w.begin || best.crossing == w.end) {
-      best = take_blind_sides(batch, face, left, right);
+      best = drop_unreached_sides(batch, face);
     }
+    best.is_contested = best.window != SIZE_MAX && find_contested(batch, best);
   }
   best.any_left = any_left != 0;
   best.any_right = any_right != 0;
   return best;
-}
-
-/// True when a window that passes the apex on one side starts from the other side of the
-/// separating path.
-HWY_INLINE bool any_crosses(const Batch& batch, const Separator& separator,
-                            const std::uint8_t* left, const std::uint8_t* right) {
-  const Vec position = all(separator.crossing);
-  for (std::size_t i = 0; i < batch.count; i += kLanes) {
-    const unsigned l = left[i / kLanes], r = right[i / kLanes];
-    const unsigned beyond = bits(hn::Ge(hn::LoadU(kTag, batch.array(kBegin) + i), position));
-    const unsigned before = bits(hn::Le(hn::LoadU(kTag, batch.array(kEnd) + i), position));
-    if (((l & ~r & beyond) | (r & ~l & before)) != 0) return true;
-  }
-  return false;
 }
 
 /// One of the two edges that a face hands windows on to.
@@ -333,27 +361,25 @@ struct RightEdge {
   }
 };
 
-/// Unfolds onto one edge the windows of the batch whose bit is set in `to_edge`. A window whose bit
-/// in `seen_other` is set too sees the apex and reaches up to it.
-/// @param out room for the chosen windows and kLaneRoom - 1 more
-template <class Edge, Note note, class Segment>
+/// @param sees_other marks of the windows that pass the apex on the other side
+template <class Edge, Carried carried>
 HWY_INLINE void unfold(const Batch& batch, const FaceFrame& face, const std::uint8_t* to_edge,
-                       const std::uint8_t* seen_other, Segment& out) {
-  const unsigned fields = fields_with(note);
+                       const std::uint8_t* sees_other, Segment& out) {
+  constexpr unsigned fields = fields_with(carried);
   double* to[fields];
   for (unsigned f = 0; f < fields; ++f) to[f] = out.array(f);
   const Vec width = all(kWindowWidth * Edge::length(face));
   std::size_t count = 0;
   for (std::size_t i = 0; i < batch.count; i += kLanes) {
-    if (to_edge[i / kLanes] == 0) continue;
-    const std::uint8_t wanted[8] = {to_edge[i / kLanes]}, other[8] = {seen_other[i / kLanes]};
+    const unsigned wanted = marks_at(to_edge, i);
+    if (wanted == 0) continue;
     const Windows w{hn::LoadU(kTag, batch.array(kBegin) + i),
                     hn::LoadU(kTag, batch.array(kEnd) + i), hn::LoadU(kTag, batch.array(kX) + i),
                     hn::LoadU(kTag, batch.array(kY) + i), hn::LoadU(kTag, batch.array(kSigma) + i)};
-    const Mask sees_apex = hn::LoadMaskBits(kTag, other);
+    const Mask sees_apex = mask_of(marks_at(sees_other, i));
     const Vec begin = Edge::begin(face, w, sees_apex), end = Edge::end(face, w, sees_apex);
     const Mask wide = hn::Gt(hn::Sub(end, begin), width);
-    const Mask keep = hn::And(hn::LoadMaskBits(kTag, wanted), wide);
+    const Mask keep = hn::And(mask_of(wanted), wide);
     const Vec x = Edge::source_x(face, w), y = hn::Min(Edge::source_y(face, w), hn::Zero(kTag));
     const Packer pack(bits(keep));
     pack.store(begin, to[kBegin] + count);
@@ -362,13 +388,26 @@ HWY_INLINE void unfold(const Batch& batch, const FaceFrame& face, const std::uin
     pack.store(y, to[kY] + count);
     pack.store(w.sigma, to[kSigma] + count);
     for (unsigned f = kDepth; f < fields; ++f) {
-      const Vec noted = hn::LoadU(kTag, batch.array(f) + i);
-      pack.store(f == kDepth ? hn::Add(noted, all(1)) : noted, to[f] + count);
+      const Vec value = hn::LoadU(kTag, batch.array(f) + i);
+      pack.store(f == kDepth ? hn::Add(value, all(1)) : value, to[f] + count);
     }
     count += pack.count();
   }
   out.count = static_cast<std::uint32_t>(count);
 }
+
+template <Carried carried>
+void unfold_left(const Batch& batch, const FaceFrame& face, const Marks& to_edge, Segment& out) {
+  unfold<LeftEdge, carried>(batch, face, to_edge.groups(), batch.passes_right.groups(), out);
+}
+template <Carried carried>
+void unfold_right(const Batch& batch, const FaceFrame& face, const Marks& to_edge, Segment& out) {
+  unfold<RightEdge, carried>(batch, face, to_edge.groups(), batch.passes_left.groups(), out);
+}
+
+template <Carried carried>
+inline constexpr Kernels kKernels = {gather<carried>, trim, classify, unfold_left<carried>,
+                                     unfold_right<carried>};
 
 }  // namespace geodesic::edge_based::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

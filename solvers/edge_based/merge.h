@@ -42,7 +42,7 @@
 namespace geodesic::edge_based {
 
 /// A window and what is known of its distances.
-struct Pencil {
+struct MergedWindow {
   Window window;
   double shortfall;  ///< how much shorter than the truth they may be
   double depth;      ///< of its strip, in faces: a whole number
@@ -122,7 +122,7 @@ inline constexpr double kTakeBack = 0.98;
 /// @param length of the edge
 /// @param tolerance the greatest shortfall, relative to distances
 /// @return false when they do not; nothing has changed then
-inline bool merge(Pencil& pencil, const Pencil& next, double length, double tolerance) {
+inline bool merge(MergedWindow& pencil, const MergedWindow& next, double length, double tolerance) {
   const Window &a = pencil.window, &b = next.window;
   const double most = tolerance * least_distance(a);
   const double before = std::max(pencil.shortfall, next.shortfall);

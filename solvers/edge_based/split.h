@@ -16,11 +16,11 @@ namespace geodesic::edge_based {
 enum class Side : std::uint8_t { none, left, right, both };
 
 /// The straight path to the apex that separates the windows of a list.
-struct Separator {
+struct ApexWinner {
   std::size_t window = SIZE_MAX;  ///< the one that gives it; SIZE_MAX when none sees the apex
   double distance = kInfinity;    ///< to the apex
   double crossing = 0;            ///< its position on the edge
-  std::size_t rivals = 0;         ///< other windows of the list that see the apex
+  bool is_contested = false;      ///< by another window: `sides_kept` decides on that
   bool any_left = false;          ///< some line of the list leads to the left edge
   bool any_right = false;
 };
@@ -48,20 +48,20 @@ inline double crossing(const Window& w, const FaceFrame& face) {
   return std::clamp(line_crossing(w, face), w.begin, w.end);
 }
 
-/// What remains of a window that is not the separator's own.
+/// What remains of a window that is not the winner's own.
 /// @param seen the sides that its lines pass
-/// @param best the separator's window
+/// @param best the winner's window
 /// @param rounding of coordinates (trim.h)
-inline Side sides_kept(const Window& w, Side seen, const Separator& separator, const Window& best,
+inline Side sides_kept(const Window& w, Side seen, const ApexWinner& winner, const Window& best,
                        const FaceFrame& face, double rounding) {
   if (seen == Side::both) {
     // Windows that meet in the line to the apex both see it: a tie leaves both whole.
     const double distance = distance_through(w, face.apex_x, face.apex_y);
-    if (!is_shorter(separator.distance, distance, rounding)) return seen;
-    // Its line to the apex is the longer one: lines between that and the separator's source are
+    if (!is_shorter(winner.distance, distance, rounding)) return seen;
+    // Its line to the apex is the longer one: lines between that and the winner's source are
     // beaten, which is one whole side unless the source lies inside the pencil.
     const double t = crossing(w, face);
-    if (touches_edge(w, face.length) || has_no_side(w, t, best.x, best.y, rounding)) return seen;
+    if (source_on_edge(w, face.length) || has_no_side(w, t, best.x, best.y, rounding)) return seen;
     if (!is_left_of_line(w, t, best.x, best.y)) {
       return is_right_of_line(w, w.end, best.x, best.y) ? Side::left : Side::both;
     }
@@ -70,9 +70,8 @@ inline Side sides_kept(const Window& w, Side seen, const Separator& separator, c
     }
     return Side::both;
   }
-  const bool crosses =
-      seen == Side::left ? w.begin >= separator.crossing : w.end <= separator.crossing;
-  if (crosses && is_shorter(separator.distance, bent_distance(w, seen, face), rounding)) {
+  const bool crosses = seen == Side::left ? w.begin >= winner.crossing : w.end <= winner.crossing;
+  if (crosses && is_shorter(winner.distance, bent_distance(w, seen, face), rounding)) {
     return Side::none;
   }
   return seen;

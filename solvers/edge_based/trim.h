@@ -19,7 +19,7 @@ namespace geodesic::edge_based {
 inline constexpr double kOnLine = 1e-11;
 
 /// The edge that carries the windows, and the face below it through which they all came.
-struct Crossed {
+struct EdgeBelow {
   double length;            ///< of the edge
   double below_x, below_y;  ///< third vertex of the face below, below_y <= 0
   double rounding = 0;      ///< of coordinates, see `coordinate_rounding`
@@ -28,12 +28,17 @@ struct Crossed {
 /// What rounding may add to a distance that is far shorter than the edges whose frames its window
 /// came through: a source near to a long edge still has coordinates along that edge. Two windows of
 /// one source then differ by that much, and which of them is the shorter one is chance.
-/// @param longest_edge of the mesh
-inline double coordinate_rounding(double longest_edge) { return kPathMargin * longest_edge; }
+inline double coordinate_rounding(const Mesh& mesh) {
+  double longest_edge = 0;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    longest_edge = std::max(longest_edge, mesh.half_edge(h).length);
+  }
+  return kPathMargin * longest_edge;
+}
 
 /// @param h the half-edge that carries the windows; it must have a twin
 /// @param rounding of coordinates
-inline Crossed crossed_face(const Mesh& mesh, Index h, double rounding) {
+inline EdgeBelow edge_below(const Mesh& mesh, Index h, double rounding) {
   const HalfEdge& below = mesh.half_edge(mesh.twin(h));
   return {mesh.half_edge(h).length, below.length - below.apex_x, -below.apex_y, rounding};
 }
@@ -45,11 +50,11 @@ inline bool is_shorter(double a, double b, double rounding) {
 }
 
 /// Distances to the two ends of an edge, prepared for comparing without square roots.
-struct EndPaths {
+struct EndpointBounds {
   double length;
   double at_origin, at_head;  ///< with kPathMargin added
 
-  EndPaths(double edge, double origin, double head)
+  EndpointBounds(double edge, double origin, double head)
       : length(edge), at_origin(origin * (1 + kPathMargin)), at_head(head * (1 + kPathMargin)) {}
 
   /// True when every point of the window is reached at least as well along the edge from one of its
@@ -62,6 +67,12 @@ struct EndPaths {
     return over_origin < 0 || over_origin * over_origin < to_end * to_end + y2 || over_head < 0 ||
            over_head * over_head < to_begin * to_begin + y2;
   }
+
+  /// The same for a window over the whole edge.
+  /// @param to_origin, to_head the distances that it gives to the edge's ends
+  bool beat_whole(double to_origin, double to_head) const {
+    return at_origin + length < to_head || at_head + length < to_origin;
+  }
 };
 
 /// True when too narrow to matter, or emptied by trimming.
@@ -72,7 +83,7 @@ inline bool is_void(const Window& w, double length) {
 /// True when the window's source lies almost on the edge, inside the interval: the apex of a face
 /// without area. All its lines, whatever their directions, pass the edge in one point, so that an
 /// interval that ends there does not show which of them are left.
-inline bool touches_edge(const Window& w, double length) {
+inline bool source_on_edge(const Window& w, double length) {
   return w.y > -kFlatFace * length && w.begin <= w.x && w.x <= w.end;
 }
 
@@ -162,7 +173,7 @@ inline void decide(Window& a, double pa, Window& b, double pb, double px, double
 }
 
 /// `left` ends before `right` begins. Their facing boundary lines may cross below the edge.
-inline void trim_apart(Window& left, Window& right, const Crossed& face) {
+inline void trim_apart(Window& left, Window& right, const EdgeBelow& edge) {
   const double depth_left = -left.y, depth_right = -right.y;
   // The lines drift by drift_left / depth_left per unit of depth.
   const double closing = (left.x - left.end) * depth_right - (right.x - right.begin) * depth_left;
@@ -171,12 +182,12 @@ inline void trim_apart(Window& left, Window& right, const Crossed& face) {
   if (!(depth < depth_left) || !(depth < depth_right)) return;
   // Lines that meet in the third vertex of the face pass it on different sides: they come through
   // different strips, and neither can be said to cross the other.
-  if (!(depth < -face.below_y * (1 - kNearVertex))) return;
+  if (!(depth < -edge.below_y * (1 - kNearVertex))) return;
   const double x = left.end + (left.x - left.end) * (depth / depth_left);
   // Inside the face below: between its two other edges at this depth.
-  const double share = face.below_y < 0 ? depth / -face.below_y : 0;
-  if (x < face.below_x * share || x > face.length + (face.below_x - face.length) * share) return;
-  decide(left, left.end, right, right.begin, x, -depth, face.rounding);
+  const double share = edge.below_y < 0 ? depth / -edge.below_y : 0;
+  if (x < edge.below_x * share || x > edge.length + (edge.below_x - edge.length) * share) return;
+  decide(left, left.end, right, right.begin, x, -depth, edge.rounding);
 }
 
 /// The distances that two windows give to a point of the edge.
@@ -233,38 +244,38 @@ inline void settle_overlap(Window& first, Window& second, const Pair& begin, con
 /// wholly becomes void. Looks at their overlap on the edge, or, when they are apart, at the place
 /// inside the face below where the lines that bound them cross. A window whose source touches the
 /// edge is left as it is, and so is the other.
-inline void trim_pair(Window& first, Window& second, const Crossed& face) {
+inline void trim_pair(Window& first, Window& second, const EdgeBelow& edge) {
   if (in_order(first, second)) return;
-  if (touches_edge(first, face.length) || touches_edge(second, face.length)) return;
-  if (first.end <= second.begin) return internal::trim_apart(first, second, face);
-  if (second.end <= first.begin) return internal::trim_apart(second, first, face);
+  if (source_on_edge(first, edge.length) || source_on_edge(second, edge.length)) return;
+  if (first.end <= second.begin) return internal::trim_apart(first, second, edge);
+  if (second.end <= first.begin) return internal::trim_apart(second, first, edge);
   // Windows that a vertex has cut apart may overlap by rounding.
-  if (first.end - second.begin <= face.rounding || second.end - first.begin <= face.rounding)
+  if (first.end - second.begin <= edge.rounding || second.end - first.begin <= edge.rounding)
     return;
   const double begin = std::max(first.begin, second.begin);
   internal::Pair at_begin = internal::pair_at(first, second, begin);
-  internal::decide_at(at_begin, first, second, face.rounding);
+  internal::decide_at(at_begin, first, second, edge.rounding);
   const double end = std::min(first.end, second.end);
   const double still = std::max(first.begin, second.begin);
   if (end <= still) return;
   internal::Pair at_end = internal::pair_at(first, second, end);
-  internal::decide_at(at_end, first, second, face.rounding);
+  internal::decide_at(at_end, first, second, edge.rounding);
   const double left_begin = std::max(first.begin, second.begin);
   const double left_end = std::min(first.end, second.end);
   if (!(left_begin < left_end)) return;
   if (left_begin != begin) at_begin = internal::pair_at(first, second, left_begin);
   if (left_end != end) at_end = internal::pair_at(first, second, left_end);
-  internal::settle_overlap(first, second, at_begin, at_end, face.rounding);
+  internal::settle_overlap(first, second, at_begin, at_end, edge.rounding);
 }
 
 /// The part of `trim_pair` that does not ask through which faces the windows came: where one of
 /// them is nowhere longer on their overlap, the other keeps only what reaches beyond it.
-inline void trim_overlap(Window& first, Window& second, const Crossed& face) {
-  if (touches_edge(first, face.length) || touches_edge(second, face.length)) return;
+inline void trim_overlap(Window& first, Window& second, const EdgeBelow& edge) {
+  if (source_on_edge(first, edge.length) || source_on_edge(second, edge.length)) return;
   const double begin = std::max(first.begin, second.begin), end = std::min(first.end, second.end);
-  if (end - begin <= face.rounding) return;
+  if (end - begin <= edge.rounding) return;
   internal::settle_overlap(first, second, internal::pair_at(first, second, begin),
-                           internal::pair_at(first, second, end), face.rounding);
+                           internal::pair_at(first, second, end), edge.rounding);
 }
 
 }  // namespace geodesic::edge_based

@@ -7,6 +7,7 @@
 // windows stay in the order in which their lines meet the edge, without any search (thesis 5.2).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -22,20 +23,17 @@ namespace geodesic::edge_based {
 enum class Place { front, back };
 
 /// Where a window's numbers lie in a segment or a batch: one array each.
-enum Field : unsigned { kBegin, kEnd, kX, kY, kSigma, kDepth, kRoot, kShortfall = kRoot };
+enum Field : unsigned { kBegin, kEnd, kX, kY, kSigma, kDepth, kRoot };
 
-/// What some solves keep of a window besides. Whole numbers are held exactly by a double.
-enum class Note : std::uint8_t {
-  none,
-  depth,      ///< of the window's strip, in faces: grows by 1 with every face crossed
-  root,       ///< the depth, and the root as in Arrival, handed on as it is
-  shortfall,  ///< the depth, and how much shorter than the truth its distances may be (merge.h)
+/// What windows carry besides. Whole numbers are held exactly by a double.
+enum class Carried : std::uint8_t {
+  nothing,
+  depth,  ///< of the window's strip, in faces: grows by 1 with every face crossed
+  root,   ///< the depth, and the root as in Arrival, handed on as it is
 };
 
 /// Number of arrays.
-constexpr unsigned fields_with(Note note) {
-  return kDepth + std::min(static_cast<unsigned>(note), 2u);
-}
+constexpr unsigned fields_with(Carried carried) { return kDepth + static_cast<unsigned>(carried); }
 
 /// Vectors read whole: room and arrays are multiples of this many doubles.
 inline constexpr std::size_t kLaneRoom = 4;
@@ -47,26 +45,36 @@ Window window_of(const Arrays& arrays, std::size_t i) {
           arrays.array(kSigma)[i]};
 }
 
-template <Note note>
+/// Header and arrays of `room` doubles each follow one another in a block.
+struct alignas(32) Segment {
+  std::uint32_t count;
+  std::uint32_t room;
+  Index next;  // handle of the segment behind this one; of the first one in the last
+  Index self;
+
+  double* array(unsigned field) { return reinterpret_cast<double*>(this + 1) + field * room; }
+  const double* array(unsigned field) const {
+    return reinterpret_cast<const double*>(this + 1) + field * room;
+  }
+
+  /// Appends a window without what it carries. There must be room.
+  void add(const Window& w) {
+    array(kBegin)[count] = w.begin;
+    array(kEnd)[count] = w.end;
+    array(kX)[count] = w.x;
+    array(kY)[count] = w.y;
+    array(kSigma)[count] = w.sigma;
+    ++count;
+  }
+};
+
 class WindowLists {
  public:
-  /// Header and arrays of `room` doubles each follow one another in a block.
-  struct alignas(32) Segment {
-    std::uint32_t count;
-    std::uint32_t room;
-    Index next;  // handle of the segment behind this one; of the first one in the last
-    Index self;
+  /// @param fields that windows have, of Field
+  WindowLists(Index half_edges, unsigned fields) : fields_(fields), last_(half_edges, kNone) {}
 
-    double* array(unsigned field) { return reinterpret_cast<double*>(this + 1) + field * room; }
-    const double* array(unsigned field) const {
-      return reinterpret_cast<const double*>(this + 1) + field * room;
-    }
-  };
-
-  explicit WindowLists(Index half_edges) : last_(half_edges, kNone) {}
-
-  bool empty(Index h) const { return last_[h] == kNone; }
-  std::uint64_t size() const { return size_; }
+  bool is_empty(Index h) const { return last_[h] == kNone; }
+  std::uint64_t window_count() const { return window_count_; }
   void prefetch(Index h) const { geodesic::prefetch(&last_[h]); }
 
   /// A segment with room for at least `windows`, in no list yet; its count is 0.
@@ -87,9 +95,19 @@ class WindowLists {
     free_[bin] = segment->self;
   }
 
+  /// A segment of the same windows, in no list yet.
+  Segment* copy(const Segment& segment) {
+    Segment* copy = allocate(segment.room);
+    copy->count = segment.count;
+    for (unsigned f = 0; f < fields_; ++f) {
+      std::copy_n(segment.array(f), segment.count, copy->array(f));
+    }
+    return copy;
+  }
+
   /// Puts a filled segment at one end of the list of h.
   void add(Index h, Segment* segment, Place place) {
-    size_ += segment->count;
+    window_count_ += segment->count;
     Index& last = last_[h];
     if (last == kNone) {
       segment->next = segment->self;
@@ -112,7 +130,7 @@ class WindowLists {
     for (;;) {
       Segment* segment = at(s);
       const Index next = segment->next;
-      size_ -= segment->count;
+      window_count_ -= segment->count;
       visit(*segment);
       release(segment);
       if (s == last) break;
@@ -121,7 +139,7 @@ class WindowLists {
   }
 
   template <class Visit>
-  void for_each_segment(Index h, Visit&& visit) {
+  void for_each_segment(Index h, const Visit& visit) const {
     if (last_[h] == kNone) return;
     Index s = last_[h];
     do {
@@ -136,7 +154,7 @@ class WindowLists {
     free_.fill(kNone);
     used_blocks_ = 0;
     used_ = kBlockUnits;
-    size_ = 0;
+    window_count_ = 0;
   }
 
  private:
@@ -150,13 +168,13 @@ class WindowLists {
     double values[4];
   };
 
-  Segment* at(Index handle) {
+  Segment* at(Index handle) const {
     return reinterpret_cast<Segment*>(&blocks_[handle >> kBlockBits][handle & (kBlockUnits - 1)]);
   }
 
   Segment* carve(unsigned bin) {
     const std::size_t room = kLaneRoom << bin;
-    const std::size_t units = (sizeof(Segment) + fields_with(note) * room * sizeof(double)) / kUnit;
+    const std::size_t units = (sizeof(Segment) + fields_ * room * sizeof(double)) / kUnit;
     if (used_ + units > kBlockUnits) open_block(units);
     const Index handle = static_cast<Index>((used_blocks_ - 1) << kBlockBits | used_);
     used_ += units;
@@ -177,6 +195,7 @@ class WindowLists {
     used_ = 0;
   }
 
+  unsigned fields_;
   std::vector<Index> last_;  // per half-edge, handle of the last segment; kNone when empty
   std::vector<std::unique_ptr<Unit[]>> blocks_;
   std::array<Index, kBins> free_ = [] {
@@ -186,7 +205,7 @@ class WindowLists {
   }();
   std::size_t used_blocks_ = 0;
   std::size_t used_ = kBlockUnits;  // units of the last used block
-  std::uint64_t size_ = 0;
+  std::uint64_t window_count_ = 0;
 };
 
 }  // namespace geodesic::edge_based

@@ -34,11 +34,11 @@ class Mmp final : public Solver {
   Mmp(const Mesh& mesh, const Description& description)
       : Solver(mesh, description), propagation_(mesh) {}
 
-  /// A recorded solve, compiled apart (core/recorders.h).
+ private:
+  /// A recorded solve; defined in recorded.h.
   static void record(const Mesh& mesh, const Query& query, std::span<double> distances,
                      Recording& recording);
 
- private:
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
     if (recording != nullptr && recording->what != Record::windows) {
       return record(mesh(), query, distances, *recording);
@@ -55,19 +55,5 @@ class Mmp final : public Solver {
 
   Propagation<Policy, NoRecorder> propagation_;
 };
-
-#ifdef GEODESIC_RECORDED
-template <class Policy>
-[[gnu::used]] void Mmp<Policy>::record(const Mesh& mesh, const Query& query,
-                                       std::span<double> distances, Recording& recording) {
-  solve_recording(mesh, query, distances, recording, [&](auto recorder) {
-    if constexpr (recorder.kRecords) {
-      recording.reinsertions = 0;
-      recording.window_bytes = sizeof(EdgeWindow<NoDepth>);
-    }
-    Propagation<Policy, decltype(recorder)>(mesh, recorder).run(query, distances);
-  });
-}
-#endif
 
 }  // namespace geodesic::mmp

@@ -293,8 +293,8 @@ class Propagation {
     const double length = mesh_.half_edge(h).length;
     if (!(w.end - w.begin > kWindowWidth * length)) return;
     insert(h, length, w, beam);
-    if constexpr (Recorder::kCrossesSheets) {
-      if (mesh_.crosses_non_manifold_edges()) insert_on_other_sheets(h, length, w, beam);
+    if (mesh_.crosses_non_manifold_edges()) [[unlikely]] {
+      insert_on_other_sheets(h, length, w, beam);
     }
   }
 

@@ -19,15 +19,6 @@ inline void report_per_item(benchmark::State& state, const char* counter, std::i
       benchmark::Counter(static_cast<double>(items), benchmark::Counter::kIsIterationInvariantRate |
                                                          benchmark::Counter::kInvert);
 }
-
-/// The kernels as compiled for one instruction set.
-struct Steps {
-  void (*gather)(benchmark::State&);
-  void (*find_suspects)(benchmark::State&);
-  void (*classify)(benchmark::State&);
-  void (*unfold)(benchmark::State&);
-};
-
 /// Windows that share an edge of length 1 evenly. Their sources spread a little, in order: as they
 /// do where a pencil has passed several saddles.
 inline std::vector<Window> windows_in_order(std::size_t count) {

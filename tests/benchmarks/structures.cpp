@@ -17,9 +17,8 @@ namespace {
 /// Two batches of range(0) windows arrive at an edge, one at either end; the list of an edge that
 /// was filled a thousand edges ago is consumed.
 void window_lists(benchmark::State& state) {
-  using Lists = edge_based::WindowLists<edge_based::Note::none>;
   constexpr Index kEdges = 1024;
-  Lists lists(kEdges);
+  edge_based::WindowLists lists(kEdges, edge_based::kDepth);
   const auto windows = static_cast<std::size_t>(state.range(0));
   const auto add = [&](Index edge, edge_based::Place place) {
     auto* segment = lists.allocate(windows);
@@ -30,7 +29,7 @@ void window_lists(benchmark::State& state) {
   Index edge = 0;
   double sum = 0;
   for (auto _ : state) {
-    lists.consume(edge, [&](auto& segment) {
+    lists.consume(edge, [&](const edge_based::Segment& segment) {
       for (std::size_t i = 0; i < segment.count; ++i) sum += segment.array(edge_based::kBegin)[i];
     });
     add(edge, edge_based::Place::front);

@@ -1,69 +1,9 @@
-// The kernels, for every instruction set: they give the same bits, those of their scalar forms.
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS (HWY_AVX3_DL | HWY_AVX3 | HWY_SSE4 | HWY_SSSE3)
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "tests/edge_based/kernels_test.cpp"
-#include <hwy/foreach_target.h>
+// The kernels, of every instruction set: they give the same bits, those of their scalar forms.
+#include "solvers/edge_based/kernels.h"
 
-#include "solvers/edge_based/kernels-inl.h"
-#include "tests/edge_based/steps.h"
-
-HWY_BEFORE_NAMESPACE();
-namespace geodesic::edge_based::HWY_NAMESPACE {
-
-/// All kernels over one list of windows.
-inline Steps run_kernels(const std::vector<Window>& windows, const FaceFrame& face,
-                         double at_origin, double at_head) {
-  WindowLists<Note::none> lists(1);
-  const auto segment_of = [&](const std::vector<Window>& list) {
-    auto* segment = lists.allocate(list.size() + kLaneRoom);
-    for (const Window& w : list) {
-      const double fields[] = {w.begin, w.end, w.x, w.y, w.sigma};
-      for (unsigned f = 0; f < kDepth; ++f) segment->array(f)[segment->count] = fields[f];
-      ++segment->count;
-    }
-    return segment;
-  };
-  const auto windows_of = [](const auto& segment) {
-    std::vector<Window> list;
-    for (std::size_t i = 0; i < segment.count; ++i) {
-      list.push_back({segment.array(kBegin)[i], segment.array(kEnd)[i], segment.array(kX)[i],
-                      segment.array(kY)[i], segment.array(kSigma)[i]});
-    }
-    return list;
-  };
-  const auto flags = [](const std::vector<std::uint8_t>& masks, std::size_t count) {
-    std::vector<bool> bits;
-    for (std::size_t i = 0; i < count; ++i) bits.push_back(masks[i / kLanes] >> i % kLanes & 1);
-    return bits;
-  };
-
-  Steps steps;
-  Batch batch;
-  gather<Note::none>(*segment_of(windows), EndPaths(face.length, at_origin, at_head), batch);
-  steps.gathered = windows_of(batch);
-  const std::size_t count = batch.count, groups = count / kLanes + 1;
-  std::vector<std::uint8_t> suspects(groups), left(groups), right(groups);
-  if (count > 1) find_suspects(batch, suspects.data());
-  steps.suspects = flags(suspects, count > 0 ? count - 1 : 0);
-  steps.separator = classify(batch, face, left.data(), right.data());
-  steps.left = flags(left, count);
-  steps.right = flags(right, count);
-  auto *to_left = lists.allocate(count + kLaneRoom), *to_right = lists.allocate(count + kLaneRoom);
-  unfold<LeftEdge, Note::none>(batch, face, left.data(), right.data(), *to_left);
-  unfold<RightEdge, Note::none>(batch, face, right.data(), left.data(), *to_right);
-  steps.to_left = windows_of(*to_left);
-  steps.to_right = windows_of(*to_right);
-  return steps;
-}
-
-}  // namespace geodesic::edge_based::HWY_NAMESPACE
-HWY_AFTER_NAMESPACE();
-
-#if HWY_ONCE
 #include <gtest/gtest.h>
 
-#include "solvers/core/instruction_set.h"
+#include "tests/edge_based/steps.h"
 
 namespace geodesic::edge_based {
 namespace {
@@ -90,8 +30,45 @@ Problem random_problem(Random& random, std::size_t count) {
   return problem;
 }
 
-Steps run(const Problem& p) {
-  return HWY_STATIC_DISPATCH(run_kernels)(p.windows, p.face, p.at_origin, p.at_head);
+/// All kernels over one list of windows.
+Steps run(const Problem& p, InstructionSet set = compiled_for(InstructionSet::plain)) {
+  const Kernels& kernels = kernels_of(set, Carried::nothing);
+  WindowLists lists(1, kDepth);
+  Segment* segment = lists.allocate(p.windows.size());
+  for (const Window& w : p.windows) segment->add(w);
+  const EndpointBounds bounds(p.face.length, p.at_origin, p.at_head);
+  Batch batch(kDepth), trimmed(kDepth);
+  kernels.gather(*segment, bounds, batch);
+  kernels.gather(*segment, bounds, trimmed);
+  const std::size_t count = batch.count;
+  const auto windows_of = [](const auto& arrays) {
+    std::vector<Window> list;
+    for (std::size_t i = 0; i < arrays.count; ++i) list.push_back(window_of(arrays, i));
+    return list;
+  };
+  const auto flags = [](const Marks& marks, std::size_t n) {
+    std::vector<bool> bits;
+    for (std::size_t i = 0; i < n; ++i) bits.push_back(marks[i]);
+    return bits;
+  };
+
+  Steps steps;
+  steps.gathered = windows_of(batch);
+  if (count == 0) return steps;
+  kernels.trim(trimmed, {p.face.length, p.face.apex_x, -p.face.apex_y});
+  steps.trimmed = windows_of(trimmed);
+  steps.suspects = flags(trimmed.suspects, count - 1);
+  steps.winner = kernels.classify(batch, p.face);
+  steps.left = flags(batch.passes_left, count);
+  steps.right = flags(batch.passes_right, count);
+  if (steps.winner.is_contested) steps.contested = flags(batch.contested, count);
+  Segment *to_left = lists.allocate(count + kLaneRoom),
+          *to_right = lists.allocate(count + kLaneRoom);
+  kernels.unfold_left(batch, p.face, batch.passes_left, *to_left);
+  kernels.unfold_right(batch, p.face, batch.passes_right, *to_right);
+  steps.to_left = windows_of(*to_left);
+  steps.to_right = windows_of(*to_right);
+  return steps;
 }
 
 /// Calls check(problem, steps) for lists of all lengths around those of vectors.
@@ -108,15 +85,12 @@ void for_each_problem(std::uint64_t seed, Check&& check) {
 }
 
 TEST(Kernels, of_plain_and_of_vector_lanes_give_the_same_bits) {
-#if (HWY_TARGETS & HWY_AVX2) != 0 && HWY_STATIC_TARGET != HWY_AVX2
-  if (!why_unavailable(InstructionSet::avx2).empty()) GTEST_SKIP();
-  for_each_problem(1, [](const Problem& p, const Steps& plain) {
-    const Steps avx2 = N_AVX2::run_kernels(p.windows, p.face, p.at_origin, p.at_head);
-    ASSERT_EQ(bits_of(avx2), bits_of(plain)) << p.windows.size() << " windows";
+  const InstructionSet set = compiled_for(InstructionSet::avx2);
+  if (set != InstructionSet::avx2 || !why_unavailable(set).empty()) GTEST_SKIP();
+  if (compiled_for(InstructionSet::plain) == set) GTEST_SKIP() << "one instruction set only";
+  for_each_problem(1, [&](const Problem& p, const Steps& plain) {
+    ASSERT_EQ(bits_of(run(p, set)), bits_of(plain)) << p.windows.size() << " windows";
   });
-#else
-  GTEST_SKIP() << "one instruction set only";
-#endif
 }
 
 TEST(Gather, keeps_what_no_path_over_an_end_of_the_edge_beats_everywhere) {
@@ -131,7 +105,7 @@ TEST(Gather, keeps_what_no_path_over_an_end_of_the_edge_beats_everywhere) {
   });
 }
 
-TEST(FindSuspects, finds_the_pairs_that_are_not_in_order) {
+TEST(Trim, looks_at_the_pairs_that_are_not_in_order) {
   int found = 0;
   for_each_problem(3, [&](const Problem&, const Steps& steps) {
     for (std::size_t i = 0; i < steps.suspects.size(); ++i) {
@@ -151,8 +125,25 @@ TEST(Classify, finds_the_least_distance_to_the_apex_and_who_sees_it) {
       ASSERT_EQ(steps.left[i] && steps.right[i], sees) << i;
       if (sees) least = std::min(least, distance_through(w, p.face.apex_x, p.face.apex_y));
     }
-    ASSERT_EQ(steps.separator.distance, least);
+    ASSERT_EQ(steps.winner.distance, least);
   });
+}
+
+TEST(Classify, marks_all_windows_that_the_winner_may_take_lines_from) {
+  int decided = 0;
+  for_each_problem(6, [&](const Problem& p, const Steps& steps) {
+    if (steps.winner.window == SIZE_MAX) return;
+    const Window& best = steps.gathered[steps.winner.window];
+    for (std::size_t i = 0; i < steps.gathered.size(); ++i) {
+      if (i == steps.winner.window || (!steps.contested.empty() && steps.contested[i])) continue;
+      const Side seen = steps.left[i] && steps.right[i] ? Side::both
+                        : steps.left[i]                 ? Side::left
+                                                        : Side::right;
+      ASSERT_EQ(sides_kept(steps.gathered[i], seen, steps.winner, best, p.face, 0), seen) << i;
+      ++decided;
+    }
+  });
+  EXPECT_GT(decided, 1000);
 }
 
 TEST(Unfold, gives_children_that_cover_what_their_parent_sees_and_nothing_else) {
@@ -188,4 +179,3 @@ TEST(Unfold, gives_children_that_cover_what_their_parent_sees_and_nothing_else) 
 
 }  // namespace
 }  // namespace geodesic::edge_based
-#endif

@@ -14,7 +14,7 @@ namespace {
 constexpr double kOff = 1e-12;  // by rounding
 
 struct Neighbours {
-  Pencil first, second;
+  MergedWindow first, second;
 };
 
 /// Neighbours whose intervals meet or overlap, of sources that are near to one another, as after
@@ -37,7 +37,7 @@ void for_each_merged(double tolerance, int least, const Check& check) {
   int merged = 0;
   for (int i = 0; i < 20000; ++i) {
     const Neighbours pair = random_neighbours(random);
-    Pencil m = pair.first;
+    MergedWindow m = pair.first;
     if (!merge(m, pair.second, 1, tolerance)) continue;
     ++merged;
     check(pair, m);
@@ -47,7 +47,7 @@ void for_each_merged(double tolerance, int least, const Check& check) {
 }
 
 TEST(Merge, keeps_the_distances_of_both_ends) {
-  for_each_merged(0.1, 5000, [](const Neighbours& pair, const Pencil& m) {
+  for_each_merged(0.1, 5000, [](const Neighbours& pair, const MergedWindow& m) {
     const Window &a = pair.first.window, &b = pair.second.window;
     EXPECT_EQ(m.window.begin, a.begin);
     EXPECT_EQ(m.window.end, b.end);
@@ -58,8 +58,8 @@ TEST(Merge, keeps_the_distances_of_both_ends) {
 
 TEST(Merge, makes_no_distance_longer_in_the_face_or_on_the_edge) {
   Random random(2);
-  for_each_merged(0.1, 5000, [&](const Neighbours& pair, const Pencil& m) {
-    for (const Pencil& of : {pair.first, pair.second}) {
+  for_each_merged(0.1, 5000, [&](const Neighbours& pair, const MergedWindow& m) {
+    for (const MergedWindow& of : {pair.first, pair.second}) {
       const Window& w = of.window;
       for (int k = 0; k <= 16; ++k) {
         // A line of the window, to a point of the face.
@@ -73,7 +73,7 @@ TEST(Merge, makes_no_distance_longer_in_the_face_or_on_the_edge) {
 }
 
 TEST(Merge, makes_no_distance_shorter_than_the_shortfall_says) {
-  for_each_merged(0.1, 5000, [](const Neighbours& pair, const Pencil& m) {
+  for_each_merged(0.1, 5000, [](const Neighbours& pair, const MergedWindow& m) {
     const Window &a = pair.first.window, &b = pair.second.window;
     const double before = std::max(pair.first.shortfall, pair.second.shortfall);
     for (int k = 0; k <= 64; ++k) {
@@ -89,7 +89,7 @@ TEST(Merge, makes_no_distance_shorter_than_the_shortfall_says) {
 
 TEST(Merge, keeps_the_shortfall_below_the_tolerance) {
   for (const double tolerance : {0.3, 0.01, 0.001}) {
-    for_each_merged(tolerance, 1000, [&](const Neighbours&, const Pencil& m) {
+    for_each_merged(tolerance, 1000, [&](const Neighbours&, const MergedWindow& m) {
       EXPECT_LE(m.shortfall, tolerance * least_distance(m.window));
     });
   }
@@ -97,7 +97,7 @@ TEST(Merge, keeps_the_shortfall_below_the_tolerance) {
 
 TEST(Merge, of_two_parts_of_one_window_is_that_window) {
   const Window whole{0.1, 0.9, 0.4, -1.5, 2};
-  Pencil m{{0.1, 0.5, 0.4, -1.5, 2}, 0, 1};
+  MergedWindow m{{0.1, 0.5, 0.4, -1.5, 2}, 0, 1};
   ASSERT_TRUE(merge(m, {{0.5, 0.9, 0.4, -1.5, 2}, 0, 1}, 1, 1e-9));
   for (const double t : {0.1, 0.3, 0.5, 0.7, 0.9}) {
     EXPECT_NEAR(distance_at(m.window, t), distance_at(whole, t), kOff);
@@ -106,10 +106,10 @@ TEST(Merge, of_two_parts_of_one_window_is_that_window) {
 }
 
 TEST(Merge, leaves_windows_alone_that_are_apart_nested_or_of_a_source_on_the_edge) {
-  const Pencil first{{0.1, 0.5, 0.4, -1.5, 2}, 0, 1};
+  const MergedWindow first{{0.1, 0.5, 0.4, -1.5, 2}, 0, 1};
   for (const Window& w : {Window{0.6, 0.9, 0.4, -1.5, 2}, Window{0.2, 0.4, 0.4, -1.5, 2},
                           Window{0.5, 0.9, 0.4, 0, 2}}) {
-    Pencil m = first;
+    MergedWindow m = first;
     EXPECT_FALSE(merge(m, {w, 0, 1}, 1, 1));
     EXPECT_EQ(m.window.end, 0.5);
   }

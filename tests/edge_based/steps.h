@@ -1,4 +1,4 @@
-// What the kernels make of a list of windows, the same type for all instruction sets.
+// What the kernels make of a list of windows.
 #pragma once
 
 #include <bit>
@@ -13,9 +13,11 @@ namespace geodesic::edge_based {
 
 struct Steps {
   std::vector<Window> gathered;
+  std::vector<Window> trimmed;
   std::vector<bool> suspects;     ///< by the first of two neighbours
   std::vector<bool> left, right;  ///< which sides of the apex the lines of a gathered window pass
-  Separator separator;
+  ApexWinner winner;
+  std::vector<bool> contested;
   std::vector<Window> to_left, to_right;
 };
 
@@ -31,14 +33,13 @@ inline std::vector<std::uint64_t> bits_of(const std::vector<Window>& windows) {
 
 inline std::vector<std::uint64_t> bits_of(const Steps& steps) {
   std::vector<std::uint64_t> bits = bits_of(steps.gathered);
-  for (const auto* flags : {&steps.suspects, &steps.left, &steps.right}) {
+  for (const auto* flags : {&steps.suspects, &steps.left, &steps.right, &steps.contested}) {
     bits.insert(bits.end(), flags->begin(), flags->end());
   }
-  bits.push_back(steps.separator.window);
-  bits.push_back(std::bit_cast<std::uint64_t>(steps.separator.distance));
-  bits.push_back(std::bit_cast<std::uint64_t>(steps.separator.crossing));
-  bits.push_back(steps.separator.rivals);
-  for (const auto* list : {&steps.to_left, &steps.to_right}) {
+  bits.push_back(steps.winner.window);
+  bits.push_back(std::bit_cast<std::uint64_t>(steps.winner.distance));
+  bits.push_back(std::bit_cast<std::uint64_t>(steps.winner.crossing));
+  for (const auto* list : {&steps.trimmed, &steps.to_left, &steps.to_right}) {
     const std::vector<std::uint64_t> more = bits_of(*list);
     bits.insert(bits.end(), more.begin(), more.end());
   }

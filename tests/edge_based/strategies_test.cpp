@@ -14,7 +14,7 @@ constexpr int kPositions = 33;  // looked at on an interval
 constexpr double kRounding = 1e-12;
 
 /// Everything lies in one plane: the face below reaches below all sources.
-constexpr Crossed kBelow{.length = 1, .below_x = 0.5, .below_y = -1e4};
+constexpr EdgeBelow kBelow{.length = 1, .below_x = 0.5, .below_y = -1e4};
 
 /// @param k 0 to kPositions
 double position(double from, double to, int k) { return from + (to - from) * k / kPositions; }
@@ -155,13 +155,13 @@ TEST(SidesKept, takes_only_lines_that_the_path_to_the_apex_beats_inside_the_face
     const Window best = random_window(random), w = random_window(random);
     const Side seen = side_seen(w, face);
     if (side_seen(best, face) != Side::both) continue;
-    const Separator separator{.window = 0,
-                              .distance = distance_through(best, face.apex_x, face.apex_y),
-                              .crossing = crossing(best, face)};
-    if (seen == Side::both && distance_through(w, face.apex_x, face.apex_y) < separator.distance) {
+    const ApexWinner winner{.window = 0,
+                            .distance = distance_through(best, face.apex_x, face.apex_y),
+                            .crossing = crossing(best, face)};
+    if (seen == Side::both && distance_through(w, face.apex_x, face.apex_y) < winner.distance) {
       continue;  // w gives the separating path
     }
-    const Side kept = sides_kept(w, seen, separator, best, face, 0);
+    const Side kept = sides_kept(w, seen, winner, best, face, 0);
     for (int k = 1; k < kPositions; ++k) {
       const double t = position(w.begin, w.end, k);
       const Side to = apex_side(w, t, face) > 0 ? Side::left : Side::right;
@@ -185,10 +185,10 @@ TEST(SidesKept, keeps_both_sides_of_a_tie) {
                        std::sqrt(0.5),
                        -std::sqrt(0.5)};
   const Window left{0, 0.5, 0.25, -1, 0}, right{0.5, 1, 0.75, -1, 0};
-  const Separator separator{.window = 0,
-                            .distance = distance_through(left, face.apex_x, face.apex_y),
-                            .crossing = crossing(left, face)};
-  EXPECT_EQ(sides_kept(right, Side::both, separator, left, face, 0), Side::both);
+  const ApexWinner winner{.window = 0,
+                          .distance = distance_through(left, face.apex_x, face.apex_y),
+                          .crossing = crossing(left, face)};
+  EXPECT_EQ(sides_kept(right, Side::both, winner, left, face, 0), Side::both);
 }
 
 }  // namespace

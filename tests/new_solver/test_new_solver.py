@@ -133,7 +133,7 @@ def test_outside_the_tree_a_project_of_the_same_sources(checkout: Path, tmp_path
         assert text == (inside / file).read_text()
     listed = (outside / "CMakeLists.txt").read_text()
     assert "find_package(GeodesicBench REQUIRED)" in listed
-    assert "geodesic_add_solver(my-mmp2 BY_NAME_ONLY RECORDED my_mmp2.cpp)" in listed
+    assert "geodesic_add_solver(my-mmp2 BY_NAME_ONLY my_mmp2.cpp)" in listed
 
 
 @pytest.mark.parametrize(

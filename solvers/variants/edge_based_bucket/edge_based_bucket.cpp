@@ -1,11 +1,10 @@
 // `edge-based-bucket`: edge-based propagation with vertices in buckets in place of a heap.
-#include "solvers/edge_based/edge_based.h"
-
 #include "solvers/core/queues/vertex_calendar.h"
+#include "solvers/edge_based/recorded.h"
 
 namespace geodesic::edge_based_bucket {
 
-struct InBuckets : edge_based::ByDistance {
+struct InBuckets {
   /// Of a bucket, in mean edge lengths.
   static constexpr double kWidth = 0.125;
 

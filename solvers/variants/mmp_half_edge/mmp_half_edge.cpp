@@ -1,5 +1,5 @@
 // `mmp-half-edge`: MMP with two lists of windows an edge, to measure what one list is worth.
-#include "solvers/mmp/mmp.h"
+#include "solvers/mmp/recorded.h"
 
 namespace geodesic::mmp_half_edge {
 

@@ -1,0 +1,17 @@
+// Recorded solves of `edge-based` and `edge-based-approximate`, compiled apart from timed ones
+// (core/recorders.h).
+#include "solvers/edge_based/approximate.h"
+#include "solvers/edge_based/recorded.h"
+
+namespace geodesic::edge_based {
+
+template void EdgeBased<ByDistance>::record(const Mesh&, InstructionSet, Carried, const Query&,
+                                            std::span<double>, Recording&);
+
+void Approximate::record(const Query& query, std::span<double> distances,
+                         Recording& recording) const {
+  solve_recording(mesh(), query, distances, recording,
+                  [&](const auto& recorder) { make_wavefront(recorder).run(query, distances); });
+}
+
+}  // namespace geodesic::edge_based

@@ -1,0 +1,222 @@
+// What crosses a face in the exact solver: the whole list of windows of its edge, in order along
+// the edge, trimmed by Strategy I (trim.h) and divided by Strategy II (split.h).
+#pragma once
+
+#include <algorithm>
+#include <span>
+
+#include "solvers/core/recorders.h"
+#include "solvers/core/window_bound.h"
+#include "solvers/edge_based/batch.h"
+#include "solvers/edge_based/kernels.h"
+#include "solvers/edge_based/split.h"
+#include "solvers/edge_based/trim.h"
+#include "solvers/edge_based/window_lists.h"
+
+namespace geodesic::edge_based {
+
+/// A Crossing (wavefront.h).
+class ListCrossing {
+ public:
+  ListCrossing(const Mesh& mesh, InstructionSet set, Carried carried)
+      : mesh_(mesh),
+        kernels_(kernels_of(set, carried)),
+        carried_(carried),
+        lists_(mesh.half_edge_count(), fields_with(carried)),
+        budget_(mesh),
+        rounding_(coordinate_rounding(mesh)),
+        batch_(fields_with(carried)) {}
+
+  void start(std::span<const double> distances) {
+    distances_ = distances;
+    lists_.clear();
+    budget_.start();
+  }
+  bool is_empty(Index h) const { return lists_.is_empty(h); }
+  void prefetch(Index h) const { lists_.prefetch(h); }
+  void follow_edge(Index /*from*/, Index /*to*/) {}
+  void finish() {}
+  double rounding() const { return rounding_; }
+  std::uint64_t window_count() const { return lists_.window_count(); }
+
+  template <class Visit>
+  void for_each_window(Index h, const Visit& visit) const {
+    lists_.for_each_segment(h, [&](const Segment& segment) {
+      for (std::size_t i = 0; i < segment.count; ++i) visit(window_of(segment, i));
+    });
+  }
+
+  template <class Wavefront>
+  void emit(Index side, const Point2& from, double distance, Index root, Wavefront& wavefront) {
+    const HalfEdge& e = mesh_.half_edge(side);
+    if (e.twin == kNone || !(e.length > 0)) return;
+    Segment* segment = lists_.allocate(1);
+    segment->add({0, e.length, from.x, from.y, distance});
+    if (carried_ != Carried::nothing) segment->array(kDepth)[0] = 1;
+    if (carried_ == Carried::root) segment->array(kRoot)[0] = root;
+    land(side, segment, Place::back, wavefront);
+  }
+
+  template <class Wavefront>
+  void cross(Index h, Wavefront& wavefront) {
+    auto& recorder = wavefront.recorder();
+    gather_and_trim(h, recorder);
+    if (batch_.count == 0) return;
+    budget_.spend(batch_.count);
+    if constexpr (recorder.kRemembers) hand_over(h, recorder);
+
+    const FaceFrame face = face_frame(mesh_, h);
+    const ApexWinner winner = kernels_.classify(batch_, face);
+    if (winner.window != SIZE_MAX) {
+      wavefront.arrive(mesh_.apex(h), winner.distance, [&] { return arrival(h, winner); });
+    }
+    const Sides sides = choose_sides(winner, face, recorder);
+    if constexpr (recorder.kRecords) count(sides, recorder);
+
+    const Index left = Mesh::previous(h), right = Mesh::next(h);
+    if (winner.any_left && mesh_.twin(left) != kNone) {
+      Segment* out = lists_.allocate(batch_.count + kLaneRoom - 1);
+      kernels_.unfold_left(batch_, face, sides.left, *out);
+      land(left, out, Place::front, wavefront);
+    }
+    if (winner.any_right && mesh_.twin(right) != kNone) {
+      Segment* out = lists_.allocate(batch_.count + kLaneRoom - 1);
+      kernels_.unfold_right(batch_, face, sides.right, *out);
+      land(right, out, Place::back, wavefront);
+    }
+  }
+
+ private:
+  /// The windows that go on over the left edge, and over the right one.
+  struct Sides {
+    const Marks &left, &right;
+  };
+
+  /// Moves the list of h into the batch, without what paths over the ends of h or other windows of
+  /// the list beat.
+  template <class Recorder>
+  void gather_and_trim(Index h, Recorder& recorder) {
+    const auto timed = recorder.enter(Phase::trimming);
+    const HalfEdge& edge = mesh_.half_edge(h);
+    const EndpointBounds bounds(edge.length, distances_[edge.origin], distances_[mesh_.head(h)]);
+    batch_.count = 0;
+    lists_.consume(h, [&](const Segment& segment) {
+      recorder.created(segment.count);
+      kernels_.gather(segment, bounds, batch_);
+    });
+    const EdgeBelow below = edge_below(mesh_, h, rounding_);
+    if (mesh_.crosses_non_manifold_edges()) [[unlikely]] {
+      trim_sheets(below);
+    } else {
+      kernels_.trim(batch_, below);
+    }
+    if (carried_ != Carried::nothing) drop_long_strips();
+  }
+
+  /// Strategy I where windows of one edge may have come through different sheets: lines that cross
+  /// in the unfolded picture need not do so on the surface, so that only points of the edge decide.
+  [[gnu::cold, gnu::noinline]] void trim_sheets(const EdgeBelow& edge) {
+    for (std::size_t i = 1; i < batch_.count; ++i) {
+      for (std::size_t before = 0; before < i && !batch_.is_struck_out(i); ++before) {
+        if (batch_.is_struck_out(before)) continue;
+        Window first = batch_.window(before), second = batch_.window(i);
+        trim_overlap(first, second, edge);
+        batch_.put_back(before, first, edge.length);
+        batch_.put_back(i, second, edge.length);
+      }
+    }
+  }
+
+  [[gnu::noinline]] void drop_long_strips() {
+    for (std::size_t i = 0; i < batch_.count; ++i) {
+      if (is_strip_too_long(mesh_, depth_of(i))) batch_.strike_out(i);
+    }
+  }
+
+  /// Strategy II: decides for each window to which edges it goes. Where windows may have come
+  /// through different sheets, all go where their lines lead.
+  template <class Recorder>
+  Sides choose_sides(const ApexWinner& winner, const FaceFrame& face, Recorder& recorder) {
+    if (!winner.is_contested || mesh_.crosses_non_manifold_edges()) {
+      return {batch_.passes_left, batch_.passes_right};
+    }
+    const auto timed = recorder.enter(Phase::trimming);
+    kept_left_.copy(batch_.passes_left, batch_.count);
+    kept_right_.copy(batch_.passes_right, batch_.count);
+    const Window best = batch_.window(winner.window);
+    const std::size_t count = batch_.count;
+    for (std::size_t i = batch_.contested.next(0, count); i < count;
+         i = batch_.contested.next(i + 1, count)) {
+      const bool left = batch_.passes_left[i], right = batch_.passes_right[i];
+      const Side seen = left && right ? Side::both : left ? Side::left : Side::right;
+      const Side side = sides_kept(batch_.window(i), seen, winner, best, face, rounding_);
+      if (side == Side::none || side == Side::right) kept_left_.clear(i);
+      if (side == Side::none || side == Side::left) kept_right_.clear(i);
+    }
+    return {kept_left_, kept_right_};
+  }
+
+  /// @param segment windows that leave a face through `side`; nothing when it is empty
+  template <class Wavefront>
+  void land(Index side, Segment* segment, Place place, Wavefront& wavefront) {
+    if (segment->count == 0) return lists_.release(segment);
+    if (mesh_.crosses_non_manifold_edges()) [[unlikely]] {
+      land_on_other_sheets(side, *segment, place, wavefront);
+    }
+    lists_.add(mesh_.twin(side), segment, place);
+    wavefront.land(mesh_.twin(side));
+  }
+
+  /// Windows that leave a face where it meets several others go on in each of them.
+  template <class Wavefront>
+  [[gnu::cold, gnu::noinline]] void land_on_other_sheets(Index side, const Segment& segment,
+                                                         Place place, Wavefront& wavefront) {
+    mesh_.for_each_sheet(side, [&](Index g) {
+      if (g == side) return;
+      lists_.add(mesh_.twin(g), lists_.copy(segment), place);
+      wavefront.land(mesh_.twin(g));
+    });
+  }
+
+  Index root_of(std::size_t i) const { return static_cast<Index>(batch_.array(kRoot)[i]); }
+
+  /// Faces of the strip of a window of the batch, with the one that it enters.
+  std::uint32_t depth_of(std::size_t i) const {
+    return static_cast<std::uint32_t>(batch_.array(kDepth)[i]) + 1;
+  }
+
+  /// How the winner's line arrives at the apex of h.
+  Arrival arrival(Index h, const ApexWinner& winner) const {
+    const Window best = batch_.window(winner.window);
+    return {h, root_of(winner.window), {best.x, best.y}};
+  }
+
+  template <class Recorder>
+  void hand_over(Index h, Recorder& recorder) const {
+    for (std::size_t i = 0; i < batch_.count; ++i) {
+      if (!batch_.is_struck_out(i)) recorder.crossing(h, batch_.window(i), root_of(i));
+    }
+  }
+
+  template <class Recorder>
+  void count(const Sides& sides, Recorder& recorder) const {
+    for (std::size_t i = 0; i < batch_.count; ++i) {
+      if (batch_.is_struck_out(i)) continue;
+      recorder.propagated(1, {depth_of(i)});
+      if (sides.left[i] || sides.right[i]) recorder.valid(1);
+    }
+  }
+
+  const Mesh& mesh_;
+  const Kernels& kernels_;
+  Carried carried_;
+  std::span<const double> distances_;
+  WindowLists lists_;
+  WindowBudget budget_;
+  double rounding_;  // of coordinates
+  // Scratch of one list.
+  Batch batch_;
+  Marks kept_left_, kept_right_;
+};
+
+}  // namespace geodesic::edge_based

@@ -1,0 +1,313 @@
+// The wavefront over the half-edges of a mesh: which vertices wait, which faces are entered, and
+// what crosses a face next. See edge_based.cpp for the algorithm.
+//
+// It knows no window. What waits on half-edges, and what becomes of it in a face, is the business
+// of a Crossing (list_crossing.h, merged_crossing.h), which has
+//
+//   start(distances)            forgets the last solve
+//   is_empty(h)                 true when nothing waits on h
+//   prefetch(h)                 starts to load what is_empty(h) reads
+//   emit(side, from, distance, root, wavefront)
+//                               sends a window over the whole of a side out of its face, into all
+//                               others; `from` in the frame of the side's twin, `root` as in
+//                               Arrival
+//   cross(h, wavefront)         takes what waits on h over the face of h
+//   follow_edge(from, to)       a path along this edge is the shortest to `to` yet
+//   finish()                    the distances are those of all paths that were looked for
+//   rounding()                  of coordinates (trim.h)
+//   window_count(), for_each_window(h, visit)
+//                               what waits: how much, and visit(const Window&) for each on h
+//
+// and calls `reach`, `arrive` and `land` of the wavefront.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "solvers/core/prefetch.h"
+#include "solvers/core/queues/concepts.h"
+#include "solvers/core/recorders.h"
+#include "solvers/edge_based/trim.h"
+
+namespace geodesic::edge_based {
+
+/// @tparam Queue of vertices that wait. Any order is correct; one by distance keeps late arrivals
+///         rare.
+/// @tparam Recorder core/recorders.h; it changes no distance
+template <class Crossing, class Queue, class Recorder>
+class Wavefront {
+  static_assert(VertexQueue<Queue>,
+                "the queue lacks a member of VertexQueue (core/queues/concepts.h)");
+
+ public:
+  Wavefront(const Mesh& mesh, Queue queue, Crossing crossing, Recorder recorder)
+      : mesh_(mesh),
+        crossing_(std::move(crossing)),
+        queue_(std::move(queue)),
+        recorder_(std::move(recorder)),
+        vertex_state_(mesh.vertex_count()),
+        in_fifo_(mesh.half_edge_count()) {}
+
+  /// As Solver::run.
+  void run(const Query& query, std::span<double> distances) {
+    const auto timed = recorder_.enter(Phase::propagation);
+    start(distances);
+    if constexpr (Recorder::kRecords) {
+      recorder_.recording.window_bytes = sizeof(Window);
+      progress_.start(mesh_, query.source_vertices(mesh_));
+    }
+    for (Index i = 0; i < query.sources.size(); ++i) begin_at(query.sources[i], i);
+    Ending ending(mesh_, query, distances_);
+    while (!queue_.empty() && !ending.is_over(queue_.least_key())) {
+      enter_faces_around(pop());
+      for (std::size_t i = 0; i < fifo_.size(); ++i) cross(fifo_[i]);
+      fifo_.clear();
+      if constexpr (Recorder::kRecords) {
+        if (progress_.made_step()) sample();
+      }
+    }
+    if (!queue_.empty()) finish_up_to(ending.farthest());
+    crossing_.finish();
+  }
+
+  Recorder& recorder() { return recorder_; }
+
+  /// A path of this length comes to v: the shortest yet.
+  void reach(Index v, double distance) {
+    const auto timed = recorder_.enter(Phase::queue);
+    if constexpr (Recorder::kRecords) progress_.reach(distances_[v]);
+    distances_[v] = distance;
+    queue_.push_or_decrease(v, distance);
+  }
+
+  /// A straight line of this length comes to v.
+  /// @param arrival makes the Arrival; called where paths are remembered
+  template <class MakeArrival>
+  void arrive(Index v, double distance, const MakeArrival& arrival) {
+    if (distance < distances_[v]) {
+      if constexpr (Recorder::kRemembers) recorder_.arrived(v, arrival());
+      reach(v, distance);
+    } else if constexpr (Recorder::kRemembers) {
+      if (straightens_tie(v, distance)) recorder_.arrived(v, arrival());
+    }
+  }
+
+  /// Something waits on h that did not before. It crosses at once where the face has been entered.
+  void land(Index h) {
+    if (is_entered(h)) enqueue(h);
+  }
+
+ private:
+  // What is known of a vertex.
+  static constexpr std::uint8_t kPopped = 1;
+  static constexpr std::uint8_t kAlwaysEmits = 2;  // even where no path bends
+
+  /// Forgets the last solve, however it ended.
+  void start(std::span<double> distances) {
+    distances_ = distances;
+    std::ranges::fill(vertex_state_, std::uint8_t{0});
+    std::ranges::fill(in_fifo_, std::uint8_t{0});
+    fifo_.clear();
+    queue_.clear();
+    crossing_.start(distances);
+  }
+
+  /// @param number of the source in the query
+  void begin_at(const Source& source, Index number) {
+    if (!source.at.is_vertex()) return spread(source, mesh_.vertex_count() + number);
+    begin_at(source.at.vertex, source.distance, {kNone, source.at.vertex, {0, 0}});
+    vertex_state_[source.at.vertex] |= kAlwaysEmits;
+  }
+
+  // Out of line, so that `reach` is inlined into the loop.
+  [[gnu::cold, gnu::noinline]] void begin_at(Index v, double distance,
+                                             const ArrivalOf<Recorder>& arrival) {
+    if (!(distance < distances_[v])) return;
+    reach(v, distance);
+    if constexpr (Recorder::kRemembers) recorder_.arrived(v, arrival);
+  }
+
+  /// Starts from a point that is no vertex.
+  ///
+  /// Next to a corner, the lines to both sides of it are turned by the rounding of coordinates, and
+  /// what lies behind the corner may be between them: the corner sends windows too, as a source
+  /// does. They are as long or longer, and soon beaten. Where the point is a window's width from
+  /// the corner, its own lines have no direction, and there are only the corner's.
+  [[gnu::cold, gnu::noinline]] void spread(const Source& source, Index root) {
+    bool at_corner = false;
+    const auto reach_corner = [&](Index h, const Point2& from, double to_apex) {
+      const Index apex = mesh_.apex(h);
+      begin_at(apex, source.distance + to_apex, {h, root, from});
+      const HalfEdge& e = mesh_.half_edge(h);
+      if (is_next_to_apex(e, to_apex)) vertex_state_[apex] |= kAlwaysEmits;
+      at_corner |= to_apex < kWindowWidth * e.length;
+    };
+    const auto cross_side = [&](Index h, const Point2& from) {
+      crossing_.emit(h, from, source.distance, root, *this);
+    };
+    spread_from(mesh_, source.at, reach_corner, [](Index, const Point2&) {});
+    if (at_corner) return;
+    spread_from(
+        mesh_, source.at, [](Index, const Point2&, double) {}, cross_side);
+  }
+
+  Index pop() {
+    const auto timed = recorder_.enter(Phase::queue);
+    return queue_.pop();
+  }
+
+  void cross(Index h) {
+    in_fifo_[h] = 0;
+    crossing_.cross(h, *this);
+    recorder_.wavefront_size(crossing_.window_count());
+  }
+
+  bool is_entered(Index h) const {
+    return ((vertex_state_[mesh_.origin(h)] | vertex_state_[mesh_.head(h)] |
+             vertex_state_[mesh_.apex(h)]) &
+            kPopped) != 0;
+  }
+
+  void enqueue(Index h) {
+    if (crossing_.is_empty(h) || in_fifo_[h]) return;
+    in_fifo_[h] = 1;
+    fifo_.push_back(h);
+  }
+
+  void enter_faces_around(Index v) {
+    const bool emits = may_bend_at(v);
+    vertex_state_[v] |= kPopped;
+    prefetch_around(v);
+    for (const Index h : mesh_.outgoing(v)) {
+      const Index into = Mesh::previous(h);
+      const HalfEdge &out = mesh_.half_edge(h), &in = mesh_.half_edge(into);
+      follow_edge(v, mesh_.head(h), out.length, in, emits, {into, v, {in.length, 0}});
+      follow_edge(v, in.origin, in.length, out, emits, {h, v, {0, 0}});
+      if (emits) emit_across(v, h);
+    }
+    const auto timed = recorder_.enter(Phase::queue);
+    for (const Index h : mesh_.outgoing(v)) {
+      enqueue(h);
+      enqueue(Mesh::next(h));
+      enqueue(Mesh::previous(h));
+    }
+  }
+
+  /// Starts to load what entering the faces around v reads, all at once, so that cache misses
+  /// overlap.
+  void prefetch_around(Index v) const {
+    for (const Index h : mesh_.outgoing(v)) {
+      const Index beyond = mesh_.twin(Mesh::next(h));
+      if (beyond != kNone) prefetch(&mesh_.half_edge(beyond));
+      crossing_.prefetch(h - h % 3);
+    }
+  }
+
+  bool may_bend_at(Index v) const {
+    return (vertex_state_[v] & kAlwaysEmits) != 0 || mesh_.is_pseudo_source(v);
+  }
+
+  /// The path that goes on from v along an edge to its other end.
+  /// @param length of the edge
+  /// @param apex_is_end a half-edge whose face has the edge, and whose apex is the other end
+  /// @param emits whether v sends windows
+  void follow_edge(Index v, Index end, double length, const HalfEdge& apex_is_end, bool emits,
+                   const ArrivalOf<Recorder>& arrival) {
+    const double distance = distances_[v] + length;
+    if (!(distance < distances_[end])) return;
+    if constexpr (Recorder::kRemembers) {
+      if (bends_or_shortens(v, end, distance)) recorder_.arrived(end, arrival);
+    }
+    reach(end, distance);
+    crossing_.follow_edge(v, end);
+    if (emits && is_next_to_apex(apex_is_end, length)) vertex_state_[end] |= kAlwaysEmits;
+  }
+
+  /// Sends a window from v over the opposite edge of the face of h, unless a path along that edge
+  /// beats it already: distances only shrink, so that it is of no use later either.
+  /// @param h from v
+  void emit_across(Index v, Index h) {
+    const Index opposite = Mesh::next(h), back = Mesh::previous(h);
+    const HalfEdge& e = mesh_.half_edge(opposite);
+    const EndpointBounds bounds(e.length, distances_[e.origin], distances_[mesh_.head(opposite)]);
+    const double at_origin = distances_[v] + mesh_.half_edge(h).length;
+    const double at_head = distances_[v] + mesh_.half_edge(back).length;
+    if (bounds.beat_whole(at_origin, at_head)) return;
+    crossing_.emit(opposite, apex_from_beyond(e), distances_[v], v, *this);
+  }
+
+  /// Ends a propagation that has come to `end`: the vertices that wait are farther, but windows
+  /// that wait may be nearer, on long edges whose ends are not. They go on until none is left; then
+  /// no path is that is shorter than `end`.
+  ///
+  /// All windows that wait are looked at. A list waits where no vertex of the face beyond has
+  /// been popped. It came through the face below, whose third vertex has been popped and has
+  /// reached both ends of the edge, or from a source in that face, which has: they are in the
+  /// queue. It is looked at when one of them is popped, and so is what lands later, when it lands.
+  /// Nothing of this depends on how long edges are.
+  /// @param end at least the distance of all that is asked for
+  [[gnu::cold, gnu::noinline]] void finish_up_to(double end) {
+    const auto enqueue_nearer = [&](Index h) {
+      bool nearer = false;
+      crossing_.for_each_window(
+          h, [&](const Window& w) { nearer = nearer || least_distance(w) <= end; });
+      if (nearer) enqueue(h);
+    };
+    const auto enqueue_nearer_beyond = [&](Index h) {
+      mesh_.for_each_sheet(h, [&](Index g) { enqueue_nearer(mesh_.twin(g)); });
+    };
+    while (!queue_.empty()) {
+      const Index v = pop();
+      if (distances_[v] <= end) enter_faces_around(v);
+      for (const Index h : mesh_.outgoing(v)) {
+        enqueue_nearer(h);
+        enqueue_nearer(Mesh::previous(h));
+        enqueue_nearer_beyond(Mesh::next(h));
+      }
+      for (std::size_t i = 0; i < fifo_.size(); ++i) {
+        const Index h = fifo_[i];
+        cross(h);
+        enqueue_nearer_beyond(Mesh::previous(h));
+        enqueue_nearer_beyond(Mesh::next(h));
+      }
+      fifo_.clear();
+    }
+  }
+
+  /// Whether a path along an edge is remembered. Where no path bends at the edge's beginning, a
+  /// line that is as short but for rounding arrives straight, and stays.
+  bool bends_or_shortens(Index from, Index end, double distance) const {
+    return may_bend_at(from) || is_shorter(distance, distances_[end], crossing_.rounding());
+  }
+
+  /// Whether a straight line that comes later, and is as short but for rounding, replaces a path
+  /// that bends where none does.
+  bool straightens_tie(Index v, double distance) const {
+    const Index root = recorder_.record.arrival(v).root;
+    const bool bends = root < mesh_.vertex_count() && !may_bend_at(root);
+    return bends && !is_shorter(distances_[v], distance, crossing_.rounding());
+  }
+
+  void sample() {
+    recorder_.sample(progress_, [&](auto&& visit) {
+      for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
+        crossing_.for_each_window(h, [&](const Window& w) { visit(h, w); });
+      }
+    });
+  }
+
+  const Mesh& mesh_;
+  Crossing crossing_;
+  Queue queue_;
+  [[no_unique_address]] Recorder recorder_;
+  [[no_unique_address]] typename Recorder::Progress progress_;
+  std::span<double> distances_;
+  std::vector<std::uint8_t> vertex_state_;
+  std::vector<std::uint8_t> in_fifo_;  // by half-edge
+  std::vector<Index> fifo_;
+};
+
+}  // namespace geodesic::edge_based

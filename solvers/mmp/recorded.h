@@ -1,0 +1,20 @@
+// Recorded solves of the family MMP, for the files that instantiate them (core/recorders.h).
+#pragma once
+
+#include "solvers/mmp/mmp.h"
+
+namespace geodesic::mmp {
+
+template <class Policy>
+void Mmp<Policy>::record(const Mesh& mesh, const Query& query, std::span<double> distances,
+                         Recording& recording) {
+  solve_recording(mesh, query, distances, recording, [&](auto recorder) {
+    if constexpr (recorder.kRecords) {
+      recording.reinsertions = 0;
+      recording.window_bytes = sizeof(EdgeWindow<NoDepth>);
+    }
+    Propagation<Policy, decltype(recorder)>(mesh, recorder).run(query, distances);
+  });
+}
+
+}  // namespace geodesic::mmp
