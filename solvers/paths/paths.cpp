@@ -136,7 +136,7 @@ class Paths::Trace {
 
   Piece piece_to(const SurfacePoint& end, double distance, const Arrival& arrival) const {
     Piece piece{end, distance, arrival.half_edge, arrival.root, arrival.from};
-    if (begins_at_end(piece)) return piece;
+    if (begins_at_end(piece) || is_unknown(piece)) return piece;
     const Index vertices = mesh_.vertex_count();
     if (piece.half_edge >= mesh_.half_edge_count() ||
         piece.root >= vertices + of_.query_.sources.size()) {
@@ -168,10 +168,15 @@ class Paths::Trace {
     return piece.end.is_vertex() && piece.end.vertex == piece.root;
   }
 
+  /// True at a point of a face of which nothing is remembered.
+  static bool is_unknown(const Piece& piece) {
+    return !piece.end.is_vertex() && piece.half_edge == kNone;
+  }
+
   /// Adds the points of a piece after its end.
   /// @return where it begins, as in Arrival
   Index follow(const Piece& piece) {
-    if (!trusts_lines_) return search(piece);
+    if (!trusts_lines_ || is_unknown(piece)) return search(piece);
     const auto before = points_.size();
     const SurfacePoint last = last_;
     const Index root = walk(piece);
@@ -526,6 +531,9 @@ Paths::Paths(const Mesh& mesh, Query query, std::vector<double> distances, Recor
     throw std::invalid_argument("paths need a recording of paths, of this mesh and query");
   }
   for (SurfacePoint& target : query_.targets) target = in_own_numbers(mesh, target);
+  if (query_.stop_at_targets)
+    farthest_ = std::ranges::max(targets_, {}, &AtTarget::distance).distance;
+  farthest_ = std::min(farthest_, query_.limit);
   source_images_.resize(query_.sources.size());
   for (Index i = 0; i < query_.sources.size(); ++i) {
     Source& source = query_.sources[i];
@@ -545,6 +553,34 @@ Index Paths::own_vertex(Index given) const {
   const std::string defect = defect_of(mesh_, SurfacePoint(given));
   if (!defect.empty()) throw std::invalid_argument(defect);
   return mesh_.numbers().own_vertex(given);
+}
+
+double Paths::distance_at(const SurfacePoint& point) const {
+  const std::string defect = defect_of(mesh_, point);
+  if (!defect.empty()) throw std::invalid_argument(defect);
+  if (point.is_vertex()) return distances_[point.vertex];
+  return distance_in_face(in_own_numbers(mesh_, point));
+}
+
+double Paths::distance_in_face(const SurfacePoint& own) const {
+  double over_corner = kInfinity;
+  const auto reach = [&](Index h, const Point2&, double length) {
+    over_corner = std::min(over_corner, distance(mesh_.apex(h)) + length);
+  };
+  spread_from(mesh_, own, reach, [](Index, const Point2&) {});
+  const double bound = std::min(over_corner, farthest_);
+  if (bound == kInfinity) return kInfinity;
+  const double found = std::min(over_corner, Search(*this, own, bound, {}).run().distance);
+  return found <= farthest_ ? found : kInfinity;
+}
+
+Path Paths::to_point(const SurfacePoint& point) const {
+  if (point.is_vertex()) return to_vertex(point.vertex);
+  const double distance = distance_at(point);
+  if (distance == kInfinity) {
+    throw std::invalid_argument("no path leads to the point in face " + std::to_string(point.face));
+  }
+  return Trace(*this).run(in_own_numbers(mesh_, point), distance, {});
 }
 
 Path Paths::to_vertex(Index v) const {

@@ -48,6 +48,11 @@ class Paths {
   const std::vector<double>& distances() const { return distances_; }
   /// That of the query's target i, exact wherever it lies; infinite where no path leads.
   double distance_to_target(std::size_t i) const { return targets_.at(i).distance; }
+  /// That of any point, without another solve: infinite where no path leads within the query's
+  /// limit. As exact as the distances of the vertices, from which it is found: the path is searched
+  /// from its end, over the faces around it.
+  /// @throws std::invalid_argument when the point is not of this mesh
+  double distance_at(const SurfacePoint& point) const;
 
   /// Takes time linear in the faces that the path crosses.
   /// @throws std::invalid_argument when there is no such vertex, or no path leads there within the
@@ -56,6 +61,8 @@ class Paths {
   Path to_vertex(Index v) const;
   /// The same to target i of the query.
   Path to_target(std::size_t i) const;
+  /// The same to any point, which is searched as by `distance_at`.
+  Path to_point(const SurfacePoint& point) const;
 
   /// The query's source that the path to a vertex comes from, by its place in the query; kNone
   /// where no path leads. @throws std::invalid_argument when there is no such vertex
@@ -70,6 +77,8 @@ class Paths {
   /// Below, all is in the mesh's own numbers.
   double distance(Index v) const { return distances_[mesh_.numbers().given_vertex(v)]; }
   Index own_vertex(Index given) const;
+  /// @param own not a vertex
+  double distance_in_face(const SurfacePoint& own) const;
   /// Whether a path may end a straight piece at v: pseudo-sources, and the query's own.
   bool may_bend(Index v) const;
   /// The source of the path to v, when that is straight.
@@ -80,7 +89,8 @@ class Paths {
   std::vector<double> distances_;  // by given number
   std::vector<Arrival> arrivals_;
   std::vector<AtTarget> targets_;
-  std::unordered_map<Index, Index> source_at_;            // of vertices: the earliest
+  double farthest_ = kInfinity;                 // vertices farther than this have no distance
+  std::unordered_map<Index, Index> source_at_;  // of vertices: the earliest
   std::vector<std::vector<SurfacePoint>> source_images_;  // by source; none of vertices
 };
 

@@ -151,15 +151,12 @@ bool Paths::Search::may_lead(const View& view) const {
   const double slack = kPathStray * distance_ + tie_;
   const double beside = std::max({view.begin - view.eye.x, view.eye.x - view.end, 0.0});
   const double nearest = std::hypot(beside, view.eye.y);
-  const double farthest = std::max(distance_between(view.eye, {view.begin, 0}),
-                                   distance_between(view.eye, {view.end, 0}));
   if (nearest > distance_ + slack) return false;
   for (const bool head : {false, true}) {
     const Index v = head ? mesh_.head(view.in) : mesh_.origin(view.in);
     const double to_end = head ? length - view.begin : view.end;
-    const double less = distance_ - of_.distance(v);  // than at the end of the piece
-    if (less > farthest + to_end + slack) return false;
-    if (of_.distance(v) < kInfinity && nearest - to_end > less + slack) return false;
+    const double known = std::min(of_.distance(v), of_.farthest_);  // the vertex is not nearer
+    if (known < kInfinity && known - to_end > distance_ - nearest + slack) return false;
   }
   return true;
 }

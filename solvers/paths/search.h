@@ -13,10 +13,12 @@ namespace geodesic {
 /// path over the faces around, as Chen and Han 1990 do from a source, but only where the path can
 /// run. At a point x of it, d(end) - |end - x| is the distance of x, which differs from that of a
 /// vertex by no more than the straight line between them; windows where it does are dropped. What
-/// is left surrounds the path by about an edge.
+/// is left surrounds the path by about an edge. A bound of d(end) does as well: it leaves more
+/// windows.
 ///
-/// For the few paths whose remembered piece is not what a straight line follows: it was seen past
-/// a vertex by rounding, or it runs along faces without area.
+/// For points of which nothing is remembered, and for the few paths whose remembered piece is not
+/// what a straight line follows: it was seen past a vertex by rounding, or it runs along faces
+/// without area.
 class Paths::Search {
  public:
   /// Where the piece leaves a face: at the distance x from the head of the half-edge `side`.
@@ -46,7 +48,7 @@ class Paths::Search {
   };
 
   /// @param end in the mesh's own numbers
-  /// @param distance at the end
+  /// @param distance at the end, or above it; finite
   /// @param passed vertices that the piece must not begin in
   Search(const Paths& of, const SurfacePoint& end, double distance, std::span<const Index> passed);
 

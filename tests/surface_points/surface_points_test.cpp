@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "meshes/point_solver.h"
 #include "meshes/random.h"
 #include "solvers/core/registry.h"
+#include "solvers/paths/paths.h"
 
 namespace geodesic {
 namespace {
@@ -149,6 +151,41 @@ TEST_P(SurfacePoints, on_faces_without_area_are_as_far_as_in_space) {
     for (Index v = 0; v < mesh.vertex_count(); ++v) expect(answer.distances[v], v);
     for (std::size_t t = 0; t < targets.size(); ++t) {
       expect(answer.recording.targets[t].distance, targets[t]);
+    }
+  }
+}
+
+/// Asked without being targets: the distances, and paths as long. Where the limit cuts, rounding
+/// may decide otherwise.
+void expect_same_without_targets(Solver& solver, const Mesh& mesh, const Query& query) {
+  const Paths with = solve_paths(solver, mesh, query);
+  const Paths paths = solve_paths(solver, mesh, {.sources = query.sources, .limit = query.limit});
+  for (std::size_t t = 0; t < query.targets.size(); ++t) {
+    SCOPED_TRACE("target " + std::to_string(t));
+    const double distance = paths.distance_at(query.targets[t]);
+    expect_near(distance, with.distance_to_target(t), 4e-16);
+    if (distance == kInfinity) continue;
+    const Path path = paths.to_point(query.targets[t]);
+    expect_near(path.length() + query.sources[path.source].distance, distance, 1e-14);
+    EXPECT_EQ(path.points.back().at, query.targets[t]);
+  }
+}
+
+TEST_P(SurfacePoints, have_the_distances_and_paths_of_targets_after_a_solve_without_them) {
+  Random random(7);
+  std::vector<NamedMesh> meshes = geodesic::meshes();
+  meshes.push_back({"flat_caps", with_flat_caps(rough_terrain(4, 8, 8, 0.5), 4, 3)});
+  for (const NamedMesh& each : meshes) {
+    SCOPED_TRACE(each.name);
+    const Mesh mesh(each.soup, Numbering::along_surface);
+    if (!takes(mesh)) continue;
+    const std::unique_ptr<Solver> solver = make_solver(GetParam(), mesh);
+    for (int i = 0; i < 6; ++i) {
+      SCOPED_TRACE(i);
+      Query query = random_query(mesh, random, random_points(mesh, random, 40));
+      expect_same_without_targets(*solver, mesh, query);
+      query.limit = random.between(0, 2);
+      expect_same_without_targets(*solver, mesh, query);
     }
   }
 }
