@@ -562,16 +562,23 @@ double Paths::distance_at(const SurfacePoint& point) const {
   return distance_in_face(in_own_numbers(mesh_, point));
 }
 
+// A search takes the longer the looser its bound. What is found within a bound is the distance,
+// which lies between those over the corners, there and back.
 double Paths::distance_in_face(const SurfacePoint& own) const {
-  double over_corner = kInfinity;
+  double most = farthest_, least = 0;
   const auto reach = [&](Index h, const Point2&, double length) {
-    over_corner = std::min(over_corner, distance(mesh_.apex(h)) + length);
+    const double corner = distance(mesh_.apex(h));
+    most = std::min(most, corner + length);
+    if (corner < kInfinity) least = std::max(least, corner - length);
   };
   spread_from(mesh_, own, reach, [](Index, const Point2&) {});
-  const double bound = std::min(over_corner, farthest_);
-  if (bound == kInfinity) return kInfinity;
-  const double found = std::min(over_corner, Search(*this, own, bound, {}).run().distance);
-  return found <= farthest_ ? found : kInfinity;
+  if (most == kInfinity) return kInfinity;
+  for (double share = 1.0 / 16; share <= 1; share *= 2) {
+    const double bound = share == 1 ? most : least + share * (most - least);
+    const double found = Search(*this, own, bound, {}).run().distance;
+    if (found <= bound) return found;
+  }
+  return most < farthest_ ? most : kInfinity;
 }
 
 Path Paths::to_point(const SurfacePoint& point) const {

@@ -154,9 +154,12 @@ bool Paths::Search::may_lead(const View& view) const {
   if (nearest > distance_ + slack) return false;
   for (const bool head : {false, true}) {
     const Index v = head ? mesh_.head(view.in) : mesh_.origin(view.in);
-    const double to_end = head ? length - view.begin : view.end;
     const double known = std::min(of_.distance(v), of_.farthest_);  // the vertex is not nearer
-    if (known < kInfinity && known - to_end > distance_ - nearest + slack) return false;
+    if (known == kInfinity) continue;
+    // What the distance from the eye exceeds that from the vertex by is least at the far end.
+    const double far = head ? view.begin : view.end, from_vertex = head ? length - far : far;
+    const double from_eye = distance_between(view.eye, {far, 0});
+    if (known - from_vertex > distance_ - from_eye + slack) return false;
   }
   return true;
 }
