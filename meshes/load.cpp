@@ -56,7 +56,7 @@ void require_measurable(const TriangleSoup& soup, const DefectReport& defects,
 }
 
 LoadedMesh load_mesh(const std::filesystem::path& path, const LoadOptions& options) {
-  return load_mesh(read_mesh(path), path.string(), options);
+  return load_mesh(read_mesh_file(path), path.string(), options);
 }
 
 LoadedMesh load_mesh(MeshFile file, const std::string& name, const LoadOptions& options) {
@@ -65,11 +65,10 @@ LoadedMesh load_mesh(MeshFile file, const std::string& name, const LoadOptions& 
 }
 
 BuiltMesh build_mesh(const std::filesystem::path& path, const LoadOptions& options) {
-  MeshFile file = read_mesh(path);
+  MeshFile file = read_mesh_file(path);
   BuiltMesh built;
   const auto build = [&](const TriangleSoup& soup) {
-    built.mesh =
-        std::make_unique<const Mesh>(soup, Numbering::along_surface, options.non_manifold_edges);
+    built.mesh = std::make_unique<Mesh>(soup, Numbering::along_surface, options.non_manifold_edges);
   };
   if (options.repair) {
     built.loaded = load_mesh(std::move(file), path.string(), options);

@@ -39,7 +39,7 @@ LoadedMesh load_mesh(MeshFile file, const std::string& name, const LoadOptions& 
 
 struct BuiltMesh {
   LoadedMesh loaded;
-  std::unique_ptr<const Mesh> mesh;  ///< of loaded.soup, numbered along the surface
+  std::unique_ptr<Mesh> mesh;  ///< of loaded.soup, numbered along the surface
 };
 
 /// As `load_mesh`, and builds the mesh: while another thread looks for defects.

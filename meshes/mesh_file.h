@@ -44,9 +44,9 @@ bool has_mesh_extension(const std::filesystem::path& file);
 /// Reads a file; its format is recognised by its content, the extension is only a hint.
 /// @throws MeshError when the file cannot be read, is of no known format, malformed or truncated,
 ///         or holds no vertex or no face, or more than a Mesh can number
-MeshFile read_mesh(const std::filesystem::path& path);
+MeshFile read_mesh_file(const std::filesystem::path& path);
 
-/// As `read_mesh` on a file's bytes.
+/// As `read_mesh_file` on a file's bytes.
 /// @param name of the file, for messages; its extension is the hint
 MeshFile parse_mesh(std::string_view bytes, const std::string& name);
 

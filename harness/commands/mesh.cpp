@@ -139,7 +139,7 @@ void print_text(const Flags& flags, const Findings& findings) {
 
 // Prints what there is to say about a mesh, also of one that is then refused.
 void inspect(const Flags& flags) {
-  MeshFile file = read_mesh(flags.file);
+  MeshFile file = read_mesh_file(flags.file);
   Findings findings;
   findings.format = std::move(file.format);
   findings.warnings = std::move(file.warnings);

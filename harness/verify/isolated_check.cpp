@@ -57,7 +57,7 @@ class CheckProcess {
  private:
   std::vector<Case> all_cases() const {
     if (task_.mesh_file.empty()) return property_.cases();
-    Case given{task_.mesh_file, read_mesh(task_.mesh_file).soup, task_.queries};
+    Case given{task_.mesh_file, read_mesh_file(task_.mesh_file).soup, task_.queries};
     if ((property_.needs & kNonManifoldEdges) != 0) {
       given.non_manifold_edges = NonManifoldEdges::crossed;
     }

@@ -44,7 +44,7 @@ std::vector<Query> queries_of(const VerifyRequest& request, const MeshEntry& ent
 }
 
 Case case_of(const VerifyRequest& request, const MeshEntry& entry) {
-  TriangleSoup soup = read_mesh(entry.file).soup;
+  TriangleSoup soup = read_mesh_file(entry.file).soup;
   try {
     const Mesh buildable(soup);
   } catch (const std::invalid_argument& error) {

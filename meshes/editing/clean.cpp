@@ -294,7 +294,7 @@ void take_steps(TriangleSoup& soup, const std::string& file, Log& log) {
 
 GeneratedMesh make_clean(const CheckedParameters& parameters) {
   const std::string& file = parameters.text("input");
-  TriangleSoup soup = read_mesh(file).soup;
+  TriangleSoup soup = read_mesh_file(file).soup;
   Log log;
   take_steps(soup, file, log);
   if (parameters.text("parts") == "largest") log.add(keep_largest_component(soup));

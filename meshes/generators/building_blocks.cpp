@@ -112,7 +112,7 @@ ParameterDescription input_parameter() {
 
 TriangleSoup read_input(const CheckedParameters& parameters) {
   const std::string& file = parameters.text("input");
-  TriangleSoup soup = read_mesh(file).soup;
+  TriangleSoup soup = read_mesh_file(file).soup;
   const auto refuse = [&](const std::string& element, Index id, const std::string& what) {
     throw MeshError(file + ": " + element + " " + std::to_string(id) + " " + what +
                     "; clean the mesh first: generate clean --input " + file);

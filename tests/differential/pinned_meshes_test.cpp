@@ -54,7 +54,7 @@ class PinnedMesh : public ::testing::TestWithParam<Pin> {};
 TEST_P(PinnedMesh, is_right_by_every_exact_solver_and_instruction_set) {
   const Pin& pin = GetParam();
   const std::string file = std::string(PINNED_MESHES) + "/" + pin.mesh + ".obj";
-  const Mesh mesh(read_mesh(file).soup);
+  const Mesh mesh(read_mesh_file(file).soup);
   const Query query = harness::from(pin.source);
   const auto expected = BruteForce(mesh).distances(query.sources);
   for (const Description* solver : registered_solvers()) {

@@ -149,7 +149,7 @@ TEST(Hostile, WhatIsNoFileIsNamed) {
   const TemporaryFolder folder;
   const auto message = [](const std::filesystem::path& path) -> std::string {
     try {
-      read_mesh(path);
+      read_mesh_file(path);
     } catch (const MeshError& error) {
       return error.what();
     }
