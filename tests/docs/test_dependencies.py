@@ -22,6 +22,7 @@ ORDER = [
     "family",
     "variant",
     "meshes",
+    "geodesic",
     "python",
     "harness/base",
     "harness/corpus",
@@ -38,7 +39,7 @@ ORDER = [
 HARNESS_ONLY = {"family", "variant"}
 """Layers that nothing to their right includes: solvers are reached through the registry."""
 
-FOLDERS = ("solvers", "meshes", "python", "harness")
+FOLDERS = ("solvers", "meshes", "geodesic", "python", "harness")
 """Where C++ is."""
 
 LIBRARIES = {
@@ -68,7 +69,7 @@ def layer(file: str) -> str:
     if parts[0] == "solvers":
         layers = {"core": "solvers/core", "paths": "solvers/paths", "variants": "variant"}
         return layers.get(parts[1], "family")
-    if parts[0] in ("meshes", "python"):
+    if parts[0] in ("meshes", "geodesic", "python"):
         return parts[0]
     name = "/".join(parts[:2]).removesuffix(".cpp")
     if name not in ORDER:
@@ -145,6 +146,7 @@ def test_every_layer_has_files() -> None:
         ("solvers/variants/lazy/lazy.cpp", "solvers/variants/lazier/lazier.h"),
         ("meshes/defects.cpp", "harness/base/error.h"),
         ("meshes/defects.cpp", "pybind11/numpy.h"),
+        ("meshes/load.cpp", "geodesic/geodesic.h"),
         ("meshes/repair.cpp", "OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh"),
         ("python/native/module.cpp", "harness/base/error.h"),
         ("harness/measure/matrix.cpp", "python/native/background.h"),

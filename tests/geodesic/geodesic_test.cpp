@@ -1,0 +1,164 @@
+// The library as programs use it that only want distances.
+#include <geodesic/geodesic.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "meshes/oracles/random_meshes.h"
+
+namespace geodesic {
+namespace {
+
+const TriangleSoup kSphere = rough_sphere(6, 2, 0.2);
+
+/// A file of its own for each test, which may run at the same time as others.
+Mesh read_sphere() {
+  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+  const auto file = std::filesystem::path(testing::TempDir()) / ("geodesic_test_" + test + ".obj");
+  const std::string bytes = mesh_bytes(kSphere, file);
+  std::ofstream(file, std::ios::binary) << bytes;
+  Mesh mesh = read_mesh(file);
+  std::filesystem::remove(file);
+  return mesh;
+}
+
+std::vector<double> all(const Field& field) {
+  return {field.distances().begin(), field.distances().end()};
+}
+
+std::string refusal(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(DistanceSolver, gives_the_bits_of_a_timed_solve_on_the_file_in_the_fast_numbering) {
+  const Mesh mesh = read_sphere();
+  EXPECT_FALSE(mesh.numbers().are_given());
+  for (const std::string name : {"edge-based", "mmp", "dijkstra"}) {
+    std::vector<double> expected(mesh.vertex_count());
+    make_solver(name, mesh)->solve({.sources = {{5}, {17}}, .limit = 1.5}, expected);
+    DistanceSolver solver(mesh, name);
+    EXPECT_EQ(all(solver.from({5, 17}, {.limit = 1.5})), expected) << name;
+    EXPECT_EQ(all(solver.from(std::vector<Index>{5, 17}, {.limit = 1.5})), expected) << name;
+  }
+}
+
+TEST(DistanceSolver, takes_initial_distances) {
+  const Mesh mesh = read_sphere();
+  DistanceSolver solver(mesh);
+  const Field field = solver.from(std::vector<Source>{{.at = 5, .distance = 0.25}, {.at = 17}});
+  EXPECT_EQ(field[17], 0);
+  EXPECT_LE(field[5], 0.25);
+  EXPECT_GT(field[5], 0);
+}
+
+TEST(Field, has_the_numbers_of_the_file) {
+  const Mesh mesh = read_sphere();
+  const Vec3 middle = position_of(mesh, point_in_face(mesh, 7, {1, 1, 1}));
+  const auto [a, b, c] = kSphere.triangles[7];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double sum = kSphere.positions[a][k] + kSphere.positions[b][k] + kSphere.positions[c][k];
+    EXPECT_NEAR(middle[k], sum / 3, 1e-15);
+  }
+  const Field field = DistanceSolver(mesh).from({a});
+  EXPECT_NEAR(field[b], norm(subtract(kSphere.positions[a], kSphere.positions[b])), 1e-15);
+  EXPECT_EQ(field.at(b), field[b]);
+  EXPECT_EQ(field.path_to(c).points.front().at, SurfacePoint(a));
+}
+
+TEST(Field, leads_to_vertices_and_points_by_paths_as_long_as_they_are_far) {
+  const Mesh mesh = read_sphere();
+  const SurfacePoint source = point_in_face(mesh, 7, {.2, .3, .5});
+  const Field field = DistanceSolver(mesh).from({0, source});
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const Path path = field.path_to(v);
+    EXPECT_NEAR(path.length(), field[v], 1e-12);
+    EXPECT_EQ(path.source, field.nearest_source(v));
+    EXPECT_EQ(path.points.front().at, path.source == 0 ? SurfacePoint(0) : source);
+  }
+  for (Index face = 0; face < mesh.face_count(); ++face) {
+    const SurfacePoint point = point_in_face(mesh, face, {.1, .6, .3});
+    const Path path = field.path_to(point);
+    EXPECT_NEAR(path.length(), field.at(point), 1e-12);
+    EXPECT_EQ(path.points.back().at, point);
+  }
+}
+
+TEST(Field, is_as_far_at_points_as_a_solve_from_there_says) {
+  const Mesh mesh = read_sphere();
+  const auto [a, b, c] = kSphere.triangles[100];
+  const SurfacePoint point = point_on_edge(mesh, a, b, .25);
+  const std::vector<double> expected = all(DistanceSolver(mesh).from({point}));
+  for (const Index v : {0u, 33u, 90u, c}) {
+    EXPECT_NEAR(DistanceSolver(mesh).from({v}).at(point), expected[v], 1e-12);
+  }
+}
+
+// Points become vertices: the graph of edges has none in faces.
+TEST(Field, is_asked_of_any_points_by_solvers_that_know_vertices_only) {
+  const Mesh mesh = read_sphere();
+  const SurfacePoint point = point_in_face(mesh, 7, {.2, .3, .5});
+  const Index corner = kSphere.triangles[7][0];
+  const double line = norm(subtract(position_of(mesh, point), kSphere.positions[corner]));
+  DistanceSolver dijkstra(mesh, "dijkstra");
+  EXPECT_NEAR(dijkstra.from({point})[corner], line, 1e-12);
+  EXPECT_NEAR(dijkstra.from({corner}).at(point), line, 1e-12);
+}
+
+TEST(Field, outlives_its_solver_and_is_copied) {
+  const Mesh mesh = read_sphere();
+  Field field = DistanceSolver(mesh).from({0});
+  const Field copy = field;
+  field = DistanceSolver(mesh).from({1});
+  EXPECT_EQ(copy[0], 0);
+  EXPECT_EQ(field[1], 0);
+}
+
+TEST(Field, has_no_paths_beyond_the_limit) {
+  const Mesh mesh = read_sphere();
+  const Field field = DistanceSolver(mesh).from({0}, {.limit = 1e-9});
+  EXPECT_EQ(field[50], kInfinity);
+  EXPECT_EQ(field.nearest_source(50), kNone);
+  EXPECT_EQ(refusal([&] { field.path_to(50); }), "no path leads to vertex 50");
+  Index face = 0;
+  while (kSphere.triangles[face][0] != 50) ++face;
+  const SurfacePoint beyond = point_in_face(mesh, face, {.2, .3, .5});
+  EXPECT_EQ(field.at(beyond), kInfinity);
+  EXPECT_EQ(refusal([&] { field.path_to(beyond); }),
+            "no path leads to the point in face " + std::to_string(face));
+}
+
+TEST(DistanceSolver, says_in_one_line_what_it_cannot_do) {
+  const Mesh mesh = read_sphere();
+  DistanceSolver solver(mesh), dijkstra(mesh, "dijkstra");
+  const Field field = solver.from({0}), without_paths = dijkstra.from({0});
+  const std::string many = std::to_string(mesh.vertex_count());
+  const std::string missing = "vertex 9999 is not in the mesh of " + many + " vertices";
+  EXPECT_EQ(refusal([&] { without_paths.path_to(3); }), "dijkstra does not remember paths");
+  EXPECT_EQ(refusal([&] { without_paths.nearest_source(3); }), "dijkstra does not remember paths");
+  EXPECT_EQ(refusal([&] { field.at(9999); }), missing);
+  EXPECT_EQ(refusal([&] { without_paths.at(9999); }), missing);
+  EXPECT_EQ(refusal([&] { field.path_to(9999); }), missing);
+  EXPECT_NE(refusal([&] { solver.from({9999}); }).find(missing), std::string::npos);
+  for (const auto& call : std::vector<std::function<void()>>{
+           [&] { solver.from(std::vector<Index>{}); },
+           [&] { solver.from({0}, {.limit = -1}); },
+           [&] { DistanceSolver(mesh, "no-such-solver"); },
+       }) {
+    const std::string line = refusal(call);
+    EXPECT_NE(line, "");
+    EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+  }
+}
+
+}  // namespace
+}  // namespace geodesic
