@@ -1,20 +1,29 @@
-// Distances over the surface of a unit cube from one of its corners.
+// distances MESH_FILE: the distance of each vertex from vertex 0 over the surface, one a line, and
+// the shortest path to the farthest one.
+#include <geodesic/geodesic.h>
+
 #include <cstdio>
-#include <memory>
-#include <vector>
+#include <exception>
 
-#include "solvers/core/registry.h"
+using namespace geodesic;
 
-int main() {
-  using namespace geodesic;
-  const std::vector<Vec3> positions{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
-                                    {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
-  const std::vector<Triangle> triangles{{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7},
-                                        {0, 1, 5}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5},
-                                        {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
-  const Mesh mesh(positions, triangles);
-  const std::unique_ptr<Solver> solver = make_solver("edge-based", mesh);
-  std::vector<double> distances(mesh.vertex_count());
-  solver->solve({.sources = {{.at = 0}}}, distances);
-  for (const double d : distances) std::printf("%.17g\n", d);
+int main(int argument_count, char** arguments) try {
+  if (argument_count != 2) {
+    std::fprintf(stderr, "Usage: distances MESH_FILE\n");
+    return 1;
+  }
+  const Mesh mesh = read_mesh(arguments[1]);
+  DistanceSolver solver(mesh);
+  const Field field = solver.from({0});
+  Index farthest = 0;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    std::printf("%.17g\n", field[v]);
+    if (field[v] < kInfinity && field[v] > field[farthest]) farthest = v;
+  }
+  const Path path = field.path_to(farthest);
+  std::fprintf(stderr, "vertex %u is the farthest: %.17g, by a path over %zu faces\n", farthest,
+               path.length(), path.points.size() - 1);
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "distances: %s\n", error.what());
+  return 1;
 }

@@ -88,9 +88,12 @@ def test_program_draws_rankings_with_the_files_of_its_own_prefix(
     elsewhere.rename(script)
 
 
-def test_library_computes_distances(installed: Installed, tmp_path: Path) -> None:
+def test_library_computes_distances(installed: Installed, tmp_path: Path, cube: Path) -> None:
     build = installed.build(ROOT / "examples" / "library", tmp_path / "build")
-    ended = subprocess.run([build / "distances"], capture_output=True, text=True, check=True)
+    ended = subprocess.run(
+        [build / "distances", cube], capture_output=True, text=True, check=True
+    )
+    assert re.match(r"vertex 6 is the farthest: 2\.23606797749978\d+, by", ended.stderr)
     distances = [float(line) for line in ended.stdout.splitlines()]
     assert distances == pytest.approx([0, 1, 2**0.5, 1, 1, 2**0.5, FAR_CORNER, 2**0.5], rel=1e-12)
 
