@@ -178,7 +178,9 @@ bool has_mesh_extension(const fs::path& file) {
   return extension == ".obj" || extension == ".off" || extension == ".ply" || extension == ".stl";
 }
 
-MeshFile read_mesh_file(const fs::path& path) { return parse_mesh(read_bytes(path), path.string()); }
+MeshFile read_mesh_file(const fs::path& path) {
+  return parse_mesh(read_bytes(path), path.string());
+}
 
 std::string mesh_bytes(const TriangleSoup& soup, const std::filesystem::path& path) {
   const auto refuse = [&](const std::string& why) {

@@ -30,7 +30,8 @@ class Differential : public harness::TemporaryFolder {
   /// The one that was saved.
   Case saved() const {
     for (const auto& entry : std::filesystem::directory_iterator(folder_ / "failures")) {
-      return {.mesh = entry.path().string(), .soup = read_mesh_file(entry.path()).soup, .queries = {}};
+      return {
+          .mesh = entry.path().string(), .soup = read_mesh_file(entry.path()).soup, .queries = {}};
     }
     ADD_FAILURE() << "no mesh was saved\n" << report_;
     return {};
