@@ -60,7 +60,7 @@ class Measured:
 
     def number(self, key: str) -> float | None:
         """A number that is the same in every repetition; None where the solver has none."""
-        return next((row.numbers[key] for row in self.rows if key in row.numbers), None)
+        return next((n for row in self.rows if (n := row.number(key)) is not None), None)
 
     def counters(self) -> dict[str, int]:
         found = {name: self.number(name) for name in COUNTERS}
@@ -127,8 +127,8 @@ def together(parts: Iterable[Pairs]) -> Pairs:
 
 def disturbed(row: Row) -> bool:
     """Whether the hypervisor or other processes took too much of the time of this row's process."""
-    stolen = row.numbers.get("stolen_share", 0.0)
-    switches = row.numbers.get("involuntary_switches_per_s", 0.0)
+    stolen = row.number("stolen_share") or 0.0
+    switches = row.number("involuntary_switches_per_s") or 0.0
     return stolen > MOST_STOLEN or switches > MOST_SWITCHES
 
 

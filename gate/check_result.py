@@ -81,22 +81,22 @@ def _meshes(run: Run, manifest: Mapping[str, Mapping[str, object]]) -> Iterator[
 
 
 def _row(run: Run, row: Row) -> Iterator[str]:
-    numbers, solver = row.numbers, run.solvers[row.solver]
-    error = numbers.get("max_relative_error")
+    number, solver = row.number, run.solvers[row.solver]
+    error = number("max_relative_error")
     if row.reference is None or error is None:
         yield "has a time and no verified distances"
-    elif numbers.get("unreachable_mismatches", 0) > 0:
+    elif (number("unreachable_mismatches") or 0) > 0:
         yield "reaches other vertices than its reference"
     elif solver.exactness == "bounded" and error > float(solver.error_bound or 0) * (1 + 1e-12):
         yield f"an error of {error:.2g}, above the bound of {solver.error_bound:g}"
     elif solver.exact and error > LARGEST_ERROR:
         yield f"an error of {error:.2g} of an exact solver"
-    cpu, wall = numbers["cpu_time"], numbers["real_time"]
+    cpu, wall = number("cpu_time") or 0.0, number("real_time") or 0.0
     if not (cpu > 0 and wall > 0):
         yield "a time that is not positive"
-    elif cpu > CPU_OVER_WALL * wall * max(1.0, numbers.get("threads", 1)):
+    elif cpu > CPU_OVER_WALL * wall * max(1.0, number("threads") or 1):
         yield f"{cpu:g} ms of the processor within {wall:g} ms"
-    if windows := numbers.get("window_propagations"):
+    if windows := number("window_propagations"):
         each = 1e6 * row.time / windows
         if not NANOSECONDS[0] <= each <= NANOSECONDS[1]:
             yield f"{each:.3g} ns for the propagation of a window"
@@ -105,7 +105,7 @@ def _row(run: Run, row: Row) -> Iterator[str]:
 def _counters(run: Run, known: baseline.Counters) -> Iterator[str]:
     cells: dict[Cell, dict[str, int]] = {}
     for row in run.rows:
-        counted = {name: int(row.numbers[name]) for name in COUNTERS if name in row.numbers}
+        counted = {name: int(n) for name in COUNTERS if (n := row.number(name)) is not None}
         if counted and cells.setdefault(row.cell, counted) != counted:
             yield f"{row.cell}: counters differ between repetitions"
     for cell, counted in cells.items():

@@ -24,7 +24,7 @@ def solve(row: Row) -> float:
 
 
 def preparation(row: Row) -> float:
-    return 1e-3 * row.numbers.get(PREPARATION.key, 0)
+    return 1e-3 * (row.number(PREPARATION.key) or 0)
 
 
 def first(row: Row) -> float:
@@ -33,7 +33,7 @@ def first(row: Row) -> float:
 
 def further(row: Row) -> float:
     """Of an answer from another source by the same object."""
-    return 1e-3 * row.numbers.get("renew_time", 0) + solve(row)
+    return 1e-3 * (row.number("renew_time") or 0) + solve(row)
 
 
 def each_of(sources: int) -> Time:
@@ -43,13 +43,14 @@ def each_of(sources: int) -> Time:
 
 def times(run: Run, mesh: str, solver: str, time: Time) -> dict[tuple[int, int], float]:
     """By (source, repetition)."""
-    rows = [row for row in run.cell(mesh, solver) if TIME.key in row.numbers]
+    rows = [row for row in run.cell(mesh, solver) if row.number(TIME.key) is not None]
     return {(row.source, row.repetition): time(row) for row in rows}
 
 
 def errors(run: Run, mesh: str, solver: str, key: str) -> list[float]:
     """Of right and wrong answers, one a row that has it."""
-    return [row.data[key] for row in run.cell(mesh, solver) if key in row.data]
+    found = (row.number(key) for row in run.cell(mesh, solver))
+    return [error for error in found if error is not None]
 
 
 def error_text(error: float) -> str:

@@ -80,13 +80,13 @@ def largest_errors(run: Run) -> list[str]:
     and against other solvers: a line for each of the two that there is, with whom and where."""
     lines = []
     columns = run.columns
-    errors = columns.number("max_relative_error")
+    errors = columns.numbers("max_relative_error")
     against_truth = columns.where("reference", CLOSED_FORM)
     for solver in run.solvers.values():
         for of in (against_truth, ~against_truth):
             rows = np.flatnonzero(of & columns.where("solver", solver.name) & ~np.isnan(errors))
             if len(rows) and solver.exact:
-                row = run.rows[int(rows[np.argmax(errors[rows])])]
+                row = run.row(int(rows[np.argmax(errors[rows])]))
                 error, where = errors[rows].max(), f"{row.mesh}, source {row.source}"
                 lines.append(f"{solver.name}: {error:.1e} against {row.reference} ({where})")
     return lines

@@ -101,7 +101,7 @@ def estimates(
 
 def windows_over_limit(run: Run) -> Drawing:
     """@raises ResultError when no solver counts windows, or none keeps them all"""
-    if not any(LIMIT.key in row.numbers for row in run.rows):
+    if not run.columns.has(LIMIT.key).any():
         raise ResultError(f"{run.file}: no solver of the MMP family, which counts the window limit")
 
     def measured(mesh: str, solver: str) -> list[Dot]:
@@ -143,9 +143,9 @@ def largest_errors(run: Run, mesh: str, solver: str) -> dict[bool, float]:
     """By whether the reference is the truth: the largest error over sources and repetitions."""
     errors: dict[bool, float] = {}
     for row in run.cell(mesh, solver):
-        if ERROR.key in row.numbers:
+        if (error := row.number(ERROR.key)) is not None:
             truth = row.against_truth
-            errors[truth] = max(errors.get(truth, 0), row.numbers[ERROR.key])
+            errors[truth] = max(errors.get(truth, 0), error)
     return errors
 
 

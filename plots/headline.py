@@ -125,7 +125,7 @@ def _prepared(run: Run, base: str, solver: str, ratio: float) -> str:
 
 def _errors(run: Run, solver: str) -> Floats:
     cells = run.columns
-    errors = cells.number(ERROR.key)[cells.where("solver", solver) & cells.where("outcome", OK)]
+    errors = cells.numbers(ERROR.key)[cells.where("solver", solver) & cells.where("outcome", OK)]
     return np.asarray(errors[~np.isnan(errors)])
 
 

@@ -158,10 +158,9 @@ def of_others(run: Run) -> set[str]:
 def values(run: Run, mesh: str, solver: str, measure: Measure) -> dict[tuple[int, int], float]:
     """The measure by (source, repetition), in the label's unit, where the row has it."""
     return {
-        (row.source, row.repetition): measure.scale
-        * (row.time if measure.key == TIME.key else row.numbers[measure.key])
+        (row.source, row.repetition): measure.scale * (row.time if measure.key == TIME.key else value)
         for row in run.cell(mesh, solver)
-        if measure.key in row.numbers
+        if (value := row.number(measure.key)) is not None
     }
 
 

@@ -215,12 +215,12 @@ class Times:
 def times(run: Run) -> Times:
     rows = run.columns.take(run.columns.where("outcome", OK))
     solvers, meshes = rows.texts["solver"], rows.texts["mesh"]
-    if not len(rows.number("source")):
+    if not len(rows.numbers("source")):
         return Times(solvers, meshes, np.zeros(0, np.int64), np.zeros((0, len(solvers))))
     line = [rows.arrays["mesh"], rows.arrays["source"], rows.arrays["repetition_index"]]
     lines, line_of = np.unique(np.stack(line), axis=1, return_inverse=True)
-    several = rows.number("threads") > 1
-    milliseconds = np.where(several, rows.number("real_time"), rows.number("cpu_time"))
+    several = rows.numbers("threads") > 1
+    milliseconds = np.where(several, rows.numbers("real_time"), rows.numbers("cpu_time"))
     seconds = np.full((lines.shape[1], len(solvers)), np.nan)
     seconds[line_of, rows.arrays["solver"]] = np.where(milliseconds > 0, 1e-3 * milliseconds, np.nan)
     return Times(solvers, meshes, lines[0].astype(np.int64), seconds)

@@ -131,11 +131,11 @@ def _word(run: Run, row: Row) -> str:
 
 
 def _mismatches(rows: Sequence[Row]) -> int:
-    return max(int(row.data.get("unreachable_mismatches", 0)) for row in rows)
+    return max(int(row.number("unreachable_mismatches") or 0) for row in rows)
 
 
 def _error(rows: Sequence[Row]) -> float:
-    return max(float(row.data.get("max_relative_error", 0)) for row in rows)
+    return max((row.number("max_relative_error") or 0.0) for row in rows)
 
 
 def _worst(run: Run, mesh: Mesh, solver: str) -> tuple[str, list[Row]]:

@@ -76,7 +76,7 @@ def _ratios(run: Run, base: str, solver: str, of: Floats | None) -> list[Cell]:
 def _counts(run: Run, solver: str) -> list[Cell]:
     cells = run.columns
     own, ok = cells.where("solver", solver), cells.where("outcome", OK)
-    errors = cells.number(ERROR.key)[own & ok]
+    errors = cells.numbers(ERROR.key)[own & ok]
     known = errors[~np.isnan(errors)]
     counts = (cells.cells(own & ok), cells.cells(own & ~ok))
     largest = float(known.max()) if len(known) else None

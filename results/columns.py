@@ -1,4 +1,4 @@
-"""Rows of result files as columns: what a run of a million rows is kept in.
+"""Rows of result files as columns: what every run is kept in, of four rows or of a million.
 
 A column is a key of the schema's rows; those of an object are "phase_seconds.queue". Numbers are
 arrays in which -1 (of whole numbers) or NaN (of others) stands for a number that a row does not
@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import zipfile
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -24,7 +24,7 @@ Array = NDArray[Any]
 FOLLOWS = ("name", "run_name", "run_type", "time_unit", "error_occurred")
 """Keys that `Columns.data` makes of others."""
 NONE = -1
-OUTCOME = "outcome"
+OUTCOME, OK = "outcome", "ok"
 TYPES: dict[str, Any] = {"integer": np.int64, "number": np.float64, "string": np.int32}
 
 
@@ -43,10 +43,6 @@ def kinds() -> dict[str, str]:
     return dict(leaves(schema()["$defs"]["row"]["properties"], ""))
 
 
-class NotColumns(ValueError):
-    """Rows that columns cannot hold: they are not to the schema."""
-
-
 @dataclass(frozen=True)
 class Columns:
     length: int
@@ -54,11 +50,15 @@ class Columns:
     """By key; one that no row has is left out."""
     texts: dict[str, list[str]] = field(default_factory=dict)
     """Of the columns of texts, by key."""
+    whole: bool = True
+    """Nothing was left out: `data` gives the rows as they were in JSON."""
 
     @staticmethod
-    def of(rows: Sequence[Mapping[str, Any]], *, whole: bool = True) -> Columns:
-        """@param whole nothing may be left out: `data` gives the rows again
-        @raises NotColumns"""
+    def of(rows: Sequence[Mapping[str, Any]]) -> Columns:
+        """Keys that the schema does not have are left out.
+
+        @raises ValueError, TypeError, AttributeError or OverflowError for values of other types than
+                the schema's"""
         arrays: dict[str, Array] = {}
         texts: dict[str, list[str]] = {}
         found = 0
@@ -75,13 +75,12 @@ class Columns:
                     np.int32,
                 )
                 if not all(isinstance(text, str) for text in places):
-                    raise NotColumns(key)
+                    raise ValueError(f"{key} is not a text")
                 texts[key] = list(places)
             else:
                 arrays[key] = _numbers(key, kind, values)
-        if whole and found != sum(map(_leaves, rows)):
-            raise NotColumns("a key that the schema does not have")
-        return Columns(len(rows), arrays, texts)
+        whole = found == sum(map(_kept, rows)) and all(map(_named, rows))
+        return Columns(len(rows), arrays, texts, whole)
 
     def has(self, key: str) -> Array:
         """Which rows have it."""
@@ -91,23 +90,27 @@ class Columns:
         there: Array = ~np.isnan(array) if array.dtype == np.float64 else array != NONE
         return there
 
-    def number(self, key: str) -> NDArray[np.float64]:
+    def numbers(self, key: str) -> NDArray[np.float64]:
         """NaN where a row has none."""
         array = self.arrays.get(key)
         if array is None:
             return np.full(self.length, np.nan)
         return np.where(self.has(key), array, np.nan)
 
-    def where(self, key: str, text: str) -> Array:
-        """Which rows have this text."""
-        if text not in self.texts.get(key, ()):
-            return np.zeros(self.length, bool)
-        return np.asarray(self.arrays[key] == self.texts[key].index(text))
+    def where(self, key: str, *any_of: str) -> Array:
+        """Which rows have one of these texts."""
+        places = [place for place, text in enumerate(self.texts.get(key, ())) if text in any_of]
+        return np.isin(self.arrays[key], places) if places else np.zeros(self.length, bool)
 
     def text(self, key: str, row: int) -> str | None:
         array = self.arrays.get(key)
         place = NONE if array is None else int(array[row])
         return None if place == NONE else self.texts[key][place]
+
+    def names(self, key: str) -> list[str]:
+        """The texts that rows have, in the order of the rows; every row has one."""
+        _, first = np.unique(self.arrays[key], return_index=True)
+        return [str(self.text(key, row)) for row in sorted(first.tolist())]
 
     def by_texts(self, *keys: str) -> dict[tuple[str, ...], Array]:
         """The places of the rows by the texts that they have for the keys; every row has them."""
@@ -124,19 +127,6 @@ class Columns:
         keys = np.stack([self.arrays[key][rows] for key in ("solver", "mesh", "source")])
         return int(np.unique(keys, axis=1).shape[1])
 
-    def sources(self) -> list[tuple[str, int]]:
-        """Meshes with the source vertices of rows, each pair once."""
-        if not self.length:
-            return []
-        pairs = np.unique(np.stack([self.arrays["mesh"], self.arrays["source"]]), axis=1)
-        return [(self.texts["mesh"][mesh], source) for mesh, source in pairs.T.tolist()]
-
-    def sources_of_two(self, key: str) -> list[tuple[str, int]]:
-        """Those of `sources` whose rows have different texts for the key."""
-        three = np.stack([self.arrays["mesh"], self.arrays["source"], self.arrays[key]])
-        pairs, found = np.unique(np.unique(three, axis=1)[:2], axis=1, return_counts=True)
-        return [(self.texts["mesh"][m], s) for m, s in pairs[:, found > 1].T.tolist()]
-
     def data(self, row: int) -> dict[str, Any]:
         """The row as it is in JSON."""
         found: dict[str, Any] = {}
@@ -144,37 +134,40 @@ class Columns:
             if kind == "string":
                 value: Any = self.text(key, row)
             else:
-                value = self._number(key, row)
+                value = self.number(key, row)
             if value is not None:
                 into, _, last = key.rpartition(".")
                 (found.setdefault(into, {}) if into else found)[last] = value
-        name = f"{found['solver']}/{found['mesh']}/src:{found['source']}"
-        failed = {} if found[OUTCOME] == "ok" else {"error_occurred": True}
         constant = {"run_type": "iteration", "time_unit": "ms"}
-        return {"name": name, "run_name": name} | constant | failed | found
+        failed = {} if found[OUTCOME] == OK else {"error_occurred": True}
+        return {"name": _name(found), "run_name": _name(found)} | constant | failed | found
 
-    def _number(self, key: str, row: int) -> float | None:
+    def number(self, key: str, row: int) -> float | None:
+        """Of whole ones an int."""
         array = self.arrays.get(key)
-        if array is None:
-            return None
-        value = array[row].item()
-        return None if value in (NONE, None) or value != value else value  # NaN differs from itself
-
-    def numbers(self, row: int) -> Mapping[str, float]:
-        return _Numbers(self, row)
+        value: float = NONE if array is None else array[row].item()
+        return None if value == NONE or value != value else value  # NaN differs from itself
 
     def take(self, rows: Array) -> Columns:
         """These rows: places in the order wanted, or which."""
         arrays = {key: array[rows] for key, array in self.arrays.items()}
         return Columns(len(next(iter(arrays.values()), rows)), arrays, self.texts)
 
-    def with_text(self, key: str, values: Array, texts: list[str]) -> Columns:
-        """With a column of texts in place of another one."""
-        arrays = {name: array for name, array in self.arrays.items() if name != key}
-        kept = {name: of for name, of in self.texts.items() if name != key}
-        if (values == NONE).all():
-            return Columns(self.length, arrays, kept)
-        return Columns(self.length, arrays | {key: values.astype(np.int32)}, kept | {key: texts})
+    def filled(self, key: str, text: str) -> Columns:
+        """With this text in the rows that have none."""
+        texts = list(dict.fromkeys([*self.texts.get(key, ()), text]))
+        array = self.arrays.get(key, np.full(self.length, NONE))
+        array = np.where(array == NONE, texts.index(text), array).astype(np.int32)
+        return replace(self, arrays=self.arrays | {key: array}, texts=self.texts | {key: texts})
+
+    def without(self, key: str, text: str) -> Columns:
+        """Rows that have this text have none."""
+        array = np.where(self.where(key, text), NONE, self.arrays[key]).astype(np.int32)
+        arrays = self.arrays | {key: array}
+        if (array == NONE).all():
+            del arrays[key]
+        texts = {name: of for name, of in self.texts.items() if name in arrays}
+        return replace(self, arrays=arrays, texts=texts)
 
     @staticmethod
     def together(parts: Sequence[Columns]) -> Columns:
@@ -228,18 +221,16 @@ class Columns:
                 raise ResultError(f"{file}: {key}: a text that run.json does not have")
         return Columns(length, arrays, {key: texts[key] for key in arrays if key in texts})
 
-    def is_valid(self, context: dict[str, Any]) -> bool:
-        """Whether all rows are to the schema. Of rows with the same keys and outcome the least and
+    def is_valid(self, data: dict[str, Any]) -> bool:
+        """Whether all rows, and the rest of the result file, are to the schema. Of rows with the same keys and outcome the least and
         the greatest of each number and length of text are looked at, since the schema bounds both by
         intervals; and each different text."""
-        if not self.length:
-            return is_valid({"context": context, "benchmarks": []})
-        if {"solver", "mesh", "source", OUTCOME} - self.arrays.keys():
+        if not self.whole or (self.length and OUTCOME not in self.arrays):
             return False
         row = schema()["$defs"]["row"]["properties"]
         texts = ((row[key], text) for key, of in self.texts.items() for text in of)
         return all(is_valid(text, part) for part, text in texts) and is_valid(
-            {"context": context, "benchmarks": self._extreme_rows()}
+            data | {"benchmarks": self._extreme_rows() if self.length else []}
         )
 
     def _extreme_rows(self) -> list[dict[str, Any]]:
@@ -264,64 +255,39 @@ class Columns:
         return found
 
 
-class _Numbers(Mapping[str, float]):
-    """The numbers of a row by their keys, as `reader.Row.numbers` has them."""
-
-    __slots__ = ("columns", "row")
-
-    def __init__(self, columns: Columns, row: int) -> None:
-        self.columns, self.row = columns, row
-
-    def __getitem__(self, key: str) -> float:
-        value = None if kinds().get(key) == "string" else self.columns._number(key, self.row)
-        if value is None:
-            raise KeyError(key)
-        return value
-
-    def __iter__(self) -> Iterator[str]:
-        return (key for key, kind in kinds().items() if kind != "string" and key in self)
-
-    def __len__(self) -> int:
-        return sum(1 for _ in self)
-
-
 def _values(rows: Sequence[Mapping[str, Any]], key: str) -> list[Any]:
     into, _, last = key.rpartition(".")
-    if not into:
-        return [row.get(last) for row in rows]
-    objects = [row.get(into) or {} for row in rows]
-    if not all(isinstance(one, dict) for one in objects):
-        raise NotColumns(into)
-    return [one.get(last) for one in objects]
+    return [row.get(last) for row in ([row.get(into, {}) for row in rows] if into else rows)]
 
 
 def _numbers(key: str, kind: str, values: list[Any]) -> Array:
     if not {type(value) for value in values} <= {int, float, type(None)}:
-        raise NotColumns(key)
+        raise ValueError(f"{key} is not a number")
     if kind == "number":
         return np.array([np.nan if value is None else value for value in values], np.float64)
-    try:
-        found = np.array([NONE if value is None else value for value in values])
+    found = np.array([NONE if value is None else value for value in values])
+    with np.errstate(invalid="ignore"):
         whole = found.astype(np.int64)
-    except OverflowError:
-        raise NotColumns(key) from None
     # A value of -1 would be taken for none.
     if (whole != found).any() or (whole == NONE).sum() != values.count(None):
-        raise NotColumns(key)
+        raise ValueError(f"{key} is not a whole number of at least 0")
     return whole
 
 
-def _leaves(row: Mapping[str, Any]) -> int:
-    """How many values are to be kept.
+def _kept(row: Mapping[str, Any]) -> int:
+    """How many values are not among FOLLOWS."""
+    return sum(
+        len(value) if isinstance(value, dict) else 1
+        for key, value in row.items()
+        if key not in FOLLOWS
+    )
 
-    @raises NotColumns when the others do not follow from these"""
-    name = f"{row.get('solver')}/{row.get('mesh')}/src:{row.get('source')}"
-    follows = (name, name, "iteration", "ms", row.get(OUTCOME) != "ok")
-    found = (
-        row.get("name"), row.get("run_name"), row.get("run_type"), row.get("time_unit", "ms"),
-        row.get("error_occurred", False),
-    )  # fmt: skip
-    if found != follows:
-        raise NotColumns("name")
-    others = 3 + ("time_unit" in row) + ("error_occurred" in row)
-    return sum(len(v) if isinstance(v, dict) else 1 for v in row.values()) - others
+
+def _name(row: Mapping[str, Any]) -> str:
+    return f"{row.get('solver')}/{row.get('mesh')}/src:{row.get('source')}"
+
+
+def _named(row: Mapping[str, Any]) -> bool:
+    """Whether the values of FOLLOWS are those that `data` gives."""
+    found = [row.get(key) for key in FOLLOWS[:-1]] + [row.get("error_occurred", False)]
+    return found == [_name(row), _name(row), "iteration", "ms", row.get(OUTCOME) != OK]

@@ -15,7 +15,7 @@ import shutil
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -27,13 +27,13 @@ if __name__ == "__main__":
 import numpy as np
 
 from results.checksum import computed, of_file
-from results.columns import NONE, Columns
-from results.reader import ColumnRows, ResultError, Run, read_file
+from results.columns import Columns
+from results.reader import ResultError, Run, read_file
 
 MUCH = 20_000_000
 """Bytes: less is read before another process has started."""
 MOST_IN_JSON = 50_000
-"""Rows: more are written as columns, of which a reader needs a tenth of the time and memory."""
+"""Rows: more are written as columns, which are read in a tenth of the time and memory."""
 RUN, ROWS, REQUEST, RECORDINGS = "run.json", "rows.npz", "request.json", "recordings"
 BELONGING = {
     "suite": "its solvers, options or suite differ",
@@ -59,11 +59,6 @@ class Part:
     @property
     def index(self) -> int:
         return int(self.shard["index"])
-
-    @property
-    def columns(self) -> Columns:
-        assert isinstance(self.run.rows, ColumnRows)
-        return self.run.rows.columns
 
     def described(self, out: Path) -> dict[str, Any]:
         """As in the merged file."""
@@ -118,10 +113,7 @@ def read_parts(folders: Sequence[Path]) -> tuple[list[Part], list[Path]]:
 
 
 def _read(folder: Path) -> Part:
-    run = read_file(folder / RUN, as_columns=True)
-    if not isinstance(run.rows, ColumnRows):
-        raise ResultError(f"{run.file}: its rows are not as geodesic-bench writes them")
-    return Part(folder, run)
+    return Part(folder, read_file(folder / RUN))
 
 
 def _read_all(folders: Sequence[Path]) -> Iterator[Part]:
@@ -228,17 +220,17 @@ def check_meshes(parts: Sequence[Part]) -> None:
                 )
 
 
-def rows_of(parts: Sequence[Part], groups: Sequence[Group]) -> tuple[Columns, str]:
-    """The rows as in the file of the run in one piece, and the processor of those that name none.
+def rows_of(parts: Sequence[Part], groups: Sequence[Group]) -> Columns:
+    """The rows as in the file of the run in one piece; each names its processor.
 
     @raises ResultError when there is none"""
     ours = parts[0].run.ours
     repetitions = ours["repetitions"] if ours.get("interleaved") else 1
     cells = len(ours["solvers"]) * max(1, len(ours.get("programs", []))) * repetitions
-    filled = [part for part in parts if part.columns.length]
+    filled = [part.run.columns for part in parts if part.run.columns.length]
     if not filled:
         raise ResultError("nothing was measured: no shard has a row")
-    rows = Columns.together([part.columns for part in filled])
+    rows = Columns.together(filled)
     place_of = {(group.mesh, group.source): place for place, group in enumerate(groups)}
     meshes = rows.texts["mesh"]
     pairs, pair_of = np.unique(
@@ -248,21 +240,7 @@ def rows_of(parts: Sequence[Part], groups: Sequence[Group]) -> tuple[Columns, st
     arrays = dict(rows.arrays)
     if "family_index" in arrays:
         arrays["family_index"] = places * cells + arrays["family_index"] % cells
-    rows = Columns(rows.length, arrays, rows.texts).take(np.argsort(places, kind="stable"))
-    return _with_processors(rows, filled, np.argsort(places, kind="stable"))
-
-
-def _with_processors(rows: Columns, parts: Sequence[Part], order: Any) -> tuple[Columns, str]:
-    """Each row names its processor, unless that is the one of the first row."""
-    names = list(dict.fromkeys(name for part in parts for name in part.run.processors))
-    of_part = [names.index(part.run.ours["processor"]) if part.run.ours["processor"] in names else NONE
-               for part in parts]  # fmt: skip
-    places = np.repeat(of_part, [part.columns.length for part in parts])[order]
-    if "processor" in rows.arrays:
-        named = np.array([*map(names.index, rows.texts["processor"]), NONE])[rows.arrays["processor"]]
-        places = np.where(named == NONE, places, named)
-    first = int(places[0])
-    return rows.with_text("processor", np.where(places == first, NONE, places), names), names[first]
+    return replace(rows, arrays=arrays).take(np.argsort(places, kind="stable"))
 
 
 def context_of(parts: Sequence[Part], groups: Sequence[Group], out: Path) -> dict[str, Any]:
@@ -319,7 +297,7 @@ def check_out(out: Path) -> None:
     """@raises ResultError where the folder holds a run that was measured there"""
     if (out / REQUEST).exists() or (out / "cells").exists():
         raise ResultError(f"{out}: holds a run of its own: merge into another folder with --out")
-    if (out / RUN).exists() and "parts" not in read_file(out / RUN, as_columns=True).ours:
+    if (out / RUN).exists() and "parts" not in read_file(out / RUN).ours:
         raise ResultError(f"{out / RUN}: is no merged run: merge into another folder with --out")
 
 
@@ -341,13 +319,9 @@ def join_recordings(parts: Sequence[Part], out: Path) -> None:
                     shutil.copyfile(file, copy)
 
 
-def summary(parts: Sequence[Part], rows: Columns, processor: str, meshes: int) -> str:
+def summary(parts: Sequence[Part], rows: Columns, meshes: int) -> str:
     """ "8 shards: 240 rows of 5 meshes, measured on: ..." """
-    named = rows.arrays.get("processor")
-    counts = {processor: rows.length - int(rows.has("processor").sum())}
-    for place, name in enumerate(rows.texts.get("processor", [])):
-        if named is not None and (of := int((named == place).sum())):
-            counts[name] = of
+    counts = {name: int(rows.where("processor", name).sum()) for name in rows.names("processor")}
     machines = next(iter(counts)) if len(counts) == 1 else "; ".join(
         f"{name} ({of} rows)" for name, of in counts.items()
     )
@@ -371,15 +345,16 @@ def merge(
         raise ResultError("; ".join(lines) + " (--allow-gaps merges without them)")
     for line in lines:
         print(f"geodesic-bench merge: {line}", file=sys.stderr)
-    rows, processor = rows_of(parts, groups)
+    rows = rows_of(parts, groups)
+    processor = str(rows.text("processor", 0))
     context = context_of(parts, groups, out)
     context["geodesic_bench"] |= {"processor": processor, "command": command}
     if missing:
         context["geodesic_bench"]["missing_shards"] = missing
     out.mkdir(parents=True, exist_ok=True)
     join_recordings(parts, out)
-    print(summary(parts, rows, processor, len(context["geodesic_bench"]["meshes"])))
-    return write(context, rows, out, most_in_json)
+    print(summary(parts, rows, len(context["geodesic_bench"]["meshes"])))
+    return write(context, rows.without("processor", processor), out, most_in_json)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -1,8 +1,8 @@
 """The one reader of result files: validates them and gives typed rows.
 
 Reads run.json, or one file of cells/, as described by results/README.md, of ordinary and of
-interleaved runs, and of large ones whose rows are columns beside run.json. Every fault of a file is
-a ResultError of one line with the file and the key.
+interleaved runs, and of large ones whose rows are in a file beside run.json. Every fault of a file
+is a ResultError of one line with the file and the key.
 """
 
 from __future__ import annotations
@@ -10,15 +10,16 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any, TypeVar, overload
+from typing import Any, NoReturn, TypeVar
 
 import numpy as np
 
-from .columns import Columns, NotColumns
+from .columns import OK as OK
+from .columns import Array, Columns
 from .console import ROOT, printable
 from .schema import SCHEMA as SCHEMA
 from .schema import ResultError as ResultError
@@ -26,7 +27,6 @@ from .schema import key_of, validate
 
 RUNS = ROOT / "results" / "runs"
 
-OK = "ok"
 ERRORS = (
     "max_relative_error", "mean_relative_error", "rms_relative_error", "p99_relative_error",
     "unreachable_mismatches",
@@ -111,18 +111,31 @@ class Row:
     outcome: str
     message: str
     reference: str | None
-    numbers: Mapping[str, float]
-    """Every number of the row by its key in the file, those of an object as
-    "phase_seconds.queue"; unless the outcome is ok, those of ERRORS alone, which a wrong answer
-    has. Times are in milliseconds."""
-    recordings: str | None = None
+    recordings: str | None
     """Folder of the solver's recordings, relative to the run folder."""
-    program: str | None = None
+    program: str | None
     """Of an interleaved run with several programs: the label of the one that was timed."""
-    processor: str = ""
+    processor: str
     """The one that measured it: times of different ones are not compared."""
-    data: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
-    """The row as it is in the file."""
+    columns: Columns = field(repr=False, compare=False)
+    place: int
+    """Of it in the columns."""
+
+    def number(self, key: str) -> float | None:
+        """By its key in the file, that of an object as "phase_seconds.queue"; unless the outcome is
+        ok, one of ERRORS, which a wrong answer has. Times are in milliseconds."""
+        return self.columns.number(key, self.place) if self.ok or key in ERRORS else None
+
+    @property
+    def numbers(self) -> dict[str, float]:
+        """All that `number` gives."""
+        keys = (key for key in self.columns.arrays if key not in self.columns.texts)
+        return {key: value for key in keys if (value := self.number(key)) is not None}
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """The row as it is in the file."""
+        return self.columns.data(self.place)
 
     @property
     def ok(self) -> bool:
@@ -132,8 +145,10 @@ class Row:
     def time(self) -> float:
         """Of one solve in milliseconds, what tables and verdicts go by: of the CPU, and of the wall
         where several threads share the work. @raises KeyError for a row that is not ok"""
-        several = self.numbers.get("threads", 1) > 1
-        return self.numbers["real_time" if several else "cpu_time"]
+        key = "real_time" if (self.number("threads") or 1) > 1 else "cpu_time"
+        if (time := self.number(key)) is None:
+            raise KeyError(key)
+        return time
 
     @property
     def cell(self) -> Cell:
@@ -142,62 +157,6 @@ class Row:
     @property
     def against_truth(self) -> bool:
         return self.reference == CLOSED_FORM
-
-
-class ColumnRows(Sequence[Row]):
-    """Rows that are made of columns when they are looked at."""
-
-    def __init__(self, columns: Columns, processor: str) -> None:
-        """@param processor of rows that name none"""
-        self.columns, self._processor = columns, processor
-
-    def __len__(self) -> int:
-        return self.columns.length
-
-    @overload
-    def __getitem__(self, place: int) -> Row: ...
-    @overload
-    def __getitem__(self, place: slice) -> list[Row]: ...
-    def __getitem__(self, place: int | slice) -> Row | list[Row]:
-        if isinstance(place, slice):
-            return [self._row(row) for row in range(*place.indices(len(self)))]
-        return self._row(range(len(self))[place])
-
-    def __iter__(self) -> Iterator[Row]:
-        return map(self._row, range(len(self)))
-
-    def _row(self, row: int) -> Row:
-        def text(key: str) -> str | None:
-            return self.columns.text(key, row)
-
-        numbers = self.columns.numbers(row)
-        outcome = str(text("outcome"))
-        return Row(
-            solver=str(text("solver")), mesh=str(text("mesh")), source=int(numbers["source"]),
-            repetition=int(numbers.get("repetition_index", 0)), outcome=outcome,
-            message=text("error_message") or "", reference=text("reference"),
-            numbers=numbers if outcome == OK else {k: numbers[k] for k in ERRORS if k in numbers},
-            recordings=text("recordings"), program=text("program"),
-            processor=text("processor") or self._processor, data=_Data(self.columns, row),
-        )  # fmt: skip
-
-
-class _Data(Mapping[str, Any]):
-    """A row as it would be in JSON, made when it is looked at."""
-
-    __slots__ = ("_columns", "_row")
-
-    def __init__(self, columns: Columns, row: int) -> None:
-        self._columns, self._row = columns, row
-
-    def __getitem__(self, key: str) -> Any:
-        return self._columns.data(self._row)[key]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._columns.data(self._row))
-
-    def __len__(self) -> int:
-        return len(self._columns.data(self._row))
 
 
 @dataclass(frozen=True)
@@ -215,9 +174,29 @@ class Run:
     solvers: dict[str, Solver]
     sources: dict[str, list[int]]
     skipped: list[Skip]
-    rows: Sequence[Row]
+    columns: Columns
+    """Of the rows, by key: what is looked at in all rows is looked at here."""
     stored: dict[str, Any] = field(default_factory=dict)
     """The file's `columns`, where its rows are in a file beside it."""
+
+    def row(self, place: int) -> Row:
+        columns = self.columns
+
+        def text(key: str) -> str | None:
+            return columns.text(key, place)
+
+        return Row(
+            solver=text("solver") or "", mesh=text("mesh") or "",
+            source=int(columns.arrays["source"][place]),
+            repetition=int(columns.number("repetition_index", place) or 0),
+            outcome=text("outcome") or "", message=text("error_message") or "",
+            reference=text("reference"), recordings=text("recordings"), program=text("program"),
+            processor=text("processor") or "", columns=columns, place=place,
+        )  # fmt: skip
+
+    @property
+    def rows(self) -> Iterator[Row]:
+        return map(self.row, range(self.columns.length))
 
     @property
     def rows_file(self) -> Path | None:
@@ -233,26 +212,22 @@ class Run:
     @cached_property
     def processors(self) -> list[str]:
         """Those that the rows were measured on, in the order of the rows."""
-        if isinstance(self.rows, ColumnRows) and not self.rows.columns.has("processor").any():
-            return [self.ours["processor"]]
-        return list(dict.fromkeys(row.processor for row in self.rows))
+        return self.columns.names("processor")
 
     def of_processor(self, processor: str) -> Run:
         """The same run with what this processor measured only."""
-        rows: Sequence[Row]
-        if isinstance(self.rows, ColumnRows):
-            columns = self.rows.columns
-            own = columns.where("processor", processor)
-            if processor == self.ours["processor"]:
-                own |= ~columns.has("processor")
-            rows = ColumnRows(columns.take(np.flatnonzero(own)), processor)
-        else:
-            rows = [row for row in self.rows if row.processor == processor]
-        part = replace(self, rows=rows)
-        pairs = set(part.columns.sources())
-        sources = {name: [s for s in of if (name, s) in pairs] for name, of in self.sources.items()}
+        columns = self.columns.take(self.columns.where("processor", processor))
+        measured = {
+            mesh: set(columns.arrays["source"][rows].tolist())
+            for (mesh,), rows in columns.by_texts("mesh").items()
+        }
+        sources = {
+            mesh: [source for source in of if source in measured.get(mesh, ())]
+            for mesh, of in self.sources.items()
+        }
         return replace(
-            part,
+            self,
+            columns=columns,
             meshes={name: mesh for name, mesh in self.meshes.items() if sources.get(name)},
             sources={name: of for name, of in sources.items() if of},
         )
@@ -276,30 +251,17 @@ class Run:
 
     def cell(self, mesh: str, solver: str) -> list[Row]:
         """The rows of one solver on one mesh, over all sources, in the file's order."""
-        return [self.rows[place] for place in self._places.get((mesh, solver), [])]
-
-    @cached_property
-    def columns(self) -> Columns:
-        """The rows by key: what is looked at in all rows of a large run is looked at here."""
-        if isinstance(self.rows, ColumnRows):
-            return self.rows.columns
-        return Columns.of([row.data for row in self.rows], whole=False)
+        return [self.row(int(place)) for place in self._places.get((mesh, solver), ())]
 
     @cached_property
     def without_a_time(self) -> list[Row]:
         """The rows that are not ok."""
-        return [self.rows[int(row)] for row in np.flatnonzero(~self.columns.where("outcome", OK))]
+        return [self.row(int(place)) for place in np.flatnonzero(~self.columns.where("outcome", OK))]
 
     @cached_property
-    def _places(self) -> Mapping[tuple[str, str], Iterable[int]]:
+    def _places(self) -> dict[tuple[str, ...], Array]:
         """Of rows, by mesh and solver."""
-        if isinstance(self.rows, ColumnRows):
-            places = self.rows.columns.by_texts("mesh", "solver")
-            return {(mesh, solver): rows for (mesh, solver), rows in places.items()}
-        found: dict[tuple[str, str], list[int]] = {}
-        for place, row in enumerate(self.rows):
-            found.setdefault((row.mesh, row.solver), []).append(place)
-        return found
+        return self.columns.by_texts("mesh", "solver")
 
     def cells(self, program: str | None = None) -> dict[Cell, list[Row]]:
         """The rows by cell, in the file's order.
@@ -320,7 +282,7 @@ class Run:
             self,
             meshes={name: mesh for name, mesh in self.meshes.items() if name in names},
             skipped=[skip for skip in self.skipped if skip.mesh in names],
-            rows=[row for row in self.rows if row.mesh in names],
+            columns=self.columns.take(self.columns.where("mesh", *names)),
         )
 
     @property
@@ -349,59 +311,46 @@ def run_folder(path: Path | None) -> Path:
     return folder
 
 
-def read_file(file: Path, *, of_any_revision: bool = False, as_columns: bool = False) -> Run:
+def read_file(file: Path, *, of_any_revision: bool = False) -> Run:
     """A result file.
 
-    @param as_columns of any number of rows: takes a tenth of the time and memory of a row each
-
-    @param of_any_revision accept keys that this revision's schema does not have; those that a Run
+    @param of_any_revision leave out keys that this revision's schema does not have; those that a Run
            needs must be there
     @raises ResultError when the file is missing, broken or not to the schema"""
-    data = load(file)
-    if isinstance(data, dict) and "columns" in data:
-        return _of_columns(file, data, _stored_columns(file, data))
-    if as_columns and (columns := _own_columns(data)) is not None:
-        return _of_columns(file, data, columns)
-    return run_of(file, data, of_any_revision=of_any_revision)
-
-
-def _stored_columns(file: Path, data: dict[str, Any]) -> Columns:
-    """@raises ResultError"""
-    validate(file, data)
-    said = data["columns"]
-    columns = Columns.load(file.parent / said["file"], said["rows"], said["texts"])
-    if not columns.is_valid(data["context"]):
-        raise ResultError(f"{file.parent / said['file']}: has rows that are not to the schema")
-    return columns
-
-
-def _own_columns(data: Any) -> Columns | None:
-    """The rows of JSON as columns; None when they are not to the schema."""
-    try:
-        columns = Columns.of(data["benchmarks"])
-        return columns if columns.is_valid(data["context"]) else None
-    except (NotColumns, KeyError, TypeError, AttributeError):
-        return None
-
-
-def _of_columns(file: Path, data: dict[str, Any], columns: Columns) -> Run:
-    """@raises ResultError as read_file does"""
-    run = _typed(file, data | {"benchmarks": []})
-    run = replace(run, rows=ColumnRows(columns, run.ours["processor"]))
-    _check_columns(run, columns)
-    return run
+    return run_of(file, load(file), of_any_revision=of_any_revision)
 
 
 def run_of(file: Path, data: Any, *, of_any_revision: bool = False) -> Run:
     """What `load` returned, as a run. @raises ResultError as read_file does"""
-    if not of_any_revision:
-        validate(file, data)
     try:
-        run = _typed(file, data)
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        columns = _columns(file, data, check=not of_any_revision)
+        run = _typed(file, data, columns)
+    except ResultError:
+        raise
+    except (KeyError, TypeError, ValueError, AttributeError, OverflowError) as error:
+        if not of_any_revision:
+            validate(file, data)  # names the row
         raise ResultError(f"{file}: not a result file of geodesic-bench: {error}") from None
     _check_names(run)
     return run
+
+
+def _columns(file: Path, data: dict[str, Any], *, check: bool) -> Columns:
+    """@raises ResultError, and what `Columns.of` raises"""
+    if "columns" not in data:
+        columns = Columns.of(data["benchmarks"])
+        if check and not columns.is_valid(data):
+            validate(file, data)  # names the row, unless the schema allows what columns leave out
+        for key in ("solver", "mesh", "source", "outcome"):
+            if not columns.has(key).all():
+                raise KeyError(key)
+        return columns
+    validate(file, data)
+    stored = data["columns"]
+    columns = Columns.load(file.parent / stored["file"], stored["rows"], stored["texts"])
+    if not columns.is_valid(data):
+        raise ResultError(f"{file.parent / stored['file']}: has rows that are not to the schema")
+    return columns
 
 
 def load(file: Path) -> Any:
@@ -476,10 +425,10 @@ def _leaves(value: Any, path: list[str | int]) -> Iterator[tuple[list[str | int]
         yield path, value
 
 
-Kind = TypeVar("Kind", Mesh, Solver, Skip, Row)
+Kind = TypeVar("Kind", Mesh, Solver, Skip)
 
 
-def _typed(file: Path, data: Any) -> Run:
+def _typed(file: Path, data: Any, columns: Columns) -> Run:
     ours = data["context"]["geodesic_bench"]
     meshes = [
         _of(Mesh, mesh, reports=tuple(mesh.get("reports", ()))) for mesh in ours["meshes"]
@@ -492,7 +441,7 @@ def _typed(file: Path, data: Any) -> Run:
         solvers={solver.name: solver for solver in solvers},
         sources={mesh: [int(v) for v in sources] for mesh, sources in ours["sources"].items()},
         skipped=[_of(Skip, skip) for skip in ours["skipped"]],
-        rows=[_row(row, ours["processor"]) for row in data["benchmarks"]],
+        columns=columns.filled("processor", ours["processor"]),
         stored=data.get("columns", {}),
     )
 
@@ -503,59 +452,31 @@ def _of(kind: type[Kind], found: dict[str, Any], **others: Any) -> Kind:
     return kind(**copied | others)
 
 
-def _row(row: dict[str, Any], processor: str) -> Row:
-    return _of(
-        Row, row,
-        source=int(row["source"]),
-        repetition=int(row.get("repetition_index", 0)),
-        message=row.get("error_message", ""),
-        reference=row.get("reference"),
-        processor=row.get("processor", processor),
-        numbers=_numbers(row),
-        data=row,
-    )  # fmt: skip
-
-
-def _numbers(row: dict[str, Any]) -> dict[str, float]:
-    leaves = (([str(key) for key in path], value) for path, value in _leaves(row, []))
-    numbers = {".".join(path): value for path, value in leaves if type(value) in (int, float)}
-    ok = row["outcome"] == OK
-    return {key: value for key, value in numbers.items() if ok or key in ERRORS}
-
-
-def _check_columns(run: Run, columns: Columns) -> None:
-    """As `_check_names`."""
-    for key, known in (("mesh", list(run.meshes)), ("solver", list(run.solvers))):
-        present = columns.by_texts(key)
-        for (name,) in present.keys() - {(name,) for name in known}:
-            raise ResultError(f"{run.file}: {key}: {name!r} is not among the context's")
-    for mesh, source in columns.sources():
-        if source not in run.sources.get(mesh, []):
-            raise ResultError(f"{run.file}: source: {source} is not among the context's of {mesh}")
-    if columns.has("processor").any() and (mixed := columns.sources_of_two("processor")):
-        mesh, source = mixed[0]
-        raise ResultError(
-            f"{run.file}: processor: {mesh}, source {source}, was measured on two processors, "
-            "whose times cannot be compared"
-        )
-
-
 def _check_names(run: Run) -> None:
     """The meshes, solvers and sources of the rows must be in the context, and all that one
     processor measured of a source."""
-    processors: dict[tuple[str, int], str] = {}
-    for index, row in enumerate(run.rows):
-        where = f"{run.file}: benchmarks[{index}]"
-        if row.mesh not in run.meshes:
-            raise ResultError(f"{where}.mesh: {row.mesh!r} is not among the context's meshes")
-        if row.solver not in run.solvers:
-            raise ResultError(f"{where}.solver: {row.solver!r} is not among the context's solvers")
-        if row.source not in run.sources.get(row.mesh, []):
-            raise ResultError(
-                f"{where}.source: {row.source} is not among the context's sources of {row.mesh}"
-            )
-        if processors.setdefault((row.mesh, row.source), row.processor) != row.processor:
-            raise ResultError(
-                f"{where}.processor: {row.mesh}, source {row.source}, was measured on two "
-                "processors, whose times cannot be compared"
-            )
+    columns = run.columns
+
+    def refuse(key: str, rows: Array, why: str) -> NoReturn:
+        place = int(np.flatnonzero(rows)[0])
+        raise ResultError(f"{run.file}: benchmarks[{place}].{key}: {why}")
+
+    for key, plural, known in (("mesh", "meshes", set(run.meshes)), ("solver", "solvers", set(run.solvers))):
+        for name in columns.texts.get(key, ()):
+            if name not in known and (rows := columns.where(key, name)).any():
+                refuse(key, rows, f"{name!r} is not among the context's {plural}")
+    if not columns.length:
+        return
+    meshes, sources, processors = (columns.arrays[key] for key in ("mesh", "source", "processor"))
+    before: tuple[int, int] | None = None
+    for place, source, _ in np.unique(np.stack([meshes, sources, processors]), axis=1).T.tolist():
+        mesh = columns.texts["mesh"][place]
+        unknown = source not in run.sources.get(mesh, [])
+        if unknown or before == (place, source):
+            rows = (meshes == place) & (sources == source)
+            if unknown:
+                refuse("source", rows, f"{source} is not among the context's sources of {mesh}")
+            others = rows & (processors != processors[rows][0])
+            refuse("processor", others, f"{mesh}, source {source}, was measured on two processors, "
+                   "whose times cannot be compared")  # fmt: skip
+        before = place, source

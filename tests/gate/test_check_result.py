@@ -139,7 +139,7 @@ def test_a_row_of_columns_that_was_changed_afterwards_is_found(
     assert check_result.main([str(file)]) == 0
     run = read_run(file)
     run.columns.arrays["real_time"] *= 1.0625
-    run.columns.save(tmp_path / "rows.npz")
+    run.columns.without("processor", run.ours["processor"]).save(tmp_path / "rows.npz")
     assert check_result.main([str(file)]) == 1
     assert "rows.npz has another checksum, or none" in capsys.readouterr().out
 

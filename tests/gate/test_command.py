@@ -43,7 +43,7 @@ class Repository:
         for name in ("tools", "gate"):
             shutil.copytree(ROOT / name, self.folder / name)
         (self.folder / "results").mkdir()
-        for file in (ROOT / "results").glob("*.py"):
+        for file in (*(ROOT / "results").glob("*.py"), ROOT / "results" / "run.schema.json"):
             shutil.copy(file, self.folder / "results")
         (self.folder / "datasets").mkdir()
         (self.folder / "datasets" / "fetch.py").write_text("")

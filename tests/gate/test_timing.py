@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 from gate_world import World, fact, first
+from results.columns import Columns
 from results.reader import Cell, Row
 from results.statistics import Decision
 
@@ -131,10 +132,8 @@ def test_rows_of_suitable_length_are_timed_and_three_of_each_solver() -> None:
 
 
 def of(cell: Cell, milliseconds: float, repetition: int = 0, **numbers: float) -> Row:
-    return Row(
-        solver=cell.solver, mesh=cell.mesh, source=cell.source, repetition=repetition, outcome="ok",
-        message="", reference=None, numbers={"cpu_time": milliseconds, **numbers},
-    )  # fmt: skip
+    columns = Columns.of([{"outcome": "ok", "cpu_time": milliseconds, **numbers}])
+    return Row(cell.solver, cell.mesh, cell.source, repetition, "ok", "", None, None, None, "", columns, 0)
 
 
 def test_pairs_are_of_one_repetition_and_disturbed_ones_are_left_out() -> None:

@@ -1,4 +1,5 @@
-"""Meshes with known distances, and recordings of runs that never were, in the recordings' formats.
+"""Runs with other rows; meshes with known distances, and recordings of runs that never were, in the
+recordings' formats.
 
 The windows on a solver's wavefront are the edges that cross a level, moved off it by a spread of
 the solver's own.
@@ -6,6 +7,8 @@ the solver's own.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +17,9 @@ import numpy as np
 from plots.camera import Floats
 from plots.recordings import CURVE, FRAMES, MOMENTS, PATHS, PIECES, SNAPSHOT
 from plots.zbuffer import Integers
+from results.columns import Columns
 from results.published import THESIS_SOLVERS
+from results.reader import Run
 
 LEVELS = 40
 SAMPLES = 64
@@ -23,6 +28,35 @@ SPREAD = {"mmp": 0.2, "ich": 0.25, "edge-based": 0.5, "fwp-mmp": 0.7, "fwp-ch": 
 INEXACT, EXCESS = "dijkstra", 0.05
 
 Geometry = tuple[Floats, Integers]
+Data = dict[str, Any]
+
+
+def with_rows(run: Run, rows: Sequence[Data], **others: Any) -> Run:
+    """@param rows as they are in JSON
+    @param others members of the run"""
+    return replace(run, columns=Columns.of(rows), **others)
+
+
+def data_of(run: Run) -> list[Data]:
+    return [row.data for row in run.rows]
+
+
+def changed_rows(run: Run, change: Callable[[Data], Data | None]) -> Run:
+    rows = map(change, data_of(run))
+    return with_rows(run, [row for row in rows if row is not None])
+
+
+def without_recordings(row: Data) -> Data:
+    return {key: value for key, value in row.items() if key != "recordings"}
+
+
+def of_solvers(run: Run, *names: str) -> Run:
+    return replace(
+        run,
+        columns=run.columns.take(run.columns.where("solver", *names)),
+        solvers={name: run.solvers[name] for name in names},
+        skipped=[skip for skip in run.skipped if skip.solver is None or skip.solver in names],
+    )
 
 
 def grid(columns: int, rows: int, *, closed: bool) -> Integers:

@@ -11,6 +11,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 from xml.etree import ElementTree
 
 import matplotlib
@@ -21,6 +22,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 from matplotlib.text import Text
+from synthetic import Data, changed_rows, data_of, of_solvers, with_rows, without_recordings
 
 from plots import catalogue, dot_figures, figure_5_9, growth, style
 from plots.catalogue import FIGURES
@@ -29,13 +31,13 @@ from plots.drawing import Drawing
 from plots.logarithmic import logarithmic
 from results.console import ROOT
 from results.published import THESIS_SOLVERS
-from results.reader import ResultError, Row, Run
+from results.reader import ERRORS, ResultError, Run
 
 NEEDS = {
     "accuracy": ["max_relative_error"],
     "break_even": ["cpu_time"],
     "frontier": ["cpu_time"],
-    "figure_5_9": ["phase_seconds.queue"],
+    "figure_5_9": ["phase_seconds"],
     "figure_5_10": ["wavefront_sd_edges"],
     "overview": ["window_limit", "cpu_time"],
     "peers_overview": ["cpu_time"],
@@ -55,19 +57,10 @@ SHOWN: dict[str, set[str]] = {
 SERIES = {"horse": "surface-48k", "rocker-arm": "surface-10k", "flat-grid": "surface-400"}
 
 
-def without_recordings(row: Row) -> Row:
-    return replace(row, recordings=None)
-
-
-def changed_rows(run: Run, change: Callable[[Row], Row | None]) -> Run:
-    rows = [change(row) for row in run.rows]
-    return replace(run, rows=[row for row in rows if row is not None])
-
-
-def with_number(run: Run, solver: str, mesh: str, key: str, value: float) -> Run:
-    def change(row: Row) -> Row:
-        mine = (row.solver, row.mesh) == (solver, mesh) and row.ok
-        return replace(row, numbers=row.numbers | {key: value}) if mine else row
+def with_number(run: Run, solver: str, mesh: str, key: str, value: Any) -> Run:
+    def change(row: Data) -> Data:
+        mine = (row["solver"], row["mesh"], row["outcome"]) == (solver, mesh, "ok")
+        return row | {key: value} if mine else row
 
     return changed_rows(run, change)
 
@@ -76,12 +69,12 @@ def renamed(run: Run, meshes: dict[str, str], solvers: dict[str, str] | None = N
     """The run with other names of meshes and solvers."""
     named = {mesh.name: mesh.name for mesh in run.meshes.values()} | meshes
     called = {name: name for name in run.solvers} | (solvers or {})
-    return replace(
+    return with_rows(
         run,
+        [row | {"mesh": named[row["mesh"]], "solver": called[row["solver"]]} for row in data_of(run)],
         meshes={named[m.name]: replace(m, name=named[m.name]) for m in run.meshes.values()},
         solvers={called[s.name]: replace(s, name=called[s.name]) for s in run.solvers.values()},
         sources={named.get(name, name): sources for name, sources in run.sources.items()},
-        rows=[replace(r, mesh=named[r.mesh], solver=called[r.solver]) for r in run.rows],
     )
 
 
@@ -98,31 +91,30 @@ def suited(name: str, run: Run) -> Run:
 
 def with_peers(run: Run) -> Run:
     """The run with public codes: an exact one, and a heat method."""
-    rows = [replace(row, solver="vtp") for row in run.rows if row.solver == "mmp"]
+    rows = [row | {"solver": "vtp"} for row in data_of(run) if row["solver"] == "mmp"]
     grown = with_inexact(run, "gc-heat")
     vtp = replace(run.solvers["mmp"], name="vtp")
     plugins = [{"file": f"/peers/{name}/lib{name}.so", "solvers": [name]} for name in ("vtp", "gc-heat")]
-    return replace(
+    return with_rows(
         grown,
+        [*data_of(grown), *rows],
         context=run.context | {"geodesic_bench": run.ours | {"plugins": plugins}},
-        rows=[*grown.rows, *rows],
         solvers=grown.solvers | {"vtp": vtp},
     )
 
 
 def with_inexact(run: Run, *names: str) -> Run:
     """The run with solvers that are slow to prepare and then take no time."""
-    errors = {"max_relative_error": 0.1, "mean_relative_error": 0.01}
+    numbers = {"max_relative_error": 0.1, "mean_relative_error": 0.01, "prepare_time": 1e4, "cpu_time": 1e-6}
     rows = [
-        replace(row, solver=name, data=row.data | errors,
-                numbers=row.numbers | {"prepare_time": 1e4, "cpu_time": 1e-6})
+        row | numbers | {"solver": name}
         for name in names
-        for row in run.rows
-        if row.solver == "edge-based" and row.ok
-    ]  # fmt: skip
+        for row in data_of(run)
+        if (row["solver"], row["outcome"]) == ("edge-based", "ok")
+    ]
     like = replace(run.solvers["edge-based"], exact=False, exactness="unbounded")
     more = {name: replace(like, name=name) for name in names}
-    return replace(run, rows=run.rows + rows, solvers=run.solvers | more)
+    return with_rows(run, data_of(run) + rows, solvers=run.solvers | more)
 
 
 def figure_of(name: str, run: Run) -> Figure:
@@ -256,24 +248,23 @@ class TestEveryFigure:
             for i in range(4)
         }
         copies = [
-            replace(row, solver=name) for row in run.rows if row.solver == "mmp" for name in more
+            row | {"solver": name} for row in data_of(run) if row["solver"] == "mmp" for name in more
         ]
-        grown = replace(run, rows=[*run.rows, *copies], solvers=run.solvers | more)
+        grown = with_rows(run, [*data_of(run), *copies], solvers=run.solvers | more)
         assert cut_texts(FIGURES[name](grown).figure) == []
 
     def test_without_its_numbers_it_is_refused_in_one_line(self, name: str, run: Run) -> None:
-        def drop(row: Row) -> Row:
-            kept = {k: v for k, v in row.numbers.items() if k not in NEEDS.get(name, [])}
-            return without_recordings(replace(row, numbers=kept))
+        def drop(row: Data) -> Data:
+            kept = {k: v for k, v in row.items() if k not in NEEDS.get(name, [])}
+            return without_recordings(kept)
 
         with pytest.raises(ResultError, match=r"run\.json: no [^\n]*$"):
             FIGURES[name](changed_rows(suited(name, run), drop))
 
     def test_a_run_in_which_everything_failed_is_refused(self, name: str, run: Run) -> None:
-        def fail(row: Row) -> Row:
-            return without_recordings(
-                replace(row, outcome="crashed", message="signal 11", numbers={})
-            )
+        def fail(row: Data) -> Data:
+            kept = {k: v for k, v in row.items() if k not in ERRORS}
+            return without_recordings(kept | {"outcome": "crashed", "error_message": "signal 11"})
 
         with pytest.raises(ResultError):
             FIGURES[name](changed_rows(suited(name, run), fail))
@@ -382,7 +373,8 @@ def test_phases_and_rest_make_up_the_timed_solve(run: Run) -> None:
 
 
 def test_phases_longer_than_the_timed_solve_are_scaled_and_the_caption_says_so(run: Run) -> None:
-    slow = with_number(run, "ich", "horse", "phase_seconds.queue", 100)
+    phases = {"propagation": 1.0, "trimming": 1.0, "queue": 100.0, "timer_overhead": 0.1}
+    slow = with_number(run, "ich", "horse", "phase_seconds", phases)
     drawn = figure_5_9.figure(slow)
     one = figure_5_9.split(slow, "horse", "ich")
     assert one is not None
@@ -403,9 +395,9 @@ def test_the_split_is_shown_for_two_models_of_the_thesis_or_those_asked_for(run:
 
 
 def test_a_solver_without_phases_is_named(run: Run) -> None:
-    def drop(row: Row) -> Row:
-        kept = {k: v for k, v in row.numbers.items() if not k.startswith("phase")}
-        return replace(row, numbers=kept) if row.solver == "ich" else row
+    def drop(row: Data) -> Data:
+        kept = {k: v for k, v in row.items() if k != "phase_seconds"}
+        return kept if row["solver"] == "ich" else row
 
     drawn = figure_5_9.figure(changed_rows(run, drop))
     assert f"Without phases: ich on horse ({figure_5_9.ABSENT})" in drawn.caption
@@ -429,7 +421,7 @@ def test_speedups_are_ratios_with_their_numbers_and_stand_ins_are_hollow(run: Ru
     diamonds = dots_of(figure, "D")
     assert [mark.get_markerfacecolor() for mark in diamonds][:2] == ["#000000", "white"]
     times = {
-        solver: [row.numbers["cpu_time"] for row in run.cell("horse", solver)]
+        solver: [row.time for row in run.cell("horse", solver)]
         for solver in ["mmp", "edge-based"]
     }
     ratio = float(np.exp(np.mean(np.log(np.divide(times["mmp"], times["edge-based"])))))
@@ -446,9 +438,7 @@ def test_a_mean_says_over_how_many_meshes_it_is(run: Run) -> None:
 
 
 def test_without_mmp_another_solver_is_the_baseline(run: Run) -> None:
-    rows = [row for row in run.rows if row.solver != "mmp"]
-    solvers = {name: solver for name, solver in run.solvers.items() if name != "mmp"}
-    drawn = FIGURES["speedup"](replace(run, rows=rows, solvers=solvers))
+    drawn = FIGURES["speedup"](of_solvers(run, *(name for name in run.solvers if name != "mmp")))
     assert drawn.title == "Speed-up over fwp-mmp"
     assert "fwp-mmp" not in legend(drawn.figure)
 
@@ -464,8 +454,8 @@ def test_published_marks_are_filled_for_models_and_hollow_for_stand_ins(run: Run
 
 
 def test_truth_is_filled_and_the_word_of_a_solver_hollow(run: Run) -> None:
-    def on_truth(row: Row) -> Row:
-        return replace(row, reference="closed-form") if row.mesh == "flat-grid" else row
+    def on_truth(row: Data) -> Data:
+        return row | {"reference": "closed-form"} if row["mesh"] == "flat-grid" else row
 
     figure = figure_of("accuracy", changed_rows(run, on_truth))
     faces = [to_hex(mark.get_markerfacecolor()) for mark in dots_of(figure, "D")]
@@ -473,9 +463,7 @@ def test_truth_is_filled_and_the_word_of_a_solver_hollow(run: Run) -> None:
 
 
 def test_no_error_at_all_is_drawn_at_the_floor_and_the_bound_is_always_in_sight(run: Run) -> None:
-    for row in run.rows:
-        if "max_relative_error" in row.numbers:
-            row.numbers["max_relative_error"] = 0
+    run.columns.arrays["max_relative_error"] *= 0
     axes = figure_of("accuracy", run).axes[0]
     assert {float(mark.get_xdata()[0]) for mark in axes.lines if mark.get_marker() == "D"} == {
         dot_figures.FLOOR

@@ -10,11 +10,12 @@ import numpy as np
 import pytest
 from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
-from synthetic import EXCESS, INEXACT
+from synthetic import EXCESS, INEXACT, Data, data_of, with_rows
 
 from plots import catalogue, error_map, frontier, report
 from plots.frontier import COSTS, ERRORS, Point
-from results.reader import Mesh, ResultError, Row, Run, Solver
+from results.columns import Columns
+from results.reader import Mesh, ResultError, Run, Solver
 from results.table import Cell, Table
 
 ONE, THOUSAND = "1 source", "each of 1,000 sources"
@@ -39,20 +40,20 @@ STEINER = [
 BOUNDED = solver("near", "bounded", error_bound=0.03)
 
 
-def row(of: Solver, time: float, largest: float = 0, mesh: str = "small", **more: float) -> Row:
-    numbers = {"cpu_time": time, "real_time": time, "prepare_time": 0.0, "threads": 1} | more
+def row(of: Solver, time: float, largest: float = 0, mesh: str = "small", **more: float) -> Data:
+    numbers = {"cpu_time": time, "real_time": time, "prepare_time": 0.0, "threads": 1}
     errors = {"max_relative_error": largest, "mean_relative_error": largest / 10}
-    source, repetition = int(more.get("source", 0)), int(more.get("repetition", 0))
-    return Row(of.name, mesh, source, repetition, "ok", "", "r", numbers, data=numbers | errors)
+    cell = {"solver": of.name, "mesh": mesh, "source": 0, "outcome": "ok", "processor": "P"}
+    return cell | numbers | errors | more
 
 
-def run_of(solvers: list[Solver], rows: list[Row], plugins: list[str] | None = None) -> Run:
-    there = {each.mesh for each in rows}
+def run_of(solvers: list[Solver], rows: list[Data], plugins: list[str] | None = None) -> Run:
+    there = {each["mesh"] for each in rows}
     meshes = {name: mesh for name, mesh in MESHES.items() if name in there}
     context = {"geodesic_bench": {"plugins": [{"solvers": plugins or []}]}}
     return Run(
         Path("run.json"), context, meshes, {s.name: s for s in solvers},
-        {name: [0, 1] for name in meshes}, [], rows,
+        {name: [0, 1] for name in meshes}, [], Columns.of(rows),
     )  # fmt: skip
 
 
@@ -143,16 +144,16 @@ def test_points_are_where_they_were_measured_and_filled_where_the_error_is_bound
 
 def test_a_wrong_answer_is_not_drawn_and_the_caption_says_so() -> None:
     run = sweep()
-    wrong = Row("near", "small", 0, 0, "wrong answer", "too long", "r", {}, data={})
-    run = replace(run, rows=[r if r.solver != "near" else wrong for r in run.rows])
+    wrong = {"solver": "near", "mesh": "small", "source": 0, "outcome": "wrong answer"}
+    run = with_rows(run, [row if row["solver"] != "near" else wrong for row in data_of(run)])
     assert "near" not in points(run)
     assert "near: wrong answer on small" in frontier.figure(run).caption
 
 
 def test_each_mesh_of_a_run_of_several_has_a_page_of_its_own() -> None:
     run = sweep()
-    large = [replace(r, mesh="large") for r in run.rows]
-    both = replace(run, rows=[*run.rows, *large], meshes=MESHES, sources={m: [0] for m in MESHES})
+    rows = [row | {"mesh": mesh} for mesh in MESHES for row in data_of(run)]
+    both = with_rows(run, rows, meshes=MESHES, sources={m: [0] for m in MESHES})
     drawn, _ = catalogue.draw(both, ["frontier"])
     assert list(drawn) == ["frontier", "frontier_of_large", "frontier_of_small"]
     assert {catalogue.base_name(name) for name in drawn} == {"frontier"}
@@ -196,7 +197,7 @@ def test_a_footnote_says_where_the_level_is_not_promised() -> None:
 
 def test_a_footnote_names_what_may_be_as_fast() -> None:
     noisy = [
-        row(of, time, error, repetition=i)
+        row(of, time, error, repetition_index=i)
         for of, error, times in [(EXACT, 0, (10, 12, 11)), (BOUNDED, 1e-5, (11, 10, 10)),
                                  (HEAT, 1e-5, (20, 21, 20))]
         for i, time in enumerate(times)
@@ -239,14 +240,14 @@ def test_the_map_of_a_solver_is_of_the_setting_nearest_to_one_per_cent(run: Run)
         (own.parent / each.name).symlink_to(each)
     np.save(own / "distances.npy", better)
     moved = [
-        replace(r, recordings=r.recordings and r.recordings.replace("recordings/", "own/", 1))
-        for r in run.rows
-        if r.mesh == first.mesh
+        row | {"recordings": row["recordings"].replace("recordings/", "own/", 1)}
+        for row in data_of(run)
+        if row["mesh"] == first.mesh and "recordings" in row
     ]
-    more = replace(first, solver=name, recordings=f"own/{first.mesh}/src{first.source}/better")
-    swept = replace(
+    better_row = {"solver": name, "recordings": f"own/{first.mesh}/src{first.source}/better"}
+    swept = with_rows(
         run,
-        rows=[*moved, more],
+        [*moved, first.data | better_row],
         solvers=run.solvers | {name: replace(run.solvers[INEXACT], name=name)},
     )
     drawing = error_map.figure(swept)

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from synthetic import of_solvers
 
 from plots import check, headline, report, summary
 from plots.declared import reasons
@@ -16,15 +17,6 @@ from plots.ratios import fastest_exact, mean, over_each_mesh, over_meshes, time_
 from results.reader import Run, read_run
 
 Changed = Callable[[Callable[[dict[str, Any]], object]], Path]
-
-
-def of_solvers(run: Run, *names: str) -> Run:
-    return replace(
-        run,
-        rows=[row for row in run.rows if row.solver in names],
-        solvers={name: run.solvers[name] for name in names},
-        skipped=[skip for skip in run.skipped if skip.solver is None or skip.solver in names],
-    )
 
 
 def with_times(factor: Callable[[dict[str, Any]], float]) -> Callable[[dict[str, Any]], None]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from synthetic import of_solvers
 
 from plots import overview
 from plots.ratios import time_over
@@ -20,14 +20,6 @@ def test_a_stand_in_is_marked_otherwise_than_a_model_of_the_thesis(golden_run: R
         "horse": "the thesis's model", "rocker-arm": "stand-in for one", "flat-grid": "other mesh",
     }  # fmt: skip
     assert len(set(overview.KINDS.values())) == len(kinds)
-
-
-def of_solvers(run: Run, *names: str) -> Run:
-    return replace(
-        run,
-        rows=[row for row in run.rows if row.solver in names],
-        solvers={name: run.solvers[name] for name in names},
-    )
 
 
 def test_any_two_solvers_have_one(golden_run: Run) -> None:

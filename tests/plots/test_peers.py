@@ -9,9 +9,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from synthetic import Data
 
 from plots import answers, break_even, peers_overview, robustness, twins
-from results.reader import Mesh, ResultError, Row, Run, Skip, Solver
+from results.columns import Columns
+from results.reader import Mesh, ResultError, Run, Skip, Solver
 from results.table import Cell, Table
 
 SOLVERS = {
@@ -28,21 +30,22 @@ MESHES = {
 NUMBERS = {"real_time": 1.0, "cpu_time": 1.0, "prepare_time": 1.0, "threads": 1}
 
 
-def row(solver: str, mesh: str = "knot-1k", source: int = 0, **numbers: float) -> Row:
-    data = NUMBERS | numbers
-    return Row(solver, mesh, source, 0, "ok", "", "brute force", data, data=data)
+def row(solver: str, mesh: str = "knot-1k", source: int = 0, **numbers: float) -> Data:
+    cell = {"solver": solver, "mesh": mesh, "source": source, "repetition_index": 0, "outcome": "ok"}
+    return cell | {"reference": "brute force", "processor": "P"} | NUMBERS | numbers
 
 
-def failed(solver: str, mesh: str, outcome: str, source: int = 0, **data: Any) -> Row:
-    return Row(solver, mesh, source, 0, outcome, f"{outcome}, said {solver}", None, {}, data=data)
+def failed(solver: str, mesh: str, outcome: str, source: int = 0, **data: Any) -> Data:
+    cell = {"solver": solver, "mesh": mesh, "source": source, "outcome": outcome}
+    return cell | {"error_message": f"{outcome}, said {solver}"} | data
 
 
-def run_of(rows: list[Row], meshes: Mapping[str, Mesh] = MESHES, **more: Any) -> Run:
-    known = [name for name in SOLVERS if any(r.solver == name for r in rows)]
+def run_of(rows: list[Data], meshes: Mapping[str, Mesh] = MESHES, **more: Any) -> Run:
+    known = [name for name in SOLVERS if any(row["solver"] == name for row in rows)]
     return Run(
         Path("run.json"), {"geodesic_bench": {"time_limit": 10}}, dict(meshes),
         {name: SOLVERS[name] for name in known},
-        {name: [0, 1] for name in meshes}, more.get("skipped", []), rows,
+        {name: [0, 1] for name in meshes}, more.get("skipped", []), Columns.of(rows),
     )  # fmt: skip
 
 
@@ -180,13 +183,13 @@ def test_the_matrix_has_a_word_for_every_solver_and_case() -> None:
         (failed("vtp", "apart", "wrong answer", max_relative_error=2e-9, unreachable_mismatches=1),
          "wrong: reach of 1"),
         (failed("vtp", "apart", "error"), "refused"),
-        (replace(failed("vtp", "apart", "error"), message="exit code 1"), "exits"),
+        (failed("vtp", "apart", "error", error_message="exit code 1"), "exits"),
         (failed("vtp", "apart", "time-out"), "hang"),
         (failed("vtp", "apart", "out of memory"), "out of memory"),
         (failed("vtp", "apart", "skipped"), "skipped"),
     ],
 )  # fmt: skip
-def test_an_end_has_its_word(ended: Row, word: str) -> None:
+def test_an_end_has_its_word(ended: Data, word: str) -> None:
     run = run_of([row("edge-based", "apart"), row("vtp", "apart", source=1), ended], CASES)
     assert cells(robustness.matrix(run), Case="apart")["vtp"].text == word
 
@@ -302,9 +305,7 @@ def peers_run(**ours: Any) -> Run:
     plugins = [{"file": f"/some/where/peers/{n}/lib{n}.so", "solvers": [n]} for n in ("vtp", "my-heat")]
     context = {"plugins": plugins, "started": "2026-01-02T03:04:05Z", "processor": "P", "corpus": "standard",
                "command": "geodesic-bench run --corpus standard --plugin /some/where/libvtp.so --sources 2"}  # fmt: skip
-    data = [replace(r, processor="P", data=r.data | {"solver": r.solver, "mesh": r.mesh, "source": 0,
-                    "repetition_index": 0, "outcome": "ok"}) for r in rows]  # fmt: skip
-    return replace(run_of(data), context={"geodesic_bench": context | ours})
+    return replace(run_of(rows), context={"geodesic_bench": context | ours})
 
 
 def test_the_picture_of_peers_has_preparation_errors_and_the_meshes_that_are_lacking() -> None:

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
-from synthetic import LEVELS, SPREAD
+from synthetic import LEVELS, SPREAD, changed_rows, without_recordings
 
 from plots import figure_6_4, paths, report, style, wavefronts
 from plots.catalogue import FIGURES
@@ -80,8 +80,7 @@ def test_a_file_that_is_missing_or_truncated_is_named(name: str, path: str, run:
 
 
 def without(run: Run, solver: str) -> Run:
-    rows = [replace(r, recordings=None) if r.solver == solver else r for r in run.rows]
-    return replace(run, rows=rows)
+    return changed_rows(run, lambda row: without_recordings(row) if row["solver"] == solver else row)
 
 
 @pytest.mark.parametrize("name", ["figure_5_7", "figure_5_8", "figure_a_1"])

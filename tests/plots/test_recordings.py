@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from synthetic import LEVELS, mean_edge_length, plane, record
+from synthetic import LEVELS, Data, changed_rows, mean_edge_length, plane, record
 
 from plots.recordings import CURVE, Recording, recordings
-from results.reader import Mesh, ResultError, Row, Run
+from results.reader import Mesh, ResultError, Run
 
 SIDE = 21
 
@@ -167,13 +167,13 @@ def test_vertices_that_cannot_be_reached_are_no_error(recording: Recording) -> N
 def with_recordings(run: Run, of: dict[str, list[str]], source: int | None = None) -> Run:
     """The run, whose rows say that these solvers recorded on these meshes."""
 
-    def change(row: Row) -> Row:
-        mine = row.ok and row.solver in of.get(row.mesh, ())
-        mine = mine and row.source == (run.sources[row.mesh][0] if source is None else source)
-        path = f"recordings/{row.mesh}/src{row.source}/{row.solver}"
-        return replace(row, recordings=path) if mine else row
+    def change(row: Data) -> Data:
+        mine = row["outcome"] == "ok" and row["solver"] in of.get(row["mesh"], ())
+        mine = mine and row["source"] == (run.sources[row["mesh"]][0] if source is None else source)
+        path = f"recordings/{row['mesh']}/src{row['source']}/{row['solver']}"
+        return row | {"recordings": path} if mine else row
 
-    return replace(run, rows=[change(row) for row in run.rows])
+    return changed_rows(run, change)
 
 
 def test_a_run_without_recordings_says_what_makes_them(golden_run: Run) -> None:

@@ -55,7 +55,7 @@ def test_numbers_of_an_object_have_its_name_before_theirs(golden_run: Run, tmp_p
     data["benchmarks"][ok]["phase_seconds"] = phases
     file = tmp_path / "run.json"
     file.write_text(json.dumps(data))
-    numbers = read_file(file).rows[ok].numbers
+    numbers = read_file(file).row(ok).numbers
     assert {name: numbers[f"phase_seconds.{name}"] for name in phases} == phases
     del phases["queue"]
     file.write_text(json.dumps(data))
@@ -248,7 +248,7 @@ def test_a_file_of_another_revision_is_read_without_the_schema(changed: Changed)
     with pytest.raises(ResultError, match="novelty"):
         read_file(folder / "run.json")
     run = read_file(folder / "run.json", of_any_revision=True)
-    assert run.rows[0].numbers["novelty"] == 7 and run.rows[0].data["novelty"] == 7
+    assert run.row(0).ok and "novelty" not in run.row(0).data
     folder = changed(lambda data: data["context"].pop("geodesic_bench"))
     with pytest.raises(ResultError, match="not a result file of geodesic-bench"):
         read_file(folder / "run.json", of_any_revision=True)

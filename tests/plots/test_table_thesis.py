@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import pytest
+from synthetic import changed_rows, of_solvers
 
 from plots import table_thesis
 from plots.models import of_thesis
@@ -28,13 +27,12 @@ def test_models_and_stand_ins_are_apart_and_places_are_by_time(golden_run: Run) 
 
 
 def change_numbers(run: Run, solver: str, key: str, factor: float) -> Run:
-    rows = [
-        replace(row, numbers=row.numbers | {key: row.numbers[key] * factor})
-        if row.solver == solver and key in row.numbers
-        else row
-        for row in run.rows
-    ]
-    return replace(run, rows=rows)
+    return changed_rows(
+        run,
+        lambda row: row | {key: type(row[key])(row[key] * factor)}
+        if row["solver"] == solver and key in row
+        else row,
+    )
 
 
 def test_another_order_and_a_far_count_are_shown(golden_run: Run) -> None:
@@ -46,16 +44,12 @@ def test_another_order_and_a_far_count_are_shown(golden_run: Run) -> None:
 
 
 def test_means_are_over_models_that_have_both_numbers(golden_run: Run) -> None:
-    rows = [r for r in golden_run.rows if (r.solver, r.mesh) != ("ich", "rocker-arm")]
-    run = replace(golden_run, rows=rows)
+    run = changed_rows(
+        golden_run, lambda row: None if (row["solver"], row["mesh"]) == ("ich", "rocker-arm") else row
+    )
     pairs = table_thesis.compare(run, of_thesis(run), table_thesis.SPEED)
     assert (pairs["ich"].models, pairs["mmp"].models) == (1, 2)
     assert pairs["ich"].thesis == pytest.approx(5.14, abs=0.01)
-
-
-def of_solvers(run: Run, *names: str) -> Run:
-    solvers = {name: run.solvers[name] for name in names}
-    return replace(run, rows=[row for row in run.rows if row.solver in names], solvers=solvers)
 
 
 def test_without_edge_based_there_are_windows_only_and_without_both_nothing(
