@@ -9,14 +9,16 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from results.reader import Cell, Row, Run
+from results.schema import schema
 from results.statistics import DECISION_CONFIDENCE, least_for_interval
 
 TIME = "cpu_time"
 MEMORY = "solver_peak_bytes"
-COUNTERS = (
-    "window_propagations", "reinsertions", "windows_created", "valid_windows", "window_limit",
-    "peak_wavefront", "strip_depth",
-)  # fmt: skip
+COUNTERS = tuple(
+    key
+    for key, part in schema()["$defs"]["row"]["properties"].items()
+    if part.get("$ref") == "#/$defs/counter"
+)
 """The integer counters: equal in every run of one program."""
 
 WRONG = "wrong answer"

@@ -138,7 +138,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if found or run is None:
             failed += 1
             continue
-        console.say(f"{file}: cells: {check.verified(run)} verified, {check.cells(run.without_a_time)} "
+        console.say(f"{file}: cells: {check.verified(run)} verified, {len({row.cell for row in run.without_a_time})} "
                     f"without a time; {run.ours['revision'][:10]}, {', '.join(run.processors)}, "
                     f"{run.ours['started'][:10]}")  # fmt: skip
     return 1 if failed else 0

@@ -92,11 +92,6 @@ def largest_errors(run: Run) -> list[str]:
     return lines
 
 
-def cells(rows: Sequence[Row]) -> int:
-    """How many cells the rows belong to."""
-    return len({(row.solver, row.mesh, row.source) for row in rows})
-
-
 def verified(run: Run) -> int:
     """How many cells have a row that is ok."""
     return run.columns.cells(run.columns.where("outcome", OK))

@@ -134,7 +134,7 @@ class Row:
 
     @property
     def data(self) -> dict[str, Any]:
-        """The row as it is in the file."""
+        """The row as it is in the file, with its processor."""
         return self.columns.data(self.place)
 
     @property
