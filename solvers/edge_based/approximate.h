@@ -3,8 +3,9 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
-#include "solvers/core/queues/vertex_heap.h"
+#include "solvers/core/queues/vertex_calendar.h"
 #include "solvers/core/registry.h"
 #include "solvers/edge_based/edge_based.h"
 #include "solvers/edge_based/merged_crossing.h"
@@ -12,16 +13,14 @@
 
 namespace geodesic::edge_based {
 
-/// Merges as long as a distance D is short of the truth by at most a shortfall s, and gives D +
-/// kShare * s: off by no more than (1 - kShare) * s, which is what the tolerance limits.
+/// Vertices wait in buckets: which one of a bucket is first hardly matters.
 class Approximate final : public Solver {
  public:
-  Approximate(const Mesh& mesh, const Description& description) : Solver(mesh, description) {
-    const double tolerance = description.real("tolerance");
-    if (tolerance < kLeast) {
+  Approximate(const Mesh& mesh, const Description& description)
+      : Solver(mesh, description), tolerance_(description.real("tolerance")) {
+    if (tolerance_ < kLeast) {
       exact_ = std::make_unique<EdgeBased<ByDistance>>(mesh, description);
     } else {
-      shortfall_ = tolerance / (1 - kShare) * (1 - kRoundedUp);
       timed_ = std::make_unique<Merging<NoRecorder>>(make_wavefront(NoRecorder()));
     }
   }
@@ -32,19 +31,18 @@ class Approximate final : public Solver {
 
  private:
   template <class Recorder>
-  using Merging = Wavefront<MergedCrossing, VertexHeap, Recorder>;
+  using Merging = Wavefront<MergedCrossing, VertexCalendar, Recorder>;
 
-  /// Of the shortfall, of distances on scans: between 0.2 and 0.4, whatever the tolerance.
-  static constexpr double kShare = 0.3;
-  /// Vertices keep shortfalls in 32 bits, rounded up by less than this, relatively.
-  static constexpr double kRoundedUp = 1e-6;
   /// What is less is not worth merging, and comes near to rounding.
   static constexpr double kLeast = 1e-9;
+  /// Of a bucket, in mean edge lengths.
+  static constexpr double kBucketWidth = 1.0 / 16;
 
   template <class Recorder>
   Merging<Recorder> make_wavefront(const Recorder& recorder) const {
-    return Merging<Recorder>(mesh(), VertexHeap(mesh().vertex_count()),
-                             MergedCrossing(mesh(), shortfall_, kShare), recorder);
+    VertexCalendar queue(mesh().vertex_count(), kBucketWidth * mesh().mean_edge_length());
+    return Merging<Recorder>(mesh(), std::move(queue), MergedCrossing(mesh(), tolerance_),
+                             recorder);
   }
 
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
@@ -56,8 +54,8 @@ class Approximate final : public Solver {
   /// A recorded solve, compiled apart (core/recorders.h).
   void record(const Query& query, std::span<double> distances, Recording& recording) const;
 
+  double tolerance_;
   std::unique_ptr<EdgeBased<ByDistance>> exact_;
-  double shortfall_ = 0;  // the greatest, relative to distances
   std::unique_ptr<Merging<NoRecorder>> timed_;
 };
 

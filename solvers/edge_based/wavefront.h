@@ -48,7 +48,8 @@ class Wavefront {
         crossing_(std::move(crossing)),
         queue_(std::move(queue)),
         recorder_(std::move(recorder)),
-        vertex_state_(mesh.vertex_count()),
+        faces_(mesh.face_count()),
+        always_emits_(mesh.vertex_count()),
         in_fifo_(mesh.half_edge_count()) {}
 
   /// As Solver::run.
@@ -97,18 +98,21 @@ class Wavefront {
 
   /// Something waits on h that did not before. It crosses at once where the face has been entered.
   void land(Index h) {
-    if (is_entered(h)) enqueue(h);
+    if (faces_[h / 3] != Face::ahead) enqueue(h);
   }
 
  private:
-  // What is known of a vertex.
-  static constexpr std::uint8_t kPopped = 1;
-  static constexpr std::uint8_t kAlwaysEmits = 2;  // even where no path bends
+  enum class Face : std::uint8_t {
+    ahead,     ///< none of its vertices has been popped: what lands on its edges waits
+    entering,  ///< what waits on its edges is about to be enqueued
+    entered,   ///< what lands on its edges goes on at once
+  };
 
   /// Forgets the last solve, however it ended.
   void start(std::span<double> distances) {
     distances_ = distances;
-    std::ranges::fill(vertex_state_, std::uint8_t{0});
+    std::ranges::fill(faces_, Face::ahead);
+    std::ranges::fill(always_emits_, std::uint8_t{0});
     std::ranges::fill(in_fifo_, std::uint8_t{0});
     fifo_.clear();
     queue_.clear();
@@ -119,7 +123,7 @@ class Wavefront {
   void begin_at(const Source& source, Index number) {
     if (!source.at.is_vertex()) return spread(source, mesh_.vertex_count() + number);
     begin_at(source.at.vertex, source.distance, {kNone, source.at.vertex, {0, 0}});
-    vertex_state_[source.at.vertex] |= kAlwaysEmits;
+    always_emits_[source.at.vertex] = 1;
   }
 
   // Out of line, so that `reach` is inlined into the loop.
@@ -142,7 +146,7 @@ class Wavefront {
       const Index apex = mesh_.apex(h);
       begin_at(apex, source.distance + to_apex, {h, root, from});
       const HalfEdge& e = mesh_.half_edge(h);
-      if (is_next_to_apex(e, to_apex)) vertex_state_[apex] |= kAlwaysEmits;
+      if (is_next_to_apex(e, to_apex)) always_emits_[apex] = 1;
       at_corner |= to_apex < kWindowWidth * e.length;
     };
     const auto cross_side = [&](Index h, const Point2& from) {
@@ -165,12 +169,6 @@ class Wavefront {
     recorder_.wavefront_size(crossing_.window_count());
   }
 
-  bool is_entered(Index h) const {
-    return ((vertex_state_[mesh_.origin(h)] | vertex_state_[mesh_.head(h)] |
-             vertex_state_[mesh_.apex(h)]) &
-            kPopped) != 0;
-  }
-
   void enqueue(Index h) {
     if (crossing_.is_empty(h) || in_fifo_[h]) return;
     in_fifo_[h] = 1;
@@ -179,7 +177,10 @@ class Wavefront {
 
   void enter_faces_around(Index v) {
     const bool emits = may_bend_at(v);
-    vertex_state_[v] |= kPopped;
+    for (const Index h : mesh_.outgoing(v)) {
+      Face& face = faces_[h / 3];
+      if (face == Face::ahead) face = Face::entering;
+    }
     prefetch_around(v);
     for (const Index h : mesh_.outgoing(v)) {
       const Index into = Mesh::previous(h);
@@ -190,6 +191,9 @@ class Wavefront {
     }
     const auto timed = recorder_.enter(Phase::queue);
     for (const Index h : mesh_.outgoing(v)) {
+      Face& face = faces_[h / 3];
+      if (face == Face::entered) continue;
+      face = Face::entered;
       enqueue(h);
       enqueue(Mesh::next(h));
       enqueue(Mesh::previous(h));
@@ -206,9 +210,7 @@ class Wavefront {
     }
   }
 
-  bool may_bend_at(Index v) const {
-    return (vertex_state_[v] & kAlwaysEmits) != 0 || mesh_.is_pseudo_source(v);
-  }
+  bool may_bend_at(Index v) const { return always_emits_[v] != 0 || mesh_.is_pseudo_source(v); }
 
   /// The path that goes on from v along an edge to its other end.
   /// @param length of the edge
@@ -223,7 +225,7 @@ class Wavefront {
     }
     reach(end, distance);
     crossing_.follow_edge(v, end);
-    if (emits && is_next_to_apex(apex_is_end, length)) vertex_state_[end] |= kAlwaysEmits;
+    if (emits && is_next_to_apex(apex_is_end, length)) always_emits_[end] = 1;
   }
 
   /// Sends a window from v over the opposite edge of the face of h, unless a path along that edge
@@ -305,8 +307,9 @@ class Wavefront {
   [[no_unique_address]] Recorder recorder_;
   [[no_unique_address]] typename Recorder::Progress progress_;
   std::span<double> distances_;
-  std::vector<std::uint8_t> vertex_state_;
-  std::vector<std::uint8_t> in_fifo_;  // by half-edge
+  std::vector<Face> faces_;
+  std::vector<std::uint8_t> always_emits_;  // by vertex: even where no path bends
+  std::vector<std::uint8_t> in_fifo_;       // by half-edge
   std::vector<Index> fifo_;
 };
 
