@@ -7,6 +7,7 @@ import shutil
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -323,70 +324,79 @@ def test_peers_are_built_and_run_beside_the_solvers(checkout: Path) -> None:
     assert f"asked: run {suite} --plugin vtp.so --solvers mmp,steiner?points=1,3,vtp" in ended.stdout
 
 
-CTEST = (
-    '<testsuite name="x"\n\ttests="4"\n\tfailures="{failures}"\n'
-    '\tdisabled="0"\n\tskipped="1"\n\t>'
-)
+CTEST = """<testsuite name="x"\n\ttests="4"\n\tfailures="1"\n\t>
+\t<testcase name="alone" classname="alone" time="0.1" status="run">
+\t<testcase name="left out" classname="left out" time="0" status="disabled">
+\t<testcase name="crashed.1" classname="crashed.1" time="0.1" status="{crashed}">
+\t<testcase name="cases.1" classname="cases.1" time="0.1" status="{cases}">
+"""
+CASES = '<testsuite name="A" tests="5" failures="{}" disabled="1" skipped="0" errors="0" time="0">'
 PYTEST = '<testsuites><testsuite name="pytest" errors="0" failures="0" skipped="2" tests="9">'
 
 
 @pytest.fixture
 def ci(checkout: Path) -> Callable[..., Ended]:
-    """ci(ctest, tests, job, fuzzing) runs .ci/run with stand-ins for the scripts, which end with the
-    exit codes `tests`, `job` and `fuzzing`."""
-    (checkout / ".ci").mkdir()
-    shutil.copy(ROOT / ".ci" / "run", checkout / ".ci")
+    """ci(SCRIPT, NAME=EXIT_CODE...) runs .ci/SCRIPT with stand-ins for the scripts, which end with these
+    codes; `crashed` and `cases` say what has become of two programs of GoogleTest."""
+    shutil.copytree(ROOT / ".ci", checkout / ".ci")
 
-    def start(ctest: str, tests: str, job: str, fuzzing: str = "0") -> Ended:
-        reports = checkout / "reports"
-        reports.mkdir()
-        (reports / "ctest.xml").write_text(ctest)
-        (reports / "pytest.xml").write_text(PYTEST)
-        logs = '"$(dirname "$0")"/build/logs'
-        copy = f'mkdir -p {logs}; cp "$(dirname "$0")"/reports/* {logs}'
-        (checkout / "run_tests.sh").write_text(f"#!/bin/bash\n{copy}; exit {tests}\n")
-        (checkout / "run_all.sh").write_text(f'#!/bin/bash\necho "asked: $*"; exit {job}\n')
-        (checkout / "tests/fuzz/fuzz.sh").write_text(f"#!/bin/bash\necho fuzzed; exit {fuzzing}\n")
-        slurm = checkout / "tests" / "slurm" / "slurm.sh"
-        slurm.parent.mkdir()
-        slurm.write_text("#!/bin/bash\necho queued\n")
-        slurm.chmod(0o755)
-        return run(checkout / ".ci" / "run")
+    def start(script: str, crashed: str = "run", cases: str = "run", **ends: object) -> Ended:
+        reports = {
+            "build/logs/ctest.xml": CTEST.format(crashed=crashed, cases=cases),
+            "build/logs/pytest.xml": PYTEST,
+            "build/ci/tests/reports/cases.1.xml": CASES.format(int(cases == "fail")),
+        }
+        made = "".join(
+            f"mkdir -p '{file.parent}'\ncat >'{file}' <<'END'\n{text}\nEND\n"
+            for file, text in ((checkout / name, text) for name, text in reports.items())
+        )
+        for name in ["run_tests.sh", "run_all.sh", "tests/fuzz/fuzz.sh", "tests/slurm/slurm.sh"]:
+            stand_in = checkout / name
+            stand_in.parent.mkdir(exist_ok=True)
+            code = ends.get(stand_in.stem, 0)
+            before = made if name == "run_tests.sh" else ""
+            stand_in.write_text(f"#!/bin/bash\n{before}echo \"{stand_in.stem}: $*\"; exit {code}\n")
+            stand_in.chmod(0o755)
+        return run(checkout / ".ci" / script)
 
     return start
 
 
-def test_ci_ends_with_the_number_of_tests(ci: Callable[..., Ended]) -> None:
-    ended = ci(CTEST.format(failures=0), "0", "0")
-    assert ended.returncode == 0
-    assert "3 tests skipped" in ended.stdout
-    assert ended.stdout.splitlines()[-1] == "15 passed, 0 failed"
-    assert "queued" in ended.stdout
-    assert "asked: --preset ci --corpus tiny --repetitions 2" in ended.stdout
+@pytest.mark.parametrize(
+    ("ends", "last"),
+    [
+        ({}, "15 passed, 0 failed"),
+        ({"cases": "fail", "run_tests": 1}, "13 passed, 2 failed"),
+        ({"crashed": "fail", "run_tests": 1}, "13 passed, 2 failed"),
+        ({"run_all": 1}, "14 passed, 1 failed"),
+    ],
+)
+def test_ci_ends_with_the_number_of_tests_and_runs_the_job_whatever_they_say(
+    ci: Callable[..., Ended], ends: dict[str, Any], last: str
+) -> None:
+    """Those of a program of GoogleTest one by one, unless it ended without a report."""
+    ended = ci("run", **ends)
+    assert ended.returncode == (0 if last.endswith(" 0 failed") else 1)
+    assert "4 tests skipped" in ended.stdout and ended.stdout.splitlines()[-1] == last
+    assert "run_all: --preset ci --corpus tiny --repetitions 2" in ended.stdout
 
 
-def test_ci_fails_with_a_failed_test_and_still_runs_the_job(ci: Callable[..., Ended]) -> None:
-    ended = ci(CTEST.format(failures=1), "1", "0")
-    assert ended.returncode == 1 and "asked:" in ended.stdout
-    assert ended.stdout.splitlines()[-1] == "13 passed, 2 failed"
-
-
-def test_ci_fails_with_a_failed_job(ci: Callable[..., Ended]) -> None:
-    ended = ci(CTEST.format(failures=0), "0", "1")
-    assert ended.returncode == 1
-    assert ended.stdout.splitlines()[-1] == "13 passed, 2 failed"
-
-
-def test_ci_says_so_where_the_public_codes_cannot_be_had(ci: Callable[..., Ended]) -> None:
-    ended = ci(CTEST.format(failures=0), "0", "$([[ $1 == peers ]] && echo 3 || echo 0)")
-    assert ended.returncode == 0
-    assert "== not run: the public codes libigl-exact,pvtp cannot be had here" in ended.stdout
-
-
-def test_ci_fails_with_a_finding_and_still_runs_the_job(ci: Callable[..., Ended]) -> None:
-    ended = ci(CTEST.format(failures=0), "0", "0", "1")
-    assert ended.returncode == 1 and "asked:" in ended.stdout
-    assert ended.stdout.splitlines()[-1] == "14 passed, 1 failed"
+@pytest.mark.parametrize(
+    ("ends", "last"),
+    [
+        ({}, "3 passed, 0 failed"),
+        ({"fuzz": 1}, "2 passed, 1 failed"),
+        ({"run_all": "$([[ $2 == peers ]] && echo 3)"}, "3 passed, 0 failed"),
+    ],
+)
+def test_the_nightly_jobs_are_all_run_and_counted(
+    ci: Callable[..., Ended], ends: dict[str, Any], last: str
+) -> None:
+    ended = ci("nightly", **ends)
+    assert ended.returncode == (0 if last.endswith(" 0 failed") else 1)
+    assert ended.stdout.splitlines()[-1] == last and "slurm: " in ended.stdout
+    missing = "== not run: the public codes libigl-exact,pvtp cannot be had here"
+    assert (missing in ended.stdout) == ("run_all" in ends)
 
 
 def build_with_fake_cmake(checkout: Path, tmp_path: Path, version: str) -> Ended:

@@ -1,0 +1,28 @@
+# shellcheck shell=bash
+# Jobs one after another, of which each is passed or failed. For .ci/run and .ci/nightly.
+set -uo pipefail
+
+root=$(unset CDPATH; cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
+passed=0
+failed=0
+
+# job COMMAND...: the next one runs whatever became of this one.
+job() {
+  printf '\n== %s\n' "$*"
+  if "$@"; then
+    passed=$((passed + 1))
+  else
+    printf '== failed: %s\n' "$*"
+    failed=$((failed + 1))
+  fi
+}
+
+# Copies of the upstream meshes, and of the sources of public codes, beside the checkout stand for
+# the network: the tests fetch the real ones, from the folder and over HTTP.
+for name in datasets:mirror peers:peers; do
+  variable=GEODESIC_${name%:*}_MIRROR
+  variable=${variable^^} folder=$root/../shared/${name#*:}
+  if [[ -z ${!variable:-} && -d $folder ]]; then
+    export "$variable=$(cd "$folder" && pwd -P)"
+  fi
+done
