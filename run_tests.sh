@@ -24,7 +24,8 @@ Options:
   --help          this text
 
 What is missing is installed with apt, given root or sudo. Log: build/logs/run_tests.log;
-results in JUnit's format: build/logs/ctest.xml and build/logs/pytest.xml
+results in JUnit's format: build/logs/ctest.xml and build/logs/pytest.xml, and
+build/NAME/tests/reports with every case of the C++ programs
 EOF
 }
 
@@ -48,7 +49,7 @@ parse_options() {
 # Both runners run, whatever the first one finds.
 run_tests() {
   local failed=0
-  rm -f "$logs/ctest.xml" "$logs/pytest.xml"
+  rm -rf "$logs/ctest.xml" "$logs/pytest.xml" "$root/build/$preset/tests/reports"
   (cd "$root" && logged ctest --preset "$preset" --parallel "$(processors)" \
     --output-junit "$logs/ctest.xml") || failed=1
   (cd "$root" && GEODESIC_BENCH="$root/build/$preset/geodesic-bench" \
