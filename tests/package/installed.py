@@ -19,17 +19,16 @@ def cmake(*words: str | Path) -> None:
     assert ended.returncode == 0, ended.stdout + ended.stderr
 
 
-def _cache(build: Path) -> dict[str, str]:
-    """The entries of CMakeCache.txt."""
-    lines = re.findall(r"^([A-Za-z_]+):\w+=(.*)$", (build / "CMakeCache.txt").read_text(), re.M)
-    return dict(lines)
-
-
 @dataclass(frozen=True)
 class Installed:
     prefix: Path
     built: dict[str, str]
     """The CMake cache of the tree: its compiler, and its flags such as sanitizers."""
+
+    @classmethod
+    def from_build(cls, build: Path, prefix: Path) -> Installed:
+        entries = r"^([A-Za-z_]+):\w+=(.*)$"
+        return cls(prefix, dict(re.findall(entries, (build / "CMakeCache.txt").read_text(), re.M)))
 
     @property
     def include(self) -> Path:
@@ -69,4 +68,4 @@ def install(build: Path, prefix: Path) -> Installed:
     made = prefix.with_name("made first")
     cmake("--install", build, "--prefix", made)
     made.rename(prefix)
-    return Installed(prefix, _cache(build))
+    return Installed.from_build(build, prefix)

@@ -7,6 +7,7 @@ import json
 import re
 import shlex
 import shutil
+from collections.abc import Callable
 from pathlib import Path
 
 import jsonschema
@@ -45,10 +46,7 @@ def changed_headers(
     return folder
 
 
-@pytest.fixture(scope="module")
-def plugins(installed: Installed, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with libNAME.so for every name in SOURCES."""
-    source = tmp_path_factory.mktemp("plugins")
+def build_plugins(installed: Installed, source: Path) -> None:
     lines = [
         "cmake_minimum_required(VERSION 3.25)",
         "project(Plugins LANGUAGES CXX)",
@@ -61,7 +59,13 @@ def plugins(installed: Installed, tmp_path_factory: pytest.TempPathFactory) -> P
         folder = changed_headers(installed, source / f"{name}-headers", *change)
         lines.append(f'target_include_directories({name} BEFORE PRIVATE "{folder}")')
     (source / "CMakeLists.txt").write_text("\n".join(lines) + "\n")
-    return installed.build(source, source / "build")
+    installed.build(source, source / "build")
+
+
+@pytest.fixture(scope="session")
+def plugins(installed: Installed, once: Callable[[str, Callable[[Path], object]], Path]) -> Path:
+    """A folder with libNAME.so for every name in SOURCES."""
+    return once("plugins", lambda folder: build_plugins(installed, folder)) / "build"
 
 
 @pytest.fixture
