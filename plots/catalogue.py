@@ -42,7 +42,7 @@ TABLES: dict[str, Callable[[Run], Table]] = {
 FIGURES: dict[str, Callable[[Run], Drawing]] = {
     "peers_overview": peers_overview.figure,
     "overview": overview.figure,
-    "figure_5_7": wavefronts.isoline,
+    "figure_5_7": wavefronts.wavefront_and_isoline,
     "figure_5_8": curves.windows,
     "figure_5_9": figure_5_9.figure,
     "figure_5_10": dot_figures.wavefront_quality,

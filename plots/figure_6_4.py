@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
@@ -10,6 +11,7 @@ from matplotlib.lines import Line2D
 from plots import style
 from plots.camera import Camera
 from plots.drawing import Drawing
+from plots.isolines import STEPS, isolines
 from plots.panels import MODELS, panels
 from plots.recordings import Recording, recordings
 from plots.surface import draw_lines, draw_surface
@@ -24,33 +26,29 @@ BRIGHTEST = 0.72
 
 
 def figure(run: Run) -> Drawing:
-    found = recordings(run, isolines=True)[:MODELS]
-    picture, hidden = panels(found, lambda one: one.isolines.segments, _draw)
+    found = recordings(run)[:MODELS]
+    picture, hidden = panels(found, lambda one: np.concatenate(isolines(one)), _draw)
     style.legend_above(picture, [Line2D([], [], label="source", **SOURCE)])
     return Drawing(
         title="Figure 6.4: isolines of the distance field",
-        caption=_caption(found) + hidden,
+        caption=_caption() + hidden,
         figure=picture,
     )
 
 
 def _draw(axes: Axes, recording: Recording, camera: Camera, inches: float) -> bool:
-    isolines = recording.isolines
     buffer = draw_surface(axes, recording.surface, camera, inches)
-    levels = isolines.steps(recording.greatest)
-    for number, level in enumerate(levels, 1):
-        color = to_hex(COLORS(BRIGHTEST * level / levels[-1]))
+    for number, line in enumerate(isolines(recording), 1):
+        color = to_hex(COLORS(BRIGHTEST * number / (STEPS - 1)))
         width = 0.9 if number % THICK == 0 else 0.45
-        draw_lines(axes, buffer, isolines.at(level), color, width)
+        draw_lines(axes, buffer, line, color, width)
     return draw_source(axes, buffer, recording)
 
 
-def _caption(found: list[Recording]) -> str:
-    counts = ", ".join(
-        f"{len(one.isolines.steps(one.greatest))} on {one.mesh.name}" for one in found
-    )
+def _caption() -> str:
     return (
-        "Lines of equal exact distance from the source, arcs of circles within each face, at "
-        f"equal steps: {counts}. Every {THICK}th is thick; they go from dark blue near the source "
-        "to green. Hidden lines are left out."
+        "Lines of equal distance from the source, from the exact distances of the vertices and "
+        f"straight across each face: {STEPS - 1} on each model, at equal steps of its greatest "
+        f"distance. Every {THICK}th is thick; they go from dark blue near the source to green. "
+        "Hidden lines are left out."
     )

@@ -1,4 +1,4 @@
-"""The one reader of a run's recordings: surfaces, distances, isolines, wavefronts and their curves.
+"""The one reader of a run's recordings: surfaces, distances, wavefronts and their curves.
 
 The files are described by results/README.md. Whatever is wrong with one ends in a ResultError of
 one line that names it.
@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,8 +21,6 @@ from plots.zbuffer import Integers
 from results.published import THESIS_SOLVERS
 from results.reader import Mesh, ResultError, Run
 
-KEEPS_WINDOWS = {"mmp", "fwp-mmp"}
-"""Solvers whose recordings have isolines; others may."""
 MOMENTS = (25, 50, 75)
 """Per cent of the vertices reached at which the wavefront is recorded."""
 
@@ -37,31 +35,10 @@ CURVE = np.dtype(
 SNAPSHOT = np.dtype(
     [("origin", "<u4"), ("head", "<u4"), ("begin", "<f4"), ("end", "<f4"), ("distance", "<f8")]
 )
-LEVEL_STEPS = 40
-"""Of isolines, besides those at the moments of the snapshots."""
-PIECES = np.dtype([("face", "<u4"), ("level", "<f4"), ("first", "<u4")])
 PATHS = np.dtype([("target", "<u4"), ("first", "<u4")])
 
 Table = NDArray[Any]
 """Of one of the structures above."""
-
-
-@dataclass(frozen=True)
-class Isolines:
-    segments: Floats
-    """(n, 2, 3)"""
-    levels: Floats
-    """(n): of each segment."""
-
-    def steps(self, greatest: float) -> Floats:
-        """The levels at equal steps of the greatest distance."""
-        levels = np.unique(self.levels)
-        steps = LEVEL_STEPS * levels / greatest
-        return cast(Floats, levels[np.abs(steps - np.round(steps)) < 1e-4])
-
-    def at(self, level: float) -> Floats:
-        there: Floats = self.segments[self.levels == level]
-        return there
 
 
 @dataclass(frozen=True)
@@ -116,27 +93,6 @@ class Recording:
     def greatest(self) -> float:
         """Distance of a vertex that is reached."""
         return float(self.distances[np.isfinite(self.distances)].max())
-
-    @property
-    def has_isolines(self) -> bool:
-        return (self.folder / "isoline_points.npy").exists()
-
-    @cached_property
-    def isolines(self) -> Isolines:
-        points = _floats(self.folder / "isoline_points.npy", "<f4", (None, 3))
-        file = self.folder / "isoline_pieces.npy"
-        pieces = _load(file, PIECES, (None,))
-        first = pieces["first"].astype(np.int64)
-        _require(first[0] == 0 and first[-1] < len(points), file, "points and pieces do not match")
-        counts = np.diff(first, append=len(points))
-        _require(counts.min() >= 2, file, "a piece has fewer than two points")
-        levels = pieces["level"].astype(float)
-        _require_amounts(levels, file)
-        _require(levels.min() > 0, file, "a level is 0")
-        # Each point but the last of a piece begins a segment.
-        begins = np.delete(np.arange(len(points)), first[1:] - 1)[:-1]
-        owner = np.repeat(levels, counts - 1)
-        return Isolines(np.stack([points[begins], points[begins + 1]], axis=1), owner)
 
     @property
     def has_paths(self) -> bool:
@@ -230,13 +186,11 @@ class Recording:
         return np.stack([origin + begin * along, origin + end * along], axis=1)
 
 
-def recordings(run: Run, *solvers: str, isolines: bool = False) -> list[Recording]:
+def recordings(run: Run, *solvers: str) -> list[Recording]:
     """One a mesh, of its first recorded source: the best for the thesis's figures first, and of
     several meshes for one of its models only the best.
 
     @param solvers, exact ones, that must have been recorded
-    @param isolines whether isolines must have been recorded, which needs a solver that keeps its
-           windows
     @raises ResultError when there is none"""
     if missing := set(solvers) - set(run.solvers):
         raise ResultError(f"{run.file}: no {' and no '.join(sorted(missing))} in this run")
@@ -254,12 +208,6 @@ def recordings(run: Run, *solvers: str, isolines: bool = False) -> list[Recordin
     if not useful:
         whose = f" of {' and '.join(solvers)}" if solvers else ""
         raise ResultError(f"{run.file}: no recordings{whose}; run --recordings auto makes them")
-    if isolines:
-        useful = [one for one in useful if set(one.solvers) & KEEPS_WINDOWS or one.has_isolines]
-        if not useful:
-            raise ResultError(
-                f"{run.file}: no isolines; a solver of the MMP family must be among those recorded"
-            )
     best: dict[str, Recording] = {}
     for one in sorted(useful, key=_merit, reverse=True):
         best.setdefault(one.mesh.thesis_model or one.mesh.name, one)

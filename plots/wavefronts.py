@@ -17,6 +17,7 @@ from plots.camera import Camera, Floats, close_up, framing
 from plots.curves import title
 from plots.dots import sentences
 from plots.drawing import Drawing
+from plots.isolines import isoline, levels
 from plots.measures import EDGE_BASED
 from plots.recordings import MOMENTS, Recording, recordings
 from plots.surface import best_axes, draw_lines, draw_surface
@@ -73,16 +74,15 @@ APPENDIX = {
 """The solver whose wavefront each of the appendix's figures shows."""
 
 
-def isoline(run: Run) -> Drawing:
-    """Figure 5.7. @raises ResultError without recordings of edge-based with isolines"""
-    recording = recordings(run, EDGE_BASED, isolines=True)[0]
+def wavefront_and_isoline(run: Run) -> Drawing:
+    """Figure 5.7. @raises ResultError without recordings of edge-based"""
+    recording = recordings(run, EDGE_BASED)[0]
     moment, level = _moment(recording)
     wavefront = recording.wavefront(EDGE_BASED, moment)
-    exact = recording.isolines.at(level)
     pictures = _draw(
         recording,
         [
-            Lines("isoline of the distance field", exact, style.ISOLINE, 1.8),
+            Lines("isoline of the distance field", isoline(recording, level), style.ISOLINE, 1.8),
             Lines(f"wavefront of {EDGE_BASED}", wavefront, style.WAVEFRONT, 1.2),
         ],
         wavefront,
@@ -91,7 +91,8 @@ def isoline(run: Run) -> Drawing:
         title="Figure 5.7: wavefront and isoline",
         caption=sentences(
             f"Blue: windows on the wavefront of {EDGE_BASED} on {recording.mesh.label} when "
-            f"{moment}% of the vertices were reached. Red: the exact isoline.",
+            f"{moment}% of the vertices were reached. Red: the isoline of the vertices' exact "
+            "distances, straight across each face.",
             _claim(recording, moment, level),
             pictures.sentence,
         ),
@@ -208,13 +209,13 @@ def _outline(axes: Axes, camera: Camera) -> None:
 
 def _moment(recording: Recording) -> tuple[int, float]:
     """The moment whose mean distance is nearest to the level of an isoline, and that level."""
-    levels = np.unique(recording.isolines.levels)
+    steps = levels(recording)
     means = {
         moment: float(recording.snapshot(EDGE_BASED, moment)["distance"].mean())
         for moment in MOMENTS
     }
-    moment = min(means, key=lambda moment: float(np.abs(levels - means[moment]).min()))
-    return moment, float(levels[np.abs(levels - means[moment]).argmin()])
+    moment = min(means, key=lambda moment: float(np.abs(steps - means[moment]).min()))
+    return moment, float(steps[np.abs(steps - means[moment]).argmin()])
 
 
 def _claim(recording: Recording, moment: int, level: float) -> str:

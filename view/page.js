@@ -474,11 +474,9 @@ class Page {
     this.marks = marks(places(sources), INK);
     this.marksOfCells = cells && marks(places(cells.sources), INK);
     this.layers = new Map();
-    if (isolines) {
-      const both = new THREE.Group();
-      both.add(thinLines(isolines.thin, "#5b6470"), thickLines(isolines.thick, "#3c4450", 1.6));
-      this.layers.set("isolines", both);
-    }
+    const both = new THREE.Group();
+    both.add(thinLines(isolines.thin, "#5b6470"), thickLines(isolines.thick, "#3c4450", 1.6));
+    this.layers.set("isolines", both);
     if (paths) this.layers.set("paths", thickLines(paths.segments, paths.color, 2.2));
     this.layers.set(EDGES, null);  // made when it is first shown
   }

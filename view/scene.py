@@ -18,7 +18,8 @@ from numpy.typing import NDArray
 
 from plots import paths, style
 from plots.camera import Floats
-from plots.recordings import Cells, Isolines, Recording, Table
+from plots.isolines import isolines
+from plots.recordings import Cells, Recording, Table
 from plots.surface import best_axes, upwards
 from plots.zbuffer import Integers
 from results.published import THESIS_SOLVERS
@@ -78,13 +79,12 @@ def scene(recording: Recording, solvers: list[str]) -> dict[str, Any]:
     """@param solvers of `with_frames`, shown side by side; may be none
     @raises ResultError"""
     surface, mesh = recording.surface, recording.mesh
-    isolines = recording.isolines if recording.has_isolines else None
-    lines = np.empty((0, 2, 3)) if isolines is None else isolines.segments
+    lines = isolines(recording)
     edges = Edges(surface.faces)
     return {
         "vertices": packed(surface.vertices, "f4"),
         "faces": packed(surface.faces, "u4"),
-        "axes": best_axes(mesh, surface, lines, recording.source).tolist(),
+        "axes": best_axes(mesh, surface, np.concatenate(lines), recording.source).tolist(),
         "up": upwards(mesh, surface),
         "sources": [recording.source],
         "paths": _paths(recording.paths) if recording.has_paths else None,
@@ -92,7 +92,7 @@ def scene(recording: Recording, solvers: list[str]) -> dict[str, Any]:
         "distances": packed(_finite(recording.distances), "f4"),
         "greatest": recording.greatest,
         "colors": _colors(),
-        "isolines": isolines and _isolines(isolines, recording.greatest),
+        "isolines": _isolines(lines),
         "solvers": [_solver(recording, solver, edges) for solver in solvers],
     }
 
@@ -119,14 +119,13 @@ def _cells(cells: Cells) -> dict[str, Any]:
     }
 
 
-def _isolines(isolines: Isolines, greatest: float) -> dict[str, Any]:
-    """The levels at equal steps: segments of thin lines, and of thick ones."""
-    steps = isolines.steps(greatest)
-    thick = np.isin(isolines.levels, steps[THICK - 1 :: THICK])
-    thin = np.isin(isolines.levels, steps) & ~thick
+def _isolines(lines: list[Floats]) -> dict[str, Any]:
+    """@param lines segments, by level"""
+    thick = lines[THICK - 1 :: THICK]
+    thin = [line for number, line in enumerate(lines, 1) if number % THICK]
     return {
-        "thin": packed(isolines.segments[thin], "f4"),
-        "thick": packed(isolines.segments[thick], "f4"),
+        "thin": packed(np.concatenate(thin), "f4"),
+        "thick": packed(np.concatenate(thick), "f4"),
     }
 
 

@@ -10,7 +10,6 @@
 #include "harness/measure/benchmark.h"
 #include "harness/measure/recorded_solve.h"
 #include "harness/recordings/files.h"
-#include "harness/recordings/isolines/isolines.h"
 #include "harness/verify/distance_check.h"
 #include "harness/verify/references.h"
 #include "meshes/load.h"
@@ -65,7 +64,6 @@ class Measurement {
   std::string verify_again(const std::string& which);
   void count();
   void record();
-  void record_isolines(const std::filesystem::path& folder);
   void record_paths(const std::filesystem::path& folder);
   const CellSpec& spec_;
   const Description& solver_;
@@ -147,22 +145,11 @@ void Measurement::record() {
     write_surface(run / folders.mesh, soup_);
     write_vertex_distances(run / (exact ? folders.source : folders.solver), verified_);
     if (has_wavefront) write_wavefront(run / folders.solver, mesh_, recording);
-    if (exact && solver_.final_windows && !has_isolines(run / folders.source)) {
-      record_isolines(run / folders.source);
-    }
     if (exact && solver_.abilities.paths) record_paths(run / folders.source);
     row_.recordings = folders.solver.string();
   } catch (const std::exception& error) {
     row_.recordings_error = error.what();
   }
-}
-
-// By the first solver of the source that keeps its windows.
-void Measurement::record_isolines(const std::filesystem::path& folder) {
-  std::vector<double> distances = verified_;
-  const std::vector<double> levels = isoline_levels(verified_, wavefront_recording().snapshots_at);
-  write_isolines(folder, solve_isolines(spec_.solver, mesh_, query_, levels, distances));
-  if (!identical(distances, verified_)) solved_ = distances;
 }
 
 // By the first solver of the source that remembers paths.

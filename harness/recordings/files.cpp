@@ -29,7 +29,6 @@ std::vector<To> flattened(const std::vector<std::array<From, 3>>& rows) {
   return numbers;
 }
 
-constexpr const char* kPieces = "isoline_pieces.npy";
 constexpr const char* kPathPieces = "path_pieces.npy";
 constexpr const char* kCells = "cells.npy";
 
@@ -131,19 +130,6 @@ void write_wavefront(const fs::path& folder, const Mesh& mesh, const Recording& 
     }
   }
   if (frames) write_reached_by(folder, mesh, recording.reached_by);
-}
-
-bool has_isolines(const fs::path& folder) { return fs::exists(folder / kPieces); }
-
-void write_isolines(const fs::path& folder, const Isolines& isolines) {
-  make_folder(folder);
-  using Piece = Isolines::Piece;
-  write_bytes(folder / "isoline_points.npy",
-              npy_bytes<float>(flattened<float>(isolines.points), 3));
-  write_bytes(folder / kPieces,
-              npy_table_bytes(isolines.pieces, npy_column<std::uint32_t>("face", &Piece::face),
-                              npy_column<float>("level", &Piece::level),
-                              npy_column<std::uint32_t>("first", &Piece::first)));
 }
 
 bool has_paths(const fs::path& folder) { return fs::exists(folder / kPathPieces); }

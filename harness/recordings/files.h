@@ -5,7 +5,6 @@
 #include <span>
 #include <string>
 
-#include "harness/recordings/isolines/isolines.h"
 #include "harness/recordings/paths.h"
 #include "solvers/core/solver.h"
 
@@ -39,12 +38,6 @@ void write_vertex_distances(const std::filesystem::path& folder, std::span<const
 /// @param recording with the options of wavefront_recording
 void write_wavefront(const std::filesystem::path& folder, const Mesh& mesh,
                      const Recording& recording);
-
-/// Whether `write_isolines` has written the folder.
-bool has_isolines(const std::filesystem::path& folder);
-
-/// Writes isoline_points.npy and isoline_pieces.npy.
-void write_isolines(const std::filesystem::path& folder, const Isolines& isolines);
 
 /// Whether `write_paths` has written the folder; the same of cells.
 bool has_paths(const std::filesystem::path& folder);

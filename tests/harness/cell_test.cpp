@@ -196,40 +196,6 @@ TEST_F(RunTest, FramesAreTheWavefrontAtEveryStepOfProgress) {
   }
 }
 
-// By whichever solver of the run keeps its windows: the one that knows how many they are.
-TEST_F(RunTest, RecordedSourcesGetIsolinesFromASolverThatKeepsItsWindows) {
-  std::string solvers;
-  const json list = json::parse(run(PROGRAM, {"list", "--json"}).out);
-  for (const json& solver : list.at("solvers")) {
-    solvers += (solvers.empty() ? "" : ",") + solver.at("name").get<std::string>();
-  }
-  for (const std::string& each : {solvers, std::string("dijkstra")}) {
-    std::filesystem::remove_all(out_);
-    const Output run = run_suite(
-        PROGRAM, {"--solvers", each, "--sources", "1", "--meshes", "hill", "--recordings", "all"});
-    ASSERT_EQ(run.code, 0) << run.err;
-    const bool keeps =
-        std::ranges::any_of(rows(), [](const json& row) { return row.contains("window_limit"); });
-    const std::string source = "src" + rows().at(0).at("source").dump();
-    const auto folder = out_ / "recordings" / "hill" / source;
-    ASSERT_EQ(std::filesystem::exists(folder / "isoline_pieces.npy"), keeps) << each;
-    if (!keeps) continue;
-    const std::size_t points = npy_numbers(read(folder / "isoline_points.npy")).size() / 12;
-    const std::string pieces = npy_numbers(read(folder / "isoline_pieces.npy"));
-    EXPECT_GE(pieces.size() / 12, 39u) << "levels, a piece or more of each";
-    std::uint32_t end = 0;
-    for (std::size_t i = 0; i < pieces.size(); i += 12) {
-      std::uint32_t face = 0, first = 0;
-      std::memcpy(&face, pieces.data() + i, 4);
-      std::memcpy(&first, pieces.data() + i + 8, 4);
-      EXPECT_LT(face, 50u);
-      EXPECT_EQ(i == 0, first == 0);
-      EXPECT_GE(first, end) << "a piece has two points or more";
-      EXPECT_LE(end = first + 2, points);
-    }
-  }
-}
-
 template <class T>
 std::vector<T> npy_vector(const std::string& file) {
   const std::string bytes = npy_numbers(file);

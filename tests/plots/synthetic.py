@@ -15,13 +15,12 @@ from typing import Any
 import numpy as np
 
 from plots.camera import Floats
-from plots.recordings import CURVE, FRAMES, MOMENTS, PATHS, PIECES, SNAPSHOT
+from plots.recordings import CURVE, FRAMES, MOMENTS, PATHS, SNAPSHOT
 from plots.zbuffer import Integers
 from results.columns import Columns
 from results.published import THESIS_SOLVERS
 from results.reader import Run
 
-LEVELS = 40
 SAMPLES = 64
 SPREAD = {"mmp": 0.2, "ich": 0.25, "edge-based": 0.5, "fwp-mmp": 0.7, "fwp-ch": 0.8}
 """Mean edge lengths."""
@@ -129,9 +128,6 @@ def record(
     np.save(folder.parent / "vertices.npy", vertices.astype("<f4"))
     np.save(folder.parent / "faces.npy", faces.astype("<u4"))
     np.save(folder / "distances.npy", distances.astype("<f8"))
-    points, pieces = linear_isolines(vertices, faces, distances)
-    np.save(folder / "isoline_points.npy", points)
-    np.save(folder / "isoline_pieces.npy", pieces)
     _record_paths(folder, vertices, source)
     edge = mean_edge_length(vertices, faces)
     (folder / INEXACT).mkdir()
@@ -156,28 +152,6 @@ def _record_paths(folder: Path, vertices: Floats, source: int) -> None:
     far = np.linalg.norm(vertices[:, None] - vertices[sources], axis=2)
     np.save(folder / "cell_sources.npy", sources.astype("<u4"))
     np.save(folder / "cells.npy", far.argmin(axis=1).astype("<u4"))
-
-
-def linear_isolines(
-    vertices: Floats, faces: Integers, distances: Floats
-) -> tuple[Floats, np.ndarray[Any, Any]]:
-    """One straight piece in each face that a level crosses: linear in the face, so not exact."""
-    corners, values = vertices[faces], distances[faces]
-    points, pieces = [], []
-    for level in np.arange(1, LEVELS + 1) * distances.max() / LEVELS:
-        above = values >= level
-        face = np.flatnonzero(above.any(axis=1) & ~above.all(axis=1))
-        odd = np.argmax(above[face] == (above[face].sum(axis=1) == 1)[:, None], axis=1)
-        ends = []
-        for other in ((odd + 1) % 3, (odd + 2) % 3):
-            a, b = values[face, odd], values[face, other]
-            share = ((level - a) / (b - a))[:, None]
-            ends.append(corners[face, odd] + share * (corners[face, other] - corners[face, odd]))
-        points.append(np.stack(ends, axis=1).reshape(-1, 3))
-        pieces += [(int(f), level, 0) for f in face]
-    table = np.array(pieces, PIECES)
-    table["first"] = 2 * np.arange(len(table))
-    return np.vstack(points).astype("<f4"), table
 
 
 def _record_solver(

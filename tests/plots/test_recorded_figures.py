@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
-from synthetic import LEVELS, SPREAD, changed_rows, without_recordings
+from synthetic import SPREAD, changed_rows, without_recordings
 
-from plots import figure_6_4, paths, report, style, wavefronts
+from plots import figure_6_4, isolines, paths, report, style, wavefronts
 from plots.catalogue import FIGURES
 from plots.drawing import Drawing
 from plots.recordings import recordings
@@ -24,10 +24,10 @@ from results.reader import ResultError, Run
 
 NEEDS = {
     "error_map": ["../vertices.npy", "../faces.npy", "distances.npy", "dijkstra/distances.npy"],
-    "figure_5_7": ["../vertices.npy", "isoline_points.npy", "edge-based/snapshot-25.npy"],
+    "figure_5_7": ["../vertices.npy", "distances.npy", "edge-based/snapshot-25.npy"],
     "figure_5_8": ["distances.npy", "edge-based/curve.npy", "fwp-mmp/curve.npy", "ich/curve.npy"],
     "figure_5_10_curve": ["mmp/curve.npy"],
-    "figure_6_4": ["../faces.npy", "isoline_pieces.npy"],
+    "figure_6_4": ["../faces.npy", "distances.npy"],
     "paths": ["../faces.npy", "path_points.npy"],
     "cells": ["../vertices.npy", "cell_sources.npy"],
 } | {
@@ -87,17 +87,6 @@ def without(run: Run, solver: str) -> Run:
 def test_without_the_solver_it_is_about_there_is_no_figure(name: str, run: Run) -> None:
     with pytest.raises(ResultError, match="no recordings of edge-based"):
         FIGURES[name](without(run, "edge-based"))
-
-
-@pytest.mark.parametrize("name", ["figure_5_7", "figure_6_4"])
-def test_without_isolines_the_reason_is_the_solvers_and_no_interruption(
-    name: str, run: Run
-) -> None:
-    folder = own_recordings(run)
-    for file in folder.parent.parent.glob("*/src*/isoline_*.npy"):
-        file.unlink()
-    with pytest.raises(ResultError, match="no isolines; a solver of the MMP family"):
-        FIGURES[name](without(without(run, "mmp"), "fwp-mmp"))
 
 
 def test_windows_are_drawn_over_the_level_for_two_solvers_and_for_all(run: Run) -> None:
@@ -188,13 +177,13 @@ def test_the_caption_says_how_near_the_isoline_is(run: Run, spread: float, agree
     assert ("which agrees with the thesis's claim" in caption) == agrees
 
 
-def test_the_level_is_the_recorded_one_next_to_the_wavefront_s_mean(run: Run) -> None:
+def test_the_level_is_the_one_next_to_the_wavefront_s_mean(run: Run) -> None:
     (recording, *_) = recordings(run)
     moment, level = wavefronts._moment(recording)
     mean = recording.snapshot("edge-based", moment)["distance"].mean()
-    step = recording.greatest / LEVELS
+    step = recording.greatest / isolines.STEPS
     assert abs(level - mean) <= step / 2
-    assert np.min(np.abs(np.unique(recording.isolines.levels) - level)) == 0
+    assert level in isolines.levels(recording)
 
 
 @pytest.mark.parametrize(("name", "solver"), APPENDIX.items())
@@ -224,13 +213,14 @@ def test_all_wavefronts_are_shown_from_one_side_with_one_close_up(run: Run) -> N
 def test_every_model_has_all_its_isolines(run: Run) -> None:
     drawn = drawing_of("figure_6_4", run)
     assert len(drawn.figure.axes) == 2
-    for axes, count in zip(drawn.figure.axes, (LEVELS, LEVELS), strict=True):
+    count = isolines.STEPS - 1
+    for axes in drawn.figure.axes:
         assert len(axes.images) == 1 and len(axes.collections) == count
         widths = [float(lines.get_linewidth()[0]) for lines in axes.collections]
-        assert sum(width > min(widths) for width in widths) == LEVELS // figure_6_4.THICK
+        assert sum(width > min(widths) for width in widths) == count // figure_6_4.THICK
         seen = [lines for lines in axes.collections if lines.get_segments()]
-        assert len(seen) > LEVELS / 2
-    assert f"{LEVELS} on rocker-arm, {LEVELS} on flat-grid" in drawn.caption
+        assert len(seen) > count / 2
+    assert f"{count} on each model" in drawn.caption
 
 
 def test_every_model_has_its_paths(run: Run) -> None:

@@ -9,8 +9,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from synthetic import LEVELS, Data, changed_rows, mean_edge_length, plane, record
+from synthetic import Data, changed_rows, mean_edge_length, plane, record
 
+from plots.isolines import isoline, isolines, levels
 from plots.recordings import CURVE, Recording, recordings
 from results.reader import Mesh, ResultError, Run
 
@@ -29,7 +30,7 @@ def recording(tmp_path: Path) -> Recording:
 
 
 def everything(recording: Recording) -> None:
-    _ = recording.surface, recording.distances, recording.isolines
+    _ = recording.surface, recording.distances
     _ = recording.paths, recording.cells
     for solver in recording.solvers:
         recording.curve(solver)
@@ -41,30 +42,29 @@ def everything(recording: Recording) -> None:
 def test_what_was_written_is_read(recording: Recording) -> None:
     everything(recording)
     assert recording.greatest == pytest.approx(np.sqrt(2))
-    levels = recording.isolines.levels
-    expected = np.sqrt(2) * np.arange(1, LEVELS + 1) / LEVELS
-    assert np.unique(levels) == pytest.approx(expected, rel=1e-6)
-    radii = np.linalg.norm(recording.isolines.segments, axis=2)
-    assert radii == pytest.approx(np.column_stack([levels, levels]), abs=0.02)
     wavefront = recording.wavefront("mmp", 50)
     assert wavefront.shape[1:] == (2, 3) and len(wavefront) > SIDE
 
 
-def test_a_piece_of_several_points_is_joined_to_no_other(recording: Recording) -> None:
-    points = np.arange(21, dtype="<f4").reshape(7, 3)
-    pieces = np.array([(0, 1.0, 0), (1, 1.0, 3), (2, 2.0, 5)],
-                      [("face", "<u4"), ("level", "<f4"), ("first", "<u4")])  # fmt: skip
-    np.save(recording.folder / "isoline_points.npy", points)
-    np.save(recording.folder / "isoline_pieces.npy", pieces)
-    isolines = recording.isolines
-    assert [(int(a[0]) // 3, int(b[0]) // 3) for a, b in isolines.segments] == [
-        (0, 1), (1, 2), (3, 4), (5, 6),
-    ]  # fmt: skip
-    assert isolines.levels.tolist() == [1, 1, 1, 2] and len(isolines.at(2)) == 1
+def test_isolines_are_where_the_distance_is_linear_between_vertices(recording: Recording) -> None:
+    assert levels(recording) == pytest.approx(np.sqrt(2) * np.arange(1, 40) / 40)
+    for level, line in zip(levels(recording), isolines(recording), strict=True):
+        assert np.linalg.norm(line, axis=2) == pytest.approx(level, abs=0.02)
+        above = recording.distances[recording.surface.faces] >= level
+        assert len(line) == np.count_nonzero(above.any(axis=1) & ~above.all(axis=1))
+
+
+def test_no_isoline_runs_where_a_corner_is_not_reached(recording: Recording) -> None:
+    distances = recording.distances.copy()
+    distances[1] = np.inf  # next to the source
+    np.save(recording.folder / "distances.npy", distances)
+    level = 0.5 / (SIDE - 1)
+    whole, part = isoline(recording, level), isoline(replace(recording), level)
+    assert len(part) == len(whole) - 1
 
 
 FILES = [
-    "../vertices.npy", "../faces.npy", "distances.npy", "isoline_points.npy", "isoline_pieces.npy",
+    "../vertices.npy", "../faces.npy", "distances.npy",
     "mmp/curve.npy", "mmp/snapshot-50.npy", "mmp/reached_by.npy",
     "path_points.npy", "path_pieces.npy", "cell_sources.npy", "cells.npy",
 ]  # fmt: skip
@@ -115,11 +115,6 @@ INVALID: list[tuple[str, Break, str]] = [
     ("distances.npy", lambda data: data.fill(np.inf), "no vertex is reached"),
     ("distances.npy", lambda data: data.fill(0), "no vertex is reached"),
     ("distances.npy", lambda data: data.fill(-1), "negative"),
-    ("isoline_points.npy", lambda data: data.fill(np.inf), "not finite"),
-    ("isoline_pieces.npy", put("first", 1, 0), "do not match"),
-    ("isoline_pieces.npy", put("first", 2**31, -1), "do not match"),
-    ("isoline_pieces.npy", put("first", 3), "fewer than two points"),
-    ("isoline_pieces.npy", put("level", np.nan), "not a number"),
     ("mmp/curve.npy", put("sd", np.nan), "not a number"),
     ("mmp/curve.npy", put("mean", -1), "not a number"),
     ("mmp/curve.npy", put("reached", 0), "no progress"),

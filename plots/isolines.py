@@ -1,0 +1,43 @@
+"""Isolines of the distance field: from the vertices' distances, straight across each face.
+
+Between vertices the distance is taken to be linear. An isoline of the geodesic distance consists of
+arcs of circles and has corners where paths of two kinds meet: those are cut within the face.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from plots.camera import Floats
+from plots.recordings import Recording
+
+STEPS = 40
+"""Equal ones of the greatest distance, with a level between every two."""
+
+
+def levels(recording: Recording) -> Floats:
+    return np.arange(1, STEPS) * recording.greatest / STEPS
+
+
+def isoline(recording: Recording, level: float) -> Floats:
+    """Segments (n, 2, 3): one in each face that the level crosses and whose corners are reached."""
+    surface, distances = recording.surface, recording.distances
+    values = distances[surface.faces]
+    above = values >= level
+    crossed = above.any(axis=1) & ~above.all(axis=1) & np.isfinite(values).all(axis=1)
+    values, above = values[crossed], above[crossed]
+    corners = surface.vertices[surface.faces[crossed]]
+    rows = np.arange(len(values))
+    # The corner that lies alone on its side of the level.
+    odd = np.argmax(above == (above.sum(axis=1) == 1)[:, None], axis=1)
+    ends = []
+    for other in ((odd + 1) % 3, (odd + 2) % 3):
+        near, far = values[rows, odd], values[rows, other]
+        share = ((level - near) / (far - near))[:, None]
+        ends.append((1 - share) * corners[rows, odd] + share * corners[rows, other])
+    return np.stack(ends, axis=1)
+
+
+def isolines(recording: Recording) -> list[Floats]:
+    """By level."""
+    return [isoline(recording, level) for level in levels(recording)]
