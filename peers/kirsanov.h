@@ -13,10 +13,6 @@ inline Description kirsanov(const std::string& name, const std::string& known) {
           .paper =
               "Surazhsky, Surazhsky, Kirsanov, Gortler, Hoppe 2005, Fast exact and "
               "approximate geodesics on meshes",
-          .data_structure = "priority queue",
-          .time_complexity = "O(n^2 log n)",
-          .space_complexity = "O(n^2)",
-          .propagation = "window",
           .exactness = Exactness::bounded,
           // Windows of less than this share of their edge are dropped (SMALLEST_INTERVAL_RATIO):
           // docs/peers.md says why that is taken for the bound.

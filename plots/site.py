@@ -362,8 +362,6 @@ def write_site(runs: Sequence[Shown], folder: Path) -> None:
 def facts_of(solver: Solver) -> dict[str, object]:
     facts = {
         "Family": solver.family, "Paper": solver.paper, "Answers": solver.promise,
-        "Data structure": solver.data_structure, "Time": solver.time_complexity,
-        "Space": solver.space_complexity, "Propagation": solver.propagation,
     }  # fmt: skip
     return {key: fact for key, fact in facts.items() if fact}
 

@@ -1,70 +1,52 @@
-"""Table 5.3: the solvers by their own descriptions in the run file; published beside them."""
+"""Table 5.3: what the solvers of the run say of themselves, and what the thesis says of its own."""
 
 from __future__ import annotations
 
 import re
-from typing import Any
 
 from plots.measures import ABSENT, columns
 from results import published
 from results.reader import Run, Solver
-from results.table import BLANK, Cell, Table
+from results.table import Cell, Table
 
 HEADER = [
-    "Solver", "From", "Family", "Data structure", "Time", "Space", "Propagation",
-    "Spatial order", "Distances", "Paper", "Remarks",
+    "Solver", "Family", "Distances", "Data structure", "Time", "Space", "Propagation",
+    "Spatial order", "Paper", "Remarks",
 ]  # fmt: skip
 REMARKS = [
-    "Ours: each solver's description in the run file. "
-    f"Published: {published.citation()}, Table 5.3."
+    f"From data structure to spatial order: as published, {published.citation()}, Table 5.3. "
+    "All else: each solver's description in the run file."
 ]
 
 
 def table(run: Run) -> Table:
-    named = published.table_5_3()
     return Table(
         name="table_5_3",
         title="Table 5.3: exact geodesic solvers compared",
         header=HEADER,
         text_columns=len(HEADER),
-        rows=[row for name in columns(run) for row in _rows(run.solvers[name], named)],
+        rows=[_row(run.solvers[name]) for name in columns(run)],
         remarks=REMARKS,
     )
 
 
-def _rows(solver: Solver, named: dict[str, Any]) -> list[list[Cell]]:
-    name = solver.name
-    rows = [[Cell(name, name), Cell("ours"), *_ours(solver)]]
-    if name in named:
-        rows.append([Cell("", name), Cell("published"), *_published(named[name])])
-    return rows
-
-
-def _ours(solver: Solver) -> list[Cell]:
+def _row(solver: Solver) -> list[Cell]:
     return [
-        Cell(solver.family),
-        Cell(solver.data_structure),
-        _complexity(solver.time_complexity),
-        _complexity(solver.space_complexity),
-        Cell(solver.propagation),
-        _yes_or_no(solver.spatial_order),
-        Cell(solver.promise),
-        Cell(solver.paper),
-        Cell(solver.remarks),
-    ]
+        Cell(solver.name, solver.name), Cell(solver.family), Cell(solver.promise),
+        *_published(solver.name), Cell(solver.paper), Cell(solver.remarks),
+    ]  # fmt: skip
 
 
-def _published(row: dict[str, Any]) -> list[Cell]:
+def _published(name: str) -> list[Cell]:
+    row = published.table_5_3().get(name)
+    if row is None:
+        return [Cell(ABSENT)] * 5
     return [
-        Cell(row["class"]),
         Cell(row["data_structure"]),
         _complexity(row["time_complexity"]),
         _complexity(row["space_complexity"]),
         Cell(row["propagation"]),
         _yes_or_no(row["spatial_order"]),
-        Cell(ABSENT),
-        Cell(ABSENT),
-        BLANK,
     ]
 
 

@@ -60,11 +60,6 @@ class Solver:
     name: str
     family: str
     paper: str
-    data_structure: str
-    time_complexity: str
-    space_complexity: str
-    propagation: str
-    spatial_order: bool
     exact: bool
     independent_oracle: bool
     remarks: str

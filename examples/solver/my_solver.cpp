@@ -55,10 +55,6 @@ const RegisterSolver<MySolver> registered{{
     .name = "my-solver",
     .family = "Dijkstra",
     .paper = "Dijkstra 1959, A note on two problems in connexion with graphs",
-    .data_structure = "priority queue",
-    .time_complexity = "O(n log n)",
-    .space_complexity = "O(n)",
-    .propagation = "vertex",
     .exactness = Exactness::upper_bound,
 }};
 

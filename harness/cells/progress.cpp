@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "harness/corpus/solvers.h"
 #include "harness/verify/references.h"
 #include "solvers/core/registry.h"
 
@@ -20,7 +21,7 @@ constexpr double kSearchShare = 0.5;  // of min_time: to find the number of iter
 constexpr double kMachineWeight = 1, kSolverWeight = 0.5;  // of priors, in expected seconds
 
 double expected_solve_seconds(const Description& solver, Index vertices) {
-  const double relative = solver.relative_time > 0 ? solver.relative_time : kUnknownRelativeTime;
+  const double known = relative_time(solver), relative = known > 0 ? known : kUnknownRelativeTime;
   return kFastestSeconds * relative * std::pow(vertices / 5e4, kGrowth);
 }
 
@@ -74,7 +75,7 @@ void Forecast::measured(std::size_t cell, double seconds) {
     pace.expected += expected.solves;
   };
   add(paces_[&solver]);
-  if (solver.relative_time > 0) add(all_);
+  if (relative_time(solver) > 0) add(all_);
 }
 
 double Forecast::seconds_left(std::size_t first) const {

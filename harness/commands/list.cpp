@@ -23,11 +23,9 @@ struct ListFlags {
 };
 
 TextTable solver_table() {
-  TextTable table{
-      {"solver", "family", "ordered by", "time", "space", "distances", "runs", "paper"}};
+  TextTable table{{"solver", "family", "distances", "runs", "paper"}};
   for (const Description* solver : registered_solvers()) {
-    table.push_back({solver->name, solver->family, solver->data_structure, solver->time_complexity,
-                     solver->space_complexity, shown_exactness(*solver),
+    table.push_back({solver->name, solver->family, shown_exactness(*solver),
                      solver->by_name_only ? "when named" : "always", solver->paper});
   }
   return table;

@@ -5,6 +5,8 @@
 #include <sstream>
 
 #include "harness/base/error.h"
+#include "harness/base/files.h"
+#include "harness/base/json.h"
 #include "solvers/core/registry.h"
 
 namespace geodesic::harness {
@@ -83,6 +85,19 @@ std::string shown_exactness(const Description& solver) {
   std::string text(exactness_name(solver.exactness));
   std::ranges::replace(text, '_', ' ');
   return text;
+}
+
+const RelativeTimes& relative_times() {
+  static const RelativeTimes times = [] {
+    const std::filesystem::path file = data_folder() / "harness" / "relative_times.json";
+    return std::filesystem::exists(file) ? read_json(file).get<RelativeTimes>() : RelativeTimes{};
+  }();
+  return times;
+}
+
+double relative_time(const Description& solver, const RelativeTimes& times) {
+  const auto found = times.find(base_name(solver.name));
+  return found == times.end() ? 0 : found->second;
 }
 
 std::string unsupported(const Description& solver, const Mesh& mesh) {

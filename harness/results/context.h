@@ -12,7 +12,7 @@
 namespace geodesic::harness {
 
 /// Version of the shape of result files.
-inline constexpr int kSchemaVersion = 2;
+inline constexpr int kSchemaVersion = 3;
 
 /// A solver's description with the keys of struct Description.
 Json describe(const Description& solver);

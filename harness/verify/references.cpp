@@ -6,14 +6,14 @@
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"
-#include "harness/corpus/solvers.h"
 #include "meshes/generators/generators.h"
 
 namespace geodesic::harness {
 
 std::vector<const Description*> rank_references(const Description& verified,
                                                 const std::vector<const Description*>& solvers,
-                                                const std::optional<std::string>& named) {
+                                                const std::optional<std::string>& named,
+                                                const RelativeTimes& times) {
   std::vector<const Description*> candidates;
   for (const Description* solver : solvers) {
     if (solver->exactness != Exactness::exact) continue;
@@ -21,9 +21,9 @@ std::vector<const Description*> rank_references(const Description& verified,
     if (!solver->by_name_only || solver->name == named) candidates.push_back(solver);
   }
   std::ranges::sort(candidates, {}, [&](const Description* solver) {
-    const double time = solver->relative_time > 0 ? solver->relative_time : kInfinity;
+    const double time = relative_time(*solver, times);
     return std::tuple(solver->name != named, !solver->independent_oracle,
-                      solver->family == verified.family, time, solver->name);
+                      solver->family == verified.family, time > 0 ? time : kInfinity, solver->name);
   });
   return candidates;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "harness/corpus/manifest.h"
+#include "harness/corpus/solvers.h"
 #include "meshes/oracles/brute_force.h"
 #include "solvers/core/registry.h"
 
@@ -29,12 +30,13 @@ struct ReferenceSources {
 };
 
 /// Exact solvers that can verify another one, best first: the named one, independent oracles, other
-/// families, the faster ones (`Description::relative_time`, an unknown one last), then by name. One
-/// that is `by_name_only` must be named. None is the same solver with other parameters. Whether one
-/// supports the mesh is not considered.
+/// families, the faster ones (one of unknown speed last), then by name. One that is `by_name_only`
+/// must be named. None is the same solver with other parameters. Whether one supports the mesh is
+/// not considered.
 std::vector<const Description*> rank_references(const Description& verified,
                                                 const std::vector<const Description*>& solvers,
-                                                const std::optional<std::string>& named);
+                                                const std::optional<std::string>& named,
+                                                const RelativeTimes& times = relative_times());
 
 /// What can verify a solver, best first: the named solver, the closed form, brute force, then the
 /// other registered solvers as rank_references orders them.

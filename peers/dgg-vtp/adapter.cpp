@@ -49,10 +49,6 @@ const RegisterSolver<DggVtp> registered{{
     .family = "VTP",
     .paper = "Adikusuma, Fang, He 2020, Fast construction of discrete geodesic graphs; DGG-VTP as "
              "its repository has it",
-    .data_structure = "priority queue of vertices",
-    .time_complexity = "O(n^2)",
-    .space_complexity = "O(n)",
-    .propagation = "window list",
     .exactness = Exactness::unbounded,
     .abilities = {.multiple_sources = false,
                   .initial_distances = false,

@@ -51,10 +51,6 @@ const RegisterSolver<Vtp> registered{{
     .family = "VTP",
     .paper = "Qin, Han, Yu, Yu, Zhang 2016, Fast and exact discrete geodesic computation based on "
              "triangle-oriented wavefront propagation",
-    .data_structure = "priority queue of vertices",
-    .time_complexity = "O(n^2)",
-    .space_complexity = "O(n)",
-    .propagation = "window list",
     .needs_renewal = true,
     .abilities = {.multiple_sources = false,
                   .initial_distances = false,

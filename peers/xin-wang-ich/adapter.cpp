@@ -44,10 +44,6 @@ const RegisterSolver<XinWangIch> registered{{
     .name = "xin-wang-ich",
     .family = "CH",
     .paper = "Xin, Wang 2009, Improving Chen and Han's algorithm on the discrete geodesic problem",
-    .data_structure = "priority queue",
-    .time_complexity = "O(n^2 log n)",
-    .space_complexity = "O(n)",
-    .propagation = "window",
     .exactness = Exactness::unbounded,
     .abilities = {.initial_distances = false},
     .remarks = peer::remarks(

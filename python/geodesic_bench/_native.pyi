@@ -49,13 +49,6 @@ class Solver:
     @property
     def paper(self) -> str: ...
     @property
-    def data_structure(self) -> str:
-        """What orders its propagation."""
-    @property
-    def time_complexity(self) -> str: ...
-    @property
-    def space_complexity(self) -> str: ...
-    @property
     def exact(self) -> bool:
         """False: distances are upper bounds."""
     @property

@@ -401,9 +401,6 @@ PYBIND11_MODULE(_native, module) {
       .def_readonly("name", &Description::name)
       .def_readonly("family", &Description::family)
       .def_readonly("paper", &Description::paper)
-      .def_readonly("data_structure", &Description::data_structure)
-      .def_readonly("time_complexity", &Description::time_complexity)
-      .def_readonly("space_complexity", &Description::space_complexity)
       .def_readonly("remarks", &Description::remarks)
       .def_property_readonly("exact",
                              [](const Description& d) { return d.exactness == Exactness::exact; })

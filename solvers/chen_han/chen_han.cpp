@@ -8,10 +8,6 @@ const RegisterSolver<ChenHan<Ch>> ch{{
     .name = "ch",
     .family = "CH",
     .paper = "Chen, Han 1990, Shortest paths on a polyhedron",
-    .data_structure = "FIFO queue",
-    .time_complexity = "O(n^2)",
-    .space_complexity = "O(n)",
-    .propagation = "window",
     .abilities =
         {.degenerate_faces = false, .surface_sources = true, .paths = true, .max_vertices = 1200},
     .remarks = "small meshes only: nearly all of its windows are useless",
@@ -21,11 +17,6 @@ const RegisterSolver<ChenHan<Ich>> ich{{
     .name = "ich",
     .family = "CH",
     .paper = "Xin, Wang 2009, Improving Chen and Han's algorithm",
-    .data_structure = "priority queue",
-    .time_complexity = "O(n^2 log n)",
-    .space_complexity = "O(n^2)",
-    .propagation = "window",
-    .relative_time = 6,
     .abilities = {.surface_sources = true, .paths = true},
 }};
 
@@ -33,11 +24,6 @@ const RegisterSolver<ChenHan<FwpCh>> fwp_ch{{
     .name = "fwp-ch",
     .family = "CH",
     .paper = "Xu, Wang, Liu, Liu, He 2015, Fast wavefront propagation",
-    .data_structure = "bucket and FIFO queue",
-    .time_complexity = "O(n^2)",
-    .space_complexity = "O(n^2)",
-    .propagation = "window",
-    .relative_time = 5,
     .abilities = {.surface_sources = true, .paths = true},
 }};
 

@@ -45,16 +45,11 @@ struct Abilities {
   Index max_vertices = kNone;         ///< larger meshes take unreasonably long
 };
 
-/// A solver as data: the rows of the thesis's Table 5.3, and what `geodesic-bench list` prints.
+/// A solver as data: its name, what it promises and can do, and its parameters.
 struct Description {
-  std::string name;             ///< lower case with hyphens, unique: "fwp-mmp"
-  std::string family;           ///< "MMP", "CH", "edge-based", ...
-  std::string paper;            ///< author-year, title
-  std::string data_structure;   ///< what orders the propagation: "priority queue"
-  std::string time_complexity;  ///< as in Table 5.3: "O(n^2 log n)"
-  std::string space_complexity;
-  std::string propagation;     ///< unit of propagation: "window", "edge", "vertex"
-  bool spatial_order = false;  ///< windows of an edge are available in spatial order
+  std::string name;            ///< lower case with hyphens, unique: "fwp-mmp"
+  std::string family;          ///< "MMP", "CH", "edge-based", ...
+  std::string paper;           ///< whom to cite: author-year, title
   bool final_windows = false;  ///< keeps the windows of all edges, and hands them over
   Exactness exactness = Exactness::exact;
   /// Of a bounded solver: the largest relative error with the parameters of this description.
@@ -63,8 +58,6 @@ struct Description {
   /// it.
   bool deterministic = true;
   bool independent_oracle = false;  ///< shares no kernel with the others: first choice to verify by
-  double relative_time = 0;         ///< of a solve of a scan of 50,000 vertices, measured, that of
-                                    ///< the fastest solver being 1; 0: not known
   bool by_name_only = false;  ///< a variant or an example, which runs and verifies others only when
                               ///< named; set by the build for what lies in solvers/variants/
   int threads = 1;  ///< that a solve uses; the parameter `threads` says so where there is one

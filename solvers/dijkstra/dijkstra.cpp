@@ -42,11 +42,6 @@ const RegisterSolver<Dijkstra> registered{{
     .name = "dijkstra",
     .family = "Dijkstra",
     .paper = "Dijkstra 1959, A note on two problems in connexion with graphs",
-    .data_structure = "priority queue",
-    .time_complexity = "O(n log n)",
-    .space_complexity = "O(n)",
-    .propagation = "vertex",
-    .spatial_order = false,
     .exactness = Exactness::upper_bound,
     .remarks = "paths along edges only",
 }};

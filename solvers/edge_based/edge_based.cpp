@@ -23,12 +23,6 @@ const RegisterSolver<EdgeBased<ByDistance>> exact{{
     .name = "edge-based",
     .family = "edge-based",
     .paper = "thesis chapter 5; Qin, Han, Yu, Yu, Zhang 2016",
-    .data_structure = "list and priority queue",
-    .time_complexity = "O(n log_b n + n log n)",
-    .space_complexity = "O(n)",
-    .propagation = "edge",
-    .spatial_order = true,
-    .relative_time = 1,
     .abilities = {.non_manifold_edges = true, .surface_sources = true, .paths = true},
 }};
 

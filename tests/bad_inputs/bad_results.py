@@ -47,7 +47,7 @@ SAYS = {
     "cut": "not JSON, perhaps truncated",
     "another JSON": "'context' is a required property",
     "a list": "[] is not of type 'object'",
-    "of an older version": "schema_version: 2 was",
+    "of an older version": "schema_version: 1 is not one of [2, 3]",
     "without rows": "benchmarks: []",
     "without times": "benchmarks[0]: 'cpu_time' is",
     "with a word for a time": "benchmarks[0].cpu_time: 'fast' is not of type 'number'",

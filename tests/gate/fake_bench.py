@@ -9,8 +9,7 @@ import json
 import sys
 from pathlib import Path
 
-SOLVER = ["family", "paper", "data_structure", "time_complexity", "space_complexity", "propagation",
-          "spatial_order", "independent_oracle", "remarks"]  # fmt: skip
+SOLVER = ["family", "paper", "independent_oracle", "remarks"]
 MESH = {"vertices": 9, "faces": 9, "mean_edge_length": 1.0, "thesis_model": None, "stand_in": False,
         "sha256": "00"}  # fmt: skip
 

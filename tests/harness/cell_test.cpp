@@ -59,7 +59,7 @@ TEST_F(RunTest, ContextSaysHowToTrustAndRepeatIt) {
   const Output run = run_suite(PROGRAM, {"--solvers", "dijkstra", "--sources", "2", "--seed", "9"});
   ASSERT_EQ(run.code, 0) << run.err;
   const json context = read_json(out_ / "run.json").at("context").at("geodesic_bench");
-  EXPECT_EQ(context.at("schema_version"), 2);
+  EXPECT_EQ(context.at("schema_version"), 3);
   EXPECT_EQ(context.at("seed"), 9);
   EXPECT_EQ(context.at("repetitions"), 2);
   EXPECT_EQ(context.at("corpus"), "quick");

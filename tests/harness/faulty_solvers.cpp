@@ -233,10 +233,6 @@ Description faulty(const char* name, Index max_vertices = 1000) {
   return {.name = name,
           .family = kFamily,
           .paper = "none",
-          .data_structure = "none",
-          .time_complexity = "O(1)",
-          .space_complexity = "O(1)",
-          .propagation = "none",
           .abilities = {.max_vertices = max_vertices}};
 }
 

@@ -94,14 +94,7 @@ class Deaf final : public Hostile {
 };
 
 Description hostile(const char* name) {
-  return {.name = name,
-          .family = "test-only",
-          .paper = "none",
-          .data_structure = "none",
-          .time_complexity = "none",
-          .space_complexity = "none",
-          .propagation = "none",
-          .by_name_only = true};
+  return {.name = name, .family = "test-only", .paper = "none", .by_name_only = true};
 }
 
 const RegisterSolver<StackOverflow> stack_overflow{hostile("stack-overflow")};

@@ -35,17 +35,16 @@ TEST(Progress, IsALineACellThatNamesItAndHowLongItTook) {
 struct RecordedSolver {
   const char* name;
   const char* family;
-  double relative_time;  // as its description says; 0: unknown
-  int untimed_solves;    // warm-up, counters, phases
+  int untimed_solves;  // warm-up, counters, phases
 };
-constexpr std::array<RecordedSolver, 8> kSolvers{{{"cgal", "CH", 140, 2},
-                                                  {"ch", "CH", 0, 5},
-                                                  {"dijkstra", "Dijkstra", 0, 2},
-                                                  {"edge-based", "edge-based", 1, 5},
-                                                  {"fwp-ch", "CH", 5, 5},
-                                                  {"fwp-mmp", "MMP", 10, 5},
-                                                  {"ich", "CH", 6, 5},
-                                                  {"mmp", "MMP", 12, 5}}};
+constexpr std::array<RecordedSolver, 8> kSolvers{{{"cgal", "CH", 2},
+                                                  {"ch", "CH", 5},
+                                                  {"dijkstra", "Dijkstra", 2},
+                                                  {"edge-based", "edge-based", 5},
+                                                  {"fwp-ch", "CH", 5},
+                                                  {"fwp-mmp", "MMP", 5},
+                                                  {"ich", "CH", 5},
+                                                  {"mmp", "MMP", 5}}};
 struct RecordedMesh {
   const char* name;
   Index vertices;
@@ -73,7 +72,6 @@ class Replay {
       Description& solver = descriptions_.emplace_back();
       solver.name = recorded.name;
       solver.family = recorded.family;
-      solver.relative_time = recorded.relative_time;
       solver.independent_oracle = solver.name == "cgal";
       if (solver.name == "dijkstra") solver.exactness = Exactness::upper_bound;
       plan_.solvers.push_back(&solver);

@@ -62,9 +62,7 @@ class Fake final : public Solver {
 };
 
 Description named(const char* name) {
-  return {.name = name, .family = "fake", .paper = "none", .data_structure = "none",
-          .time_complexity = "O(n)", .space_complexity = "O(n)", .propagation = "none",
-          .remarks = peer::remarks("a test's")};
+  return {.name = name, .family = "fake", .paper = "none", .remarks = peer::remarks("a test's")};
 }
 
 const RegisterSolver<Fake<talk>> talks{named("talks")};

@@ -12,15 +12,14 @@ class RankReferences : public ::testing::Test {
   std::vector<std::string> ranked(const Description& verified,
                                   const std::optional<std::string>& named = {}) {
     std::vector<std::string> names;
-    for (const Description* solver : rank_references(verified, all_, named)) {
+    for (const Description* solver : rank_references(verified, all_, named, times_)) {
       names.push_back(solver->name);
     }
     return names;
   }
 
-  static Description described(const char* name, const char* family, double relative_time = 0) {
+  static Description described(const char* name, const char* family) {
     Description solver{};
-    solver.relative_time = relative_time;
     solver.name = name;
     solver.family = family;
     return solver;
@@ -30,10 +29,11 @@ class RankReferences : public ::testing::Test {
     oracle_.independent_oracle = true;
   }
 
+  const RelativeTimes times_{{"a-sibling", 1}, {"b-slow", 10}, {"other", 2.5}};
   Description bound_ = described("bound", "edges");
-  Description sibling_ = described("a-sibling", "CH", 1);
-  Description slow_ = described("b-slow", "FIFO", 10);
-  Description other_ = described("other", "MMP", 2.5);
+  Description sibling_ = described("a-sibling", "CH");
+  Description slow_ = described("b-slow", "FIFO");
+  Description other_ = described("other", "MMP");
   Description unknown_ = described("a-unknown", "new");
   Description oracle_ = described("z-oracle", "CH");
   Description verified_ = described("verified", "CH");

@@ -20,11 +20,6 @@ const RegisterSolver<edge_based::EdgeBased<InBuckets>> registered{{
     .name = "edge-based-bucket",
     .family = "edge-based",
     .paper = "thesis chapter 5; buckets as in Xu, Wang, Liu, Liu, He 2015",
-    .data_structure = "list and bucket queue",
-    .time_complexity = "O(n log_b n)",
-    .space_complexity = "O(n)",
-    .propagation = "edge",
-    .spatial_order = true,
     .abilities = {.non_manifold_edges = true, .surface_sources = true, .paths = true},
 }};
 

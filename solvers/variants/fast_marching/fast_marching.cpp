@@ -102,10 +102,6 @@ const RegisterSolver<FastMarching> registered{{
     .name = "fast-marching",
     .family = "fast marching",
     .paper = "Kimmel, Sethian 1998, Computing geodesic paths on manifolds",
-    .data_structure = "priority queue",
-    .time_complexity = "O(n log n)",
-    .space_complexity = "O(n)",
-    .propagation = "vertex",
     .exactness = Exactness::unbounded,
     .remarks = "obtuse corners are split by unfolding",
 }};

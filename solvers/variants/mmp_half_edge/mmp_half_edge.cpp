@@ -14,10 +14,6 @@ const RegisterSolver<mmp::Mmp<HalfEdge>> registered{{
     .name = "mmp-half-edge",
     .family = "MMP",
     .paper = "Surazhsky et al. 2005, Fast exact and approximate geodesics on meshes",
-    .data_structure = "priority queue",
-    .time_complexity = "O(n^2 log n)",
-    .space_complexity = "O(n^2)",
-    .propagation = "window",
     .abilities = {.surface_sources = true, .paths = true},
     .remarks = "windows of the two sides of an edge are not trimmed against each other",
 }};

@@ -160,10 +160,6 @@ const RegisterSolver<Steiner> registered{{
     .family = "Dijkstra",
     .paper = "Lanthier, Maheshwari, Sack 1997, Approximating weighted shortest paths on "
              "polyhedral surfaces",
-    .data_structure = "priority queue",
-    .time_complexity = "O(k^2 n + k n log(k n))",
-    .space_complexity = "O(k n)",
-    .propagation = "vertex",
     .exactness = Exactness::upper_bound,
     .remarks = "paths straight between points on edges",
     .parameters = {integer_parameter("points", 3, 0, 100, "Steiner points on every edge")},

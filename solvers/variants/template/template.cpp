@@ -160,10 +160,6 @@ const RegisterSolver<Unfolding> registered{{
     .name = "template",
     .family = "template",
     .paper = "Mitchell, Mount, Papadimitriou 1987, The discrete geodesic problem",
-    .data_structure = "FIFO queue",
-    .time_complexity = "not known",
-    .space_complexity = "not known",
-    .propagation = "window",
     .abilities = {.surface_sources = true, .paths = true, .max_vertices = 5000},
 }};
 
