@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "solvers/core/unit.h"
+#include "solvers/core/mesh_input.h"
 
 namespace geodesic {
 namespace {
@@ -49,9 +49,9 @@ void require_measurable(const TriangleSoup& soup, const DefectReport& defects,
   }
   if (soup.triangles.empty()) throw MeshError(name + ": no usable face is left: " + errors);
   try {
-    Unit::of(soup.positions);
+    check_extent(soup.positions);
   } catch (const std::invalid_argument& error) {
-    throw MeshError(name + ": " + error.what() + "; scale it");
+    throw MeshError(name + ": " + error.what());
   }
 }
 

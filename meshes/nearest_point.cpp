@@ -4,8 +4,6 @@
 #include <array>
 #include <stdexcept>
 
-#include "solvers/core/unit.h"
-
 namespace geodesic {
 namespace {
 
@@ -60,32 +58,25 @@ struct Nearest {
 NearestPoint nearest_point(const Mesh& mesh, const Vec3& place) {
   if (!is_finite(place))
     throw std::invalid_argument("a place in space must have finite coordinates");
-  // A unit in which squares of squares of the mesh's lengths stay within range, and those of the
-  // place if it is not very far away.
-  const Unit unit = Unit::of(mesh.positions());
-  const auto in_unit = [&](const Vec3& p) {
-    return Vec3{unit.in_unit(p[0]), unit.in_unit(p[1]), unit.in_unit(p[2])};
-  };
-  const Vec3 from = in_unit(place);
   Nearest nearest;
   for (Index f = 0; f < mesh.given_face_count(); ++f) {
     Corners corners;
-    for (std::size_t k = 0; k < 3; ++k) corners[k] = in_unit(mesh.position(mesh.triangle(f)[k]));
-    const Weights inside = projected(corners, from);
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = mesh.position(mesh.triangle(f)[k]);
+    const Weights inside = projected(corners, place);
     if (std::ranges::all_of(inside, [](double w) { return w > 0; })) {
-      nearest.offer(corners, f, inside, from);
+      nearest.offer(corners, f, inside, place);
     }
     for (std::size_t k = 0; k < 3; ++k) {
-      nearest.offer(corners, f, nearest_on_side(corners, k, from), from);
+      nearest.offer(corners, f, nearest_on_side(corners, k, place), place);
     }
   }
   if (nearest.face == kNone) {
     throw std::invalid_argument(mesh.face_count() == 0
                                     ? "a mesh without faces has no surface"
-                                    : "a place in space is too far from the mesh");
+                                    : "a place in space is too far place the mesh");
   }
   return {point_in_face(mesh, mesh.numbers().given_face(nearest.face), nearest.weights),
-          unit.in_mesh(std::sqrt(nearest.square))};
+          std::sqrt(nearest.square)};
 }
 
 }  // namespace geodesic

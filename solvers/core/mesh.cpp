@@ -10,10 +10,18 @@
 #include <utility>
 
 #include "solvers/core/mesh_input.h"
+#include "solvers/core/messages.h"
 #include "solvers/core/tolerance.h"
-#include "solvers/core/unit.h"
 
 namespace geodesic {
+
+void check_extent(std::span<const Vec3> positions) {
+  const double half = box_around(positions).half_extent();
+  if (half == 0 || (half >= kLeastExtent / 2 && half <= kGreatestExtent / 2)) return;
+  throw std::invalid_argument("the longest side of the mesh is " + significant(2 * half, 3) +
+                              ", and must be from " + significant(kLeastExtent, 3) + " to " +
+                              significant(kGreatestExtent, 3) + "; scale it");
+}
 
 void check_mesh_input(std::span<const Vec3> positions, std::span<const Triangle> triangles) {
   if (positions.size() >= kNone || triangles.size() >= kNone / 3) {
@@ -34,7 +42,7 @@ void check_mesh_input(std::span<const Vec3> positions, std::span<const Triangle>
       throw std::invalid_argument("face " + std::to_string(f) + " names a vertex twice");
     }
   }
-  Unit::of(positions);
+  check_extent(positions);
 }
 
 Mesh::Mesh(std::span<const Vec3> positions, std::span<const Triangle> triangles,
@@ -186,32 +194,24 @@ bool Mesh::is_least_of_edge(Index h) const {
 }
 
 void Mesh::compute_frames() {
-  // In a unit in which products of lengths stay within range: most often the mesh's own.
-  const Unit unit = Unit::of(positions_);
-  std::vector<Vec3> converted;
-  if (!unit.is_one()) converted = unit.in_unit(positions_);
-  const std::span<const Vec3> at = unit.is_one() ? positions_ : converted;
   double sum = 0;
   for (Index first = 0; first < half_edge_count(); first += 3) {
-    compute_frames_of_face(first, at);
+    compute_frames_of_face(first);
     for (Index h = first; h < first + 3; ++h) {
-      HalfEdge& e = half_edges_[h];
-      if (is_least_of_edge(h)) sum += e.length;
-      if (unit.is_one()) continue;
-      for (double* length : {&e.length, &e.apex_x, &e.apex_y}) *length = unit.in_mesh(*length);
+      if (is_least_of_edge(h)) sum += half_edges_[h].length;
     }
   }
-  mean_edge_length_ = edge_count_ > 0 ? unit.in_mesh(sum / edge_count_) : 0;
+  mean_edge_length_ = edge_count_ > 0 ? sum / edge_count_ : 0;
 }
 
 // Sets the frames of the face whose half-edges start with `first`. Both sides of an edge get the
 // same bits: a difference and its negative differ in nothing but signs.
-void Mesh::compute_frames_of_face(Index first, std::span<const Vec3> at) {
+void Mesh::compute_frames_of_face(Index first) {
   const std::span<HalfEdge, 3> sides(&half_edges_[first], 3);
   std::array<Vec3, 3> along;
   std::size_t longest = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    along[k] = subtract(at[sides[(k + 1) % 3].origin], at[sides[k].origin]);
+    along[k] = subtract(position(sides[(k + 1) % 3].origin), position(sides[k].origin));
     sides[k].length = norm(along[k]);
     if (sides[k].length > sides[longest].length) longest = k;
   }
@@ -224,7 +224,8 @@ void Mesh::compute_frames_of_face(Index first, std::span<const Vec3> at) {
     HalfEdge& e = sides[k];
     const std::size_t previous = (k + 2) % 3;
     if (e.length > 0) {
-      e.apex_x = dot(subtract(at[sides[previous].origin], at[e.origin]), along[k]) / e.length;
+      e.apex_x =
+          dot(subtract(position(sides[previous].origin), position(e.origin)), along[k]) / e.length;
       e.apex_y = twice_area / e.length;
     } else {  // the direction of a zero-length edge is free: upright keeps the other two lengths
       e.apex_x = 0;

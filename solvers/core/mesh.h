@@ -49,7 +49,7 @@ class Mesh {
   /// do at any other edge of several faces is said by `non_manifold_edges`; at a boundary they pass
   /// its end vertices. Vertices may be isolated, and several fans of faces may share one vertex.
   /// @throws std::invalid_argument for an index out of range, a triangle that names a vertex twice,
-  ///         a coordinate that is not finite, an extent that is not 0 and beyond 1e-289 or 1e289,
+  ///         a coordinate that is not finite, an extent that is not 0 and beyond 1e-20 or 1e20,
   ///         or more elements than an Index can number.
   Mesh(std::span<const Vec3> positions, std::span<const Triangle> triangles,
        Numbering numbering = Numbering::as_given,
@@ -154,7 +154,7 @@ class Mesh {
   std::span<const Index> given_corners(Index v) const;
   void index_outgoing();
   void compute_frames();
-  void compute_frames_of_face(Index first, std::span<const Vec3> at);
+  void compute_frames_of_face(Index first);
   void classify_vertices();
   struct Fan {
     Index faces;

@@ -6,8 +6,6 @@
 #include <stdexcept>
 
 #include "solvers/core/messages.h"
-#include "solvers/core/rescaled.h"
-#include "solvers/core/unit.h"
 
 namespace geodesic {
 namespace {
@@ -166,10 +164,7 @@ const Description& solver_named(std::string_view name) {
 
 std::unique_ptr<Solver> make_solver(std::string_view name, const Mesh& mesh) {
   const Description& description = solver_named(name);
-  const SolverFactory& factory = entries().find(base_name(name))->second.factory;
-  const Unit unit = Unit::of(mesh.positions());
-  if (!unit.is_one()) return make_rescaled(mesh, description, factory, unit);
-  return factory(mesh, description);
+  return entries().find(base_name(name))->second.factory(mesh, description);
 }
 
 }  // namespace geodesic

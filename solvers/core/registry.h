@@ -61,8 +61,7 @@ const Description& solver_named(std::string_view name);
 /// What stands before the parameters: "avtp" of "avtp?lambda=32".
 std::string_view base_name(std::string_view name);
 
-/// Prepares a solver for a mesh, which must outlive it. The solver works in a unit of length in
-/// which squares and fourth powers of lengths stay within range (unit.h).
+/// Prepares a solver for a mesh, which must outlive it.
 /// @param name as of solver_named, which says what is thrown
 std::unique_ptr<Solver> make_solver(std::string_view name, const Mesh& mesh);
 

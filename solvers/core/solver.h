@@ -5,8 +5,8 @@
 // time. What objects share is constant (the mesh, their description), so that any number of them
 // may solve in as many threads.
 //
-// Layers of this folder: solver.h, contract.h, registry.h and rescaled.h are the contract. They
-// include the other headers; no other header includes them.
+// Layers of this folder: solver.h, contract.h and registry.h are the contract. They include the
+// other headers; no other header includes them.
 #pragma once
 
 #include <memory>

@@ -35,7 +35,7 @@ inline constexpr double kApexReach = 1e-6;
 /// A pseudo-source in the interior of an edge, the apex of a zero-area face, is taken to lie off
 /// the edge by this times the edge's length, on its own side, so that unfolding across the next
 /// face has a direction, whether or not that has an area. No distance changes: its square is zero,
-/// in units in which a mesh is of ordinary extent (unit.h).
+/// in units in which a mesh is of ordinary extent (mesh_input.h).
 inline constexpr double kTouchingHeight = 1e-200;
 
 /// A face lower than this times one of its sides has no reliable angles: whether a path may bend at

@@ -61,6 +61,8 @@ CASES = [
          "a.obj", "vertex 3 (line 4)", "not finite", *MEANINGLESS),
     mesh("beyond all numbers", "a.obj", OBJ + "v 0 1e9999 0\nf 1 2 4\n",
          "a.obj, line 4", "'1e9999' is beyond the range of numbers"),
+    mesh("an extent of 1e45", "a.obj", "v 0 0 0\nv 1e45 0 0\nv 0 1 0\nf 1 2 3\n",
+         "a.obj: the longest side of the mesh is 1e+45, and must be from 1e-20 to 1e+20; scale it"),
     mesh("a vertex of two coordinates", "a.obj", "v 0 0\n" + OBJ + "f 1 2 3\n",
          "a.obj, line 1: the z coordinate is missing"),
     mesh("a face of two corners", "a.obj", OBJ + "f 1 2\n",

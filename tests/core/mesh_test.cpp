@@ -289,5 +289,15 @@ TEST(Mesh, refuses_what_has_no_distances) {
   }
 }
 
+TEST(Mesh, refuses_extents_beyond_those_that_solvers_take) {
+  const auto triangle = [](double size) {
+    return TriangleSoup{{{0, 0, 0}, {3 * size, 0, 0}, {0, 4 * size, 0}}, {{0, 1, 2}}};
+  };
+  for (const double size : {0.0, 1e-20, 1.0, 1e19}) EXPECT_NO_THROW(Mesh(triangle(size))) << size;
+  for (const double size : {1e-300, 1e-21, 1e20, 4e307}) {
+    EXPECT_THROW(Mesh(triangle(size)), std::invalid_argument) << size;
+  }
+}
+
 }  // namespace
 }  // namespace geodesic

@@ -12,7 +12,7 @@ from pages import ROOT
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+(?:"([^"]+)"|<([^>]+)>)', re.MULTILINE)
 
-CONTRACT = {f"solvers/core/{name}" for name in ("solver", "contract", "registry", "rescaled")}
+CONTRACT = {f"solvers/core/{name}" for name in ("solver", "contract", "registry")}
 """Files of core, without extension, that make up the contract: the rest of core knows none of them."""
 
 ORDER = [

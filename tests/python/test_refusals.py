@@ -30,7 +30,7 @@ FACE = [[0, 1, 2]]
         (CORNERS * 1j, FACE, "vertices must be real numbers, not complex128"),
         (CORNERS * np.nan, FACE, "vertex 0 has a non-finite coordinate"),
         (CORNERS - [np.inf, 0, 0], FACE, "vertex 0 has a non-finite coordinate"),
-        (CORNERS * 1e300, FACE, "the mesh is about 2^996 long"),
+        (CORNERS * 1e300, FACE, "the longest side of the mesh is 1e+300, and must be from 1e-20 to 1e+20; scale it"),
         (CORNERS, [[0, 1, 3]], "face 0 names a vertex that is not there"),
         (CORNERS, [[0, 1, 2], [0, 1, -1]], "face 1 names a vertex that is not there"),
         (CORNERS, [[0, 1, 2**32 + 2]], "face 0 names a vertex that is not there"),
