@@ -45,7 +45,7 @@ class ObjParser {
                                "' are ignored: only polygons are read");
     }
     if (!reader_.ends_with_line_end()) file_.warnings.push_back(kNoLineEnd);
-    polygons_.triangulate(file_, name_);
+    polygons_.triangulate(file_);
     return std::move(file_);
   }
 

@@ -32,7 +32,7 @@ class OffParser {
     for (number_ = 0; number_ < faces_; ++number_) read_face();
     check_end();
     file_.format = binary_ ? "OFF binary" : "OFF";
-    polygons_.triangulate(file_, name_);
+    polygons_.triangulate(file_);
     return std::move(file_);
   }
 

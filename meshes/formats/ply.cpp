@@ -400,7 +400,7 @@ MeshFile parse_ply(std::string_view bytes, const std::string& name) {
                                    "PLY binary big-endian"};  // as Encoding
   file.format = kFormats[static_cast<std::size_t>(header.encoding)];
   BodyParser(Values(reader, bytes, header.encoding, name), file, polygons).parse(header.elements);
-  polygons.triangulate(file, name);
+  polygons.triangulate(file);
   return file;
 }
 

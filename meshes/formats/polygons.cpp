@@ -1,7 +1,6 @@
 #include "meshes/formats/polygons.h"
 
 #include <algorithm>
-#include <numeric>
 #include <span>
 
 #include "solvers/core/geometry.h"
@@ -43,100 +42,41 @@ std::vector<FlatPoint> project(std::span<const Vec3> positions, std::span<const 
   return points;
 }
 
-bool fan_is_unfolded(std::span<const FlatPoint> points) {
+// Whether all triangles from one corner are as the polygon is, counter-clockwise.
+bool fan_is_unfolded(std::span<const FlatPoint> points, std::size_t apex) {
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    if (!(area2(points[0], points[i], points[i + 1]) > 0)) return false;
+    const FlatPoint& a = points[(apex + i) % points.size()];
+    const FlatPoint& b = points[(apex + i + 1) % points.size()];
+    if (!(area2(points[apex], a, b) > 0)) return false;
   }
   return true;
 }
 
-// Takes the square of the number of corners in time: what has been ruled out as an obstacle of a
-// triangle stays so, and only the two triangles beside a lost ear change.
-class EarClipper {
- public:
-  EarClipper(std::span<const FlatPoint> points, std::span<const Index> corners)
-      : points_(points),
-        corners_(corners),
-        left_(points.size()),
-        lost_(points.size(), false),
-        ruled_out_(points.size(), 0) {
-    std::iota(left_.begin(), left_.end(), std::size_t{0});
-  }
-
-  // Appends the triangles; what has no ear left becomes a fan. Returns whether all were ears.
-  bool clip(std::vector<Triangle>& triangles) {
-    while (left_.size() > 3) {
-      std::size_t ear = 0;
-      while (ear < left_.size() && !is_ear(ear)) ++ear;
-      if (ear == left_.size()) break;
-      triangles.push_back(triangle(before(ear), left_[ear], after(ear)));
-      lost_[left_[ear]] = true;
-      ruled_out_[before(ear)] = ruled_out_[after(ear)] = 0;
-      left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(ear));
-    }
-    const bool whole =
-        left_.size() == 3 && area2(points_[left_[0]], points_[left_[1]], points_[left_[2]]) > 0;
-    for (std::size_t i = 1; i + 1 < left_.size(); ++i) {
-      triangles.push_back(triangle(left_[0], left_[i], left_[i + 1]));
-    }
-    return whole;
-  }
-
- private:
-  std::size_t before(std::size_t i) const { return left_[(i + left_.size() - 1) % left_.size()]; }
-  std::size_t after(std::size_t i) const { return left_[(i + 1) % left_.size()]; }
-  Triangle triangle(std::size_t a, std::size_t b, std::size_t c) const {
-    return {corners_[a], corners_[b], corners_[c]};
-  }
-
-  bool is_ear(std::size_t i) {
-    const FlatPoint& a = points_[before(i)];
-    const FlatPoint& b = points_[left_[i]];
-    const FlatPoint& c = points_[after(i)];
-    if (!(area2(a, b, c) > 0)) return false;
-    const auto is_obstacle = [&](std::size_t j) {
-      const FlatPoint& p = points_[j];
-      // A corner of the same place is no obstacle: polygons with holes walk a slit twice.
-      if (lost_[j] || p == a || p == b || p == c) return false;
-      return area2(a, b, p) >= 0 && area2(b, c, p) >= 0 && area2(c, a, p) >= 0;
-    };
-    std::size_t& j = ruled_out_[left_[i]];
-    while (j < points_.size() && !is_obstacle(j)) ++j;
-    return j == points_.size();
-  }
-
-  std::span<const FlatPoint> points_;
-  std::span<const Index> corners_;
-  std::vector<std::size_t> left_;  // the polygon that remains, as positions in points_
-  std::vector<bool> lost_;
-  std::vector<std::size_t> ruled_out_;  // of each corner's triangle: so many points, as obstacles
-};
-
-void append_fan(std::span<const Index> corners, std::vector<Triangle>& triangles) {
+void append_fan(std::span<const Index> corners, std::size_t apex,
+                std::vector<Triangle>& triangles) {
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    triangles.push_back({corners[0], corners[i], corners[i + 1]});
+    triangles.push_back({corners[apex], corners[(apex + i) % corners.size()],
+                         corners[(apex + i + 1) % corners.size()]});
   }
 }
 
-enum class Outcome { triangulated, not_simple, too_many_corners };
-
-Outcome append_polygon(std::span<const Vec3> positions, std::span<const Index> corners,
-                       std::vector<Triangle>& triangles) {
+// Returns whether the triangles cover the polygon once.
+bool append_polygon(std::span<const Vec3> positions, std::span<const Index> corners,
+                    std::vector<Triangle>& triangles) {
   const bool usable = std::all_of(corners.begin(), corners.end(), [&](Index v) {
     return v < positions.size() && is_finite(positions[v]);
   });
   if (!usable) {  // find_defects will say so
-    append_fan(corners, triangles);
-    return Outcome::triangulated;
+    append_fan(corners, 0, triangles);
+    return true;
   }
   const Vec3 normal = newell_normal(positions, corners);
   const std::vector<FlatPoint> points = project(positions, corners, normal);
-  if (fan_is_unfolded(points)) {
-    append_fan(corners, triangles);
-    return Outcome::triangulated;
-  }
-  if (corners.size() > Polygons::kMostCornersWithEars) return Outcome::too_many_corners;
-  return EarClipper(points, corners).clip(triangles) ? Outcome::triangulated : Outcome::not_simple;
+  const std::size_t tried = std::min(points.size(), Polygons::kMostApexes);
+  std::size_t apex = 0;
+  while (apex < tried && !fan_is_unfolded(points, apex)) ++apex;
+  append_fan(corners, apex < tried ? apex : 0, triangles);
+  return apex < tried;
 }
 
 }  // namespace
@@ -154,7 +94,7 @@ void Polygons::end_polygon(std::uint32_t line) {
   open_.clear();
 }
 
-void Polygons::triangulate(MeshFile& file, const std::string& name) {
+void Polygons::triangulate(MeshFile& file) {
   std::vector<Triangle>& triangles = file.soup.triangles;
   std::vector<std::uint32_t>& lines = file.lines.triangles;
   if (larger_.empty()) {
@@ -175,30 +115,23 @@ void Polygons::triangulate(MeshFile& file, const std::string& name) {
     return polygon.line > 0 ? "line " + std::to_string(polygon.line)
                             : "face " + std::to_string(polygon.triangles_before + i);
   };
-  std::size_t not_simple = 0;
-  std::size_t first_not_simple = 0;
+  std::size_t folded = 0, first = 0;
   for (std::size_t i = 0; i < larger_.size(); ++i) {
     take_to(larger_[i].triangles_before);
     const std::size_t begin = larger_[i].first_corner;
     const std::size_t end =
         i + 1 < larger_.size() ? larger_[i + 1].first_corner : larger_corners_.size();
     const std::span<const Index> corners(larger_corners_.data() + begin, end - begin);
-    const Outcome outcome = append_polygon(file.soup.positions, corners, triangles);
-    if (outcome == Outcome::too_many_corners) {
-      throw MeshError(name + ", " + place(i) + ": a face that is not convex has " +
-                      std::to_string(corners.size()) + " corners, more than the " +
-                      std::to_string(kMostCornersWithEars) + " that are triangulated; split it");
-    }
-    if (outcome == Outcome::not_simple && not_simple++ == 0) first_not_simple = i;
+    if (!append_polygon(file.soup.positions, corners, triangles) && folded++ == 0) first = i;
     if (larger_[i].line > 0) lines.resize(triangles.size(), larger_[i].line);
   }
   take_to(triangles_.size());
-  if (not_simple > 0) {
+  if (folded > 0) {
     file.warnings.push_back(
-        std::to_string(not_simple) +
-        " faces of more than three corners cross themselves or have no area, and became fans that "
-        "may be folded (first: " +
-        place(first_not_simple) + ")");
+        std::to_string(folded) +
+        " faces of more than three corners are seen whole from none of them, cross themselves or "
+        "have no area, and became fans that may be folded: triangulate them (first: " +
+        place(first) + ")");
   }
 }
 

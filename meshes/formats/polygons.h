@@ -22,14 +22,15 @@ class Polygons {
   /// Fills file.soup.triangles (and file.lines.triangles) from the polygons, in their order; needs
   /// file.soup.positions. Leaves none here.
   ///
-  /// A polygon that is seen whole from its first corner becomes the fan around that corner. Others
-  /// lose one ear after another (Meisters 1975), in the projection along the coordinate in which
-  /// their normal is longest. A polygon that crosses itself or has no area has no triangulation: it
-  /// becomes a fan, and file.warnings counts them.
-  /// @throws MeshError for a polygon that needs ears and has more than kMostCornersWithEars corners
-  void triangulate(MeshFile& file, const std::string& name);
+  /// A polygon becomes the fan around the first of its corners from which all triangles have the
+  /// orientation of the polygon, in the projection along the coordinate in which its normal is
+  /// longest: every convex polygon and every quadrilateral has such a corner. Where there is none,
+  /// or the polygon crosses itself or has no area, it becomes the fan around its first corner,
+  /// which may be folded, and file.warnings counts them.
+  void triangulate(MeshFile& file);
 
-  static constexpr std::size_t kMostCornersWithEars = 10'000;
+  /// Corners that are tried: the time is this times the number of corners at most.
+  static constexpr std::size_t kMostApexes = 1000;
 
  private:
   /// A polygon of more than three corners, which end where the next one's begin.
