@@ -16,21 +16,10 @@
 
 namespace geodesic::mmp {
 
-/// One list an edge (Liu 2013), named by its own half-edge, the smaller of the twins.
-struct ListPerEdge {
-  /// Windows of both sides are in it.
-  static constexpr bool kBothSides = true;
-
-  /// The list of windows that leave a face through `half_edge`.
-  /// @param twin kNone, which is larger than any half-edge, on the boundary
-  static Index list(Index half_edge, Index twin) { return std::min(half_edge, twin); }
-};
-
-/// Two lists an edge, one for each side that windows come from (Surazhsky et al. 2005).
-struct ListPerHalfEdge {
-  static constexpr bool kBothSides = false;
-  static Index list(Index half_edge, Index /*twin*/) { return half_edge; }
-};
+/// The list of windows that leave a face through a half-edge: one an edge (Liu 2013), for windows
+/// of both sides, named by its own half-edge, the smaller of the twins.
+/// @param twin kNone, which is larger than any half-edge, on the boundary
+inline Index list_of(Index half_edge, Index twin) { return std::min(half_edge, twin); }
 
 /// Lists by the half-edges that name them. A list is empty until something reaches its
 /// edge; from then on its windows partition the edge, until the list is closed: it is empty again,

@@ -4,7 +4,6 @@
 // A policy has
 //   Queue              of windows, in the order of propagation (WindowQueueByKey)
 //   make_queue(mesh)   an empty one
-//   Layout             which windows share a list (edge_lists.h)
 #pragma once
 
 #include "solvers/core/queues/bucket_queue.h"
@@ -17,14 +16,12 @@ namespace geodesic::mmp {
 /// Least distance first.
 struct ByDistance {
   using Queue = CalendarQueue<Index>;
-  using Layout = ListPerEdge;
   static Queue make_queue(const Mesh& mesh) { return Queue(calendar_buckets(mesh)); }
 };
 
 /// Buckets of the published width, in phases.
 struct ByBucket {
   using Queue = BucketQueue<Index>;
-  using Layout = ListPerEdge;
   static Queue make_queue(const Mesh& mesh) { return Queue(published_bucket_width(mesh)); }
 };
 
@@ -44,9 +41,7 @@ class Mmp final : public Solver {
       return record(mesh(), query, distances, *recording);
     }
     propagation_.run(query, distances, recording != nullptr ? Keep::all : Keep::wavefront);
-    if constexpr (Policy::Layout::kBothSides) {
-      if (recording != nullptr) hand_over_windows(*recording->read_windows);
-    }
+    if (recording != nullptr) hand_over_windows(*recording->read_windows);
   }
 
   void hand_over_windows(const ReadWindows& read) const {

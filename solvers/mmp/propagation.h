@@ -45,10 +45,7 @@ class Propagation {
         break;
       }
       budget_.spend(1);
-      // Lists of one side accept what comes behind the other side's: that work is to be seen.
-      if constexpr (Layout::kBothSides) {
-        if (keep == Keep::wavefront) wavefront_.release_passed(mesh_, distances_);
-      }
+      if (keep == Keep::wavefront) wavefront_.release_passed(mesh_, distances_);
       if (const auto taken = wavefront_.take(mesh_)) {
         if (taken->vertex != kNone) {
           emit(taken->vertex);
@@ -65,15 +62,13 @@ class Propagation {
 
   /// The windows that the last solve left on an edge (FinalWindows); it kept all.
   void copy_windows(Index half_edge, std::vector<Window>& windows) const {
-    static_assert(Policy::Layout::kBothSides, "two lists of an edge overlap");
-    const Index edge = Layout::list(half_edge, mesh_.twin(half_edge));
+    const Index edge = list_of(half_edge, mesh_.twin(half_edge));
     wavefront_.copy_windows(edge, mesh_.half_edge(edge).length, windows);
   }
 
  private:
   using Depth = typename Recorder::Depth;
-  using Layout = typename Policy::Layout;
-  using Front = Wavefront<typename Policy::Queue, Layout, Recorder>;
+  using Front = Wavefront<typename Policy::Queue, Recorder>;
   using Taken = typename Front::Taken;
   using Arrival = ArrivalOf<Recorder>;
   /// What a window's children inherit besides the geometry.
@@ -136,11 +131,7 @@ class Propagation {
     const Index under = edge_under(source.at);
     if (under == kNone) return;
     const double length = mesh_.half_edge(under).length;
-    const Window along{0, length, in_frame(mesh_, source.at, under).x, 0, d};
-    land(under, along, {number, {}});
-    if (!Layout::kBothSides && mesh_.twin(under) != kNone) {
-      land(mesh_.twin(under), turned(along, length), {number, {}});
-    }
+    land(under, {0, length, in_frame(mesh_, source.at, under).x, 0, d}, {number, {}});
   }
 
   /// Nothing is left to find.
@@ -196,8 +187,8 @@ class Propagation {
       reach_neighbour(into, d, out, {into, v, {in, 0}});
       reach_neighbour(h, d, in, {h, v, {0, 0}});
       land(h, {0, out, 0, 0, d}, along);
-      // The other list of an edge, or the only one of an edge without a half-edge out of v.
-      if (!Layout::kBothSides || mesh_.twin(into) == kNone) land(into, {0, in, in, 0, d}, along);
+      // An edge without a half-edge out of v.
+      if (mesh_.twin(into) == kNone) land(into, {0, in, in, 0, d}, along);
       const HalfEdge& e = mesh_.half_edge(opposite);
       const double height = std::max(e.apex_y, kTouchingHeight * e.length);
       const Window across{0, e.length, e.apex_x, height, d};
@@ -310,7 +301,7 @@ class Propagation {
   void insert(Index h, double length, const Window& w, const Beam& beam) {
     const Index twin = mesh_.twin(h);
     const bool goes_on = twin != kNone && w.y > 0;
-    if (Layout::list(h, twin) == h) {
+    if (list_of(h, twin) == h) {
       wavefront_.insert(h, length, w, beam.source, beam.depth, goes_on);
     } else {
       wavefront_.insert(twin, length, turned(w, length), beam.source, beam.depth, goes_on);

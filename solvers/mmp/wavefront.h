@@ -21,8 +21,7 @@
 namespace geodesic::mmp {
 
 /// @tparam Queue of numbers of events
-/// @tparam Layout as in edge_lists.h
-template <class Queue, class Layout, class Recorder>
+template <class Queue, class Recorder>
 class Wavefront {
   static_assert(WindowQueueByKey<Queue>,
                 "the policy's Queue lacks a member of WindowQueueByKey (core/queues/concepts.h)");
@@ -246,7 +245,7 @@ class Wavefront {
     const Index into = w.y < 0 ? edge : mesh.twin(edge);
     if (into == kNone) return;
     for (const Index h : {Mesh::next(into), Mesh::previous(into)}) {
-      visit(Layout::list(h, mesh.twin(h)));
+      visit(list_of(h, mesh.twin(h)));
     }
   }
 
