@@ -77,7 +77,6 @@ class Cgal final : public Solver {
   /// CGAL 5.5 takes the weights of an edge's ends the wrong way round for sources, and the right
   /// way for targets: then the source is not at distance 0 from itself.
   void add_point(const SurfacePoint& source) {
-    constexpr double kElsewhere = 1e-12;  // of an edge
     const Face face(source.face);
     Weights weights = weights_of(source);
     paths_.add_source_point(face, weights);

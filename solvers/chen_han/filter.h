@@ -15,8 +15,7 @@
 // or from lines of this very window, and what ties must not drop what it depends on.
 #pragma once
 
-#include "solvers/core/tolerance.h"
-#include "solvers/core/window.h"
+#include "solvers/core/window_predicates.h"
 
 namespace geodesic::chen_han {
 
@@ -26,18 +25,10 @@ enum class Entry : Index { at_origin, at_head };
 
 /// The face that a window's lines are leaving, in the frame of the window's half-edge.
 struct PassedFace {
-  double length;                        ///< of the window's edge
-  double third_x, third_y;              ///< position of the vertex opposite to it, y <= 0
-  double at_origin, at_head, at_third;  ///< distances known of the vertices
+  double third_x, third_y;  ///< position of the vertex opposite to it, y <= 0
+  double at_third;          ///< distance known of that vertex
+  EndpointBounds ends;      ///< of the window's edge
 };
-
-/// True when a path of length `rival` to position t of the window's edge beats the window there.
-inline bool is_beaten_at(const Window& w, double t, double rival) {
-  // rival < sigma + |I t|, squared to spare the root.
-  const double straight = rival * (1 + kPathMargin) - w.sigma;
-  const double dx = t - w.x;
-  return straight < 0 || straight * straight < dx * dx + w.y * w.y;
-}
 
 struct XinWangFilter {
   static constexpr bool filters = true;
@@ -45,11 +36,10 @@ struct XinWangFilter {
   // Inlined by force: whether it is would depend on what else is in the file.
   [[gnu::always_inline]] static bool is_useless(const Window& w, Entry entry,
                                                 const PassedFace& face) {
-    if (is_beaten_at(w, w.end, face.at_origin + w.end)) return true;
-    if (is_beaten_at(w, w.begin, face.at_head + (face.length - w.begin))) return true;
+    if (face.ends.beat(w)) return true;
     const double far = entry == Entry::at_origin ? w.begin : w.end;
     const double dx = far - face.third_x, dy = face.third_y;
-    return is_beaten_at(w, far, face.at_third + std::sqrt(dx * dx + dy * dy));
+    return is_beaten_at(w, far, with_margin(face.at_third + std::sqrt(dx * dx + dy * dy)));
   }
 };
 

@@ -34,6 +34,7 @@
 #include "solvers/core/solver.h"
 #include "solvers/core/tolerance.h"
 #include "solvers/core/window_bound.h"
+#include "solvers/core/window_predicates.h"
 
 namespace geodesic::chen_han {
 
@@ -186,10 +187,11 @@ class Propagation {
 
   /// Starts from a source that is no vertex.
   [[gnu::cold, gnu::noinline]] void spread(const Source& source, Index root) {
-    const auto reach_corner = [&](Index h, const Point2& from, double rest) __attribute__((cold)) {
+    const auto reach_corner = [&](Index h, const Point2& from, double rest, bool is_next)
+        __attribute__((cold)) {
       const FaceFrame face = face_frame(mesh_, h);
       const double distance = source.distance + rest;
-      if (is_next_to_apex(mesh_.half_edge(h), rest)) {
+      if (is_next) {
         start_at(mesh_.apex(h), distance, {h, root, from});
       } else {
         reach_apex(h, face, distance, from, {h, root, from});
@@ -314,38 +316,32 @@ class Propagation {
     if constexpr (Recorder::kRemembers) recorder_.crossing(h, w, w.root);
     const Index to_left = Mesh::previous(h), to_right = Mesh::next(h);
     const FaceFrame face = face_frame(mesh_, h);
-    const double begin_side = apex_side(w, w.begin, face);
-    const double end_side = apex_side(w, w.end, face);
-    bool left = begin_side > 0, right = end_side < 0;
-
-    const double dx = face.apex_x - w.x, dy = face.apex_y - w.y;
-    const double square = dx * dx + dy * dy;
-    const bool touches_begin = touches(w, w.begin, begin_side, square);
-    const bool touches_end = touches(w, w.end, end_side, square);
+    const Sight sight(w, {face.apex_x, face.apex_y});
+    bool left = sight.left(), right = sight.right();
     if (left && right) {
-      const double distance = w.sigma + std::sqrt(square);
+      const double distance = distance_through(w, face.apex_x, face.apex_y);
       reach_apex(h, face, distance, {w.x, w.y}, {h, w.root, {w.x, w.y}});
       // A window that ends at the apex keeps its child: the owner may be its neighbour.
-      if (!touches_begin && !touches_end && has_owner(h, w.root)) {
+      if (!sight.at_begin() && !sight.at_end() && has_owner(h, w.root)) {
         const auto timed = recorder_.enter(Phase::trimming);
         const Children children =
-            corners_.claim(h, distance, w.x - dx * w.y / dy, kApexReach * face.length);
+            corners_.claim(h, distance, line_crossing(w, face), kApexReach * face.length);
         left = children != Children::right;
         right = children != Children::left;
       }
-    } else if (touches_begin || touches_end) {
-      const double bend = touches_begin ? w.begin : w.end;
+    } else if (sight.reaches()) {
+      const double bend = sight.at_begin() ? w.begin : w.end;
       const double rest = face.apex_x - bend;
       reach_apex(h, face, distance_at(w, bend) + std::sqrt(rest * rest + face.apex_y * face.apex_y),
                  {bend, 0}, {h, w.root, {w.x, w.y}});
     }
     if (left) {
-      const double end = end_side > 0 ? face.on_left(w, w.end) : face.left;
+      const double end = sight.right() ? face.left : face.on_left(w, w.end);
       offer(w, to_left, face.on_left(w, w.begin), end, face.to_left(w.x, w.y), Entry::at_origin,
             face.to_left(face.length, 0), mesh_.origin(to_right));
     }
     if (right) {
-      const double begin = begin_side < 0 ? face.on_right(w, w.begin) : 0.0;
+      const double begin = sight.left() ? 0.0 : face.on_right(w, w.begin);
       offer(w, to_right, begin, face.on_right(w, w.end), face.to_right(w.x, w.y), Entry::at_head,
             face.to_right(0, 0), mesh_.origin(h));
     }
@@ -368,13 +364,6 @@ class Propagation {
           {Mesh::previous(h), -dx * face.left_x - dy * face.left_y,
            dx * face.left_y - dy * face.left_x},
           arrival);
-  }
-
-  /// True when the line through position t passes the apex, up to the tolerance.
-  /// @param side apex_side(w, t); @param square squared distance from the source to the apex
-  static bool touches(const Window& w, double t, double side, double square) {
-    const double dx = t - w.x;
-    return side * side <= kApexReach * kApexReach * square * (dx * dx + w.y * w.y);
   }
 
   /// Queues a child of `parent` that leaves a face through the half-edge `across`, unless it is
@@ -406,12 +395,10 @@ class Propagation {
 
   PassedFace passed_face(Index across, const Point2& third, Index third_vertex) const {
     const HalfEdge& e = mesh_.half_edge(across);
-    return {.length = e.length,
-            .third_x = third.x,
+    return {.third_x = third.x,
             .third_y = third.y,
-            .at_origin = distances_[mesh_.head(across)],
-            .at_head = distances_[e.origin],
-            .at_third = distances_[third_vertex]};
+            .at_third = distances_[third_vertex],
+            .ends = {e.length, distances_[mesh_.head(across)], distances_[e.origin]}};
   }
 
   /// The filter again, with the distances known by now.

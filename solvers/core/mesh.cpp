@@ -269,7 +269,6 @@ Mesh::Fan Mesh::fan_at(Index v) const {
 // turning a vector, which says where the sum lies between multiples of 2 pi; where it lies near
 // one, they are computed.
 bool Mesh::has_angle_excess(Index v) const {
-  constexpr double kNear = 1e-9;  // radians, above the rounding of any valence
   double x = 1, y = 0;
   bool past_full_turn = false;
   for (const Index h : given_corners(v)) {
@@ -281,7 +280,7 @@ bool Mesh::has_angle_excess(Index v) const {
     x = x * cosine - y * sine;
     y = turned_y;
   }
-  const bool clear = std::abs(y) > kNear || x < 0;  // false for a NaN, of degenerate faces
+  const bool clear = std::abs(y) > kNearTurn || x < 0;  // false for a NaN, of degenerate faces
   return clear ? past_full_turn : total_angle(v) > 2 * std::numbers::pi + kSaddleAngleExcess;
 }
 

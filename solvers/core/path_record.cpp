@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "solvers/core/window_predicates.h"
+
 namespace geodesic {
 
 PathRecord::PathRecord(const Mesh& mesh, const Query& query)
@@ -25,7 +27,7 @@ PathRecord::PathRecord(const Mesh& mesh, const Query& query)
 
 void PathRecord::cross(Index h, const Window& w, Index root, Index place) {
   const Point2 at = in_frame(mesh_, places_[place].point, h);
-  if (!sees(w, at)) return;
+  if (!Sight(w, at).reaches()) return;
   offer(places_[place].target, least_distance_to(w, at.x, at.y), {h, root, {w.x, w.y}});
 }
 

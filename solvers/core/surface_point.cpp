@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "solvers/core/tolerance.h"
+
 namespace geodesic {
 namespace {
 
@@ -81,7 +83,8 @@ std::string defect_of(const Mesh& mesh, const SurfacePoint& point) {
   }
   const auto& w = point.weights;
   const bool in_range = std::ranges::all_of(w, [](double x) { return x >= 0 && x < 1; });
-  if (in_range && std::ranges::count(w, 0.0) <= 1 && std::abs(w[0] + w[1] + w[2] - 1) <= 1e-15) {
+  if (in_range && std::ranges::count(w, 0.0) <= 1 &&
+      std::abs(w[0] + w[1] + w[2] - 1) <= kWeightSum) {
     return {};
   }
   return "the weights of a point in face " + std::to_string(point.face) +

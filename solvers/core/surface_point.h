@@ -84,9 +84,10 @@ SurfacePoint in_given_face(const Mesh& mesh, const SurfacePoint& point);
 /// Follows all straight lines that leave a point of a face through its corners and sides, in every
 /// face that it lies in.
 /// @param point not a vertex
-/// @param reach called as (Index h, Point2 from, double distance) for each corner, the apex of h:
-///        the point in the frame of h, and how far it is from the corner, with all digits that its
-///        weights have, however near that is; see is_next_to_apex
+/// @param reach called as (Index h, Point2 from, double distance, bool is_next) for each corner,
+/// the
+///        apex of h: the point in the frame of h, how far it is from the corner, with all digits
+///        that its weights have, however near that is, and is_next_to_apex
 /// @param cross called as (Index h, Point2 from) for each side on which the point does not lie: the
 ///        lines pass all of it. The point in the frame of the twin of h: y <= 0, and off the side
 ///        as an apex is (apex_from_beyond). The twin may not exist.
@@ -98,7 +99,8 @@ void spread_from(const Mesh& mesh, const SurfacePoint& point, const Reach& reach
     for (Index h = 3 * in_face.face; h < 3 * in_face.face + 3; ++h) {
       const Point2 from = in_frame(mesh, in_face, h);
       const Point2 from_apex = in_frame(mesh, in_face, Mesh::previous(h));
-      reach(h, from, std::hypot(from_apex.x, from_apex.y));
+      const double to_apex = std::hypot(from_apex.x, from_apex.y);
+      reach(h, from, to_apex, is_next_to_apex(mesh.half_edge(h), to_apex));
       if (h != under) cross(h, seen_from_beyond(from, mesh.half_edge(h).length));
     }
   }

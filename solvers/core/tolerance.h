@@ -1,12 +1,21 @@
 // Every tolerance of the solvers, with what it is relative to. None depends on the unit of length.
 #pragma once
 
+#include <limits>
+
 namespace geodesic {
 
 /// A total vertex angle counts as above 2 pi from this excess on, in radians. Rounding in the sum
 /// of the angles of a flat vertex stays near 1e-15; a saddle of a smaller excess bends a path by
 /// less than this angle, which changes a length by its square.
 inline constexpr double kSaddleAngleExcess = 1e-12;
+
+/// A total vertex angle this near to a multiple of pi, in radians, is computed by arcs: above what
+/// rounding adds up to where a vector is turned once for each face of a vertex.
+inline constexpr double kNearTurn = 1e-9;
+
+/// The weights of a point in a face have the sum 1 up to this: a few units in the last place.
+inline constexpr double kWeightSum = 1e-15;
 
 /// A source is next to a corner of its face when it is nearer than this times two sides of the
 /// face. In a face of extent 1, coordinates of a source r from the corner turn its lines by 1e-16 /
@@ -38,6 +47,11 @@ inline constexpr double kApexReach = 1e-6;
 /// in units in which a mesh is of ordinary extent (mesh_input.h).
 inline constexpr double kTouchingHeight = 1e-200;
 
+/// Of an apex above a window's source. Where both lie on the edge's line, their line crosses the
+/// edge everywhere and nowhere; with this it crosses in the source, which sees the apex when it
+/// lies inside the interval, along the edge, and passes it on the interval's side when it does not.
+inline constexpr double kLeastHeight = std::numeric_limits<double>::min();
+
 /// A face lower than this times one of its sides has no reliable angles: whether a path may bend at
 /// its corners is not known, and every one of them sends out windows.
 inline constexpr double kFlatFace = 1e-9;
@@ -49,9 +63,35 @@ inline constexpr double kWindowWidth = 1e-14;
 /// is discarded: equal paths (symmetric meshes, a window's own generating vertex) keep both.
 inline constexpr double kPathMargin = 1e-14;
 
+/// The same for a distance that is far shorter than the edges whose frames its window came through,
+/// relative to the longest edge: see coordinate_rounding (edge_based/trim.h).
+inline constexpr double kCoordinateRounding = kPathMargin;
+
+/// A source is on a line that bounds another window's pencil when it is off by less than this,
+/// relative to the lengths whose products are compared. It often is: the vertex that split the
+/// pencil became a source itself.
+inline constexpr double kOnLine = 1e-11;
+
+/// Two lines that bound windows cross in the third vertex of the face below when they do within
+/// this share of its height.
+inline constexpr double kNearVertex = 1e-9;
+
+/// The source of a merged window (edge_based/merge.h) lies off the edge by at least this, relative
+/// to the edge's length: windows of a source on a vertex would wind round it without end.
+inline constexpr double kLeastAway = 1e-6;
+
+/// A smaller tolerance of merged windows is not worth merging for, and comes near to rounding.
+inline constexpr double kLeastMerging = 1e-9;
+
+/// What merged windows lack is kept in 32 bits, rounded up by less than this, relatively.
+inline constexpr double kShortfallRounding = 1e-6;
+
 /// MMP forgets the windows of an edge that the wavefront has passed by this, relative to distances:
 /// far above what rounding does to them, far below a step of the wavefront.
 inline constexpr double kPassedMargin = 1e-6;
+
+/// What a product with the reciprocal of a bucket's width may be off by, relatively.
+inline constexpr double kKeyRounding = 1e-15;
 
 /// A traced path runs through a vertex that its line misses by less than this, relative to the
 /// length of the straight piece: what rounding does to the piece's root on the way here.
@@ -72,5 +112,8 @@ inline constexpr double kPathStray = 5e-13;
 /// A traced path whose length differs from its end's distance by more than this, of the distance
 /// and a mean edge, is wrong. Well above what is left of rounding.
 inline constexpr double kPathWrong = 1e-9;
+
+/// A source that its own solver gives a distance above this, in edge lengths, was put elsewhere.
+inline constexpr double kElsewhere = 1e-12;
 
 }  // namespace geodesic

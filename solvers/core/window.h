@@ -5,6 +5,7 @@
 // is kept in the frame of the half-edge whose face the lines are about to enter (core/mesh.h):
 // the edge is the x axis from 0 to its length, the face lies at y > 0, the source at y <= 0.
 // Storing the source's position instead of the two end distances spares square roots and digits.
+// What a window's lines reach, and what beats them: window_predicates.h.
 #pragma once
 
 #include <algorithm>
@@ -59,18 +60,6 @@ inline double least_distance_to(const Window& w, double px, double py) {
   // Source and target both lie on the edge's line.
   const double bend = std::clamp(px, w.begin, w.end);
   return distance_at(w, bend) + std::abs(px - bend);
-}
-
-/// True when a line through the window passes the point p, p.y >= 0, within the tolerance that
-/// vertices are reached by. Other paths through the window to p bend at one of its ends.
-inline bool sees(const Window& w, const Point2& p) {
-  const double dx = p.x - w.x, dy = p.y - w.y, square = dx * dx + dy * dy;
-  // Right (direction 1) or left (-1) of the line to position t.
-  const auto is_beside = [&](double t, int direction) {
-    const double to = t - w.x, side = direction * (dx * -w.y - to * dy);
-    return side >= 0 || side * side <= kApexReach * kApexReach * square * (to * to + w.y * w.y);
-  };
-  return is_beside(w.begin, 1) && is_beside(w.end, -1);
 }
 
 /// The face beyond a half-edge, ready for unfolding windows onto its other two edges.
@@ -150,13 +139,6 @@ inline Point2 seen_from_beyond(const Point2& p, double length) {
 /// The apex of the face of a half-edge, in the frame of the twin.
 inline Point2 apex_from_beyond(const HalfEdge& e) {
   return seen_from_beyond({e.apex_x, e.apex_y}, e.length);
-}
-
-/// Signed side of the apex as seen by the ray from the source through point t of the edge:
-/// positive when the apex lies to the right of the ray (towards the head of h), zero on it.
-/// Unit: length squared.
-inline double apex_side(const Window& w, double t, const FaceFrame& f) {
-  return (f.apex_x - w.x) * -w.y - (t - w.x) * (f.apex_y - w.y);
 }
 
 }  // namespace geodesic

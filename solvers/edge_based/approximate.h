@@ -18,7 +18,7 @@ class Approximate final : public Solver {
  public:
   Approximate(const Mesh& mesh, const Description& description)
       : Solver(mesh, description), tolerance_(description.real("tolerance")) {
-    if (tolerance_ < kLeast) {
+    if (tolerance_ < kLeastMerging) {
       exact_ = std::make_unique<EdgeBased<ByDistance>>(mesh, description);
     } else {
       timed_ = std::make_unique<Merging<NoRecorder>>(make_wavefront(NoRecorder()));
@@ -33,8 +33,6 @@ class Approximate final : public Solver {
   template <class Recorder>
   using Merging = Wavefront<MergedCrossing, VertexCalendar, Recorder>;
 
-  /// What is less is not worth merging, and comes near to rounding.
-  static constexpr double kLeast = 1e-9;
   /// Of a bucket, in mean edge lengths.
   static constexpr double kBucketWidth = 1.0 / 16;
 

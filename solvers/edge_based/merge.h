@@ -124,10 +124,6 @@ struct MergedSource {
 /// rounding.
 inline constexpr double kFarthest = 16;
 
-/// How far off the edge it is at least, relative to the edge's length: otherwise windows of a
-/// source on a vertex wind round it without end.
-inline constexpr double kLeastAway = 1e-6;
-
 inline float rounded_up(double shortfall) {
   const auto near = static_cast<float>(shortfall);
   return near < shortfall ? std::nextafter(near, std::numeric_limits<float>::max()) : near;
@@ -250,7 +246,7 @@ inline Joined join(MergedWindow& first, MergedWindow& second, double length, dou
                  std::max(cosine(a, at.last, at.first_at_last), cosine(b, b.end, at_end)));
   source.stay_below(at.tie, at_tie);
   Window m{};
-  if (!source.make(m) || m.y > -internal::kLeastAway * length) return Joined::neither;
+  if (!source.make(m) || m.y > -kLeastAway * length) return Joined::neither;
   const internal::Lead over_a = internal::lead_over(a, m, a.begin, at.last, at.tie, at.first_at_tie,
                                                     at.last, at.first_at_last);
   const internal::Lead over_b = internal::lead_over(b, m, at.next, b.end, at.tie, at.second_at_tie,

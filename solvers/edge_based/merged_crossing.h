@@ -27,7 +27,7 @@ class MergedCrossing {
       : mesh_(mesh),
         tolerance_(tolerance),
         parameters_(tolerance >= kCoarse ? kForCoarse : kForFine),
-        rule_{parameters_.room * tolerance * (1 - kRoundedUp), parameters_.share_of_rest},
+        rule_{parameters_.room * tolerance * (1 - kShortfallRounding), parameters_.share_of_rest},
         waiting_(mesh.half_edge_count()),
         budget_(mesh),
         rounding_(coordinate_rounding(mesh)) {}
@@ -112,8 +112,6 @@ class MergedCrossing {
   };
   static constexpr double kCoarse = 3e-3;
   static constexpr Parameters kForCoarse = {1.4, 0.2, 0.2}, kForFine = {2, 0.3, 0.3};
-  /// Shortfalls are kept in 32 bits, rounded up by less than this, relatively.
-  static constexpr double kRoundedUp = 1e-6;
   /// Neighbours that are not joined are not tried again for so many faces, as long as they go the
   /// same way.
   static constexpr std::uint32_t kApart = 3;

@@ -5,9 +5,6 @@
 // right of it to the right edge, and only the window that gives it goes to both.
 #pragma once
 
-#include <limits>
-
-#include "solvers/core/window.h"
 #include "solvers/edge_based/trim.h"
 
 namespace geodesic::edge_based {
@@ -25,22 +22,11 @@ struct ApexWinner {
   bool any_right = false;
 };
 
-/// Of the apex above the source. Where both lie on the edge's line, their line crosses the edge
-/// everywhere and nowhere; with this it crosses in the source, which sees the apex when it lies
-/// inside the interval, along the edge, and passes it on the interval's side when it does not.
-inline constexpr double kLeastHeight = std::numeric_limits<double>::min();
-
 /// Length of the shortest path to the apex over one end of a window whose lines all pass on `side`.
 inline double bent_distance(const Window& w, Side side, const FaceFrame& face) {
   const double bend = side == Side::left ? w.end : w.begin;
   const double dx = face.apex_x - bend;
   return distance_at(w, bend) + std::sqrt(dx * dx + face.apex_y * face.apex_y);
-}
-
-/// Where the line from the window's source to the apex crosses the line of the edge.
-inline double line_crossing(const Window& w, const FaceFrame& face) {
-  const double up = std::max(face.apex_y - w.y, kLeastHeight);
-  return w.x + (face.apex_x - w.x) * (-w.y / up);
 }
 
 /// The position of the window's interval that is nearest to it.

@@ -10,13 +10,9 @@
 #include <cmath>
 
 #include "solvers/core/tolerance.h"
-#include "solvers/core/window.h"
+#include "solvers/core/window_predicates.h"
 
 namespace geodesic::edge_based {
-
-/// Pseudo-sources often lie exactly on the line that bounds a neighbour's pencil: the vertex that
-/// split the pencil became a source itself. Relative to the lengths whose products are compared.
-inline constexpr double kOnLine = 1e-11;
 
 /// The edge that carries the windows, and the face below it through which they all came.
 struct EdgeBelow {
@@ -33,7 +29,7 @@ inline double coordinate_rounding(const Mesh& mesh) {
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     longest_edge = std::max(longest_edge, mesh.half_edge(h).length);
   }
-  return kPathMargin * longest_edge;
+  return kCoordinateRounding * longest_edge;
 }
 
 /// @param h the half-edge that carries the windows; it must have a twin
@@ -43,59 +39,10 @@ inline EdgeBelow edge_below(const Mesh& mesh, Index h, double rounding) {
   return {mesh.half_edge(h).length, below.length - below.apex_x, -below.apex_y, rounding};
 }
 
-/// True when a path of length a beats one of length b by more than rounding.
-/// @param rounding of coordinates
-inline bool is_shorter(double a, double b, double rounding) {
-  return a < b * (1 - kPathMargin) - rounding;
-}
-
-/// Distances to the two ends of an edge, prepared for comparing without square roots.
-struct EndpointBounds {
-  double length;
-  double at_origin, at_head;  ///< with kPathMargin added
-
-  EndpointBounds(double edge, double origin, double head)
-      : length(edge), at_origin(origin * (1 + kPathMargin)), at_head(head * (1 + kPathMargin)) {}
-
-  /// True when every point of the window is reached at least as well along the edge from one of its
-  /// ends (the filter of Xin and Wang 2009): d(origin) + end < sigma + |source - end|, or the
-  /// mirror.
-  bool beat(const Window& w) const {
-    const double over_origin = at_origin + w.end - w.sigma;
-    const double over_head = at_head + (length - w.begin) - w.sigma;
-    const double to_end = w.end - w.x, to_begin = w.begin - w.x, y2 = w.y * w.y;
-    return over_origin < 0 || over_origin * over_origin < to_end * to_end + y2 || over_head < 0 ||
-           over_head * over_head < to_begin * to_begin + y2;
-  }
-
-  /// The same for a window over the whole edge.
-  /// @param to_origin, to_head the distances that it gives to the edge's ends
-  bool beat_whole(double to_origin, double to_head) const {
-    return at_origin + length < to_head || at_head + length < to_origin;
-  }
-};
-
-/// True when too narrow to matter, or emptied by trimming.
-inline bool is_void(const Window& w, double length) {
-  return !(w.end - w.begin > kWindowWidth * length);
-}
-
-/// True when the window's source lies almost on the edge, inside the interval: the apex of a face
-/// without area. All its lines, whatever their directions, pass the edge in one point, so that an
-/// interval that ends there does not show which of them are left.
-inline bool source_on_edge(const Window& w, double length) {
-  return w.y > -kFlatFace * length && w.begin <= w.x && w.x <= w.end;
-}
-
 // Inline, as everything here, because one window in five comes through: out of line, a solve takes
 // a tenth more instructions.
 
 namespace internal {
-
-/// Positive when (px, py) lies to the right of the line from the source of w through t.
-inline double right_of(const Window& w, double t, double px, double py) {
-  return (px - w.x) * -w.y - (t - w.x) * (py - w.y);
-}
 
 inline double right_of_scale(const Window& w, double t, double px, double py) {
   return kOnLine * (std::abs(px - w.x) * -w.y + std::abs(t - w.x) * std::abs(py - w.y));
@@ -106,17 +53,17 @@ inline double right_of_scale(const Window& w, double t, double px, double py) {
 /// True when the point (px, py) lies to the right of the window's line through t of the edge, or on
 /// it within rounding.
 inline bool is_right_of_line(const Window& w, double t, double px, double py) {
-  return internal::right_of(w, t, px, py) > -internal::right_of_scale(w, t, px, py);
+  return right_of(w, t, px, py) > -internal::right_of_scale(w, t, px, py);
 }
 /// The same for the left.
 inline bool is_left_of_line(const Window& w, double t, double px, double py) {
-  return internal::right_of(w, t, px, py) < internal::right_of_scale(w, t, px, py);
+  return right_of(w, t, px, py) < internal::right_of_scale(w, t, px, py);
 }
 
 /// True when rounding of coordinates alone may decide the side of that line.
 inline bool has_no_side(const Window& w, double t, double px, double py, double rounding) {
   const double lengths = std::abs(px - w.x) + std::abs(py - w.y) + std::abs(t - w.x) - w.y;
-  return std::abs(internal::right_of(w, t, px, py)) <= rounding * lengths;
+  return std::abs(right_of(w, t, px, py)) <= rounding * lengths;
 }
 
 /// True when the windows follow one another so that neither can beat more of the other than the
@@ -129,10 +76,6 @@ inline bool in_order(const Window& first, const Window& second) {
 }
 
 namespace internal {
-
-/// Two lines cross in the third vertex of the face below when they do within this share of its
-/// height.
-inline constexpr double kNearVertex = 1e-9;
 
 /// Where the line from the source of w through (px, py) meets the edge; w.y < py.
 inline double hit(const Window& w, double px, double py) {

@@ -142,12 +142,11 @@ class Wavefront {
   /// the corner, its own lines have no direction, and there are only the corner's.
   [[gnu::cold, gnu::noinline]] void spread(const Source& source, Index root) {
     bool at_corner = false;
-    const auto reach_corner = [&](Index h, const Point2& from, double to_apex) {
+    const auto reach_corner = [&](Index h, const Point2& from, double to_apex, bool is_next) {
       const Index apex = mesh_.apex(h);
       begin_at(apex, source.distance + to_apex, {h, root, from});
-      const HalfEdge& e = mesh_.half_edge(h);
-      if (is_next_to_apex(e, to_apex)) always_emits_[apex] = 1;
-      at_corner |= to_apex < kWindowWidth * e.length;
+      if (is_next) always_emits_[apex] = 1;
+      at_corner |= to_apex < kWindowWidth * mesh_.half_edge(h).length;
     };
     const auto cross_side = [&](Index h, const Point2& from) {
       crossing_.emit(h, from, source.distance, root, *this);
@@ -155,7 +154,7 @@ class Wavefront {
     spread_from(mesh_, source.at, reach_corner, [](Index, const Point2&) {});
     if (at_corner) return;
     spread_from(
-        mesh_, source.at, [](Index, const Point2&, double) {}, cross_side);
+        mesh_, source.at, [](Index, const Point2&, double, bool) {}, cross_side);
   }
 
   Index pop() {

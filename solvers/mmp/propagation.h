@@ -17,6 +17,7 @@
 
 #include "solvers/core/solver.h"
 #include "solvers/core/window_bound.h"
+#include "solvers/core/window_predicates.h"
 #include "solvers/mmp/wavefront.h"
 
 namespace geodesic::mmp {
@@ -111,9 +112,9 @@ class Propagation {
   [[gnu::cold, gnu::noinline]] void spread(const Source& source, Index root) {
     const double d = source.distance;
     const Index number = add_source(d, root);
-    const auto reach_corner = [&](Index h, const Point2& from, double rest) __attribute__((cold)) {
-      const HalfEdge& e = mesh_.half_edge(h);
-      if (is_next_to_apex(e, rest)) {
+    const auto reach_corner = [&](Index h, const Point2& from, double rest, bool is_next)
+        __attribute__((cold)) {
+      if (is_next) {
         start_at(mesh_.apex(h), d + rest, {h, root, from});
       } else {
         reach(mesh_.apex(h), d + rest, {h, root, from});
@@ -192,7 +193,8 @@ class Propagation {
       const HalfEdge& e = mesh_.half_edge(opposite);
       const double height = std::max(e.apex_y, kTouchingHeight * e.length);
       const Window across{0, e.length, e.apex_x, height, d};
-      if (!beaten_by_ends(opposite, across)) land(opposite, across, beyond);
+      const EndpointBounds bounds(e.length, distances_[e.origin], distances_[mesh_.head(opposite)]);
+      if (!bounds.beat_whole(d + out, d + in)) land(opposite, across, beyond);
       cross_at_once(opposite, across, beyond);
       row_ = 0;
     }
@@ -217,17 +219,6 @@ class Propagation {
     });
   }
 
-  /// True when the paths along the edge from its ends beat a pseudo-source's window everywhere, as
-  /// they do behind it. Away from an end, the way t along the edge grows faster than |t - I|, so
-  /// the last point that the end is responsible for, where the two paths meet, decides.
-  bool beaten_by_ends(Index h, const Window& w) const {
-    const double length = w.end;
-    const double at_origin = distances_[mesh_.origin(h)], at_head = distances_[mesh_.head(h)];
-    const double meeting = std::clamp(0.5 * (length + at_head - at_origin), 0.0, length);
-    const double along = std::min(at_origin + meeting, at_head + length - meeting);
-    return along < distance_at(w, meeting) * (1 - kPathMargin);
-  }
-
   void propagate(const Taken& taken) {
     const Beam beam{taken.source, taken.depth.next()};
     recorder_.propagated(1, beam.depth);
@@ -243,21 +234,18 @@ class Propagation {
   void cross_face(Index h, const Window& w, const Beam& beam) {
     if constexpr (Recorder::kRemembers) recorder_.crossing(h, w, root_of(beam));
     const FaceFrame face = face_frame(mesh_, h);
-    // Where the line from the source to the apex crosses h.
-    const double split = w.x + (face.apex_x - w.x) * (-w.y / (face.apex_y - w.y));
-    // A window that narrowly misses the apex offers it the path that bends at the window's end.
-    const double slack = kApexReach * (face.length + std::abs(w.x) - w.y);
-    if (w.begin - slack <= split && split <= w.end + slack) {
+    const Sight sight(w, {face.apex_x, face.apex_y});
+    if (sight.reaches()) {
       reach(mesh_.apex(h), least_distance_to(w, face.apex_x, face.apex_y),
             {h, root_of(beam), {w.x, w.y}});
     }
-    if (w.begin < split) {
-      const double end = w.end < split ? face.on_left(w, w.end) : face.left;
+    if (sight.left()) {
+      const double end = sight.right() ? face.left : face.on_left(w, w.end);
       land_child(Mesh::previous(h), {face.on_left(w, w.begin), end}, face.to_left(w.x, w.y),
                  face.left, w.sigma, beam);
     }
-    if (split < w.end) {
-      const double begin = split < w.begin ? face.on_right(w, w.begin) : 0.0;
+    if (sight.right()) {
+      const double begin = sight.left() ? 0.0 : face.on_right(w, w.begin);
       land_child(Mesh::next(h), {begin, face.on_right(w, w.end)}, face.to_right(w.x, w.y),
                  face.right, w.sigma, beam);
     }
@@ -282,7 +270,7 @@ class Propagation {
   /// @param w in the frame of h, whose face it leaves; y >= 0
   void land(Index h, const Window& w, const Beam& beam) {
     const double length = mesh_.half_edge(h).length;
-    if (!(w.end - w.begin > kWindowWidth * length)) return;
+    if (is_void(w, length)) return;
     insert(h, length, w, beam);
     if (mesh_.crosses_non_manifold_edges()) [[unlikely]] {
       insert_on_other_sheets(h, length, w, beam);

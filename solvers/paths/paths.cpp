@@ -566,7 +566,7 @@ double Paths::distance_at(const SurfacePoint& point) const {
 // which lies between those over the corners, there and back.
 double Paths::distance_in_face(const SurfacePoint& own) const {
   double most = farthest_, least = 0;
-  const auto reach = [&](Index h, const Point2&, double length) {
+  const auto reach = [&](Index h, const Point2&, double length, bool) {
     const double corner = distance(mesh_.apex(h));
     most = std::min(most, corner + length);
     if (corner < kInfinity) least = std::max(least, corner - length);

@@ -95,7 +95,7 @@ TEST(SurfacePoint, spreads_to_every_corner_and_side_of_its_faces_at_their_distan
     int corners = 0, sides = 0;
     spread_from(
         mesh, point,
-        [&](Index h, const Point2& from, double distance) {
+        [&](Index h, const Point2& from, double distance, bool) {
           ++corners;
           const HalfEdge& e = mesh.half_edge(h);
           EXPECT_NEAR(std::hypot(from.x - e.apex_x, from.y - e.apex_y), distance, 1e-14);

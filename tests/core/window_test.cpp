@@ -179,9 +179,9 @@ TEST(Unfolding, from_a_source_on_the_edges_line_stays_within_the_edges) {
 TEST(ApexSide, tells_on_which_side_of_a_ray_the_apex_lies) {
   const FaceFrame f = Triangle2{{2, 0}, {1, 1}}.frame();
   const Window w = {.begin = 0, .end = 2, .x = 1, .y = -1, .sigma = 0};
-  EXPECT_GT(apex_side(w, 0.5, f), 0) << "the ray passes on the left";
-  EXPECT_LT(apex_side(w, 1.5, f), 0) << "the ray passes on the right";
-  EXPECT_EQ(apex_side(w, 1.0, f), 0) << "the ray meets it";
+  EXPECT_GT(right_of(w, 0.5, f.apex_x, f.apex_y), 0) << "the ray passes on the left";
+  EXPECT_LT(right_of(w, 1.5, f.apex_x, f.apex_y), 0) << "the ray passes on the right";
+  EXPECT_EQ(right_of(w, 1.0, f.apex_x, f.apex_y), 0) << "the ray meets it";
 }
 
 TEST(WindowDistance, is_that_of_the_source_plus_sigma) {

@@ -121,7 +121,8 @@ TEST(Classify, finds_the_least_distance_to_the_apex_and_who_sees_it) {
     double least = kInfinity;
     for (std::size_t i = 0; i < steps.gathered.size(); ++i) {
       const Window& w = steps.gathered[i];
-      const bool sees = apex_side(w, w.begin, p.face) > 0 && apex_side(w, w.end, p.face) < 0;
+      const bool sees = right_of(w, w.begin, p.face.apex_x, p.face.apex_y) > 0 &&
+                        right_of(w, w.end, p.face.apex_x, p.face.apex_y) < 0;
       ASSERT_EQ(steps.left[i] && steps.right[i], sees) << i;
       if (sees) least = std::min(least, distance_through(w, p.face.apex_x, p.face.apex_y));
     }

@@ -40,8 +40,8 @@ double lead_of(const Window& w, double t, double beyond, const Window& rival) {
     if (slope < 0) to = std::min(to, -first / slope);
     if (slope == 0 && first < 0) to = -1;
   };
-  keep_where([&](const Point2& p) { return internal::right_of(rival, rival.begin, p.x, p.y); });
-  keep_where([&](const Point2& p) { return -internal::right_of(rival, rival.end, p.x, p.y); });
+  keep_where([&](const Point2& p) { return right_of(rival, rival.begin, p.x, p.y); });
+  keep_where([&](const Point2& p) { return -right_of(rival, rival.end, p.x, p.y); });
   keep_where([&](const Point2& p) { return p.y - rival.y; });
   if (!(from <= to)) return kInfinity;
   const auto lead = [&](double s) {
@@ -141,7 +141,7 @@ Side side_seen(const Window& w, const FaceFrame& face) {
 
 /// How far the line through t goes until it has left the face, by its length to the edge.
 double to_far_edge(const Window& w, double t, const FaceFrame& f) {
-  const bool left = apex_side(w, t, f) > 0;
+  const bool left = right_of(w, t, f.apex_x, f.apex_y) > 0;
   const double on = left ? f.on_left(w, t) : f.on_right(w, t);
   const double y = left ? on * f.left_y : f.apex_y + on * f.right_y;
   return 1 + y / -w.y;
@@ -164,7 +164,7 @@ TEST(SidesKept, takes_only_lines_that_the_path_to_the_apex_beats_inside_the_face
     const Side kept = sides_kept(w, seen, winner, best, face, 0);
     for (int k = 1; k < kPositions; ++k) {
       const double t = position(w.begin, w.end, k);
-      const Side to = apex_side(w, t, face) > 0 ? Side::left : Side::right;
+      const Side to = right_of(w, t, face.apex_x, face.apex_y) > 0 ? Side::left : Side::right;
       if (kept == Side::both || kept == to) continue;
       ++removed;
       ASSERT_LE(lead_of(w, t, to_far_edge(w, t, face), best), kRounding)

@@ -13,6 +13,7 @@
 
 #include "solvers/core/mesh.h"
 #include "solvers/core/pool.h"
+#include "solvers/core/tolerance.h"
 
 namespace geodesic {
 
@@ -37,11 +38,10 @@ class BucketNumbers {
 
   /// No key of this bucket or of a later one is smaller.
   double least_key(std::int64_t number) const {
-    return per_width_ > 0 ? static_cast<double>(number) / per_width_ * kRoundedDown : 0;
+    return per_width_ > 0 ? static_cast<double>(number) / per_width_ * (1 - kKeyRounding) : 0;
   }
 
  private:
-  static constexpr double kRoundedDown = 1 - 1e-15;
   static constexpr double kGreatestFactor = 1e300;
   static constexpr double kGreatestNumber = 9e18;  // fits std::int64_t
 

@@ -15,8 +15,8 @@
 #include "solvers/core/path_record.h"
 #include "solvers/core/registry.h"
 #include "solvers/core/tolerance.h"
-#include "solvers/core/window.h"
 #include "solvers/core/window_bound.h"
+#include "solvers/core/window_predicates.h"
 
 namespace geodesic {
 namespace {
@@ -68,9 +68,8 @@ class Unfolding final : public Solver {
     }
     spread_from(
         mesh(), source.at,
-        [&](Index h, const Point2& from, double rest) {
-          reach(mesh().apex(h), source.distance + rest, {h, root, from},
-                is_next_to_apex(mesh().half_edge(h), rest));
+        [&](Index h, const Point2& from, double rest, bool is_next) {
+          reach(mesh().apex(h), source.distance + rest, {h, root, from}, is_next);
         },
         [&](Index h, const Point2& from) {
           land(h, root, 0, {0, mesh().half_edge(h).length, from.x, from.y, source.distance});
@@ -107,21 +106,18 @@ class Unfolding final : public Solver {
   /// the twin of h.
   void land(Index h, Index root, Index faces, Window w) {
     const HalfEdge& edge = mesh().half_edge(h);
-    if (edge.twin == kNone || !(w.end - w.begin > kWindowWidth * edge.length)) return;
+    if (edge.twin == kNone || is_void(w, edge.length)) return;
     if (is_strip_too_long(mesh(), faces + 1)) return;
     w.y = std::min(w.y, 0.0);  // Rounding must not move the source across the edge.
     windows_.push_back({edge.twin, root, faces, w});
   }
 
   /// True when the path over an end of the edge is the shorter one for every point of the window.
-  /// It is when it is for the window's farther end: the ways there pass all its points.
   bool is_beaten(const Waiting& waiting) const {
-    const auto& [h, root, faces, w] = waiting;
-    const HalfEdge& edge = mesh().half_edge(h);
-    const double over_origin = distances_[edge.origin] + w.end;
-    const double over_head = distances_[mesh().head(h)] + (edge.length - w.begin);
-    return over_origin < distance_at(w, w.end) * (1 - kPathMargin) ||
-           over_head < distance_at(w, w.begin) * (1 - kPathMargin);
+    const HalfEdge& edge = mesh().half_edge(waiting.half_edge);
+    const Index head = mesh().head(waiting.half_edge);
+    return EndpointBounds(edge.length, distances_[edge.origin], distances_[head])
+        .beat(waiting.window);
   }
 
   /// Unfolds a window over its face: to the apex, and on to the edges left and right of it.
@@ -130,19 +126,18 @@ class Unfolding final : public Solver {
     if (paths_) paths_->crossing(h, w, root);
     const FaceFrame face = face_frame(mesh(), h);
     const Point2 apex = {face.apex_x, face.apex_y};
-    if (sees(w, apex)) {
+    const Sight sight(w, apex);
+    if (sight.reaches()) {
       reach(mesh().apex(h), least_distance_to(w, apex.x, apex.y), {h, root, {w.x, w.y}});
     }
-    const bool any_left = apex_side(w, w.begin, face) > 0;
-    const bool any_right = apex_side(w, w.end, face) < 0;
-    if (any_left) {
-      const double end = any_right ? face.left : face.on_left(w, w.end);
+    if (sight.left()) {
+      const double end = sight.right() ? face.left : face.on_left(w, w.end);
       const Point2 from = face.to_left(w.x, w.y);
       land(Mesh::previous(h), root, faces + 1,
            {face.on_left(w, w.begin), end, from.x, from.y, w.sigma});
     }
-    if (any_right) {
-      const double begin = any_left ? 0 : face.on_right(w, w.begin);
+    if (sight.right()) {
+      const double begin = sight.left() ? 0 : face.on_right(w, w.begin);
       const Point2 from = face.to_right(w.x, w.y);
       land(Mesh::next(h), root, faces + 1,
            {begin, face.on_right(w, w.end), from.x, from.y, w.sigma});

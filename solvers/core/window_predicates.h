@@ -1,0 +1,107 @@
+// What the lines of a window reach, and what beats them: the rules that all window solvers share.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "solvers/core/tolerance.h"
+#include "solvers/core/window.h"
+
+namespace geodesic {
+
+/// True when too narrow to matter, or emptied by trimming.
+/// @param length of the edge
+inline bool is_void(const Window& w, double length) {
+  return !(w.end - w.begin > kWindowWidth * length);
+}
+
+/// True when the window's source lies almost on the edge, inside the interval: the apex of a face
+/// without area. All its lines, whatever their directions, pass the edge in one point, so that an
+/// interval that ends there does not show which of them are left.
+inline bool source_on_edge(const Window& w, double length) {
+  return w.y > -kFlatFace * length && w.begin <= w.x && w.x <= w.end;
+}
+
+/// Positive when (px, py) lies to the right of the line from the source of w through t, times the
+/// line's length and the distance between the point and the source.
+inline double right_of(const Window& w, double t, double px, double py) {
+  return (px - w.x) * -w.y - (t - w.x) * (py - w.y);
+}
+
+/// How the lines of a window pass a point beyond the edge.
+class Sight {
+ public:
+  /// @param p in the frame of the window, p.y >= 0
+  Sight(const Window& w, const Point2& p)
+      : p_{p.x - w.x, p.y - w.y},
+        begin_{w.begin - w.x, -w.y},
+        end_{w.end - w.x, -w.y},
+        right_of_begin_(p_.x * begin_.y - begin_.x * p_.y),
+        right_of_end_(p_.x * end_.y - end_.x * p_.y) {}
+
+  /// Some pass it on this side.
+  bool left() const { return right_of_begin_ > 0; }
+  bool right() const { return right_of_end_ < 0; }
+  /// The line through this end of the interval passes the point itself, within kApexReach.
+  bool at_begin() const { return is_at(begin_, right_of_begin_); }
+  bool at_end() const { return is_at(end_, right_of_end_); }
+  /// Some line does. Other paths through the window to the point bend at an end of the interval.
+  bool reaches() const { return (left() || at_begin()) && (right() || at_end()); }
+
+ private:
+  bool is_at(const Point2& t, double side) const {
+    return side * side <= kApexReach * kApexReach * square(p_) * square(t);
+  }
+  static double square(const Point2& a) { return a.x * a.x + a.y * a.y; }
+
+  Point2 p_, begin_, end_;                // from the window's source
+  double right_of_begin_, right_of_end_;  // times two lengths
+};
+
+/// Where the line from the window's source to the apex crosses the line of the edge.
+inline double line_crossing(const Window& w, const FaceFrame& face) {
+  const double up = std::max(face.apex_y - w.y, kLeastHeight);
+  return w.x + (face.apex_x - w.x) * (-w.y / up);
+}
+
+/// The length of a path with the margin that a window must be longer by to be beaten by it.
+inline double with_margin(double length) { return length * (1 + kPathMargin); }
+
+/// True when a path to position t of the edge is shorter than the window's line there.
+/// @param rival its length, with_margin
+inline bool is_beaten_at(const Window& w, double t, double rival) {
+  // rival < sigma + |source t|, squared to spare the root.
+  const double straight = rival - w.sigma, dx = t - w.x;
+  return straight < 0 || straight * straight < dx * dx + w.y * w.y;
+}
+
+/// Distances of the two ends of an edge, to compare with its windows.
+struct EndpointBounds {
+  double length;
+  double at_origin, at_head;  ///< with_margin
+
+  EndpointBounds(double edge, double origin, double head)
+      : length(edge), at_origin(with_margin(origin)), at_head(with_margin(head)) {}
+
+  /// True when every point of the window is reached at least as well along the edge from one of its
+  /// ends (the filter of Xin and Wang 2009): d(origin) + end < sigma + |source - end|, or the
+  /// mirror.
+  bool beat(const Window& w) const {
+    return is_beaten_at(w, w.end, at_origin + w.end) ||
+           is_beaten_at(w, w.begin, at_head + (length - w.begin));
+  }
+
+  /// The same for a window over the whole edge.
+  /// @param to_origin, to_head the distances that it gives to the edge's ends
+  bool beat_whole(double to_origin, double to_head) const {
+    return at_origin + length < to_head || at_head + length < to_origin;
+  }
+};
+
+/// True when a path of length a beats one of length b by more than rounding.
+/// @param rounding of coordinates (edge_based/trim.h)
+inline bool is_shorter(double a, double b, double rounding) {
+  return a < b * (1 - kPathMargin) - rounding;
+}
+
+}  // namespace geodesic
