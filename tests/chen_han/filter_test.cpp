@@ -9,12 +9,7 @@ namespace {
 
 // The unit edge, entered from a face whose third vertex lies below its middle.
 PassedFace unit_face(double at_origin, double at_head, double at_third) {
-  return {.length = 1,
-          .third_x = 0.5,
-          .third_y = -1,
-          .at_origin = at_origin,
-          .at_head = at_head,
-          .at_third = at_third};
+  return {.third_x = 0.5, .third_y = -1, .at_third = at_third, .ends = {1, at_origin, at_head}};
 }
 
 bool is_useless(const Window& w, Entry entry, const PassedFace& face) {
@@ -27,10 +22,12 @@ TEST(ChenHanFilter, KeepsAWindowWhenNothingIsKnownOfTheVertices) {
 }
 
 TEST(ChenHanFilter, KeepsTheWindowsOfItsOwnGeneratingVertex) {
-  const double sigma = 3, side = sigma + std::hypot(0.5, 1.0);
-  const Window w{0, 1, 0.5, -1, sigma};
-  EXPECT_FALSE(is_useless(w, Entry::at_origin, unit_face(side, side, sigma)));
-  EXPECT_FALSE(is_useless(w, Entry::at_head, unit_face(side, side, sigma)));
+  for (const double sigma : {0.0, 3.0}) {
+    const double side = sigma + std::hypot(0.5, 1.0);
+    const Window w{0, 1, 0.5, -1, sigma};
+    EXPECT_FALSE(is_useless(w, Entry::at_origin, unit_face(side, side, sigma)));
+    EXPECT_FALSE(is_useless(w, Entry::at_head, unit_face(side, side, sigma)));
+  }
 }
 
 TEST(ChenHanFilter, KeepsAWindowThatTiesWithAPathThroughAVertexInLine) {
@@ -66,13 +63,14 @@ TEST(ChenHanFilter, TheThirdVertexIsComparedAtTheFarEnd) {
 TEST(ChenHanFilter, DoesNotDependOnTheUnitOfLength) {
   for (const double unit : {1.0, 0x1p-40, 0x1p40}) {
     const Window w{0.2 * unit, 0.4 * unit, 0.5 * unit, -2 * unit, unit};
-    PassedFace face = unit_face(2.6 * unit, 9 * unit, 9 * unit);
-    face.length *= unit;
-    face.third_x *= unit;
-    face.third_y *= unit;
-    EXPECT_TRUE(is_useless(w, Entry::at_origin, face)) << unit;
-    face.at_origin = 2.7 * unit;
-    EXPECT_FALSE(is_useless(w, Entry::at_origin, face)) << unit;
+    const auto face = [&](double at_origin) {
+      return PassedFace{.third_x = 0.5 * unit,
+                        .third_y = -unit,
+                        .at_third = 9 * unit,
+                        .ends = {unit, at_origin * unit, 9 * unit}};
+    };
+    EXPECT_TRUE(is_useless(w, Entry::at_origin, face(2.6))) << unit;
+    EXPECT_FALSE(is_useless(w, Entry::at_origin, face(2.7))) << unit;
   }
 }
 
