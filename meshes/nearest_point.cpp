@@ -75,7 +75,7 @@ NearestPoint nearest_point(const Mesh& mesh, const Vec3& place) {
                                     ? "a mesh without faces has no surface"
                                     : "a place in space is too far place the mesh");
   }
-  return {point_in_face(mesh, mesh.numbers().given_face(nearest.face), nearest.weights),
+  return {point_in_face(mesh, mesh.numbers().external_face(nearest.face), nearest.weights),
           std::sqrt(nearest.square)};
 }
 

@@ -12,7 +12,7 @@ struct NearestPoint {
 };
 
 /// Looks at every face: time is linear in the mesh. Of several nearest points, that of the face of
-/// least number in the mesh's own numbers; isolated vertices are no part of the surface.
+/// least number in the mesh's internal numbers; isolated vertices are no part of the surface.
 /// @throws std::invalid_argument when the place is not finite, or the mesh has no face
 NearestPoint nearest_point(const Mesh& mesh, const Vec3& place);
 

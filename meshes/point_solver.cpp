@@ -19,11 +19,11 @@ struct InFace {
   std::array<double, 3> weights;
 };
 
-// @param own in the mesh's own numbers
+// @param own in the mesh's internal numbers
 std::vector<InFace> faces_of(const Mesh& mesh, const SurfacePoint& own) {
   std::vector<InFace> faces;
   if (!own.is_vertex()) {
-    for (const SurfacePoint& image : images_of(mesh, own)) {
+    for (const SurfacePoint& image : in_every_face(mesh, own)) {
       faces.push_back({image.face, image.weights});
     }
     return faces;
@@ -97,7 +97,7 @@ void PointSolver::solve(const Query& query, std::span<double> distances,
     return;
   }
   Recording recording;
-  recording.what = Record::paths;
+  recording.kind = RecordingKind::paths;
   solver_->solve(query, distances, &recording);
   std::ranges::transform(recording.targets, at_targets.begin(), &AtTarget::distance);
 }
@@ -126,10 +126,10 @@ void PointSolver::correct_near_sources(const Query& query, std::span<double> dis
   };
   std::vector<std::vector<InFace>> targets;
   for (const SurfacePoint& target : query.targets) {
-    targets.push_back(faces_of(mesh_, in_own_numbers(mesh_, target)));
+    targets.push_back(faces_of(mesh_, in_internal_numbers(mesh_, target)));
   }
   for (const Source& source : query.sources) {
-    const std::vector<InFace> at = faces_of(mesh_, in_own_numbers(mesh_, source.at));
+    const std::vector<InFace> at = faces_of(mesh_, in_internal_numbers(mesh_, source.at));
     const auto line = [&](const std::vector<InFace>& to) {
       return source.distance + straight_length(mesh_, at, to);
     };
@@ -137,7 +137,7 @@ void PointSolver::correct_near_sources(const Query& query, std::span<double> dis
     if (source.at.is_vertex()) continue;
     for (const InFace& face : at) {
       for (const Index corner : mesh_.triangle(face.face)) {
-        correct(distances[mesh_.numbers().given_vertex(corner)], line(faces_of(mesh_, corner)));
+        correct(distances[mesh_.numbers().external_vertex(corner)], line(faces_of(mesh_, corner)));
       }
     }
   }

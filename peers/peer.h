@@ -23,7 +23,7 @@ inline std::string remarks(const std::string& known) {
 
 /// Whether a solve is to fill in what the authors' code counts.
 inline bool counts(const Recording* recording) {
-  return recording != nullptr && recording->what != Record::phase_times;
+  return recording != nullptr && recording->kind != RecordingKind::phase_times;
 }
 
 /// x, y, z of every vertex.

@@ -306,9 +306,9 @@ std::string written(const Mesh& mesh, const SurfacePoint& point) {
     }
     return text;
   }
-  const Triangle corners = mesh.triangle(mesh.numbers().own_face(point.face));
+  const Triangle corners = mesh.triangle(mesh.numbers().internal_face(point.face));
   const auto end = [&](Index k) {
-    return std::pair(mesh.numbers().given_vertex(corners[k]), point.weights[k]);
+    return std::pair(mesh.numbers().external_vertex(corners[k]), point.weights[k]);
   };
   const auto [low, high] = std::minmax({end(under % 3), end((under % 3 + 1) % 3)});
   append_text(text = "edge:", low.first);

@@ -28,7 +28,7 @@ std::optional<PhaseSeconds> time_phases(const std::string& solver, const Mesh& m
                                         const Query& query, std::span<double> distances) {
   const double before = untimed_seconds(solver, mesh, query);
   Recording recording;
-  recording.what = Record::phase_times;
+  recording.kind = RecordingKind::phase_times;
   make_solver(solver, mesh)->solve(query, distances, &recording);
   if (!recording.phase_times) return std::nullopt;
   // Drift of the machine matters less over a long solve.

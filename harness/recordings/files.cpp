@@ -45,8 +45,8 @@ std::vector<WindowOfFile> as_in_file(const std::vector<WavefrontWindow>& windows
   rows.reserve(windows.size());
   for (const WavefrontWindow& w : windows) {
     const double length = mesh.half_edge(w.half_edge).length;
-    rows.push_back({mesh.numbers().given_vertex(mesh.origin(w.half_edge)),
-                    mesh.numbers().given_vertex(mesh.head(w.half_edge)), w.begin / length,
+    rows.push_back({mesh.numbers().external_vertex(mesh.origin(w.half_edge)),
+                    mesh.numbers().external_vertex(mesh.head(w.half_edge)), w.begin / length,
                     w.end / length, w.distance});
   }
   return rows;
@@ -66,7 +66,7 @@ void write_snapshot(const fs::path& folder, const std::string& name, const Mesh&
 void write_reached_by(const fs::path& folder, const Mesh& mesh, std::span<const Index> reached_by) {
   std::vector<std::uint32_t> in_file(reached_by.size());
   for (Index v = 0; v < reached_by.size(); ++v) {
-    in_file[mesh.numbers().given_vertex(v)] = reached_by[v];
+    in_file[mesh.numbers().external_vertex(v)] = reached_by[v];
   }
   write_bytes(folder / "reached_by.npy", npy_bytes<std::uint32_t>(in_file));
 }
@@ -82,7 +82,7 @@ RecordingFolders recording_folders(const std::string& mesh, Index source,
 
 Recording wavefront_recording(bool frames) {
   Recording recording;
-  recording.what = Record::wavefront;
+  recording.kind = RecordingKind::wavefront;
   if (frames) {  // the moments are among them
     for (int i = 1; i <= kFrames; ++i) recording.snapshots_at.push_back(i / double{kFrames});
   } else {

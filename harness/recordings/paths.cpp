@@ -12,7 +12,7 @@ std::vector<Index> spread_vertices(const Mesh& mesh, Index first, std::size_t co
   std::vector<Index> reached;  // in the mesh's own order
   std::size_t at = 0;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    const Index given = mesh.numbers().given_vertex(v);
+    const Index given = mesh.numbers().external_vertex(v);
     if (given == first) at = reached.size();
     if (distances[given] < kInfinity) reached.push_back(given);
   }

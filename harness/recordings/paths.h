@@ -14,8 +14,8 @@ inline constexpr std::size_t kFigureSources = 8;
 
 /// Vertices far from each other: equal steps of the mesh's own order, which follows the surface,
 /// over those that are reached.
-/// @param first comes first, by its given number as all of these; it is reached
-/// @param distances by given number, infinite where nothing is reached
+/// @param first comes first, by its external number as all of these; it is reached
+/// @param distances by external number, infinite where nothing is reached
 /// @return count vertices, fewer where fewer are reached
 std::vector<Index> spread_vertices(const Mesh& mesh, Index first, std::size_t count,
                                    std::span<const double> distances);
@@ -39,7 +39,7 @@ FigurePaths solve_figure_paths(const std::string& solver, const Mesh& mesh, Inde
 /// Which of several sources is the nearest of each vertex.
 struct FigureCells {
   std::vector<Index> sources;  ///< as given to the mesh
-  std::vector<Index> nearest;  ///< by given number, a place in `sources`; kNone where none leads
+  std::vector<Index> nearest;  ///< by external number, a place in `sources`; kNone where none leads
 };
 
 /// Solves on a fresh solver object from spread vertices, the source among them.

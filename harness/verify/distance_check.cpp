@@ -147,8 +147,8 @@ Finding check_edges(const Mesh& mesh, const Query& query, std::span<const double
   double worst = tolerance.relative;
   Index at = kNone;
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
-    const double a = distances[mesh.numbers().given_vertex(mesh.origin(h))];
-    const double b = distances[mesh.numbers().given_vertex(mesh.head(h))];
+    const double a = distances[mesh.numbers().external_vertex(mesh.origin(h))];
+    const double b = distances[mesh.numbers().external_vertex(mesh.head(h))];
     if (a == b) continue;  // infinite, perhaps
     double excess =
         (std::abs(a - b) - mesh.half_edge(h).length) / std::max({a, b, tolerance.least});
@@ -158,8 +158,8 @@ Finding check_edges(const Mesh& mesh, const Query& query, std::span<const double
     at = h;
   }
   if (at == kNone) return {};
-  Index far = mesh.numbers().given_vertex(mesh.origin(at)),
-        near = mesh.numbers().given_vertex(mesh.head(at));
+  Index far = mesh.numbers().external_vertex(mesh.origin(at)),
+        near = mesh.numbers().external_vertex(mesh.head(at));
   if (distances[far] < distances[near]) std::swap(far, near);
   Violation found =
       violation(query, distances,
@@ -174,7 +174,7 @@ Finding check_edges(const Mesh& mesh, const Query& query, std::span<const double
 
 std::vector<double> straight_lines(const Mesh& mesh, const Query& query) {
   return lines_to(mesh.vertex_count(), query, [&](Index v) -> const Vec3& {
-    return mesh.position(mesh.numbers().own_vertex(v));
+    return mesh.position(mesh.numbers().internal_vertex(v));
   });
 }
 

@@ -53,7 +53,7 @@ struct WindowsAlong {
       }
     };
     Recording recording;
-    recording.what = Record::windows;
+    recording.kind = RecordingKind::windows;
     recording.read_windows = &read;
     solve_once(name, mesh, query, &recording);
   }

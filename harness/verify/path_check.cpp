@@ -17,11 +17,11 @@ using Weights = std::array<double, 3>;
 /// Lengths of edges are rounded, in a solver's frames as in a point's share of an edge.
 constexpr Real kLastPlace = 2.2e-16L;
 
-/// A path in the mesh's own numbers.
-Path in_own_numbers(const Mesh& mesh, Path path) {
+/// A path in the mesh's internal numbers.
+Path in_internal_numbers(const Mesh& mesh, Path path) {
   for (PathPoint& point : path.points) {
-    point.at = geodesic::in_own_numbers(mesh, point.at);
-    if (point.face != kNone) point.face = mesh.numbers().own_face(point.face);
+    point.at = geodesic::in_internal_numbers(mesh, point.at);
+    if (point.face != kNone) point.face = mesh.numbers().internal_face(point.face);
   }
   return path;
 }
@@ -38,7 +38,7 @@ std::optional<Weights> weights_on(const Mesh& mesh, Index face, const SurfacePoi
   }
   if (point.face == face) return point.weights;
   if (edge_under(point) == kNone) return {};
-  const std::vector<SurfacePoint> images = images_of(mesh, point);
+  const std::vector<SurfacePoint> images = in_every_face(mesh, point);
   const auto image = std::ranges::find(images, face, &SurfacePoint::face);
   if (image == images.end()) return {};
   return image->weights;
@@ -262,7 +262,7 @@ Finding check_path(const Mesh& mesh, const Query& query, const SurfacePoint& end
   if (path.points.front().at != source.at) return wrong("does not begin in its source");
   if (path.points.back().at != end) return wrong("does not end in its end");
   if (path.points.back().face != kNone) return wrong("goes on at its end");
-  const Path own = in_own_numbers(mesh, path);
+  const Path own = in_internal_numbers(mesh, path);
   const double slack = tolerance.relative * std::max(distance, tolerance.least);
   Real travelled = 0;
   for (std::size_t i = 0; i < own.points.size(); ++i) {
@@ -286,7 +286,7 @@ Finding check_path(const Mesh& mesh, const Query& query, const SurfacePoint& end
 }
 
 Finding check_straight(const Mesh& mesh, const Path& path, const Tolerance& tolerance) {
-  const Path own = in_own_numbers(mesh, path);
+  const Path own = in_internal_numbers(mesh, path);
   return StraightCheck(mesh, own, tolerance).run();
 }
 

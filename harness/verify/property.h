@@ -20,7 +20,7 @@ struct Case {
   std::vector<Query> queries;
   /// Distances that are known; empty: those of LocalReference.
   std::function<std::vector<double>(const Query&)> known = {};
-  /// Another one where the mesh's own numbers allow no better, which the property explains.
+  /// Another one where the mesh's internal numbers allow no better, which the property explains.
   Tolerance tolerance = {};
   /// What paths do at the mesh's edges that are no manifold's.
   NonManifoldEdges non_manifold_edges = NonManifoldEdges::cut;

@@ -44,12 +44,12 @@ TriangleSoup as_given(const Mesh& mesh) {
   TriangleSoup soup{std::vector<Vec3>(mesh.vertex_count()),
                     std::vector<Triangle>(mesh.given_face_count())};
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    soup.positions[numbers.given_vertex(v)] = mesh.position(v);
+    soup.positions[numbers.external_vertex(v)] = mesh.position(v);
   }
   for (Index f = 0; f < mesh.given_face_count(); ++f) {
-    Triangle& given = soup.triangles[numbers.given_face(f)];
+    Triangle& given = soup.triangles[numbers.external_face(f)];
     given = mesh.triangle(f);
-    for (Index& corner : given) corner = numbers.given_vertex(corner);
+    for (Index& corner : given) corner = numbers.external_vertex(corner);
   }
   return soup;
 }
@@ -90,7 +90,7 @@ class Inserter {
     edited_ = edited(sheets);
     edited_.add_property(face_of_);
     for (Index face = 0; face < soup_.triangles.size(); ++face) {
-      edited_.property(face_of_, edited_.face_handle(given_face(face))) = face;
+      edited_.property(face_of_, edited_.face_handle(external_face(face))) = face;
     }
     corners_ = std::move(sheets.triangles);
   }
@@ -125,7 +125,7 @@ class Inserter {
   };
   struct OnSide {
     double position;
-    Index vertex;  // given number
+    Index vertex;  // external number
   };
   struct Inside {
     std::size_t point;
@@ -139,17 +139,19 @@ class Inserter {
     std::map<Vertex, Point2> at = {};
   };
 
-  Index given_vertex(Index own) const { return mesh_.numbers().given_vertex(own); }
-  Index given_face(Index own) const { return mesh_.numbers().given_face(own); }
+  Index external_vertex(Index own) const { return mesh_.numbers().external_vertex(own); }
+  Index external_face(Index own) const { return mesh_.numbers().external_face(own); }
 
   // Where half-edge h starts in the mesh that is edited.
-  Vertex origin(Index h) const { return edited_.vertex_handle(corners_[given_face(h / 3)][h % 3]); }
+  Vertex origin(Index h) const {
+    return edited_.vertex_handle(corners_[external_face(h / 3)][h % 3]);
+  }
 
   Vec3 position_in(const SurfacePoint& own) const {
     Vec3 at{};
     const Triangle corners = mesh_.triangle(own.face);
     for (std::size_t k = 0; k < 3; ++k) {
-      at = add(at, scale(own.weights[k], soup_.positions[given_vertex(corners[k])]));
+      at = add(at, scale(own.weights[k], soup_.positions[external_vertex(corners[k])]));
     }
     return at;
   }
@@ -161,7 +163,7 @@ class Inserter {
     for (Index h = first; h < first + 3; ++h) {
       plane.longest = std::max(plane.longest, mesh_.half_edge(h).length);
     }
-    plane.parts = {edited_.face_handle(given_face(face))};
+    plane.parts = {edited_.face_handle(external_face(face))};
     const HalfEdge& base = mesh_.half_edge(first);
     const double unit = 1 / plane.longest;
     plane.at = {{origin(first), {0, 0}},
@@ -178,12 +180,12 @@ class Inserter {
       vertices_[i] = point.vertex;
       return;
     }
-    const SurfacePoint own = in_own_numbers(mesh_, point);
+    const SurfacePoint own = in_internal_numbers(mesh_, point);
     Index edge = kNone;
     for (Index h = 3 * own.face; h < 3 * own.face + 3; ++h) {
       const Point2 at = in_frame(mesh_, own, h);
       if (std::hypot(at.x, at.y) <= place_) {
-        vertices_[i] = given_vertex(mesh_.origin(h));
+        vertices_[i] = external_vertex(mesh_.origin(h));
         return;
       }
       // In a face without height the lines of all edges are near.
@@ -320,7 +322,7 @@ InsertedPoints::InsertedPoints(const Mesh& mesh, std::span<const SurfacePoint> p
   place_ = inserter.place();
   mesh_ = std::make_unique<Mesh>(
       inserter.take_soup(),
-      mesh.numbers().are_given() ? Numbering::as_given : Numbering::along_surface,
+      mesh.numbers().is_identity() ? Numbering::as_given : Numbering::along_surface,
       mesh.non_manifold_edges());
   for (std::size_t i = 0; i < points.size(); ++i) vertices_.emplace_back(points[i], vertices[i]);
   std::ranges::sort(vertices_, comes_before);

@@ -31,7 +31,7 @@ class InsertedPoints {
   /// 1.8e-15 times the mesh's largest coordinate: above what rounding moves a point by.
   double place() const { return place_; }
 
-  /// The vertex that a point became, as a given number.
+  /// The vertex that a point became, as a external number.
   /// @throws std::invalid_argument when the point was not inserted
   Index vertex(const SurfacePoint& point) const;
 

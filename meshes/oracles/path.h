@@ -24,7 +24,7 @@ struct StraightPiece {
 
 /// A shortest path from the nearest source to `target`, source first. It is straight but at
 /// vertices: pseudo-sources, or others that it runs through by chance.
-/// @param mesh whose own numbering all vertices and half-edges go by
+/// @param mesh whose internal numbering all vertices and half-edges go by
 /// @param distances of this query, exact
 /// @return empty when the target is a source that no other path reaches sooner, when it is
 ///         unreachable, and when the distances belong to no path (relative error above 1e-9)

@@ -44,7 +44,7 @@ namespace geodesic::chen_han {
 template <class Depth>
 struct StoredWindow : Window {
   Index half_edge;
-  Index root : 31;                    ///< as in Arrival (core/recording.h)
+  Index root : 31;                    ///< as in LastSegment (core/recording.h)
   Index entry : 1;                    ///< an Entry
   [[no_unique_address]] Depth depth;  ///< faces crossed since the pseudo-source
 
@@ -91,7 +91,7 @@ class Propagation {
  private:
   using Filter = typename Policy::Filter;
   using Stored = StoredWindow<Depth>;
-  using Arrival = ArrivalOf<Recorder>;
+  using LastSegment = LastSegmentOf<Recorder>;
 
   /// A source that is no vertex does not part the windows that pass it, which one angle, one split
   /// presupposes (corners.h). Its windows own no corner therefore; where nothing but owners bounds
@@ -132,7 +132,7 @@ class Propagation {
     if (!std::ranges::all_of(query.sources, is_at_vertex)) make_room_for_roots(query);
     limit_ = query.limit;
     stops_ = query.stop_at_targets;
-    ending_ = Ending(mesh_, query, distances_);
+    stop_rule_ = StopRule(mesh_, query, distances_);
     budget_.start();
     pool_.clear();
     queue_.clear();
@@ -152,10 +152,10 @@ class Propagation {
   static bool is_at_vertex(const Source& source) { return source.at.is_vertex(); }
 
   /// v sends windows everywhere.
-  void start_at(Index v, double distance, Arrival arrival) {
+  void start_at(Index v, double distance, LastSegment last_segment) {
     if (!(distance < distances_[v])) return;
     set_distance(v, distance);
-    if constexpr (Recorder::kRemembers) recorder_.arrived(v, arrival);
+    if constexpr (Recorder::kRemembers) recorder_.arrived(v, last_segment);
     wait_to_emit(v, {});
   }
 
@@ -217,8 +217,8 @@ class Propagation {
   /// Nothing is left to find. A queue that knows no least key runs empty, since nothing is pushed
   /// that is farther than the farthest target can be.
   [[gnu::noinline]] bool is_over() {
-    if constexpr (requires { queue_.least_key(); }) return ending_.is_over(queue_.least_key());
-    limit_ = ending_.farthest();
+    if constexpr (requires { queue_.least_key(); }) return stop_rule_.is_over(queue_.least_key());
+    limit_ = stop_rule_.farthest();
     return false;
   }
 
@@ -258,21 +258,21 @@ class Propagation {
     distances_[v] = distance;
   }
 
-  void reach(Index v, double distance, const Incoming& incoming, Arrival arrival) {
+  void reach(Index v, double distance, const Incoming& incoming, LastSegment last_segment) {
     if (!(distance < distances_[v])) return;
     set_distance(v, distance);
-    if constexpr (Recorder::kRemembers) recorder_.arrived(v, arrival);
+    if constexpr (Recorder::kRemembers) recorder_.arrived(v, last_segment);
     if (mesh_.is_pseudo_source(v)) wait_to_emit(v, incoming);
   }
 
   /// The apex of h, at the end of an edge from a vertex that emits.
   void reach_neighbour(Index h, double distance, double edge, const Incoming& incoming,
-                       Arrival arrival) {
+                       LastSegment last_segment) {
     if (!(distance + edge < distances_[mesh_.apex(h)])) return;
     if (is_next_to_apex(mesh_.half_edge(h), edge)) {
-      start_at(mesh_.apex(h), distance + edge, arrival);
+      start_at(mesh_.apex(h), distance + edge, last_segment);
     } else {
-      reach(mesh_.apex(h), distance + edge, incoming, arrival);
+      reach(mesh_.apex(h), distance + edge, incoming, last_segment);
     }
   }
 
@@ -316,7 +316,7 @@ class Propagation {
     if constexpr (Recorder::kRemembers) recorder_.crossing(h, w, w.root);
     const Index to_left = Mesh::previous(h), to_right = Mesh::next(h);
     const FaceFrame face = face_frame(mesh_, h);
-    const Sight sight(w, {face.apex_x, face.apex_y});
+    const WindowSight sight(w, {face.apex_x, face.apex_y});
     bool left = sight.left(), right = sight.right();
     if (left && right) {
       const double distance = distance_through(w, face.apex_x, face.apex_y);
@@ -357,13 +357,13 @@ class Propagation {
 
   /// @param from a point of the path's last piece, in the frame of h
   void reach_apex(Index h, const FaceFrame& face, double distance, const Point2& from,
-                  Arrival arrival) {
+                  LastSegment last_segment) {
     const double dx = from.x - face.apex_x, dy = from.y - face.apex_y;
     // The half-edge that leaves the apex points against (left_x, left_y).
     reach(mesh_.apex(h), distance,
           {Mesh::previous(h), -dx * face.left_x - dy * face.left_y,
            dx * face.left_y - dy * face.left_x},
-          arrival);
+          last_segment);
   }
 
   /// Queues a child of `parent` that leaves a face through the half-edge `across`, unless it is
@@ -437,7 +437,7 @@ class Propagation {
   std::span<double> distances_;           // by root
   std::vector<double> with_roots_;        // holds them where there are roots that are no vertices
   double limit_ = kInfinity;
-  Ending ending_;
+  StopRule stop_rule_;
   bool stops_ = false;            // the query says so
   Index next_source_ = 0;         // of the query, to start from
   PrefetchPipeline<4> pipeline_;  // slots on their way through prefetch_ahead

@@ -6,8 +6,8 @@
 namespace geodesic::chen_han {
 
 template <class Policy>
-void ChenHan<Policy>::record(const Mesh& mesh, const Query& query, std::span<double> distances,
-                             Recording& recording) {
+void ChenHan<Policy>::solve_recorded(const Mesh& mesh, const Query& query,
+                                     std::span<double> distances, Recording& recording) {
   solve_recording(mesh, query, distances, recording, [&](auto recorder) {
     using Recorder = decltype(recorder);
     if constexpr (recorder.kRecords) recording.window_bytes = sizeof(StoredWindow<NoDepth>);

@@ -47,7 +47,7 @@ MeshNumbers::MeshNumbers(std::vector<Index> given_vertices, std::vector<Index> g
   for (Index v = 0; v < given_.size(); ++v) own_[given_[v]] = v;
 }
 
-Index MeshNumbers::own_face(Index given) const {
+Index MeshNumbers::internal_face(Index given) const {
   if (given_faces_.empty()) return given;
   return static_cast<Index>(std::ranges::find(given_faces_, given) - given_faces_.begin());
 }

@@ -21,19 +21,19 @@ class MeshNumbers {
  public:
   /// The two numberings are the same.
   MeshNumbers() = default;
-  /// @param given_vertices, given_faces by own number
+  /// @param given_vertices, given_faces by internal number
   MeshNumbers(std::vector<Index> given_vertices, std::vector<Index> given_faces);
 
-  bool are_given() const { return given_.empty(); }
-  Index given_vertex(Index own) const { return given_.empty() ? own : given_[own]; }
-  Index given_face(Index own) const { return given_faces_.empty() ? own : given_faces_[own]; }
-  Index own_vertex(Index given) const { return own_.empty() ? given : own_[given]; }
+  bool is_identity() const { return given_.empty(); }
+  Index external_vertex(Index own) const { return given_.empty() ? own : given_[own]; }
+  Index external_face(Index own) const { return given_faces_.empty() ? own : given_faces_[own]; }
+  Index internal_vertex(Index given) const { return own_.empty() ? given : own_[given]; }
   /// Found by search: for a few points of a query.
-  Index own_face(Index given) const;
+  Index internal_face(Index given) const;
 
  private:
-  std::vector<Index> given_, given_faces_;  // by own number
-  std::vector<Index> own_;                  // by given number
+  std::vector<Index> given_, given_faces_;  // by internal number
+  std::vector<Index> own_;                  // by external number
 };
 
 /// All vertices in the order in which a space-filling curve meets them (Morton 1966, "A computer

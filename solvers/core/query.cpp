@@ -12,7 +12,7 @@ std::vector<Index> Query::source_vertices(const Mesh& mesh) const {
   return vertices;
 }
 
-Ending::Ending(const Mesh& mesh, const Query& query, std::span<const double> distances)
+StopRule::StopRule(const Mesh& mesh, const Query& query, std::span<const double> distances)
     : limit_(query.limit), stops_(query.stop_at_targets), distances_(distances) {
   if (!stops_) return;
   for (const SurfacePoint& target : query.targets) {
@@ -31,7 +31,7 @@ Ending::Ending(const Mesh& mesh, const Query& query, std::span<const double> dis
   }
 }
 
-double Ending::farthest() const {
+double StopRule::farthest() const {
   if (!stops_) return limit_;
   double farthest = 0;
   for (const Bound& each : bounds_) farthest = std::max(farthest, bound(each));

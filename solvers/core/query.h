@@ -19,14 +19,14 @@ struct Source {
 struct Query {
   std::vector<Source> sources;  ///< at least one; the result is the least over them
   double limit = kInfinity;     ///< vertices farther than this are reported as unreachable
-  /// Points whose distances and paths are wanted (Record::paths).
+  /// Points whose distances and paths are wanted (RecordingKind::paths).
   std::vector<SurfacePoint> targets = {};
   /// Vertices farther than the farthest target are reported as unreachable too. Unless paths are
   /// recorded, a target in a face counts as far as the way to it over a corner.
   bool stop_at_targets = false;
 
   /// A vertex of the component of each source: the source itself, or a corner of its face.
-  /// @param mesh in whose own numbers the query is
+  /// @param mesh in whose internal numbers the query is
   std::vector<Index> source_vertices(const Mesh& mesh) const;
 };
 
@@ -34,12 +34,12 @@ struct Query {
 ///
 /// A point of a face is at most as far as the way over one of its corners. Once no window or vertex
 /// nearer than that waits, its distance is known, and so is that of every vertex nearer than it.
-class Ending {
+class StopRule {
  public:
-  Ending() = default;
-  /// @param query in the mesh's own numbers
+  StopRule() = default;
+  /// @param query in the mesh's internal numbers
   /// @param distances those that the solver changes
-  Ending(const Mesh& mesh, const Query& query, std::span<const double> distances);
+  StopRule(const Mesh& mesh, const Query& query, std::span<const double> distances);
 
   /// True when a wavefront whose least key is `key` has nothing left to find. Keys of successive
   /// calls do not fall but by rounding; a solver whose wavefront is not sorted asks with the least

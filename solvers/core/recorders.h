@@ -17,7 +17,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "solvers/core/path_record.h"
+#include "solvers/core/last_segments.h"
 #include "solvers/core/progress.h"
 #include "solvers/core/recording.h"
 
@@ -50,14 +50,14 @@ struct StripDepth {
   StripDepth next() const { return {faces + 1}; }
 };
 
-/// As Arrival, where nothing is remembered: an empty type.
-struct NoArrival {
-  NoArrival(Index /*half_edge*/, Index /*root*/, const Point2& /*from*/) {}
+/// As LastSegment, where nothing is remembered: an empty type.
+struct NoLastSegment {
+  NoLastSegment(Index /*half_edge*/, Index /*root*/, const Point2& /*from*/) {}
 };
 
 /// What says how a path arrives, in a solver that is compiled against a recorder.
 template <class Recorder>
-using ArrivalOf = std::conditional_t<Recorder::kRemembers, Arrival, NoArrival>;
+using LastSegmentOf = std::conditional_t<Recorder::kRemembers, LastSegment, NoLastSegment>;
 
 /// What only recorded solves count is of these types, so that a timed solve that touched any of it
 /// would not compile.
@@ -200,28 +200,28 @@ struct PathRecorder : NoRecorder {
   using Depth = StripDepth;
 
   void propagated(std::uint64_t /*windows*/, Depth /*deepest*/) {}
-  explicit PathRecorder(PathRecord& into) : record(into) {}
+  explicit PathRecorder(LastSegments& into) : segments(into) {}
   /// whenever a vertex gets a new distance, and
-  void arrived(Index v, const Arrival& arrival) { record.arrived(v, arrival); }
+  void arrived(Index v, const LastSegment& last_segment) { segments.arrived(v, last_segment); }
   /// for every window that crosses the face of h, before other windows of its edge trim it there.
-  /// @param w in the frame of h; @param root as in Arrival
-  void crossing(Index h, const Window& w, Index root) { record.crossing(h, w, root); }
+  /// @param w in the frame of h; @param root as in LastSegment
+  void crossing(Index h, const Window& w, Index root) { segments.crossing(h, w, root); }
 
-  PathRecord& record;
+  LastSegments& segments;
 };
 
-/// Calls `solve` with the recorder that `recording.what` needs.
+/// Calls `solve` with the recorder that `recording.kind` needs.
 /// @param distances those that `solve` fills
 template <class Solve>
 void solve_recording(const Mesh& mesh, const Query& query, std::span<const double> distances,
                      Recording& recording, Solve&& solve) {
-  if (recording.what == Record::paths) {
-    PathRecord record(mesh, query);
-    solve(PathRecorder(record));
-    return record.finish(distances, recording);
+  if (recording.kind == RecordingKind::paths) {
+    LastSegments segments(mesh, query);
+    solve(PathRecorder(segments));
+    return segments.finish(distances, recording);
   }
-  if (recording.what == Record::counters) return solve(CountingRecorder(recording));
-  if (recording.what == Record::wavefront) {
+  if (recording.kind == RecordingKind::counters) return solve(CountingRecorder(recording));
+  if (recording.kind == RecordingKind::wavefront) {
     return solve(WavefrontRecorder(recording, distances));
   }
   PhaseTimer timer;

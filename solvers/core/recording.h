@@ -24,7 +24,7 @@ struct WavefrontSample {
 
 /// A window on the wavefront, as an interval of an edge.
 struct WavefrontWindow {
-  Index half_edge;    ///< in the mesh's own numbering
+  Index half_edge;    ///< in the mesh's internal numbering
   double begin, end;  ///< distances from the half-edge's origin
   double distance;    ///< its wavefront distance: the least over the interval
 
@@ -51,7 +51,7 @@ using FinalWindows = std::function<void(Index half_edge, std::vector<Window>& wi
 using ReadWindows = std::function<void(const FinalWindows&)>;
 
 /// How the shortest path to a vertex or a target arrives: the last of its straight pieces.
-struct Arrival {
+struct LastSegment {
   /// Its face holds the end of the piece: for a vertex, the apex of this half-edge. kNone at a
   /// source and where no path leads.
   Index half_edge = kNone;
@@ -63,19 +63,19 @@ struct Arrival {
   /// the same face.
   Point2 from = {0, 0};
 
-  bool operator==(const Arrival&) const = default;
+  bool operator==(const LastSegment&) const = default;
 };
 
 /// A target of the query: its distance, exact wherever it lies, and how the path arrives.
 struct AtTarget {
   double distance = kInfinity;
-  Arrival arrival = {};
+  LastSegment last_segment = {};
 
   bool operator==(const AtTarget&) const = default;
 };
 
 /// What a recorded solve is made for.
-enum class Record : std::uint8_t {
+enum class RecordingKind : std::uint8_t {
   counters,
   phase_times,  ///< and nothing else
   wavefront,    ///< and counters
@@ -85,10 +85,11 @@ enum class Record : std::uint8_t {
 
 /// Integer results are the same on every run and every x86-64 machine.
 struct Recording {
-  Record what = Record::counters;  ///< set by the caller
-  /// Of Record::wavefront: when to take snapshots, as shares of the reachable vertices, ascending.
+  RecordingKind kind = RecordingKind::counters;  ///< set by the caller
+  /// Of RecordingKind::wavefront: when to take snapshots, as shares of the reachable vertices,
+  /// ascending.
   std::vector<double> snapshots_at = {};
-  /// Of Record::windows: called once, when the solve is over, by solvers that keep them
+  /// Of RecordingKind::windows: called once, when the solve is over, by solvers that keep them
   /// (Description::final_windows).
   const ReadWindows* read_windows = nullptr;
 
@@ -106,13 +107,13 @@ struct Recording {
 
   std::vector<WavefrontSample> curve = {};        ///< at equal steps of progress (progress.h)
   std::vector<WavefrontSnapshot> snapshots = {};  ///< those of snapshots_at that the solve got to
-  /// Of Record::wavefront, by vertex in the mesh's own numbers: the first sample of the curve by
-  /// which it had a distance; kNone where it had none by the last.
+  /// Of RecordingKind::wavefront, by vertex in the mesh's internal numbers: the first sample of the
+  /// curve by which it had a distance; kNone where it had none by the last.
   std::vector<Index> reached_by = {};
 
-  /// Of Record::paths, both in the mesh's own numbers: by vertex, and in the order of
+  /// Of RecordingKind::paths, both in the mesh's internal numbers: by vertex, and in the order of
   /// Query::targets.
-  std::vector<Arrival> arrivals = {};
+  std::vector<LastSegment> last_segments = {};
   std::vector<AtTarget> targets = {};
 
   bool operator==(const Recording&) const = default;

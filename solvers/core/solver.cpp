@@ -12,10 +12,10 @@ namespace {
 }
 
 void check_recording(const Recording& recording, const Description& solver) {
-  if (recording.what == Record::paths && !solver.abilities.paths) {
+  if (recording.kind == RecordingKind::paths && !solver.abilities.paths) {
     refuse(solver, "does not remember how paths arrive");
   }
-  if (recording.what != Record::windows) return;
+  if (recording.kind != RecordingKind::windows) return;
   if (!solver.final_windows) refuse(solver, "does not keep the windows of all edges");
   if (recording.read_windows == nullptr) refuse(solver, "Recording::read_windows is not set");
 }
@@ -85,7 +85,7 @@ void Solver::solve(const Query& query, std::span<double> distances, Recording* r
   check_query(query, mesh_, description_);
   if (recording != nullptr) {
     check_recording(*recording, description_);
-    if (recording->what == Record::windows && mesh_.crosses_non_manifold_edges()) {
+    if (recording->kind == RecordingKind::windows && mesh_.crosses_non_manifold_edges()) {
       refuse(description_, "hands over no windows where paths cross non-manifold edges");
     }
   }
@@ -94,25 +94,25 @@ void Solver::solve(const Query& query, std::span<double> distances, Recording* r
   }
   renew();
   used_ = true;
-  if (mesh_.numbers().are_given()) {
+  if (mesh_.numbers().is_identity()) {
     run_to_end(query, distances, recording);
     return;
   }
   Query own = query;
-  for (Source& source : own.sources) source.at = in_own_numbers(mesh_, source.at);
-  for (SurfacePoint& target : own.targets) target = in_own_numbers(mesh_, target);
+  for (Source& source : own.sources) source.at = in_internal_numbers(mesh_, source.at);
+  for (SurfacePoint& target : own.targets) target = in_internal_numbers(mesh_, target);
   in_mesh_order_.resize(distances.size());
   run_to_end(own, in_mesh_order_, recording);
   for (Index v = 0; v < distances.size(); ++v) {
-    distances[mesh_.numbers().given_vertex(v)] = in_mesh_order_[v];
+    distances[mesh_.numbers().external_vertex(v)] = in_mesh_order_[v];
   }
 }
 
 void Solver::run_to_end(const Query& query, std::span<double> distances, Recording* recording) {
   std::ranges::fill(distances, kInfinity);
   run(query, distances, recording);
-  double farthest = Ending(mesh_, query, distances).farthest();
-  if (query.stop_at_targets && recording != nullptr && recording->what == Record::paths) {
+  double farthest = StopRule(mesh_, query, distances).farthest();
+  if (query.stop_at_targets && recording != nullptr && recording->kind == RecordingKind::paths) {
     double last = 0;
     for (const AtTarget& target : recording->targets) last = std::max(last, target.distance);
     farthest = std::min(query.limit, last);

@@ -41,7 +41,7 @@ struct Abilities {
   bool non_manifold_edges = false;    ///< crosses edges of more than two faces, into each of them
   bool concurrent_objects = true;     ///< objects may solve in several threads at the same time
   bool surface_sources = false;       ///< sources on edges and faces; else at vertices only
-  bool paths = false;                 ///< remembers how paths arrive (Record::paths)
+  bool paths = false;                 ///< remembers how paths arrive (RecordingKind::paths)
   Index max_vertices = kNone;         ///< larger meshes take unreasonably long
 };
 
@@ -113,15 +113,16 @@ class Solver {
   const Mesh& mesh() const { return mesh_; }
 
  private:
-  /// As `solve` in the mesh's own numbering, with the query already checked and `distances` filled
-  /// with +infinity. May leave distances above the limit or the farthest target's; they are cleared
-  /// afterwards. Whoever does not end there (Ending) only takes longer.
+  /// As `solve` in the mesh's internal numbering, with the query already checked and `distances`
+  /// filled with +infinity. May leave distances above the limit or the farthest target's; they are
+  /// cleared afterwards. Whoever does not end there (StopRule) only takes longer.
   virtual void run(const Query& query, std::span<double> distances, Recording* recording) = 0;
 
   /// Drops what is left of the last query: of public codes that keep it in their mesh.
   virtual void renew_state() {}
 
-  /// `run` from fresh distances, without what lies beyond the limit; all in the mesh's own numbers.
+  /// `run` from fresh distances, without what lies beyond the limit; all in the mesh's internal
+  /// numbers.
   void run_to_end(const Query& query, std::span<double> distances, Recording* recording);
 
   const Mesh& mesh_;

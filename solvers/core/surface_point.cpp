@@ -15,7 +15,7 @@ std::string not_in_mesh(const char* kind, Index number, Index count, const char*
          std::to_string(count) + " " + kinds;
 }
 
-Index own_face(const Mesh& mesh, Index given) { return mesh.numbers().own_face(given); }
+Index internal_face(const Mesh& mesh, Index given) { return mesh.numbers().internal_face(given); }
 
 }  // namespace
 
@@ -35,7 +35,7 @@ SurfacePoint point_in_face(const Mesh& mesh, Index face, const std::array<double
   for (std::size_t k = 0; k < 3; ++k) {
     point.weights[k] = weights[k] / largest / sum;
     if (point.weights[k] == 1) {
-      return mesh.numbers().given_vertex(mesh.triangle(own_face(mesh, face))[k]);
+      return mesh.numbers().external_vertex(mesh.triangle(internal_face(mesh, face))[k]);
     }
   }
   return point;
@@ -48,21 +48,21 @@ SurfacePoint point_on_edge(const Mesh& mesh, Index a, Index b, double share) {
   if (!(share >= 0 && share <= 1)) {
     throw std::invalid_argument("the share of an edge must lie between 0 and 1");
   }
-  const Index own_a = mesh.numbers().own_vertex(a), own_b = mesh.numbers().own_vertex(b);
+  const Index own_a = mesh.numbers().internal_vertex(a), own_b = mesh.numbers().internal_vertex(b);
   for (const Index h : mesh.outgoing(own_a)) {
     const Index into = Mesh::previous(h);
     if (mesh.head(h) != own_b && mesh.origin(into) != own_b) continue;
     std::array<double, 3> weights{};
     weights[h % 3] = 1 - share;
     weights[mesh.head(h) == own_b ? (h + 1) % 3 : into % 3] = share;
-    return point_in_face(mesh, mesh.numbers().given_face(h / 3), weights);
+    return point_in_face(mesh, mesh.numbers().external_face(h / 3), weights);
   }
   throw std::invalid_argument("no edge joins vertices " + std::to_string(a) + " and " +
                               std::to_string(b));
 }
 
 Vec3 position_of(const Mesh& mesh, const SurfacePoint& point) {
-  const SurfacePoint own = in_own_numbers(mesh, point);
+  const SurfacePoint own = in_internal_numbers(mesh, point);
   if (own.is_vertex()) return mesh.position(own.vertex);
   const Triangle corners = mesh.triangle(own.face);
   Vec3 position{};
@@ -91,11 +91,11 @@ std::string defect_of(const Mesh& mesh, const SurfacePoint& point) {
          " must not be negative, must have the sum 1, and at most one may be 0";
 }
 
-SurfacePoint in_own_numbers(const Mesh& mesh, SurfacePoint given) {
+SurfacePoint in_internal_numbers(const Mesh& mesh, SurfacePoint given) {
   if (given.is_vertex()) {
-    given.vertex = mesh.numbers().own_vertex(given.vertex);
+    given.vertex = mesh.numbers().internal_vertex(given.vertex);
   } else {
-    given.face = own_face(mesh, given.face);
+    given.face = internal_face(mesh, given.face);
   }
   return given;
 }
@@ -120,7 +120,7 @@ SurfacePoint mirrored(const Mesh& mesh, SurfacePoint point) {
 
 }  // namespace
 
-std::vector<SurfacePoint> images_of(const Mesh& mesh, const SurfacePoint& point) {
+std::vector<SurfacePoint> in_every_face(const Mesh& mesh, const SurfacePoint& point) {
   std::vector<SurfacePoint> images = {point};
   const Index under = edge_under(point);
   if (under != kNone) {

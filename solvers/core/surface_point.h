@@ -44,8 +44,8 @@ Vec3 position_of(const Mesh& mesh, const SurfacePoint& point);
 /// nothing is. Every query is checked by it.
 std::string defect_of(const Mesh& mesh, const SurfacePoint& point);
 
-/// The same point with the mesh's own numbers, which the functions below take.
-SurfacePoint in_own_numbers(const Mesh& mesh, SurfacePoint given);
+/// The same point with the mesh's internal numbers, which the functions below take.
+SurfacePoint in_internal_numbers(const Mesh& mesh, SurfacePoint given);
 
 /// A point of the face of half-edge h, in the frame of h: y >= 0.
 /// @param point not a vertex, and of that face
@@ -76,7 +76,7 @@ inline bool is_next_to_apex(const HalfEdge& e, double distance) {
 /// it too, and where paths cross non-manifold edges, in all faces of the edge and in their mirror
 /// images.
 /// @param point not a vertex
-std::vector<SurfacePoint> images_of(const Mesh& mesh, const SurfacePoint& point);
+std::vector<SurfacePoint> in_every_face(const Mesh& mesh, const SurfacePoint& point);
 
 /// The point of a mirror image in the face itself; any other point as it is.
 SurfacePoint in_given_face(const Mesh& mesh, const SurfacePoint& point);
@@ -94,7 +94,7 @@ SurfacePoint in_given_face(const Mesh& mesh, const SurfacePoint& point);
 template <class Reach, class Cross>
 void spread_from(const Mesh& mesh, const SurfacePoint& point, const Reach& reach,
                  const Cross& cross) {
-  for (const SurfacePoint& in_face : images_of(mesh, point)) {
+  for (const SurfacePoint& in_face : in_every_face(mesh, point)) {
     const Index under = edge_under(in_face);
     for (Index h = 3 * in_face.face; h < 3 * in_face.face + 3; ++h) {
       const Point2 from = in_frame(mesh, in_face, h);

@@ -29,10 +29,10 @@ inline double right_of(const Window& w, double t, double px, double py) {
 }
 
 /// How the lines of a window pass a point beyond the edge.
-class Sight {
+class WindowSight {
  public:
   /// @param p in the frame of the window, p.y >= 0
-  Sight(const Window& w, const Point2& p)
+  WindowSight(const Window& w, const Point2& p)
       : p_{p.x - w.x, p.y - w.y},
         begin_{w.begin - w.x, -w.y},
         end_{w.end - w.x, -w.y},

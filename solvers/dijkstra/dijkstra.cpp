@@ -22,7 +22,7 @@ class Dijkstra final : public Solver {
       }
     };
     for (const Source& source : query.sources) reach(source.at.vertex, source.distance);
-    Ending ending(mesh(), query, distances);
+    StopRule ending(mesh(), query, distances);
     while (!front_.empty() && !ending.is_over(front_.least_key())) {
       const Index v = front_.pop();
       for (const Index h : mesh().outgoing(v)) {

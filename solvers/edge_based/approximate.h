@@ -46,11 +46,11 @@ class Approximate final : public Solver {
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
     if (exact_ != nullptr) return exact_->run(query, distances, recording);
     if (recording == nullptr) return timed_->run(query, distances);
-    record(query, distances, *recording);
+    solve_recorded(query, distances, *recording);
   }
 
   /// A recorded solve, compiled apart (core/recorders.h).
-  void record(const Query& query, std::span<double> distances, Recording& recording) const;
+  void solve_recorded(const Query& query, std::span<double> distances, Recording& recording) const;
 
   double tolerance_;
   std::unique_ptr<EdgeBased<ByDistance>> exact_;

@@ -31,7 +31,7 @@ class EdgeBased final : public Solver {
     solve_within_bound(distances, [&](bool drops_long_strips) {
       const Carried carried = carried_by(recording, drops_long_strips);
       if (recording != nullptr) {
-        record(mesh(), instruction_set_, carried, query, distances, *recording);
+        solve_recorded(mesh(), instruction_set_, carried, query, distances, *recording);
       } else if (carried == Carried::nothing) {
         timed_.run(query, distances);
       } else {
@@ -49,14 +49,14 @@ class EdgeBased final : public Solver {
   }
 
   static Carried carried_by(const Recording* recording, bool drops_long_strips) {
-    if (recording != nullptr && recording->what == Record::paths) return Carried::root;
-    const bool counts = recording != nullptr && recording->what != Record::phase_times;
+    if (recording != nullptr && recording->kind == RecordingKind::paths) return Carried::root;
+    const bool counts = recording != nullptr && recording->kind != RecordingKind::phase_times;
     return counts || drops_long_strips ? Carried::depth : Carried::nothing;
   }
 
   /// A recorded solve; defined in recorded.h.
-  static void record(const Mesh& mesh, InstructionSet set, Carried carried, const Query& query,
-                     std::span<double> distances, Recording& recording);
+  static void solve_recorded(const Mesh& mesh, InstructionSet set, Carried carried,
+                             const Query& query, std::span<double> distances, Recording& recording);
 
   InstructionSet instruction_set_;
   Wavefront<ListCrossing, typename Order::Queue, NoRecorder> timed_;

@@ -5,11 +5,11 @@
 
 namespace geodesic::edge_based {
 
-template void EdgeBased<ByDistance>::record(const Mesh&, InstructionSet, Carried, const Query&,
-                                            std::span<double>, Recording&);
+template void EdgeBased<ByDistance>::solve_recorded(const Mesh&, InstructionSet, Carried,
+                                                    const Query&, std::span<double>, Recording&);
 
-void Approximate::record(const Query& query, std::span<double> distances,
-                         Recording& recording) const {
+void Approximate::solve_recorded(const Query& query, std::span<double> distances,
+                                 Recording& recording) const {
   solve_recording(mesh(), query, distances, recording,
                   [&](const auto& recorder) { make_wavefront(recorder).run(query, distances); });
 }

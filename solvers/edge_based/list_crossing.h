@@ -68,7 +68,7 @@ class ListCrossing {
     const FaceFrame face = face_frame(mesh_, h);
     const ApexWinner winner = kernels_.classify(batch_, face);
     if (winner.window != SIZE_MAX) {
-      wavefront.arrive(mesh_.apex(h), winner.distance, [&] { return arrival(h, winner); });
+      wavefront.arrive(mesh_.apex(h), winner.distance, [&] { return last_segment(h, winner); });
     }
     const Sides sides = choose_sides(winner, face, recorder);
     if constexpr (recorder.kRecords) count(sides, recorder);
@@ -186,7 +186,7 @@ class ListCrossing {
   }
 
   /// How the winner's line arrives at the apex of h.
-  Arrival arrival(Index h, const ApexWinner& winner) const {
+  LastSegment last_segment(Index h, const ApexWinner& winner) const {
     const Window best = batch_.window(winner.window);
     return {h, root_of(winner.window), {best.x, best.y}};
   }

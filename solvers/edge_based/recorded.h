@@ -6,9 +6,9 @@
 namespace geodesic::edge_based {
 
 template <class Order>
-void EdgeBased<Order>::record(const Mesh& mesh, InstructionSet set, Carried carried,
-                              const Query& query, std::span<double> distances,
-                              Recording& recording) {
+void EdgeBased<Order>::solve_recorded(const Mesh& mesh, InstructionSet set, Carried carried,
+                                      const Query& query, std::span<double> distances,
+                                      Recording& recording) {
   solve_recording(mesh, query, distances, recording, [&](const auto& recorder) {
     make_wavefront(mesh, set, carried, recorder).run(query, distances);
   });

@@ -10,7 +10,7 @@
 //   emit(side, from, distance, root, wavefront)
 //                               sends a window over the whole of a side out of its face, into all
 //                               others; `from` in the frame of the side's twin, `root` as in
-//                               Arrival
+//                               LastSegment
 //   cross(h, wavefront)         takes what waits on h over the face of h
 //   follow_edge(from, to)       a path along this edge is the shortest to `to` yet
 //   finish()                    the distances are those of all paths that were looked for
@@ -34,7 +34,8 @@
 
 namespace geodesic::edge_based {
 
-/// @tparam Queue of vertices that wait. Any order is correct; one by distance keeps late arrivals
+/// @tparam Queue of vertices that wait. Any order is correct; one by distance keeps late
+/// last_segments
 ///         rare.
 /// @tparam Recorder core/recorders.h; it changes no distance
 template <class Crossing, class Queue, class Recorder>
@@ -61,7 +62,7 @@ class Wavefront {
       progress_.start(mesh_, query.source_vertices(mesh_));
     }
     for (Index i = 0; i < query.sources.size(); ++i) begin_at(query.sources[i], i);
-    Ending ending(mesh_, query, distances_);
+    StopRule ending(mesh_, query, distances_);
     while (!queue_.empty() && !ending.is_over(queue_.least_key())) {
       enter_faces_around(pop());
       for (std::size_t i = 0; i < fifo_.size(); ++i) cross(fifo_[i]);
@@ -85,14 +86,14 @@ class Wavefront {
   }
 
   /// A straight line of this length comes to v.
-  /// @param arrival makes the Arrival; called where paths are remembered
-  template <class MakeArrival>
-  void arrive(Index v, double distance, const MakeArrival& arrival) {
+  /// @param last_segment makes the LastSegment; called where paths are remembered
+  template <class MakeLastSegment>
+  void arrive(Index v, double distance, const MakeLastSegment& last_segment) {
     if (distance < distances_[v]) {
-      if constexpr (Recorder::kRemembers) recorder_.arrived(v, arrival());
+      if constexpr (Recorder::kRemembers) recorder_.arrived(v, last_segment());
       reach(v, distance);
     } else if constexpr (Recorder::kRemembers) {
-      if (straightens_tie(v, distance)) recorder_.arrived(v, arrival());
+      if (straightens_tie(v, distance)) recorder_.arrived(v, last_segment());
     }
   }
 
@@ -128,10 +129,10 @@ class Wavefront {
 
   // Out of line, so that `reach` is inlined into the loop.
   [[gnu::cold, gnu::noinline]] void begin_at(Index v, double distance,
-                                             const ArrivalOf<Recorder>& arrival) {
+                                             const LastSegmentOf<Recorder>& last_segment) {
     if (!(distance < distances_[v])) return;
     reach(v, distance);
-    if constexpr (Recorder::kRemembers) recorder_.arrived(v, arrival);
+    if constexpr (Recorder::kRemembers) recorder_.arrived(v, last_segment);
   }
 
   /// Starts from a point that is no vertex.
@@ -216,11 +217,11 @@ class Wavefront {
   /// @param apex_is_end a half-edge whose face has the edge, and whose apex is the other end
   /// @param emits whether v sends windows
   void follow_edge(Index v, Index end, double length, const HalfEdge& apex_is_end, bool emits,
-                   const ArrivalOf<Recorder>& arrival) {
+                   const LastSegmentOf<Recorder>& last_segment) {
     const double distance = distances_[v] + length;
     if (!(distance < distances_[end])) return;
     if constexpr (Recorder::kRemembers) {
-      if (bends_or_shortens(v, end, distance)) recorder_.arrived(end, arrival);
+      if (bends_or_shortens(v, end, distance)) recorder_.arrived(end, last_segment);
     }
     reach(end, distance);
     crossing_.follow_edge(v, end);
@@ -287,7 +288,7 @@ class Wavefront {
   /// Whether a straight line that comes later, and is as short but for rounding, replaces a path
   /// that bends where none does.
   bool straightens_tie(Index v, double distance) const {
-    const Index root = recorder_.record.arrival(v).root;
+    const Index root = recorder_.segments.last_segment(v).root;
     const bool bends = root < mesh_.vertex_count() && !may_bend_at(root);
     return bends && !is_shorter(distances_[v], distance, crossing_.rounding());
   }

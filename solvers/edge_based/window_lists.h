@@ -29,7 +29,7 @@ enum Field : unsigned { kBegin, kEnd, kX, kY, kSigma, kDepth, kRoot };
 enum class Carried : std::uint8_t {
   nothing,
   depth,  ///< of the window's strip, in faces: grows by 1 with every face crossed
-  root,   ///< the depth, and the root as in Arrival, handed on as it is
+  root,   ///< the depth, and the root as in LastSegment, handed on as it is
 };
 
 /// Number of arrays.

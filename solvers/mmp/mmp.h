@@ -33,12 +33,12 @@ class Mmp final : public Solver {
 
  private:
   /// A recorded solve; defined in recorded.h.
-  static void record(const Mesh& mesh, const Query& query, std::span<double> distances,
-                     Recording& recording);
+  static void solve_recorded(const Mesh& mesh, const Query& query, std::span<double> distances,
+                             Recording& recording);
 
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
-    if (recording != nullptr && recording->what != Record::windows) {
-      return record(mesh(), query, distances, *recording);
+    if (recording != nullptr && recording->kind != RecordingKind::windows) {
+      return solve_recorded(mesh(), query, distances, *recording);
     }
     propagation_.run(query, distances, recording != nullptr ? Keep::all : Keep::wavefront);
     if (recording != nullptr) hand_over_windows(*recording->read_windows);

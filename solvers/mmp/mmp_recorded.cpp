@@ -3,7 +3,9 @@
 
 namespace geodesic::mmp {
 
-template void Mmp<ByDistance>::record(const Mesh&, const Query&, std::span<double>, Recording&);
-template void Mmp<ByBucket>::record(const Mesh&, const Query&, std::span<double>, Recording&);
+template void Mmp<ByDistance>::solve_recorded(const Mesh&, const Query&, std::span<double>,
+                                              Recording&);
+template void Mmp<ByBucket>::solve_recorded(const Mesh&, const Query&, std::span<double>,
+                                            Recording&);
 
 }  // namespace geodesic::mmp

@@ -71,9 +71,9 @@ class Propagation {
   using Depth = typename Recorder::Depth;
   using Front = Wavefront<typename Policy::Queue, Recorder>;
   using Taken = typename Front::Taken;
-  using Arrival = ArrivalOf<Recorder>;
+  using LastSegment = LastSegmentOf<Recorder>;
   /// What a window's children inherit besides the geometry.
-  struct Beam {
+  struct WindowOrigin {
     Index source;  ///< number of the pseudo-source
     Depth depth;
   };
@@ -86,7 +86,7 @@ class Propagation {
     if constexpr (Recorder::kRecords) progress_.start(mesh_, query.source_vertices(mesh_));
     stops_ = query.stop_at_targets;
     if (stops_) wavefront_.keep_sorted();
-    ending_ = Ending(mesh_, query, distances_);
+    stop_rule_ = StopRule(mesh_, query, distances_);
     roots_.clear();
     Index beyond_vertices = mesh_.vertex_count();
     for (const Source& source : query.sources) {
@@ -100,10 +100,10 @@ class Propagation {
   }
 
   /// v sends out windows, be it a pseudo-source or not.
-  void start_at(Index v, double distance, Arrival arrival) {
+  void start_at(Index v, double distance, LastSegment last_segment) {
     if (!(distance < distances_[v])) return;
     set_distance(v, distance);
-    if constexpr (Recorder::kRemembers) recorder_.arrived(v, arrival);
+    if constexpr (Recorder::kRemembers) recorder_.arrived(v, last_segment);
     wavefront_.push_vertex(v, distance);
   }
 
@@ -122,7 +122,7 @@ class Propagation {
     };
     const auto cross_side = [&](Index h, const Point2& from) __attribute__((cold)) {
       const double length = mesh_.half_edge(h).length;
-      const Beam beyond{number, Depth{}.next()};
+      const WindowOrigin beyond{number, Depth{}.next()};
       const Window across = turned({0, length, from.x, from.y, d}, length);
       land(h, across, beyond);
       cross_at_once(h, across, beyond);
@@ -136,17 +136,17 @@ class Propagation {
   }
 
   /// Nothing is left to find.
-  [[gnu::noinline]] bool is_over() { return ending_.is_over(wavefront_.least_key()); }
+  [[gnu::noinline]] bool is_over() { return stop_rule_.is_over(wavefront_.least_key()); }
 
-  /// @param root as in Arrival (core/recording.h)
+  /// @param root as in LastSegment (core/recording.h)
   Index add_source(double sigma, Index root) {
     if constexpr (Recorder::kRemembers) roots_.push_back(root);
     return wavefront_.add_source(sigma);
   }
 
   /// Of a window's source; known where it is remembered.
-  Index root_of(const Beam& beam) const {
-    if constexpr (Recorder::kRemembers) return roots_[beam.source];
+  Index root_of(const WindowOrigin& origin) const {
+    if constexpr (Recorder::kRemembers) return roots_[origin.source];
     return kNone;
   }
 
@@ -155,20 +155,20 @@ class Propagation {
     distances_[v] = distance;
   }
 
-  void reach(Index v, double distance, Arrival arrival) {
+  void reach(Index v, double distance, LastSegment last_segment) {
     if (!(distance < distances_[v])) return;
     set_distance(v, distance);
-    if constexpr (Recorder::kRemembers) recorder_.arrived(v, arrival);
+    if constexpr (Recorder::kRemembers) recorder_.arrived(v, last_segment);
     if (mesh_.is_pseudo_source(v) && has_news(v)) wavefront_.push_vertex(v, distance);
   }
 
   /// The apex of h, at the end of an edge from a vertex that emits.
-  void reach_neighbour(Index h, double distance, double edge, Arrival arrival) {
+  void reach_neighbour(Index h, double distance, double edge, LastSegment last_segment) {
     if (!(distance + edge < distances_[mesh_.apex(h)])) return;
     if (is_next_to_apex(mesh_.half_edge(h), edge)) {
-      start_at(mesh_.apex(h), distance + edge, arrival);
+      start_at(mesh_.apex(h), distance + edge, last_segment);
     } else {
-      reach(mesh_.apex(h), distance + edge, arrival);
+      reach(mesh_.apex(h), distance + edge, last_segment);
     }
   }
 
@@ -181,7 +181,7 @@ class Propagation {
     const double d = distances_[v];
     emitted_[v] = d;
     const Index source = add_source(d, v);
-    const Beam along{source, {}}, beyond{source, Depth{}.next()};
+    const WindowOrigin along{source, {}}, beyond{source, Depth{}.next()};
     for (const Index h : mesh_.outgoing(v)) {
       const Index opposite = Mesh::next(h), into = Mesh::previous(h);
       const double out = mesh_.half_edge(h).length, in = mesh_.half_edge(into).length;
@@ -206,12 +206,13 @@ class Propagation {
   /// must not be lost with it. They may come to another such edge.
   /// Out of line, so that cross_face is compiled as without it.
   /// @param w in the frame of h, whose face it leaves
-  [[gnu::cold, gnu::noinline]] void cross_at_once(Index h, const Window& w, const Beam& beam) {
+  [[gnu::cold, gnu::noinline]] void cross_at_once(Index h, const Window& w,
+                                                  const WindowOrigin& origin) {
     const HalfEdge& e = mesh_.half_edge(h);
     const bool on_edge = w.y > 0 && w.y <= kFlatFace * e.length && w.begin < w.x && w.x < w.end;
     if (!on_edge || e.twin == kNone || row_ == kMostInRow) return;
     ++row_;
-    const Beam beyond{beam.source, beam.depth.next()};
+    const WindowOrigin beyond{origin.source, origin.depth.next()};
     mesh_.for_each_sheet(h, [&](Index g) {
       budget_.spend(1);
       recorder_.propagated(1, beyond.depth);
@@ -220,34 +221,34 @@ class Propagation {
   }
 
   void propagate(const Taken& taken) {
-    const Beam beam{taken.source, taken.depth.next()};
-    recorder_.propagated(1, beam.depth);
+    const WindowOrigin origin{taken.source, taken.depth.next()};
+    recorder_.propagated(1, origin.depth);
     if (taken.window.y < 0) {
-      cross_face(taken.edge, taken.window, beam);
+      cross_face(taken.edge, taken.window, origin);
     } else {
       const double length = mesh_.half_edge(taken.edge).length;
-      cross_face(mesh_.twin(taken.edge), turned(taken.window, length), beam);
+      cross_face(mesh_.twin(taken.edge), turned(taken.window, length), origin);
     }
   }
 
   /// @param w in the frame of h, whose face it enters; y < 0
-  void cross_face(Index h, const Window& w, const Beam& beam) {
-    if constexpr (Recorder::kRemembers) recorder_.crossing(h, w, root_of(beam));
+  void cross_face(Index h, const Window& w, const WindowOrigin& origin) {
+    if constexpr (Recorder::kRemembers) recorder_.crossing(h, w, root_of(origin));
     const FaceFrame face = face_frame(mesh_, h);
-    const Sight sight(w, {face.apex_x, face.apex_y});
+    const WindowSight sight(w, {face.apex_x, face.apex_y});
     if (sight.reaches()) {
       reach(mesh_.apex(h), least_distance_to(w, face.apex_x, face.apex_y),
-            {h, root_of(beam), {w.x, w.y}});
+            {h, root_of(origin), {w.x, w.y}});
     }
     if (sight.left()) {
       const double end = sight.right() ? face.left : face.on_left(w, w.end);
       land_child(Mesh::previous(h), {face.on_left(w, w.begin), end}, face.to_left(w.x, w.y),
-                 face.left, w.sigma, beam);
+                 face.left, w.sigma, origin);
     }
     if (sight.right()) {
       const double begin = sight.left() ? 0.0 : face.on_right(w, w.begin);
       land_child(Mesh::next(h), {begin, face.on_right(w, w.end)}, face.to_right(w.x, w.y),
-                 face.right, w.sigma, beam);
+                 face.right, w.sigma, origin);
     }
   }
 
@@ -257,42 +258,42 @@ class Propagation {
 
   /// A child that leaves its face through h, given in the frame of h's twin.
   void land_child(Index h, Interval on, const Point2& source, double length, double sigma,
-                  const Beam& beam) {
+                  const WindowOrigin& origin) {
     // Rounding must not move the source across the edge.
     const Window child =
         turned({on.begin, on.end, source.x, std::min(source.y, 0.0), sigma}, length);
-    land(h, child, beam);
+    land(h, child, origin);
     if (row_ > 0) [[unlikely]] {
-      cross_at_once(h, child, beam);
+      cross_at_once(h, child, origin);
     }
   }
 
   /// @param w in the frame of h, whose face it leaves; y >= 0
-  void land(Index h, const Window& w, const Beam& beam) {
+  void land(Index h, const Window& w, const WindowOrigin& origin) {
     const double length = mesh_.half_edge(h).length;
     if (is_void(w, length)) return;
-    insert(h, length, w, beam);
+    insert(h, length, w, origin);
     if (mesh_.crosses_non_manifold_edges()) [[unlikely]] {
-      insert_on_other_sheets(h, length, w, beam);
+      insert_on_other_sheets(h, length, w, origin);
     }
   }
 
   [[gnu::cold, gnu::noinline]] void insert_on_other_sheets(Index h, double length, const Window& w,
-                                                           const Beam& beam) {
+                                                           const WindowOrigin& origin) {
     if (!(w.y > 0)) return;
     mesh_.for_each_sheet(h, [&](Index g) {
-      if (g != h) insert(g, length, w, beam);
+      if (g != h) insert(g, length, w, origin);
     });
   }
 
   /// @param w in the frame of h, as of every half-edge of the edge that has its direction
-  void insert(Index h, double length, const Window& w, const Beam& beam) {
+  void insert(Index h, double length, const Window& w, const WindowOrigin& origin) {
     const Index twin = mesh_.twin(h);
     const bool goes_on = twin != kNone && w.y > 0;
     if (list_of(h, twin) == h) {
-      wavefront_.insert(h, length, w, beam.source, beam.depth, goes_on);
+      wavefront_.insert(h, length, w, origin.source, origin.depth, goes_on);
     } else {
-      wavefront_.insert(twin, length, turned(w, length), beam.source, beam.depth, goes_on);
+      wavefront_.insert(twin, length, turned(w, length), origin.source, origin.depth, goes_on);
     }
   }
 
@@ -311,7 +312,7 @@ class Propagation {
   std::span<double> distances_;
   std::vector<double> emitted_;  // distance of the windows that each vertex sent out last
   int row_ = 0;                  // faces crossed at once by the window being sent out
-  Ending ending_;
+  StopRule stop_rule_;
   bool stops_ = false;        // the query says so
   std::vector<Index> roots_;  // by number of source; empty in timed solves
   [[no_unique_address]] typename Recorder::Progress progress_;

@@ -36,8 +36,8 @@ constexpr const char* kRoundabout =
 
 }  // namespace
 
-/// One path, from its end back to its source. Everything is in the mesh's own numbers but what it
-/// gives.
+/// One path, from its end back to its source. Everything is in the mesh's internal numbers but what
+/// it gives.
 ///
 /// A straight piece is followed with its root in view: where the line enters a face, the direction
 /// of the root decides by which side it leaves, and the root is unfolded into the next face. Errors
@@ -56,30 +56,30 @@ class Paths::Trace {
 
   /// A path that is not as long as its end is far is none, and is not given. One whose lines misled
   /// it, over faces without area, is looked for by distances.
-  Path run(const SurfacePoint& end, double distance, const Arrival& arrival) {
+  Path run(const SurfacePoint& end, double distance, const LastSegment& last_segment) {
     const auto is_off = [&](const Path& path, double relative) {
       const double length = path.length() + of_.query_.sources[path.source].distance;
       return std::abs(length - distance) > relative * (distance + mesh_.mean_edge_length());
     };
-    Path path = trace(end, distance, arrival);
+    Path path = trace(end, distance, last_segment);
     if (!is_off(path, kPathStray)) return path;
     trusts_lines_ = false;
-    path = trace(end, distance, arrival);
-    if (is_off(path, kPathWrong)) lost(piece_to(end, distance, arrival));
+    path = trace(end, distance, last_segment);
+    if (is_off(path, kPathWrong)) lost(piece_to(end, distance, last_segment));
     return path;
   }
 
  private:
-  Path trace(const SurfacePoint& end, double distance, const Arrival& arrival) {
+  Path trace(const SurfacePoint& end, double distance, const LastSegment& last_segment) {
     points_.clear();
     passed_.clear();
     add(end, kNone, 0);
-    Piece piece = piece_to(end, distance, arrival);
+    Piece piece = piece_to(end, distance, last_segment);
     for (Index bends = 0; !begins_at_end(piece); ++bends) {
       if (bends > mesh_.vertex_count()) lost(piece);
       const Index root = follow(piece);
       if (root >= mesh_.vertex_count()) return from_source(root - mesh_.vertex_count());
-      piece = piece_to(SurfacePoint(root), of_.distance(root), of_.arrivals_[root]);
+      piece = piece_to(SurfacePoint(root), of_.distance(root), of_.last_segments_[root]);
     }
     const auto source = of_.source_at_.find(piece.root);
     if (source == of_.source_at_.end()) lost(piece);
@@ -91,7 +91,7 @@ class Paths::Trace {
     SurfacePoint end;
     double distance;  ///< at the end
     Index half_edge;
-    Index root;  ///< as in Arrival
+    Index root;  ///< as in LastSegment
     Point2 from;
     Point2 at = {0, 0};                         ///< the end
     std::span<const SurfacePoint> source = {};  ///< images of the root that is no vertex
@@ -134,8 +134,8 @@ class Paths::Trace {
   /// Of a face, by one of its half-edges: that itself, the one before it, the one after it.
   enum class Side : std::uint8_t { own, left, right };
 
-  Piece piece_to(const SurfacePoint& end, double distance, const Arrival& arrival) const {
-    Piece piece{end, distance, arrival.half_edge, arrival.root, arrival.from};
+  Piece piece_to(const SurfacePoint& end, double distance, const LastSegment& last_segment) const {
+    Piece piece{end, distance, last_segment.half_edge, last_segment.root, last_segment.from};
     if (begins_at_end(piece) || is_unknown(piece)) return piece;
     const Index vertices = mesh_.vertex_count();
     if (piece.half_edge >= mesh_.half_edge_count() ||
@@ -148,7 +148,7 @@ class Paths::Trace {
     } else {
       const Index face = piece.half_edge / 3;
       if (end.face != face) {
-        const std::vector<SurfacePoint> images = images_of(mesh_, end);
+        const std::vector<SurfacePoint> images = in_every_face(mesh_, end);
         const auto image = std::ranges::find(images, face, &SurfacePoint::face);
         if (image == images.end()) lost(piece);
         piece.end = *image;
@@ -174,7 +174,7 @@ class Paths::Trace {
   }
 
   /// Adds the points of a piece after its end.
-  /// @return where it begins, as in Arrival
+  /// @return where it begins, as in LastSegment
   Index follow(const Piece& piece) {
     if (!trusts_lines_ || is_unknown(piece)) return search(piece);
     const auto before = points_.size();
@@ -470,17 +470,17 @@ class Paths::Trace {
     PathPoint point;
     point.travelled = step;
     if (own.is_vertex()) {
-      point.at.vertex = numbers.given_vertex(own.vertex);
+      point.at.vertex = numbers.external_vertex(own.vertex);
       point.position = mesh_.position(own.vertex);
     } else {
       point.at = own;
-      point.at.face = numbers.given_face(own.face);
+      point.at.face = numbers.external_face(own.face);
       for (std::size_t k = 0; k < 3; ++k) {
         const Vec3& corner = mesh_.position(mesh_.origin(3 * own.face + static_cast<Index>(k)));
         point.position = geodesic::add(point.position, scale(own.weights[k], corner));
       }
     }
-    if (face != kNone) point.face = numbers.given_face(face % mesh_.given_face_count());
+    if (face != kNone) point.face = numbers.external_face(face % mesh_.given_face_count());
     points_.push_back(point);
     return own.vertex;
   }
@@ -498,8 +498,8 @@ class Paths::Trace {
   [[noreturn]] void lost(const Piece& piece) const {
     const MeshNumbers& numbers = mesh_.numbers();
     const auto name = [&](SurfacePoint own) {
-      if (own.is_vertex()) return "vertex " + std::to_string(numbers.given_vertex(own.vertex));
-      return "a point in face " + std::to_string(numbers.given_face(own.face));
+      if (own.is_vertex()) return "vertex " + std::to_string(numbers.external_vertex(own.vertex));
+      return "a point in face " + std::to_string(numbers.external_face(own.face));
     };
     const bool vertex = piece.root < mesh_.vertex_count();
     const std::string root = vertex                ? name(SurfacePoint(piece.root))
@@ -512,7 +512,7 @@ class Paths::Trace {
   const Paths& of_;
   const Mesh& mesh_;
   std::vector<PathPoint> points_;  // from the end; `travelled` is from the point before
-  SurfacePoint last_;              // in the mesh's own numbers
+  SurfacePoint last_;              // in the mesh's internal numbers
   std::vector<Index> passed_;      // vertices in the place of the last one
   std::vector<Fork> forks_;        // of the line that is followed
   bool trusts_lines_ = true;       // false: pieces are looked for by distances alone
@@ -523,23 +523,23 @@ Paths::Paths(const Mesh& mesh, Query query, std::vector<double> distances, Recor
     : mesh_(mesh),
       query_(std::move(query)),
       distances_(std::move(distances)),
-      arrivals_(std::move(recording.arrivals)),
+      last_segments_(std::move(recording.last_segments)),
       targets_(std::move(recording.targets)) {
   const std::size_t vertices = mesh.vertex_count();
-  if (recording.what != Record::paths || arrivals_.size() != vertices ||
+  if (recording.kind != RecordingKind::paths || last_segments_.size() != vertices ||
       distances_.size() != vertices || targets_.size() != query_.targets.size()) {
     throw std::invalid_argument("paths need a recording of paths, of this mesh and query");
   }
-  for (SurfacePoint& target : query_.targets) target = in_own_numbers(mesh, target);
+  for (SurfacePoint& target : query_.targets) target = in_internal_numbers(mesh, target);
   if (query_.stop_at_targets)
     farthest_ = std::ranges::max(targets_, {}, &AtTarget::distance).distance;
   farthest_ = std::min(farthest_, query_.limit);
   source_images_.resize(query_.sources.size());
   for (Index i = 0; i < query_.sources.size(); ++i) {
     Source& source = query_.sources[i];
-    source.at = in_own_numbers(mesh, source.at);
+    source.at = in_internal_numbers(mesh, source.at);
     if (!source.at.is_vertex()) {
-      source_images_[i] = images_of(mesh, source.at);
+      source_images_[i] = in_every_face(mesh, source.at);
       continue;
     }
     const auto [at, first] = source_at_.try_emplace(source.at.vertex, i);
@@ -549,17 +549,17 @@ Paths::Paths(const Mesh& mesh, Query query, std::vector<double> distances, Recor
 
 bool Paths::may_bend(Index v) const { return mesh_.is_pseudo_source(v) || source_at_.contains(v); }
 
-Index Paths::own_vertex(Index given) const {
+Index Paths::internal_vertex(Index given) const {
   const std::string defect = defect_of(mesh_, SurfacePoint(given));
   if (!defect.empty()) throw std::invalid_argument(defect);
-  return mesh_.numbers().own_vertex(given);
+  return mesh_.numbers().internal_vertex(given);
 }
 
 double Paths::distance_at(const SurfacePoint& point) const {
   const std::string defect = defect_of(mesh_, point);
   if (!defect.empty()) throw std::invalid_argument(defect);
   if (point.is_vertex()) return distances_[point.vertex];
-  return distance_in_face(in_own_numbers(mesh_, point));
+  return distance_in_face(in_internal_numbers(mesh_, point));
 }
 
 // A search takes the longer the looser its bound. What is found within a bound is the distance,
@@ -587,15 +587,15 @@ Path Paths::to_point(const SurfacePoint& point) const {
   if (distance == kInfinity) {
     throw std::invalid_argument("no path leads to the point in face " + std::to_string(point.face));
   }
-  return Trace(*this).run(in_own_numbers(mesh_, point), distance, {});
+  return Trace(*this).run(in_internal_numbers(mesh_, point), distance, {});
 }
 
 Path Paths::to_vertex(Index v) const {
-  const Index own = own_vertex(v);
+  const Index own = internal_vertex(v);
   if (distances_[v] == kInfinity) {
     throw std::invalid_argument("no path leads to vertex " + std::to_string(v));
   }
-  return Trace(*this).run(SurfacePoint(own), distances_[v], arrivals_[own]);
+  return Trace(*this).run(SurfacePoint(own), distances_[v], last_segments_[own]);
 }
 
 Path Paths::to_target(std::size_t i) const {
@@ -603,11 +603,11 @@ Path Paths::to_target(std::size_t i) const {
   if (target.distance == kInfinity) {
     throw std::invalid_argument("no path leads to target " + std::to_string(i));
   }
-  return Trace(*this).run(query_.targets[i], target.distance, target.arrival);
+  return Trace(*this).run(query_.targets[i], target.distance, target.last_segment);
 }
 
 std::optional<Index> Paths::source_here(Index v) const {
-  const Index root = arrivals_[v].root, vertices = mesh_.vertex_count();
+  const Index root = last_segments_[v].root, vertices = mesh_.vertex_count();
   if (root == kNone) return kNone;
   if (root >= vertices) return root - vertices;
   if (root != v) return std::nullopt;
@@ -616,11 +616,11 @@ std::optional<Index> Paths::source_here(Index v) const {
 }
 
 Index Paths::nearest_source(Index v) const {
-  Index at = own_vertex(v);
+  Index at = internal_vertex(v);
   if (distances_[v] == kInfinity) return kNone;
   for (Index bends = 0; bends <= mesh_.vertex_count(); ++bends) {
     if (const auto source = source_here(at)) return *source;
-    at = arrivals_[at].root;
+    at = last_segments_[at].root;
   }
   throw std::runtime_error(kRoundabout);
 }
@@ -635,11 +635,11 @@ std::vector<Index> Paths::nearest_sources() const {
     while (!nearest[at] && !(nearest[at] = source_here(at))) {
       if (chain.size() > vertices) throw std::runtime_error(kRoundabout);
       chain.push_back(at);
-      at = arrivals_[at].root;
+      at = last_segments_[at].root;
     }
     for (const Index each : chain) nearest[each] = nearest[at];
     chain.clear();
-    given[mesh_.numbers().given_vertex(v)] = *nearest[v];
+    given[mesh_.numbers().external_vertex(v)] = *nearest[v];
   }
   return given;
 }
@@ -647,7 +647,7 @@ std::vector<Index> Paths::nearest_sources() const {
 Paths solve_paths(Solver& solver, const Mesh& mesh, const Query& query) {
   std::vector<double> distances(mesh.vertex_count());
   Recording recording;
-  recording.what = Record::paths;
+  recording.kind = RecordingKind::paths;
   solver.solve(query, distances, &recording);
   return {mesh, query, std::move(distances), std::move(recording)};
 }

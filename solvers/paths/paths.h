@@ -1,4 +1,5 @@
-// Shortest paths of one solve, traced over the faces from how they arrive (Recording::arrivals).
+// Shortest paths of one solve, traced over the faces from how they arrive
+// (Recording::last_segments).
 //
 // A path is a chain of straight pieces that bend at vertices (Mitchell, Mount, Papadimitriou 1987,
 // section 3). What a vertex remembers of its own path is the last piece: its root, unfolded into
@@ -40,7 +41,7 @@ class Paths {
   /// @param mesh must outlive it
   /// @param query that was solved
   /// @param distances of the solve, one a vertex
-  /// @param recording of the solve, with Record::paths
+  /// @param recording of the solve, with RecordingKind::paths
   /// @throws std::invalid_argument when the recording is none of paths, or of another query or mesh
   Paths(const Mesh& mesh, Query query, std::vector<double> distances, Recording recording);
 
@@ -74,9 +75,9 @@ class Paths {
   class Search;
   class Trace;
 
-  /// Below, all is in the mesh's own numbers.
-  double distance(Index v) const { return distances_[mesh_.numbers().given_vertex(v)]; }
-  Index own_vertex(Index given) const;
+  /// Below, all is in the mesh's internal numbers.
+  double distance(Index v) const { return distances_[mesh_.numbers().external_vertex(v)]; }
+  Index internal_vertex(Index given) const;
   /// @param own not a vertex
   double distance_in_face(const SurfacePoint& own) const;
   /// Whether a path may end a straight piece at v: pseudo-sources, and the query's own.
@@ -86,8 +87,8 @@ class Paths {
 
   const Mesh& mesh_;
   Query query_;
-  std::vector<double> distances_;  // by given number
-  std::vector<Arrival> arrivals_;
+  std::vector<double> distances_;  // by external number
+  std::vector<LastSegment> last_segments_;
   std::vector<AtTarget> targets_;
   double farthest_ = kInfinity;                 // vertices farther than this have no distance
   std::unordered_map<Index, Index> source_at_;  // of vertices: the earliest

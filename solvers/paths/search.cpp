@@ -60,7 +60,7 @@ Paths::Search::Piece Paths::Search::run() {
     ends_.push_back({end_.vertex, kNone, kNone});
     for (Index i = 0; i < ends_.size(); ++i) start_at_vertex(i);
   } else {
-    for (const SurfacePoint& end : images_of(mesh_, end_)) {
+    for (const SurfacePoint& end : in_every_face(mesh_, end_)) {
       const Index under = edge_under(end);
       for (Index h = 3 * end.face; h < 3 * end.face + 3; ++h) {
         start(h, in_frame(mesh_, end, h), under, kNone);

@@ -9,7 +9,7 @@
 
 namespace geodesic {
 
-/// Finds by distances alone what an Arrival remembers: windows are propagated from the end of a
+/// Finds by distances alone what an LastSegment remembers: windows are propagated from the end of a
 /// path over the faces around, as Chen and Han 1990 do from a source, but only where the path can
 /// run. At a point x of it, d(end) - |end - x| is the distance of x, which differs from that of a
 /// vertex by no more than the straight line between them; windows where it does are dropped. What
@@ -37,8 +37,8 @@ class Paths::Search {
 
   /// A piece from its root to the end.
   struct Piece {
-    Index root = kNone;                    ///< as in Arrival; kNone: there is none
-    SurfacePoint at = {};                  ///< the root, in the mesh's own numbers
+    Index root = kNone;                    ///< as in LastSegment; kNone: there is none
+    SurfacePoint at = {};                  ///< the root, in the mesh's internal numbers
     Index half_edge = kNone;               ///< of the face that has the root and the last crossing
     double distance = kInfinity;           ///< of the end, by this piece
     double before = kInfinity;             ///< of the root
@@ -47,7 +47,7 @@ class Paths::Search {
     std::vector<Crossing> crossings = {};  ///< from there
   };
 
-  /// @param end in the mesh's own numbers
+  /// @param end in the mesh's internal numbers
   /// @param distance at the end, or above it; finite
   /// @param passed vertices that the piece must not begin in
   Search(const Paths& of, const SurfacePoint& end, double distance, std::span<const Index> passed);

@@ -42,17 +42,17 @@ TriangleSoup fan(Index count, double z) {
 TEST(Mesh, numbered_along_the_surface_translates_to_the_given_numbers_and_back) {
   const TriangleSoup soup = fan(50, 0.3);
   const Mesh mesh(soup, Numbering::along_surface);
-  ASSERT_FALSE(mesh.numbers().are_given());
+  ASSERT_FALSE(mesh.numbers().is_identity());
   std::vector<Triangle> given(mesh.face_count());
   for (Index f = 0; f < mesh.face_count(); ++f) {
     Triangle t = mesh.triangle(f);
-    for (Index& v : t) v = mesh.numbers().given_vertex(v);
-    given.at(mesh.numbers().given_face(f)) = t;
+    for (Index& v : t) v = mesh.numbers().external_vertex(v);
+    given.at(mesh.numbers().external_face(f)) = t;
   }
   EXPECT_EQ(given, soup.triangles);
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    EXPECT_EQ(mesh.position(mesh.numbers().own_vertex(v)), soup.positions[v]);
-    EXPECT_EQ(mesh.numbers().given_vertex(mesh.numbers().own_vertex(v)), v);
+    EXPECT_EQ(mesh.position(mesh.numbers().internal_vertex(v)), soup.positions[v]);
+    EXPECT_EQ(mesh.numbers().external_vertex(mesh.numbers().internal_vertex(v)), v);
   }
 }
 

@@ -7,7 +7,7 @@
 
 #include "meshes/oracles/random_meshes.h"
 #include "meshes/random.h"
-#include "solvers/core/path_record.h"
+#include "solvers/core/last_segments.h"
 #include "solvers/core/registry.h"
 
 namespace geodesic {
@@ -120,7 +120,7 @@ TEST(SurfacePoint, spreads_to_every_corner_and_side_of_its_faces_at_their_distan
 TEST(SurfacePoint, beyond_its_edge_is_at_the_same_place) {
   const Mesh mesh(rough_sphere(1, 2, 0.3));
   for (const SurfacePoint& point : random_points(mesh, 40)) {
-    const std::vector<SurfacePoint> images = images_of(mesh, point);
+    const std::vector<SurfacePoint> images = in_every_face(mesh, point);
     EXPECT_EQ(images.front(), point);
     ASSERT_EQ(images.size(), edge_under(point) == kNone ? 1u : 2u);
     if (images.size() == 1) continue;

@@ -179,29 +179,29 @@ TEST(Unfolding, from_a_source_on_the_edges_line_stays_within_the_edges) {
   }
 }
 
-TEST(Sight, says_on_which_sides_of_a_point_lines_pass) {
+TEST(WindowSight, says_on_which_sides_of_a_point_lines_pass) {
   const Window w = {.begin = 0.5, .end = 1.5, .x = 1, .y = -1, .sigma = 0};
   const auto sides = [&](double x) {
-    const Sight sight(w, {x, 1});
+    const WindowSight sight(w, {x, 1});
     return std::pair(sight.left(), sight.right());
   };
   EXPECT_EQ(sides(1), std::pair(true, true));
   EXPECT_EQ(sides(3), std::pair(true, false)) << "to the right of all lines";
   EXPECT_EQ(sides(-1), std::pair(false, true));
-  EXPECT_TRUE(Sight(w, {1, 1}).reaches());
-  EXPECT_FALSE(Sight(w, {3, 1}).reaches());
-  EXPECT_FALSE(Sight(w, {-1, 1}).reaches());
+  EXPECT_TRUE(WindowSight(w, {1, 1}).reaches());
+  EXPECT_FALSE(WindowSight(w, {3, 1}).reaches());
+  EXPECT_FALSE(WindowSight(w, {-1, 1}).reaches());
 }
 
-TEST(Sight, reaches_what_its_last_line_misses_by_less_than_the_tolerance) {
+TEST(WindowSight, reaches_what_its_last_line_misses_by_less_than_the_tolerance) {
   const Window w = {.begin = 0.5, .end = 1.5, .x = 1, .y = -1, .sigma = 0};
   // The lines through the ends pass (0, 1) and (2, 1), at an angle of atan(1/2) to the vertical.
   for (const double off : {0.5, 2.0}) {
     const double beside = off * kApexReach * 5 / 2;
-    EXPECT_EQ(Sight(w, {2 + beside, 1}).reaches(), off < 1);
-    EXPECT_EQ(Sight(w, {2 + beside, 1}).at_end(), off < 1);
-    EXPECT_EQ(Sight(w, {-beside, 1}).reaches(), off < 1);
-    EXPECT_EQ(Sight(w, {-beside, 1}).at_begin(), off < 1);
+    EXPECT_EQ(WindowSight(w, {2 + beside, 1}).reaches(), off < 1);
+    EXPECT_EQ(WindowSight(w, {2 + beside, 1}).at_end(), off < 1);
+    EXPECT_EQ(WindowSight(w, {-beside, 1}).reaches(), off < 1);
+    EXPECT_EQ(WindowSight(w, {-beside, 1}).at_begin(), off < 1);
   }
 }
 

@@ -63,7 +63,7 @@ TEST(EdgeBasedApproximate, propagates_few_windows) {
   const Query query{.sources = {{.at = 0}}};
   const auto windows = [&](const std::string& solver) {
     Recording recording;
-    recording.what = Record::counters;
+    recording.kind = RecordingKind::counters;
     distances(solver, mesh, query, &recording);
     return *recording.window_propagations;
   };

@@ -98,7 +98,7 @@ TEST(EdgeBasedSurface, a_limit_is_reached_over_edges_whose_ends_are_beyond_it) {
     Query query{.sources = {{.at = from}}, .limit = expected + 0.01, .targets = {to}};
     std::vector<double> distances(mesh.vertex_count());
     Recording recording;
-    recording.what = Record::paths;
+    recording.kind = RecordingKind::paths;
     make_solver(solver, mesh)->solve(query, distances, &recording);
     EXPECT_NEAR(recording.targets[0].distance, expected, 1e-12) << solver;
     EXPECT_EQ(std::ranges::count(distances, kInfinity), 2 * (kRungs + 1));

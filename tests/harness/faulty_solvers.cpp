@@ -32,19 +32,19 @@ class Faulty : public Solver {
   Faulty(const Mesh& mesh, const Description& description) : Solver(mesh, description) {}
 
  protected:
-  // Both in the mesh's own numbering, as `run` has it; `solve` speaks of the numbers given.
+  // Both in the mesh's internal numbering, as `run` has it; `solve` speaks of the numbers given.
   void solve_soundly(Query query, std::span<double> distances) {
     for (Source& source : query.sources)
-      source.at.vertex = mesh().numbers().given_vertex(source.at.vertex);
+      source.at.vertex = mesh().numbers().external_vertex(source.at.vertex);
     std::vector<double> given(distances.size());
     make_solver(sound_solver().name, mesh())->solve(query, given);
     for (Index v = 0; v < distances.size(); ++v)
-      distances[v] = given[mesh().numbers().given_vertex(v)];
+      distances[v] = given[mesh().numbers().external_vertex(v)];
   }
   // The last vertex of the file; the relative error is far above rounding and far below what a plot
   // shows.
   void spoil(std::span<double> distances) const {
-    distances[mesh().numbers().own_vertex(mesh().vertex_count() - 1)] *= 1 + 1e-9;
+    distances[mesh().numbers().internal_vertex(mesh().vertex_count() - 1)] *= 1 + 1e-9;
   }
 };
 
@@ -123,7 +123,7 @@ class TwoFaced final : public Faulty {
   using Faulty::Faulty;
   void run(const Query& query, std::span<double> distances, Recording*) override {
     solve_soundly(query, distances);
-    distances[mesh().numbers().own_vertex(mesh().vertex_count() - 1)] *=
+    distances[mesh().numbers().internal_vertex(mesh().vertex_count() - 1)] *=
         mesh().face_count() < 6 ? 1 - 1e-9 : 1 + 1e-9;
   }
 };

@@ -10,7 +10,7 @@
 
 namespace geodesic {
 
-inline Arrival arrival_of(const Mesh& mesh, const StraightPiece& piece) {
+inline LastSegment arrival_of(const Mesh& mesh, const StraightPiece& piece) {
   if (piece.crossings.empty()) {
     for (const Index h : mesh.outgoing(piece.from)) {
       const Index into = Mesh::previous(h);  // opposite to the head of h
@@ -30,11 +30,11 @@ inline Arrival arrival_of(const Mesh& mesh, const StraightPiece& piece) {
 inline Paths oracle_paths(const Mesh& mesh, const Query& query) {
   std::vector<double> distances = BruteForce(mesh).distances(query.sources);
   Recording recording;
-  recording.what = Record::paths;
+  recording.kind = RecordingKind::paths;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     const auto path = shortest_path(mesh, query.sources, distances, v);
-    recording.arrivals.push_back(path.empty() ? Arrival{kNone, v, {0, 0}}
-                                              : arrival_of(mesh, path.back()));
+    recording.last_segments.push_back(path.empty() ? LastSegment{kNone, v, {0, 0}}
+                                                   : arrival_of(mesh, path.back()));
   }
   return {mesh, query, std::move(distances), std::move(recording)};
 }

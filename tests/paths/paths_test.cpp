@@ -60,22 +60,22 @@ TEST(Paths, run_through_the_vertices_on_their_line) {
 TEST(Paths, are_those_of_the_numbers_given_however_a_mesh_numbers_itself) {
   const TriangleSoup soup = rough_sphere(6, 2, 0.2);
   const Mesh as_given(soup), renumbered(soup, Numbering::along_surface);
-  ASSERT_FALSE(renumbered.numbers().are_given());
+  ASSERT_FALSE(renumbered.numbers().is_identity());
   const Query query{.sources = {{.at = 5}}};
   const Paths paths = oracle_paths(as_given, query);
-  // The same recording, in the other mesh's own numbers.
+  // The same recording, in the other mesh's internal numbers.
   const MeshNumbers& numbers = renumbered.numbers();
   Recording recording;
-  recording.what = Record::paths;
-  const Query own{.sources = {{.at = numbers.own_vertex(5)}}};
+  recording.kind = RecordingKind::paths;
+  const Query own{.sources = {{.at = numbers.internal_vertex(5)}}};
   for (Index v = 0; v < renumbered.vertex_count(); ++v) {
     std::vector<double> distances;
     for (Index u = 0; u < renumbered.vertex_count(); ++u) {
-      distances.push_back(paths.distances()[numbers.given_vertex(u)]);
+      distances.push_back(paths.distances()[numbers.external_vertex(u)]);
     }
     const auto path = shortest_path(renumbered, own.sources, distances, v);
-    recording.arrivals.push_back(path.empty() ? Arrival{kNone, v, {0, 0}}
-                                              : arrival_of(renumbered, path.back()));
+    recording.last_segments.push_back(path.empty() ? LastSegment{kNone, v, {0, 0}}
+                                                   : arrival_of(renumbered, path.back()));
   }
   const Paths same(renumbered, query, paths.distances(), recording);
   for (Index v = 0; v < renumbered.vertex_count(); ++v) {
@@ -103,9 +103,9 @@ TEST(Paths, lead_between_points_in_faces_and_on_edges) {
     return AtTarget{2 + norm(line), {diagonal, root, from}};
   };
   Recording recording;
-  recording.what = Record::paths;
-  recording.arrivals.assign(4, {});
-  recording.arrivals[3] = {diagonal, root, from};
+  recording.kind = RecordingKind::paths;
+  recording.last_segments.assign(4, {});
+  recording.last_segments[3] = {diagonal, root, from};
   std::vector<double> distances(4, kInfinity);
   distances[3] = straight(3).distance;
   recording.targets = {straight(above), straight(middle), {2, {2, root, from_0}}, straight(3)};
@@ -167,27 +167,27 @@ TEST(Paths, need_a_recording_of_their_own_query) {
         [&] { Paths(mesh, query, std::vector<double>(4), recording); });
   };
   const std::string refusal = "paths need a recording of paths, of this mesh and query";
-  recording.arrivals.resize(4);
+  recording.last_segments.resize(4);
   EXPECT_EQ(paths({.sources = {{.at = 0}}}), refusal);  // of counters
-  recording.what = Record::paths;
+  recording.kind = RecordingKind::paths;
   EXPECT_EQ(paths({.sources = {{.at = 0}}}), "nothing was thrown");
   EXPECT_EQ(paths({.sources = {{.at = 0}}, .targets = {1}}), refusal);
-  recording.arrivals.resize(3);
+  recording.last_segments.resize(3);
   EXPECT_EQ(paths({.sources = {{.at = 0}}}), refusal);
 }
 
 TEST(Paths, end_in_one_error_where_a_solver_remembers_nonsense) {
   const Mesh mesh(kSquare);
   const Query query{.sources = {{.at = 0}}};
-  const auto with = [&](const Arrival& to_1, const Arrival& to_3) {
+  const auto with = [&](const LastSegment& to_1, const LastSegment& to_3) {
     Recording recording;
-    recording.what = Record::paths;
-    recording.arrivals = {{kNone, 0, {0, 0}}, to_1, {1, 0, {0, 0}}, to_3};
+    recording.kind = RecordingKind::paths;
+    recording.last_segments = {{kNone, 0, {0, 0}}, to_1, {1, 0, {0, 0}}, to_3};
     // Nearer than any path leads, so that no other one is taken.
     const Paths paths(mesh, query, {0, 1, std::sqrt(2), 0.5}, recording);
     return message_of<std::runtime_error>([&] { paths.to_vertex(3); });
   };
-  const Arrival fine{2, 0, {std::sqrt(2), 0}};
+  const LastSegment fine{2, 0, {std::sqrt(2), 0}};
   const std::string lost = " that does not exist; please report this mesh and query";
   const std::string to_3 = "the solver remembers a path to vertex 3 from ";
   EXPECT_EQ(with(fine, {3, 0, {0, 0}}), to_3 + "vertex 0" + lost);       // longer than it says
@@ -196,7 +196,7 @@ TEST(Paths, end_in_one_error_where_a_solver_remembers_nonsense) {
   EXPECT_EQ(with(fine, {3, 4, {0, -1}}), to_3 + "a source in a face" + lost);
   EXPECT_EQ(with(fine, {99, 0, {0, 0}}), to_3 + "vertex 0" + lost);
   EXPECT_EQ(with(fine, {kNone, kNone, {0, 0}}), to_3 + "nothing" + lost);
-  const Arrival across{3, 1, {std::sqrt(0.5), -std::sqrt(0.5)}}, back{2, 3, across.from};
+  const LastSegment across{3, 1, {std::sqrt(0.5), -std::sqrt(0.5)}}, back{2, 3, across.from};
   EXPECT_EQ(with({kNone, 1, {0, 0}}, across),  // vertex 1 is no source
             "the solver remembers a path to vertex 1 from vertex 1" + lost);
   EXPECT_NE(with(back, across).find(lost), std::string::npos);

@@ -28,7 +28,7 @@ MESHES = {
 
 def solver(name: str, exactness: str = "unbounded", **more: Any) -> Solver:
     exact = exactness == "exact"
-    return Solver(name, "F", "", "", "", "", "", False, exact, False, "", exactness, **more)
+    return Solver(name, "F", "", exact, False, "", exactness, **more)
 
 
 EXACT = solver("edge-based", "exact")

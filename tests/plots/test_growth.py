@@ -12,7 +12,7 @@ from plots import growth
 from results.columns import Columns
 from results.reader import Mesh, ResultError, Run, Solver
 
-SOLVER = Solver("fast", "F", "", "", "", "", "", False, True, False, "")
+SOLVER = Solver("fast", "F", "", True, False, "")
 
 
 def run_of(sizes: list[int], exponent: float) -> Run:

@@ -17,8 +17,7 @@ from results.reader import Mesh, ResultError, Run, Skip, Solver
 from results.table import Cell, Table
 
 SOLVERS = {
-    name: Solver(name, "F", "", "", "", "", "", False, exactness == "exact", False, "", exactness,
-                 0.01)
+    name: Solver(name, "F", "", exactness == "exact", False, "", exactness, 0.01)
     for name, exactness in [
         ("edge-based", "exact"), ("vtp", "exact"), ("my-heat", "unbounded"), ("avtp", "bounded"),
     ]

@@ -1,5 +1,5 @@
 // Every solver that starts at any point of the surface and remembers paths: distances as if the
-// points were vertices, arrivals that lead back to a root, an end at the targets.
+// points were vertices, last_segments that lead back to a root, an end at the targets.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ std::vector<SurfacePoint> random_points(const Mesh& mesh, Random& random, std::s
     points.push_back(point_in_face(mesh, face, {other, share, 1 - share - other}));
     points.push_back(point_in_face(mesh, face, {share, 0, 1 - share}));
     points.push_back(point_in_face(mesh, face, {1, 2e-15, random.between(0, 1e-12)}));
-    points.push_back(mesh.numbers().given_vertex(mesh.triangle(face)[0]));
+    points.push_back(mesh.numbers().external_vertex(mesh.triangle(face)[0]));
   }
   points.resize(count);
   return points;
@@ -63,7 +63,7 @@ struct Answer {
 
 Answer solve_recording_paths(const std::string& solver, const Mesh& mesh, const Query& query) {
   Answer answer{std::vector<double>(mesh.vertex_count()), {}};
-  answer.recording.what = Record::paths;
+  answer.recording.kind = RecordingKind::paths;
   make_solver(solver, mesh)->solve(query, answer.distances, &answer.recording);
   return answer;
 }
@@ -215,31 +215,33 @@ TEST_P(SurfacePoints, arrive_from_roots_that_are_as_much_nearer_as_the_line_is_l
     if (!takes(mesh)) continue;
     const Query query = random_query(mesh, random, random_points(mesh, random, 12));
     const Answer answer = solve_recording_paths(GetParam(), mesh, query);
-    const auto expect_length = [&](const Arrival& arrival, const Point2& end, double distance) {
-      const double line = std::hypot(arrival.from.x - end.x, arrival.from.y - end.y);
-      const double before = distance_of_root(mesh, query, answer, arrival.root);
+    const auto expect_length = [&](const LastSegment& last_segment, const Point2& end,
+                                   double distance) {
+      const double line = std::hypot(last_segment.from.x - end.x, last_segment.from.y - end.y);
+      const double before = distance_of_root(mesh, query, answer, last_segment.root);
       EXPECT_LE(std::abs(before + line - distance), kExact * distance + 1e-15);
     };
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
       SCOPED_TRACE("vertex " + std::to_string(v));
-      const Arrival& arrival = answer.recording.arrivals[v];
-      EXPECT_EQ(arrival.root == kNone, answer.distances[v] == kInfinity);
-      if (arrival.half_edge == kNone) {
-        EXPECT_TRUE(arrival.root == kNone || arrival.root == v);
+      const LastSegment& last_segment = answer.recording.last_segments[v];
+      EXPECT_EQ(last_segment.root == kNone, answer.distances[v] == kInfinity);
+      if (last_segment.half_edge == kNone) {
+        EXPECT_TRUE(last_segment.root == kNone || last_segment.root == v);
         continue;
       }
-      EXPECT_EQ(mesh.apex(arrival.half_edge), v);
-      const HalfEdge& e = mesh.half_edge(arrival.half_edge);
-      expect_length(arrival, {e.apex_x, e.apex_y}, answer.distances[v]);
+      EXPECT_EQ(mesh.apex(last_segment.half_edge), v);
+      const HalfEdge& e = mesh.half_edge(last_segment.half_edge);
+      expect_length(last_segment, {e.apex_x, e.apex_y}, answer.distances[v]);
     }
     for (std::size_t t = 0; t < query.targets.size(); ++t) {
       SCOPED_TRACE("target " + std::to_string(t));
-      const auto& [distance, arrival] = answer.recording.targets[t];
-      if (query.targets[t].is_vertex() || arrival.root == kNone) continue;
-      const std::vector<SurfacePoint> images = images_of(mesh, query.targets[t]);
-      const auto in_face = std::ranges::find(images, arrival.half_edge / 3, &SurfacePoint::face);
+      const auto& [distance, last_segment] = answer.recording.targets[t];
+      if (query.targets[t].is_vertex() || last_segment.root == kNone) continue;
+      const std::vector<SurfacePoint> images = in_every_face(mesh, query.targets[t]);
+      const auto in_face =
+          std::ranges::find(images, last_segment.half_edge / 3, &SurfacePoint::face);
       ASSERT_NE(in_face, images.end());
-      expect_length(arrival, in_frame(mesh, *in_face, arrival.half_edge), distance);
+      expect_length(last_segment, in_frame(mesh, *in_face, last_segment.half_edge), distance);
     }
   }
 }

@@ -14,14 +14,14 @@ const std::vector<double> kMoments{0.25, 0.5, 0.75};
 
 Recording wish_for_wavefront() {
   Recording recording;
-  recording.what = Record::wavefront;
+  recording.kind = RecordingKind::wavefront;
   recording.snapshots_at = kMoments;
   return recording;
 }
 
 // The counters alone.
 Recording without_wavefront(Recording recording) {
-  recording.what = Record::counters;
+  recording.kind = RecordingKind::counters;
   recording.snapshots_at.clear();
   recording.curve.clear();
   recording.snapshots.clear();

@@ -62,7 +62,7 @@ void refuses_what_it_lacks(const Trial& trial) {
     if (!has_it) refuses(trial, what, query);
   }
   Recording paths;
-  paths.what = Record::paths;
+  paths.kind = RecordingKind::paths;
   if (!can.paths) refused("to record paths", [&] { trial.solve(trial.mesh(), from(0), &paths); });
 }
 

@@ -75,7 +75,7 @@ void phase_times_change_nothing(const Trial& trial) {
   const Query& query = trial.query();
   const auto solver = trial.prepare();
   Recording before, after, timed;
-  timed.what = Record::phase_times;
+  timed.kind = RecordingKind::phase_times;
   const auto counted = trial.solve(*solver, query, &before);
   require("with phases timed", same_bits(query, trial.solve(*solver, query, &timed), counted));
   require("after phases were timed", same_bits(query, trial.solve(*solver, query), counted));
@@ -86,7 +86,7 @@ void phase_times_change_nothing(const Trial& trial) {
 
 void phase_times_hold_nothing_else(const Trial& trial) {
   Recording counters, timed;
-  timed.what = Record::phase_times;
+  timed.kind = RecordingKind::phase_times;
   trial.solve(trial.mesh(), trial.query(), &counters);
   trial.solve(trial.mesh(), trial.query(), &timed);
   require(!timed.phase_times || counters.window_propagations,
@@ -98,7 +98,7 @@ void phase_times_hold_nothing_else(const Trial& trial) {
                         phases.propagation.seconds > 0;
   require(complete, "a phase was never entered");
   Recording only;
-  only.what = timed.what;
+  only.kind = timed.kind;
   only.phase_times = timed.phase_times;
   require(timed == only, "something else was recorded beside the phase times");
 }
@@ -149,7 +149,7 @@ class WindowsCheck {
 
 Recording recording_of_windows(const ReadWindows& read) {
   Recording recording;
-  recording.what = Record::windows;
+  recording.kind = RecordingKind::windows;
   recording.read_windows = &read;
   return recording;
 }

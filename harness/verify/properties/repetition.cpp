@@ -72,7 +72,7 @@ Cases terrain_from_four_vertices() {
 std::vector<std::vector<double>> solved_in_three_ways(const Trial& trial, const Query& query) {
   const auto own = trial.prepare();
   Recording counters, phases;
-  phases.what = Record::phase_times;
+  phases.kind = RecordingKind::phase_times;
   std::vector<std::vector<double>> distances;
   for (Recording* recording : {static_cast<Recording*>(nullptr), &counters, &phases}) {
     distances.push_back(trial.solve(*own, query, recording));

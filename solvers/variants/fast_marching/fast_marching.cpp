@@ -19,7 +19,7 @@ struct Passed {
 };
 
 /// When the wave reaches the corner from one point.
-double arrival(Point2 corner, const Passed& point) {
+double last_segment(Point2 corner, const Passed& point) {
   const double dx = point.at.x - corner.x, dy = point.at.y - corner.y;
   return point.time + std::sqrt(dx * dx + dy * dy);
 }
@@ -27,9 +27,9 @@ double arrival(Point2 corner, const Passed& point) {
 /// When it does from two: the quadratic equation of section 4.1. With a the earlier point, u the
 /// time between the two, and t the time from a to the corner, the wave's direction lies within the
 /// corner if it is upwind of both.
-double arrival(Point2 corner, Passed a, Passed b) {
+double last_segment(Point2 corner, Passed a, Passed b) {
   if (b.time < a.time) std::swap(a, b);
-  const double along_an_edge = std::min(arrival(corner, a), arrival(corner, b));
+  const double along_an_edge = std::min(last_segment(corner, a), last_segment(corner, b));
   const double ax = a.at.x - corner.x, ay = a.at.y - corner.y;
   const double bx = b.at.x - corner.x, by = b.at.y - corner.y;
   const double product = ax * bx + ay * by, a2 = ax * ax + ay * ay, b2 = bx * bx + by * by;
@@ -86,9 +86,9 @@ class FastMarching final : public Solver {
     const Passed origin = passed(e.origin, {0, 0}), head = passed(mesh().head(h), {e.length, 0});
     if (const Splitter* splitter = splitters_.of_corner(h)) {
       const Passed middle = passed(splitter->vertex, splitter->at);
-      reach(v, std::min(arrival(corner, origin, middle), arrival(corner, middle, head)));
+      reach(v, std::min(last_segment(corner, origin, middle), last_segment(corner, middle, head)));
     } else {
-      reach(v, arrival(corner, origin, head));
+      reach(v, last_segment(corner, origin, head));
     }
   }
 

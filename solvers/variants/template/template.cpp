@@ -12,7 +12,7 @@
 #include <deque>
 #include <optional>
 
-#include "solvers/core/path_record.h"
+#include "solvers/core/last_segments.h"
 #include "solvers/core/registry.h"
 #include "solvers/core/tolerance.h"
 #include "solvers/core/window_bound.h"
@@ -29,7 +29,7 @@ class Unfolding final : public Solver {
  private:
   struct Waiting {
     Index half_edge;  ///< the one whose face the lines enter, and in whose frame the window is
-    Index root;       ///< where the lines begin, as in Arrival (core/recording.h)
+    Index root;       ///< where the lines begin, as in LastSegment (core/recording.h)
     Index faces;      ///< crossed since
     Window window;
   };
@@ -40,7 +40,8 @@ class Unfolding final : public Solver {
     windows_.clear();
     budget_.start();
     paths_.reset();
-    if (recording != nullptr && recording->what == Record::paths) paths_.emplace(mesh(), query);
+    if (recording != nullptr && recording->kind == RecordingKind::paths)
+      paths_.emplace(mesh(), query);
     for (Index i = 0; i < query.sources.size(); ++i)
       start(query.sources[i], mesh().vertex_count() + i);
     while (!sources_.empty() || !windows_.empty()) {
@@ -78,10 +79,10 @@ class Unfolding final : public Solver {
 
   /// There is a path of this length to v.
   /// `sends_out`: wherever v lies.
-  void reach(Index v, double distance, const Arrival& arrival, bool sends_out = false) {
+  void reach(Index v, double distance, const LastSegment& last_segment, bool sends_out = false) {
     if (!(distance < distances_[v])) return;
     // Where rounding alone makes a path shorter, the one that is known goes on to count.
-    if (paths_ && distance < distances_[v] * (1 - kPathMargin)) paths_->arrived(v, arrival);
+    if (paths_ && distance < distances_[v] * (1 - kPathMargin)) paths_->arrived(v, last_segment);
     distances_[v] = distance;
     if (sends_out || mesh().is_pseudo_source(v)) sources_.push_back({v, distance});
   }
@@ -126,7 +127,7 @@ class Unfolding final : public Solver {
     if (paths_) paths_->crossing(h, w, root);
     const FaceFrame face = face_frame(mesh(), h);
     const Point2 apex = {face.apex_x, face.apex_y};
-    const Sight sight(w, apex);
+    const WindowSight sight(w, apex);
     if (sight.reaches()) {
       reach(mesh().apex(h), least_distance_to(w, apex.x, apex.y), {h, root, {w.x, w.y}});
     }
@@ -146,9 +147,9 @@ class Unfolding final : public Solver {
 
   WindowBudget budget_;
   std::span<double> distances_;
-  std::deque<Source> sources_;       // that have not sent out windows of their distance yet
-  std::deque<Waiting> windows_;      // that have not crossed a face yet
-  std::optional<PathRecord> paths_;  // how paths arrive, where the solve is asked for them
+  std::deque<Source> sources_;         // that have not sent out windows of their distance yet
+  std::deque<Waiting> windows_;        // that have not crossed a face yet
+  std::optional<LastSegments> paths_;  // how paths arrive, where the solve is asked for them
 };
 
 const RegisterSolver<Unfolding> registered{{

@@ -1,4 +1,4 @@
-#include "solvers/core/path_record.h"
+#include "solvers/core/last_segments.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,15 +8,18 @@
 
 namespace geodesic {
 
-PathRecord::PathRecord(const Mesh& mesh, const Query& query)
-    : mesh_(mesh), query_(query), arrivals_(mesh.vertex_count()), targets_(query.targets.size()) {
+LastSegments::LastSegments(const Mesh& mesh, const Query& query)
+    : mesh_(mesh),
+      query_(query),
+      last_segments_(mesh.vertex_count()),
+      targets_(query.targets.size()) {
   for (const Source& source : query.sources) {
-    if (source.at.is_vertex()) arrivals_[source.at.vertex].root = source.at.vertex;
+    if (source.at.is_vertex()) last_segments_[source.at.vertex].root = source.at.vertex;
   }
   for (Index i = 0; i < query.targets.size(); ++i) {
     const SurfacePoint& target = query.targets[i];
     if (target.is_vertex()) continue;
-    for (const SurfacePoint& image : images_of(mesh, target)) places_.push_back({i, image});
+    for (const SurfacePoint& image : in_every_face(mesh, target)) places_.push_back({i, image});
   }
   if (places_.empty()) return;
   std::ranges::stable_sort(places_, {}, [](const Place& p) { return p.point.face; });
@@ -25,42 +28,42 @@ PathRecord::PathRecord(const Mesh& mesh, const Query& query)
   for (Index f = 0; f < mesh.face_count(); ++f) first_target_[f + 1] += first_target_[f];
 }
 
-void PathRecord::cross(Index h, const Window& w, Index root, Index place) {
+void LastSegments::cross(Index h, const Window& w, Index root, Index place) {
   const Point2 at = in_frame(mesh_, places_[place].point, h);
-  if (!Sight(w, at).reaches()) return;
+  if (!WindowSight(w, at).reaches()) return;
   offer(places_[place].target, least_distance_to(w, at.x, at.y), {h, root, {w.x, w.y}});
 }
 
-void PathRecord::offer(Index target, double distance, const Arrival& arrival) {
-  if (distance < targets_[target].distance) targets_[target] = {distance, arrival};
+void LastSegments::offer(Index target, double distance, const LastSegment& last_segment) {
+  if (distance < targets_[target].distance) targets_[target] = {distance, last_segment};
 }
 
-void PathRecord::finish(std::span<const double> distances, Recording& recording) {
+void LastSegments::finish(std::span<const double> distances, Recording& recording) {
   for (const Place& place : places_) finish_place(place, distances);
   for (Index i = 0; i < targets_.size(); ++i) {
     const SurfacePoint& target = query_.targets[i];
-    if (target.is_vertex()) targets_[i] = {distances[target.vertex], arrivals_[target.vertex]};
+    if (target.is_vertex()) targets_[i] = {distances[target.vertex], last_segments_[target.vertex]};
     if (targets_[i].distance > query_.limit) targets_[i] = {};
   }
-  recording.arrivals = std::move(arrivals_);
+  recording.last_segments = std::move(last_segments_);
   recording.targets = std::move(targets_);
 }
 
-void PathRecord::finish_place(const Place& place, std::span<const double> distances) {
+void LastSegments::finish_place(const Place& place, std::span<const double> distances) {
   const Index face = place.point.face;
   for (Index h = 3 * face; h < 3 * face + 3; ++h) {
     const Point2 at = in_frame(mesh_, place.point, h);
     const Index corner = mesh_.origin(h);
     const double distance = distances[corner] + std::hypot(at.x, at.y);
     // Where no path bends, the line that leads through the corner is a window's: a tie is its own.
-    const bool begins = mesh_.is_pseudo_source(corner) || arrivals_[corner].root == corner;
+    const bool begins = mesh_.is_pseudo_source(corner) || last_segments_[corner].root == corner;
     if (!begins && distance > targets_[place.target].distance * (1 - kPathMargin)) continue;
     offer(place.target, distance, {h, corner, {0, 0}});
   }
   for (Index i = 0; i < query_.sources.size(); ++i) {
     const Source& source = query_.sources[i];
     if (source.at.is_vertex()) continue;
-    for (const SurfacePoint& from : images_of(mesh_, source.at)) {
+    for (const SurfacePoint& from : in_every_face(mesh_, source.at)) {
       if (from.face != face) continue;
       // From the nearest corner: next to it, coordinates have all digits of the weights.
       const auto& weights = place.point.weights;

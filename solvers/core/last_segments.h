@@ -9,14 +9,14 @@
 
 namespace geodesic {
 
-/// For one solve of one query, both in the mesh's own numbers.
-class PathRecord {
+/// For one solve of one query, both in the mesh's internal numbers.
+class LastSegments {
  public:
-  PathRecord(const Mesh& mesh, const Query& query);
+  LastSegments(const Mesh& mesh, const Query& query);
 
   /// As PathRecorder's (recorders.h).
-  void arrived(Index v, const Arrival& arrival) { arrivals_[v] = arrival; }
-  const Arrival& arrival(Index v) const { return arrivals_[v]; }
+  void arrived(Index v, const LastSegment& last_segment) { last_segments_[v] = last_segment; }
+  const LastSegment& last_segment(Index v) const { return last_segments_[v]; }
   void crossing(Index h, const Window& w, Index root) {
     if (first_target_.empty()) return;
     const Index face = h / 3;
@@ -37,12 +37,12 @@ class PathRecord {
 
   void add_place(Index target, const SurfacePoint& point);
   void cross(Index h, const Window& w, Index root, Index place);
-  void offer(Index target, double distance, const Arrival& arrival);
+  void offer(Index target, double distance, const LastSegment& last_segment);
   void finish_place(const Place& place, std::span<const double> distances);
 
   const Mesh& mesh_;
   const Query& query_;
-  std::vector<Arrival> arrivals_;
+  std::vector<LastSegment> last_segments_;
   std::vector<AtTarget> targets_;
   std::vector<Place> places_;        // by face
   std::vector<Index> first_target_;  // of each face among places_, and the end; empty: no places
