@@ -7,7 +7,7 @@
 // propagated across its face as a whole, trimmed by Strategy I (trim.h) and divided by Strategy II
 // (split.h). Windows that land on an edge whose next face has been entered already go on at once,
 // through a FIFO; all others wait. Any order is correct, since only beaten lines are ever dropped;
-// this one keeps late last_segments rare.
+// this one keeps late arrivals rare.
 //
 // What waits, what is entered and when a solve is over: wavefront.h. What crosses a face:
 // list_crossing.h, whose steps over whole lists (kernels.h) are compiled for several instruction
