@@ -34,8 +34,7 @@
 
 namespace geodesic::edge_based {
 
-/// @tparam Queue of vertices that wait. Any order is correct; one by distance keeps late
-/// last_segments
+/// @tparam Queue of vertices that wait. Any order is correct; one by distance keeps late arrivals
 ///         rare.
 /// @tparam Recorder core/recorders.h; it changes no distance
 template <class Crossing, class Queue, class Recorder>
@@ -64,9 +63,11 @@ class Wavefront {
     for (Index i = 0; i < query.sources.size(); ++i) begin_at(query.sources[i], i);
     StopRule ending(mesh_, query, distances_);
     while (!queue_.empty() && !ending.is_over(queue_.least_key())) {
-      enter_faces_around(pop());
+      const Index v = pop();
+      enter_faces_around(v);
       for (std::size_t i = 0; i < fifo_.size(); ++i) cross(fifo_[i]);
       fifo_.clear();
+      follow_edges_from(v);
       if constexpr (Recorder::kRecords) {
         if (progress_.made_step()) sample();
       }
@@ -182,12 +183,8 @@ class Wavefront {
       if (face == Face::ahead) face = Face::entering;
     }
     prefetch_around(v);
-    for (const Index h : mesh_.outgoing(v)) {
-      const Index into = Mesh::previous(h);
-      const HalfEdge &out = mesh_.half_edge(h), &in = mesh_.half_edge(into);
-      follow_edge(v, mesh_.head(h), out.length, in, emits, {into, v, {in.length, 0}});
-      follow_edge(v, in.origin, in.length, out, emits, {h, v, {0, 0}});
-      if (emits) emit_across(v, h);
+    if (emits) {
+      for (const Index h : mesh_.outgoing(v)) emit_across(v, h);
     }
     const auto timed = recorder_.enter(Phase::queue);
     for (const Index h : mesh_.outgoing(v)) {
@@ -211,6 +208,19 @@ class Wavefront {
   }
 
   bool may_bend_at(Index v) const { return always_emits_[v] != 0 || mesh_.is_pseudo_source(v); }
+
+  /// The paths that go on from v along its edges: last, since windows that have come by then reach
+  /// most of their ends by shorter ones.
+  void follow_edges_from(Index v) {
+    const bool emits = may_bend_at(v);
+    for (const Index h : mesh_.outgoing(v)) {
+      const Index into = Mesh::previous(h);
+      const HalfEdge &out = mesh_.half_edge(h), &in = mesh_.half_edge(into);
+      follow_edge(v, mesh_.head(h), out.length, in, emits, {into, v, {in.length, 0}});
+      // Any other edge is the one of a half-edge that leaves v.
+      if (in.twin == kNone) follow_edge(v, in.origin, in.length, out, emits, {h, v, {0, 0}});
+    }
+  }
 
   /// The path that goes on from v along an edge to its other end.
   /// @param length of the edge
@@ -263,7 +273,10 @@ class Wavefront {
     };
     while (!queue_.empty()) {
       const Index v = pop();
-      if (distances_[v] <= end) enter_faces_around(v);
+      if (distances_[v] <= end) {
+        enter_faces_around(v);
+        follow_edges_from(v);
+      }
       for (const Index h : mesh_.outgoing(v)) {
         enqueue_nearer(h);
         enqueue_nearer(Mesh::previous(h));

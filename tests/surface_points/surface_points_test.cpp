@@ -1,5 +1,5 @@
 // Every solver that starts at any point of the surface and remembers paths: distances as if the
-// points were vertices, last_segments that lead back to a root, an end at the targets.
+// points were vertices, last segments that lead back to a root, an end at the targets.
 #include <gtest/gtest.h>
 
 #include <algorithm>

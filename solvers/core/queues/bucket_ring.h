@@ -66,7 +66,7 @@ struct Stack {
   }
 };
 
-/// A bucket in order of last_segment.
+/// A bucket in order of arrival.
 struct Fifo {
   Index first = kNone, last = kNone;
   std::uint32_t count = 0;
