@@ -2,7 +2,7 @@
 // successor is Qin, Han, Yu, Yu, Zhang 2016, "Fast and memory-efficient Voronoi diagram
 // construction and exact geodesics by vertex-oriented triangle propagation" (VTP).
 //
-// The wavefront is a set of half-edges that carry lists of windows. Vertices wait in a heap by
+// The wavefront is a set of half-edges that carry lists of windows. Vertices wait in buckets by
 // distance. When one is popped, the faces around it are entered: every list on their edges is
 // propagated across its face as a whole, trimmed by Strategy I (trim.h) and divided by Strategy II
 // (split.h). Windows that land on an edge whose next face has been entered already go on at once,

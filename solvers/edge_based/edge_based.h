@@ -3,17 +3,19 @@
 
 #include <span>
 
-#include "solvers/core/queues/vertex_heap.h"
+#include "solvers/core/queues/vertex_calendar.h"
 #include "solvers/core/registry.h"
 #include "solvers/edge_based/list_crossing.h"
 #include "solvers/edge_based/wavefront.h"
 
 namespace geodesic::edge_based {
 
-/// Least distance first.
+/// Least distance first, up to a sixteenth of the mean edge.
 struct ByDistance {
-  using Queue = VertexHeap;
-  static Queue make_queue(const Mesh& mesh) { return Queue(mesh.vertex_count()); }
+  using Queue = VertexCalendar;
+  static Queue make_queue(const Mesh& mesh) {
+    return Queue(mesh.vertex_count(), mesh.mean_edge_length() / 16);
+  }
 };
 
 /// @tparam Order in which vertices leave the queue, as ByDistance

@@ -13,7 +13,7 @@
 namespace geodesic {
 namespace {
 
-constexpr const char* kSolvers[] = {"edge-based", "edge-based-bucket"};
+constexpr const char* kSolver = "edge-based";
 
 double space_between(const Vec3& a, const Vec3& b) { return norm(subtract(a, b)); }
 
@@ -52,31 +52,29 @@ TEST(EdgeBasedSurface, sources_next_to_a_corner_see_what_lies_behind_it) {
   const Mesh mesh(shaken_square(10));
   Random random(1);
   std::vector<double> distances(mesh.vertex_count());
-  for (const char* name : kSolvers) {
-    const auto solver = make_solver(name, mesh);
-    for (double near = 1e-16; near < 0.1; near *= 10) {
-      for (int left = 60; left > 0;) {
-        const Index h = random.below(mesh.half_edge_count()), w = random.below(mesh.vertex_count());
-        const double most = std::min(0.5, 3e-16 / near);
-        const SurfacePoint at = opposite_to(mesh, w, h, near, random.between(-most, most));
-        if (at.face == kNone || mesh.is_boundary(mesh.origin(h)) || !defect_of(mesh, at).empty()) {
-          continue;
-        }
-        --left;
-        solver->solve({.sources = {{.at = at}}}, distances);
-        const double expected = space_between(mesh.position(w), position_of(mesh, at));
-        EXPECT_NEAR(distances[w], expected, 1e-12 * expected + 1e-14)
-            << name << ", " << near << " from vertex " << mesh.origin(h) << " to " << w;
+  const auto solver = make_solver(kSolver, mesh);
+  for (double near = 1e-16; near < 0.1; near *= 10) {
+    for (int left = 60; left > 0;) {
+      const Index h = random.below(mesh.half_edge_count()), w = random.below(mesh.vertex_count());
+      const double most = std::min(0.5, 3e-16 / near);
+      const SurfacePoint at = opposite_to(mesh, w, h, near, random.between(-most, most));
+      if (at.face == kNone || mesh.is_boundary(mesh.origin(h)) || !defect_of(mesh, at).empty()) {
+        continue;
       }
+      --left;
+      solver->solve({.sources = {{.at = at}}}, distances);
+      const double expected = space_between(mesh.position(w), position_of(mesh, at));
+      EXPECT_NEAR(distances[w], expected, 1e-12 * expected + 1e-14)
+          << near << " from vertex " << mesh.origin(h) << " to " << w;
     }
   }
 }
 
 /// Windows propagated by a solve.
-std::uint64_t windows(const char* solver, const Mesh& mesh, const Query& query) {
+std::uint64_t windows(const Mesh& mesh, const Query& query) {
   std::vector<double> distances(mesh.vertex_count());
   Recording recording;
-  make_solver(solver, mesh)->solve(query, distances, &recording);
+  make_solver(kSolver, mesh)->solve(query, distances, &recording);
   return *recording.window_propagations;
 }
 
@@ -94,17 +92,15 @@ TEST(EdgeBasedSurface, a_limit_is_reached_over_edges_whose_ends_are_beyond_it) {
   const SurfacePoint from = point_in_face(mesh, 20, {0.5, 0.1, 0.4});
   const SurfacePoint to = point_in_face(mesh, 80, {0.5, 0.1, 0.4});
   const double expected = space_between(position_of(mesh, from), position_of(mesh, to));
-  for (const char* solver : kSolvers) {
-    Query query{.sources = {{.at = from}}, .limit = expected + 0.01, .targets = {to}};
-    std::vector<double> distances(mesh.vertex_count());
-    Recording recording;
-    recording.kind = RecordingKind::paths;
-    make_solver(solver, mesh)->solve(query, distances, &recording);
-    EXPECT_NEAR(recording.targets[0].distance, expected, 1e-12) << solver;
-    EXPECT_EQ(std::ranges::count(distances, kInfinity), 2 * (kRungs + 1));
-    // One window a face: 60 faces to the target and a few beyond, 20 to the boundary behind.
-    EXPECT_LE(windows(solver, mesh, query), 90u) << solver;
-  }
+  Query query{.sources = {{.at = from}}, .limit = expected + 0.01, .targets = {to}};
+  std::vector<double> distances(mesh.vertex_count());
+  Recording recording;
+  recording.kind = RecordingKind::paths;
+  make_solver(kSolver, mesh)->solve(query, distances, &recording);
+  EXPECT_NEAR(recording.targets[0].distance, expected, 1e-12);
+  EXPECT_EQ(std::ranges::count(distances, kInfinity), 2 * (kRungs + 1));
+  // One window a face: 60 faces to the target and a few beyond, 20 to the boundary behind.
+  EXPECT_LE(windows(mesh, query), 90u);
 }
 
 TEST(EdgeBasedSurface, a_limit_does_not_depend_on_how_long_edges_are_elsewhere) {
@@ -114,13 +110,11 @@ TEST(EdgeBasedSurface, a_limit_does_not_depend_on_how_long_edges_are_elsewhere) 
   spiked.positions.push_back({-1e3, -1e3, 0});
   spiked.triangles.push_back({1, 0, tip});
   const Index middle = 12 * 25 + 12;
-  for (const char* solver : kSolvers) {
-    const Query query{.sources = {{.at = middle}}, .limit = 4};
-    const auto expected = static_cast<double>(windows(solver, Mesh(square), query));
-    // Not the same: buckets are as wide as edges are long on the average.
-    EXPECT_LE(static_cast<double>(windows(solver, Mesh(spiked), query)), 1.1 * expected) << solver;
-    EXPECT_LE(expected, 0.3 * static_cast<double>(windows(solver, Mesh(square), {query.sources})));
-  }
+  const Query query{.sources = {{.at = middle}}, .limit = 4};
+  const auto expected = static_cast<double>(windows(Mesh(square), query));
+  // Not the same: buckets are as wide as edges are long on the average.
+  EXPECT_LE(static_cast<double>(windows(Mesh(spiked), query)), 1.1 * expected);
+  EXPECT_LE(expected, 0.3 * static_cast<double>(windows(Mesh(square), {query.sources})));
 }
 
 }  // namespace

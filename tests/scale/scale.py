@@ -24,7 +24,7 @@ from typing import Any
 
 import numpy as np
 
-SOLVERS = "edge-based,mmp,fwp-mmp,ich,fwp-ch,ch,dijkstra,edge-based-bucket,fast-marching,steiner"
+SOLVERS = "edge-based,mmp,fwp-mmp,ich,fwp-ch,ch,dijkstra,fast-marching,steiner"
 SOURCES = 10
 MOST_SECONDS, MOST_BYTES = 120, 2_000_000_000
 TETRAHEDRON = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"

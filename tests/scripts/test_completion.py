@@ -18,7 +18,7 @@ pytestmark = pytest.mark.skipif(not BENCH.exists(), reason=f"no program at {BENC
 
 CASES = [
     ("ver", {"verify"}),
-    ("solve --solver edge-based-b", {"edge-based-bucket"}),
+    ("solve --solver mm", {"mmp"}),
     ("solve --solver steiner", {"steiner", "steiner?points="}),
     ("run --corpus qu", {"quick"}),
     ("run --meshes nefertiti-l", {"nefertiti-loop2"}),
@@ -53,7 +53,7 @@ def test_bash(
     )
     found = printed(["bash", "-c", script], environment, tmp_path)
     if expected is None:  # the rest of a list
-        assert {"mmp,edge-based", "mmp,edge-based-bucket"} <= found
+        assert {"mmp,edge-based", "mmp,dijkstra"} <= found
     else:
         assert found == expected
 
