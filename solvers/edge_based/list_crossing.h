@@ -32,7 +32,6 @@ class ListCrossing {
     lists_.clear();
     budget_.start();
   }
-  bool is_empty(Index h) const { return lists_.is_empty(h); }
   void prefetch(Index h) const { lists_.prefetch(h); }
   void follow_edge(Index /*from*/, Index /*to*/) {}
   void finish() {}

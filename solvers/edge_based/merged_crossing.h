@@ -41,7 +41,6 @@ class MergedCrossing {
     window_count_ = 0;
     budget_.start();
   }
-  bool is_empty(Index h) const { return waiting_[h].first == kNil && !waiting_[h].sends; }
   void prefetch(Index h) const { geodesic::prefetch(&waiting_[h]); }
   void follow_edge(Index from, Index to) { shortfalls_[to] = shortfalls_[from]; }
   double rounding() const { return rounding_; }

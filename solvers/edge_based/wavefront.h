@@ -5,8 +5,7 @@
 // of a Crossing (list_crossing.h, merged_crossing.h), which has
 //
 //   start(distances)            forgets the last solve
-//   is_empty(h)                 true when nothing waits on h
-//   prefetch(h)                 starts to load what is_empty(h) reads
+//   prefetch(h)                 starts to load what waits on h
 //   emit(side, from, distance, root, wavefront)
 //                               sends a window over the whole of a side out of its face, into all
 //                               others; `from` in the frame of the side's twin, `root` as in
@@ -49,8 +48,7 @@ class Wavefront {
         queue_(std::move(queue)),
         recorder_(std::move(recorder)),
         faces_(mesh.face_count()),
-        always_emits_(mesh.vertex_count()),
-        in_fifo_(mesh.half_edge_count()) {}
+        always_emits_(mesh.vertex_count()) {}
 
   /// As Solver::run.
   void run(const Query& query, std::span<double> distances) {
@@ -98,24 +96,46 @@ class Wavefront {
     }
   }
 
-  /// Something waits on h that did not before. It crosses at once where the face has been entered.
+  /// Something has landed on h. It crosses at once where the face has been entered.
   void land(Index h) {
-    if (faces_[h / 3] != Face::ahead) enqueue(h);
+    std::uint8_t& face = faces_[h / 3];
+    const unsigned before = face, side = h % 3;
+    face = static_cast<std::uint8_t>(before | 1u << side);
+    fifo_.make_room(1);
+    fifo_.push_if(before >= kEntered && (before >> side & 1) == 0, h);
   }
 
  private:
-  enum class Face : std::uint8_t {
-    ahead,     ///< none of its vertices has been popped: what lands on its edges waits
-    entering,  ///< what waits on its edges is about to be enqueued
-    entered,   ///< what lands on its edges goes on at once
+  // Bit k of a face says that something waits on its half-edge k, this one that one of its vertices
+  // has been popped. Then what waits is in the FIFO.
+  static constexpr unsigned kEntered = 1u << 3;
+
+  /// Half-edges that cross next.
+  class Fifo {
+   public:
+    std::size_t size() const { return size_; }
+    Index operator[](std::size_t i) const { return items_[i]; }
+    void clear() { size_ = 0; }
+    void make_room(std::size_t more) {
+      if (size_ + more > items_.size()) [[unlikely]]
+        items_.resize(2 * size_ + more + 256);
+    }
+    /// Without a branch, which would be mispredicted often. There must be room.
+    void push_if(bool wanted, Index h) {
+      items_[size_] = h;
+      size_ += wanted;
+    }
+
+   private:
+    std::vector<Index> items_;
+    std::size_t size_ = 0;
   };
 
   /// Forgets the last solve, however it ended.
   void start(std::span<double> distances) {
     distances_ = distances;
-    std::ranges::fill(faces_, Face::ahead);
+    std::ranges::fill(faces_, std::uint8_t{0});
     std::ranges::fill(always_emits_, std::uint8_t{0});
-    std::ranges::fill(in_fifo_, std::uint8_t{0});
     fifo_.clear();
     queue_.clear();
     crossing_.start(distances);
@@ -165,36 +185,28 @@ class Wavefront {
   }
 
   void cross(Index h) {
-    in_fifo_[h] = 0;
+    faces_[h / 3] &= static_cast<std::uint8_t>(~(1u << h % 3));
     crossing_.cross(h, *this);
     recorder_.wavefront_size(crossing_.window_count());
   }
 
-  void enqueue(Index h) {
-    if (crossing_.is_empty(h) || in_fifo_[h]) return;
-    in_fifo_[h] = 1;
-    fifo_.push_back(h);
+  void enter_faces_around(Index v) {
+    prefetch_around(v);
+    for (const Index h : mesh_.outgoing(v)) enter(h / 3);
+    if (!may_bend_at(v)) return;
+    for (const Index h : mesh_.outgoing(v)) emit_across(v, h);
   }
 
-  void enter_faces_around(Index v) {
-    const bool emits = may_bend_at(v);
-    for (const Index h : mesh_.outgoing(v)) {
-      Face& face = faces_[h / 3];
-      if (face == Face::ahead) face = Face::entering;
-    }
-    prefetch_around(v);
-    if (emits) {
-      for (const Index h : mesh_.outgoing(v)) emit_across(v, h);
-    }
+  /// What waits on a face's edges, and what lands there from now on, crosses next.
+  void enter(Index f) {
     const auto timed = recorder_.enter(Phase::queue);
-    for (const Index h : mesh_.outgoing(v)) {
-      Face& face = faces_[h / 3];
-      if (face == Face::entered) continue;
-      face = Face::entered;
-      enqueue(h);
-      enqueue(Mesh::next(h));
-      enqueue(Mesh::previous(h));
-    }
+    const unsigned before = faces_[f];
+    faces_[f] = static_cast<std::uint8_t>(before | kEntered);
+    const unsigned crosses = before >= kEntered ? 0 : before;
+    fifo_.make_room(3);
+    fifo_.push_if(crosses & 1, 3 * f);
+    fifo_.push_if(crosses >> 1 & 1, 3 * f + 1);
+    fifo_.push_if(crosses >> 2 & 1, 3 * f + 2);
   }
 
   /// Starts to load what entering the faces around v reads, all at once, so that cache misses
@@ -262,11 +274,15 @@ class Wavefront {
   /// Nothing of this depends on how long edges are.
   /// @param end at least the distance of all that is asked for
   [[gnu::cold, gnu::noinline]] void finish_up_to(double end) {
+    // Where a face has been entered, what waits is in the FIFO. Elsewhere a half-edge may come
+    // there twice; nothing waits the second time.
     const auto enqueue_nearer = [&](Index h) {
+      if ((faces_[h / 3] & kEntered) != 0) return;
       bool nearer = false;
       crossing_.for_each_window(
           h, [&](const Window& w) { nearer = nearer || least_distance(w) <= end; });
-      if (nearer) enqueue(h);
+      fifo_.make_room(1);
+      fifo_.push_if(nearer, h);
     };
     const auto enqueue_nearer_beyond = [&](Index h) {
       mesh_.for_each_sheet(h, [&](Index g) { enqueue_nearer(mesh_.twin(g)); });
@@ -320,10 +336,9 @@ class Wavefront {
   [[no_unique_address]] Recorder recorder_;
   [[no_unique_address]] typename Recorder::Progress progress_;
   std::span<double> distances_;
-  std::vector<Face> faces_;
+  std::vector<std::uint8_t> faces_;
   std::vector<std::uint8_t> always_emits_;  // by vertex: even where no path bends
-  std::vector<std::uint8_t> in_fifo_;       // by half-edge
-  std::vector<Index> fifo_;
+  Fifo fifo_;
 };
 
 }  // namespace geodesic::edge_based

@@ -73,7 +73,6 @@ class WindowLists {
   /// @param fields that windows have, of Field
   WindowLists(Index half_edges, unsigned fields) : fields_(fields), last_(half_edges, kNone) {}
 
-  bool is_empty(Index h) const { return last_[h] == kNone; }
   std::uint64_t window_count() const { return window_count_; }
   void prefetch(Index h) const { geodesic::prefetch(&last_[h]); }
 
