@@ -84,22 +84,40 @@ class MergedCrossing {
     budget_.spend(lines_.size());
 
     const FaceFrame face = face_frame(mesh_, h);
-    const Index apex = mesh_.apex(h);
-    const Line* best = classify(face);
+    const Index left = Mesh::previous(h), right = Mesh::next(h);
+    if (lines_.size() == 1) {
+      Line& line = lines_.back();
+      find_sides(line, face);
+      if (line.left && line.right) reach_apex(h, line, wavefront);
+      if constexpr (recorder.kRecords) count(line, recorder);
+      if (line.left && mesh_.twin(left) != kNone) go_left(left, face, line, false, wavefront);
+      if (line.right && mesh_.twin(right) != kNone) go_right(right, face, line, false, wavefront);
+      return;
+    }
+    const Line* best = nullptr;  // with the shortest line to the apex
+    for (Line& line : lines_) {
+      find_sides(line, face);
+      if (!line.left || !line.right) continue;
+      if (best == nullptr || line.to_apex < best->to_apex) best = &line;
+    }
     if (best != nullptr) {
-      if (best->to_apex < distances_[apex]) {
-        wavefront.reach(apex, best->to_apex);
-        shortfalls_[apex] = best->merged.shortfall;
-      }
-      if (lines_.size() > 1) drop_crossing(*best, face);
+      reach_apex(h, *best, wavefront);
+      drop_crossing(*best, face);
     }
     if constexpr (recorder.kRecords) {
-      for (const Line& line : lines_) {
-        recorder.propagated(1, {line.depth + 1});
-        if (line.left || line.right) recorder.valid(1);
+      for (const Line& line : lines_) count(line, recorder);
+    }
+    if (mesh_.twin(left) != kNone) {
+      for (std::size_t i = lines_.size(); i-- > 0;) {  // the last one is to be the first
+        if (lines_[i].left) go_left(left, face, lines_[i], i > 0 && lines_[i - 1].left, wavefront);
       }
     }
-    unfold(h, face, wavefront);
+    if (mesh_.twin(right) != kNone) {
+      for (std::size_t i = 0; i < lines_.size(); ++i) {
+        if (!lines_[i].right) continue;
+        go_right(right, face, lines_[i], i > 0 && lines_[i - 1].right, wavefront);
+      }
+    }
   }
 
  private:
@@ -136,6 +154,30 @@ class MergedCrossing {
     Index sends : 1 = 0;
   };
 
+  /// A vector that counts its items: the distance of two pointers takes a multiplication.
+  template <class Item>
+  class Stack {
+   public:
+    bool empty() const { return size_ == 0; }
+    std::size_t size() const { return size_; }
+    void clear() { size_ = 0; }
+    Item& operator[](std::size_t i) { return items_[i]; }
+    Item& back() { return items_[size_ - 1]; }
+    Item* begin() { return items_.data(); }
+    Item* end() { return items_.data() + size_; }
+    const Item& back() const { return items_[size_ - 1]; }
+    void push(const Item& item) {
+      if (size_ == items_.size()) [[unlikely]]
+        items_.resize(2 * size_ + 16);
+      items_[size_++] = item;
+    }
+    void pop() { --size_; }
+
+   private:
+    std::vector<Item> items_;
+    std::size_t size_ = 0;
+  };
+
   /// A window of the list that crosses.
   struct Line {
     MergedWindow merged;
@@ -151,33 +193,46 @@ class MergedCrossing {
     const auto timed = recorder.enter(Phase::trimming);
     const HalfEdge& edge = mesh_.half_edge(h);
     const EndpointBounds bounds(edge.length, distances_[edge.origin], distances_[mesh_.head(h)]);
-    const Waiting waiting = waiting_[h];
-    waiting_[h] = {};
+    const Waiting waiting = std::exchange(waiting_[h], {});
     lines_.clear();
+    if (const Index only = waiting.first;
+        only != kNil && nodes_[only].next == kNil && waiting.sends == 0) {
+      const Node& node = nodes_[only];
+      --window_count_;
+      recorder.created(1);
+      if (!is_useless(node, bounds)) lines_.push({node.merged, node.depth, 0});
+      nodes_[only].next = std::exchange(free_, only);
+      return;
+    }
     from_right_.clear();
-    for (Index n = waiting.first; n != kNil;) {
-      const Node& node = nodes_[n];
-      const bool too_long = is_strip_too_long(mesh_, node.depth + std::uint64_t{1});
-      if (!too_long && !bounds.beat(node.merged.window)) {
-        const Line line = {node.merged, node.depth, node.apart};
-        if (node.from_right) {
-          from_right_.push_back(line);
-        } else {
-          append(line, edge.length);
-        }
+    Index last = kNil;
+    for (Index n = waiting.first; n != kNil; n = nodes_[n].next) {
+      if (nodes_[n].from_right) {
+        from_right_.push(n);
+      } else {
+        append(n, bounds);
       }
       --window_count_;
       recorder.created(1);
-      n = release(n);
+      last = n;
     }
     if (waiting.sends != 0) {
       --window_count_;
       recorder.created(1);
+      while (!from_right_.empty() && is_useless(nodes_[from_right_.back()], bounds)) {
+        from_right_.pop();
+      }
       const Line line = not_left_to_others(sent_from_below(h), edge.length);
       const Window& w = line.merged.window;
       if (!is_void(w, edge.length) && !bounds.beat(w)) append(line, edge.length);
     }
-    for (std::size_t i = from_right_.size(); i-- > 0;) append(from_right_[i], edge.length);
+    for (; !from_right_.empty(); from_right_.pop()) append(from_right_.back(), bounds);
+    if (last != kNil) nodes_[last].next = std::exchange(free_, waiting.first);
+  }
+
+  bool is_useless(const Node& node, const EndpointBounds& bounds) const {
+    return bounds.beat(node.merged.window) ||
+           is_strip_too_long(mesh_, node.depth + std::uint64_t{1});
   }
 
   /// The window that the third vertex of the face below sends over the whole of h.
@@ -202,8 +257,8 @@ class MergedCrossing {
         p.begin = a.end;
       }
     }
-    if (!from_right_.empty() && from_right_.back().merged.window.y <= flat) {
-      const Window& b = from_right_.back().merged.window;
+    if (!from_right_.empty() && nodes_[from_right_.back()].merged.window.y <= flat) {
+      const Window& b = nodes_[from_right_.back()].merged.window;
       if (is_left_of_line(b, b.begin, p.x, p.y) && is_left_of_line(b, b.end, p.x, p.y) &&
           is_no_longer(b, b.begin)) {
         p.end = b.begin;
@@ -212,9 +267,14 @@ class MergedCrossing {
     return sent;
   }
 
+  void append(Index n, const EndpointBounds& bounds) {
+    const Node& node = nodes_[n];
+    if (!is_useless(node, bounds)) append({node.merged, node.depth, node.apart}, bounds.length);
+  }
+
   /// Puts a window behind the others, and joins the last two as long as that leaves one.
   void append(const Line& line, double length) {
-    lines_.push_back(line);
+    lines_.push(line);
     while (lines_.size() > 1) {
       Line &a = lines_[lines_.size() - 2], &b = lines_.back();
       if (b.apart > 0) return;
@@ -229,28 +289,35 @@ class MergedCrossing {
           a = b;
           break;
         case Joined::second_gone:
-          lines_.pop_back();
+          lines_.pop();
           return;
       }
-      lines_.pop_back();
+      lines_.pop();
     }
   }
 
-  /// Finds out on which sides of the apex the lines of each window pass it.
-  /// @return the one with the shortest line to the apex; null when none sees it
-  const Line* classify(const FaceFrame& face) {
+  /// Finds out on which sides of the apex the lines of a window pass it.
+  static void find_sides(Line& line, const FaceFrame& face) {
     const double slack = kApexTolerance * face.length;
-    const Line* best = nullptr;
-    for (Line& line : lines_) {
-      const Window& w = line.merged.window;
-      line.crossing = line_crossing(w, face);
-      line.left = !(line.crossing < w.begin - slack);
-      line.right = !(line.crossing > w.end + slack);
-      if (!line.left || !line.right) continue;
-      line.to_apex = distance_through(w, face.apex_x, face.apex_y);
-      if (best == nullptr || line.to_apex < best->to_apex) best = &line;
-    }
-    return best;
+    const Window& w = line.merged.window;
+    line.crossing = line_crossing(w, face);
+    line.left = !(line.crossing < w.begin - slack);
+    line.right = !(line.crossing > w.end + slack);
+    if (line.left && line.right) line.to_apex = distance_through(w, face.apex_x, face.apex_y);
+  }
+
+  template <class Wavefront>
+  void reach_apex(Index h, const Line& line, Wavefront& wavefront) {
+    const Index apex = mesh_.apex(h);
+    if (!(line.to_apex < distances_[apex])) return;
+    wavefront.reach(apex, line.to_apex);
+    shortfalls_[apex] = line.merged.shortfall;
+  }
+
+  template <class Recorder>
+  static void count(const Line& line, Recorder& recorder) {
+    recorder.propagated(1, {line.depth + 1});
+    if (line.left || line.right) recorder.valid(1);
   }
 
   /// Drops the lines that cross the shortest one to the apex.
@@ -272,45 +339,42 @@ class MergedCrossing {
     }
   }
 
+  /// The ends of an edge are seen as such where neither the source nor the apex lies on it.
+  static bool sees_ends(const Window& w, const FaceFrame& face) {
+    return std::max(w.y, -face.apex_y) < -kFlatFace * face.length;
+  }
+
+  /// @param behind_another the line before it goes there as well
   template <class Wavefront>
-  void unfold(Index h, const FaceFrame& face, Wavefront& wavefront) {
-    const Index left = Mesh::previous(h), right = Mesh::next(h);
-    // The ends of an edge are seen as such where neither the source nor the apex lies on it.
-    const auto is_off = [&](const Window& w) {
-      return std::max(w.y, -face.apex_y) < -kFlatFace * face.length;
-    };
-    const auto child = [](const Line& line, bool behind_another, const Window& w, bool from_right) {
-      Node node{{w, line.merged.shortfall}, 0, from_right, 0, kNil};
-      node.depth = (line.depth + 1) & kMostDepth;
-      if (behind_another && line.apart > 0) node.apart = (line.apart - 1) & kApart;
-      return node;
-    };
-    if (mesh_.twin(left) != kNone) {
-      for (std::size_t i = lines_.size(); i-- > 0;) {  // the last one is to be the first
-        const Line& line = lines_[i];
-        if (!line.left) continue;
-        const Window& w = line.merged.window;
-        const Point2 from = face.to_left(w.x, w.y);
-        const double begin = w.begin > 0 || !is_off(w) ? face.on_left(w, w.begin) : 0;
-        const double end = line.right ? face.left : face.on_left(w, w.end);
-        const Window on_left = {begin, end, from.x, std::min(from.y, 0.0), w.sigma};
-        if (is_void(on_left, face.left)) continue;
-        land(left, child(line, i > 0 && lines_[i - 1].left, on_left, false), wavefront);
-      }
-    }
-    if (mesh_.twin(right) != kNone) {
-      for (std::size_t i = 0; i < lines_.size(); ++i) {
-        const Line& line = lines_[i];
-        if (!line.right) continue;
-        const Window& w = line.merged.window;
-        const Point2 from = face.to_right(w.x, w.y);
-        const double begin = line.left ? 0 : face.on_right(w, w.begin);
-        const double end = w.end < face.length || !is_off(w) ? face.on_right(w, w.end) : face.right;
-        const Window on_right = {begin, end, from.x, std::min(from.y, 0.0), w.sigma};
-        if (is_void(on_right, face.right)) continue;
-        land(right, child(line, i > 0 && lines_[i - 1].right, on_right, true), wavefront);
-      }
-    }
+  void go_left(Index side, const FaceFrame& face, const Line& line, bool behind_another,
+               Wavefront& wavefront) {
+    const Window& w = line.merged.window;
+    const Point2 from = face.to_left(w.x, w.y);
+    const double begin = w.begin > 0 || !sees_ends(w, face) ? face.on_left(w, w.begin) : 0;
+    const double end = line.right ? face.left : face.on_left(w, w.end);
+    const Window child = {begin, end, from.x, std::min(from.y, 0.0), w.sigma};
+    if (is_void(child, face.left)) return;
+    land(side, child_of(line, behind_another, child, false), wavefront);
+  }
+
+  template <class Wavefront>
+  void go_right(Index side, const FaceFrame& face, const Line& line, bool behind_another,
+                Wavefront& wavefront) {
+    const Window& w = line.merged.window;
+    const Point2 from = face.to_right(w.x, w.y);
+    const double begin = line.left ? 0 : face.on_right(w, w.begin);
+    const bool to_head = w.end >= face.length && sees_ends(w, face);
+    const double end = to_head ? face.right : face.on_right(w, w.end);
+    const Window child = {begin, end, from.x, std::min(from.y, 0.0), w.sigma};
+    if (is_void(child, face.right)) return;
+    land(side, child_of(line, behind_another, child, true), wavefront);
+  }
+
+  static Node child_of(const Line& line, bool behind_another, const Window& w, bool from_right) {
+    Node node{{w, line.merged.shortfall}, 0, from_right, 0, kNil};
+    node.depth = (line.depth + 1) & kMostDepth;
+    if (behind_another && line.apart > 0) node.apart = (line.apart - 1) & kApart;
+    return node;
   }
 
   /// @param side through which the window leaves a face
@@ -337,9 +401,6 @@ class MergedCrossing {
     nodes_.push_back({{}, 0, false, 0, kNil});
   }
 
-  /// @return the node behind it
-  Index release(Index n) { return std::exchange(nodes_[n].next, std::exchange(free_, n)); }
-
   const Mesh& mesh_;
   double tolerance_;
   Parameters parameters_;
@@ -353,7 +414,8 @@ class MergedCrossing {
   WindowBudget budget_;
   double rounding_;  // of coordinates
   // Scratch of one list. Of what came over the right side the first one is the last.
-  std::vector<Line> lines_, from_right_;
+  Stack<Line> lines_;
+  Stack<Index> from_right_;  // nodes
 };
 
 }  // namespace geodesic::edge_based
