@@ -31,17 +31,14 @@ void run_solve(const SolveFlags& flags) {
   const MeshEntry entry = find_mesh(flags.mesh, flags.manifest);
   Outputs outputs;
   const bool to_standard_output = flags.output == "-";
-  if (!flags.output.empty() && !to_standard_output) {
-    check_output("--output", flags.output, entry.file);
-    outputs.distances = &outputs.distances_file.emplace(flags.output).stream();
-  } else if (to_standard_output) {
-    outputs.distances = &std::cout;
+  if (!flags.output.empty()) {
+    if (!to_standard_output) check_output("--output", flags.output, entry.file);
+    outputs.distances.emplace(flags.output);
   }
   if (!flags.paths.empty()) {
     check_path_file(flags.paths);
     check_output("--paths", flags.paths, entry.file);
-    if (flags.paths == flags.output) throw HarnessError("--paths and --output name one file");
-    outputs.paths_file.emplace(flags.paths);
+    outputs.paths.emplace(flags.paths);
   }
   const LargePages large_pages;
   const NonManifoldEdges non_manifold_edges =
@@ -62,8 +59,8 @@ void run_solve(const SolveFlags& flags) {
   json.update(!flags.matrix.empty() ? write_matrix(problem)
               : flags.each          ? solve_separately(problem, outputs)
                                     : solve_jointly(problem, outputs));
-  if (outputs.distances_file) outputs.distances_file->commit();
-  if (outputs.paths_file) outputs.paths_file->commit();
+  if (outputs.distances) outputs.distances->commit();
+  if (outputs.paths) outputs.paths->commit();
   (to_standard_output ? std::cerr : std::cout) << json.dump(2) << std::endl;
 }
 
@@ -75,8 +72,9 @@ void add_solve_command(CLI::App& app) {
   command->add_option("mesh", flags->mesh, "mesh file, or name of the manifest")
       ->required()
       ->type_name("MESH");
-  command->add_option("--solver", flags->solver, "solver (see geodesic-bench list)")
-      ->required()
+  command
+      ->add_option("--solver", flags->solver,
+                   "solver (see geodesic-bench list; default: " + flags->solver + ")")
       ->type_name("NAME");
   command
       ->add_option("--source", flags->sources,
@@ -120,8 +118,9 @@ void add_solve_command(CLI::App& app) {
       ->check(from_to(1, 1024));
   command
       ->add_option("--output", flags->output,
-                   "file for the distances, one per line; with --each, one line per source; - is "
-                   "standard output, and the JSON object then goes to standard error")
+                   "file for the distances, .txt, .csv or .npy: one a vertex, or with --each a row "
+                   "a source; - is standard output, and the JSON object then goes to standard "
+                   "error")
       ->type_name("FILE");
   command->add_flag(
       "--check", flags->check,
@@ -144,12 +143,10 @@ void add_solve_command(CLI::App& app) {
   command->add_option("--manifest", flags->manifest, "list of meshes and corpora")
       ->type_name("FILE");
   command->footer(
-      "\nExamples:\n  geodesic-bench solve bunny.ply --solver edge-based --source 0 --output "
-      "d.txt\n"
-      "  geodesic-bench solve bunny.ply --solver edge-based --source edge:3-7:0.25 --target "
-      "at:0,0.1,0 --paths p.obj\n"
+      "\nExamples:\n  geodesic-bench solve bunny.ply --source 0 --output d.npy\n"
+      "  geodesic-bench solve bunny.ply --source edge:3-7:0.25 --target at:0,0.1,0 --paths p.obj\n"
       "  geodesic-bench solve bunny.ply --solver mmp --source 0,17,99 --each --threads 4\n"
-      "  geodesic-bench solve bunny.ply --solver edge-based --matrix d.npy --float32");
+      "  geodesic-bench solve bunny.ply --matrix d.npy --float32");
   command->callback([flags] { run_solve(*flags); });
 }
 

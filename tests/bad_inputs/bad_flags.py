@@ -37,7 +37,6 @@ CASES = [
     flag("geodesic-bench solve --sorce 1 --help", "'--sorce' (did you mean '--source'?)"),
     # solve
     of("solve", "", "mesh is required"),
-    of("solve", "hill.obj --source 0", "--solver is required"),
     of("solve", "hill.obj --solver", "--solver needs a value"),
     of("solve", "hill.obj --solver ''", "--solver: must not be empty"),
     of("solve", "hill.obj more.obj --solver mmp --source 0", "solve: unexpected 'more.obj'"),
@@ -57,6 +56,7 @@ CASES = [
     flag(f"{SOLVE} --threads 2", "--threads is for --each"),
     flag(f"{SOLVE} --vectors sse9", "no kind of vectors named 'sse9'", "auto, plain"),
     flag(f"{SOLVE} --output hill.obj", "--output 'hill.obj' is the mesh itself"),
+    flag(f"{SOLVE} --output d.dat", "cannot write 'd.dat'", ".txt, .csv or .npy"),
     flag(f"{SOLVE} --output nowhere/d.txt", "cannot write 'nowhere/d.txt'", "No such file"),
     flag(f"{SOLVE} --output .", "cannot write '.': it is a folder"),
     # list, mesh, generate

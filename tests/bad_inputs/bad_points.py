@@ -50,7 +50,6 @@ CASES = [
     target("--paths p.obj", "--paths needs --target"),
     target("--paths p.stl --target 1", "p.stl", "paths are written as .json, .obj or .ply"),
     target("--paths hill.obj --target 1", "--paths 'hill.obj' is the mesh itself"),
-    target("--paths d.ply --output d.ply --target 1", "--paths and --output name one file"),
     target("--paths p.obj --target 1 --each", "--paths and --nearest-source are for one solve"),
     target("--nearest-source", "--nearest-source needs --output"),
     target("--target 1 --stop-at-targets --check", "--check is for distances without --limit and"),

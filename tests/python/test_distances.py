@@ -32,6 +32,35 @@ def test_distances_are_the_bits_of_the_program(
     )
 
 
+def test_files_of_any_suffix_have_the_same_distances(ground: Arrays, tmp_path: Path) -> None:
+    file = tmp_path / "ground.obj"
+    mesh = gb.Mesh(*ground)
+    write_obj(file, mesh)
+    expected, nearest = mesh.distances([7, 130], limit=9, return_nearest=True)
+    separate = np.stack([mesh.distances([source], limit=9) for source in (7, 130)])
+
+    def solve(*words: str) -> Path:
+        output = tmp_path / words[-1]
+        command = [BENCH, "solve", file, "--source", "7,130", "--limit", "9", *words[:-1]]
+        subprocess.run([*command, "--output", output], check=True, capture_output=True)
+        return output
+
+    np.testing.assert_array_equal(np.load(solve("d.npy")), expected)
+    csv = np.genfromtxt(solve("--nearest-source", "d.csv"), delimiter=",", names=True)
+    table = np.load(solve("--nearest-source", "table.npy"))
+    for name, values in {"distance": expected, "source": nearest}.items():
+        np.testing.assert_array_equal(csv[name], values)
+        np.testing.assert_array_equal(table[name], values)
+    np.testing.assert_array_equal(csv["vertex"], np.arange(len(expected)))
+    np.testing.assert_array_equal(np.load(solve("--each", "each.npy")), separate)
+    rows = solve("--each", "each.csv").read_text().splitlines()
+    assert rows[0].startswith("source,0,1,2,")
+    assert [row.split(",")[0] for row in rows[1:]] == ['"7"', '"130"']
+    np.testing.assert_array_equal(
+        [[float(number) for number in row.split(",")[1:]] for row in rows[1:]], separate
+    )
+
+
 def test_each_row_of_a_matrix_is_the_bits_of_a_single_query(ground: Arrays) -> None:
     mesh = gb.Mesh(*ground)
     rows, columns = [5, 0, 143, 5], [143, 2, 2]

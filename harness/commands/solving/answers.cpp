@@ -17,33 +17,11 @@
 #include "harness/results/counters.h"
 #include "harness/verify/distance_check.h"
 #include "harness/verify/references.h"
-#include "meshes/formats/bytes.h"
 #include "meshes/path_file.h"
 #include "solvers/paths/paths.h"
 
 namespace geodesic::harness {
 namespace {
-
-// In file order, with the fewest digits that bring every double back.
-std::string separated(std::span<const double> distances, char separator) {
-  std::string text;
-  for (const double d : distances) {
-    append_text(text, d);
-    text += separator;
-  }
-  return text;
-}
-
-// The same with the number of each vertex's source, -1 where no path leads.
-std::string with_sources(std::span<const double> distances, std::span<const Index> sources) {
-  std::string text;
-  for (std::size_t v = 0; v < distances.size(); ++v) {
-    append_text(text, distances[v]);
-    append_text(text += ' ', sources[v] == kNone ? -1 : static_cast<std::int64_t>(sources[v]));
-    text += '\n';
-  }
-  return text;
-}
 
 struct Solved {
   std::vector<double> distances, at_targets;
@@ -183,12 +161,12 @@ Json solve_jointly(const Problem& problem, Outputs& outputs) {
   Solved solved = solve(problem);
   solved.json.update(
       compare_with_reference(problem, problem.query, solved.distances, solved.at_targets));
-  if (outputs.distances != nullptr) {
-    *outputs.distances << (problem.flags.nearest_source
-                               ? with_sources(solved.distances, solved.paths->nearest_sources())
-                               : separated(solved.distances, '\n'));
+  if (outputs.distances) {
+    std::vector<Index> nearest;
+    if (problem.flags.nearest_source) nearest = solved.paths->nearest_sources();
+    outputs.distances->write(solved.distances, nearest);
   }
-  if (outputs.paths_file) write_paths(problem, *solved.paths, *outputs.paths_file);
+  if (outputs.paths) write_paths(problem, *solved.paths, *outputs.paths);
   Json json = Json::object();
   for (const Source& source : problem.query.sources) {
     json["sources"].push_back(shown(problem.mesh, source));
@@ -212,17 +190,19 @@ Json solve_separately(const Problem& problem, Outputs& outputs) {
     Query alone = problem.query;
     alone.sources = {source};
     kept.json.update(compare_with_reference(problem, alone, solve.distances, solve.at_targets));
-    if (outputs.distances != nullptr) {
-      kept.text = separated(solve.distances, ' ');
-      if (!kept.text.empty()) kept.text.back() = '\n';
+    if (outputs.distances) {
+      kept.text = outputs.distances->row(written(problem.mesh, source.at), solve.distances);
     }
     return kept;
   };
   Json solves = Json::array();
   const auto deliver = [&](Kept kept) {
     solves.push_back(std::move(kept.json));
-    if (outputs.distances != nullptr) *outputs.distances << kept.text;
+    if (outputs.distances) outputs.distances->write_row(kept.text);
   };
+  if (outputs.distances) {
+    outputs.distances->begin_rows(sources.size(), problem.mesh.vertex_count());
+  }
   Json json = Json::object();
   for (const SurfacePoint& target : problem.query.targets) {
     json["targets"].push_back(shown(problem.mesh, {.at = target}));

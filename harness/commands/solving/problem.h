@@ -15,7 +15,7 @@
 namespace geodesic::harness {
 
 struct SolveFlags {
-  std::string mesh, solver;
+  std::string mesh, solver = "edge-based";  // the fastest exact one
   std::vector<std::string> sources, targets;
   std::string sources_file, targets_file, output, paths, matrix;
   bool repair = false, cross_non_manifold = false, each = false, check = false, counters = false;
