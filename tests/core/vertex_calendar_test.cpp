@@ -101,5 +101,17 @@ TEST(VertexCalendar, differs_from_a_search_for_the_least_by_a_bucket_at_most_whi
   }
 }
 
+TEST(VertexCalendar, announces_the_next_vertex_of_a_bucket) {
+  VertexCalendar calendar(4, 1.0);
+  calendar.push_or_decrease(0, 0.5);
+  calendar.push_or_decrease(1, 0.25);
+  calendar.push_or_decrease(2, 7.0);
+  EXPECT_EQ(calendar.pop(), 0u);
+  EXPECT_EQ(calendar.upcoming(), 1u);
+  EXPECT_EQ(calendar.pop(), 1u);
+  EXPECT_EQ(calendar.upcoming(), kNone);
+  EXPECT_EQ(calendar.pop(), 2u);
+}
+
 }  // namespace
 }  // namespace geodesic

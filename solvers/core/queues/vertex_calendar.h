@@ -60,6 +60,13 @@ class VertexCalendar {
     append(slot_of(bucket), v);
   }
 
+  /// A vertex that is likely to be popped next, for its data to be prefetched; kNone when none is
+  /// known.
+  Index upcoming() const {
+    const Index v = first(slot_of(current_));
+    return v < vertices_ ? v : kNone;
+  }
+
   /// Removes and returns the vertex that has been longest in the first bucket that holds any. Must
   /// not be empty.
   Index pop() {
