@@ -90,6 +90,11 @@ inline constexpr double kShortfallRounding = 1e-6;
 /// far above what rounding does to them, far below a step of the wavefront.
 inline constexpr double kPassedMargin = 1e-6;
 
+/// A line from a virtual source (virtual_source/) may miss the edge that it crosses by this,
+/// relative to the edge's length: sources are approximate, and lines that pass a vertex would be
+/// lost on both sides of it.
+inline constexpr double kSourceSlack = 0.2;
+
 /// What a product with the reciprocal of a bucket's width may be off by, relatively.
 inline constexpr double kKeyRounding = 1e-15;
 

@@ -1,0 +1,140 @@
+// `virtual-source`: round waves, vertex by vertex.
+//
+// After the idea of Trettner, Bommes, Kobbelt 2021, "Geodesic Distance Computation via Virtual
+// Source Propagation" (CGF 40(5)): where a wave comes from is kept as a single point, its virtual
+// source, unfolded into the plane of the face that is crossed, and an offset sigma, the distance of
+// that point from the real source. There are no intervals.
+//
+// Here the point is not kept but found again for each face: a vertex has its distance d and the
+// sigma of the wave that brought it, and the virtual source of an edge is where the circles of
+// radii d - sigma round its ends meet. It is consistent with both distances, so that what the wave
+// has met before does not add up. Where the ends were reached by different waves, the one of the
+// smaller sigma, which has gone straight for longer, takes both distances.
+//
+// Vertices are taken in the order of buckets. The later end of an edge crosses the faces on both
+// sides of it, into a third vertex that may be as near as the earlier end: obtuse corners are
+// reached late.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "solvers/core/queues/vertex_calendar.h"
+#include "solvers/core/registry.h"
+#include "solvers/core/tolerance.h"
+
+namespace geodesic {
+namespace {
+
+class VirtualSource final : public Solver {
+ public:
+  VirtualSource(const Mesh& mesh, const Description& description)
+      : Solver(mesh, description),
+        front_(mesh.vertex_count(), kBucketWidth * mesh.mean_edge_length()),
+        sigma_(mesh.vertex_count()) {}
+
+ private:
+  /// In mean edge lengths.
+  static constexpr double kBucketWidth = 0.5;
+  /// Vertices that are taken before waves end and only edges are followed, per vertex of the mesh.
+  /// A vertex is taken 1.0 to 1.1 times on most meshes. Waves may feed each other round a vertex,
+  /// with ever smaller distances.
+  static constexpr std::uint64_t kMostTaken = 16;
+
+  void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
+    distances_ = distances;
+    for (const Source& source : query.sources) {
+      reach(source.at.vertex, source.distance, source.distance);
+    }
+    StopRule ending(mesh(), query, distances);
+    std::uint64_t left = kMostTaken * mesh().vertex_count();
+    while (!front_.empty() && !ending.is_over(front_.least_key())) {
+      const Index v = front_.pop();
+      prefetch_corners(front_.upcoming());
+      follow_edges(v);
+      if (left > 0) {
+        --left;
+        cross_faces(v);
+      }
+    }
+    front_.clear();
+  }
+
+  void follow_edges(Index v) {
+    const double d = distances_[v];
+    // A path along an edge may bend at its origin, and is a wave of its own then.
+    const double sigma = mesh().is_pseudo_source(v) ? d : sigma_[v];
+    for (const Index h : mesh().outgoing(v)) {
+      reach(mesh().head(h), d + mesh().half_edge(h).length, sigma);
+      // An edge of two faces leaves v in one of them; any other one may only arrive.
+      const Index into = Mesh::previous(h);
+      if (mesh().twin(into) == kNone) {
+        reach(mesh().origin(into), d + mesh().half_edge(into).length, sigma);
+      }
+    }
+  }
+
+  /// Over the edges from v to vertices that are no farther.
+  void cross_faces(Index v) {
+    const double d = distances_[v];
+    for (const Index h : mesh().outgoing(v)) {
+      const Index into = Mesh::previous(h);
+      const Index head = mesh().head(h), apex = mesh().origin(into);
+      if (distances_[head] <= d && distances_[apex] > distances_[head]) {
+        cross(h, v, head, apex);
+      }
+      if (distances_[apex] <= d && distances_[head] > distances_[apex]) {
+        cross(into, apex, v, head);
+      }
+    }
+  }
+
+  /// From the virtual source of the half-edge h, from a to b, straight to the apex of its face.
+  void cross(Index h, Index a, Index b, Index apex) {
+    const HalfEdge& edge = mesh().half_edge(h);
+    const double length = edge.length, sigma = std::min(sigma_[a], sigma_[b]);
+    // The source lies at (x, -y) in the frame of h, y >= 0: on the edge's line where rounding, or
+    // two waves, leave circles that do not meet.
+    const double from_a = distances_[a] - sigma, from_b = distances_[b] - sigma;
+    const double x = ((from_a - from_b) * (from_a + from_b) / length + length) / 2;
+    const double y = std::sqrt(std::max(from_a * from_a - x * x, 0.0));
+    const double height = edge.apex_y + y;
+    // The line meets the edge at crossing / height. Neither comparison holds of a NaN, which an
+    // edge of no length leads to.
+    const double crossing = x * edge.apex_y + edge.apex_x * y;
+    const double slack = kSourceSlack * length * height;
+    if (height > 0 && crossing >= -slack && crossing <= length * height + slack) {
+      const double dx = edge.apex_x - x;
+      reach(apex, sigma + std::sqrt(dx * dx + height * height), sigma);
+    }
+  }
+
+  void reach(Index v, double distance, double sigma) {
+    if (!(distance < distances_[v])) return;
+    distances_[v] = distance;
+    sigma_[v] = sigma;
+    front_.push_or_decrease(v, distance);
+  }
+
+  /// Starts to load the faces around a vertex; v may be kNone.
+  void prefetch_corners(Index v) const {
+    if (v == kNone) return;
+    for (const Index h : mesh().outgoing(v)) mesh().prefetch_face(h);
+  }
+
+  VertexCalendar front_;
+  std::vector<double> sigma_;  // of the wave that brought a vertex its distance
+  std::span<double> distances_;
+};
+
+const RegisterSolver<VirtualSource> registered{{
+    .name = "virtual-source",
+    .family = "virtual source",
+    .paper = "Trettner, Bommes, Kobbelt 2021, Geodesic Distance Computation via Virtual Source "
+             "Propagation",
+    .exactness = Exactness::unbounded,
+    .by_name_only = true,
+    .remarks = "one virtual source an edge, found from the distances of its ends",
+}};
+
+}  // namespace
+}  // namespace geodesic
