@@ -12,8 +12,8 @@
 // smaller sigma, which has gone straight for longer, takes both distances.
 //
 // Vertices are taken in the order of buckets. The later end of an edge crosses the faces on both
-// sides of it, into a third vertex that may be as near as the earlier end: obtuse corners are
-// reached late.
+// sides of it. With planar waves, a third vertex that is nearer than that end can only be reached
+// over the edge when its corner is obtuse.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -34,7 +34,7 @@ class VirtualSource final : public Solver {
 
  private:
   /// In mean edge lengths.
-  static constexpr double kBucketWidth = 0.5;
+  static constexpr double kBucketWidth = 1;
   /// Vertices that are taken before waves end and only edges are followed, per vertex of the mesh.
   /// A vertex is taken 1.0 to 1.1 times on most meshes. Waves may feed each other round a vertex,
   /// with ever smaller distances.
@@ -50,39 +50,29 @@ class VirtualSource final : public Solver {
     while (!front_.empty() && !ending.is_over(front_.least_key())) {
       const Index v = front_.pop();
       prefetch_corners(front_.upcoming());
-      follow_edges(v);
-      if (left > 0) {
-        --left;
-        cross_faces(v);
-      }
+      take(v, left > 0);
+      left -= left > 0;
     }
     front_.clear();
   }
 
-  void follow_edges(Index v) {
+  /// Follows the edges of v, and crosses those that lead to vertices that are no farther.
+  void take(Index v, bool crosses) {
     const double d = distances_[v];
     // A path along an edge may bend at its origin, and is a wave of its own then.
     const double sigma = mesh().is_pseudo_source(v) ? d : sigma_[v];
     for (const Index h : mesh().outgoing(v)) {
-      reach(mesh().head(h), d + mesh().half_edge(h).length, sigma);
-      // An edge of two faces leaves v in one of them; any other one may only arrive.
-      const Index into = Mesh::previous(h);
-      if (mesh().twin(into) == kNone) {
-        reach(mesh().origin(into), d + mesh().half_edge(into).length, sigma);
-      }
-    }
-  }
-
-  /// Over the edges from v to vertices that are no farther.
-  void cross_faces(Index v) {
-    const double d = distances_[v];
-    for (const Index h : mesh().outgoing(v)) {
       const Index into = Mesh::previous(h);
       const Index head = mesh().head(h), apex = mesh().origin(into);
-      if (distances_[head] <= d && distances_[apex] > distances_[head]) {
+      if (distances_[head] > d) {
+        reach(head, d + mesh().half_edge(h).length, sigma);
+      } else if (crosses) {
         cross(h, v, head, apex);
       }
-      if (distances_[apex] <= d && distances_[head] > distances_[apex]) {
+      if (distances_[apex] > d) {
+        // An edge of two faces leaves v in one of them; any other one may only arrive.
+        if (mesh().twin(into) == kNone) reach(apex, d + mesh().half_edge(into).length, sigma);
+      } else if (crosses) {
         cross(into, apex, v, head);
       }
     }
@@ -90,18 +80,23 @@ class VirtualSource final : public Solver {
 
   /// From the virtual source of the half-edge h, from a to b, straight to the apex of its face.
   void cross(Index h, Index a, Index b, Index apex) {
+    const double to_a = distances_[a], to_b = distances_[b], to_apex = distances_[apex];
+    if (!(to_apex > std::min(to_a, to_b))) return;
     const HalfEdge& edge = mesh().half_edge(h);
+    const bool is_between = to_apex <= std::max(to_a, to_b);
+    const bool is_obtuse = edge.apex_x * (edge.length - edge.apex_x) > edge.apex_y * edge.apex_y;
+    if (is_between && !is_obtuse) return;
     const double length = edge.length, sigma = std::min(sigma_[a], sigma_[b]);
     // The source lies at (x, -y) in the frame of h, y >= 0: on the edge's line where rounding, or
     // two waves, leave circles that do not meet.
-    const double from_a = distances_[a] - sigma, from_b = distances_[b] - sigma;
+    const double from_a = to_a - sigma, from_b = to_b - sigma;
     const double x = ((from_a - from_b) * (from_a + from_b) / length + length) / 2;
     const double y = std::sqrt(std::max(from_a * from_a - x * x, 0.0));
     const double height = edge.apex_y + y;
     // The line meets the edge at crossing / height. Neither comparison holds of a NaN, which an
     // edge of no length leads to.
     const double crossing = x * edge.apex_y + edge.apex_x * y;
-    const double slack = kSourceSlack * length * height;
+    const double slack = (is_between ? kSourceSlackBetween : kSourceSlack) * length * height;
     if (height > 0 && crossing >= -slack && crossing <= length * height + slack) {
       const double dx = edge.apex_x - x;
       reach(apex, sigma + std::sqrt(dx * dx + height * height), sigma);
@@ -109,7 +104,7 @@ class VirtualSource final : public Solver {
   }
 
   void reach(Index v, double distance, double sigma) {
-    if (!(distance < distances_[v])) return;
+    if (!(distance < distances_[v] * (1 - kSourceGain))) return;
     distances_[v] = distance;
     sigma_[v] = sigma;
     front_.push_or_decrease(v, distance);
