@@ -36,7 +36,7 @@ class VirtualSource final : public Solver {
   /// In mean edge lengths.
   static constexpr double kBucketWidth = 1;
   /// Vertices that are taken before waves end and only edges are followed, per vertex of the mesh.
-  /// A vertex is taken 1.0 to 1.1 times on most meshes. Waves may feed each other round a vertex,
+  /// A vertex is taken 1.0 to 1.2 times on most meshes. Waves may feed each other round a vertex,
   /// with ever smaller distances.
   static constexpr std::uint64_t kMostTaken = 16;
 
