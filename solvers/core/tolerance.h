@@ -93,7 +93,7 @@ inline constexpr double kPassedMargin = 1e-6;
 /// A line from a virtual source (virtual_source/) may miss the edge that it crosses by this,
 /// relative to the edge's length. Sources are approximate, and lines that pass a vertex would be
 /// lost on both sides of it: with less, distances are too long on rough surfaces (by 0.8% at 0.2,
-/// by 0.2% at 0.5), with more they are too short on smooth ones.
+/// by 0.3% at 0.5), with more they are too short on smooth ones.
 inline constexpr double kSourceSlack = 0.5;
 
 /// A distance must become shorter by this, relatively, for waves to follow it again: far less than
