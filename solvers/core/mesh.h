@@ -136,6 +136,11 @@ class Mesh {
     prefetch(face);
     prefetch(face + 2);
   }
+  /// The same for all faces around a vertex; v may be kNone.
+  void prefetch_faces_around(Index v) const {
+    if (v == kNone) return;
+    for (const Index h : outgoing(v)) prefetch_face(h);
+  }
   Triangle triangle(Index f) const { return {origin(3 * f), origin(3 * f + 1), origin(3 * f + 2)}; }
 
   /// Mean length over edges (not half-edges); 0 for a mesh without faces.

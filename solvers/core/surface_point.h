@@ -85,9 +85,8 @@ SurfacePoint in_given_face(const Mesh& mesh, const SurfacePoint& point);
 /// face that it lies in.
 /// @param point not a vertex
 /// @param reach called as (Index h, Point2 from, double distance, bool is_next) for each corner,
-/// the
-///        apex of h: the point in the frame of h, how far it is from the corner, with all digits
-///        that its weights have, however near that is, and is_next_to_apex
+///        the apex of h: the point in the frame of h, how far it is from the corner, with all
+///        digits that its weights have, however near that is, and is_next_to_apex
 /// @param cross called as (Index h, Point2 from) for each side on which the point does not lie: the
 ///        lines pass all of it. The point in the frame of the twin of h: y <= 0, and off the side
 ///        as an apex is (apex_from_beyond). The twin may not exist.

@@ -30,11 +30,11 @@ class Dijkstra final : public Solver {
       }
     };
     for (const Source& source : query.sources) reach(source.at.vertex, source.distance);
-    StopRule ending(mesh(), query, distances);
-    while (!front_.empty() && !ending.is_over(front_.least_key())) {
+    StopRule stop_rule(mesh(), query, distances);
+    while (!front_.empty() && !stop_rule.is_over(front_.least_key())) {
       const Index v = front_.pop();
       const double d = distances[v];
-      prefetch_corners(front_.upcoming());
+      mesh().prefetch_faces_around(front_.upcoming());
       for (const Index h : mesh().outgoing(v)) {
         reach(mesh().head(h), d + mesh().half_edge(h).length);
         // An edge of two faces leaves v in one of them; any other one may only arrive.
@@ -45,12 +45,6 @@ class Dijkstra final : public Solver {
       }
     }
     front_.clear();
-  }
-
-  /// Starts to load the faces around a vertex; v may be kNone.
-  void prefetch_corners(Index v) const {
-    if (v == kNone) return;
-    for (const Index h : mesh().outgoing(v)) mesh().prefetch_face(h);
   }
 
   VertexCalendar front_;

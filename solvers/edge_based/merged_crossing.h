@@ -85,7 +85,7 @@ class MergedCrossing {
 
     const FaceFrame face = face_frame(mesh_, h);
     const Index left = Mesh::previous(h), right = Mesh::next(h);
-    if (lines_.size() == 1) {
+    if (lines_.size() == 1) {  // as below, without loops: most lists
       Line& line = lines_.back();
       find_sides(line, face);
       if (line.left && line.right) reach_apex(h, line, wavefront);

@@ -45,11 +45,11 @@ class VirtualSource final : public Solver {
     for (const Source& source : query.sources) {
       reach(source.at.vertex, source.distance, source.distance);
     }
-    StopRule ending(mesh(), query, distances);
+    StopRule stop_rule(mesh(), query, distances);
     std::uint64_t left = kMostTaken * mesh().vertex_count();
-    while (!front_.empty() && !ending.is_over(front_.least_key())) {
+    while (!front_.empty() && !stop_rule.is_over(front_.least_key())) {
       const Index v = front_.pop();
-      prefetch_corners(front_.upcoming());
+      mesh().prefetch_faces_around(front_.upcoming());
       take(v, left > 0);
       left -= left > 0;
     }
@@ -108,12 +108,6 @@ class VirtualSource final : public Solver {
     distances_[v] = distance;
     sigma_[v] = sigma;
     front_.push_or_decrease(v, distance);
-  }
-
-  /// Starts to load the faces around a vertex; v may be kNone.
-  void prefetch_corners(Index v) const {
-    if (v == kNone) return;
-    for (const Index h : mesh().outgoing(v)) mesh().prefetch_face(h);
   }
 
   VertexCalendar front_;
