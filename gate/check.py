@@ -10,10 +10,10 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
+from results.pairs import Pairs
 from results.reader import Cell
 
 from gate import baseline, levels, timing
-from gate.cells import Pairs
 from gate.findings import WRONG_ANSWER, GateError, LevelResult
 from gate.program import Program, Verified
 from gate.verdict import Verdict, judge

@@ -22,9 +22,10 @@ from results import console
 if __name__ == "__main__":
     console.prepare("geodesic-bench compare")  # before imports that may fail
 
-from gate.cells import COUNTERS, MEMORY, MEMORY_FLOOR, WRONG, Measured, measured, paired, programs
+from gate.cells import COUNTERS, MEMORY, MEMORY_FLOOR, WRONG, Measured, measured, programs
 from gate.findings import REGRESSION, WRONG_ANSWER, GateError
 from results.console import complain
+from results.pairs import interleaved
 from results.reader import Cell, ResultError, Run, read_run
 from results.statistics import Decision, Estimate, decide, rank_test
 from results.statistics import geometric_mean_of_medians, geometric_mean_of_ratios
@@ -115,7 +116,7 @@ class Change:
             self.resolved = self.evidence["p"] <= SIGNIFICANCE
 
     def measure_pairs(self) -> None:
-        if pairs := paired(self.old, self.new):
+        if pairs := interleaved(self.old.rows, self.new.rows):
             self.ratios, ratio = pairs.ratios, decide(pairs.ratios, 1).ratio
             medians = statistics.median(pairs.first), statistics.median(pairs.second)
             self.time, self.resolved = Number(*medians, " ms"), ratio.excludes_one

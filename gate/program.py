@@ -14,9 +14,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from results.pairs import Pairs, interleaved
 from results.reader import Cell, ResultError, read_file
 
-from gate.cells import Measured, Pairs, measured, paired
+from gate.cells import Measured, measured
 from gate.findings import GateError
 
 MIN_SECONDS = 0.05
@@ -86,7 +87,7 @@ class Program:
                 if one.failure is not None:
                     program = one.failure.program
                     raise GateError(f"{one.cell}: the {program} failed when timed: {one.state}")
-        return {cell: paired(old[cell], new[cell]) for cell in cells}
+        return {cell: interleaved(old[cell].rows, new[cell].rows) for cell in cells}
 
     def instructions(self, cell: Cell) -> int:
         """Instructions inside one solve. @raises NotCountableError, GateError"""

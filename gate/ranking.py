@@ -10,6 +10,7 @@ import statistics
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from results.pairs import Pairs, interleaved, together
 from results.reader import Cell, Row, Run
 from results.statistics import (
     CONFIDENCE,
@@ -19,7 +20,7 @@ from results.statistics import (
     median_interval,
 )
 
-from gate.cells import MEMORY, WRONG, Measured, Pairs, measured, paired, together
+from gate.cells import MEMORY, WRONG, Measured, measured
 from gate.findings import GateError
 
 WINDOWS = "window_propagations"
@@ -104,7 +105,7 @@ class Measurements:
         if self.failure(first, mesh) or self.failure(second, mesh):
             return Pairs([], [])
         sides = zip(self.of(first, mesh), self.of(second, mesh), strict=False)
-        return together(paired(*both) for both in sides)
+        return together(interleaved(a.rows, b.rows) for a, b in sides)
 
     def ratio(self, first: str, second: str, mesh: str, key: str) -> float | None:
         """Of the second's geometric mean over sources to the first's."""

@@ -15,11 +15,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from results.pairs import Pairs, together
 from results.reader import Cell
 from results.statistics import Decision, Estimate, decide, geometric_mean_of_medians
 from results.table import four_digits
 
-from gate.cells import Measured, Pairs, together
+from gate.cells import Measured
 from gate.findings import REGRESSION, GateError, LevelResult, Weight
 
 PAIRS = 15

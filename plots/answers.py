@@ -3,49 +3,15 @@ further one, memory and errors."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from plots.measures import (
-    ABSENT, EDGE_BASED, PEAK_BYTES, PREPARATION, RESIDENT, TIME, baseline, by_source,
-    columns, failure, interval, our_cell, partial_failure, time_unit,
+    ABSENT, EDGE_BASED, PEAK_BYTES, RESIDENT, baseline, columns, failure, interval, our_cell, partial_failure, time_unit,
 )  # fmt: skip
 from plots.models import ordered_meshes
-from plots.ratios import paired, plain
-from results.reader import Mesh, Row, Run
+from plots.ratios import plain
+from results.pairs import Time, by_source, first, further, ratios, times
+from results.reader import Mesh, Run
 from results.statistics import geometric_mean, median
 from results.table import BLANK, Cell, Table, estimate_cell
-
-Time = Callable[[Row], float]
-"""Of an ok row, in seconds."""
-
-
-def solve(row: Row) -> float:
-    return 1e-3 * row.time
-
-
-def preparation(row: Row) -> float:
-    return 1e-3 * (row.number(PREPARATION.key) or 0)
-
-
-def first(row: Row) -> float:
-    return preparation(row) + solve(row)
-
-
-def further(row: Row) -> float:
-    """Of an answer from another source by the same object."""
-    return 1e-3 * (row.number("renew_time") or 0) + solve(row)
-
-
-def each_of(sources: int) -> Time:
-    """Of one of so many answers, when one object gives them all."""
-    return lambda row: (first(row) + (sources - 1) * further(row)) / sources
-
-
-def times(run: Run, mesh: str, solver: str, time: Time) -> dict[tuple[int, int], float]:
-    """By (source, repetition)."""
-    rows = [row for row in run.cell(mesh, solver) if row.number(TIME.key) is not None]
-    return {(row.source, row.repetition): time(row) for row in rows}
-
 
 def errors(run: Run, mesh: str, solver: str, key: str) -> list[float]:
     """Of right and wrong answers, one a row that has it."""
@@ -116,10 +82,9 @@ def _row(run: Run, mesh: str, solver: str, base: str) -> list[Cell]:
 
 def _time(run: Run, mesh: str, solver: str, base: str, time: Time) -> list[Cell]:
     """The time, and its ratio to that of the base."""
-    ours, theirs = (times(run, mesh, s, time) for s in (solver, base))
-    estimate = median(by_source(ours))
+    estimate = median(by_source(times(run, mesh, solver, time)))
     shown = time_unit([estimate.value]).text(estimate.value)
-    pairs = paired(ours, theirs)
+    pairs = ratios(run, mesh, solver, base, time)
     if not pairs:
         return [estimate_cell(estimate, shown), Cell(ABSENT)]
     ratio = geometric_mean([pairs])

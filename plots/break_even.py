@@ -10,14 +10,15 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from plots import style
-from plots.answers import error_text, errors, further, preparation, times
+from plots.answers import error_text, errors
 from plots.dots import sentences
 from plots.drawing import Drawing
 from plots.growth import surface
 from plots.logarithmic import logarithmic
 from plots.measures import (
-    EDGE_BASED, baseline, by_source, columns, count, interval, percent, time_unit,
+    EDGE_BASED, baseline, columns, count, interval, percent, time_unit,
 )  # fmt: skip
+from results.pairs import by_source, further, preparation, times
 from results.reader import Mesh, ResultError, Run
 from results.statistics import Estimate, median
 from results.table import Cell, Table, estimate_cell

@@ -13,11 +13,12 @@ from plots.dots import (
 from plots.drawing import Drawing
 from plots.logarithmic import logarithmic, ratio_axis
 from plots.measures import (
-    ERROR, LIMIT, LIMIT_SOLVER, TIME, Measure, baseline, by_source, measured_solvers, values,
+    ERROR, LIMIT, LIMIT_SOLVER, TIME, Measure, baseline, measured_solvers, values,
 )  # fmt: skip
 from plots.models import of_thesis
 from plots.ratios import BY_KEY, RIVAL, Ratio, over_meshes
 from results import published
+from results.pairs import by_source
 from results.reader import ResultError, Run
 from results.statistics import geometric_mean, median
 

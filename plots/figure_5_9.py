@@ -12,8 +12,9 @@ from plots.dots import sentences, reach
 from plots.models import ordered_meshes
 from plots.drawing import Drawing
 from plots.measures import (
-    TIME, Measure, TimeUnit, by_source, columns, failure, measured_solvers, time_unit, values,
+    TIME, Measure, TimeUnit, columns, failure, measured_solvers, time_unit, values,
 )  # fmt: skip
+from results.pairs import by_source
 from results.reader import Mesh, ResultError, Run
 from results.statistics import median
 

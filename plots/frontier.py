@@ -13,14 +13,14 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import FixedFormatter, FixedLocator, NullLocator
 
 from plots import style
-from plots.answers import Time, each_of, error_text, errors, further, times
+from plots.answers import error_text, errors
 from plots.dots import sentences, without_value
 from plots.drawing import Drawing
 from plots.logarithmic import logarithmic
-from plots.measures import ABSENT, EDGE_BASED, baseline, by_source, columns, count, time_unit
-from plots.ratios import paired
+from plots.measures import ABSENT, EDGE_BASED, baseline, columns, count, time_unit
+from results.pairs import Time, by_source, each_of, further, ratios, times
 from results.reader import Mesh, ResultError, Run, Solver
-from results.statistics import Estimate, Sample, geometric_mean, median
+from results.statistics import Estimate, geometric_mean, median
 from results.table import Cell, Table, estimate_cell
 
 COSTS: dict[str, Time] = {
@@ -101,25 +101,21 @@ def over_meshes(run: Run, meshes: Sequence[Mesh], base: str) -> list[Point]:
     found = [{point.solver.name: point for point in measured(run, mesh.name)} for mesh in meshes]
     points = []
     for solver in (s for s in columns(run) if all(s in of for of in found)):
-        ratios = {
-            name: [_ratios(run, mesh.name, solver, base, cost) for mesh in meshes]
+        over_base = {
+            name: [ratios(run, mesh.name, solver, base, cost) for mesh in meshes]
             for name, cost in COSTS.items()
         }
-        if not all(sample for samples in ratios.values() for sample in samples):
+        if not all(sample for samples in over_base.values() for sample in samples):
             continue
         points.append(
             Point(
                 run.solvers[solver],
-                {name: geometric_mean(samples) for name, samples in ratios.items()},
+                {name: geometric_mean(samples) for name, samples in over_base.items()},
                 max(of[solver].largest for of in found),
                 sum(of[solver].mean for of in found) / len(found),
             )
         )
     return points
-
-
-def _ratios(run: Run, mesh: str, above: str, below: str, time: Time) -> Sample:
-    return paired(times(run, mesh, above, time), times(run, mesh, below, time))
 
 
 def front(points: Iterable[Point], cost: str, error: Error) -> list[Point]:
@@ -397,5 +393,5 @@ def _choice(
 
 def _as_fast(run: Run, mesh: str, rival: str, best: str, cost: Time) -> bool:
     """Whether the interval of the ratio of their times reaches 1."""
-    pairs = _ratios(run, mesh, rival, best, cost)
+    pairs = ratios(run, mesh, rival, best, cost)
     return bool(pairs) and geometric_mean([pairs]).low <= 1

@@ -16,8 +16,9 @@ from plots.dots import sentences
 from plots.drawing import Drawing
 from plots.logarithmic import logarithmic
 from plots.measures import (
-    PROPAGATIONS, TIME, Measure, TimeUnit, by_source, columns, count, time_unit, values,
+    PROPAGATIONS, TIME, Measure, TimeUnit, columns, count, time_unit, values,
 )  # fmt: skip
+from results.pairs import by_source
 from results.reader import Mesh, ResultError, Run
 from results.statistics import PowerLaw, median, power_law
 from results.table import Cell, Table

@@ -7,13 +7,13 @@ from collections.abc import Sequence
 import numpy as np
 
 from plots import check
-from plots.answers import first, times
 from plots.measures import ERROR, LIMIT_SOLVER, of_others, percent
 from plots.models import groups_of_thesis
 from plots.ratios import (
-    MANY, Floats, fastest_exact, mean, number, over_each_mesh, over_meshes, paired, time_over,
+    MANY, fastest_exact, mean, number, over_each_mesh, over_meshes, time_over,
 )  # fmt: skip
 from plots.table_thesis import SPEED, WINDOWS, Pair, compare
+from results.pairs import Floats, first, ratios
 from results.reader import CLOSED_FORM, OK, ResultError, Run
 from results.statistics import geometric_mean
 
@@ -117,7 +117,7 @@ def _prepared(run: Run, base: str, solver: str, ratio: float) -> str:
     """The same of a first answer, where preparation makes a difference."""
     if len(run.meshes) > MANY:
         return ""
-    pairs = [paired(*(times(run, mesh, s, first) for s in (solver, base))) for mesh in run.meshes]
+    pairs = [ratios(run, mesh, solver, base, first) for mesh in run.meshes]
     known = [sample for sample in pairs if sample]
     whole = geometric_mean(known).value if known else ratio
     return f"{_short(whole)} times with its preparation" if whole > max(1, 2 * ratio) else ""

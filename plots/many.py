@@ -10,8 +10,9 @@ from plots.dots import sentences
 from plots.drawing import Drawing
 from plots.logarithmic import logarithmic, ratio_axis
 from plots.measures import measured_solvers
-from plots.ratios import fastest_exact, mean, over_each_mesh, plain, times
+from plots.ratios import fastest_exact, mean, over_each_mesh, plain
 from plots.summary import QUANTILES
+from results.pairs import all_times
 from results.reader import ResultError, Run
 
 BINS = 24
@@ -57,7 +58,7 @@ def overview(run: Run) -> Drawing:
 
 def over_vertices(run: Run) -> Drawing:
     """Times by the meshes' sizes. @raises ResultError when nothing has a time"""
-    found = times(run)
+    found = all_times(run)
     vertices = np.array([run.meshes[mesh].vertices for mesh in found.meshes], float)
     if not len(vertices):
         raise ResultError(f"{run.file}: nothing has a time")
@@ -68,7 +69,7 @@ def over_vertices(run: Run) -> Drawing:
     axes = picture.subplots()
     handles = []
     for solver in measured_solvers(run):
-        seconds = found.by_mesh(found.seconds[:, found.solvers.index(solver)])
+        seconds = found.by_mesh(solver)
         at: list[float] = []
         low: list[float] = []
         middle: list[float] = []

@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from plots.declared import is_allowed, reasons
+from results.pairs import by_source
 from results.published import THESIS_SOLVERS, Published
 from results.reader import OK, Mesh, Row, Run
 from results.statistics import Estimate, median
@@ -168,14 +169,6 @@ def limit_solver(run: Run, mesh: str) -> str:
     """Whose window limit is taken: that of MMP, or of another solver that counts it."""
     counted = (s for s in [LIMIT_SOLVER, *run.solvers] if values(run, mesh, s, LIMIT))
     return next(counted, LIMIT_SOLVER)
-
-
-def by_source(numbers: dict[tuple[int, int], float]) -> list[list[float]]:
-    """The same as a sample: a list a source, of its repetitions."""
-    groups: dict[int, list[float]] = {}
-    for (source, _), number in numbers.items():
-        groups.setdefault(source, []).append(number)
-    return list(groups.values())
 
 
 def failure(run: Run, mesh: str, solver: str) -> Cell | None:

@@ -13,12 +13,13 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from plots import style
-from plots.answers import errors, first, times
+from plots.answers import errors
 from plots.dots import sentences
 from plots.drawing import Drawing
 from plots.logarithmic import ratio_axis
 from plots.measures import columns, of_others, percent
-from plots.ratios import fastest_exact, mean, number, paired
+from plots.ratios import fastest_exact, mean, number
+from results import pairs
 from results.console import ROOT
 from results.reader import ResultError, Run
 from results.statistics import geometric_mean, median
@@ -81,7 +82,7 @@ def _line(run: Run, solver: str, base: str, public: set[str]) -> Line:
     ratios = [
         geometric_mean([sample]).value
         for mesh in run.meshes
-        if (sample := paired(*(times(run, mesh, one, first) for one in (solver, base))))
+        if (sample := pairs.ratios(run, mesh, solver, base, pairs.first))
     ]
     about = run.solvers[solver]
     near = about.exact or (about.error_bound or 1) <= NEARLY

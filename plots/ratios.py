@@ -1,35 +1,29 @@
-"""The one module that pairs numbers of a run: ratios of times, for terminal and pages, and those that
-the thesis's text mentions, from our rows and from its Table 5.2.
-
-Both numbers of a ratio come from the same mesh, source and repetition, so from one processor; a mesh
-counts once, by the geometric mean over its sources and repetitions.
+"""Ratios for terminal and pages, and those that the thesis's text mentions, from our rows and from its
+Table 5.2. Both numbers of a ratio are of one pair (results/pairs.py); a mesh counts once, by the
+geometric mean over its sources and repetitions.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from plots.measures import (
     ABSENT, CREATED, EDGE_BASED, LIMIT, LIMIT_SOLVER, PEAK, PEAK_BYTES, PROPAGATIONS, REINSERTIONS,
-    SPACE, TIME, VALID, Measure, by_source, failure, limit_solver, measured_solvers, partial_failure,
+    SPACE, TIME, VALID, Measure, failure, limit_solver, measured_solvers, partial_failure,
     values,
 )  # fmt: skip
 from results import published
-from results.reader import OK, Run
+from results.pairs import Floats, all_times, paired
+from results.reader import Run
 from results.statistics import Estimate, Sample, geometric_mean
 from results.table import Cell, estimate_cell
 
 RIVAL = "the solver in the column"
 MANY = 100
 """Meshes: with more, a run is summed up and no mesh has a line of its own."""
-
-Floats = NDArray[np.float64]
-Numbers = Mapping[tuple[int, int], float]
-"""By source and repetition."""
 
 
 def plain(value: float) -> str:
@@ -43,17 +37,6 @@ def number(value: float) -> str:
 
 def _fewer(value: float) -> str:
     return f"{100 * (1 - value):.1f}%"
-
-
-def paired(above: Numbers, below: Numbers) -> Sample:
-    """Ratios by source, of the pairs of source and repetition in which both are greater than 0."""
-    return by_source(
-        {
-            pair: above[pair] / below[pair]
-            for pair in above.keys() & below.keys()
-            if above[pair] > 0 and below[pair] > 0
-        }
-    )
 
 
 @dataclass(frozen=True)
@@ -187,53 +170,13 @@ def mean_cell(ratio: Ratio, mean: Mean, solver: str) -> Cell:
     return estimate_cell(mean.estimate, ratio.interval(mean.estimate), note)
 
 
-@dataclass(frozen=True)
-class Times:
-    """Of a run, in seconds; NaN where a solver has none."""
-
-    solvers: list[str]
-    meshes: list[str]
-    mesh_of: NDArray[np.int64]
-    """By line: its mesh. A line is a mesh, source and repetition."""
-    seconds: Floats
-    """Lines x solvers."""
-
-    def of(self, solver: str) -> Floats:
-        return self.seconds[:, self.solvers.index(solver)]
-
-    def by_mesh(self, lines: Floats) -> Floats:
-        """Geometric means of the lines of each mesh; NaN where none has a value."""
-        known = ~np.isnan(lines)
-        count = np.bincount(self.mesh_of[known], minlength=len(self.meshes))
-        sums = np.bincount(
-            self.mesh_of[known], weights=np.log(lines[known]), minlength=len(self.meshes)
-        )
-        with np.errstate(invalid="ignore", divide="ignore"):
-            return np.asarray(np.exp(sums / count))
-
-
-def times(run: Run) -> Times:
-    rows = run.columns.take(run.columns.where("outcome", OK))
-    solvers, meshes = rows.texts["solver"], rows.texts["mesh"]
-    if not len(rows.numbers("source")):
-        return Times(solvers, meshes, np.zeros(0, np.int64), np.zeros((0, len(solvers))))
-    line = [rows.arrays["mesh"], rows.arrays["source"], rows.arrays["repetition_index"]]
-    lines, line_of = np.unique(np.stack(line), axis=1, return_inverse=True)
-    several = rows.numbers("threads") > 1
-    milliseconds = np.where(several, rows.numbers("real_time"), rows.numbers("cpu_time"))
-    seconds = np.full((lines.shape[1], len(solvers)), np.nan)
-    seconds[line_of, rows.arrays["solver"]] = np.where(milliseconds > 0, 1e-3 * milliseconds, np.nan)
-    return Times(solvers, meshes, lines[0].astype(np.int64), seconds)
-
-
 def over_each_mesh(run: Run, base: str) -> dict[str, Floats]:
     """By solver: of every mesh that has both, the time over that of the base. `over_meshes` gives
     their mean too, with its interval, for which a large run has too many meshes."""
-    found = times(run)
+    found = all_times(run)
     if base not in found.solvers:
         return {}
-    below = found.of(base)
-    by_solver = {s: found.by_mesh(found.of(s) / below) for s in measured_solvers(run)}
+    by_solver = {s: found.by_mesh(s, base) for s in measured_solvers(run)}
     return {s: of[~np.isnan(of)] for s, of in by_solver.items() if not np.isnan(of).all()}
 
 
@@ -249,8 +192,8 @@ def fastest_exact(run: Run, but: Collection[str] = ()) -> str:
     @param but solvers that are not asked about"""
     measured = [solver for solver in measured_solvers(run) if solver not in but]
     exact = [solver for solver in measured if run.solvers[solver].exact]
-    found = times(run)
-    meshes = {s: found.by_mesh(found.of(s)) for s in exact or measured}
+    found = all_times(run)
+    meshes = {s: found.by_mesh(s) for s in exact or measured}
     counts = {s: int((~np.isnan(of)).sum()) for s, of in meshes.items()}
     known = [solver for solver, count in counts.items() if count]
     if not known:
@@ -260,6 +203,6 @@ def fastest_exact(run: Run, but: Collection[str] = ()) -> str:
         s: of[~np.isnan(of)]
         for s in known
         if 2 * counts[s] >= counts[widest]
-        for of in [found.by_mesh(found.of(s) / found.of(widest))]
+        for of in [found.by_mesh(s, widest)]
     }
     return min((s for s in ratios if len(ratios[s])), key=lambda solver: mean(ratios[solver]))

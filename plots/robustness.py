@@ -6,9 +6,10 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from plots.answers import error_text, first
+from plots.answers import error_text
 from plots.measures import ABSENT, columns, time_unit
 from plots.models import ordered_meshes
+from results.pairs import first
 from results.reader import Mesh, ResultError, Row, Run
 from results.table import Cell, Table
 

@@ -23,10 +23,11 @@ if __name__ == "__main__":
 
 from plots import check
 from plots.measures import (
-    EDGE_BASED, ERROR, PEAK_BYTES, PROPAGATIONS, TIME, baseline, by_source, failure, our_cell, values,
+    EDGE_BASED, ERROR, PEAK_BYTES, PROPAGATIONS, baseline, failure, our_cell,
 )  # fmt: skip
 from plots.ratios import time_over
 from plots.report import TEMPLATES, picture
+from results import pairs
 from results.reader import Mesh, ResultError, Run, Solver, read_run
 from results.statistics import geometric_mean_of_ratios, median
 from results.table import BLANK, Cell, Table, estimate_cell, four_digits, mark
@@ -127,7 +128,7 @@ def row(entry: Entry, root: str) -> list[Cell]:
         Cell("run.json", link=root + entry.shown.raw),
         Cell(f"{mesh.vertices:,}", mesh.vertices),
     ]
-    times = by_source(values(run, mesh.name, solver.name, TIME))
+    times = pairs.by_source(pairs.times(run, mesh.name, solver.name))
     if not times:
         return [*texts, failure(run, mesh.name, solver.name) or BLANK, *[BLANK] * 4]
     time = median(times)
@@ -192,17 +193,17 @@ def history(of: Sequence[Entry]) -> list[Step]:
     runs = {entry.shown.name: entry.shown for entry in of}
     for entry in of:
         cells = times.setdefault(entry.processor, {}).setdefault(entry.shown.name, {})
-        measured = values(entry.run, entry.mesh.name, entry.solver.name, TIME)
+        measured = pairs.times(entry.run, entry.mesh.name, entry.solver.name)
         for (source, _), time in measured.items():
             cells.setdefault((entry.mesh.sha256, source), []).append(time)
     steps = []
     for processor, by_run in times.items():
         first: dict[tuple[str, int], list[float]] = next(filter(None, by_run.values()), {})
         for name, cells in by_run.items():
-            shared = [cell for cell in first if cell in cells]
+            shared = [(before, cells[cell]) for cell, before in first.items() if cell in cells]
             if not shared:
                 continue
-            ratio = geometric_mean_of_ratios([(first[cell], cells[cell]) for cell in shared])
+            ratio = geometric_mean_of_ratios(shared)
             text = f"{ratio.value:.3f} [{ratio.low:.3f}, {ratio.high:.3f}]"
             steps.append(
                 Step(runs[name], processor, len(shared), estimate_cell(ratio, text),

@@ -6,13 +6,14 @@ from __future__ import annotations
 import numpy as np
 
 from plots.measures import (
-    ABSENT, ERROR, PEAK_BYTES, PROPAGATIONS, TIME, by_source, columns, count, failure, our_cell,
+    ABSENT, ERROR, PEAK_BYTES, PROPAGATIONS, TIME, columns, count, failure, our_cell,
     partial_failure, time_unit, values,
 )  # fmt: skip
 from plots.models import left_out, ordered_meshes
 from plots.ratios import (
-    MANY, Floats, Ratio, fastest_exact, mean, number, over_each_mesh, over_meshes, plain, time_over,
+    MANY, Ratio, fastest_exact, mean, number, over_each_mesh, over_meshes, plain, time_over,
 )  # fmt: skip
+from results.pairs import Floats, by_source
 from results.reader import OK, Mesh, ResultError, Run
 from results.statistics import geometric_mean, median
 from results.table import BLANK, Cell, Table, estimate_cell

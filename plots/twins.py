@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from plots.measures import ABSENT, PROPAGATIONS, TIME, by_source, count, values
+from plots.measures import ABSENT, PROPAGATIONS, TIME, count, values
 from plots.models import ordered_meshes
 from plots.ratios import Ratio, mean_cell, over_meshes
+from results.pairs import by_source
 from results.reader import ResultError, Run
 from results.statistics import median
 from results.table import BLANK, Cell, Table, estimate_cell

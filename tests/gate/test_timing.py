@@ -11,11 +11,12 @@ import numpy as np
 import pytest
 from gate_world import World, fact, first
 from results.columns import Columns
+from results.pairs import Pairs, interleaved
 from results.reader import Cell, Row
 from results.statistics import Decision
 
 from gate import check, timing
-from gate.cells import Measured, Pairs, paired
+from gate.cells import Measured
 from gate.findings import GOOD, NOT_RESOLVED, REGRESSION, GateError, Weight
 from gate.timing import PAIRS, Timing, timed_cells
 from gate.verdict import Verdict, as_text, judge
@@ -141,9 +142,9 @@ def test_pairs_are_of_one_repetition_and_disturbed_ones_are_left_out() -> None:
     second_side = [of(A, 20 + 2 * r, r) for r in range(1, 12)]
     second_side[0] = of(A, 99, 1, stolen_share=0.02)
     second_side[1] = of(A, 99, 2, involuntary_switches_per_s=501)
-    pairs = paired(Measured(A, first_side), Measured(A, second_side))
+    pairs = interleaved(first_side, second_side)
     assert pairs.ratios == [2.0] * 9 and pairs.disturbed == 2
-    few = paired(Measured(A, first_side[:5]), Measured(A, second_side))
+    few = interleaved(first_side[:5], second_side)
     assert len(few) == 4, "too few others: all are used"
 
 
