@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
-#include <map>
 #include <sstream>
 
 #include "harness/base/error.h"
@@ -19,7 +18,7 @@ bool is_expected(const Row& row, const Suite& suite) {
 
 RunResult report_failure(const Row& row, const Suite& suite) {
   const std::string cell = row.name() + (row.program ? " by " + *row.program : "");
-  if (row.outcome == Outcome::unsupported) return RunResult::ok;  // report_unsupported
+  if (row.outcome == Outcome::unsupported) return RunResult::ok;  // counted, and listed by check
   if (row.ok()) {
     if (row.repetition_index != 0 || !row.recordings_error) return RunResult::ok;
     std::cerr << cell << ": not recorded: " << *row.recordings_error << '\n';
@@ -30,22 +29,6 @@ RunResult report_failure(const Row& row, const Suite& suite) {
             << row.error_message << '\n';
   if (expected || row.outcome == Outcome::skipped) return RunResult::ok;
   return row.outcome == Outcome::wrong_answer ? RunResult::wrong_answer : RunResult::error;
-}
-
-// One line a solver.
-void report_unsupported(const std::vector<Row>& rows) {
-  std::map<std::string, std::vector<const Row*>> by_solver;
-  for (const Row& row : rows) {
-    if (row.outcome == Outcome::unsupported) by_solver[row.solver].push_back(&row);
-  }
-  for (const auto& [solver, cells] : by_solver) {
-    std::vector<std::string> meshes;
-    for (const Row* row : cells) {
-      if (std::ranges::find(meshes, row->mesh) == meshes.end()) meshes.push_back(row->mesh);
-    }
-    std::cerr << solver << ": " << cells.size() << " cells unsupported (" << join(meshes)
-              << "): " << cells.front()->error_message << '\n';
-  }
 }
 
 double median(std::vector<double> values) {
@@ -73,7 +56,6 @@ std::string time_text(double ms) {
 RunResult report_failures(const std::vector<Row>& rows, const Plan& plan, const Suite& suite) {
   RunResult result = RunResult::ok;
   for (const Row& row : rows) result = std::max(result, report_failure(row, suite));
-  report_unsupported(rows);
   for (const SkippedMesh& skipped : plan.skipped) {
     std::cerr << "skipped " << skipped.name << ": " << skipped.why << '\n';
     if (skipped.unreadable) result = std::max(result, RunResult::error);

@@ -12,8 +12,8 @@ namespace geodesic::harness {
 /// Exit codes of a run; the worst thing that happened decides.
 enum class RunResult { ok = 0, error = 1, wrong_answer = 2 };
 
-/// Writes a line to standard error for every row that failed or could not be recorded, one for the
-/// unsupported meshes of a solver, and one for every mesh that was skipped. Outcomes that the suite
+/// Writes a line to standard error for every row that failed or could not be recorded, and one for
+/// every mesh that was skipped. Outcomes that the suite
 /// expects, unsupported meshes, cells that were skipped after a failure, and meshes that are not in
 /// the cache are no errors.
 RunResult report_failures(const std::vector<Row>& rows, const Plan& plan, const Suite& suite);
