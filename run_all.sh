@@ -278,54 +278,18 @@ choose_out() {
   fi
 }
 
-# Seconds that a step took last time on this corpus; the first time, as measured on two cores. Fails
-# where neither is known.
-expected_seconds() {
-  local step=$1 seconds=
-  if [[ -f $logs/durations ]]; then
-    seconds=$(sed -n "s|^$step $corpus ||p" "$logs/durations" | tail -n 1)
-  fi
-  case ${seconds:-$step $corpus} in
-    build\ *) echo 100 ;;
-    fetch\ tiny | fetch\ quick | fetch\ standard) echo 10 ;;
-    run\ tiny) echo 20 ;;
-    run\ standard) echo 480 ;;
-    check\ *) echo 5 ;;
-    plot\ *) echo 40 ;;
-    *\ *) return 1 ;;
-    *) echo "$seconds" ;;
-  esac
-}
-
-# expected_left STEP...: " (about 10 min left)", or nothing where that is not known.
-expected_left() {
-  local step seconds sum=0
-  for step in "$@"; do
-    seconds=$(expected_seconds "$step") || return 0
-    sum=$((sum + seconds))
-  done
-  if [[ $sum -lt 90 ]]; then
-    echo " (about $sum s left)"
-  else
-    echo " (about $(((sum + 30) / 60)) min left)"
-  fi
-}
-
 run_steps() {
-  local ordered=() step number=0 left began took
+  local ordered=() step number=0 began
   for step in "${known_steps[@]}"; do
     if has_step "$step"; then ordered+=("$step"); fi
   done
   for step in "${ordered[@]}"; do
-    left=$(expected_left "${ordered[@]:number}")
     number=$((number + 1))
-    say "[$number/${#ordered[@]}] $step$left"
+    say "[$number/${#ordered[@]}] $step"
     current=$step
     began=$SECONDS
     "step_$step"
-    took=$((SECONDS - began))
-    say "[$number/${#ordered[@]}] $step: done in $took s"
-    printf '%s %s %s\n' "$step" "$corpus" "$took" >>"$logs/durations"
+    say "[$number/${#ordered[@]}] $step: done in $((SECONDS - began)) s"
   done
   current=
 }

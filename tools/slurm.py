@@ -217,8 +217,8 @@ def last_words(job: Job, index: int) -> str:
     return "".join(c if c.isprintable() else "?" for c in line)[:300]
 
 
-def progress(job: Job, tasks: Sequence[Task], done: set[int], began: float, first: int) -> str:
-    """ "12 of 32 shards done, 8 running, 12 waiting (Priority); 140 cells in running ones; ..." """
+def progress(job: Job, tasks: Sequence[Task], done: set[int]) -> str:
+    """ "12 of 32 shards done, 8 running, 12 waiting (Priority); 140 cells in running ones" """
     active = [task for task in tasks if task.shard not in done]
     waiting = [task for task in active if task.state in WAITING]
     running = {task.shard for task in active if task.state not in WAITING}
@@ -228,19 +228,11 @@ def progress(job: Job, tasks: Sequence[Task], done: set[int], began: float, firs
         text += f" ({', '.join(f'{reason}: {n}' for reason, n in reasons.most_common(3))})"
     if running:
         text += f"; cells finished in running ones: {sum(map(job.cells, running))}"
-    if len(done) > first and len(done) < job.shards:
-        left = (time.monotonic() - began) / (len(done) - first) * (job.shards - len(done))
-        text += f"; about {_duration(left)} left"
     return text
-
-
-def _duration(seconds: float) -> str:
-    return f"{seconds:.0f} s" if seconds < 90 else f"{seconds / 60:.0f} min"
 
 
 def follow(job: Job) -> list[int]:
     """Until every shard is done or given up; those are returned. @raises SlurmError"""
-    began, first = time.monotonic(), len(job.done())
     said, trouble, given_up, silent = "", "", set[int](), set[int]()
     last = 0.0
     while True:
@@ -279,11 +271,10 @@ def follow(job: Job) -> list[int]:
         if not again and done | given_up >= set(range(1, job.shards + 1)):
             say(f"{len(done)} of {job.shards} shards done")
             return sorted(given_up)
-        now = progress(job, tasks, done, began, first)
-        shown = now.split("; about")[0]
-        if not again and (shown != said or time.monotonic() - last > 600):
+        now = progress(job, tasks, done)
+        if not again and (now != said or time.monotonic() - last > 600):
             say(now)
-            said, last = shown, time.monotonic()
+            said, last = now, time.monotonic()
         time.sleep(SECONDS if not again else min(SECONDS, 1))
 
 

@@ -13,7 +13,7 @@ namespace {
 
 class RowProgress {
  public:
-  RowProgress(std::size_t rows, std::size_t left) : rows_(rows), left_(left) {}
+  RowProgress(std::size_t rows, std::size_t ended) : rows_(rows), ended_(ended) {}
   ~RowProgress() { line_.clear(); }
 
   void row_ended() {
@@ -22,14 +22,13 @@ class RowProgress {
     const double now = watch_.real_seconds();
     if (now - shown_seconds_ < 1) return;
     shown_seconds_ = now;
-    const auto open = static_cast<double>(left_ - ended_);
-    line_.show(std::to_string(rows_ - left_ + ended_) + " of " + std::to_string(rows_) +
-               " rows, about " + duration(now / static_cast<double>(ended_) * open) + " left");
+    line_.show(std::to_string(ended_) + " of " + std::to_string(rows_) + " rows, " + duration(now) +
+               " so far");
   }
 
  private:
-  const std::size_t rows_, left_;  // in all, and when this began
-  std::size_t ended_ = 0;
+  const std::size_t rows_;
+  std::size_t ended_;
   double shown_seconds_ = 0;
   StatusLine line_;
   Stopwatch watch_;
@@ -43,7 +42,7 @@ void solve_matrix(const MatrixProblem& problem, unsigned threads, MatrixFile& fi
   for (std::size_t row = 0; row < problem.sources.size(); ++row) {
     if (!file.has(row)) open.push_back(row);
   }
-  RowProgress progress(problem.sources.size(), open.size());
+  RowProgress progress(problem.sources.size(), problem.sources.size() - open.size());
   do_in_threads(open.size(), threads, [&]() -> Worker {
     RowSolver row(std::make_shared<PointSolver>(problem.solver, problem.mesh, problem.inserted),
                   problem.mesh, problem.asked);
