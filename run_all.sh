@@ -63,7 +63,7 @@ Options:
   --help               this text
 
 On a cluster (docs/clusters.md):
-  --slurm              run in shards, as an array job of Slurm: follow it, submit again what ends
+  --slurm              run in shards, as an array job of Slurm: wait for it, submit again what ends
                        early, merge; DIR/slurm.sh is the batch script. Ctrl-C: the jobs go on
   --slurm-follow DIR   the same with jobs that are there, also when the script was submitted by hand
   --slurm-script       write the batch script and stop

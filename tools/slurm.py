@@ -1,11 +1,13 @@
-"""Measures a run on a cluster with Slurm: writes the batch script, submits it, follows it, merges.
+"""Measures a run on a cluster with Slurm: writes the batch script, submits it, waits for it, merges.
 
     tools/slurm.py submit --out DIR --bench PROGRAM [OPTION...] -- OPTION OF geodesic-bench run...
     tools/slurm.py follow DIR
 
 ./run_all.sh --slurm calls it. DIR/slurm.sh is an array job, a shard a task; it can be submitted by
 hand. What is done is seen from the shards' folders alone, and what is queued from squeue by the
-job's name: whoever follows a run needs nothing of what followed it before.
+job's name: whoever follows a run needs nothing of what followed it before. Slurm waits
+(`sbatch --wait`), queues again what it ends itself (`--requeue`), and has later submissions wait for
+earlier ones (`--dependency=afterany`).
 """
 
 from __future__ import annotations
@@ -19,23 +21,14 @@ import re
 import shlex
 import subprocess
 import sys
-import time
-from collections import Counter
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 SHARDS = 32
 """Unless --shards says otherwise, or there are fewer pairs of mesh and source."""
 FRUITLESS = 3
 """So many submissions of a shard in which it finished no cell end it."""
-SECONDS = float(os.environ.get("GEODESIC_SLURM_SECONDS", "15"))
-"""Between two looks at the queue: an administrator's patience is longer than a test's."""
-CANCEL_WITHIN = 5
-"""Seconds in which a second Ctrl-C cancels the jobs."""
-WAITING = ("PENDING", "REQUEUED", "CONFIGURING", "SUSPENDED")
-HELD = re.compile(r"held|JobHeld|launch_failed", re.IGNORECASE)
-
 SCRIPT = """#!/usr/bin/env bash
 # A run of geodesic-bench in {shards} shards, a task of this array each. Submitted by ./run_all.sh --slurm,
 # or by hand: sbatch {script}. A task that is started again goes on where it was.
@@ -83,25 +76,14 @@ class SlurmError(RuntimeError):
 
 
 @dataclass
-class Shard:
-    """What is remembered of one between submissions."""
-
-    cells: int = 0
-    """Finished when it was last submitted."""
-    fruitless: int = 0
-    """Submissions since then that finished none."""
-
-
-@dataclass
 class Job:
-    """A run in a folder: the script's facts, in DIR/slurm.json, and the shards' history."""
+    """A run in a folder: the script's facts, in DIR/slurm.json."""
 
     folder: Path
     name: str
     shards: int
     limit: int | None
     bench: str
-    history: dict[int, Shard] = field(default_factory=dict)
 
     @property
     def script(self) -> Path:
@@ -113,9 +95,10 @@ class Job:
     def log(self, index: int) -> Path:
         return self.folder / "logs" / f"{index}.log"
 
-    def done(self) -> set[int]:
+    def open(self) -> list[int]:
+        """Shards that are not finished."""
         every = range(1, self.shards + 1)
-        return {index for index in every if (self.shard(index) / "run.json").is_file()}
+        return [index for index in every if not (self.shard(index) / "run.json").is_file()]
 
     def cells(self, index: int) -> int:
         try:
@@ -124,32 +107,20 @@ class Job:
             return 0
 
     def save(self) -> None:
-        facts = {"name": self.name, "shards": self.shards, "limit": self.limit, "bench": self.bench,
-                 "history": {i: vars(shard) for i, shard in sorted(self.history.items())}}  # fmt: skip
-        part = self.folder / f"slurm.json.{os.getpid()}.part"
-        part.write_text(json.dumps(facts, indent=1) + "\n", encoding="utf-8")
-        part.replace(self.folder / "slurm.json")
+        facts = {key: fact for key, fact in asdict(self).items() if key != "folder"}
+        (self.folder / "slurm.json").write_text(json.dumps(facts, indent=1) + "\n", encoding="utf-8")
 
     @staticmethod
     def load(folder: Path) -> Job:
         """@raises SlurmError"""
         file = folder / "slurm.json"
         try:
-            facts = json.loads(file.read_text(encoding="utf-8"))
-            history = {int(i): Shard(**shard) for i, shard in facts.pop("history").items()}
-            return Job(folder=folder, history=history, **facts)
+            return Job(folder=folder, **json.loads(file.read_text(encoding="utf-8")))
         except FileNotFoundError:
             raise SlurmError(f"{folder}: holds no run of --slurm (no slurm.json)") from None
-        except (OSError, ValueError, TypeError, KeyError, AttributeError) as error:
+        except (OSError, ValueError, TypeError) as error:
             raise SlurmError(f"{file}: cannot be used: {error}; submit {folder / 'slurm.sh'} by hand "
                              "and merge its shards with geodesic-bench merge") from None  # fmt: skip
-
-
-@dataclass(frozen=True)
-class Task:
-    shard: int
-    state: str
-    reason: str
 
 
 def say(words: str) -> None:
@@ -157,41 +128,32 @@ def say(words: str) -> None:
 
 
 def call(*words: str) -> str:
-    """What a command of Slurm prints. @raises SlurmError"""
+    """What a command of Slurm prints. @raises SlurmError when it prints no result"""
     try:
         ended = subprocess.run(words, capture_output=True, text=True)
     except FileNotFoundError:
         raise SlurmError(f"there is no {words[0]}: run this where Slurm's commands are") from None
-    if ended.returncode != 0:
+    if ended.returncode != 0 and not ended.stdout:
         lines = ended.stderr.strip().splitlines() or [f"exit code {ended.returncode}"]
         raise SlurmError(f"{words[0]}: {'; '.join(lines)}")
     return ended.stdout
 
 
-def queued(job: Job) -> list[Task]:
-    """The job's tasks that wait or run, whoever submitted them. @raises SlurmError"""
-    text = call("squeue", "--noheader", "--array", f"--user={getpass.getuser()}",
-                f"--name={job.name}", "--format=%K|%T|%r")  # fmt: skip
-    tasks = []
-    for line in text.splitlines():
-        index, state, reason = line.split("|", 2)
-        if index.isdigit():
-            tasks.append(Task(int(index), state, reason))
-    return tasks
+def queued(job: Job) -> list[str]:
+    """The numbers of the job's arrays that wait or run, whoever submitted them. @raises SlurmError"""
+    text = call("squeue", "--noheader", f"--user={getpass.getuser()}", f"--name={job.name}",
+                "--format=%F")  # fmt: skip
+    return sorted(set(text.split()))
 
 
-def submit(job: Job, shards: Iterable[int], running: int = 0) -> None:
-    """@param running others, which count towards the limit
-    @raises SlurmError"""
-    chosen = sorted(shards)
-    for index in chosen:
-        shard = job.history.setdefault(index, Shard())
-        cells = job.cells(index)
-        shard.fruitless = shard.fruitless + 1 if cells == shard.cells else 1
-        shard.cells = cells
-    job.save()
-    limit = "" if job.limit is None else f"%{job.limit - running}"
-    call("sbatch", f"--array={ranges(chosen)}{limit}", str(job.script))
+def submit_and_wait(job: Job, shards: Sequence[int]) -> None:
+    """Until these shards have ended in one way or another; those that are queued already end first,
+    so that no two jobs have one shard. @raises SlurmError"""
+    earlier = queued(job)
+    words = [f"--dependency=afterany:{':'.join(earlier)}"] if earlier else []
+    limit = "" if job.limit is None else f"%{job.limit}"
+    # sbatch's exit code is that of the tasks, some of which may fail.
+    call("sbatch", "--wait", *words, f"--array={ranges(shards)}{limit}", str(job.script))
 
 
 def ranges(numbers: Sequence[int]) -> str:
@@ -217,80 +179,34 @@ def last_words(job: Job, index: int) -> str:
     return "".join(c if c.isprintable() else "?" for c in line)[:300]
 
 
-def progress(job: Job, tasks: Sequence[Task], done: set[int]) -> str:
-    """ "12 of 32 shards done, 8 running, 12 waiting (Priority); 140 cells in running ones" """
-    active = [task for task in tasks if task.shard not in done]
-    waiting = [task for task in active if task.state in WAITING]
-    running = {task.shard for task in active if task.state not in WAITING}
-    text = f"{len(done)} of {job.shards} shards done, {len(running)} running, {len(waiting)} waiting"
-    reasons = Counter(task.reason for task in waiting if task.reason not in ("None", ""))
-    if reasons:
-        text += f" ({', '.join(f'{reason}: {n}' for reason, n in reasons.most_common(3))})"
-    if running:
-        text += f"; cells finished in running ones: {sum(map(job.cells, running))}"
-    return text
-
-
-def follow(job: Job) -> list[int]:
+def measure(job: Job) -> list[int]:
     """Until every shard is done or given up; those are returned. @raises SlurmError"""
-    said, trouble, given_up, silent = "", "", set[int](), set[int]()
-    last = 0.0
-    while True:
-        try:
-            tasks = queued(job)
-        except SlurmError as error:  # the controller may be restarted
-            if str(error) != trouble:
-                say(f"{error}: looking again every {SECONDS:.0f} s")
-            trouble = str(error)
-            time.sleep(SECONDS)
-            continue
-        trouble = ""
-        done = job.done()  # after the queue: what left it meanwhile has its run.json
-        lost = set(range(1, job.shards + 1)) - done - {task.shard for task in tasks}
-        for index in sorted(lost - given_up):
-            shard = job.history.get(index, Shard())
-            if shard.fruitless >= FRUITLESS and job.cells(index) == shard.cells:
-                given_up.add(index)
-                say(f"shard {index}: given up: submitted {FRUITLESS} times without a further cell; "
-                    f"its log ends: {last_words(job, index)} ({job.log(index)})")  # fmt: skip
-        again = lost - given_up
-        running = sum(task.state not in WAITING for task in tasks)
-        if job.limit is not None and (len(tasks) > running or running >= job.limit):
-            again = set()  # the limit is of one array: another one begins when none waits
-        if again:
-            known = [index for index in sorted(again) if index in job.history]
-            for index in known[:10]:
-                say(f"shard {index}: ended early after {job.cells(index)} cells and is submitted "
-                    f"again; its log ends: {last_words(job, index)}")  # fmt: skip
-            submit(job, again, running)
-        held = {task.shard for task in tasks if HELD.search(task.reason)} - silent
-        if held:
-            silent |= held
-            say(f"held by Slurm: shards {ranges(sorted(held))}; release them: "
-                f"scontrol release jobname={job.name}")  # fmt: skip
-        if not again and done | given_up >= set(range(1, job.shards + 1)):
-            say(f"{len(done)} of {job.shards} shards done")
-            return sorted(given_up)
-        now = progress(job, tasks, done)
-        if not again and (now != said or time.monotonic() - last > 600):
-            say(now)
-            said, last = now, time.monotonic()
-        time.sleep(SECONDS if not again else min(SECONDS, 1))
+    fruitless: dict[int, int] = {}
+    while again := [index for index in job.open() if fruitless.get(index, 0) < FRUITLESS]:
+        say(f"{job.shards - len(job.open())} of {job.shards} shards done; submitted as {job.name}: "
+            f"shards {ranges(again)}; squeue --name={job.name} shows them")  # fmt: skip
+        before = {index: job.cells(index) for index in again}
+        submit_and_wait(job, again)
+        for index in set(again) & set(job.open()):
+            cells = job.cells(index)
+            fruitless[index] = fruitless.get(index, 0) + 1 if cells == before[index] else 0
+            if fruitless[index] == FRUITLESS:
+                what = f"given up: submitted {FRUITLESS} times without a further cell"
+            else:
+                what = f"ended early after {cells} cells and is submitted again"
+            say(f"shard {index}: {what}; its log ends: {last_words(job, index)} ({job.log(index)})")
+    say(f"{job.shards - len(job.open())} of {job.shards} shards done")
+    return job.open()
 
 
-def follow_until_interrupted(job: Job) -> int:
-    """Follows and merges; Ctrl-C leaves the jobs to themselves, twice cancels them."""
+def measure_and_merge(job: Job) -> int:
+    """Ctrl-C leaves the jobs to themselves."""
     follow_again = f"./run_all.sh --slurm-follow {shlex.quote(str(job.folder))}"
     try:
-        given_up = follow(job)
+        given_up = measure(job)
     except KeyboardInterrupt:
-        try:
-            say(f"\nnot followed any more; the jobs go on. Follow them: {follow_again}; cancel them: "
-                f"scancel --name={job.name}, or Ctrl-C again within {CANCEL_WITHIN} seconds")  # fmt: skip
-            time.sleep(CANCEL_WITHIN)
-        except KeyboardInterrupt:
-            call("scancel", f"--user={getpass.getuser()}", f"--name={job.name}")
-            say(f"cancelled; what is measured is kept. Go on: {follow_again}")
+        say(f"\nnot followed any more; the jobs go on. Follow them: {follow_again}; cancel them: "
+            f"scancel --name={job.name}")  # fmt: skip
         return 130
     words = [job.bench, "merge", str(job.folder / "shards"), "--out", str(job.folder)]
     ended = subprocess.run(words + (["--allow-gaps"] if given_up else []))
@@ -311,11 +227,8 @@ def planned(bench: str, words: Sequence[str]) -> dict[str, int]:
 def write_script(job: Job, options: Sequence[str], words: Sequence[str]) -> None:
     """DIR/slurm.sh"""
     quoted = shlex.quote
-    exports = "".join(
-        f"export {name}={quoted(os.environ[name])}\n"
-        for name in ("GEODESIC_DATASETS",)
-        if os.environ.get(name)
-    )
+    cache = os.environ.get("GEODESIC_DATASETS")
+    exports = f"export GEODESIC_DATASETS={quoted(cache)}\n" if cache else ""
     directives = "".join(f"#SBATCH {option}\n" for option in options)
     text = SCRIPT.format(
         shards=job.shards, script=quoted(str(job.script)), name=job.name,
@@ -381,23 +294,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
     wish = parse(arguments)
     try:
         if wish.command == "follow":
-            job = Job.load(wish.folder.absolute())
-            for shard in job.history.values():
-                shard.fruitless = 0  # somebody looks after it again
-            return follow_until_interrupted(job)
+            return measure_and_merge(Job.load(wish.folder.absolute()))
         job = new_job(wish)
         say(f"the batch script: {job.script} ({job.shards} shards)")
         if wish.write_only:
             return 0
-        submit(job, range(1, job.shards + 1))
-        say(f"submitted as {job.name}")
-        return follow_until_interrupted(job)
+        return measure_and_merge(job)
     except (SlurmError, OSError) as error:
         print(f"run_all.sh: {error}", file=sys.stderr)
         return 1
-    except KeyboardInterrupt:
-        say("interrupted; what was submitted goes on")
-        return 130
 
 
 if __name__ == "__main__":

@@ -18,7 +18,7 @@ from cluster import Cluster, why_not  # noqa: E402  (needs the path above)
 @pytest.fixture(scope="session")
 def cluster() -> Iterator[Cluster]:
     if "GEODESIC_SLURM_TEST" not in os.environ:
-        pytest.skip("a minute with a cluster of its own: tests/slurm/slurm.sh")
+        pytest.skip("three minutes with a cluster of its own: tests/slurm/slurm.sh")
     if reason := why_not():
         pytest.skip(reason)
     with Cluster(nodes=3) as running:

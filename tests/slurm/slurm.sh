@@ -17,7 +17,7 @@ Usage: tests/slurm/slurm.sh [OPTION...]
 Brings up a Slurm cluster of three nodes on this machine (its own daemons, ports and folder, on
 127.0.0.1), measures small runs as array jobs on it, and lets things happen to them: a node goes
 down, processes are killed, jobs are cancelled, preempted, and need more memory than they have.
-Each merged run must be the run in one piece, apart from times. Takes about a minute, and root;
+Each merged run must be the run in one piece, apart from times. Takes three minutes, and root;
 where Slurm cannot be had, the tests are skipped with the reason.
 
 Options:
