@@ -7,7 +7,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from study import FAULTS, Fault, Study, ended
+from gate_study import FAULTS, Fault, Study, ended
 
 from gate.program import NotCountableError
 

@@ -1,4 +1,4 @@
-"""Nothing is lost by a kill: a short form of kill_study.py, and that it would find a loss."""
+"""Nothing is lost by a kill: a short form of tools/kill_study.py, and that it would find a loss."""
 
 from __future__ import annotations
 

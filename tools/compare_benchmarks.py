@@ -57,12 +57,12 @@ def main() -> int:
     parser.add_argument("--with", dest="after", nargs="+", type=Path, required=True)
     flags = parser.parse_args()
     if len(flags.before) != len(flags.after):
-        print("compare.py: both builds need the same number of files, one a run", file=sys.stderr)
+        print("compare_benchmarks.py: both builds need the same number of files, one a run", file=sys.stderr)
         return 1
     try:
         print("\n".join(compare(sorted(flags.before), sorted(flags.after))))
     except (OSError, ValueError, KeyError) as error:
-        print(f"compare.py: cannot compare: {error}", file=sys.stderr)
+        print(f"compare_benchmarks.py: cannot compare: {error}", file=sys.stderr)
         return 1
     return 0
 

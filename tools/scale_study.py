@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Does a run of a million cells go through? Plans, shards, merges, checks and draws one.
 
-    GEODESIC_BENCH=build/release/geodesic-bench tests/scale/scale.py [--meshes 10000] [--shards 100]
+    GEODESIC_BENCH=build/release/geodesic-bench tools/scale_study.py [--meshes 10000] [--shards 100]
 
 The mesh files are there and are planned for; what the shards measured is made up, in files as `run`
 writes them: ten solvers, ten sources, a repetition. Prints a table in Markdown with the time and
@@ -51,7 +51,7 @@ class Scale:
             output.seek(0)
             text = output.read()
         if process.returncode not in (0, also):
-            raise SystemExit(f"scale.py: {name}: exit code {process.returncode}")
+            raise SystemExit(f"scale_study.py: {name}: exit code {process.returncode}")
         self.steps.append((name, time.monotonic() - began, usage.ru_maxrss * 1024))
         return text
 

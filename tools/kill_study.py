@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Is anything lost when runs are killed? Kills many, at random moments, and goes on with them.
 
-    tests/reliability/kill_study.py --bench build/release/geodesic-bench [--kills 200] [--seed 1]
+    tools/kill_study.py --bench build/release/geodesic-bench [--kills 200] [--seed 1]
 
 Every run must end with the files of an uninterrupted one, byte for byte apart from times; cells
 that were saved must not be measured again; no process may run on. Prints a table in Markdown and
@@ -17,7 +17,9 @@ import tempfile
 import time
 from pathlib import Path
 
-from killing import Killing, Lost
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "reliability"))
+
+from killing import Killing, Lost  # noqa: E402  (needs the path above)
 
 
 def main() -> int:

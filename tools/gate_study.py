@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Does the gate find known faults, and nothing else? Runs it many times on each.
 
-    tests/gate/study.py --programs build/ci [--runs 20] [--a-a 40] [--budget 60]
+    tools/gate_study.py --programs build/ci [--runs 20] [--a-a 40] [--budget 60]
                         [--only slower-15,a-a]
 
 The faults are those of geodesic-bench-faulty (faulty_solve.cpp); the base is geodesic-bench from
@@ -25,7 +25,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from gate import baseline, check, levels  # noqa: E402  (needs the path above)
