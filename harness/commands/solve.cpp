@@ -50,7 +50,7 @@ void run_solve(const SolveFlags& flags) {
     warn(entry.file.string() + ": " + warning);
   }
 
-  Json json{{"solver", solver.name},
+  Json json{{"solver", problem.solver.name},
             {"mesh", entry.name},
             {"vertices", problem.mesh.vertex_count()},
             {"faces", problem.mesh.given_face_count()},
@@ -113,8 +113,9 @@ void add_solve_command(CLI::App& app) {
                     "go on with a --matrix that was interrupted; the rows that are there stay");
   command
       ->add_option("--threads", flags->threads,
-                   "number of sources to solve at a time (--each: default 1; --matrix: as many as "
-                   "there are processors)")
+                   "threads that work at the same time: with --each (default 1) and --matrix (default: "
+                   "as many as there are processors) each on a source of its own while there are "
+                   "enough, otherwise on one source, where the solver can (edge-based)")
       ->check(from_to(1, 1024));
   command
       ->add_option("--output", flags->output,

@@ -54,23 +54,32 @@ Mesh::Mesh(std::span<const Vec3> positions, std::span<const Triangle> triangles,
     positions_.assign(positions.begin(), positions.end());
     set_faces(triangles);
   }
-  index_outgoing();
+  index_outgoing(half_edge_count());
   const bool is_cut = link_twins();
   if (is_cut && non_manifold_edges == NonManifoldEdges::crossed) {
     add_mirror_images();
-    index_outgoing();
+    index_outgoing(half_edge_count());
     link_sheets();
   }
   compute_frames();
   classify_vertices();
 }
 
+Mesh::Mesh(Part part)
+    : positions_(std::move(part.positions)),
+      half_edges_(std::move(part.half_edges)),
+      pseudo_source_(std::move(part.pseudo_source)),
+      mean_edge_length_(part.mean_edge_length) {
+  index_outgoing(3 * part.faces);
+}
+
 void Mesh::number_along_surface(std::span<const Vec3> positions,
                                 std::span<const Triangle> triangles) {
-  const std::vector<Index> vertices = order_along_curve(positions);
-  std::vector<Index> own(vertices.size());
+  const std::vector<OnCurve> on_curve = cells_along_curve(positions);
+  std::vector<Index> vertices(on_curve.size()), own(on_curve.size());
   positions_.resize(vertices.size());
   for (Index v = 0; v < vertices.size(); ++v) {
+    vertices[v] = on_curve[v].vertex;
     own[vertices[v]] = v;
     positions_[v] = positions[vertices[v]];
   }
@@ -83,7 +92,7 @@ void Mesh::number_along_surface(std::span<const Vec3> positions,
   sorted.reserve(renamed.size());
   for (const Index f : faces) sorted.push_back(renamed[f]);
   set_faces(sorted);
-  numbers_ = MeshNumbers(vertices, std::move(faces));
+  numbers_ = MeshNumbers(std::move(vertices), std::move(faces));
 }
 
 void Mesh::set_faces(std::span<const Triangle> triangles) {
@@ -93,13 +102,13 @@ void Mesh::set_faces(std::span<const Triangle> triangles) {
   }
 }
 
-void Mesh::index_outgoing() {
+void Mesh::index_outgoing(Index half_edges) {
   first_outgoing_.assign(positions_.size() + 1, 0);
-  for (const HalfEdge& e : half_edges_) ++first_outgoing_[e.origin + 1];
+  for (Index h = 0; h < half_edges; ++h) ++first_outgoing_[origin(h) + 1];
   for (std::size_t v = 0; v < positions_.size(); ++v) first_outgoing_[v + 1] += first_outgoing_[v];
-  outgoing_.resize(half_edges_.size());
+  outgoing_.resize(half_edges);
   std::vector<Index> fill(first_outgoing_.begin(), first_outgoing_.end() - 1);
-  for (Index h = 0; h < half_edge_count(); ++h) outgoing_[fill[origin(h)]++] = h;
+  for (Index h = 0; h < half_edges; ++h) outgoing_[fill[origin(h)]++] = h;
 }
 
 // @return whether some edge has several faces and no twins

@@ -58,6 +58,18 @@ class Mesh {
                 NonManifoldEdges non_manifold_edges = NonManifoldEdges::cut)
       : Mesh(soup.positions, soup.triangles, numbering, non_manifold_edges) {}
 
+  /// A part of a mesh, with the frames and pseudo-sources of the whole.
+  struct Part {
+    std::vector<Vec3> positions;
+    /// Of its faces; from `faces` on, three a face, half-edges of faces beyond the part, as twins of
+    /// its own, which no vertex has.
+    std::vector<HalfEdge> half_edges;
+    Index faces = 0;
+    std::vector<std::uint8_t> pseudo_source;  ///< by vertex
+    double mean_edge_length = 0;
+  };
+  explicit Mesh(Part part);
+
   /// How the vertices and faces of this class translate to those that were given.
   const MeshNumbers& numbers() const { return numbers_; }
 
@@ -157,7 +169,8 @@ class Mesh {
   void link_sheets();
   bool is_least_of_edge(Index h) const;
   std::span<const Index> given_corners(Index v) const;
-  void index_outgoing();
+  /// Of the first `half_edges`.
+  void index_outgoing(Index half_edges);
   void compute_frames();
   void compute_frames_of_face(Index first);
   void classify_vertices();

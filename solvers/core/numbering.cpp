@@ -8,7 +8,7 @@
 namespace geodesic {
 namespace {
 
-constexpr unsigned kBits = 10;  // of each coordinate
+constexpr unsigned kBits = kCurveBits / 3;  // of each coordinate
 
 /// Spreads ten bits so that two zeros follow each.
 std::uint32_t spread(std::uint32_t x) {
@@ -18,26 +18,21 @@ std::uint32_t spread(std::uint32_t x) {
   return (x | x << 2) & 0x09249249u;
 }
 
-struct Keyed {
-  std::uint32_t key;
-  Index vertex;
-};
-
-/// The place of every vertex's cell on the curve.
-std::vector<Keyed> curve_keys(std::span<const Vec3> positions) {
+/// In the order of vertices.
+std::vector<OnCurve> cells_of(std::span<const Vec3> positions) {
   const Box box = box_around(positions);
   const double extent = box.half_extent();
   const double greatest = (1u << kBits) - 1;
-  std::vector<Keyed> keys(positions.size());
+  std::vector<OnCurve> cells(positions.size());
   for (Index v = 0; v < positions.size(); ++v) {
-    std::uint32_t key = 0;
+    std::uint32_t cell = 0;
     for (std::size_t k = 0; extent > 0 && k < 3; ++k) {
       const double share = (positions[v][k] / 2 - box.low[k] / 2) / extent;
-      key |= spread(static_cast<std::uint32_t>(share * greatest)) << k;
+      cell |= spread(static_cast<std::uint32_t>(share * greatest)) << k;
     }
-    keys[v] = {key, v};
+    cells[v] = {cell, v};
   }
-  return keys;
+  return cells;
 }
 
 }  // namespace
@@ -52,19 +47,17 @@ Index MeshNumbers::internal_face(Index given) const {
   return static_cast<Index>(std::ranges::find(given_faces_, given) - given_faces_.begin());
 }
 
-std::vector<Index> order_along_curve(std::span<const Vec3> positions) {
-  std::vector<Keyed> keys = curve_keys(positions), sorted(keys.size());
-  for (unsigned shift = 0; shift < 3 * kBits; shift += kBits) {
+std::vector<OnCurve> cells_along_curve(std::span<const Vec3> positions) {
+  std::vector<OnCurve> cells = cells_of(positions), sorted(cells.size());
+  for (unsigned shift = 0; shift < kCurveBits; shift += kBits) {
     std::array<Index, (1u << kBits) + 1> first{};
-    const auto digit = [shift](const Keyed& k) { return k.key >> shift & ((1u << kBits) - 1); };
-    for (const Keyed& k : keys) ++first[digit(k) + 1];
+    const auto digit = [shift](const OnCurve& c) { return c.cell >> shift & ((1u << kBits) - 1); };
+    for (const OnCurve& c : cells) ++first[digit(c) + 1];
     for (std::size_t d = 1; d < first.size(); ++d) first[d] += first[d - 1];
-    for (const Keyed& k : keys) sorted[first[digit(k)]++] = k;
-    keys.swap(sorted);
+    for (const OnCurve& c : cells) sorted[first[digit(c)]++] = c;
+    cells.swap(sorted);
   }
-  std::vector<Index> order(keys.size());
-  std::transform(keys.begin(), keys.end(), order.begin(), [](const Keyed& k) { return k.vertex; });
-  return order;
+  return cells;
 }
 
 std::vector<Index> order_by_least_vertex(std::span<const Triangle> triangles, Index vertices) {

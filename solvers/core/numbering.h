@@ -1,6 +1,7 @@
 // How a mesh numbers its vertices and faces: as they were given, or along the surface.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -36,11 +37,18 @@ class MeshNumbers {
   std::vector<Index> own_;                  // by external number
 };
 
+/// A vertex and the cell that it lies in, of 1/1024 of the bounding box in each direction.
+struct OnCurve {
+  std::uint32_t cell;  ///< its place on the curve, kCurveBits bits: each one halves a box
+  Index vertex;
+};
+inline constexpr unsigned kCurveBits = 30;
+
 /// All vertices in the order in which a space-filling curve meets them (Morton 1966, "A computer
-/// oriented geodetic data base"), those of one cell of 1/1024 of the bounding box in their given
-/// order. Time and memory are linear: a radix sort.
+/// oriented geodetic data base"), those of one cell in their given order. Time and memory are
+/// linear: a radix sort.
 /// @param positions finite
-std::vector<Index> order_along_curve(std::span<const Vec3> positions);
+std::vector<OnCurve> cells_along_curve(std::span<const Vec3> positions);
 
 /// Faces in the order of their least vertex, those of one vertex in their given order; linear.
 std::vector<Index> order_by_least_vertex(std::span<const Triangle> triangles, Index vertices);

@@ -81,9 +81,8 @@ std::vector<SurfacePoint> in_every_face(const Mesh& mesh, const SurfacePoint& po
 /// The point of a mirror image in the face itself; any other point as it is.
 SurfacePoint in_given_face(const Mesh& mesh, const SurfacePoint& point);
 
-/// Follows all straight lines that leave a point of a face through its corners and sides, in every
-/// face that it lies in.
-/// @param point not a vertex
+/// Follows all straight lines that leave a point of a face through its corners and sides.
+/// @param in_face not a vertex
 /// @param reach called as (Index h, Point2 from, double distance, bool is_next) for each corner,
 ///        the apex of h: the point in the frame of h, how far it is from the corner, with all
 ///        digits that its weights have, however near that is, and is_next_to_apex
@@ -91,17 +90,24 @@ SurfacePoint in_given_face(const Mesh& mesh, const SurfacePoint& point);
 ///        lines pass all of it. The point in the frame of the twin of h: y <= 0, and off the side
 ///        as an apex is (apex_from_beyond). The twin may not exist.
 template <class Reach, class Cross>
+void spread_in_face(const Mesh& mesh, const SurfacePoint& in_face, const Reach& reach,
+                    const Cross& cross) {
+  const Index under = edge_under(in_face);
+  for (Index h = 3 * in_face.face; h < 3 * in_face.face + 3; ++h) {
+    const Point2 from = in_frame(mesh, in_face, h);
+    const Point2 from_apex = in_frame(mesh, in_face, Mesh::previous(h));
+    const double to_apex = std::hypot(from_apex.x, from_apex.y);
+    reach(h, from, to_apex, is_next_to_apex(mesh.half_edge(h), to_apex));
+    if (h != under) cross(h, seen_from_beyond(from, mesh.half_edge(h).length));
+  }
+}
+
+/// The same in every face that the point lies in.
+template <class Reach, class Cross>
 void spread_from(const Mesh& mesh, const SurfacePoint& point, const Reach& reach,
                  const Cross& cross) {
   for (const SurfacePoint& in_face : in_every_face(mesh, point)) {
-    const Index under = edge_under(in_face);
-    for (Index h = 3 * in_face.face; h < 3 * in_face.face + 3; ++h) {
-      const Point2 from = in_frame(mesh, in_face, h);
-      const Point2 from_apex = in_frame(mesh, in_face, Mesh::previous(h));
-      const double to_apex = std::hypot(from_apex.x, from_apex.y);
-      reach(h, from, to_apex, is_next_to_apex(mesh.half_edge(h), to_apex));
-      if (h != under) cross(h, seen_from_beyond(from, mesh.half_edge(h).length));
-    }
+    spread_in_face(mesh, in_face, reach, cross);
   }
 }
 

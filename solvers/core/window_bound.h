@@ -68,12 +68,15 @@ class WindowBudget {
     }
   }
 
+  /// Windows since the beginning of the solve.
+  std::uint64_t spent() const { return static_cast<std::uint64_t>(bound_ - left_); }
+
  private:
   [[noreturn]] void report() const;
 
   Index faces_;
   std::int64_t bound_;
-  std::int64_t left_ = 0;
+  std::int64_t left_ = bound_;
 };
 
 /// For tests: as long as it lives, the bound of solvers that its thread prepares is at most `most`.

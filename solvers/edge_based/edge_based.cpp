@@ -24,6 +24,9 @@ const RegisterSolver<EdgeBased<ByDistance>> exact{{
     .family = "edge-based",
     .paper = "thesis chapter 5; Qin, Han, Yu, Yu, Zhang 2016",
     .abilities = {.non_manifold_edges = true, .surface_sources = true, .paths = true},
+    .parameters = {integer_parameter("threads", 1, 1, 256, "that work on one query"),
+                   integer_parameter("region-size", 1024, 2, 1 << 20,
+                                     "vertices of a region of the mesh, with several threads")},
 }};
 
 }  // namespace

@@ -1,11 +1,13 @@
 // Edge-based propagation as a solver: the wavefront (wavefront.h) of exact lists (list_crossing.h).
 #pragma once
 
+#include <memory>
 #include <span>
 
 #include "solvers/core/queues/vertex_calendar.h"
 #include "solvers/core/registry.h"
 #include "solvers/edge_based/list_crossing.h"
+#include "solvers/edge_based/regional_wavefront.h"
 #include "solvers/edge_based/wavefront.h"
 
 namespace geodesic::edge_based {
@@ -23,31 +25,49 @@ template <class Order>
 class EdgeBased final : public Solver {
  public:
   EdgeBased(const Mesh& mesh, const Description& description)
-      : Solver(mesh, description),
-        instruction_set_(compiled_for(geodesic::instruction_set())),
-        timed_(make_wavefront(mesh, instruction_set_, Carried::nothing, NoRecorder())) {}
+      : Solver(mesh, description), instruction_set_(compiled_for(geodesic::instruction_set())) {
+    const auto threads = static_cast<unsigned>(description.thread_count());
+    if (threads > 1 && mesh.vertex_count() > description.integer("region-size") &&
+        !mesh.crosses_non_manifold_edges()) {
+      regional_ = std::make_unique<RegionalWavefront>(mesh, instruction_set_, threads,
+                                                      description.integer("region-size"));
+    } else {
+      serial_ = make_serial();
+    }
+  }
 
   InstructionSet instruction_set() const override { return instruction_set_; }
 
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
     solve_within_bound(distances, [&](bool drops_long_strips) {
       const Carried carried = carried_by(recording, drops_long_strips);
+      const bool ends_early = query.stop_at_targets || query.limit < kInfinity;
       if (recording != nullptr) {
         solve_recorded(mesh(), instruction_set_, carried, query, distances, *recording);
-      } else if (carried == Carried::nothing) {
-        timed_.run(query, distances);
-      } else {
+      } else if (carried != Carried::nothing) {
         make_wavefront(mesh(), instruction_set_, carried, NoRecorder()).run(query, distances);
+      } else if (regional_ != nullptr && !ends_early) {
+        regional_->run(query, distances);
+      } else {
+        if (serial_ == nullptr) serial_ = make_serial();
+        serial_->run(query, distances);
       }
     });
   }
 
  private:
+  using Serial = Wavefront<ListCrossing, typename Order::Queue, NoRecorder>;
+
   template <class Recorder>
   static auto make_wavefront(const Mesh& mesh, InstructionSet set, Carried carried,
                              const Recorder& recorder) {
     return Wavefront<ListCrossing, typename Order::Queue, Recorder>(
-        mesh, Order::make_queue(mesh), ListCrossing(mesh, set, carried), recorder);
+        mesh, Order::make_queue(mesh),
+        ListCrossing(mesh, set, carried, coordinate_rounding(mesh), WindowBudget(mesh)), recorder);
+  }
+  std::unique_ptr<Serial> make_serial() const {
+    return std::make_unique<Serial>(
+        make_wavefront(mesh(), instruction_set_, Carried::nothing, NoRecorder()));
   }
 
   static Carried carried_by(const Recording* recording, bool drops_long_strips) {
@@ -61,7 +81,8 @@ class EdgeBased final : public Solver {
                              const Query& query, std::span<double> distances, Recording& recording);
 
   InstructionSet instruction_set_;
-  Wavefront<ListCrossing, typename Order::Queue, NoRecorder> timed_;
+  std::unique_ptr<Serial> serial_;
+  std::unique_ptr<RegionalWavefront> regional_;  // null with one thread
 };
 
 }  // namespace geodesic::edge_based

@@ -18,13 +18,15 @@ namespace geodesic::edge_based {
 /// A Crossing (wavefront.h).
 class ListCrossing {
  public:
-  ListCrossing(const Mesh& mesh, InstructionSet set, Carried carried)
+  /// @param rounding, budget those of the mesh, or of a larger one that it is a part of
+  ListCrossing(const Mesh& mesh, InstructionSet set, Carried carried, double rounding,
+               const WindowBudget& budget)
       : mesh_(mesh),
         kernels_(kernels_of(set, carried)),
         carried_(carried),
         lists_(mesh.half_edge_count(), fields_with(carried)),
-        budget_(mesh),
-        rounding_(coordinate_rounding(mesh)),
+        budget_(budget),
+        rounding_(rounding),
         batch_(fields_with(carried)) {}
 
   void start(std::span<const double> distances) {
@@ -37,6 +39,9 @@ class ListCrossing {
   void finish() {}
   double rounding() const { return rounding_; }
   std::uint64_t window_count() const { return lists_.window_count(); }
+  /// What waits, for whoever takes it elsewhere or brings it.
+  WindowLists& lists() { return lists_; }
+  const WindowBudget& budget() const { return budget_; }
 
   template <class Visit>
   void for_each_window(Index h, const Visit& visit) const {

@@ -59,22 +59,102 @@ class Wavefront {
       progress_.start(mesh_, query.source_vertices(mesh_));
     }
     for (Index i = 0; i < query.sources.size(); ++i) begin_at(query.sources[i], i);
-    StopRule ending(mesh_, query, distances_);
-    while (!queue_.empty() && !ending.is_over(queue_.least_key())) {
-      const Index v = pop();
-      enter_faces_around(v);
-      for (std::size_t i = 0; i < fifo_.size(); ++i) cross(fifo_[i]);
-      fifo_.clear();
-      follow_edges_from(v);
+    StopRule stop_rule(mesh_, query, distances_);
+    while (!queue_.empty() && !stop_rule.is_over(queue_.least_key())) {
+      advance();
       if constexpr (Recorder::kRecords) {
         if (progress_.made_step()) sample();
       }
     }
-    if (!queue_.empty()) finish_up_to(ending.farthest());
+    if (!queue_.empty()) finish_up_to(stop_rule.farthest());
     crossing_.finish();
   }
 
+  // The steps of `run`, for a wavefront on a part of a mesh (regional_wavefront.h).
+
+  /// Forgets the last solve, however it ended.
+  /// @param distances to fill; infinite
+  void start(std::span<double> distances) {
+    distances_ = distances;
+    std::ranges::fill(faces_, std::uint8_t{0});
+    std::ranges::fill(always_emits_, std::uint8_t{0});
+    fifo_.clear();
+    queue_.clear();
+    crossing_.start(distances);
+  }
+
+  /// Starts from a vertex.
+  void begin_at(Index v, double distance) {
+    reach_first(v, distance, {kNone, v, {0, 0}});
+    always_emits_[v] = 1;
+  }
+
+  /// Starts from a point of a face that is no vertex: `reach_corners_from` for each face that it
+  /// lies in, then, where none has said that the point is at a corner, `cross_sides_from` for each.
+  ///
+  /// Next to a corner, the lines to both sides of it are turned by the rounding of coordinates, and
+  /// what lies behind the corner may be between them: the corner sends windows too, as a source
+  /// does. They are as long or longer, and soon beaten. Where the point is a window's width from
+  /// the corner, its own lines have no direction, and there are only the corner's.
+  /// @param root as in LastSegment
+  /// @return whether the point is at a corner
+  [[gnu::cold, gnu::noinline]] bool reach_corners_from(const SurfacePoint& in_face, double distance,
+                                                       Index root) {
+    bool at_corner = false;
+    spread_in_face(
+        mesh_, in_face,
+        [&](Index h, const Point2& from, double to_apex, bool is_next) {
+          const Index apex = mesh_.apex(h);
+          reach_first(apex, distance + to_apex, {h, root, from});
+          if (is_next) always_emits_[apex] = 1;
+          at_corner |= to_apex < kWindowWidth * mesh_.half_edge(h).length;
+        },
+        [](Index, const Point2&) {});
+    return at_corner;
+  }
+  [[gnu::cold, gnu::noinline]] void cross_sides_from(const SurfacePoint& in_face, double distance,
+                                                     Index root) {
+    spread_in_face(
+        mesh_, in_face, [](Index, const Point2&, double, bool) {},
+        [&](Index h, const Point2& from) { crossing_.emit(h, from, distance, root, *this); });
+  }
+
+  bool is_empty() const { return queue_.empty(); }
+  /// No vertex that waits has a smaller distance. One must wait.
+  double first_key() { return queue_.first_key(); }
+
+  /// Takes the next vertex, and all that crosses faces then.
+  void advance() {
+    const Index v = pop();
+    enter_faces_around(v);
+    cross_entered_faces();
+    follow_edges_from(v);
+  }
+
+  /// Takes the half-edges of entered faces on which something waits.
+  void cross_entered_faces() {
+    for (std::size_t i = 0; i < fifo_.size(); ++i) cross(fifo_[i]);
+    fifo_.clear();
+  }
+
+  /// Calls visit(h) for each half-edge of faces from `first` on, none of which has been entered,
+  /// on which something has landed since the last call.
+  template <class Visit>
+  void for_each_landing(Index first, const Visit& visit) {
+    for (Index f = first; f < faces_.size(); ++f) {
+      if (faces_[f] == 0) continue;
+      for (Index k = 0; k < 3; ++k) {
+        if ((faces_[f] >> k & 1) != 0) visit(3 * f + k);
+      }
+      faces_[f] = 0;
+    }
+  }
+
+  bool always_emits(Index v) const { return always_emits_[v] != 0; }
+  void set_always_emits(Index v) { always_emits_[v] = 1; }
+
   Recorder& recorder() { return recorder_; }
+  Crossing& crossing() { return crossing_; }
 
   /// A path of this length comes to v: the shortest yet.
   void reach(Index v, double distance) {
@@ -131,52 +211,26 @@ class Wavefront {
     std::size_t size_ = 0;
   };
 
-  /// Forgets the last solve, however it ended.
-  void start(std::span<double> distances) {
-    distances_ = distances;
-    std::ranges::fill(faces_, std::uint8_t{0});
-    std::ranges::fill(always_emits_, std::uint8_t{0});
-    fifo_.clear();
-    queue_.clear();
-    crossing_.start(distances);
-  }
-
   /// @param number of the source in the query
   void begin_at(const Source& source, Index number) {
-    if (!source.at.is_vertex()) return spread(source, mesh_.vertex_count() + number);
-    begin_at(source.at.vertex, source.distance, {kNone, source.at.vertex, {0, 0}});
-    always_emits_[source.at.vertex] = 1;
+    if (source.at.is_vertex()) return begin_at(source.at.vertex, source.distance);
+    const Index root = mesh_.vertex_count() + number;
+    bool at_corner = false;
+    for (const SurfacePoint& in_face : in_every_face(mesh_, source.at)) {
+      at_corner |= reach_corners_from(in_face, source.distance, root);
+    }
+    if (at_corner) return;
+    for (const SurfacePoint& in_face : in_every_face(mesh_, source.at)) {
+      cross_sides_from(in_face, source.distance, root);
+    }
   }
 
   // Out of line, so that `reach` is inlined into the loop.
-  [[gnu::cold, gnu::noinline]] void begin_at(Index v, double distance,
-                                             const LastSegmentOf<Recorder>& last_segment) {
+  [[gnu::cold, gnu::noinline]] void reach_first(Index v, double distance,
+                                                const LastSegmentOf<Recorder>& last_segment) {
     if (!(distance < distances_[v])) return;
     reach(v, distance);
     if constexpr (Recorder::kRemembers) recorder_.arrived(v, last_segment);
-  }
-
-  /// Starts from a point that is no vertex.
-  ///
-  /// Next to a corner, the lines to both sides of it are turned by the rounding of coordinates, and
-  /// what lies behind the corner may be between them: the corner sends windows too, as a source
-  /// does. They are as long or longer, and soon beaten. Where the point is a window's width from
-  /// the corner, its own lines have no direction, and there are only the corner's.
-  [[gnu::cold, gnu::noinline]] void spread(const Source& source, Index root) {
-    bool at_corner = false;
-    const auto reach_corner = [&](Index h, const Point2& from, double to_apex, bool is_next) {
-      const Index apex = mesh_.apex(h);
-      begin_at(apex, source.distance + to_apex, {h, root, from});
-      if (is_next) always_emits_[apex] = 1;
-      at_corner |= to_apex < kWindowWidth * mesh_.half_edge(h).length;
-    };
-    const auto cross_side = [&](Index h, const Point2& from) {
-      crossing_.emit(h, from, source.distance, root, *this);
-    };
-    spread_from(mesh_, source.at, reach_corner, [](Index, const Point2&) {});
-    if (at_corner) return;
-    spread_from(
-        mesh_, source.at, [](Index, const Point2&, double, bool) {}, cross_side);
   }
 
   Index pop() {

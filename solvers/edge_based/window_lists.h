@@ -51,6 +51,7 @@ struct alignas(32) Segment {
   std::uint32_t room;
   Index next;  // handle of the segment behind this one; of the first one in the last
   Index self;
+  Place place;  // at which it came to its list
 
   double* array(unsigned field) { return reinterpret_cast<double*>(this + 1) + field * room; }
   const double* array(unsigned field) const {
@@ -107,6 +108,7 @@ class WindowLists {
   /// Puts a filled segment at one end of the list of h.
   void add(Index h, Segment* segment, Place place) {
     window_count_ += segment->count;
+    segment->place = place;
     Index& last = last_[h];
     if (last == kNone) {
       segment->next = segment->self;
@@ -147,6 +149,14 @@ class WindowLists {
     } while (s != last_[h]);
   }
 
+  /// Gives the pool's memory back. Nothing must wait.
+  void release_memory() {
+    blocks_.clear();
+    free_.fill(kNone);
+    used_blocks_ = 0;
+    used_ = kBlockUnits;
+  }
+
   /// Empties every list; the pool keeps its memory.
   void clear() {
     std::fill(last_.begin(), last_.end(), kNone);
@@ -157,10 +167,10 @@ class WindowLists {
   }
 
  private:
-  // Handles count units of 32 bytes; a block holds 2^13 of them, 256 KiB. A longer segment gets
+  // Handles count units of 32 bytes; a block holds 2^10 of them, 32 KiB. A longer segment gets
   // blocks of its own.
   static constexpr std::size_t kUnit = 32;
-  static constexpr unsigned kBlockBits = 13;
+  static constexpr unsigned kBlockBits = 10;
   static constexpr std::size_t kBlockUnits = std::size_t{1} << kBlockBits;
   static constexpr unsigned kBins = 30;
   struct alignas(kUnit) Unit {

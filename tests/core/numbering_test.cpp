@@ -27,6 +27,12 @@ bool is_permutation_of_all(std::vector<Index> order, std::size_t count) {
   return order == all;
 }
 
+std::vector<Index> order_along_curve(const std::vector<Vec3>& points) {
+  std::vector<Index> order;
+  for (const OnCurve& c : cells_along_curve(points)) order.push_back(c.vertex);
+  return order;
+}
+
 TEST(OrderAlongCurve, holds_every_vertex_once_whatever_the_extent) {
   for (const double size : {0.0, 1e-300, 1.0, 1e308}) {
     EXPECT_TRUE(is_permutation_of_all(order_along_curve(random_points(1000, size)), 1000)) << size;

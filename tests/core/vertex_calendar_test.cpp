@@ -89,6 +89,8 @@ TEST(VertexCalendar, differs_from_a_search_for_the_least_by_a_bucket_at_most_whi
                                return entry.second;
                              })->second;
         ASSERT_LE(calendar.least_key(), least);
+        ASSERT_LE(calendar.first_key(), least);
+        ASSERT_GE(calendar.first_key(), least - width * (1 + 1e-9));
         const auto popped = model.find(calendar.pop());
         ASSERT_NE(popped, model.end());
         ASSERT_LE(popped->second, least + width) << "width " << width;

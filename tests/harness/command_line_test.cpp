@@ -163,11 +163,16 @@ TEST_F(CommandLine, SolvesOfEachSourceAreTheSameInAnyNumberOfThreads) {
   }
 }
 
-TEST_F(CommandLine, ThreadsWithoutSeparateSourcesAreRefused) {
-  const Output solve = run(PROGRAM, {"solve", "hill", "--solver", exact_solver(), "--source", "1",
-                                     "--source", "2", "--threads", "2"});
-  EXPECT_EQ(solve.code, 1);
-  expect_words(solve.err, {"--threads is for --each"});
+TEST_F(CommandLine, ThreadsWithoutSeparateSourcesAreOfTheSolverThatCanUseThem) {
+  const std::vector<std::string> one{"solve", "hill", "--source", "1", "--threads", "2"};
+  EXPECT_EQ(nlohmann::json::parse(run(PROGRAM, one).out)["solver"], "edge-based?threads=2");
+  std::vector<std::string> other = one;
+  other.insert(other.end(), {"--solver", "mmp"});
+  const Output refused = run(PROGRAM, other);
+  EXPECT_EQ(refused.code, 1);
+  expect_words(refused.err, {"--threads is for --each and --matrix where the solver is mmp"});
+  other.push_back("--each");
+  EXPECT_EQ(nlohmann::json::parse(run(PROGRAM, other).out)["solver"], "mmp");
 }
 
 TEST_F(CommandLine, OneSourceOfManyThatIsNotThereIsAnErrorWithoutOutput) {

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <thread>
 
 #include "harness/base/clock.h"
 #include "harness/base/error.h"
@@ -178,7 +177,6 @@ Json solve_jointly(const Problem& problem, Outputs& outputs) {
 
 Json solve_separately(const Problem& problem, Outputs& outputs) {
   const std::vector<Source>& sources = problem.query.sources;
-  const unsigned threads = std::max(problem.flags.threads, 1u);
   const auto keep = [&](const SingleSolve& solve) -> Kept {
     const Source& source = sources[solve.number];
     Kept kept{.json = {{"source", shown(problem.mesh, source)}}, .text = {}};
@@ -209,9 +207,9 @@ Json solve_separately(const Problem& problem, Outputs& outputs) {
   }
   restart_peak_resident_bytes();
   const Stopwatch watch;
-  solve_each(problem.solver.name, problem.mesh, problem.inserted, sources, problem.query, threads,
-             keep, deliver);
-  json.update({{"threads", threads},
+  solve_each(problem.solver.name, problem.mesh, problem.inserted, sources, problem.query,
+             problem.threads, keep, deliver);
+  json.update({{"threads", problem.threads},
                {"cpu_time_s", watch.cpu_seconds()},
                {"real_time_s", watch.real_seconds()},
                {"process_peak_bytes", peak_resident_bytes()},
@@ -242,10 +240,6 @@ Json write_matrix(Problem& problem) {
                       {"type", type},
                       {"sources", rows},
                       {"targets", points}};
-  const unsigned threads = flags.threads > 0 ? flags.threads
-                           : problem.solver.abilities.concurrent_objects
-                               ? std::max(1u, std::thread::hardware_concurrency())
-                               : 1;
   const InterruptionGuard guard;
   std::unique_ptr<MatrixFile> file = open_matrix({.file = flags.matrix,
                                                   .rows = query.sources.size(),
@@ -261,7 +255,7 @@ Json write_matrix(Problem& problem) {
                   .inserted = problem.inserted,
                   .sources = query.sources,
                   .asked = query},
-                 threads, *file);
+                 problem.threads, *file);
   } catch (const Interrupted&) {
     file.reset();  // leaves nothing where there is no row
     if (std::filesystem::exists(unfinished(flags.matrix))) {
@@ -275,7 +269,7 @@ Json write_matrix(Problem& problem) {
           {"rows", query.sources.size()},
           {"columns", columns},
           {"type", type},
-          {"threads", threads},
+          {"threads", problem.threads},
           {"cpu_time_s", watch.cpu_seconds()},
           {"real_time_s", watch.real_seconds()},
           {"process_peak_bytes", peak_resident_bytes()}};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <thread>
 
 #include "harness/base/error.h"
 #include "solvers/core/registry.h"
@@ -42,8 +43,9 @@ void check_matrix(const SolveFlags& flags) {
 }
 
 // What is asked must be within the solver's abilities.
-void check_abilities(const SolveFlags& flags, const Description& solver, const Query& query) {
-  if (flags.threads > 1 && !solver.abilities.concurrent_objects) {
+void check_abilities(const SolveFlags& flags, unsigned threads, const Description& solver,
+                     const Query& query) {
+  if (threads > 1 && !solver.abilities.concurrent_objects) {
     throw HarnessError(solver.name +
                        " cannot solve in several threads at the same time: leave out --threads");
   }
@@ -60,6 +62,40 @@ void check_abilities(const SolveFlags& flags, const Description& solver, const Q
                      "--nearest-source need; there are: " + join(others));
 }
 
+// Whether several threads can work on one source.
+bool shares_sources(const Description& solver) {
+  return std::ranges::count(solver.parameters, "threads", &ParameterDescription::name) > 0 &&
+         !solver.values.contains("threads");
+}
+
+const Description& with_threads(const Description& solver, unsigned threads) {
+  if (threads == 1) return solver;
+  return solver_named(solver.name + (solver.values.empty() ? '?' : '&') +
+                      "threads=" + std::to_string(threads));
+}
+
+// Threads that solve from different sources, and how many work on each: one, where there are
+// sources for all, since that costs nothing.
+struct ThreadShares {
+  unsigned sources = 1, within = 1;
+};
+ThreadShares share_threads(const SolveFlags& flags, const Description& solver,
+                           std::size_t sources) {
+  if (!flags.each && flags.matrix.empty()) {
+    if (flags.threads > 1 && !shares_sources(solver)) {
+      throw HarnessError("--threads is for --each and --matrix where the solver is " + solver.name);
+    }
+    return {.within = std::max(flags.threads, 1u)};
+  }
+  unsigned threads = flags.threads;
+  if (threads == 0) {
+    const bool takes_all = !flags.matrix.empty() && solver.abilities.concurrent_objects;
+    threads = takes_all ? std::max(1u, std::thread::hardware_concurrency()) : 1;
+  }
+  const auto side_by_side = static_cast<unsigned>(std::min<std::size_t>(threads, sources));
+  return {side_by_side, shares_sources(solver) ? threads / side_by_side : 1};
+}
+
 }  // namespace
 
 bool wants_paths(const SolveFlags& flags) { return flags.nearest_source || !flags.paths.empty(); }
@@ -71,9 +107,6 @@ void check_combination(const SolveFlags& flags) {
   if (!flags.matrix.empty()) return check_matrix(flags);
   if (flags.single_precision || flags.resume) refuse("--float32 and --resume are for --matrix");
   if (!sources) refuse("--source or --sources-file is required");
-  if (flags.threads > 1 && !flags.each) {
-    refuse("--threads is for --each and --matrix: it solves several sources at a time");
-  }
   if (flags.each && flags.counters) refuse("--counters is for one solve: leave out --each");
   if (flags.each && wants_paths(flags)) {
     refuse("--paths and --nearest-source are for one solve: leave out --each");
@@ -96,7 +129,16 @@ Problem read_problem(const SolveFlags& flags, const Description& solver, const M
                      const BuiltMesh& built, const WrittenPoints& points) {
   const std::string unable = unsupported(solver, *built.mesh);
   if (!unable.empty()) throw HarnessError(unable);
-  Problem problem{flags, solver, entry, built.loaded.soup, *built.mesh, {}};
+  const std::size_t sources = points.sources.size();
+  const ThreadShares shares =
+      share_threads(flags, solver, sources > 0 ? sources : built.mesh->vertex_count());
+  Problem problem{flags,
+                  with_threads(solver, shares.within),
+                  shares.sources,
+                  entry,
+                  built.loaded.soup,
+                  *built.mesh,
+                  {}};
   problem.query.limit = flags.limit;
   problem.query.stop_at_targets = flags.stop_at_targets;
   const auto placed = [&](const WrittenPoint& point) {
@@ -116,7 +158,7 @@ Problem read_problem(const SolveFlags& flags, const Description& solver, const M
     if (target.initial) throw HarnessError(target.text + ": a target has no initial distance");
     problem.query.targets.push_back(placed(target).at);
   }
-  check_abilities(flags, solver, problem.query);
+  check_abilities(flags, problem.threads, solver, problem.query);
   std::vector<SurfacePoint> starts;
   for (const Source& source : problem.query.sources) starts.push_back(source.at);
   problem.inserted = insert_for(solver, problem.mesh, starts, problem.query.targets);

@@ -35,7 +35,8 @@ void check_combination(const SolveFlags& flags);
 /// The problem, read and checked.
 struct Problem {
   const SolveFlags& flags;
-  const Description& solver;
+  const Description& solver;  ///< with as many threads as work on one source
+  unsigned threads;           ///< that solve from different sources
   const MeshEntry& entry;
   const TriangleSoup& soup;
   const Mesh& mesh;

@@ -34,6 +34,12 @@ class VertexCalendar {
   /// No vertex that waits has a smaller key.
   double least_key() const { return numbers_.least_key(current_); }
 
+  /// The same, where the first bucket begins that holds a vertex. Must not be empty.
+  double first_key() {
+    seek();
+    return least_key();
+  }
+
   void clear() {
     for (std::size_t slot = 0; slot < kSlots && size_ > 0; ++slot) {
       for (Index v = first(slot); v < vertices_; v = next_[v]) {
@@ -42,13 +48,13 @@ class VertexCalendar {
       }
       make_empty(slot);
     }
-    current_ = 0;
+    current_ = popped_ = 0;
   }
 
   /// Inserts v, or moves it forward when it is there in a later bucket. A key that lies behind what
   /// was popped last joins the bucket of that.
   void push_or_decrease(Index v, double key) {
-    const std::int64_t bucket = std::max(numbers_.of(key), current_);
+    const std::int64_t bucket = std::max(numbers_.of(key), popped_);
     if (bucket_[v] == kAbsent) {
       ++size_;
     } else if (bucket < bucket_[v]) {
@@ -56,6 +62,7 @@ class VertexCalendar {
     } else {
       return;
     }
+    current_ = std::min(current_, bucket);
     bucket_[v] = bucket;
     append(slot_of(bucket), v);
   }
@@ -70,14 +77,12 @@ class VertexCalendar {
   /// Removes and returns the vertex that has been longest in the first bucket that holds any. Must
   /// not be empty.
   Index pop() {
-    std::size_t passed = 0;
-    for (;;) {
-      for (Index v = first(slot_of(current_)); v < vertices_; v = next_[v]) {
-        if (bucket_[v] == current_) return take(v);
-      }
-      ++current_;
-      if (++passed == kSlots) current_ = first_bucket();
-    }
+    const Index v = seek();
+    popped_ = current_;
+    unlink(v);
+    bucket_[v] = kAbsent;
+    --size_;
+    return v;
   }
 
  private:
@@ -107,11 +112,16 @@ class VertexCalendar {
     previous_[next_[v]] = previous_[v];
   }
 
-  Index take(Index v) {
-    unlink(v);
-    bucket_[v] = kAbsent;
-    --size_;
-    return v;
+  /// Moves on to the first bucket that holds a vertex. @return the one that is longest in it
+  Index seek() {
+    std::size_t passed = 0;
+    for (;;) {
+      for (Index v = first(slot_of(current_)); v < vertices_; v = next_[v]) {
+        if (bucket_[v] == current_) return v;
+      }
+      ++current_;
+      if (++passed == kSlots) current_ = first_bucket();
+    }
   }
 
   std::int64_t first_bucket() const {
@@ -126,7 +136,8 @@ class VertexCalendar {
   Index vertices_;
   std::vector<std::int64_t> bucket_;  // of each vertex, kAbsent when it does not wait
   std::vector<Index> next_, previous_;
-  std::int64_t current_ = 0;  // bucket popped from last
+  std::int64_t current_ = 0;  // no vertex waits in an earlier bucket
+  std::int64_t popped_ = 0;   // bucket popped from last
   std::size_t size_ = 0;
 };
 

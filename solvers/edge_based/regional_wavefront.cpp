@@ -1,0 +1,322 @@
+#include "solvers/edge_based/regional_wavefront.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <utility>
+
+#include "solvers/core/recorders.h"
+#include "solvers/core/thread_team.h"
+#include "solvers/core/window_bound.h"
+#include "solvers/edge_based/edge_based.h"
+#include "solvers/edge_based/list_crossing.h"
+#include "solvers/edge_based/wavefront.h"
+
+namespace geodesic::edge_based {
+
+namespace {
+
+/// By how far a step's threshold is beyond the least distance that waits, in mean edge lengths.
+constexpr double kStep = 0.5;
+
+constexpr unsigned kFields = fields_with(Carried::nothing);
+
+/// What one region sends another one in a step.
+struct Mail {
+  struct Distance {
+    Index vertex;  // of the receiver
+    double distance;
+    bool always_emits;
+  };
+  struct Windows {
+    Index half_edge;  // of the receiver
+    Place place;
+    std::uint32_t count;
+  };
+  std::vector<Distance> distances;
+  std::vector<Windows> windows;
+  std::vector<double> numbers;  // of the windows: begins, ends and so on, list by list
+
+  bool empty() const { return distances.empty() && windows.empty(); }
+  void clear() {
+    distances.clear();
+    windows.clear();
+    numbers.clear();
+  }
+  void add(Index half_edge, const Segment& segment) {
+    windows.push_back({half_edge, segment.place, segment.count});
+    for (unsigned f = 0; f < kFields; ++f) {
+      numbers.insert(numbers.end(), segment.array(f), segment.array(f) + segment.count);
+    }
+  }
+};
+
+}  // namespace
+
+/// Which regions have a turn. What is read of a region between steps is here, not in it, since all
+/// of them are looked at.
+class RegionalWavefront::Steps {
+ public:
+  /// @param width of a step
+  Steps(std::size_t regions, double width) : width_(width), boards_(regions) {}
+
+  /// What a region says of itself.
+  struct Board {
+    double least_key = kInfinity;      ///< of its queue
+    double least_sent = kInfinity;     ///< distance, in its last turn
+    std::uint64_t cost = 0;            ///< of its last turn: windows that crossed faces
+    std::atomic<unsigned> thread = 0;  ///< that had its last turn
+    std::array<std::atomic<bool>, 2> has_mail = {};  ///< of even and odd steps
+  };
+  Board& operator[](std::size_t region) { return boards_[region]; }
+
+  /// Regions that have a turn in this step.
+  std::span<const Index> due() const { return due_; }
+  double threshold() const { return threshold_; }
+  /// Of the step: where its mail goes. That of the step before is in the other place.
+  unsigned parity() const { return parity_; }
+
+  /// Goes on to the next step. The last one has no turns.
+  void plan() {
+    double least = kInfinity;
+    for (const Board& board : boards_) {
+      least = std::min({least, board.least_key, board.least_sent});
+    }
+    threshold_ = least + width_;
+    parity_ ^= 1;
+    due_.clear();
+    for (Index r = 0; r < boards_.size(); ++r) {
+      Board& board = boards_[r];
+      board.least_sent = kInfinity;
+      std::atomic<bool>& has_mail = board.has_mail[parity_ ^ 1];
+      const bool is_asked = has_mail.load(std::memory_order_relaxed);
+      has_mail.store(false, std::memory_order_relaxed);
+      if (is_asked || (least < kInfinity && board.least_key <= threshold_)) due_.push_back(r);
+    }
+    // What takes long goes first, so that no thread is alone with it at the end.
+    std::ranges::stable_sort(due_, std::ranges::greater{},
+                             [&](Index r) { return boards_[r].cost; });
+  }
+
+ private:
+  double width_;
+  std::vector<Board> boards_;
+  std::vector<Index> due_;
+  double threshold_ = 0;
+  unsigned parity_ = 0;
+};
+
+class RegionalWavefront::RegionAtWork {
+ public:
+  RegionAtWork(const Region& region, InstructionSet set, double rounding,
+               const WindowBudget& budget, Steps& steps)
+      : region_(region),
+        steps_(steps),
+        wavefront_(region.mesh, ByDistance::make_queue(region.mesh),
+                   ListCrossing(region.mesh, set, Carried::nothing, rounding, budget),
+                   NoRecorder()),
+        distances_(region.mesh.vertex_count()),
+        known_(region.vertices.size() - region.first_shared),
+        mail_(region.neighbours.size()) {}
+
+  /// Finds where mail for this region is.
+  /// @param own its number; @param all regions by number
+  void open_boxes(Index own, std::span<const std::unique_ptr<RegionAtWork>> all) {
+    for (const Index r : region_.neighbours) boxes_.push_back(&all[r]->mail_for(own));
+  }
+
+  void start(Steps::Board& board) {
+    std::ranges::fill(distances_, kInfinity);
+    std::ranges::fill(known_, kInfinity);
+    for (auto& both : mail_) {
+      for (Mail& mail : both) mail.clear();
+    }
+    wavefront_.start(distances_);
+    board.least_key = board.least_sent = kInfinity;
+    board.cost = 0;
+    for (auto& has_mail : board.has_mail) has_mail.store(false, std::memory_order_relaxed);
+  }
+
+  auto& wavefront() { return wavefront_; }
+  double least_key() { return wavefront_.is_empty() ? kInfinity : wavefront_.first_key(); }
+
+  void take_turn(Steps::Board& board) {
+    const std::uint64_t before = wavefront_.crossing().budget().spent();
+    receive();
+    wavefront_.cross_entered_faces();
+    while (!wavefront_.is_empty() && least_key() <= steps_.threshold()) wavefront_.advance();
+    board.least_sent = send_distances();
+    send_windows();
+    board.least_key = least_key();
+    board.cost = wavefront_.crossing().budget().spent() - before;
+    // No window is in most regions most of the time.
+    WindowLists& lists = wavefront_.crossing().lists();
+    if (lists.window_count() == 0) lists.release_memory();
+  }
+
+  /// @param has_first_copy whether the region has the first copy of a vertex
+  template <class HasFirstCopy>
+  void hand_over(std::span<double> distances, const HasFirstCopy& has_first_copy) const {
+    for (Index i = 0; i < distances_.size(); ++i) {
+      const Index v = region_.vertices[i];
+      if (i < region_.first_shared || has_first_copy(v)) distances[v] = distances_[i];
+    }
+  }
+
+ private:
+  using BothMails = std::array<Mail, 2>;  // of even and odd steps
+
+  BothMails& mail_for(Index region) {
+    const auto at = std::ranges::lower_bound(region_.neighbours, region);
+    return mail_[static_cast<std::size_t>(at - region_.neighbours.begin())];
+  }
+
+  Mail& mail_of_step(Index region) {
+    steps_[region].has_mail[steps_.parity()].store(true, std::memory_order_relaxed);
+    return mail_for(region)[steps_.parity()];
+  }
+
+  void receive() {
+    for (BothMails* const box : boxes_) {
+      Mail& mail = (*box)[steps_.parity() ^ 1];
+      if (mail.empty()) continue;
+      for (const Mail::Distance& news : mail.distances) {
+        if (!(news.distance < distances_[news.vertex])) continue;
+        known_[news.vertex - region_.first_shared] = news.distance;
+        wavefront_.reach(news.vertex, news.distance);
+        if (news.always_emits) wavefront_.set_always_emits(news.vertex);
+      }
+      const double* numbers = mail.numbers.data();
+      WindowLists& lists = wavefront_.crossing().lists();
+      for (const Mail::Windows& windows : mail.windows) {
+        Segment* segment = lists.allocate(windows.count);
+        segment->count = windows.count;
+        for (unsigned f = 0; f < kFields; ++f, numbers += windows.count) {
+          std::copy_n(numbers, windows.count, segment->array(f));
+        }
+        lists.add(windows.half_edge, segment, windows.place);
+        wavefront_.land(windows.half_edge);
+      }
+      mail.clear();
+    }
+  }
+
+  /// @return the least one
+  double send_distances() {
+    double least = kInfinity;
+    for (Index i = 0; i < known_.size(); ++i) {
+      const Index v = region_.first_shared + i;
+      if (!(distances_[v] < known_[i])) continue;
+      known_[i] = distances_[v];
+      least = std::min(least, distances_[v]);
+      for (Index k = region_.first_copy[i]; k < region_.first_copy[i + 1]; ++k) {
+        const InRegion& copy = region_.copies[k];
+        mail_of_step(copy.region)
+            .distances.push_back({copy.number, distances_[v], wavefront_.always_emits(v)});
+      }
+    }
+    return least;
+  }
+
+  void send_windows() {
+    WindowLists& lists = wavefront_.crossing().lists();
+    const Index first = region_.first_portal_face;
+    wavefront_.for_each_landing(first, [&](Index portal) {
+      const InRegion& beyond = region_.beyond[portal - 3 * first];
+      Mail& mail = mail_of_step(beyond.region);
+      landed_.clear();
+      lists.for_each_segment(portal, [&](const Segment& segment) { landed_.push_back(&segment); });
+      // The receiver's list may hold windows: what came to its front goes there in the same order.
+      std::reverse(landed_.begin(), std::ranges::find(landed_, Place::back, &Segment::place));
+      for (const Segment* segment : landed_) mail.add(beyond.number, *segment);
+      lists.consume(portal, [](const Segment&) {});
+    });
+  }
+
+  const Region& region_;
+  Steps& steps_;
+  Wavefront<ListCrossing, ByDistance::Queue, NoRecorder> wavefront_;
+  std::vector<double> distances_;
+  std::vector<double> known_;           // to all copies of a shared vertex
+  std::vector<BothMails> mail_;         // to each neighbour
+  std::vector<BothMails*> boxes_;       // from each neighbour
+  std::vector<const Segment*> landed_;  // scratch
+};
+
+RegionalWavefront::RegionalWavefront(const Mesh& mesh, InstructionSet set, unsigned threads,
+                                     Index region_size)
+    : mesh_(mesh), regions_(mesh, region_size, threads), threads_(threads) {
+  const double rounding = coordinate_rounding(mesh);
+  const WindowBudget budget(mesh);
+  steps_ = std::make_unique<Steps>(regions_.size(), kStep * mesh.mean_edge_length());
+  at_work_.resize(regions_.size());
+  ThreadTeam::run(threads, regions_.size(), [&](ThreadTeam& team, unsigned thread) {
+    team.share(
+        thread, regions_.size(), team.in_equal_parts(regions_.size()),
+        [&](std::size_t r) {
+          at_work_[r] = std::make_unique<RegionAtWork>(regions_[r], set, rounding, budget, *steps_);
+        },
+        [] {});
+  });
+  for (Index r = 0; r < regions_.size(); ++r) at_work_[r]->open_boxes(r, at_work_);
+}
+
+RegionalWavefront::~RegionalWavefront() = default;
+
+void RegionalWavefront::run(const Query& query, std::span<double> distances) {
+  Steps& steps = *steps_;
+  const auto begin = [&] {
+    for (const Source& source : query.sources) begin_at(source);
+    for (Index r = 0; r < regions_.size(); ++r) steps[r].least_key = at_work_[r]->least_key();
+    steps.plan();
+  };
+  const auto take_turn = [&](Index r, unsigned thread) {
+    steps[r].thread.store(thread, std::memory_order_relaxed);
+    at_work_[r]->take_turn(steps[r]);
+  };
+  const auto hand_over = [&](std::size_t r) {
+    at_work_[r]->hand_over(distances, [&](Index v) { return regions_.first_copy(v).region == r; });
+  };
+  const auto last_thread = [&](Index r) { return steps[r].thread.load(std::memory_order_relaxed); };
+  ThreadTeam::run(threads_, regions_.size(), [&](ThreadTeam& team, unsigned thread) {
+    team.share(
+        thread, regions_.size(), team.in_equal_parts(regions_.size()),
+        [&](std::size_t r) { at_work_[r]->start(steps[r]); }, begin);
+    while (!steps.due().empty() && !team.has_stopped()) {
+      const std::span<const Index> due = steps.due();
+      team.share(
+          thread, due.size(), [&](std::size_t i) { return last_thread(due[i]); },
+          [&](std::size_t i) { take_turn(due[i], thread); }, [&] { steps.plan(); });
+    }
+    team.share(thread, regions_.size(), team.in_equal_parts(regions_.size()), hand_over, [] {});
+  });
+}
+
+void RegionalWavefront::begin_at(const Source& source) {
+  if (source.at.is_vertex()) {
+    regions_.for_each_copy(source.at.vertex, [&](const InRegion& copy) {
+      at_work_[copy.region]->wavefront().begin_at(copy.number, source.distance);
+    });
+    return;
+  }
+  const auto in_region = [&](const SurfacePoint& in_face) {
+    SurfacePoint there = in_face;
+    there.face = regions_.face(in_face.face).number;
+    return there;
+  };
+  const auto region_of = [&](const SurfacePoint& in_face) -> auto& {
+    return at_work_[regions_.face(in_face.face).region]->wavefront();
+  };
+  const std::vector<SurfacePoint> faces = in_every_face(mesh_, source.at);
+  bool at_corner = false;
+  for (const SurfacePoint& f : faces) {
+    at_corner |= region_of(f).reach_corners_from(in_region(f), source.distance, kNone);
+  }
+  if (at_corner) return;
+  for (const SurfacePoint& f : faces) {
+    region_of(f).cross_sides_from(in_region(f), source.distance, kNone);
+  }
+}
+
+}  // namespace geodesic::edge_based

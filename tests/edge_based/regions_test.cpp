@@ -1,0 +1,165 @@
+// Regions of a mesh, and the wavefronts that work on them side by side. That distances are right is
+// tested by everything that is run with "edge-based?threads=3&region-size=20".
+#include "solvers/edge_based/regions.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "meshes/generators/generators.h"
+#include "meshes/random.h"
+#include "solvers/core/registry.h"
+#include "solvers/core/thread_team.h"
+#include "solvers/core/window_bound.h"
+
+namespace geodesic {
+namespace {
+
+using edge_based::InRegion;
+using edge_based::Region;
+using edge_based::Regions;
+
+std::vector<Mesh> meshes() {
+  std::vector<Mesh> all;
+  const TriangleSoup terrain = generate("terrain", {{"columns", 45}, {"rows", 45}});
+  all.emplace_back(terrain, Numbering::along_surface);
+  all.emplace_back(terrain);
+  all.emplace_back(generate("torus", {}));
+  all.emplace_back(generate("cylinder", {}));  // paths of the same length without end
+  TriangleSoup apart = terrain;                // two components, an isolated vertex
+  for (const Triangle& t : terrain.triangles) {
+    const auto more = static_cast<Index>(terrain.positions.size());
+    apart.triangles.push_back({t[0] + more, t[1] + more, t[2] + more});
+  }
+  for (const Vec3& p : terrain.positions) apart.positions.push_back(add(p, {5, 0, 0}));
+  apart.positions.push_back({0, 0, 0});
+  all.emplace_back(apart);
+  return all;
+}
+
+TEST(Regions, have_every_face_once_with_its_corners) {
+  for (const Mesh& mesh : meshes()) {
+    const Regions regions(mesh, 50, 2);
+    ASSERT_GT(regions.size(), 10u);
+    std::size_t faces = 0;
+    for (Index r = 0; r < regions.size(); ++r) faces += regions[r].first_portal_face;
+    EXPECT_EQ(faces, mesh.face_count());
+    for (Index f = 0; f < mesh.face_count(); ++f) {
+      const InRegion at = regions.face(f);
+      const Region& region = regions[at.region];
+      for (Index k = 0; k < 3; ++k) {
+        ASSERT_EQ(region.vertices[region.mesh.origin(3 * at.number + k)], mesh.origin(3 * f + k));
+      }
+    }
+  }
+}
+
+TEST(Regions, lead_through_portals_where_twins_lead_in_the_mesh) {
+  for (const Mesh& mesh : meshes()) {
+    const Regions regions(mesh, 50, 2);
+    for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+      const InRegion at = regions.face(h / 3);
+      const Region& region = regions[at.region];
+      const Index own = 3 * at.number + h % 3, first = 3 * region.first_portal_face;
+      const Index twin = region.mesh.twin(own);
+      if (mesh.twin(h) == kNone) {
+        ASSERT_EQ(twin, kNone);
+        continue;
+      }
+      const InRegion face = regions.face(mesh.twin(h) / 3);
+      const Index expected = 3 * face.number + mesh.twin(h) % 3;
+      ASSERT_EQ(twin < first, face.region == at.region);
+      ASSERT_EQ(twin < first ? twin : region.beyond[twin - first].number, expected);
+      if (twin >= first) {
+        ASSERT_EQ(region.beyond[twin - first].region, face.region);
+      }
+      ASSERT_EQ(region.mesh.half_edge(twin).apex_y, mesh.half_edge(mesh.twin(h)).apex_y);
+    }
+  }
+}
+
+TEST(Regions, have_all_copies_of_a_vertex) {
+  for (const Mesh& mesh : meshes()) {
+    const Regions regions(mesh, 50, 2);
+    std::vector<std::size_t> copies(mesh.vertex_count(), 0);
+    for (Index r = 0; r < regions.size(); ++r) {
+      for (const Index v : regions[r].vertices) ++copies[v];
+    }
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      std::size_t found = 0;
+      regions.for_each_copy(v, [&](const InRegion& copy) {
+        EXPECT_EQ(regions[copy.region].vertices[copy.number], v);
+        ++found;
+      });
+      ASSERT_EQ(found, copies[v]);
+      ASSERT_GT(found, 0u);
+    }
+  }
+}
+
+std::vector<double> distances(const Mesh& mesh, const std::string& solver, const Query& query) {
+  std::vector<double> result(mesh.vertex_count());
+  make_solver(solver, mesh)->solve(query, result);
+  return result;
+}
+
+Query random_query(const Mesh& mesh, std::uint64_t seed) {
+  Random random(seed);
+  Query query{.sources = {{random.below(mesh.vertex_count()), random.between(0, 1)}}};
+  for (int i = 0; i < 3; ++i) {
+    SurfacePoint in_face;
+    in_face.face = random.below(mesh.face_count());
+    in_face.weights = {0.5, 0.25, 0.25};
+    if (i == 1) in_face.weights = {0.5, 0, 0.5};
+    query.sources.push_back({in_face, random.between(0, 1)});
+  }
+  return query;
+}
+
+TEST(RegionalWavefront, gives_the_same_bits_on_any_number_of_threads_whenever_they_work) {
+  std::uint64_t seed = 0;
+  for (const Mesh& mesh : meshes()) {
+    const Query query = random_query(mesh, ++seed);
+    const auto expected = distances(mesh, "edge-based?threads=2&region-size=30", query);
+    const DelayedPieces delayed;
+    for (const char* threads : {"3", "5", "16"}) {
+      EXPECT_EQ(distances(mesh, "edge-based?region-size=30&threads=" + std::string(threads), query),
+                expected)
+          << threads << " threads";
+    }
+  }
+}
+
+TEST(RegionalWavefront, gives_the_distances_of_the_serial_one_but_for_rounding) {
+  std::uint64_t seed = 0;
+  for (const Mesh& mesh : meshes()) {
+    const Query query = random_query(mesh, ++seed);
+    const auto serial = distances(mesh, "edge-based", query);
+    const auto regional = distances(mesh, "edge-based?threads=2&region-size=30", query);
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      if (serial[v] == regional[v]) continue;
+      ASSERT_NEAR(regional[v], serial[v], 1e-14 * serial[v]) << "vertex " << v;
+    }
+  }
+}
+
+TEST(RegionalWavefront, gives_the_bits_of_the_serial_one_where_a_query_ends_early) {
+  const Mesh mesh(generate("terrain", {{"columns", 45}, {"rows", 45}}));
+  Query query = random_query(mesh, 1);
+  query.limit = 2;
+  EXPECT_EQ(distances(mesh, "edge-based?threads=2&region-size=30", query),
+            distances(mesh, "edge-based", query));
+}
+
+TEST(RegionalWavefront, throws_where_a_region_exceeds_the_bound_of_windows) {
+  const Mesh mesh(generate("terrain", {{"columns", 45}, {"rows", 45}}));
+  const LoweredWindowBound lowered(500);
+  const auto regional = make_solver("edge-based?threads=3&region-size=200", mesh);
+  std::vector<double> result(mesh.vertex_count());
+  EXPECT_THROW(regional->solve({.sources = {{0}}}, result), EndlessPropagation);
+}
+
+}  // namespace
+}  // namespace geodesic
