@@ -60,10 +60,12 @@ class ThreadTeam {
     if (team.failure_) std::rethrow_exception(team.failure_);
   }
 
-  /// Does the pieces 0 to count - 1, each once in some thread, then then() in one of them, before
-  /// any goes on. Nothing more is done once a call has thrown.
+  /// Calls piece(i) for i from 0 to count - 1, each once in some thread, then then() in one of
+  /// them, before any goes on. Nothing more is called once a call has thrown.
   /// @param thread that calls
-  /// @param home(i) the thread that does piece i, unless another one is free before
+  /// @param count at most `most`
+  /// @param home called with i: the thread that has piece i, unless another one is free before
+  /// @param piece, then what to do
   template <class Home, class Piece, class Then>
   void share(unsigned thread, std::size_t count, const Home& home, const Piece& piece,
              const Then& then) {
