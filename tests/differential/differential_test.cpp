@@ -6,6 +6,8 @@
 
 #include "harness/verify/property.h"
 #include "meshes/mesh_file.h"
+#include "solvers/core/registry.h"
+#include "solvers/core/thread_team.h"
 #include "tests/harness/temporary_folder.h"
 
 namespace geodesic::differential {
@@ -118,6 +120,24 @@ TEST_F(Differential, makes_the_same_mesh_of_a_seed_and_a_number_every_time) {
     EXPECT_EQ(one.mesh, other.mesh);
     EXPECT_EQ(one.soup.positions, other.soup.positions) << one.mesh;
     EXPECT_EQ(one.soup.triangles, other.soup.triangles) << one.mesh;
+  }
+}
+
+TEST_F(Differential, of_edge_based_the_number_of_threads_changes_no_bit) {
+  constexpr std::uint64_t kMeshes = 300;
+  const DelayedPieces delayed;
+  for (std::uint64_t number = 0; number < kMeshes; ++number) {
+    const Case given = random_case(1, number, folder_);
+    const Mesh mesh = given.build();
+    Query query = given.queries.front();
+    query.limit = kInfinity;  // where a query ends early, there is one thread
+    std::vector<double> expected(mesh.vertex_count()), got(mesh.vertex_count());
+    make_solver("edge-based?threads=2&region-size=8", mesh)->solve(query, expected);
+    for (const char* solver :
+         {"edge-based?threads=3&region-size=8", "edge-based?threads=16&region-size=8"}) {
+      make_solver(solver, mesh)->solve(query, got);
+      EXPECT_EQ(got, expected) << solver << " on mesh " << number << ", " << given.mesh;
+    }
   }
 }
 
