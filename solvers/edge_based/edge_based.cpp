@@ -9,10 +9,10 @@
 // through a FIFO; all others wait. Any order is correct, since only beaten lines are ever dropped;
 // this one keeps late arrivals rare.
 //
-// What waits, what is entered and when a solve is over: wavefront.h. What crosses a face:
-// list_crossing.h, whose steps over whole lists (kernels.h) are compiled for several instruction
-// sets; which one runs is chosen when a solver is constructed (core/instruction_set.h). All of them
-// give the same bits.
+// What waits, what is entered and when a solve is over: wavefront.h; on several threads:
+// regional_wavefront.h. What crosses a face: list_crossing.h, whose steps over whole lists
+// (kernels.h) are compiled for several instruction sets; which one runs is chosen when a solver is
+// constructed (core/instruction_set.h). All of them give the same bits.
 #include "solvers/edge_based/edge_based.h"
 
 namespace geodesic::edge_based {
@@ -25,8 +25,9 @@ const RegisterSolver<EdgeBased<ByDistance>> exact{{
     .paper = "thesis chapter 5; Qin, Han, Yu, Yu, Zhang 2016",
     .abilities = {.non_manifold_edges = true, .surface_sources = true, .paths = true},
     .parameters = {integer_parameter("threads", 1, 1, 256, "that work on one query"),
-                   integer_parameter("region-size", 1024, 2, 1 << 20,
-                                     "vertices of a region of the mesh, with several threads")},
+                   integer_parameter("region-size", 0, 0, 1 << 20,
+                                     "vertices of a region of the mesh, with several threads; 0: "
+                                     "a 32nd of them, from 1024 to 4096")},
 }};
 
 }  // namespace

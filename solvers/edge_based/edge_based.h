@@ -1,6 +1,7 @@
 // Edge-based propagation as a solver: the wavefront (wavefront.h) of exact lists (list_crossing.h).
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <span>
 
@@ -27,12 +28,12 @@ class EdgeBased final : public Solver {
   EdgeBased(const Mesh& mesh, const Description& description)
       : Solver(mesh, description), instruction_set_(compiled_for(geodesic::instruction_set())) {
     const auto threads = static_cast<unsigned>(description.thread_count());
-    if (threads > 1 && mesh.vertex_count() > description.integer("region-size") &&
-        !mesh.crosses_non_manifold_edges()) {
-      regional_ = std::make_unique<RegionalWavefront>(mesh, instruction_set_, threads,
-                                                      description.integer("region-size"));
-    } else {
+    if (threads == 1 || mesh.crosses_non_manifold_edges() ||
+        mesh.vertex_count() <= region_size(description)) {
       serial_ = make_serial();
+    } else {
+      regional_ = std::make_unique<RegionalWavefront>(mesh, instruction_set_, threads,
+                                                      region_size(description));
     }
   }
 
@@ -57,6 +58,12 @@ class EdgeBased final : public Solver {
 
  private:
   using Serial = Wavefront<ListCrossing, typename Order::Queue, NoRecorder>;
+
+  /// Large regions cost less mail; there must be enough of them for the threads.
+  Index region_size(const Description& description) const {
+    const Index asked = description.integer("region-size");
+    return asked > 0 ? asked : std::clamp<Index>(mesh().vertex_count() / 32, 1024, 4096);
+  }
 
   template <class Recorder>
   static auto make_wavefront(const Mesh& mesh, InstructionSet set, Carried carried,
