@@ -55,7 +55,7 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
         "--min-time", metavar="SECONDS", default="0.05", help="minimum duration of a time (0.05)"
     )
     how.add_argument("--reference", metavar="NAME", help="exact solver that others are verified by")
-    how.add_argument("--vectors", metavar="SET", help="instruction set: auto, plain or avx2")
+    how.add_argument("--vectors", metavar="SET", help="instruction set: auto, plain, avx2 or avx512")
     how.add_argument("--repair", action="store_true", help="repair meshes that need it")
     how.add_argument("--plugin", metavar="FILE", action="append", default=[], help="a plug-in")
     how.add_argument("--manifest", metavar="FILE", help="list of meshes and corpora")

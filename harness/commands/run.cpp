@@ -132,7 +132,7 @@ void add_request_options(CLI::App& command, RunRequest& request, bool& plan_only
          "memory limit of a cell in bytes, or as 500M, 8G (default: 90% of what is available)")
       ->transform(CLI::Validator(CLI::AsSizeValue(false)).description(""))
       ->type_name("SIZE");
-  option("--vectors", suite.vectors, "instruction set of the solvers: auto, plain or avx2")
+  option("--vectors", suite.vectors, "instruction set of the solvers: auto, plain, avx2 or avx512")
       ->type_name("SET");
   call(
       "--recordings", [&](const std::string& word) { request.recordings = recordings_named(word); },

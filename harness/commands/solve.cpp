@@ -139,7 +139,7 @@ void add_solve_command(CLI::App& app) {
       ->check(zero_or_above());
   command
       ->add_option("--vectors", flags->vectors,
-                   "instruction set of the solver: auto, plain or avx2")
+                   "instruction set of the solver: auto, plain, avx2 or avx512")
       ->type_name("SET");
   command->add_option("--manifest", flags->manifest, "list of meshes and corpora")
       ->type_name("FILE");

@@ -119,7 +119,7 @@ void add_verify_command(CLI::App& app) {
       ->type_name("DIR");
   command
       ->add_option("--vectors", request.vectors,
-                   "instruction set of the solver: auto, plain or avx2")
+                   "instruction set of the solver: auto, plain, avx2 or avx512")
       ->type_name("SET");
   command->add_option("--manifest", request.manifest, "list of meshes and corpora")
       ->type_name("FILE");

@@ -127,7 +127,7 @@ std::string unsupported(const Description& solver, const Mesh& mesh) {
 InstructionSet instruction_set_named(const std::string& word) {
   if (word == kAutoVectors) return widest_instruction_set();
   std::vector<std::string> known{kAutoVectors};
-  for (const InstructionSet set : {InstructionSet::plain, InstructionSet::avx2}) {
+  for (const InstructionSet set : kInstructionSets) {
     known.emplace_back(name_of(set));
     if (word != name_of(set)) continue;
     const std::string why = why_unavailable(set);

@@ -3,20 +3,32 @@
 #include <hwy/targets.h>
 
 #include <atomic>
+#include <cstdint>
 #include <stdexcept>
 
 namespace geodesic {
 namespace {
 
-// Compiler flags such as -march=native make AVX2 what everything is compiled for.
-constexpr bool kOnlyAvx2 = HWY_STATIC_TARGET == HWY_AVX2 || HWY_STATIC_TARGET == HWY_AVX3 ||
-                           HWY_STATIC_TARGET == HWY_AVX3_DL;
-constexpr bool kBuiltForAvx2 = kOnlyAvx2 || (HWY_TARGETS & HWY_AVX2) != 0;
-
-bool processor_has_avx2() {
-  static const bool has = (hwy::SupportedTargets() & HWY_AVX2) != 0;
-  return has;
+struct Traits {
+  std::string_view name, shown;
+  std::int64_t target;  // Highway's; 0: the static one where that is narrower than AVX2
+};
+constexpr Traits traits_of(InstructionSet set) {
+  switch (set) {
+    case InstructionSet::plain:
+      return {"plain", "plain", 0};
+    case InstructionSet::avx2:
+      return {"avx2", "AVX2", HWY_AVX2};
+    default:
+      return {"avx512", "AVX-512", HWY_AVX3};
+  }
 }
+
+// Compiler flags such as -march=native make another set what everything is compiled for.
+constexpr InstructionSet kStatic = HWY_STATIC_TARGET == HWY_AVX3 || HWY_STATIC_TARGET == HWY_AVX3_DL
+                                       ? InstructionSet::avx512
+                                   : HWY_STATIC_TARGET == HWY_AVX2 ? InstructionSet::avx2
+                                                                   : InstructionSet::plain;
 
 std::atomic<InstructionSet>& chosen() {
   static std::atomic<InstructionSet> set{widest_instruction_set()};
@@ -25,21 +37,29 @@ std::atomic<InstructionSet>& chosen() {
 
 }  // namespace
 
-std::string_view name_of(InstructionSet set) {
-  return set == InstructionSet::avx2 ? "avx2" : "plain";
-}
+std::string_view name_of(InstructionSet set) { return traits_of(set).name; }
 
 std::string why_unavailable(InstructionSet set) {
-  if (set == InstructionSet::plain) {
-    return kOnlyAvx2 ? "this build has no plain path: its compiler flags demand AVX2" : "";
+  const Traits traits = traits_of(set);
+  const std::string shown(traits.shown);
+  if (set < kStatic) {
+    return "this build has no " + shown + " path: its compiler flags demand " +
+           std::string(traits_of(kStatic).shown);
   }
-  if (!kBuiltForAvx2) return "this build has no AVX2 path: its compiler or architecture lacks AVX2";
-  return processor_has_avx2() ? "" : "this processor has no AVX2";
+  if (set == InstructionSet::plain) return "";
+  if (set != kStatic && (HWY_TARGETS & traits.target) == 0) {
+    return "this build has no " + shown + " path: its compiler or architecture lacks " + shown;
+  }
+  static const std::int64_t supported = hwy::SupportedTargets();
+  return (supported & traits.target) != 0 ? "" : "this processor has no " + shown;
 }
 
 InstructionSet widest_instruction_set() {
-  return why_unavailable(InstructionSet::avx2).empty() ? InstructionSet::avx2
-                                                       : InstructionSet::plain;
+  InstructionSet widest = kStatic;
+  for (const InstructionSet set : kInstructionSets) {
+    if (why_unavailable(set).empty()) widest = set;
+  }
+  return widest;
 }
 
 void set_instruction_set(InstructionSet set) {

@@ -4,6 +4,7 @@
 // the widest one that the processor has, or the one chosen here, when it is constructed.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -13,9 +14,13 @@ namespace geodesic {
 enum class InstructionSet : std::uint8_t {
   plain,  ///< what every processor of the architecture has: SSE2 on x86-64
   avx2,
+  avx512,  ///< its parts F, BW, CD, DQ and VL
 };
+/// From the narrowest one on.
+inline constexpr std::array kInstructionSets{InstructionSet::plain, InstructionSet::avx2,
+                                             InstructionSet::avx512};
 
-/// "plain", "avx2"
+/// "plain", "avx2", "avx512"
 std::string_view name_of(InstructionSet set);
 
 /// What this processor or this build lacks to run solvers with it; empty when nothing.

@@ -14,36 +14,36 @@
 
 namespace geodesic::edge_based {
 
-/// One bit for each window of a list, those of kLaneRoom windows in a byte.
+/// One bit for each window of a list, kMostLanes of them in a byte.
 class Marks {
  public:
   void reserve(std::size_t windows) {
-    if (groups_.size() <= windows / kLaneRoom) groups_.resize(2 * (windows / kLaneRoom + 1));
+    if (groups_.size() <= windows / kMostLanes) groups_.resize(2 * (windows / kMostLanes + 1));
   }
 
   bool operator[](std::size_t i) const {
-    return (groups_[i / kLaneRoom] >> (i % kLaneRoom) & 1) != 0;
+    return (groups_[i / kMostLanes] >> (i % kMostLanes) & 1) != 0;
   }
   void clear(std::size_t i) {
-    groups_[i / kLaneRoom] &= static_cast<std::uint8_t>(~(1u << (i % kLaneRoom)));
+    groups_[i / kMostLanes] &= static_cast<std::uint8_t>(~(1u << (i % kMostLanes)));
   }
 
   /// Those of so many windows, from another list's.
   void copy(const Marks& from, std::size_t windows) {
     reserve(windows);
-    std::copy_n(from.groups_.begin(), windows / kLaneRoom + 1, groups_.begin());
+    std::copy_n(from.groups_.begin(), windows / kMostLanes + 1, groups_.begin());
   }
 
   /// The first marked window from `i` on, of `count`; `count` where there is none.
   std::size_t next(std::size_t i, std::size_t count) const {
     if (i >= count) return count;
-    std::size_t group = i / kLaneRoom;
-    unsigned marks = groups_[group] & (~0u << (i % kLaneRoom));
+    std::size_t group = i / kMostLanes;
+    unsigned marks = groups_[group] & (~0u << (i % kMostLanes));
     while (marks == 0) {
-      if (++group * kLaneRoom >= count) return count;
+      if (++group * kMostLanes >= count) return count;
       marks = groups_[group];
     }
-    return group * kLaneRoom + static_cast<std::size_t>(std::countr_zero(marks));
+    return group * kMostLanes + static_cast<std::size_t>(std::countr_zero(marks));
   }
 
   /// For kernels.
@@ -54,7 +54,8 @@ class Marks {
   std::vector<std::uint8_t> groups_;
 };
 
-/// Arrays of equal room; vectors may read and write up to kLaneRoom doubles behind the last window.
+/// Arrays of equal room; vectors may read and write up to kMostLanes doubles behind the last
+/// window.
 class Batch {
  public:
   /// @param fields that windows have, of Field
@@ -105,8 +106,8 @@ class Batch {
 };
 
 inline void Batch::reserve(std::size_t windows) {
-  if (windows + kLaneRoom <= room_) return;
-  const std::size_t room = 2 * (windows + 2 * kLaneRoom) / kLaneRoom * kLaneRoom;
+  if (windows + kMostLanes <= room_) return;
+  const std::size_t room = 2 * (windows + 2 * kMostLanes) / kMostLanes * kMostLanes;
   auto larger = std::make_unique<double[]>(fields_ * room);
   for (unsigned f = 0; f < fields_; ++f) {
     for (std::size_t i = 0; i < count; ++i) larger[f * room + i] = array(f)[i];

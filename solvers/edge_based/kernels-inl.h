@@ -1,4 +1,5 @@
-// The kernels of one instruction set, over four (AVX2) or two windows at a time.
+// The kernels of one instruction set, over eight (AVX-512), four (AVX2) or two windows at a
+// time.
 //
 // Included once per instruction set (kernels.cpp). Every operation is one correctly rounded IEEE
 // operation in a fixed order, no contraction, and minima are exact: all instruction sets give the
@@ -39,7 +40,7 @@ class Packer {
 #else
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Tag = hn::CappedTag<double, kLaneRoom>;
+using Tag = hn::CappedTag<double, kMostLanes>;
 using Vec = hn::Vec<Tag>;
 using Mask = hn::Mask<Tag>;
 
@@ -51,6 +52,21 @@ inline unsigned bits(Mask mask) {
   return bytes[0];
 }
 
+#if HWY_TARGET == HWY_AVX3
+/// Stores the lanes of a mask side by side, by an instruction that Highway 1.0 does not use.
+class Packer {
+ public:
+  explicit Packer(unsigned mask) : mask_(static_cast<__mmask8>(mask)) {}
+  std::size_t count() const { return hwy::PopCount(mask_); }
+  /// Writes a whole vector; only its first count() lanes mean anything.
+  void store(Vec v, double* to) const {
+    hn::StoreU(Vec{_mm512_maskz_compress_pd(mask_, v.raw)}, Tag(), to);
+  }
+
+ private:
+  __mmask8 mask_;
+};
+#else
 /// Lanes in the order that moves those of a mask's bits to the front.
 struct PackingOrder {
   alignas(32) std::int64_t lanes[std::size_t{1} << kLanes][kLanes];
@@ -81,7 +97,7 @@ class Packer {
   std::size_t count_;
   decltype(hn::IndicesFromVec(Tag(), hn::Vec<hn::RebindToSigned<Tag> >())) order_;
 };
-
+#endif
 #endif
 
 inline constexpr Tag kTag{};
@@ -90,12 +106,12 @@ inline Vec all(double value) { return hn::Set(kTag, value); }
 
 /// The bits of the kLanes windows from i on, a multiple of kLanes, among those of a list (Marks).
 inline unsigned marks_at(const std::uint8_t* groups, std::size_t i) {
-  return groups[i / kLaneRoom] >> (i % kLaneRoom) & ((1u << kLanes) - 1);
+  return groups[i / kMostLanes] >> (i % kMostLanes) & ((1u << kLanes) - 1);
 }
 /// Sets them; in ascending order of i.
 inline void set_marks(std::uint8_t* groups, std::size_t i, unsigned marks) {
-  std::uint8_t& group = groups[i / kLaneRoom];
-  group = static_cast<std::uint8_t>((i % kLaneRoom == 0 ? 0 : group) | marks << (i % kLaneRoom));
+  std::uint8_t& group = groups[i / kMostLanes];
+  group = static_cast<std::uint8_t>((i % kMostLanes == 0 ? 0 : group) | marks << (i % kMostLanes));
 }
 inline Mask mask_of(unsigned marks) {
   const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(marks)};
@@ -406,8 +422,8 @@ void unfold_right(const Batch& batch, const FaceFrame& face, const Marks& to_edg
 }
 
 template <Carried carried>
-inline constexpr Kernels kKernels = {gather<carried>, trim, classify, unfold_left<carried>,
-                                     unfold_right<carried>};
+inline constexpr Kernels kKernels = {kLanes,   gather<carried>,      trim,
+                                     classify, unfold_left<carried>, unfold_right<carried>};
 
 }  // namespace geodesic::edge_based::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -11,6 +11,9 @@ namespace geodesic::edge_based {
 /// Those of one instruction set. All sets give the same bits, those of the scalar functions that
 /// are named here.
 struct Kernels {
+  /// Of a vector.
+  std::size_t lanes;
+
   /// Appends the windows that EndpointBounds::beat does not.
   void (*gather)(const Segment& segment, const EndpointBounds& bounds, Batch& batch);
 
@@ -24,7 +27,7 @@ struct Kernels {
 
   /// Unfolds onto the left edge, or the right one, the windows that are marked in `to_edge`. One
   /// that passes the apex on both sides reaches up to it.
-  /// @param out room for the marked windows and kLaneRoom - 1 more; it is empty
+  /// @param out room for the marked windows and lanes - 1 more; it is empty
   void (*unfold_left)(const Batch& batch, const FaceFrame& face, const Marks& to_edge,
                       Segment& out);
   void (*unfold_right)(const Batch& batch, const FaceFrame& face, const Marks& to_edge,

@@ -24,7 +24,7 @@ class ListCrossing {
       : mesh_(mesh),
         kernels_(kernels_of(set, carried)),
         carried_(carried),
-        lists_(mesh.half_edge_count(), fields_with(carried)),
+        lists_(mesh.half_edge_count(), fields_with(carried), kernels_.lanes),
         budget_(budget),
         rounding_(rounding),
         batch_(fields_with(carried)) {}
@@ -79,12 +79,12 @@ class ListCrossing {
 
     const Index left = Mesh::previous(h), right = Mesh::next(h);
     if (winner.any_left && mesh_.twin(left) != kNone) {
-      Segment* out = lists_.allocate(batch_.count + kLaneRoom - 1);
+      Segment* out = lists_.allocate(batch_.count + kernels_.lanes - 1);
       kernels_.unfold_left(batch_, face, sides.left, *out);
       land(left, out, Place::front, wavefront);
     }
     if (winner.any_right && mesh_.twin(right) != kNone) {
-      Segment* out = lists_.allocate(batch_.count + kLaneRoom - 1);
+      Segment* out = lists_.allocate(batch_.count + kernels_.lanes - 1);
       kernels_.unfold_right(batch_, face, sides.right, *out);
       land(right, out, Place::back, wavefront);
     }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -35,8 +36,10 @@ enum class Carried : std::uint8_t {
 /// Number of arrays.
 constexpr unsigned fields_with(Carried carried) { return kDepth + static_cast<unsigned>(carried); }
 
-/// Vectors read whole: room and arrays are multiples of this many doubles.
-inline constexpr std::size_t kLaneRoom = 4;
+/// Windows of the longest vectors.
+inline constexpr std::size_t kMostLanes = 8;
+/// Segments have room for a multiple of so many windows, or of a vector: they are whole units.
+inline constexpr std::size_t kLeastRoom = 4;
 
 /// Window i of a segment or batch.
 template <class Arrays>
@@ -72,15 +75,18 @@ struct alignas(32) Segment {
 class WindowLists {
  public:
   /// @param fields that windows have, of Field
-  WindowLists(Index half_edges, unsigned fields) : fields_(fields), last_(half_edges, kNone) {}
+  /// @param lanes of vectors, which are read and written whole
+  WindowLists(Index half_edges, unsigned fields, std::size_t lanes = kMostLanes)
+      : fields_(fields),
+        room_bits_(static_cast<unsigned>(std::countr_zero(std::max(lanes, kLeastRoom)))),
+        last_(half_edges, kNone) {}
 
   std::uint64_t window_count() const { return window_count_; }
   void prefetch(Index h) const { geodesic::prefetch(&last_[h]); }
 
-  /// A segment with room for at least `windows`, in no list yet; its count is 0.
+  /// A segment with room for at least `windows`, one or more, in no list yet; its count is 0.
   [[gnu::always_inline]] Segment* allocate(std::size_t windows) {
-    const unsigned bin =
-        windows <= kLaneRoom ? 0 : static_cast<unsigned>(std::bit_width((windows - 1) / kLaneRoom));
+    const unsigned bin = bin_of(windows);
     Index& head = free_[bin];
     if (head == kNone) return carve(bin);
     Segment* segment = at(head);
@@ -90,9 +96,9 @@ class WindowLists {
   }
 
   void release(Segment* segment) {
-    const unsigned bin = static_cast<unsigned>(std::bit_width(segment->room / kLaneRoom)) - 1;
-    segment->next = free_[bin];
-    free_[bin] = segment->self;
+    Index& head = free_[bin_of(segment->room)];
+    segment->next = head;
+    head = segment->self;
   }
 
   /// A segment of the same windows, in no list yet.
@@ -173,17 +179,24 @@ class WindowLists {
   static constexpr unsigned kBlockBits = 10;
   static constexpr std::size_t kBlockUnits = std::size_t{1} << kBlockBits;
   static constexpr unsigned kBins = 30;
-  struct alignas(kUnit) Unit {
-    double values[4];
+  struct alignas(2 * kUnit) CacheLine {
+    std::byte bytes[2 * kUnit];
   };
 
   Segment* at(Index handle) const {
-    return reinterpret_cast<Segment*>(&blocks_[handle >> kBlockBits][handle & (kBlockUnits - 1)]);
+    std::byte* block = blocks_[handle >> kBlockBits][0].bytes;
+    return reinterpret_cast<Segment*>(block + kUnit * (handle & (kBlockUnits - 1)));
+  }
+
+  unsigned bin_of(std::size_t windows) const {
+    return static_cast<unsigned>(std::bit_width((windows - 1) >> room_bits_));
   }
 
   Segment* carve(unsigned bin) {
-    const std::size_t room = kLaneRoom << bin;
-    const std::size_t units = (sizeof(Segment) + fields_ * room * sizeof(double)) / kUnit;
+    const std::size_t room = std::size_t{1} << (bin + room_bits_);
+    std::size_t units = (sizeof(Segment) + fields_ * room * sizeof(double)) / kUnit;
+    // The arrays of each segment start on a cache line: those of a block are behind a header there.
+    if (room % kMostLanes == 0) units += units % 2;
     if (used_ + units > kBlockUnits) open_block(units);
     const Index handle = static_cast<Index>((used_blocks_ - 1) << kBlockBits | used_);
     used_ += units;
@@ -195,18 +208,19 @@ class WindowLists {
   }
 
   void open_block(std::size_t units) {
-    if (used_blocks_ == blocks_.size() || units > kBlockUnits) {
+    if (used_blocks_ == blocks_.size() || units >= kBlockUnits) {
       // Zeroed: vectors read the unused tail of an array.
       blocks_.insert(blocks_.begin() + static_cast<std::ptrdiff_t>(used_blocks_),
-                     std::make_unique<Unit[]>(std::max(units, kBlockUnits)));
+                     std::make_unique<CacheLine[]>(std::max(units + 2, kBlockUnits) / 2));
     }
     ++used_blocks_;
-    used_ = 0;
+    used_ = 1;
   }
 
   unsigned fields_;
+  unsigned room_bits_;       // room is a multiple of 2 to this power
   std::vector<Index> last_;  // per half-edge, handle of the last segment; kNone when empty
-  std::vector<std::unique_ptr<Unit[]>> blocks_;
+  std::vector<std::unique_ptr<CacheLine[]>> blocks_;
   std::array<Index, kBins> free_ = [] {
     std::array<Index, kBins> none{};
     none.fill(kNone);

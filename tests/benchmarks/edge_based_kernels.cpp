@@ -18,8 +18,8 @@ struct Crossing {
     const auto count = static_cast<std::size_t>(state.range(0));
     segment = lists.allocate(count);
     for (const Window& w : microbench::windows_in_order(count)) segment->add(w);
-    to_left = lists.allocate(count + kLaneRoom - 1);
-    to_right = lists.allocate(count + kLaneRoom - 1);
+    to_left = lists.allocate(count + kMostLanes - 1);
+    to_right = lists.allocate(count + kMostLanes - 1);
     gather();
     kernels.classify(batch, face);
   }
@@ -75,7 +75,7 @@ void trim_overlapping_pair(benchmark::State& state) {
 BENCHMARK(trim_overlapping_pair);
 
 const bool added = [] {
-  for (const InstructionSet set : {InstructionSet::plain, InstructionSet::avx2}) {
+  for (const InstructionSet set : kInstructionSets) {
     if (compiled_for(set) == set && why_unavailable(set).empty())
       add(std::string(name_of(set)), set);
   }

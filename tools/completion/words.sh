@@ -34,7 +34,7 @@ options() {
     --solver | --solvers | --against | --reference) names solver ;;
     --mesh | --meshes) names mesh ;;
     --corpus) corpora ;;
-    --vectors) printf '%s\n' auto plain avx2 ;;
+    --vectors) printf '%s\n' auto plain avx2 avx512 ;;
     --output | --out | -o | --plugin | --manifest | --run | --resume) ;;
     *)
       if [ -z "$command" ]; then commands; else options; fi
