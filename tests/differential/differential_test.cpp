@@ -124,7 +124,7 @@ TEST_F(Differential, makes_the_same_mesh_of_a_seed_and_a_number_every_time) {
 }
 
 TEST_F(Differential, of_edge_based_the_number_of_threads_changes_no_bit) {
-  constexpr std::uint64_t kMeshes = 300;
+  constexpr std::uint64_t kMeshes = 100;
   const DelayedPieces delayed;
   for (std::uint64_t number = 0; number < kMeshes; ++number) {
     const Case given = random_case(1, number, folder_);
