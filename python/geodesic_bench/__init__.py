@@ -9,8 +9,19 @@ Distances are in the unit of the vertices' coordinates. A fault of what is given
 one sentence. Ctrl-C ends every call at once; a solve that has begun is left to a thread of its own.
 """
 
-from geodesic_bench._native import Defect, Solver
+from geodesic_bench._native import Defect, Solver, __version__
 from geodesic_bench.mesh import Mesh, Path, defects, read_mesh, solvers
 from geodesic_bench.program import Results, run
 
-__all__ = ["Defect", "Mesh", "Path", "Results", "Solver", "defects", "read_mesh", "run", "solvers"]
+__all__ = [
+    "Defect",
+    "Mesh",
+    "Path",
+    "Results",
+    "Solver",
+    "__version__",
+    "defects",
+    "read_mesh",
+    "run",
+    "solvers",
+]

@@ -12,6 +12,8 @@ _Points = tuple[_Indices, _Indices, NDArray[np.float64]]
 """Of vertices, faces and weights: arrays.Points."""
 _Compressed = tuple[NDArray[np.floating[Any]], NDArray[np.int64], NDArray[np.int64]]
 
+__version__: str
+
 class SharedMesh:
     def __init__(
         self, vertices: NDArray[np.float64], faces: _Indices, cross_non_manifold: bool
@@ -65,9 +67,12 @@ def distances(
 def distances_and_nearest(
     mesh: SharedMesh, solver: str, sources: _Points, initial: NDArray[np.float64], limit: float
 ) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...
-def path(
-    mesh: SharedMesh, solver: str, ends: _Points
-) -> tuple[NDArray[np.float64], _Indices, NDArray[np.float64]]: ...
+def paths(
+    mesh: SharedMesh, solver: str, source: _Points, targets: _Points
+) -> list[tuple[NDArray[np.float64], _Indices, NDArray[np.float64]]]: ...
+def nearest(
+    mesh: SharedMesh, places: NDArray[np.float64]
+) -> tuple[_Indices, _Indices, NDArray[np.float64], NDArray[np.float64]]: ...
 def dense_float64(
     mesh: SharedMesh, solver: str, rows: _Points, columns: _Points | None, threads: int,
     progress: _Progress,

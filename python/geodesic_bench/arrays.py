@@ -3,7 +3,7 @@ or refused with one sentence."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -19,12 +19,18 @@ def vertex_array(vertices: ArrayLike) -> NDArray[np.float64]:
 
 
 def face_array(faces: ArrayLike, vertices: int) -> NDArray[np.uint32]:
-    """Of shape (m, 3), m > 0. An index that is not there becomes one that is not in any mesh."""
+    """Of shape (m, 3), m > 0."""
     array = _rows_of_three(_integers(faces, "faces"), "faces")
     if not array.size:
         raise ValueError("a mesh needs at least one face")
-    if array.min() < 0 or array.max() >= vertices:
-        array = np.where((array < 0) | (array >= vertices), OUT_OF_RANGE, array)
+    outside = (array < 0) | (array >= vertices)
+    if outside.any():
+        face, corner = divmod(int(outside.argmax()), 3)
+        raise ValueError(
+            f"face {face} names vertex {array[face, corner]}, and the mesh has {vertices} vertices,"
+            " counted from 0"
+            + (": these faces count from 1" if array.min() == 1 and array.max() == vertices else "")
+        )
     return array.astype(np.uint32, order="C")
 
 
@@ -38,49 +44,64 @@ class Points(NamedTuple):
     weights: NDArray[np.float64]
     """(k, 3): of the corners of the face."""
 
-    def followed_by(self, more: Points) -> Points:
-        return Points(
-            np.concatenate([self.vertices, more.vertices]),
-            np.concatenate([self.faces, more.faces]),
-            np.concatenate([self.weights, more.weights]),
-        )
+
+class Surface(NamedTuple):
+    """What points must lie on."""
+
+    vertices: int
+    faces: int
+    """How many there are."""
+    nearest: Callable[[NDArray[np.float64], str], Points]
+    """The nearest points to places in space, of shape (k, 3); told what they are."""
 
 
-def surface_points(values: object, what: str, vertices: int, faces: int) -> Points:
+def surface_points(values: object, what: str, on: Surface) -> Points:
     """One point, or a list of them.
 
     @param what they are: "source"
-    @param vertices, faces of the mesh"""
-    listed: Sequence[object]
+    """
     if _names_a_face(values):
-        listed = [values]
-    elif isinstance(values, tuple | list) and any(map(_names_a_face, values)):
-        listed = values
-    else:
-        given = _vertex_indices(values, what, vertices)  # type: ignore[arg-type]
-        return Points(given, np.zeros(len(given), np.uint32), np.zeros((len(given), 3)))
-    points = Points(
-        np.full(len(listed), OUT_OF_RANGE),
-        np.zeros(len(listed), np.uint32),
-        np.zeros((len(listed), 3)),
-    )
-    for i, point in enumerate(listed):
-        if _names_a_face(point):
-            points.faces[i], points.weights[i] = _face_and_weights(point, what, faces)
-        else:
-            points.vertices[i] = surface_point(point, what, vertices, faces).vertices[0]
-    return points
+        return _point_in_face(values, what, on.faces)
+    places = _places(values)
+    if places is not None:
+        return on.nearest(places, what)
+    if isinstance(values, tuple | list) and any(_is_no_vertex(each) for each in values):
+        points = [surface_point(each, what, on) for each in values]
+        return Points(*(np.concatenate(arrays) for arrays in zip(*points, strict=True)))
+    given = _vertex_indices(values, what, on.vertices)  # type: ignore[arg-type]
+    return Points(given, np.zeros(len(given), np.uint32), np.zeros((len(given), 3)))
 
 
-def surface_point(value: object, what: str, vertices: int, faces: int) -> Points:
+def surface_point(value: object, what: str, on: Surface) -> Points:
     """One point; otherwise as surface_points."""
-    point = surface_points(value, what, vertices, faces)
+    places = _places([value])
+    if places is not None:
+        return on.nearest(places, what)
+    point = surface_points(value, what, on)
     if len(point.vertices) != 1:
         raise ValueError(_NO_POINT.format(what))
     return point
 
 
-_NO_POINT = "a {} must be a vertex, or a face and three weights"
+_NO_POINT = "a {} must be a vertex, a face and three weights, or a place in space"
+
+
+def _places(values: object) -> NDArray[np.float64] | None:
+    """Of shape (k, 3); none where the values are no coordinates. Three whole numbers are
+    vertices."""
+    try:
+        array = np.asarray(values)
+    except (ValueError, TypeError):
+        return None
+    if array.shape == (3,) and array.dtype.kind == "f":
+        array = array[np.newaxis]
+    if array.dtype.kind not in "iuf" or array.ndim != 2 or array.shape[1] != 3:
+        return None
+    return array.astype(np.float64, order="C", copy=False)
+
+
+def _is_no_vertex(point: object) -> bool:
+    return _names_a_face(point) or _places([point]) is not None
 
 
 def _names_a_face(point: object) -> bool:
@@ -95,7 +116,7 @@ def _names_a_face(point: object) -> bool:
     )
 
 
-def _face_and_weights(point: Any, what: str, faces: int) -> tuple[int, NDArray[np.float64]]:
+def _point_in_face(point: Any, what: str, faces: int) -> Points:
     face = _integers(point[0], f"the face of a {what}")
     weights = numbers(point[1], f"the weights of a {what}")
     if face.ndim or weights.shape != (3,):
@@ -107,7 +128,7 @@ def _face_and_weights(point: Any, what: str, faces: int) -> tuple[int, NDArray[n
             f"the weights of a {what} must be finite, none negative, and not all 0,"
             f" not {tuple(weights.tolist())}"
         )
-    return int(face), weights
+    return Points(np.array([OUT_OF_RANGE]), np.array([face], np.uint32), weights[np.newaxis])
 
 
 def _vertex_indices(values: ArrayLike, what: str, vertices: int) -> NDArray[np.uint32]:

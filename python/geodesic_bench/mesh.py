@@ -13,10 +13,13 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from geodesic_bench import _native
 from geodesic_bench.arrays import (
+    OUT_OF_RANGE,
+    Points,
+    Surface,
     face_array,
     numbers,
     surface_point,
@@ -30,12 +33,17 @@ if TYPE_CHECKING:
 FASTEST = "edge-based"
 MOST_THREADS = 1024
 
-SurfacePoint = int | tuple[int, ArrayLike]
-"""A vertex, or a point in a face: the face and a weight of each of its corners. The weights are
-divided by their sum; on an edge one of them is 0."""
+SurfacePoint = int | tuple[int, ArrayLike] | ArrayLike
+"""A vertex; a point in a face: the face and a weight of each of its corners, which are divided by
+their sum, one of them 0 on an edge; or a place in space, three coordinates, which stands for the
+nearest point of the surface."""
 
 SurfacePoints = ArrayLike | SurfacePoint | Sequence[SurfacePoint]
-"""An array of vertices, one point, or a list of vertices and pairs."""
+"""An array of vertices or of places, of shape (k, 3), one point, or a list of points. Three whole
+numbers are vertices."""
+
+FAR = 0.01
+"""A place that is farther from the surface than this part of its extent gives a warning."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,10 +68,12 @@ class Mesh:
 
     Parameters
     ----------
-    vertices : (n, 3) real numbers
-        Coordinates, of any type and memory order; copied as float64.
+    vertices : (n, 3) real numbers, or a mesh of another package
+        Coordinates, of any type and memory order; copied as float64. An object with `vertices` and
+        `faces` (trimesh, Open3D through NumPy), or `points` and `cells` of triangles (meshio).
     faces : (m, 3) integers, m > 0
-        Indices of vertices from 0, counter-clockwise seen from outside; copied.
+        Indices of vertices from 0, counter-clockwise seen from outside; copied. Not beside an
+        object.
     cross_non_manifold : bool
         Paths go from a face into each of the others at an edge of more than two faces, and at one
         between faces that do not agree on the outside. Otherwise such edges are boundaries. The
@@ -89,8 +99,10 @@ class Mesh:
     _shared: _native.SharedMesh
 
     def __init__(
-        self, vertices: ArrayLike, faces: ArrayLike, *, cross_non_manifold: bool = False
+        self, vertices: Any, faces: ArrayLike | None = None, *, cross_non_manifold: bool = False
     ) -> None:
+        if faces is None:
+            vertices, faces = _arrays_of(vertices)
         points = vertex_array(vertices)
         corners = face_array(faces, len(points))
         self._shared = _native.SharedMesh(points, corners, cross_non_manifold)
@@ -110,7 +122,7 @@ class Mesh:
         self,
         sources: SurfacePoints,
         initial: ArrayLike | None = ...,
-        limit: float = ...,
+        limit: float | None = ...,
         solver: str = ...,
         *,
         return_nearest: Literal[False] = ...,
@@ -121,7 +133,7 @@ class Mesh:
         self,
         sources: SurfacePoints,
         initial: ArrayLike | None = ...,
-        limit: float = ...,
+        limit: float | None = ...,
         solver: str = ...,
         *,
         return_nearest: Literal[True],
@@ -131,7 +143,7 @@ class Mesh:
         self,
         sources: SurfacePoints,
         initial: ArrayLike | None = None,
-        limit: float = math.inf,
+        limit: float | None = None,
         solver: str = FASTEST,
         *,
         return_nearest: bool = False,
@@ -142,12 +154,12 @@ class Mesh:
         Parameters
         ----------
         sources : (k,) integers, or k points, or one
-            Vertices, and points in faces: `(7, (1, 1, 1))` is the middle of face 7. Any solver
+            Vertices, points in faces, and places: `(7, (1, 1, 1))` is the middle of face 7. Any solver
             takes points in faces; for one that knows vertices only they become vertices of a finer
             mesh at every call.
         initial : (k,) numbers or one number, >= 0, optional
             The distance that each source begins with, in the unit of the coordinates.
-        limit : float
+        limit : float, optional
             Vertices that are farther are not reached; a small limit makes a query fast.
         solver : str
             A name of `solvers()`; all exact ones give the same distances up to rounding.
@@ -175,7 +187,7 @@ class Mesh:
         >>> mesh.distances([2, (0, (1, 1, 0))])
         array([1.5, 1.5, 0. ])
         """
-        points = surface_points(sources, "source", *self._size())
+        points = surface_points(sources, "source", self._surface())
         count = points.vertices.shape
         begin = numbers(0 if initial is None else initial, "initial distances")
         if begin.ndim and begin.shape != count:
@@ -183,10 +195,9 @@ class Mesh:
                 f"initial distances must be one a source: {begin.size} for {count[0]} sources"
             )
         begin = np.broadcast_to(begin, count)
-        name = _configured(solver, parameters)
-        if return_nearest:
-            return _native.distances_and_nearest(self._shared, name, points, begin, limit)
-        return _native.distances(self._shared, name, points, begin, limit)
+        ask = _native.distances_and_nearest if return_nearest else _native.distances
+        farthest = math.inf if limit is None else limit
+        return ask(self._shared, _configured(solver, parameters), points, begin, farthest)
 
     def path(
         self,
@@ -199,8 +210,8 @@ class Mesh:
 
         Parameters
         ----------
-        source, target : an integer, or a pair (integer, three numbers)
-            A vertex, or a point in a face as for `distances`.
+        source, target : an integer, a pair (integer, three numbers), or three numbers
+            A vertex, a point in a face as for `distances`, or a place.
         solver : str
         parameters
             As for `distances`; a solver that remembers paths.
@@ -221,16 +232,87 @@ class Mesh:
         >>> round(mesh.path((0, (0, 1, 1)), 1).length, 6)
         0.5
         """
-        begin = surface_point(source, "source", *self._size())
-        ends = begin.followed_by(surface_point(target, "target", *self._size()))
-        return Path(*_native.path(self._shared, _configured(solver, parameters), ends))
+        end = surface_point(target, "target", self._surface())
+        return self._paths(source, end, solver, parameters)[0]
+
+    def paths(
+        self,
+        source: SurfacePoint,
+        targets: SurfacePoints,
+        solver: str = FASTEST,
+        **parameters: float | str,
+    ) -> list[Path]:
+        """A shortest path to each of some points, by one solve; otherwise as `path`.
+
+        >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+        >>> [path.length for path in mesh.paths(0, [1, 2])]
+        [3.0, 4.0]
+        """
+        ends = surface_points(targets, "target", self._surface())
+        return self._paths(source, ends, solver, parameters)
+
+    def nearest_point(self, places: ArrayLike) -> tuple[Any, Any]:
+        """The points of the surface that are nearest to places in space.
+
+        Parameters
+        ----------
+        places : (3,) or (k, 3) real numbers
+            Looks at every face for each of them.
+
+        Returns
+        -------
+        one point and its distance through space, or a list of k points and (k,) float64
+            A vertex, or a pair of a face and (3,) weights, as `distances` and `path` take them.
+
+        >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+        >>> mesh.nearest_point([3, 0, 0.5])
+        (1, 0.5)
+        >>> (face, weights), distance = mesh.nearest_point([1, 1, 0])
+        >>> face, weights.round(3), distance
+        (0, array([0.417, 0.333, 0.25 ]), 0.0)
+        """
+        given = numbers(places, "places")
+        if given.ndim not in (1, 2) or given.shape[-1] != 3:
+            raise ValueError(f"places must have the shape (3,) or (k, 3), not {given.shape}")
+        found, away = self._nearest(given.reshape(-1, 3))
+        points = [
+            int(vertex) if vertex != OUT_OF_RANGE else (int(face), weights)
+            for vertex, face, weights in zip(*found, strict=True)
+        ]
+        return (points[0], float(away[0])) if given.ndim == 1 else (points, away)
+
+    def _paths(
+        self, source: SurfacePoint, ends: Points, solver: str, parameters: dict[str, float | str]
+    ) -> list[Path]:
+        begin = surface_point(source, "source", self._surface())
+        found = _native.paths(self._shared, _configured(solver, parameters), begin, ends)
+        return [Path(*arrays) for arrays in found]
+
+    def _nearest(self, places: NDArray[np.float64]) -> tuple[Points, NDArray[np.float64]]:
+        *found, away = _native.nearest(self._shared, np.ascontiguousarray(places))
+        return Points(*found), away
+
+    def _surface(self) -> Surface:
+        def nearest(places: NDArray[np.float64], what: str) -> Points:
+            points, away = self._nearest(places)
+            extent = float(np.linalg.norm(np.ptp(self.vertices, axis=0)))
+            if away.size and away.max() > FAR * extent:
+                place = tuple(places[away.argmax()].tolist())
+                warnings.warn(
+                    f"{what} {place} is {away.max():.3g} from the surface, whose nearest point is"
+                    f" taken; the mesh has an extent of {extent:.3g}",
+                    stacklevel=5,
+                )
+            return points
+
+        return Surface(len(self.vertices), len(self.faces), nearest)
 
     def distance_matrix(
         self,
         rows: SurfacePoints,
         columns: SurfacePoints | None = None,
         threads: int = 0,
-        dtype: Literal["float64", "float32"] = "float64",
+        dtype: DTypeLike = "float64",
         limit: float | None = None,
         progress: bool = False,
         solver: str = FASTEST,
@@ -247,7 +329,7 @@ class Mesh:
         threads : int
             Rows that are solved at a time; 0: as many as there are processors. Each thread has a
             solver with its own memory. The matrix is the same for any number.
-        dtype : "float64" or "float32"
+        dtype : float64 or float32
             Of the matrix; solvers always compute in float64.
         limit : float, optional
             Makes the matrix sparse: entries that are farther are not stored.
@@ -274,17 +356,19 @@ class Mesh:
         array([[3. , 2.5],
                [2.5, 0. ]])
         """
-        sources = surface_points(rows, "row", *self._size())
-        targets = None if columns is None else surface_points(columns, "column", *self._size())
+        surface = self._surface()
+        sources = surface_points(rows, "row", surface)
+        targets = None if columns is None else surface_points(columns, "column", surface)
         if not 0 <= operator.index(threads) <= MOST_THREADS:
             raise ValueError(f"threads must be between 0 and {MOST_THREADS}, not {threads}")
-        if dtype not in ("float64", "float32"):
+        if np.dtype(dtype) not in (np.float64, np.float32):
             raise ValueError(f"dtype must be float64 or float32, not {dtype}")
+        is_double = np.dtype(dtype) == np.float64
         what = (self._shared, _configured(solver, parameters), sources, targets)
         workers = threads or os.cpu_count() or 1
         shape = len(sources.vertices), len((targets or self).vertices)
         if limit is None:
-            dense = _native.dense_float64 if dtype == "float64" else _native.dense_float32
+            dense = _native.dense_float64 if is_double else _native.dense_float32
             try:
                 with _bar(shape[0], progress) as show:
                     return dense(*what, workers, show)
@@ -295,13 +379,9 @@ class Mesh:
                 ) from None
         from scipy.sparse import csr_matrix
 
-        sparse = _native.sparse_float64 if dtype == "float64" else _native.sparse_float32
+        sparse = _native.sparse_float64 if is_double else _native.sparse_float32
         with _bar(shape[0], progress) as show:
             return csr_matrix(sparse(*what, limit, workers, show), shape=shape)
-
-    def _size(self) -> tuple[int, int]:
-        """Of vertices and faces."""
-        return len(self.vertices), len(self.faces)
 
     def __repr__(self) -> str:
         return f"Mesh({len(self.vertices)} vertices, {len(self.faces)} faces)"
@@ -329,12 +409,15 @@ def read_mesh(
     ValueError
         When the file cannot be read, or distances on it have no meaning.
 
-    What may surprise, and what was repaired, is a UserWarning.
+    What may surprise, and what was repaired, is one UserWarning.
     """
     mesh = Mesh.__new__(Mesh)
-    mesh._shared, remarks = _native.read(os.fspath(file), repair, cross_non_manifold)
-    for remark in remarks:
-        warnings.warn(f"{os.fspath(file)}: {remark}", stacklevel=2)
+    try:
+        mesh._shared, remarks = _native.read(os.fspath(file), repair, cross_non_manifold)
+    except ValueError as error:
+        raise ValueError(_in_python(str(error))) from None
+    if remarks:
+        warnings.warn(f"{os.fspath(file)}: {'; '.join(remarks)}", stacklevel=2)
     return mesh
 
 
@@ -357,8 +440,33 @@ def solvers() -> dict[str, _native.Solver]:
     return {solver.name: solver for solver in _native.solvers()}
 
 
+def _arrays_of(mesh: Any) -> tuple[Any, Any]:
+    """Of another package's mesh: vertices and faces."""
+    if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
+        return mesh.vertices, mesh.faces
+    if hasattr(mesh, "points") and hasattr(mesh, "cells"):
+        kinds = {block.type for block in mesh.cells}
+        if kinds == {"triangle"}:
+            return mesh.points, np.concatenate([block.data for block in mesh.cells])
+        raise ValueError(f"the mesh has cells of {', '.join(sorted(kinds))}: triangles are needed")
+    raise ValueError(
+        "a mesh is made from vertices and faces, or from one object that has them, or points and"
+        " cells"
+    )
+
+
+def _in_python(message: str) -> str:
+    """A message of the program, with arguments in place of its flags."""
+    for flag in ("--repair", "--cross-non-manifold"):
+        message = message.replace(flag, f"{flag[2:].replace('-', '_')}=True")
+    return message
+
+
 def _configured(solver: str, parameters: dict[str, float | str]) -> str:
     """The solver's name with values of its parameters: "avtp?lambda=32"."""
+    for name in ("radius", "max_distance", "cutoff"):
+        if name in parameters:
+            raise ValueError(f"there is no {name}: a distance to stop at is limit=")
     values = "&".join(f"{key.replace('_', '-')}={value}" for key, value in parameters.items())
     return f"{solver}?{values}" if values else solver
 

@@ -39,6 +39,10 @@ class Results:
 
         self.run = reader.read_run(Path(file))
 
+    def __repr__(self) -> str:
+        solvers, meshes = (len({getattr(row, of) for row in self.run.rows}) for of in ("solver", "mesh"))
+        return f"Results({len(self.run.rows)} rows of {solvers} solvers on {meshes} meshes)"
+
     def to_pandas(self) -> DataFrame:
         """A row a repetition, or one for a cell that failed. The columns of numbers are defined in
         docs/metrics.md; "cpu_time" is in milliseconds."""
@@ -53,7 +57,7 @@ class Results:
 def run(
     out: str | os.PathLike[str],
     executable: str | os.PathLike[str] | None = None,
-    progress: bool = False,
+    progress: bool = True,
     **options: Option,
 ) -> Results:
     """Measures solvers as `geodesic-bench run` does: each is verified before it is timed.

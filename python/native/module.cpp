@@ -27,6 +27,7 @@
 #include "meshes/defects.h"
 #include "meshes/load.h"
 #include "meshes/messages.h"
+#include "meshes/nearest_point.h"
 #include "meshes/row_solver.h"
 #include "meshes/threads.h"
 #include "python/native/background.h"
@@ -217,17 +218,8 @@ py::tuple distances_and_nearest(const SharedMeshPointer& mesh, const std::string
   return py::make_tuple(array_of(std::move(all)), array_of(std::move(nearest)));
 }
 
-/// @param ends the source and the target
-/// @return of the path between them: positions of shape (k, 3), the k - 1 faces between them, and
-///         the length up to each
-py::tuple path(const SharedMeshPointer& mesh, const std::string& solver,
-               const GivenPoints::Arrays& ends) {
-  const Path found = in_background([=, given = GivenPoints(ends)](Task&) {
-    const std::vector<SurfacePoint> points = given.on(mesh->mesh());
-    const Query query{
-        .sources = {{points.at(0), 0}}, .targets = {points.at(1)}, .stop_at_targets = true};
-    return paths_of(mesh, solver, query).to_target(0);
-  });
+/// Of a path: positions of shape (k, 3), the k - 1 faces between them, and the length up to each.
+py::tuple arrays_of(const Path& found) {
   std::vector<double> positions, travelled;
   std::vector<Index> faces;
   for (const PathPoint& each : found.points) {
@@ -238,6 +230,48 @@ py::tuple path(const SharedMeshPointer& mesh, const std::string& solver,
   const auto count = static_cast<py::ssize_t>(found.points.size());
   return py::make_tuple(array_of(std::move(positions), {count, 3}), array_of(std::move(faces)),
                         array_of(std::move(travelled)));
+}
+
+/// @return arrays_of the path to each target
+py::list paths(const SharedMeshPointer& mesh, const std::string& solver,
+               const GivenPoints::Arrays& source, const GivenPoints::Arrays& targets) {
+  const std::vector<Path> found =
+      in_background([=, from = GivenPoints(source), to = GivenPoints(targets)](Task&) {
+        const Query query{.sources = {{from.on(mesh->mesh()).at(0), 0}},
+                          .targets = to.on(mesh->mesh()),
+                          .stop_at_targets = to.size() > 0};
+        const Paths all = paths_of(mesh, solver, query);
+        std::vector<Path> each;
+        for (std::size_t i = 0; i < to.size(); ++i) each.push_back(all.to_target(i));
+        return each;
+      });
+  py::list listed;
+  for (const Path& each : found) listed.append(arrays_of(each));
+  return listed;
+}
+
+/// The nearest points of the surface, as GivenPoints has them, and how far they are.
+py::tuple nearest(const SharedMeshPointer& mesh, const Array<double>& places) {
+  struct Nearest {
+    std::vector<Index> vertices, faces;
+    std::vector<double> weights, distances;
+  };
+  Nearest found = in_background([=, given = rows_of(places)](Task& task) {
+    Nearest all;
+    for (const Vec3& place : given) {
+      task.throw_if_abandoned();
+      const NearestPoint each = nearest_point(mesh->mesh(), place);
+      all.vertices.push_back(each.at.vertex);
+      all.faces.push_back(each.at.is_vertex() ? 0 : each.at.face);
+      all.weights.insert(all.weights.end(), each.at.weights.begin(), each.at.weights.end());
+      all.distances.push_back(each.distance);
+    }
+    return all;
+  });
+  const auto count = static_cast<py::ssize_t>(found.vertices.size());
+  return py::make_tuple(array_of(std::move(found.vertices)), array_of(std::move(found.faces)),
+                        array_of(std::move(found.weights), {count, 3}),
+                        array_of(std::move(found.distances)));
 }
 
 /// Distances from each of some sources by itself, in the order of both; all vertices are columns
@@ -406,12 +440,14 @@ PYBIND11_MODULE(_native, module) {
                              [](const Description& d) { return d.exactness == Exactness::exact; })
       .def("__repr__", [](const Description& d) { return "<" + d.name + ": " + d.paper + ">"; });
 
+  module.attr("__version__") = GEODESIC_VERSION;
   module.def("read", &read);
   module.def("defects", &defects);
   module.def("solvers", &registered_solvers, py::return_value_policy::reference);
   module.def("distances", &distances);
   module.def("distances_and_nearest", &distances_and_nearest);
-  module.def("path", &path);
+  module.def("nearest", &nearest);
+  module.def("paths", &paths);
   define_matrices<double>(module);
   define_matrices<float>(module);
 }

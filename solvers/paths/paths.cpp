@@ -581,28 +581,33 @@ double Paths::distance_in_face(const SurfacePoint& own) const {
   return most < farthest_ ? most : kInfinity;
 }
 
+/// @param point in internal numbers
+[[noreturn]] static void throw_unreached(const Mesh& mesh, const SurfacePoint& point) {
+  const MeshNumbers& numbers = mesh.numbers();
+  throw std::invalid_argument(
+      "no path leads to " +
+      (point.is_vertex()
+           ? "vertex " + std::to_string(numbers.external_vertex(point.vertex))
+           : "the point in face " + std::to_string(numbers.external_face(point.face))));
+}
+
 Path Paths::to_point(const SurfacePoint& point) const {
   if (point.is_vertex()) return to_vertex(point.vertex);
   const double distance = distance_at(point);
-  if (distance == kInfinity) {
-    throw std::invalid_argument("no path leads to the point in face " + std::to_string(point.face));
-  }
-  return Trace(*this).run(in_internal_numbers(mesh_, point), distance, {});
+  const SurfacePoint own = in_internal_numbers(mesh_, point);
+  if (distance == kInfinity) throw_unreached(mesh_, own);
+  return Trace(*this).run(own, distance, {});
 }
 
 Path Paths::to_vertex(Index v) const {
   const Index own = internal_vertex(v);
-  if (distances_[v] == kInfinity) {
-    throw std::invalid_argument("no path leads to vertex " + std::to_string(v));
-  }
+  if (distances_[v] == kInfinity) throw_unreached(mesh_, own);
   return Trace(*this).run(SurfacePoint(own), distances_[v], last_segments_[own]);
 }
 
 Path Paths::to_target(std::size_t i) const {
   const AtTarget& target = targets_.at(i);
-  if (target.distance == kInfinity) {
-    throw std::invalid_argument("no path leads to target " + std::to_string(i));
-  }
+  if (target.distance == kInfinity) throw_unreached(mesh_, query_.targets[i]);
   return Trace(*this).run(query_.targets[i], target.distance, target.last_segment);
 }
 

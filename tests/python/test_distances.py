@@ -7,6 +7,7 @@ import random
 import subprocess
 import threading
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -218,3 +219,32 @@ def test_a_thousand_queries_and_meshes_do_not_make_the_process_grow() -> None:
     before = resident_bytes()
     ask(1000)
     assert resident_bytes() - before < 10e6
+
+
+def test_a_mesh_of_another_package_is_taken_as_it_is(ground: Arrays) -> None:
+    vertices, faces = ground
+    expected = gb.Mesh(vertices, faces).distances(0)
+    blocks = [SimpleNamespace(type="triangle", data=part) for part in np.array_split(faces, 2)]
+    for other in (
+        SimpleNamespace(vertices=vertices, faces=faces),
+        SimpleNamespace(points=vertices, cells=blocks),
+    ):
+        np.testing.assert_array_equal(gb.Mesh(other).distances(0), expected)
+    quads = SimpleNamespace(points=vertices, cells=[SimpleNamespace(type="quad", data=faces)])
+    with pytest.raises(ValueError, match="the mesh has cells of quad: triangles are needed"):
+        gb.Mesh(quads)
+    with pytest.raises(ValueError, match="a mesh is made from vertices and faces"):
+        gb.Mesh(vertices)
+
+
+def test_several_threads_answer_one_source(ground: Arrays) -> None:
+    mesh = gb.Mesh(*ground)
+    regional = mesh.distances(3, threads=3, region_size=20)
+    np.testing.assert_allclose(regional, mesh.distances(3), rtol=1e-14)
+
+
+def test_a_limit_of_none_is_none(ground: Arrays) -> None:
+    mesh = gb.Mesh(*ground)
+    np.testing.assert_array_equal(mesh.distances(0, limit=None), mesh.distances(0))
+    single = mesh.distance_matrix([0], dtype=np.float32)
+    assert single.dtype == np.float32

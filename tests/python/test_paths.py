@@ -55,5 +55,15 @@ def test_the_nearest_source_is_that_of_the_least_row(ground: Arrays) -> None:
 
 def test_no_path_is_an_error() -> None:
     mesh = gb.Mesh(np.vstack([np.eye(3), np.eye(3) + 5]), [[0, 1, 2], [3, 4, 5]])
-    with pytest.raises(ValueError, match="no path leads to target 0"):
+    with pytest.raises(ValueError, match="no path leads to vertex 4"):
         mesh.path(0, 4)
+
+
+def test_paths_to_many_targets_are_those_to_each_by_one_solve(ground: Arrays) -> None:
+    mesh = gb.Mesh(*ground)
+    targets = [100, (3, (1, 1, 1)), 0]
+    for path, target in zip(mesh.paths(5, targets), targets, strict=True):
+        alone = mesh.path(5, target)
+        np.testing.assert_array_equal(path.points, alone.points)
+        assert path.length == alone.length
+    assert mesh.paths(5, []) == []

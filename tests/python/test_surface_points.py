@@ -112,6 +112,7 @@ def test_one_point_is_a_list_of_it(ground: Arrays) -> None:
     np.testing.assert_array_equal(mesh.distances(corner), mesh.distances(ground[1][3][2]))
 
 
+NO_POINT = "a source must be a vertex, a face and three weights, or a place in space"
 WEIGHTS = "the weights of a source must be finite, none negative, and not all 0, not "
 
 
@@ -119,9 +120,9 @@ WEIGHTS = "the weights of a source must be finite, none negative, and not all 0,
     ("source", "message"),
     [
         (144, "source vertex 144 is not in the mesh of 144 vertices"),
-        ([1, 2, 3], "a source must be a vertex, or a face and three weights"),
-        (np.array([1, 2]), "a source must be a vertex, or a face and three weights"),
-        ((1, (0.5, 0.5)), "a source must be a vertex, or a face and three weights"),
+        ([1, 2], NO_POINT),
+        (np.array([1, 2]), NO_POINT),
+        ((1, (0.5, 0.5)), NO_POINT),
         ((-1, (1, 1, 1)), "source face -1 is not in the mesh of 242 faces"),
         ((242, (1, 1, 1)), "source face 242 is not in the mesh of 242 faces"),
         ((1, (0, 0, 0)), f"{WEIGHTS}(0.0, 0.0, 0.0)"),
@@ -143,3 +144,35 @@ def test_a_point_that_is_none_is_refused(ground: Arrays, source: object, message
             ask([7, source] if isinstance(source, tuple) else source)
         what = "source" if ask.__name__ == "distances" else "row"
         assert str(refusal.value) == message.replace("source", what)
+
+
+def test_a_place_is_the_nearest_point_wherever_points_are(ground: Arrays) -> None:
+    mesh = gb.Mesh(*ground)
+    chance = np.random.default_rng(3)
+    corners = mesh.vertices[mesh.faces[chance.integers(len(mesh.faces), size=5)]]
+    places = np.einsum("ijk,ij->ik", corners, chance.dirichlet([1, 1, 1], size=5))
+    points, away = mesh.nearest_point(places)
+    assert away.shape == (5,) and away.max() < 1e-12
+    for place, point in zip(places, points, strict=True):
+        np.testing.assert_array_equal(mesh.distances(place), mesh.distances([point]))
+        np.testing.assert_array_equal(mesh.distances([place, 3]), mesh.distances([point, 3]))
+        assert mesh.path(tuple(place), points[0]).length == mesh.path(point, points[0]).length
+    rows = mesh.distance_matrix(places, columns=places)
+    np.testing.assert_array_equal(rows, mesh.distance_matrix(points, columns=points))
+    path = mesh.path(places[0].tolist(), places[1].tolist())
+    np.testing.assert_allclose(path.points[[0, -1]], places[:2], atol=1e-12)
+
+
+def test_the_nearest_point_of_one_place_is_one_point(ground: Arrays) -> None:
+    mesh = gb.Mesh(*ground)
+    point, away = mesh.nearest_point(mesh.vertices[7] + [0, 0, 0])
+    assert (point, away) == (7, 0.0)
+    with pytest.raises(ValueError, match=r"places must have the shape \(3,\) or \(k, 3\), not \(2,\)"):
+        mesh.nearest_point([1, 2])
+
+
+def test_a_place_far_from_the_surface_warns_with_its_distance() -> None:
+    mesh = gb.Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+    with pytest.warns(UserWarning, match=r"source \(1.0, 1.0, 2.0\) is 2 from the surface") as warned:
+        assert mesh.path((1, 1, 2), 0).length == pytest.approx(2**0.5)
+    assert warned[0].filename == __file__
