@@ -50,6 +50,7 @@ class PointParser {
     do {
       points.push_back(point());
     } while (take(","));
+    skip_blanks();
     if (!rest_.empty()) refuse();
     return points;
   }
@@ -87,7 +88,8 @@ class PointParser {
       point.elements[0] = index();
     }
     if (take("+")) point.initial = number();
-    point.text = where_ + ' ' + std::string(begin_.substr(0, begin_.size() - rest_.size()));
+    const std::string_view read = begin_.substr(0, begin_.size() - rest_.size());
+    point.text = where_ + ' ' + std::string(read.substr(0, read.find_last_not_of(' ') + 1));
     check(point);
     return point;
   }
@@ -99,7 +101,9 @@ class PointParser {
     }
   }
 
+  void skip_blanks() { rest_.remove_prefix(std::min(rest_.find_first_not_of(' '), rest_.size())); }
   bool take(std::string_view word) {
+    skip_blanks();
     if (!rest_.starts_with(word)) return false;
     rest_.remove_prefix(word.size());
     return true;
@@ -110,6 +114,7 @@ class PointParser {
 
   template <class Number>
   Number parsed() {
+    skip_blanks();
     Number value{};
     const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
     if (error == std::errc::result_out_of_range) refuse("has a number that is too large");

@@ -43,7 +43,8 @@ SurfacePoints = ArrayLike | SurfacePoint | Sequence[SurfacePoint]
 numbers are vertices."""
 
 FAR = 0.01
-"""A place that is farther from the surface than this part of its extent gives a warning."""
+"""A place that is farther from the surface than this part of the mesh's longest side gives a warning:
+it was probably meant in other units or axes."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -195,9 +196,11 @@ class Mesh:
                 f"initial distances must be one a source: {begin.size} for {count[0]} sources"
             )
         begin = np.broadcast_to(begin, count)
-        ask = _native.distances_and_nearest if return_nearest else _native.distances
+        name = _configured(solver, parameters)
         farthest = math.inf if limit is None else limit
-        return ask(self._shared, _configured(solver, parameters), points, begin, farthest)
+        if return_nearest:
+            return _native.distances_and_nearest(self._shared, name, points, begin, farthest)
+        return _native.distances(self._shared, name, points, begin, farthest)
 
     def path(
         self,
@@ -289,18 +292,18 @@ class Mesh:
         return [Path(*arrays) for arrays in found]
 
     def _nearest(self, places: NDArray[np.float64]) -> tuple[Points, NDArray[np.float64]]:
-        *found, away = _native.nearest(self._shared, np.ascontiguousarray(places))
-        return Points(*found), away
+        vertices, faces, weights, away = _native.nearest(self._shared, np.ascontiguousarray(places))
+        return Points(vertices, faces, weights), away
 
     def _surface(self) -> Surface:
         def nearest(places: NDArray[np.float64], what: str) -> Points:
             points, away = self._nearest(places)
-            extent = float(np.linalg.norm(np.ptp(self.vertices, axis=0)))
+            extent = float(np.ptp(self.vertices, axis=0).max())
             if away.size and away.max() > FAR * extent:
                 place = tuple(places[away.argmax()].tolist())
                 warnings.warn(
                     f"{what} {place} is {away.max():.3g} from the surface, whose nearest point is"
-                    f" taken; the mesh has an extent of {extent:.3g}",
+                    f" taken; the longest side of the mesh is {extent:.3g}",
                     stacklevel=5,
                 )
             return points

@@ -266,6 +266,7 @@ TEST_F(CommandLine, PointsMayBeWrittenInEveryFormAndPlace) {
     return sources({"--sources-file", write("points", text).string()});
   };
   EXPECT_EQ(sources({"--source", "0,edge:1-2:0.25,1+0.5"}), expected);
+  EXPECT_EQ(sources({"--source", " 0, edge: 1 - 2 : 0.25 , 1 + 0.5 "}), expected);
   EXPECT_EQ(sources({"--source", "0", "--source", "edge:2-1:0.75", "--source", "1+0.5"}), expected);
   EXPECT_EQ(in_file("0 \"edge:1-2:0.25\"\n1+0.5\n"), expected);
   EXPECT_EQ(in_file(R"([0, "edge:1-2:0.25", {"vertex": 1, "initial": 0.5}])"), expected);
@@ -285,6 +286,7 @@ TEST_F(CommandLine, DistancesAtTargetsAreThoseOfThePointsWhateverTheSolverTakes)
     EXPECT_NEAR(targets[1].at("distance").get<double>(), 0.5, 1e-15);
     EXPECT_EQ(printed.at("places")[0].at("point"), targets[2].at("point").dump());
     EXPECT_GT(printed.at("places")[0].at("distance_to_surface").get<double>(), 7);
+    expect_words(output.err, {"--target at:9,0,0 is ", " from the surface, whose nearest point"});
   }
 }
 
