@@ -1,5 +1,6 @@
 #include "solvers/core/instruction_set.h"
 
+#define HWY_DISABLED_TARGETS HWY_AVX3_DL  // here it is AVX-512, as in the kernels
 #include <hwy/targets.h>
 
 #include <atomic>
@@ -25,8 +26,7 @@ constexpr Traits traits_of(InstructionSet set) {
 }
 
 // Compiler flags such as -march=native make another set what everything is compiled for.
-constexpr InstructionSet kStatic = HWY_STATIC_TARGET == HWY_AVX3 || HWY_STATIC_TARGET == HWY_AVX3_DL
-                                       ? InstructionSet::avx512
+constexpr InstructionSet kStatic = HWY_STATIC_TARGET == HWY_AVX3   ? InstructionSet::avx512
                                    : HWY_STATIC_TARGET == HWY_AVX2 ? InstructionSet::avx2
                                                                    : InstructionSet::plain;
 

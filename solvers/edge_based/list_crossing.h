@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <span>
+#include <type_traits>
 
 #include "solvers/core/recorders.h"
 #include "solvers/core/window_bound.h"
@@ -64,10 +65,11 @@ class ListCrossing {
   template <class Wavefront>
   void cross(Index h, Wavefront& wavefront) {
     auto& recorder = wavefront.recorder();
+    using Recorder = std::remove_cvref_t<decltype(recorder)>;
     gather_and_trim(h, recorder);
     if (batch_.count == 0) return;
     budget_.spend(batch_.count);
-    if constexpr (recorder.kRemembers) hand_over(h, recorder);
+    if constexpr (Recorder::kRemembers) hand_over(h, recorder);
 
     const FaceFrame face = face_frame(mesh_, h);
     const ApexWinner winner = kernels_.classify(batch_, face);
@@ -75,7 +77,7 @@ class ListCrossing {
       wavefront.arrive(mesh_.apex(h), winner.distance, [&] { return last_segment(h, winner); });
     }
     const Sides sides = choose_sides(winner, face, recorder);
-    if constexpr (recorder.kRecords) count(sides, recorder);
+    if constexpr (Recorder::kRecords) count(sides, recorder);
 
     const Index left = Mesh::previous(h), right = Mesh::next(h);
     if (winner.any_left && mesh_.twin(left) != kNone) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -79,6 +80,7 @@ class MergedCrossing {
   template <class Wavefront>
   void cross(Index h, Wavefront& wavefront) {
     auto& recorder = wavefront.recorder();
+    using Recorder = std::remove_cvref_t<decltype(recorder)>;
     gather(h, recorder);
     if (lines_.empty()) return;
     budget_.spend(lines_.size());
@@ -89,7 +91,7 @@ class MergedCrossing {
       Line& line = lines_.back();
       find_sides(line, face);
       if (line.left && line.right) reach_apex(h, line, wavefront);
-      if constexpr (recorder.kRecords) count(line, recorder);
+      if constexpr (Recorder::kRecords) count(line, recorder);
       if (line.left && mesh_.twin(left) != kNone) go_left(left, face, line, false, wavefront);
       if (line.right && mesh_.twin(right) != kNone) go_right(right, face, line, false, wavefront);
       return;
@@ -104,7 +106,7 @@ class MergedCrossing {
       reach_apex(h, *best, wavefront);
       drop_crossing(*best, face);
     }
-    if constexpr (recorder.kRecords) {
+    if constexpr (Recorder::kRecords) {
       for (const Line& line : lines_) count(line, recorder);
     }
     if (mesh_.twin(left) != kNone) {

@@ -151,8 +151,7 @@ void link_copies(std::vector<Region>& regions) {
   for (Region& region : regions) {
     std::vector<Index>& neighbours = region.neighbours;
     std::ranges::sort(neighbours);
-    const auto doubles = std::ranges::unique(neighbours);
-    neighbours.erase(doubles.begin(), doubles.end());
+    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
   }
 }
 

@@ -12,7 +12,7 @@ namespace {
 std::vector<const Description*> solvers_and_regional_one() {
   std::vector<const Description*> solvers = registered_solvers();
   if (find_solver("edge-based") == nullptr) return solvers;
-  solvers.push_back(&solver_named("edge-based?threads=3&region-size=20"));
+  solvers.push_back(&solver_named("edge-based?threads=2&region-size=20"));
   return solvers;
 }
 
