@@ -1,4 +1,6 @@
 // Faces cut into smaller ones. Old vertices keep their order.
+#include <cstddef>  // which OpenMesh's header needs, and does not include
+
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
 #include <algorithm>
 

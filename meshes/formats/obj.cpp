@@ -34,7 +34,7 @@ bool contains(const Words& words, std::string_view word) {
 class ObjParser {
  public:
   ObjParser(std::string_view text, const std::string& name)
-      : reader_(text, name, {.comment = '#', .continuations = true}), name_(name) {
+      : reader_(text, name, {.comment = '#', .continuations = true}) {
     file_.format = "OBJ";
   }
 
@@ -110,7 +110,6 @@ class ObjParser {
   }
 
   TextReader reader_;
-  const std::string& name_;
   MeshFile file_;
   Polygons polygons_;
   std::map<std::string, std::size_t> ignored_;
