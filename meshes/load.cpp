@@ -10,18 +10,6 @@
 namespace geodesic {
 namespace {
 
-std::string list_errors(const DefectReport& report, NonManifoldEdges non_manifold_edges) {
-  std::string text;
-  for (const Defect& defect : report.defects) {
-    if (type_of(defect.kind).severity != Severity::error) continue;
-    const bool of_edges = defect.kind == DefectKind::non_manifold_edge ||
-                          defect.kind == DefectKind::inconsistent_orientation;
-    if (of_edges && non_manifold_edges == NonManifoldEdges::crossed) continue;
-    text += (text.empty() ? "" : "; ") + defect.text();
-  }
-  return text;
-}
-
 LoadedMesh load_mesh(MeshFile file, DefectReport defects, const std::string& name,
                      const LoadOptions& options) {
   LoadedMesh mesh;
@@ -40,12 +28,24 @@ LoadedMesh load_mesh(MeshFile file, DefectReport defects, const std::string& nam
 
 }  // namespace
 
+std::string list_errors(const DefectReport& report, NonManifoldEdges non_manifold_edges) {
+  std::string text;
+  for (const Defect& defect : report.defects) {
+    if (type_of(defect.kind).severity != Severity::error) continue;
+    const bool of_edges = defect.kind == DefectKind::non_manifold_edge ||
+                          defect.kind == DefectKind::inconsistent_orientation;
+    if (of_edges && non_manifold_edges == NonManifoldEdges::crossed) continue;
+    text += (text.empty() ? "" : "; ") + defect.text();
+  }
+  return text;
+}
+
 void require_measurable(const TriangleSoup& soup, const DefectReport& defects,
                         const std::string& name, const LoadOptions& options) {
   const std::string errors = list_errors(defects, options.non_manifold_edges);
   if (!errors.empty() && !options.repair) {
     throw MeshError(name + ": distances would be meaningless: " + errors +
-                    "; correct the file or use --repair");
+                    "; correct the file or use " + options.repair_option);
   }
   if (soup.triangles.empty()) throw MeshError(name + ": no usable face is left: " + errors);
   try {

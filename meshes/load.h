@@ -18,6 +18,7 @@ struct LoadOptions {
   /// crossed: non-manifold edges, and edges between inconsistently oriented faces, are no errors.
   /// Where a repair cuts them, no such edge is left.
   NonManifoldEdges non_manifold_edges = NonManifoldEdges::cut;
+  std::string repair_option = "--repair";  ///< how users ask for a repair, for messages
 };
 
 struct LoadedMesh {
@@ -44,6 +45,10 @@ struct BuiltMesh {
 
 /// As `load_mesh`, and builds the mesh: while another thread looks for defects.
 BuiltMesh build_mesh(const std::filesystem::path& path, const LoadOptions& options = {});
+
+/// The errors among the defects, in one line; empty without any.
+/// @param non_manifold_edges as of LoadOptions
+std::string list_errors(const DefectReport& report, NonManifoldEdges non_manifold_edges);
 
 /// Refuses what solvers should not be given.
 /// @param soup after the repair, if any

@@ -73,7 +73,7 @@ NearestPoint nearest_point(const Mesh& mesh, const Vec3& place) {
   if (nearest.face == kNone) {
     throw std::invalid_argument(mesh.face_count() == 0
                                     ? "a mesh without faces has no surface"
-                                    : "a place in space is too far place the mesh");
+                                    : "a place in space is too far from the mesh");
   }
   return {point_in_face(mesh, mesh.numbers().external_face(nearest.face), nearest.weights),
           std::sqrt(nearest.square)};

@@ -14,14 +14,6 @@ from geodesic_bench.mesh import Mesh, Path, defects, read_mesh, solvers
 from geodesic_bench.program import Results, run
 
 __all__ = [
-    "Defect",
-    "Mesh",
-    "Path",
-    "Results",
-    "Solver",
-    "__version__",
-    "defects",
-    "read_mesh",
-    "run",
+    "Defect", "Mesh", "Path", "Results", "Solver", "__version__", "defects", "read_mesh", "run",
     "solvers",
-]
+]  # fmt: skip

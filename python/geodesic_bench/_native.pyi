@@ -9,15 +9,12 @@ from numpy.typing import NDArray
 _Indices = NDArray[np.uint32]
 _Progress = Callable[[int], None] | None
 _Points = tuple[_Indices, _Indices, NDArray[np.float64]]
-"""Of vertices, faces and weights: arrays.Points."""
+"""arrays.Points."""
 _Compressed = tuple[NDArray[np.floating[Any]], NDArray[np.int64], NDArray[np.int64]]
 
 __version__: str
 
 class SharedMesh:
-    def __init__(
-        self, vertices: NDArray[np.float64], faces: _Indices, cross_non_manifold: bool
-    ) -> None: ...
     @property
     def vertices(self) -> NDArray[np.float64]: ...
     @property
@@ -55,11 +52,18 @@ class Solver:
         """False: distances are upper bounds."""
     @property
     def remarks(self) -> str: ...
+    @property
+    def parameters(self) -> list[str]:
+        """The keyword arguments of a query that are the solver's own."""
 
+def mesh(
+    vertices: NDArray[np.float64], faces: _Indices, cross_non_manifold: bool
+) -> tuple[SharedMesh, str]: ...
 def read(
     file: str, repair: bool, cross_non_manifold: bool
 ) -> tuple[SharedMesh, list[str]]: ...
 def defects(mesh: SharedMesh) -> list[Defect]: ...
+def unknown_name(kind: str, name: str, known: list[str]) -> str: ...
 def solvers() -> list[Solver]: ...
 def distances(
     mesh: SharedMesh, solver: str, sources: _Points, initial: NDArray[np.float64], limit: float
@@ -70,7 +74,7 @@ def distances_and_nearest(
 def paths(
     mesh: SharedMesh, solver: str, source: _Points, targets: _Points
 ) -> list[tuple[NDArray[np.float64], _Indices, NDArray[np.float64]]]: ...
-def nearest(
+def nearest_points(
     mesh: SharedMesh, places: NDArray[np.float64]
 ) -> tuple[_Indices, _Indices, NDArray[np.float64], NDArray[np.float64]]: ...
 def dense_float64(

@@ -3,14 +3,14 @@ or refused with one sentence."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-OUT_OF_RANGE = np.uint32(2**32 - 1)
-"""Is not a vertex of any mesh."""
+NONE = np.uint32(2**32 - 1)
+"""Is not a vertex or face of any mesh."""
 
 
 def vertex_array(vertices: ArrayLike) -> NDArray[np.float64]:
@@ -21,127 +21,133 @@ def vertex_array(vertices: ArrayLike) -> NDArray[np.float64]:
 def face_array(faces: ArrayLike, vertices: int) -> NDArray[np.uint32]:
     """Of shape (m, 3), m > 0."""
     array = _rows_of_three(_integers(faces, "faces"), "faces")
-    if not array.size:
-        raise ValueError("a mesh needs at least one face")
+    if not array.size or not vertices:
+        raise ValueError("a mesh needs at least one vertex and one face")
     outside = (array < 0) | (array >= vertices)
     if outside.any():
-        face, corner = divmod(int(outside.argmax()), 3)
-        raise ValueError(
-            f"face {face} names vertex {array[face, corner]}, and the mesh has {vertices} vertices,"
-            " counted from 0"
-            + (": these faces count from 1" if array.min() == 1 and array.max() == vertices else "")
-        )
+        face, corner = np.argwhere(outside)[0]
+        raise _not_in_mesh(f"face {face}: vertex", array[face, corner], vertices, "vertices")
     return array.astype(np.uint32, order="C")
+
+
+def arrays_of(mesh: Any) -> tuple[Any, Any]:
+    """The vertices and faces of an object of another package."""
+    if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
+        return mesh.vertices, mesh.faces
+    if not (hasattr(mesh, "points") and hasattr(mesh, "cells")):
+        raise ValueError(
+            "a mesh is vertices and faces, or an object that has them, or points and cells;"
+            " read_mesh reads files"
+        )
+    if not all(hasattr(block, "type") for block in mesh.cells):
+        return mesh.points, mesh.cells
+    blocks = [block for block in mesh.cells if block.type not in ("vertex", "line")]
+    for block in blocks:
+        if block.type != "triangle":
+            raise ValueError(f"cells must be triangles, not {block.type}")
+    return mesh.points, np.concatenate([np.zeros((0, 3), np.int64)] + [b.data for b in blocks])
 
 
 class Points(NamedTuple):
     """Points of a surface, k of them."""
 
     vertices: NDArray[np.uint32]
-    """(k,): OUT_OF_RANGE for a point in a face."""
+    """(k,): NONE for another point."""
     faces: NDArray[np.uint32]
-    """(k,): 0 for a vertex."""
+    """(k,): 0 for a vertex, NONE for a place in space."""
     weights: NDArray[np.float64]
-    """(k, 3): of the corners of the face."""
+    """(k, 3): of the corners of the face, or the coordinates of the place."""
 
 
-class Surface(NamedTuple):
-    """What points must lie on."""
-
-    vertices: int
-    faces: int
-    """How many there are."""
-    nearest: Callable[[NDArray[np.float64], str], Points]
-    """The nearest points to places in space, of shape (k, 3); told what they are."""
-
-
-def surface_points(values: object, what: str, on: Surface) -> Points:
+def surface_points(values: Any, what: str, vertices: int, faces: int) -> Points:
     """One point, or a list of them.
 
     @param what they are: "source"
-    """
+    @param vertices, faces of the mesh"""
     if _names_a_face(values):
-        return _point_in_face(values, what, on.faces)
-    places = _places(values)
-    if places is not None:
-        return on.nearest(places, what)
-    if isinstance(values, tuple | list) and any(_is_no_vertex(each) for each in values):
-        points = [surface_point(each, what, on) for each in values]
-        return Points(*(np.concatenate(arrays) for arrays in zip(*points, strict=True)))
-    given = _vertex_indices(values, what, on.vertices)  # type: ignore[arg-type]
+        face, weights = _face_and_weights(values, what, faces)
+        return Points(np.array([NONE]), np.array([face], np.uint32), weights.reshape(1, 3))
+    if isinstance(values, tuple | list):
+        nested = [isinstance(value, _LISTED) for value in values]
+        if any(nested) and not all(nested) or any(map(_names_a_face, values)):
+            each = [surface_point(value, what, vertices, faces) for value in values]
+            return Points(
+                np.concatenate([point.vertices for point in each]),
+                np.concatenate([point.faces for point in each]),
+                np.concatenate([point.weights for point in each]),
+            )
+    array = _array(values, f"{what} vertices", "integers")
+    if array.dtype.kind == "f" and array.ndim in (1, 2) and array.shape[-1] == 3:
+        none = np.full(array.size // 3, NONE)
+        return Points(none, none, array.reshape(-1, 3).astype(np.float64))
+    given = _vertex_indices(array, what, vertices)
     return Points(given, np.zeros(len(given), np.uint32), np.zeros((len(given), 3)))
 
 
-def surface_point(value: object, what: str, on: Surface) -> Points:
+def surface_point(value: object, what: str, vertices: int, faces: int) -> Points:
     """One point; otherwise as surface_points."""
-    places = _places([value])
-    if places is not None:
-        return on.nearest(places, what)
-    point = surface_points(value, what, on)
+    point = surface_points(value, what, vertices, faces)
     if len(point.vertices) != 1:
         raise ValueError(_NO_POINT.format(what))
     return point
 
 
-_NO_POINT = "a {} must be a vertex, a face and three weights, or a place in space"
-
-
-def _places(values: object) -> NDArray[np.float64] | None:
-    """Of shape (k, 3); none where the values are no coordinates. Three whole numbers are
-    vertices."""
-    try:
-        array = np.asarray(values)
-    except (ValueError, TypeError):
-        return None
-    if array.shape == (3,) and array.dtype.kind == "f":
-        array = array[np.newaxis]
-    if array.dtype.kind not in "iuf" or array.ndim != 2 or array.shape[1] != 3:
-        return None
-    return array.astype(np.float64, order="C", copy=False)
-
-
-def _is_no_vertex(point: object) -> bool:
-    return _names_a_face(point) or _places([point]) is not None
+_NO_POINT = "a {} must be a vertex, a face and three weights, or a place of three floats"
+_LISTED = (tuple, list, np.ndarray)
 
 
 def _names_a_face(point: object) -> bool:
     """Whether it is a pair of a face and weights, right or wrong."""
-    listed = (tuple, list, np.ndarray)
     return (
         isinstance(point, tuple | list)
         and len(point) == 2
-        and not isinstance(point[0], listed)
-        and isinstance(point[1], listed)
+        and not isinstance(point[0], _LISTED)
+        and isinstance(point[1], _LISTED)
         and not _names_a_face(point[1])
     )
 
 
-def _point_in_face(point: Any, what: str, faces: int) -> Points:
+def _face_and_weights(point: Any, what: str, faces: int) -> tuple[int, NDArray[np.float64]]:
     face = _integers(point[0], f"the face of a {what}")
     weights = numbers(point[1], f"the weights of a {what}")
     if face.ndim or weights.shape != (3,):
         raise ValueError(_NO_POINT.format(what))
     if not 0 <= face < faces:
-        raise ValueError(f"{what} face {face} is not in the mesh of {faces} faces")
+        raise _not_in_mesh(f"{what} face", face, faces, "faces")
     if not (np.isfinite(weights).all() and weights.min() >= 0 and weights.any()):
         raise ValueError(
             f"the weights of a {what} must be finite, none negative, and not all 0,"
             f" not {tuple(weights.tolist())}"
         )
-    return Points(np.array([OUT_OF_RANGE]), np.array([face], np.uint32), weights[np.newaxis])
+    return int(face), weights
 
 
 def _vertex_indices(values: ArrayLike, what: str, vertices: int) -> NDArray[np.uint32]:
     """Of shape (k,)."""
     array = _integers(values, f"{what} vertices")
     if array.ndim > 1:
-        raise ValueError(f"{what} vertices must be a list of indices, not of shape {array.shape}")
+        raise ValueError(
+            f"{what} vertices must be a list of indices, not of shape {array.shape};"
+            " coordinates of places must be floats"
+        )
     array = array.reshape(-1)
     outside = (array < 0) | (array >= vertices)
     if outside.any():
-        index = array[outside.argmax()]
-        raise ValueError(f"{what} vertex {index} is not in the mesh of {vertices} vertices")
+        raise _not_in_mesh(f"{what} vertex", array[outside.argmax()], vertices, "vertices")
     return array.astype(np.uint32)
+
+
+def _not_in_mesh(name: str, index: Any, count: int, kind: str) -> ValueError:
+    return ValueError(
+        f"{name} {index} is not in the mesh of {count} {kind}, numbered from 0 to {count - 1}"
+    )
+
+
+def number(value: Any, what: str) -> float:
+    array = _array(value, what, "numbers")
+    if array.ndim or array.dtype.kind not in "iuf":
+        raise ValueError(f"{what} must be a number, not {value!r}")
+    return float(array)
 
 
 def numbers(values: ArrayLike, what: str) -> NDArray[np.float64]:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import inspect
 import math
-import operator
 import os
 import warnings
 from collections.abc import Callable, Iterator, Sequence
@@ -17,10 +17,11 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from geodesic_bench import _native
 from geodesic_bench.arrays import (
-    OUT_OF_RANGE,
+    NONE,
     Points,
-    Surface,
+    arrays_of,
     face_array,
+    number,
     numbers,
     surface_point,
     surface_points,
@@ -33,18 +34,26 @@ if TYPE_CHECKING:
 FASTEST = "edge-based"
 MOST_THREADS = 1024
 
-SurfacePoint = int | tuple[int, ArrayLike] | ArrayLike
-"""A vertex; a point in a face: the face and a weight of each of its corners, which are divided by
-their sum, one of them 0 on an edge; or a place in space, three coordinates, which stands for the
-nearest point of the surface."""
+OF_OTHER_PACKAGES = {
+    "cutoff": "limit",
+    "max_dist": "limit",
+    "max_distance": "limit",
+    "maxdist": "limit",
+    "n_jobs": "threads",
+    "num_threads": "threads",
+    "radius": "limit",
+    "workers": "threads",
+}
+"""Arguments elsewhere, and what is meant."""
 
-SurfacePoints = ArrayLike | SurfacePoint | Sequence[SurfacePoint]
-"""An array of vertices or of places, of shape (k, 3), one point, or a list of points. Three whole
-numbers are vertices."""
+SurfacePoint = ArrayLike | tuple[int, ArrayLike]
+"""A vertex, an integer; a point in a face: the face and a weight of each of its corners; or a place
+in space, three floats: the point of the surface that is nearest to it. The weights are divided by
+their sum; on an edge one of them is 0."""
 
-FAR = 0.01
-"""A place that is farther from the surface than this part of the mesh's longest side gives a warning:
-it was probably meant in other units or axes."""
+SurfacePoints = SurfacePoint | Sequence[SurfacePoint]
+"""One point; an array of vertices, of shape (k,), or of places, (k, 3); or a list of any points. A
+list of a vertex and a place reads as a face and weights: put the place first."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,11 +79,11 @@ class Mesh:
     Parameters
     ----------
     vertices : (n, 3) real numbers, or a mesh of another package
-        Coordinates, of any type and memory order; copied as float64. An object with `vertices` and
-        `faces` (trimesh, Open3D through NumPy), or `points` and `cells` of triangles (meshio).
+        Coordinates, of any type and memory order; copied as float64. Without `faces`, an object
+        with `vertices` and `faces`, such as a trimesh.Trimesh, or with `points` and `cells`, such
+        as a meshio.Mesh of triangles.
     faces : (m, 3) integers, m > 0
-        Indices of vertices from 0, counter-clockwise seen from outside; copied. Not beside an
-        object.
+        Indices of vertices from 0, counter-clockwise seen from outside; copied.
     cross_non_manifold : bool
         Paths go from a face into each of the others at an edge of more than two faces, and at one
         between faces that do not agree on the outside. Otherwise such edges are boundaries. The
@@ -84,11 +93,11 @@ class Mesh:
     ------
     ValueError
         For another shape, a face that names a vertex twice or one that is not there, and a
-        coordinate that is not finite. What else makes distances meaningless is not looked for:
-        `defects` lists it, and `read_mesh` refuses it.
+        coordinate that is not finite.
 
-    The first query builds the structure that solvers walk over. The solver of the last query stays
-    with the mesh, and so does its memory.
+    What else makes distances meaningless, and what `read_mesh` refuses, is one UserWarning.
+
+    The solver of the last query stays with the mesh, and so does its memory.
 
     >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
     >>> mesh
@@ -103,10 +112,12 @@ class Mesh:
         self, vertices: Any, faces: ArrayLike | None = None, *, cross_non_manifold: bool = False
     ) -> None:
         if faces is None:
-            vertices, faces = _arrays_of(vertices)
+            vertices, faces = arrays_of(vertices)
         points = vertex_array(vertices)
         corners = face_array(faces, len(points))
-        self._shared = _native.SharedMesh(points, corners, cross_non_manifold)
+        self._shared, errors = _native.mesh(points, corners, bool(cross_non_manifold))
+        if errors:
+            warnings.warn(f"distances may be meaningless: {errors}", stacklevel=2)
 
     @property
     def vertices(self) -> NDArray[np.float64]:
@@ -155,9 +166,10 @@ class Mesh:
         Parameters
         ----------
         sources : (k,) integers, or k points, or one
-            Vertices, points in faces, and places: `(7, (1, 1, 1))` is the middle of face 7. Any solver
-            takes points in faces; for one that knows vertices only they become vertices of a finer
-            mesh at every call.
+            Vertices, points in faces, and places in space: `(7, (1, 1, 1))` is the middle of face
+            7, `(0.1, 0.2, 0.0)` the point of the surface that is nearest to there. Any solver takes
+            them; for one that knows vertices only they become vertices of a finer mesh at every
+            call.
         initial : (k,) numbers or one number, >= 0, optional
             The distance that each source begins with, in the unit of the coordinates.
         limit : float, optional
@@ -168,7 +180,7 @@ class Mesh:
             Return the nearest source of every vertex, too: the one where its path begins. For a
             solver that remembers paths.
         parameters
-            Those of the solver, where it has any: `geodesic-bench list` says which.
+            Those of the solver, where it has any: `Solver.parameters`.
 
         Returns
         -------
@@ -188,7 +200,7 @@ class Mesh:
         >>> mesh.distances([2, (0, (1, 1, 0))])
         array([1.5, 1.5, 0. ])
         """
-        points = surface_points(sources, "source", self._surface())
+        points = surface_points(sources, "source", *self._size())
         count = points.vertices.shape
         begin = numbers(0 if initial is None else initial, "initial distances")
         if begin.ndim and begin.shape != count:
@@ -196,11 +208,11 @@ class Mesh:
                 f"initial distances must be one a source: {begin.size} for {count[0]} sources"
             )
         begin = np.broadcast_to(begin, count)
-        name = _configured(solver, parameters)
-        farthest = math.inf if limit is None else limit
+        most = math.inf if limit is None else number(limit, "limit")
+        name = _configured(solver, parameters, self.distances)
         if return_nearest:
-            return _native.distances_and_nearest(self._shared, name, points, begin, farthest)
-        return _native.distances(self._shared, name, points, begin, farthest)
+            return _native.distances_and_nearest(self._shared, name, points, begin, most)
+        return _native.distances(self._shared, name, points, begin, most)
 
     def path(
         self,
@@ -213,8 +225,8 @@ class Mesh:
 
         Parameters
         ----------
-        source, target : an integer, a pair (integer, three numbers), or three numbers
-            A vertex, a point in a face as for `distances`, or a place.
+        source, target : one point
+            As for `distances`.
         solver : str
         parameters
             As for `distances`; a solver that remembers paths.
@@ -235,8 +247,8 @@ class Mesh:
         >>> round(mesh.path((0, (0, 1, 1)), 1).length, 6)
         0.5
         """
-        end = surface_point(target, "target", self._surface())
-        return self._paths(source, end, solver, parameters)[0]
+        end = surface_point(target, "target", *self._size())
+        return self._paths(source, end, _configured(solver, parameters, self.path))[0]
 
     def paths(
         self,
@@ -245,70 +257,75 @@ class Mesh:
         solver: str = FASTEST,
         **parameters: float | str,
     ) -> list[Path]:
-        """A shortest path to each of some points, by one solve; otherwise as `path`.
+        """A shortest path to each target, by one solve.
+
+        Parameters
+        ----------
+        source : one point
+        targets : (k,) integers, or k points, or one
+            As for `distances`.
+        solver : str
+        parameters
+            As for `path`.
+
+        Raises
+        ------
+        ValueError
+            When no path leads to one of them.
 
         >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
         >>> [path.length for path in mesh.paths(0, [1, 2])]
         [3.0, 4.0]
         """
-        ends = surface_points(targets, "target", self._surface())
-        return self._paths(source, ends, solver, parameters)
+        ends = surface_points(targets, "target", *self._size())
+        return self._paths(source, ends, _configured(solver, parameters, self.paths))
 
-    def nearest_point(self, places: ArrayLike) -> tuple[Any, Any]:
-        """The points of the surface that are nearest to places in space.
+    def _paths(self, source: SurfacePoint, targets: Points, solver: str) -> list[Path]:
+        if not len(targets.vertices):
+            return []
+        begin = surface_point(source, "source", *self._size())
+        return [Path(*path) for path in _native.paths(self._shared, solver, begin, targets)]
+
+    @overload
+    def nearest_point(self, places: Sequence[float]) -> tuple[SurfacePoint, float]: ...
+    @overload
+    def nearest_point(
+        self, places: ArrayLike
+    ) -> tuple[list[SurfacePoint], NDArray[np.float64]] | tuple[SurfacePoint, float]: ...
+    def nearest_point(
+        self, places: ArrayLike
+    ) -> tuple[list[SurfacePoint], NDArray[np.float64]] | tuple[SurfacePoint, float]:
+        """The point of the surface that is nearest to a place in space.
 
         Parameters
         ----------
-        places : (3,) or (k, 3) real numbers
-            Looks at every face for each of them.
+        places : (3,) real numbers, or (k, 3)
+            Coordinates. The time is linear in the faces of the mesh, for each place.
 
         Returns
         -------
-        one point and its distance through space, or a list of k points and (k,) float64
-            A vertex, or a pair of a face and (3,) weights, as `distances` and `path` take them.
+        a vertex or a pair (face, three weights), or a list of k
+            As `distances` takes them.
+        float, or (k,) float64
+            How far the place is from it, in the unit of the coordinates.
 
-        >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
-        >>> mesh.nearest_point([3, 0, 0.5])
-        (1, 0.5)
-        >>> (face, weights), distance = mesh.nearest_point([1, 1, 0])
-        >>> face, weights.round(3), distance
-        (0, array([0.417, 0.333, 0.25 ]), 0.0)
+        >>> mesh = Mesh([[0, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+        >>> mesh.nearest_point([1, 2, 5])
+        ((0, (0.25, 0.25, 0.5)), 5.0)
+        >>> mesh.nearest_point([[1, 2, 0], [7, 0, 4]])
+        ([(0, (0.25, 0.25, 0.5)), 1], array([0., 5.]))
         """
-        given = numbers(places, "places")
-        if given.ndim not in (1, 2) or given.shape[-1] != 3:
-            raise ValueError(f"places must have the shape (3,) or (k, 3), not {given.shape}")
-        found, away = self._nearest(given.reshape(-1, 3))
-        points = [
-            int(vertex) if vertex != OUT_OF_RANGE else (int(face), weights)
-            for vertex, face, weights in zip(*found, strict=True)
+        array = numbers(places, "places")
+        if array.ndim not in (1, 2) or array.shape[-1] != 3:
+            raise ValueError(f"places must have the shape (3,) or (n, 3), not {array.shape}")
+        vertices, faces, weights, distances = _native.nearest_points(
+            self._shared, array.reshape(-1, 3)
+        )
+        points: list[SurfacePoint] = [
+            int(vertices[i]) if vertices[i] != NONE else (int(faces[i]), tuple(weights[i].tolist()))
+            for i in range(len(vertices))
         ]
-        return (points[0], float(away[0])) if given.ndim == 1 else (points, away)
-
-    def _paths(
-        self, source: SurfacePoint, ends: Points, solver: str, parameters: dict[str, float | str]
-    ) -> list[Path]:
-        begin = surface_point(source, "source", self._surface())
-        found = _native.paths(self._shared, _configured(solver, parameters), begin, ends)
-        return [Path(*arrays) for arrays in found]
-
-    def _nearest(self, places: NDArray[np.float64]) -> tuple[Points, NDArray[np.float64]]:
-        vertices, faces, weights, away = _native.nearest(self._shared, np.ascontiguousarray(places))
-        return Points(vertices, faces, weights), away
-
-    def _surface(self) -> Surface:
-        def nearest(places: NDArray[np.float64], what: str) -> Points:
-            points, away = self._nearest(places)
-            extent = float(np.ptp(self.vertices, axis=0).max())
-            if away.size and away.max() > FAR * extent:
-                place = tuple(places[away.argmax()].tolist())
-                warnings.warn(
-                    f"{what} {place} is {away.max():.3g} from the surface, whose nearest point is"
-                    f" taken; the longest side of the mesh is {extent:.3g}",
-                    stacklevel=5,
-                )
-            return points
-
-        return Surface(len(self.vertices), len(self.faces), nearest)
+        return (points, distances) if array.ndim == 2 else (points[0], float(distances[0]))
 
     def distance_matrix(
         self,
@@ -326,7 +343,7 @@ class Mesh:
         Parameters
         ----------
         rows : (k,) integers, or k points, or one
-            Sources, one solve each: vertices, and points in faces as for `distances`.
+            Sources, one solve each, as for `distances`.
         columns : (l,) integers, or l points, or one, optional
             Where distances are kept; all vertices if not given. A solve ends at the farthest.
         threads : int
@@ -359,32 +376,37 @@ class Mesh:
         array([[3. , 2.5],
                [2.5, 0. ]])
         """
-        surface = self._surface()
-        sources = surface_points(rows, "row", surface)
-        targets = None if columns is None else surface_points(columns, "column", surface)
-        if not 0 <= operator.index(threads) <= MOST_THREADS:
-            raise ValueError(f"threads must be between 0 and {MOST_THREADS}, not {threads}")
-        if np.dtype(dtype) not in (np.float64, np.float32):
-            raise ValueError(f"dtype must be float64 or float32, not {dtype}")
-        is_double = np.dtype(dtype) == np.float64
-        what = (self._shared, _configured(solver, parameters), sources, targets)
+        sources = surface_points(rows, "row", *self._size())
+        targets = None if columns is None else surface_points(columns, "column", *self._size())
+        if not (isinstance(threads, int | np.integer) and 0 <= threads <= MOST_THREADS):
+            raise ValueError(
+                f"threads must be an integer between 0 and {MOST_THREADS}, not {threads!r}"
+            )
+        name = _name_of_type(dtype)
+        configured = _configured(solver, parameters, self.distance_matrix)
+        what = (self._shared, configured, sources, targets)
         workers = threads or os.cpu_count() or 1
         shape = len(sources.vertices), len((targets or self).vertices)
         if limit is None:
-            dense = _native.dense_float64 if is_double else _native.dense_float32
+            dense = _native.dense_float64 if name == "float64" else _native.dense_float32
             try:
                 with _bar(shape[0], progress) as show:
                     return dense(*what, workers, show)
             except MemoryError:
                 raise MemoryError(
-                    f"no room for a matrix of {shape[0]} rows and {shape[1]} columns in {dtype}: ask"
+                    f"no room for a matrix of {shape[0]} rows and {shape[1]} columns in {name}: ask"
                     " for fewer at a time, or write it with geodesic-bench solve --matrix"
                 ) from None
         from scipy.sparse import csr_matrix
 
-        sparse = _native.sparse_float64 if is_double else _native.sparse_float32
+        sparse = _native.sparse_float64 if name == "float64" else _native.sparse_float32
+        most = number(limit, "limit")
         with _bar(shape[0], progress) as show:
-            return csr_matrix(sparse(*what, limit, workers, show), shape=shape)
+            return csr_matrix(sparse(*what, most, workers, show), shape=shape)
+
+    def _size(self) -> tuple[int, int]:
+        """Of vertices and faces."""
+        return len(self.vertices), len(self.faces)
 
     def __repr__(self) -> str:
         return f"Mesh({len(self.vertices)} vertices, {len(self.faces)} faces)"
@@ -415,10 +437,7 @@ def read_mesh(
     What may surprise, and what was repaired, is one UserWarning.
     """
     mesh = Mesh.__new__(Mesh)
-    try:
-        mesh._shared, remarks = _native.read(os.fspath(file), repair, cross_non_manifold)
-    except ValueError as error:
-        raise ValueError(_in_python(str(error))) from None
+    mesh._shared, remarks = _native.read(os.fspath(file), bool(repair), bool(cross_non_manifold))
     if remarks:
         warnings.warn(f"{os.fspath(file)}: {'; '.join(remarks)}", stacklevel=2)
     return mesh
@@ -443,35 +462,31 @@ def solvers() -> dict[str, _native.Solver]:
     return {solver.name: solver for solver in _native.solvers()}
 
 
-def _arrays_of(mesh: Any) -> tuple[Any, Any]:
-    """Of another package's mesh: vertices and faces."""
-    if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
-        return mesh.vertices, mesh.faces
-    if hasattr(mesh, "points") and hasattr(mesh, "cells"):
-        kinds = {block.type for block in mesh.cells}
-        if kinds == {"triangle"}:
-            return mesh.points, np.concatenate([block.data for block in mesh.cells])
-        raise ValueError(f"the mesh has cells of {', '.join(sorted(kinds))}: triangles are needed")
-    raise ValueError(
-        "a mesh is made from vertices and faces, or from one object that has them, or points and"
-        " cells"
-    )
+def _configured(solver: str, parameters: dict[str, float | str], of: Callable[..., Any]) -> str:
+    """The solver's name with values of its parameters: "avtp?lambda=32".
 
-
-def _in_python(message: str) -> str:
-    """A message of the program, with arguments in place of its flags."""
-    for flag in ("--repair", "--cross-non-manifold"):
-        message = message.replace(flag, f"{flag[2:].replace('-', '_')}=True")
-    return message
-
-
-def _configured(solver: str, parameters: dict[str, float | str]) -> str:
-    """The solver's name with values of its parameters: "avtp?lambda=32"."""
-    for name in ("radius", "max_distance", "cutoff"):
-        if name in parameters:
-            raise ValueError(f"there is no {name}: a distance to stop at is limit=")
+    @param of the method that was given them: a name that no parameter has may mean its argument"""
+    if not isinstance(solver, str):
+        raise ValueError(f"solver must be a name of solvers(), not {solver!r}")
+    if parameters and (known := solvers().get(solver.split("?")[0])):
+        names = [name for name in inspect.signature(of).parameters if name != "parameters"]
+        names += known.parameters
+        for key in parameters.keys() - set(names):
+            if (meant := OF_OTHER_PACKAGES.get(key)) in names:
+                raise ValueError(f"no argument named '{key}' (did you mean '{meant}'?)")
+            raise ValueError(_native.unknown_name("argument", key, names))
     values = "&".join(f"{key.replace('_', '-')}={value}" for key, value in parameters.items())
     return f"{solver}?{values}" if values else solver
+
+
+def _name_of_type(dtype: DTypeLike) -> str:
+    try:
+        name = np.dtype(dtype).name
+    except TypeError:
+        name = ""
+    if name not in ("float64", "float32"):
+        raise ValueError(f"dtype must be float64 or float32, not {dtype}")
+    return name
 
 
 @contextmanager

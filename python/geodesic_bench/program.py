@@ -6,13 +6,17 @@ import os
 import shutil
 import subprocess
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from pandas import DataFrame
 
-Option = bool | str | float | os.PathLike[str] | list[str] | None
+Option = bool | str | float | os.PathLike[str] | Sequence[object] | None
+
+FAULT = "geodesic-bench: "
+"""Before the program's sentence."""
 
 
 class Results:
@@ -40,8 +44,9 @@ class Results:
         self.run = reader.read_run(Path(file))
 
     def __repr__(self) -> str:
-        solvers, meshes = (len({getattr(row, of) for row in self.run.rows}) for of in ("solver", "mesh"))
-        return f"Results({len(self.run.rows)} rows of {solvers} solvers on {meshes} meshes)"
+        run = self.run
+        count = run.columns.length
+        return f"Results({count} rows of {len(run.solvers)} solvers on {len(run.meshes)} meshes)"
 
     def to_pandas(self) -> DataFrame:
         """A row a repetition, or one for a cell that failed. The columns of numbers are defined in
@@ -69,7 +74,7 @@ def run(
     executable : path, optional
         The program; if not given, the one that GEODESIC_BENCH names, or that is on the PATH.
     progress : bool
-        Pass on what the program prints to the error stream.
+        Pass on what the program prints to the error stream: a line a cell, and the time left.
     options
         Those of the command line: ``run("first", corpus="tiny", solvers=["mmp", "edge-based"])``.
 
@@ -90,13 +95,13 @@ def run(
     ) as process:
         try:
             for said in process.stderr or ():
-                if progress:
+                if progress and not said.startswith(FAULT):  # which is raised
                     sys.stderr.write(said)
         except BaseException:
             process.terminate()
             raise
     if not file.exists():
-        raise ValueError(said.strip().removeprefix("geodesic-bench: "))
+        raise ValueError(said.strip().removeprefix(FAULT))
     return Results(file)
 
 
@@ -117,8 +122,8 @@ def _flags(options: dict[str, Option]) -> list[str]:
         flag = f"--{name.replace('_', '-')}"
         if value is True:
             flags.append(flag)
-        elif isinstance(value, list):
-            flags.append(f"{flag}={','.join(value)}")
+        elif isinstance(value, list | tuple):
+            flags.append(f"{flag}={','.join(map(str, value))}")
         elif value is not None and value is not False:
             flags.append(f"{flag}={value}")
     return flags

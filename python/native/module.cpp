@@ -14,6 +14,7 @@
 #include <cstring>
 #include <filesystem>
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 #include <span>
@@ -114,11 +115,19 @@ NonManifoldEdges crossed_if(bool cross_non_manifold) {
   return cross_non_manifold ? NonManifoldEdges::crossed : NonManifoldEdges::cut;
 }
 
-SharedMeshPointer mesh_from(const Array<double>& vertices, const Array<Index>& faces,
-                            bool cross_non_manifold) {
+/// Defects are looked for while the mesh is built.
+/// @return the mesh, and its errors as of list_errors
+std::pair<SharedMeshPointer, std::string> mesh(const Array<double>& vertices,
+                                               const Array<Index>& faces, bool cross_non_manifold) {
   const auto soup = std::make_shared<TriangleSoup>(TriangleSoup{rows_of(vertices), rows_of(faces)});
   return in_background([=](Task&) {
-    return std::make_shared<SharedMesh>(std::move(*soup), crossed_if(cross_non_manifold));
+    const NonManifoldEdges edges = crossed_if(cross_non_manifold);
+    std::future<std::string> errors =
+        std::async([&] { return list_errors(find_defects(*soup), edges); });
+    auto built = std::make_unique<const Mesh>(*soup, Numbering::along_surface, edges);
+    std::string found = errors.get();
+    return std::pair(std::make_shared<SharedMesh>(std::move(*soup), std::move(built), edges),
+                     std::move(found));
   });
 }
 
@@ -126,9 +135,11 @@ std::pair<SharedMeshPointer, std::vector<std::string>> read(const std::filesyste
                                                             bool repair, bool cross_non_manifold) {
   return in_background([=](Task&) {
     const NonManifoldEdges edges = crossed_if(cross_non_manifold);
-    LoadedMesh loaded = load_mesh(file, {.repair = repair, .non_manifold_edges = edges});
-    return std::pair(std::make_shared<SharedMesh>(std::move(loaded.soup), edges),
-                     std::move(loaded.warnings));
+    BuiltMesh built = build_mesh(
+        file, {.repair = repair, .non_manifold_edges = edges, .repair_option = "repair=True"});
+    return std::pair(
+        std::make_shared<SharedMesh>(std::move(built.loaded.soup), std::move(built.mesh), edges),
+        std::move(built.loaded.warnings));
   });
 }
 
@@ -136,7 +147,8 @@ std::vector<Defect> defects(const SharedMeshPointer& mesh) {
   return in_background([=](Task&) { return find_defects(mesh->soup()).defects; });
 }
 
-/// Points as arrays.py has them: vertices, kNone for a point in a face; faces; and weights.
+/// Points as arrays.py has them: vertices, kNone for another point; faces, kNone for a place in
+/// space; and weights, the coordinates of a place.
 class GivenPoints {
  public:
   using Arrays = std::tuple<Array<Index>, Array<Index>, Array<double>>;
@@ -147,12 +159,13 @@ class GivenPoints {
 
   std::size_t size() const { return vertices_.size(); }
 
-  /// @throws std::invalid_argument as point_in_face does
+  /// @throws std::invalid_argument as point_in_face and nearest_point do
   std::vector<SurfacePoint> on(const Mesh& mesh) const {
     std::vector<SurfacePoint> points(size());
     for (std::size_t i = 0; i < size(); ++i) {
       points[i] = vertices_[i] != kNone ? SurfacePoint(vertices_[i])
-                                        : point_in_face(mesh, faces_[i], weights_[i]);
+                  : faces_[i] != kNone  ? point_in_face(mesh, faces_[i], weights_[i])
+                                        : nearest_point(mesh, weights_[i]).at;
     }
     return points;
   }
@@ -161,6 +174,30 @@ class GivenPoints {
   std::vector<Index> vertices_, faces_;
   std::vector<std::array<double, 3>> weights_;
 };
+
+/// The points of the surface that are nearest to places of shape (k, 3), and how far they are: as
+/// the arrays of GivenPoints, and distances.
+py::tuple nearest_points(const SharedMeshPointer& mesh, const Array<double>& places) {
+  const auto found = in_background([=, given = rows_of(places)](Task& task) {
+    std::vector<NearestPoint> nearest;
+    for (const Vec3& place : given) {
+      task.throw_if_abandoned();
+      nearest.push_back(nearest_point(mesh->mesh(), place));
+    }
+    return nearest;
+  });
+  std::vector<Index> vertices, faces;
+  std::vector<double> weights, distances;
+  for (const NearestPoint& each : found) {
+    vertices.push_back(each.at.vertex);
+    faces.push_back(each.at.face);
+    weights.insert(weights.end(), each.at.weights.begin(), each.at.weights.end());
+    distances.push_back(each.distance);
+  }
+  const auto count = static_cast<py::ssize_t>(found.size());
+  return py::make_tuple(array_of(std::move(vertices)), array_of(std::move(faces)),
+                        array_of(std::move(weights), {count, 3}), array_of(std::move(distances)));
+}
 
 /// A query from its nearest source, as it was given.
 struct GivenQuery {
@@ -218,21 +255,21 @@ py::tuple distances_and_nearest(const SharedMeshPointer& mesh, const std::string
   return py::make_tuple(array_of(std::move(all)), array_of(std::move(nearest)));
 }
 
-/// Of a path: positions of shape (k, 3), the k - 1 faces between them, and the length up to each.
-py::tuple arrays_of(const Path& found) {
+/// @return positions of shape (k, 3), the k - 1 faces between them, and the length up to each
+py::tuple arrays_of(const Path& path) {
   std::vector<double> positions, travelled;
   std::vector<Index> faces;
-  for (const PathPoint& each : found.points) {
+  for (const PathPoint& each : path.points) {
     positions.insert(positions.end(), each.position.begin(), each.position.end());
     travelled.push_back(each.travelled);
     if (each.face != kNone) faces.push_back(each.face);
   }
-  const auto count = static_cast<py::ssize_t>(found.points.size());
+  const auto count = static_cast<py::ssize_t>(path.points.size());
   return py::make_tuple(array_of(std::move(positions), {count, 3}), array_of(std::move(faces)),
                         array_of(std::move(travelled)));
 }
 
-/// @return arrays_of the path to each target
+/// @return the path from the source, a single one, to each target
 py::list paths(const SharedMeshPointer& mesh, const std::string& solver,
                const GivenPoints::Arrays& source, const GivenPoints::Arrays& targets) {
   const std::vector<Path> found =
@@ -241,37 +278,13 @@ py::list paths(const SharedMeshPointer& mesh, const std::string& solver,
                           .targets = to.on(mesh->mesh()),
                           .stop_at_targets = to.size() > 0};
         const Paths all = paths_of(mesh, solver, query);
-        std::vector<Path> each;
-        for (std::size_t i = 0; i < to.size(); ++i) each.push_back(all.to_target(i));
-        return each;
+        std::vector<Path> to_each;
+        for (std::size_t i = 0; i < to.size(); ++i) to_each.push_back(all.to_target(i));
+        return to_each;
       });
-  py::list listed;
-  for (const Path& each : found) listed.append(arrays_of(each));
-  return listed;
-}
-
-/// The nearest points of the surface, as GivenPoints has them, and how far they are.
-py::tuple nearest(const SharedMeshPointer& mesh, const Array<double>& places) {
-  struct Nearest {
-    std::vector<Index> vertices, faces;
-    std::vector<double> weights, distances;
-  };
-  Nearest found = in_background([=, given = rows_of(places)](Task& task) {
-    Nearest all;
-    for (const Vec3& place : given) {
-      task.throw_if_abandoned();
-      const NearestPoint each = nearest_point(mesh->mesh(), place);
-      all.vertices.push_back(each.at.vertex);
-      all.faces.push_back(each.at.is_vertex() ? 0 : each.at.face);
-      all.weights.insert(all.weights.end(), each.at.weights.begin(), each.at.weights.end());
-      all.distances.push_back(each.distance);
-    }
-    return all;
-  });
-  const auto count = static_cast<py::ssize_t>(found.vertices.size());
-  return py::make_tuple(array_of(std::move(found.vertices)), array_of(std::move(found.faces)),
-                        array_of(std::move(found.weights), {count, 3}),
-                        array_of(std::move(found.distances)));
+  py::list arrays;
+  for (const Path& each : found) arrays.append(arrays_of(each));
+  return arrays;
 }
 
 /// Distances from each of some sources by itself, in the order of both; all vertices are columns
@@ -389,6 +402,16 @@ std::string_view severity_of(const Defect& defect) {
   return type_of(defect.kind).severity == Severity::error ? "error" : "warning";
 }
 
+/// By the names of keyword arguments.
+std::vector<std::string> parameters_of(const Description& solver) {
+  std::vector<std::string> names;
+  for (const ParameterDescription& each : solver.parameters) {
+    names.push_back(each.name);
+    std::ranges::replace(names.back(), '-', '_');
+  }
+  return names;
+}
+
 template <class T>
 void define_matrices(py::module_& module) {
   const std::string type = sizeof(T) == sizeof(double) ? "float64" : "float32";
@@ -399,6 +422,7 @@ void define_matrices(py::module_& module) {
 }  // namespace
 
 PYBIND11_MODULE(_native, module) {
+  module.attr("__version__") = GEODESIC_VERSION;
   py::register_exception_translator([](std::exception_ptr error) {
     try {
       if (error) std::rethrow_exception(error);
@@ -408,7 +432,6 @@ PYBIND11_MODULE(_native, module) {
   });
 
   py::class_<SharedMesh, SharedMeshPointer>(module, "SharedMesh")
-      .def(py::init(&mesh_from))
       .def_property_readonly("vertices",
                              [](const py::object& self) {
                                return view_of(self.cast<SharedMesh&>().soup().positions, self);
@@ -436,18 +459,20 @@ PYBIND11_MODULE(_native, module) {
       .def_readonly("family", &Description::family)
       .def_readonly("paper", &Description::paper)
       .def_readonly("remarks", &Description::remarks)
+      .def_property_readonly("parameters", &parameters_of)
       .def_property_readonly("exact",
                              [](const Description& d) { return d.exactness == Exactness::exact; })
       .def("__repr__", [](const Description& d) { return "<" + d.name + ": " + d.paper + ">"; });
 
-  module.attr("__version__") = GEODESIC_VERSION;
+  module.def("mesh", &mesh);
   module.def("read", &read);
   module.def("defects", &defects);
+  module.def("unknown_name", &unknown_name);
   module.def("solvers", &registered_solvers, py::return_value_policy::reference);
   module.def("distances", &distances);
   module.def("distances_and_nearest", &distances_and_nearest);
-  module.def("nearest", &nearest);
   module.def("paths", &paths);
+  module.def("nearest_points", &nearest_points);
   define_matrices<double>(module);
   define_matrices<float>(module);
 }

@@ -3,22 +3,9 @@
 #include <exception>
 #include <utility>
 
-#include "solvers/core/mesh_input.h"
 #include "solvers/core/registry.h"
 
 namespace geodesic::python {
-
-SharedMesh::SharedMesh(TriangleSoup soup, NonManifoldEdges non_manifold_edges)
-    : soup_(std::move(soup)), non_manifold_edges_(non_manifold_edges) {
-  check_mesh_input(soup_.positions, soup_.triangles);
-}
-
-const Mesh& SharedMesh::mesh() {
-  std::call_once(built_, [&] {
-    mesh_ = std::make_unique<const Mesh>(soup_, Numbering::along_surface, non_manifold_edges_);
-  });
-  return *mesh_;
-}
 
 BorrowedSolver::BorrowedSolver(std::shared_ptr<SharedMesh> from, const std::string& name,
                                std::shared_ptr<const InsertedPoints> inserted)

@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "meshes/point_solver.h"
@@ -15,24 +16,21 @@ namespace geodesic::python {
 /// Constant to its users; any number of threads may use it.
 class SharedMesh {
  public:
-  /// @throws std::invalid_argument as the constructor of Mesh does
-  explicit SharedMesh(TriangleSoup soup,
-                      NonManifoldEdges non_manifold_edges = NonManifoldEdges::cut);
+  /// @param mesh of the soup, which is kept as it was given
+  SharedMesh(TriangleSoup soup, std::unique_ptr<const Mesh> mesh,
+             NonManifoldEdges non_manifold_edges)
+      : soup_(std::move(soup)), mesh_(std::move(mesh)), non_manifold_edges_(non_manifold_edges) {}
 
   const TriangleSoup& soup() const { return soup_; }
+  const Mesh& mesh() const { return *mesh_; }
   NonManifoldEdges non_manifold_edges() const { return non_manifold_edges_; }
-
-  /// The structure that solvers walk over, built by the first call: that takes as long as reading
-  /// the arrays many times, and is best done where a user can interrupt it.
-  const Mesh& mesh();
 
  private:
   friend class BorrowedSolver;
 
   const TriangleSoup soup_;
+  const std::unique_ptr<const Mesh> mesh_;
   const NonManifoldEdges non_manifold_edges_;
-  std::once_flag built_;
-  std::unique_ptr<const Mesh> mesh_;
   std::mutex mutex_;  // of all below
   std::string idle_name_;
   std::vector<std::unique_ptr<PointSolver>> idle_;  // of that name, on the mesh itself

@@ -34,6 +34,17 @@ struct Direction {
 constexpr const char* kRoundabout =
     "the paths that the solver remembers come from no source; please report this mesh and query";
 
+/// @param own in the mesh's internal numbers
+std::string name_of(const Mesh& mesh, const SurfacePoint& own) {
+  const MeshNumbers& numbers = mesh.numbers();
+  if (own.is_vertex()) return "vertex " + std::to_string(numbers.external_vertex(own.vertex));
+  return "the point in face " + std::to_string(numbers.external_face(own.face));
+}
+
+[[noreturn]] void refuse_path(const Mesh& mesh, const SurfacePoint& own) {
+  throw std::invalid_argument("no path leads to " + name_of(mesh, own));
+}
+
 }  // namespace
 
 /// One path, from its end back to its source. Everything is in the mesh's internal numbers but what
@@ -496,16 +507,12 @@ class Paths::Trace {
   }
 
   [[noreturn]] void lost(const Piece& piece) const {
-    const MeshNumbers& numbers = mesh_.numbers();
-    const auto name = [&](SurfacePoint own) {
-      if (own.is_vertex()) return "vertex " + std::to_string(numbers.external_vertex(own.vertex));
-      return "a point in face " + std::to_string(numbers.external_face(own.face));
-    };
     const bool vertex = piece.root < mesh_.vertex_count();
-    const std::string root = vertex                ? name(SurfacePoint(piece.root))
+    const std::string root = vertex                ? name_of(mesh_, SurfacePoint(piece.root))
                              : piece.root == kNone ? "nothing"
                                                    : "a source in a face";
-    throw std::runtime_error("the solver remembers a path to " + name(piece.end) + " from " + root +
+    throw std::runtime_error("the solver remembers a path to " + name_of(mesh_, piece.end) +
+                             " from " + root +
                              " that does not exist; please report this mesh and query");
   }
 
@@ -581,34 +588,25 @@ double Paths::distance_in_face(const SurfacePoint& own) const {
   return most < farthest_ ? most : kInfinity;
 }
 
-/// @param point in internal numbers
-[[noreturn]] static void throw_unreached(const Mesh& mesh, const SurfacePoint& point) {
-  const MeshNumbers& numbers = mesh.numbers();
-  throw std::invalid_argument(
-      "no path leads to " +
-      (point.is_vertex()
-           ? "vertex " + std::to_string(numbers.external_vertex(point.vertex))
-           : "the point in face " + std::to_string(numbers.external_face(point.face))));
-}
-
 Path Paths::to_point(const SurfacePoint& point) const {
   if (point.is_vertex()) return to_vertex(point.vertex);
   const double distance = distance_at(point);
   const SurfacePoint own = in_internal_numbers(mesh_, point);
-  if (distance == kInfinity) throw_unreached(mesh_, own);
+  if (distance == kInfinity) refuse_path(mesh_, own);
   return Trace(*this).run(own, distance, {});
 }
 
 Path Paths::to_vertex(Index v) const {
   const Index own = internal_vertex(v);
-  if (distances_[v] == kInfinity) throw_unreached(mesh_, own);
+  if (distances_[v] == kInfinity) refuse_path(mesh_, own);
   return Trace(*this).run(SurfacePoint(own), distances_[v], last_segments_[own]);
 }
 
 Path Paths::to_target(std::size_t i) const {
   const AtTarget& target = targets_.at(i);
-  if (target.distance == kInfinity) throw_unreached(mesh_, query_.targets[i]);
-  return Trace(*this).run(query_.targets[i], target.distance, target.last_segment);
+  const SurfacePoint& own = query_.targets[i];
+  if (target.distance == kInfinity) refuse_path(mesh_, own);
+  return Trace(*this).run(own, target.distance, target.last_segment);
 }
 
 std::optional<Index> Paths::source_here(Index v) const {

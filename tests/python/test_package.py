@@ -55,20 +55,29 @@ def test_stubs_name_what_the_compiled_module_has() -> None:
 def test_everything_public_has_a_docstring_with_its_parameters() -> None:
     for name in gb.__all__:
         assert getattr(gb, name).__doc__, name
-    for method in (gb.Mesh.distances, gb.Mesh.distance_matrix, gb.read_mesh, gb.run):
+    for method in (gb.Mesh.distances, gb.Mesh.paths, gb.Mesh.nearest_point,
+                   gb.Mesh.distance_matrix, gb.read_mesh, gb.run):
         words = method.__doc__
         unsaid = [name for name in method.__annotations__ if f"{name}\n" not in words.replace(" :", "\n")]
         assert unsaid == ["return"] or unsaid == [], method.__name__
+
+
+def test_the_version_is_that_of_the_project() -> None:
+    assert f"project(GeodesicBench VERSION {gb.__version__} " in (ROOT / "CMakeLists.txt").read_text()
 
 
 def bench_run(out: Path, **options: object) -> gb.Results:
     return gb.run(out, executable=BENCH, repetitions=2, min_time=0.001, sources=1, **options)
 
 
-def test_a_run_is_driven_and_read(tmp_path: Path) -> None:
+def test_a_run_is_driven_shown_and_read(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     mesh = tmp_path / "hill.obj"
     mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
-    results = bench_run(tmp_path / "run", solvers=["mmp", "edge-based"], meshes=[str(mesh)])
+    results = bench_run(tmp_path / "run", solvers=["mmp", "edge-based"], meshes=[mesh])
+    assert "[2/2] " in capsys.readouterr().err
+    assert repr(results) == "Results(4 rows of 2 solvers on 1 meshes)"
     table = results.to_pandas()
     assert sorted(set(table.solver)) == ["edge-based", "mmp"]
     assert set(table.outcome) == {"ok"} and len(table) == 4
@@ -78,9 +87,12 @@ def test_a_run_is_driven_and_read(tmp_path: Path) -> None:
         bench_run(tmp_path / "run")
 
 
-def test_a_run_that_cannot_be_is_refused_with_the_sentence_of_the_program(tmp_path: Path) -> None:
+def test_a_run_that_cannot_be_is_refused_with_the_sentence_of_the_program(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     with pytest.raises(ValueError, match=r"^no solver named 'mmmp' \(did you mean 'mmp'\?\)"):
         bench_run(tmp_path / "run", solvers=["mmmp"])
+    assert capsys.readouterr().err == ""
     with pytest.raises(ValueError, match=r"run\.json: no such file|no such folder"):
         gb.Results(tmp_path / "run.json")
     with pytest.raises(FileNotFoundError, match=r"^no program nowhere: build it with"):

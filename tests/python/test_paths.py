@@ -53,17 +53,22 @@ def test_the_nearest_source_is_that_of_the_least_row(ground: Arrays) -> None:
     np.testing.assert_array_equal(of_near == -1, np.isinf(near))
 
 
-def test_no_path_is_an_error() -> None:
-    mesh = gb.Mesh(np.vstack([np.eye(3), np.eye(3) + 5]), [[0, 1, 2], [3, 4, 5]])
-    with pytest.raises(ValueError, match="no path leads to vertex 4"):
-        mesh.path(0, 4)
-
-
-def test_paths_to_many_targets_are_those_to_each_by_one_solve(ground: Arrays) -> None:
+def test_paths_by_one_solve_are_those_of_a_solve_each(ground: Arrays) -> None:
     mesh = gb.Mesh(*ground)
-    targets = [100, (3, (1, 1, 1)), 0]
-    for path, target in zip(mesh.paths(5, targets), targets, strict=True):
+    targets = [143, (200, (0.5, 0.5, 0)), 5, (3.0, 7.5, 9.0)]
+    paths = mesh.paths(5, targets)
+    for path, target in zip(paths, targets, strict=True):
         alone = mesh.path(5, target)
-        np.testing.assert_array_equal(path.points, alone.points)
-        assert path.length == alone.length
+        assert path.length == pytest.approx(alone.length, rel=1e-14)
+        np.testing.assert_allclose(path.points, alone.points, atol=1e-12)
+        np.testing.assert_array_equal(path.faces, alone.faces)
     assert mesh.paths(5, []) == []
+    assert len(mesh.paths(5, 7)) == 1
+
+
+def test_no_path_is_an_error_with_the_target_as_it_was_given() -> None:
+    mesh = gb.Mesh(np.vstack([np.eye(3), np.eye(3) + 5]), [[0, 1, 2], [3, 4, 5]])
+    with pytest.raises(ValueError, match="^no path leads to vertex 4$"):
+        mesh.path(0, 4)
+    with pytest.raises(ValueError, match="^no path leads to the point in face 1$"):
+        mesh.paths(0, [1, (1, (1, 1, 1))])

@@ -100,6 +100,45 @@ def test_nearest_sources_and_paths_are_those_of_the_program(file: Path, tmp_path
         assert got.length == expected["length"]
 
 
+def test_a_place_is_the_point_of_the_program_wherever_points_are_taken(
+    file: Path, tmp_path: Path
+) -> None:
+    mesh = gb.read_mesh(file)
+    place, other = (3.25, 4.5, 9.0), (7.5, 2.25, -1.0)
+    output = tmp_path / "d.npy"
+    solve(file, "--source", "at:3.25,4.5,9,17,at:7.5,2.25,-1", "--output", output)
+    expected = np.load(output)
+    np.testing.assert_array_equal(mesh.distances([place, 17, np.array(other)]), expected)
+    points, above = mesh.nearest_point([place, other])
+    np.testing.assert_allclose(mesh.distances([17, *points]), expected, rtol=1e-12)
+    assert mesh.nearest_point(other) == (points[1], above[1])
+
+    between = mesh.distance_matrix(np.array([place, other]), columns=[place, 0], limit=20)
+    np.testing.assert_allclose(between.toarray(), mesh.distance_matrix(points, [points[0], 0]))
+    path = mesh.path(place, np.array(other, np.float32))
+    assert path.length == pytest.approx(mesh.distance_matrix(place, other)[0, 0], rel=1e-12)
+    feet = path.points[[0, -1]]
+    np.testing.assert_allclose(np.linalg.norm(feet - [place, other], axis=1), above, rtol=1e-12)
+
+
+def test_no_point_of_the_surface_is_nearer_than_the_nearest(ground: Arrays) -> None:
+    mesh = gb.Mesh(*ground)
+    chance = np.random.default_rng(5)
+    places = chance.uniform(-2, 13, (40, 3))
+    faces = chance.integers(len(mesh.faces), size=5000)
+    weights = chance.dirichlet([0.5, 0.5, 0.5], 5000)
+    some = np.einsum("ij,ijk->ik", weights, mesh.vertices[mesh.faces[faces]])
+    points, distances = mesh.nearest_point(places)
+    assert any(isinstance(point, int) for point in points)
+    assert any(isinstance(point, tuple) for point in points)
+    for place, distance in zip(places, distances, strict=True):
+        assert distance <= np.linalg.norm(some - place, axis=1).min()
+    assert mesh.nearest_point(np.zeros((0, 3)))[0] == []
+    for wrong in (1.0, [1, 2], [[[1, 2, 3]]]):
+        with pytest.raises(ValueError, match=r"^places must have the shape \(3,\) or \(n, 3\), not"):
+            mesh.nearest_point(wrong)
+
+
 def test_one_point_is_a_list_of_it(ground: Arrays) -> None:
     mesh = gb.Mesh(*ground)
     point = (3, (1, 2, 3))
@@ -112,19 +151,19 @@ def test_one_point_is_a_list_of_it(ground: Arrays) -> None:
     np.testing.assert_array_equal(mesh.distances(corner), mesh.distances(ground[1][3][2]))
 
 
-NO_POINT = "a source must be a vertex, a face and three weights, or a place in space"
+NO_POINT = "a source must be a vertex, a face and three weights, or a place of three floats"
 WEIGHTS = "the weights of a source must be finite, none negative, and not all 0, not "
 
 
 @pytest.mark.parametrize(
     ("source", "message"),
     [
-        (144, "source vertex 144 is not in the mesh of 144 vertices"),
-        ([1, 2], NO_POINT),
+        (144, "source vertex 144 is not in the mesh of 144 vertices, numbered from 0 to 143"),
+        ([1, 2, 3], NO_POINT),
         (np.array([1, 2]), NO_POINT),
         ((1, (0.5, 0.5)), NO_POINT),
-        ((-1, (1, 1, 1)), "source face -1 is not in the mesh of 242 faces"),
-        ((242, (1, 1, 1)), "source face 242 is not in the mesh of 242 faces"),
+        ((-1, (1, 1, 1)), "source face -1 is not in the mesh of 242 faces, numbered from 0 to 241"),
+        ((242, (1, 1, 1)), "source face 242 is not in the mesh of 242 faces, numbered from 0 to 241"),
         ((1, (0, 0, 0)), f"{WEIGHTS}(0.0, 0.0, 0.0)"),
         ((1, (1, -1, 1)), f"{WEIGHTS}(1.0, -1.0, 1.0)"),
         ((1, (1, np.inf, 1)), f"{WEIGHTS}(1.0, inf, 1.0)"),
@@ -144,35 +183,3 @@ def test_a_point_that_is_none_is_refused(ground: Arrays, source: object, message
             ask([7, source] if isinstance(source, tuple) else source)
         what = "source" if ask.__name__ == "distances" else "row"
         assert str(refusal.value) == message.replace("source", what)
-
-
-def test_a_place_is_the_nearest_point_wherever_points_are(ground: Arrays) -> None:
-    mesh = gb.Mesh(*ground)
-    chance = np.random.default_rng(3)
-    corners = mesh.vertices[mesh.faces[chance.integers(len(mesh.faces), size=5)]]
-    places = np.einsum("ijk,ij->ik", corners, chance.dirichlet([1, 1, 1], size=5))
-    points, away = mesh.nearest_point(places)
-    assert away.shape == (5,) and away.max() < 1e-12
-    for place, point in zip(places, points, strict=True):
-        np.testing.assert_array_equal(mesh.distances(place), mesh.distances([point]))
-        np.testing.assert_array_equal(mesh.distances([place, 3]), mesh.distances([point, 3]))
-        assert mesh.path(tuple(place), points[0]).length == mesh.path(point, points[0]).length
-    rows = mesh.distance_matrix(places, columns=places)
-    np.testing.assert_array_equal(rows, mesh.distance_matrix(points, columns=points))
-    path = mesh.path(places[0].tolist(), places[1].tolist())
-    np.testing.assert_allclose(path.points[[0, -1]], places[:2], atol=1e-12)
-
-
-def test_the_nearest_point_of_one_place_is_one_point(ground: Arrays) -> None:
-    mesh = gb.Mesh(*ground)
-    point, away = mesh.nearest_point(mesh.vertices[7] + [0, 0, 0])
-    assert (point, away) == (7, 0.0)
-    with pytest.raises(ValueError, match=r"places must have the shape \(3,\) or \(k, 3\), not \(2,\)"):
-        mesh.nearest_point([1, 2])
-
-
-def test_a_place_far_from_the_surface_warns_with_its_distance() -> None:
-    mesh = gb.Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
-    with pytest.warns(UserWarning, match=r"source \(1.0, 1.0, 2.0\) is 2 from the surface") as warned:
-        assert mesh.path((1, 1, 2), 0).length == pytest.approx(2**0.5)
-    assert warned[0].filename == __file__
