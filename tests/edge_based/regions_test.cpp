@@ -1,5 +1,5 @@
 // Regions of a mesh, and the wavefronts that work on them side by side. That distances are right is
-// tested by everything that is run with "edge-based?threads=3&region-size=20".
+// tested by every property (tests/verify/property_test.cpp).
 #include "solvers/edge_based/regions.h"
 
 #include <gtest/gtest.h>
