@@ -250,8 +250,9 @@ std::span<const Index> Mesh::given_corners(Index v) const {
 
 double Mesh::total_angle(Index v) const {
   double sum = 0;
-  for (const Index h : given_corners(v))
+  for (const Index h : given_corners(v)) {
     sum += std::atan2(half_edge(h).apex_y, half_edge(h).apex_x);
+  }
   return sum;
 }
 

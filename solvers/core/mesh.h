@@ -61,8 +61,8 @@ class Mesh {
   /// A part of a mesh, with the frames and pseudo-sources of the whole.
   struct Part {
     std::vector<Vec3> positions;
-    /// Of its faces; from `faces` on, three a face, half-edges of faces beyond the part, as twins of
-    /// its own, which no vertex has.
+    /// Of its faces; from `faces` on, three a face, half-edges of faces beyond the part, as twins
+    /// of its own, which no vertex has.
     std::vector<HalfEdge> half_edges;
     Index faces = 0;
     std::vector<std::uint8_t> pseudo_source;  ///< by vertex

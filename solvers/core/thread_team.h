@@ -17,20 +17,20 @@ namespace geodesic {
 /// For tests: as long as it lives, threads of a team wait for a while before some pieces.
 class DelayedPieces {
  public:
-  DelayedPieces() { living_.fetch_add(1); }
-  ~DelayedPieces() { living_.fetch_sub(1); }
+  DelayedPieces() { living.fetch_add(1); }
+  ~DelayedPieces() { living.fetch_sub(1); }
   DelayedPieces(const DelayedPieces&) = delete;
   DelayedPieces& operator=(const DelayedPieces&) = delete;
 
   static void wait() {
-    if (living_.load(std::memory_order_relaxed) == 0) return;
+    if (living.load(std::memory_order_relaxed) == 0) return;
     thread_local unsigned state = 0;
     state = state * 1664525u + 1013904223u;  // of another length in each thread, soon
     for (unsigned i = state >> 27; i > 0; --i) std::this_thread::yield();
   }
 
  private:
-  static inline std::atomic<int> living_ = 0;
+  static inline std::atomic<int> living = 0;
 };
 
 class ThreadTeam {

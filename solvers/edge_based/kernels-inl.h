@@ -143,10 +143,10 @@ HWY_INLINE Mask beaten(const Windows& w, const EndpointBounds& ends) {
 template <Carried carried>
 void gather(const Segment& segment, const EndpointBounds& bounds, Batch& batch) {
   batch.reserve(batch.count + segment.count);
-  constexpr unsigned fields = fields_with(carried);
-  const double* from[fields];
-  double* to[fields];
-  for (unsigned f = 0; f < fields; ++f) {
+  constexpr unsigned kFields = fields_with(carried);
+  const double* from[kFields];
+  double* to[kFields];
+  for (unsigned f = 0; f < kFields; ++f) {
     from[f] = segment.array(f);
     to[f] = batch.array(f);
   }
@@ -162,7 +162,7 @@ void gather(const Segment& segment, const EndpointBounds& bounds, Batch& batch) 
     pack.store(w.x, to[kX] + out);
     pack.store(w.y, to[kY] + out);
     pack.store(w.sigma, to[kSigma] + out);
-    for (unsigned f = kDepth; f < fields; ++f) {
+    for (unsigned f = kDepth; f < kFields; ++f) {
       pack.store(hn::Load(kTag, from[f] + i), to[f] + out);
     }
     out += pack.count();
@@ -381,9 +381,9 @@ struct RightEdge {
 template <class Edge, Carried carried>
 HWY_INLINE void unfold(const Batch& batch, const FaceFrame& face, const std::uint8_t* to_edge,
                        const std::uint8_t* sees_other, Segment& out) {
-  constexpr unsigned fields = fields_with(carried);
-  double* to[fields];
-  for (unsigned f = 0; f < fields; ++f) to[f] = out.array(f);
+  constexpr unsigned kFields = fields_with(carried);
+  double* to[kFields];
+  for (unsigned f = 0; f < kFields; ++f) to[f] = out.array(f);
   const Vec width = all(kWindowWidth * Edge::length(face));
   std::size_t count = 0;
   for (std::size_t i = 0; i < batch.count; i += kLanes) {
@@ -403,7 +403,7 @@ HWY_INLINE void unfold(const Batch& batch, const FaceFrame& face, const std::uin
     pack.store(x, to[kX] + count);
     pack.store(y, to[kY] + count);
     pack.store(w.sigma, to[kSigma] + count);
-    for (unsigned f = kDepth; f < fields; ++f) {
+    for (unsigned f = kDepth; f < kFields; ++f) {
       const Vec value = hn::LoadU(kTag, batch.array(f) + i);
       pack.store(f == kDepth ? hn::Add(value, all(1)) : value, to[f] + count);
     }

@@ -193,8 +193,9 @@ inline void trim_pair(Window& first, Window& second, const EdgeBelow& edge) {
   if (first.end <= second.begin) return internal::trim_apart(first, second, edge);
   if (second.end <= first.begin) return internal::trim_apart(second, first, edge);
   // Windows that a vertex has cut apart may overlap by rounding.
-  if (first.end - second.begin <= edge.rounding || second.end - first.begin <= edge.rounding)
+  if (first.end - second.begin <= edge.rounding || second.end - first.begin <= edge.rounding) {
     return;
+  }
   const double begin = std::max(first.begin, second.begin);
   internal::Pair at_begin = internal::pair_at(first, second, begin);
   internal::decide_at(at_begin, first, second, edge.rounding);

@@ -197,8 +197,9 @@ class Wavefront {
     Index operator[](std::size_t i) const { return items_[i]; }
     void clear() { size_ = 0; }
     void make_room(std::size_t more) {
-      if (size_ + more > items_.size()) [[unlikely]]
+      if (size_ + more > items_.size()) [[unlikely]] {
         items_.resize(2 * size_ + more + 256);
+      }
     }
     /// Without a branch, which would be mispredicted often. There must be room.
     void push_if(bool wanted, Index h) {
