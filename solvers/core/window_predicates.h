@@ -72,7 +72,7 @@ inline double with_margin(double length) { return length * (1 + kPathMargin); }
 inline bool is_beaten_at(const Window& w, double t, double rival) {
   // rival < sigma + |source t|, squared to spare the root.
   const double straight = rival - w.sigma, dx = t - w.x;
-  return straight < 0 || straight * straight < dx * dx + w.y * w.y;
+  return (straight < 0) | (straight * straight < dx * dx + w.y * w.y);
 }
 
 /// Distances of the two ends of an edge, to compare with its windows.
@@ -94,7 +94,7 @@ struct EndpointBounds {
   /// The same for a window over the whole edge.
   /// @param to_origin, to_head the distances that it gives to the edge's ends
   bool beat_whole(double to_origin, double to_head) const {
-    return at_origin + length < to_head || at_head + length < to_origin;
+    return (at_origin + length < to_head) | (at_head + length < to_origin);
   }
 };
 

@@ -35,7 +35,6 @@ class ListCrossing {
     lists_.clear();
     budget_.start();
   }
-  void prefetch(Index h) const { lists_.prefetch(h); }
   void follow_edge(Index /*from*/, Index /*to*/) {}
   void finish() {}
   double rounding() const { return rounding_; }
@@ -60,6 +59,13 @@ class ListCrossing {
     if (carried_ != Carried::nothing) segment->array(kDepth)[0] = 1;
     if (carried_ == Carried::root) segment->array(kRoot)[0] = root;
     land(side, segment, Place::back, wavefront);
+  }
+
+  template <class Wavefront>
+  void emit_from_apex(bool wanted, Index side, Wavefront& wavefront) {
+    if (!wanted) return;
+    const Index v = mesh_.apex(side);
+    emit(side, apex_from_beyond(mesh_.half_edge(side)), distances_[v], v, wavefront);
   }
 
   template <class Wavefront>

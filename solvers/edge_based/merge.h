@@ -60,6 +60,7 @@
 
 #include "solvers/core/tolerance.h"
 #include "solvers/core/window.h"
+#include "solvers/edge_based/plain_lanes.h"
 #include "solvers/edge_based/trim.h"
 
 namespace geodesic::edge_based {
@@ -124,48 +125,84 @@ struct MergedSource {
 /// rounding.
 inline constexpr double kFarthest = 16;
 
+/// As a float that is no smaller.
 inline float rounded_up(double shortfall) {
-  const auto near = static_cast<float>(shortfall);
-  return near < shortfall ? std::nextafter(near, std::numeric_limits<float>::max()) : near;
+  constexpr float kUp = 1 + 2 * std::numeric_limits<float>::epsilon();
+  return static_cast<float>(shortfall) * kUp;
 }
 
-/// Where one window hands over to the next. Up to `last` the first one counts, from `next` on the
-/// second one; both do at the tie, which lies between.
+/// A number of the first window and one of the second: what is asked of both is computed at once.
+using plain::Double2;
+using plain::Max;
+using plain::Min;
+using plain::Sqrt;
+
+/// Two windows of an edge, as a pair of each of their numbers.
+struct Neighbours {
+  Double2 x, y, squared_y, sigma;
+
+  Neighbours(const Window& a, const Window& b)
+      : x{a.x, b.x}, y{a.y, b.y}, squared_y(y * y), sigma{a.sigma, b.sigma} {}
+
+  /// The distances that they give: each one to a point of its own, or both to the same one.
+  Double2 at(Double2 t) const {
+    const Double2 along = t - x;
+    return Sqrt(along * along + squared_y) + sigma;
+  }
+  Double2 at(double t) const { return at(Double2{t, t}); }
+
+  /// The cosines to the edge of their lines through points of it.
+  Double2 cosines(Double2 t, Double2 distances) const { return (t - x) / (distances - sigma); }
+};
+
+/// Where one window hands over to the next.
 struct HandOver {
-  double last, next, tie;
-  double first_at_last, second_at_next;  ///< distances
-  double first_at_tie, second_at_tie;
+  Double2 from_here;     ///< the first one counts up to here, the second one from here on
+  Double2 at_from_here;  ///< the distances that they give to these
+  double tie;            ///< both count here, which lies between
+  Double2 at_tie;
 };
 
-/// Brackets the one crossing of two windows that are a and b at `begin` and `end` of their overlap.
-inline HandOver crossing_of(const Window& a, const Window& b, const Pair& begin, const Pair& end) {
-  const double before = begin.first - begin.second, after = end.first - end.second;
-  const Pair tie = pair_at(a, b, begin.t + (end.t - begin.t) * (before / (before - after)));
+/// Brackets the one crossing of two windows that differ by `before` and `after` at `begin` and
+/// `end` of their overlap.
+inline HandOver crossing_of(const Neighbours& both, double begin, Double2 at_begin, double end,
+                            Double2 at_end) {
+  const double before = at_begin[0] - at_begin[1], after = at_end[0] - at_end[1];
+  const double tie = begin + (end - begin) * (before / (before - after));
+  const Double2 at_tie = both.at(tie);
   // On the other side of the crossing: twice the step of the secant, if that is enough.
-  const double g = tie.first - tie.second;
+  const double g = at_tie[0] - at_tie[1];
   const bool above = g > 0;
-  const Pair& far = above ? begin : end;
-  double t = tie.t - 2 * g * (tie.t - far.t) / (g - (far.first - far.second));
-  t = above ? std::max(begin.t, t) : std::min(end.t, t);
-  Pair other = pair_at(a, b, t);
-  const double g_other = other.first - other.second;
-  if (above ? !(g_other <= 0) : !(g_other >= 0)) other = far;
-  const Pair &low = above ? other : tie, &high = above ? tie : other;
-  return {high.t, low.t, tie.t, high.first, low.second, tie.first, tie.second};
+  const double far = above ? begin : end;
+  double other = tie - 2 * g * (tie - far) / (g - (above ? before : after));
+  other = above ? std::max(begin, other) : std::min(end, other);
+  Double2 at_other = both.at(other);
+  const double g_other = at_other[0] - at_other[1];
+  if (above ? !(g_other <= 0) : !(g_other >= 0)) {
+    other = far;
+    at_other = above ? at_begin : at_end;
+  }
+  if (above) return {Double2{tie, other}, Double2{at_tie[0], at_other[1]}, tie, at_tie};
+  return {Double2{other, tie}, Double2{at_other[0], at_tie[1]}, tie, at_tie};
 }
 
-/// How much shorter than `w` the window m is, from `begin` to `end`.
+/// How much shorter than two neighbours a window is where these count.
 struct Lead {
-  double least, greatest;  ///< the least is negative where m is longer somewhere
+  double least;  ///< negative where it is longer somewhere
+  Double2 greatest;
 };
-/// @param at_tie, at_edge the distances that w gives to the tie and to the end next to it
-inline Lead lead_over(const Window& w, const Window& m, double begin, double end, double tie,
-                      double at_tie, double edge, double at_edge) {
+/// @param outer where the first one begins and the second one ends
+inline Lead lead_over(const Neighbours& both, const Window& m, Double2 outer, const HandOver& at) {
+  const Neighbours merged(m, m);
   // The difference of two windows is greatest and least at ends, and where their lines coincide.
-  const double touch = std::clamp(w.x - w.y * (m.x - w.x) / (m.y - w.y), begin, end);
-  const double by_touch = distance_at(w, touch) - distance_at(m, touch);
-  const double by_tie = at_tie - distance_at(m, tie), by_edge = at_edge - distance_at(m, edge);
-  return {std::min({by_touch, by_tie, by_edge}), std::max({by_touch, by_tie, 0.0})};
+  const Double2 coincide = both.x - both.y * (merged.x - both.x) / (merged.y - both.y);
+  const Double2 low{outer[0], at.from_here[1]}, high{at.from_here[0], outer[1]};
+  const Double2 touch = Min(Max(coincide, low), high);
+  const Double2 by_touch = both.at(touch) - merged.at(touch);
+  const Double2 by_tie = at.at_tie - merged.at(at.tie);
+  const Double2 by_end = at.at_from_here - merged.at(at.from_here);
+  const Double2 least = Min(Min(by_touch, by_tie), by_end);
+  return {std::min(least[0], least[1]), Max(Max(by_touch, by_tie), Double2{0, 0})};
 }
 
 }  // namespace internal
@@ -177,28 +214,25 @@ inline Lead lead_over(const Window& w, const Window& m, double begin, double end
 /// @param rounding of coordinates (trim.h)
 inline Joined join(MergedWindow& first, MergedWindow& second, double length, double rounding,
                    const MergeRule& rule) {
+  using internal::Double2;
   Window &a = first.window, &b = second.window;
   // Of a source on the edge all lines pass one point: they say nothing about an interval.
   if (std::max(a.y, b.y) > -kFlatFace * length) return Joined::neither;
-  const double at_begin = distance_at(a, a.begin), at_end = distance_at(b, b.end);
-  const double before = double{std::max(first.shortfall, second.shortfall)};
-  const double greatest = rule.most * std::min(at_begin, at_end);
-  const double most_added = rule.share * (greatest - before);
-  const auto rise_to = [&](double t) {  // along the chord
-    return at_begin + (at_end - at_begin) * (t - a.begin) / (b.end - a.begin);
-  };
+  const internal::Neighbours both(a, b);
+  const Double2 outer{a.begin, b.end}, at_outer = both.at(outer);
+  const double at_begin = at_outer[0], at_end = at_outer[1];
 
-  internal::HandOver at{};
+  internal::HandOver at;
   const double begin = std::max(a.begin, b.begin), end = std::min(a.end, b.end);
   if (end - begin > rounding) {
-    const internal::Pair from = internal::pair_at(a, b, begin), to = internal::pair_at(a, b, end);
-    const double margin = kPathMargin * from.first + rounding;
-    const double g_from = from.first - from.second, g_to = to.first - to.second;
+    const Double2 from = both.at(begin), to = both.at(end);
+    const double margin = kPathMargin * from[0] + rounding;
+    const double g_from = from[0] - from[1], g_to = to[0] - to[1];
     if (g_from < -margin && g_to > margin) {
       if (b.begin < a.begin || b.end < a.end) return Joined::neither;
-      at = internal::crossing_of(a, b, from, to);
-      a.end = at.last;
-      b.begin = at.next;
+      at = internal::crossing_of(both, begin, from, end, to);
+      a.end = at.from_here[0];
+      b.begin = at.from_here[1];
     } else if (g_from <= margin && g_to <= margin && internal::is_to_one_side(a, b, begin, end)) {
       if (b.begin < a.begin) {
         if (b.end > a.end) return Joined::neither;
@@ -207,7 +241,7 @@ inline Joined join(MergedWindow& first, MergedWindow& second, double length, dou
       }
       b.begin = end;
       if (b.end <= a.end || is_void(b, length)) return Joined::second_gone;
-      at = {end, end, end, to.first, to.second, to.first, to.second};
+      at = {Double2{end, end}, to, end, to};
     } else if (g_from >= -margin && g_to >= -margin && internal::is_to_one_side(b, a, begin, end)) {
       if (a.end > b.end) {
         if (a.begin < b.begin) return Joined::neither;
@@ -216,7 +250,7 @@ inline Joined join(MergedWindow& first, MergedWindow& second, double length, dou
       }
       a.end = begin;
       if (a.begin >= b.begin || is_void(a, length)) return Joined::first_gone;
-      at = {begin, begin, begin, from.first, from.second, from.first, from.second};
+      at = {Double2{begin, begin}, from, begin, from};
     } else {
       return Joined::neither;
     }
@@ -224,37 +258,30 @@ inline Joined join(MergedWindow& first, MergedWindow& second, double length, dou
     const bool meet =
         b.begin > a.begin && b.end > a.end && begin <= end + 4 * kWindowWidth * length;
     if (!meet) return Joined::neither;
-    at = {a.end,
-          b.begin,
-          a.end,
-          distance_at(a, a.end),
-          distance_at(b, b.begin),
-          distance_at(a, a.end),
-          distance_at(b, a.end)};
+    const Double2 ends{a.end, b.begin};
+    at = {ends, both.at(ends), a.end, both.at(a.end)};
   }
 
-  // A merged window is convex: the chord is above it.
-  const double at_tie = std::min(at.first_at_tie, at.second_at_tie);
-  if (at_tie - rise_to(at.tie) > most_added) return Joined::neither;
+  const double before = double{std::max(first.shortfall, second.shortfall)};
+  const double most_added = rule.share * (rule.most * std::min(at_begin, at_end) - before);
   internal::MergedSource source{a.begin, b.end, at_begin, at_end, 0};
-  if (!(source.squares() > 0)) return Joined::neither;
+  // A merged window is convex: the chord is above it.
+  const double at_tie = std::min(at.at_tie[0], at.at_tie[1]);
+  const double chord = at_begin + source.rise() * (at.tie - a.begin) / source.width();
+  if (at_tie - chord > most_added || !(source.squares() > 0)) return Joined::neither;
   source.away = internal::kFarthest * std::max(at_begin, at_end);
-  const auto cosine = [](const Window& w, double t, double distance) {
-    return (t - w.x) / (distance - w.sigma);
-  };
-  source.take_in(std::min(cosine(a, a.begin, at_begin), cosine(b, at.next, at.second_at_next)),
-                 std::max(cosine(a, at.last, at.first_at_last), cosine(b, b.end, at_end)));
+  const Double2 firsts =
+      both.cosines(Double2{a.begin, at.from_here[1]}, Double2{at_begin, at.at_from_here[1]});
+  const Double2 lasts =
+      both.cosines(Double2{at.from_here[0], b.end}, Double2{at.at_from_here[0], at_end});
+  source.take_in(std::min(firsts[0], firsts[1]), std::max(lasts[0], lasts[1]));
   source.stay_below(at.tie, at_tie);
   Window m{};
   if (!source.make(m) || m.y > -kLeastAway * length) return Joined::neither;
-  const internal::Lead over_a = internal::lead_over(a, m, a.begin, at.last, at.tie, at.first_at_tie,
-                                                    at.last, at.first_at_last);
-  const internal::Lead over_b = internal::lead_over(b, m, at.next, b.end, at.tie, at.second_at_tie,
-                                                    at.next, at.second_at_next);
-  const double longer = -std::min(over_a.least, over_b.least);
-  if (longer > kPathMargin * std::max(at_begin, at_end)) return Joined::neither;
+  const internal::Lead lead = internal::lead_over(both, m, outer, at);
+  if (-lead.least > kPathMargin * std::max(at_begin, at_end)) return Joined::neither;
   const float shortfall = internal::rounded_up(
-      std::max(first.shortfall + over_a.greatest, second.shortfall + over_b.greatest));
+      std::max(first.shortfall + lead.greatest[0], second.shortfall + lead.greatest[1]));
   const double allowed = rule.most * least_distance(m);
   if (!(shortfall <= allowed && shortfall - before <= rule.share * (allowed - before))) {
     return Joined::neither;

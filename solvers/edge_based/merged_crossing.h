@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "solvers/core/prefetch.h"
 #include "solvers/core/recorders.h"
 #include "solvers/core/window_bound.h"
 #include "solvers/edge_based/merge.h"
@@ -42,7 +41,6 @@ class MergedCrossing {
     window_count_ = 0;
     budget_.start();
   }
-  void prefetch(Index h) const { geodesic::prefetch(&waiting_[h]); }
   void follow_edge(Index from, Index to) { shortfalls_[to] = shortfalls_[from]; }
   double rounding() const { return rounding_; }
   std::uint64_t window_count() const { return window_count_; }
@@ -59,66 +57,57 @@ class MergedCrossing {
   template <class Visit>
   void for_each_window(Index h, const Visit& visit) const {
     for (Index n = waiting_[h].first; n != kNil; n = nodes_[n].next) visit(nodes_[n].merged.window);
-    if (waiting_[h].sends) visit(sent_from_below(h).merged.window);
+    if (waiting_[h].sends) visit(sent_from_below(h).window);
   }
 
   template <class Wavefront>
   void emit(Index side, const Point2& from, double distance, Index root, Wavefront& wavefront) {
     const HalfEdge& e = mesh_.half_edge(side);
     if (e.twin == kNone || !(e.length > 0)) return;
-    if (root < mesh_.vertex_count() && !mesh_.crosses_non_manifold_edges()) {
-      // The window is made when the list crosses: by then it is known what others leave of it.
-      Waiting& waiting = waiting_[e.twin];
-      window_count_ += 1 - waiting.sends;
-      waiting.sends = 1;
-      return wavefront.land(e.twin);
-    }
     const float shortfall = root < mesh_.vertex_count() ? shortfalls_[root] : 0;
-    land(side, {{{0, e.length, from.x, from.y, distance}, shortfall}, 1, true, 0, kNil}, wavefront);
+    land(side, {0, e.length, from.x, from.y, distance}, shortfall, {1, true, 0}, wavefront);
+  }
+
+  /// The window is made when the list crosses: by then it is known what others leave of it. No
+  /// branch tells which ones are wanted; it would be mispredicted often.
+  template <class Wavefront>
+  void emit_from_apex(bool wanted, Index side, Wavefront& wavefront) {
+    const HalfEdge& e = mesh_.half_edge(side);
+    if (e.twin == kNone || !(e.length > 0)) return;
+    if (mesh_.crosses_non_manifold_edges()) [[unlikely]] {
+      const Index v = mesh_.apex(side);
+      if (wanted) emit(side, apex_from_beyond(e), distances_[v], v, wavefront);
+      return;
+    }
+    Waiting& waiting = waiting_[e.twin];
+    window_count_ += unsigned{wanted} & ~unsigned{waiting.sends};
+    waiting.sends |= Index{wanted};
+    wavefront.land(e.twin, wanted);
   }
 
   template <class Wavefront>
   void cross(Index h, Wavefront& wavefront) {
     auto& recorder = wavefront.recorder();
-    using Recorder = std::remove_cvref_t<decltype(recorder)>;
-    gather(h, recorder);
-    if (lines_.empty()) return;
-    budget_.spend(lines_.size());
-
-    const FaceFrame face = face_frame(mesh_, h);
-    const Index left = Mesh::previous(h), right = Mesh::next(h);
-    if (lines_.size() == 1) {  // as below, without loops: most lists
-      Line& line = lines_.back();
-      find_sides(line, face);
-      if (line.left && line.right) reach_apex(h, line, wavefront);
-      if constexpr (Recorder::kRecords) count(line, recorder);
-      if (line.left && mesh_.twin(left) != kNone) go_left(left, face, line, false, wavefront);
-      if (line.right && mesh_.twin(right) != kNone) go_right(right, face, line, false, wavefront);
+    const HalfEdge& edge = mesh_.half_edge(h);
+    const EndpointBounds bounds(edge.length, distances_[edge.origin], distances_[mesh_.head(h)]);
+    const Waiting waiting = std::exchange(waiting_[h], {});
+    if (const Index only = waiting.first;
+        only != kNil && nodes_[only].next == kNil && waiting.sends == 0) {  // most lists
+      const Node& node = nodes_[only];
+      --window_count_;
+      recorder.created(1);
+      if (!is_useless(node, bounds)) {
+        Line line{node.merged, node.strip, 0, false, false};
+        cross_alone(h, line, wavefront);
+      }
+      nodes_[only].next = std::exchange(free_, only);
       return;
     }
-    const Line* best = nullptr;  // with the shortest line to the apex
-    for (Line& line : lines_) {
-      find_sides(line, face);
-      if (!line.left || !line.right) continue;
-      if (best == nullptr || line.to_apex < best->to_apex) best = &line;
-    }
-    if (best != nullptr) {
-      reach_apex(h, *best, wavefront);
-      drop_crossing(*best, face);
-    }
-    if constexpr (Recorder::kRecords) {
-      for (const Line& line : lines_) count(line, recorder);
-    }
-    if (mesh_.twin(left) != kNone) {
-      for (std::size_t i = lines_.size(); i-- > 0;) {  // the last one is to be the first
-        if (lines_[i].left) go_left(left, face, lines_[i], i > 0 && lines_[i - 1].left, wavefront);
-      }
-    }
-    if (mesh_.twin(right) != kNone) {
-      for (std::size_t i = 0; i < lines_.size(); ++i) {
-        if (!lines_[i].right) continue;
-        go_right(right, face, lines_[i], i > 0 && lines_[i - 1].right, wavefront);
-      }
+    gather(h, waiting, bounds, recorder);
+    if (lines_.size() == 1) {
+      cross_alone(h, lines_.back(), wavefront);
+    } else if (!lines_.empty()) {
+      cross_together(h, wavefront);
     }
   }
 
@@ -138,14 +127,18 @@ class MergedCrossing {
   // Handles of nodes have 31 bits.
   static constexpr Index kNil = kNone >> 1;
 
+  /// How a window came, in one word.
+  struct Strip {
+    std::uint32_t depth : 28;  ///< in faces
+    bool from_right : 1;       ///< over the side of the face below that is next to the head
+    std::uint32_t apart : 3;   ///< from its neighbour towards the origin, for so many faces
+  };
   static constexpr std::uint32_t kMostDepth = (1u << 28) - 1;
 
   /// A window that waits on a half-edge.
-  struct Node {
+  struct alignas(64) Node {
     MergedWindow merged;
-    std::uint32_t depth : 28;  ///< of its strip, in faces
-    bool from_right : 1;       ///< over the side of the face below that is next to the head
-    std::uint32_t apart : 3;   ///< from its neighbour towards the origin, for so many faces
+    Strip strip;
     Index next;
   };
 
@@ -168,10 +161,16 @@ class MergedCrossing {
     Item* begin() { return items_.data(); }
     Item* end() { return items_.data() + size_; }
     const Item& back() const { return items_[size_ - 1]; }
-    void push(const Item& item) {
+    /// @return where the new item belongs: assembled there, it need not be copied
+    Item& push() {
       if (size_ == items_.size()) [[unlikely]]
         items_.resize(2 * size_ + 16);
-      items_[size_++] = item;
+      return items_[size_++];
+    }
+    /// Without a branch, which would be mispredicted often.
+    void push_if(bool wanted, const Item& item) {
+      push() = item;
+      size_ -= !wanted;
     }
     void pop() { --size_; }
 
@@ -183,71 +182,59 @@ class MergedCrossing {
   /// A window of the list that crosses.
   struct Line {
     MergedWindow merged;
-    std::uint32_t depth, apart;
-    double crossing = 0;  ///< where the line to the apex crosses the edge's line
-    double to_apex = 0;   ///< along that line, where it passes the window
-    bool left = false, right = false;
+    Strip strip;
+    double to_apex;  ///< along the line to the apex
+    bool left, right;
   };
 
-  /// Moves the list of h into lines_, joined, without what paths over the ends of h beat.
+  /// Moves what waits on h into lines_, joined, without what paths over the ends of h beat.
   template <class Recorder>
-  void gather(Index h, Recorder& recorder) {
+  void gather(Index h, Waiting waiting, const EndpointBounds& bounds, Recorder& recorder) {
     const auto timed = recorder.enter(Phase::trimming);
-    const HalfEdge& edge = mesh_.half_edge(h);
-    const EndpointBounds bounds(edge.length, distances_[edge.origin], distances_[mesh_.head(h)]);
-    const Waiting waiting = std::exchange(waiting_[h], {});
     lines_.clear();
-    if (const Index only = waiting.first;
-        only != kNil && nodes_[only].next == kNil && waiting.sends == 0) {
-      const Node& node = nodes_[only];
-      --window_count_;
-      recorder.created(1);
-      if (!is_useless(node, bounds)) lines_.push({node.merged, node.depth, 0});
-      nodes_[only].next = std::exchange(free_, only);
-      return;
-    }
+    from_left_.clear();
     from_right_.clear();
     Index last = kNil;
     for (Index n = waiting.first; n != kNil; n = nodes_[n].next) {
-      if (nodes_[n].from_right) {
-        from_right_.push(n);
-      } else {
-        append(n, bounds);
-      }
+      const bool from_right = nodes_[n].strip.from_right;
+      from_left_.push_if(!from_right, n);
+      from_right_.push_if(from_right, n);
       --window_count_;
       recorder.created(1);
       last = n;
     }
+    for (const Index n : from_left_) append(n, bounds);
     if (waiting.sends != 0) {
       --window_count_;
       recorder.created(1);
       while (!from_right_.empty() && is_useless(nodes_[from_right_.back()], bounds)) {
         from_right_.pop();
       }
-      const Line line = not_left_to_others(sent_from_below(h), edge.length);
-      const Window& w = line.merged.window;
-      if (!is_void(w, edge.length) && !bounds.beat(w)) append(line, edge.length);
+      const MergedWindow sent = not_left_to_others(sent_from_below(h), bounds.length);
+      if (!is_void(sent.window, bounds.length) && !bounds.beat(sent.window)) {
+        append(sent, {1, false, 0}, bounds.length);
+      }
     }
     for (; !from_right_.empty(); from_right_.pop()) append(from_right_.back(), bounds);
-    if (last != kNil) nodes_[last].next = std::exchange(free_, waiting.first);
+    if (last != kNil) nodes_[last].next = std::exchange(free_, Index{waiting.first});
   }
 
   bool is_useless(const Node& node, const EndpointBounds& bounds) const {
     return bounds.beat(node.merged.window) ||
-           is_strip_too_long(mesh_, node.depth + std::uint64_t{1});
+           is_strip_too_long(mesh_, node.strip.depth + std::uint64_t{1});
   }
 
   /// The window that the third vertex of the face below sends over the whole of h.
-  Line sent_from_below(Index h) const {
+  MergedWindow sent_from_below(Index h) const {
     const Index below = mesh_.twin(h), v = mesh_.apex(below);
     const Point2 from = apex_from_beyond(mesh_.half_edge(below));
-    return {{{0, mesh_.half_edge(h).length, from.x, from.y, distances_[v]}, shortfalls_[v]}, 1, 0};
+    return {{0, mesh_.half_edge(h).length, from.x, from.y, distances_[v]}, shortfalls_[v]};
   }
 
   /// What the windows that came over the sides of the face below leave of that window (merge.h).
-  Line not_left_to_others(Line sent, double length) const {
+  MergedWindow not_left_to_others(MergedWindow sent, double length) const {
     const double flat = -kFlatFace * length;
-    Window& p = sent.merged.window;
+    Window& p = sent.window;
     if (p.y > flat) return sent;
     const auto is_no_longer = [&](const Window& w, double t) {
       return distance_at(w, t) <= distance_at(p, t) * (1 + kPathMargin) + rounding_;
@@ -271,21 +258,23 @@ class MergedCrossing {
 
   void append(Index n, const EndpointBounds& bounds) {
     const Node& node = nodes_[n];
-    if (!is_useless(node, bounds)) append({node.merged, node.depth, node.apart}, bounds.length);
+    if (!is_useless(node, bounds)) append(node.merged, node.strip, bounds.length);
   }
 
   /// Puts a window behind the others, and joins the last two as long as that leaves one.
-  void append(const Line& line, double length) {
-    lines_.push(line);
+  void append(const MergedWindow& merged, Strip strip, double length) {
+    Line& line = lines_.push();
+    line.merged = merged;
+    line.strip = strip;
     while (lines_.size() > 1) {
       Line &a = lines_[lines_.size() - 2], &b = lines_.back();
-      if (b.apart > 0) return;
+      if (b.strip.apart > 0) return;
       switch (join(a.merged, b.merged, length, rounding_, rule_)) {
         case Joined::neither:
-          b.apart = kApart;
+          b.strip.apart = kApart;
           return;
         case Joined::merged:
-          a.depth = std::max(a.depth, b.depth);
+          a.strip.depth = std::max(a.strip.depth, b.strip.depth) & kMostDepth;
           break;
         case Joined::first_gone:
           a = b;
@@ -302,10 +291,53 @@ class MergedCrossing {
   static void find_sides(Line& line, const FaceFrame& face) {
     const double slack = kApexTolerance * face.length;
     const Window& w = line.merged.window;
-    line.crossing = line_crossing(w, face);
-    line.left = !(line.crossing < w.begin - slack);
-    line.right = !(line.crossing > w.end + slack);
+    const double up = std::max(face.apex_y - w.y, kLeastHeight);
+    const double across = (face.apex_x - w.x) * -w.y;
+    line.left = across >= (w.begin - slack - w.x) * up;
+    line.right = across <= (w.end + slack - w.x) * up;
     if (line.left && line.right) line.to_apex = distance_through(w, face.apex_x, face.apex_y);
+  }
+
+  /// One window over a face: as several, without what they do to each other.
+  template <class Wavefront>
+  void cross_alone(Index h, Line& line, Wavefront& wavefront) {
+    budget_.spend(1);
+    const FaceFrame face = face_frame(mesh_, h);
+    find_sides(line, face);
+    count(line, wavefront.recorder());
+    const Index left = Mesh::previous(h), right = Mesh::next(h);
+    if (line.left && line.right) reach_apex(h, line, wavefront);
+    if (line.left && mesh_.twin(left) != kNone) go_left(left, face, line, false, wavefront);
+    if (line.right && mesh_.twin(right) != kNone) go_right(right, face, line, false, wavefront);
+  }
+
+  template <class Wavefront>
+  [[gnu::noinline]] void cross_together(Index h, Wavefront& wavefront) {
+    budget_.spend(lines_.size());
+    const FaceFrame face = face_frame(mesh_, h);
+    const Line* best = nullptr;  // with the shortest line to the apex
+    for (Line& line : lines_) {
+      find_sides(line, face);
+      if (!line.left || !line.right) continue;
+      if (best == nullptr || line.to_apex < best->to_apex) best = &line;
+    }
+    if (best != nullptr) {
+      reach_apex(h, *best, wavefront);
+      drop_crossing(*best, face);
+    }
+    for (const Line& line : lines_) count(line, wavefront.recorder());
+    const Index left = Mesh::previous(h), right = Mesh::next(h);
+    if (mesh_.twin(left) != kNone) {
+      for (std::size_t i = lines_.size(); i-- > 0;) {  // the last one is to be the first
+        if (lines_[i].left) go_left(left, face, lines_[i], i > 0 && lines_[i - 1].left, wavefront);
+      }
+    }
+    if (mesh_.twin(right) != kNone) {
+      for (std::size_t i = 0; i < lines_.size(); ++i) {
+        if (!lines_[i].right) continue;
+        go_right(right, face, lines_[i], i > 0 && lines_[i - 1].right, wavefront);
+      }
+    }
   }
 
   template <class Wavefront>
@@ -318,15 +350,18 @@ class MergedCrossing {
 
   template <class Recorder>
   static void count(const Line& line, Recorder& recorder) {
-    recorder.propagated(1, {line.depth + 1});
-    if (line.left || line.right) recorder.valid(1);
+    if constexpr (Recorder::kRecords) {
+      recorder.propagated(1, {std::uint32_t{line.strip.depth} + 1});
+      if (line.left || line.right) recorder.valid(1);
+    }
   }
 
   /// Drops the lines that cross the shortest one to the apex.
   void drop_crossing(const Line& best, const FaceFrame& face) {
+    const double crossing = line_crossing(best.merged.window, face);
     for (Line& line : lines_) {
       const Window& w = line.merged.window;
-      const bool after = w.begin >= best.crossing, before = w.end <= best.crossing;
+      const bool after = w.begin >= crossing, before = w.end <= crossing;
       if (&line == &best || (!after && !before)) continue;
       if (line.left && line.right) {
         if (is_shorter(best.to_apex, line.to_apex, rounding_)) {
@@ -348,20 +383,20 @@ class MergedCrossing {
 
   /// @param behind_another the line before it goes there as well
   template <class Wavefront>
-  void go_left(Index side, const FaceFrame& face, const Line& line, bool behind_another,
-               Wavefront& wavefront) {
+  [[gnu::always_inline]] void go_left(Index side, const FaceFrame& face, const Line& line,
+                                      bool behind_another, Wavefront& wavefront) {
     const Window& w = line.merged.window;
     const Point2 from = face.to_left(w.x, w.y);
     const double begin = w.begin > 0 || !sees_ends(w, face) ? face.on_left(w, w.begin) : 0;
     const double end = line.right ? face.left : face.on_left(w, w.end);
     const Window child = {begin, end, from.x, std::min(from.y, 0.0), w.sigma};
     if (is_void(child, face.left)) return;
-    land(side, child_of(line, behind_another, child, false), wavefront);
+    land(side, child, line.merged.shortfall, strip_of(line, behind_another, false), wavefront);
   }
 
   template <class Wavefront>
-  void go_right(Index side, const FaceFrame& face, const Line& line, bool behind_another,
-                Wavefront& wavefront) {
+  [[gnu::always_inline]] void go_right(Index side, const FaceFrame& face, const Line& line,
+                                       bool behind_another, Wavefront& wavefront) {
     const Window& w = line.merged.window;
     const Point2 from = face.to_right(w.x, w.y);
     const double begin = line.left ? 0 : face.on_right(w, w.begin);
@@ -369,30 +404,39 @@ class MergedCrossing {
     const double end = to_head ? face.right : face.on_right(w, w.end);
     const Window child = {begin, end, from.x, std::min(from.y, 0.0), w.sigma};
     if (is_void(child, face.right)) return;
-    land(side, child_of(line, behind_another, child, true), wavefront);
+    land(side, child, line.merged.shortfall, strip_of(line, behind_another, true), wavefront);
   }
 
-  static Node child_of(const Line& line, bool behind_another, const Window& w, bool from_right) {
-    Node node{{w, line.merged.shortfall}, 0, from_right, 0, kNil};
-    node.depth = (line.depth + 1) & kMostDepth;
-    if (behind_another && line.apart > 0) node.apart = (line.apart - 1) & kApart;
-    return node;
+  static Strip strip_of(const Line& line, bool behind_another, bool from_right) {
+    const std::uint32_t apart = line.strip.apart;
+    return {(line.strip.depth + 1) & kMostDepth, from_right,
+            behind_another && apart > 0 ? (apart - 1) & kApart : 0};
   }
 
   /// @param side through which the window leaves a face
   template <class Wavefront>
-  void land(Index side, const Node& window, Wavefront& wavefront) {
-    if (!mesh_.crosses_non_manifold_edges()) return put(mesh_.twin(side), window, wavefront);
-    mesh_.for_each_sheet(side, [&](Index g) { put(mesh_.twin(g), window, wavefront); });
+  [[gnu::always_inline]] void land(Index side, const Window& w, float shortfall, Strip strip,
+                                   Wavefront& wavefront) {
+    if (!mesh_.crosses_non_manifold_edges()) {
+      return put(mesh_.twin(side), w, shortfall, strip, wavefront);
+    }
+    mesh_.for_each_sheet(side,
+                         [&](Index g) { put(mesh_.twin(g), w, shortfall, strip, wavefront); });
   }
 
+  /// Inlined: a window that is passed in memory is stored number by number and read in pairs, for
+  /// which processors wait.
   template <class Wavefront>
-  void put(Index h, const Node& window, Wavefront& wavefront) {
+  [[gnu::always_inline]] void put(Index h, const Window& w, float shortfall, Strip strip,
+                                  Wavefront& wavefront) {
     if (free_ == kNil) add_node();
     const Index n = free_;
-    free_ = nodes_[n].next;
-    nodes_[n] = window;
-    nodes_[n].next = waiting_[h].first;
+    Node& node = nodes_[n];
+    free_ = node.next;
+    node.merged.window = w;
+    node.merged.shortfall = shortfall;
+    node.strip = strip;
+    node.next = waiting_[h].first;
     waiting_[h].first = n & kNil;
     ++window_count_;
     wavefront.land(h);
@@ -400,7 +444,7 @@ class MergedCrossing {
 
   [[gnu::cold, gnu::noinline]] void add_node() {
     free_ = static_cast<Index>(nodes_.size());
-    nodes_.push_back({{}, 0, false, 0, kNil});
+    nodes_.push_back({{}, {}, kNil});
   }
 
   const Mesh& mesh_;
@@ -417,7 +461,7 @@ class MergedCrossing {
   double rounding_;  // of coordinates
   // Scratch of one list. Of what came over the right side the first one is the last.
   Stack<Line> lines_;
-  Stack<Index> from_right_;  // nodes
+  Stack<Index> from_left_, from_right_;  // nodes
 };
 
 }  // namespace geodesic::edge_based

@@ -5,11 +5,12 @@
 // of a Crossing (list_crossing.h, merged_crossing.h), which has
 //
 //   start(distances)            forgets the last solve
-//   prefetch(h)                 starts to load what waits on h
 //   emit(side, from, distance, root, wavefront)
 //                               sends a window over the whole of a side out of its face, into all
 //                               others; `from` in the frame of the side's twin, `root` as in
 //                               LastSegment
+//   emit_from_apex(wanted, side, wavefront)
+//                               the same from the vertex opposite to the side, where wanted
 //   cross(h, wavefront)         takes what waits on h over the face of h
 //   follow_edge(from, to)       a path along this edge is the shortest to `to` yet
 //   finish()                    the distances are those of all paths that were looked for
@@ -26,7 +27,6 @@
 #include <utility>
 #include <vector>
 
-#include "solvers/core/prefetch.h"
 #include "solvers/core/queues/concepts.h"
 #include "solvers/core/recorders.h"
 #include "solvers/edge_based/trim.h"
@@ -176,13 +176,15 @@ class Wavefront {
     }
   }
 
-  /// Something has landed on h. It crosses at once where the face has been entered.
-  void land(Index h) {
+  /// Something has landed on h, where `has_landed`. It crosses at once where the face has been
+  /// entered.
+  void land(Index h, bool has_landed = true) {
     std::uint8_t& face = faces_[h / 3];
     const unsigned before = face, side = h % 3;
-    face = static_cast<std::uint8_t>(before | 1u << side);
+    face = static_cast<std::uint8_t>(before | unsigned{has_landed} << side);
+    mesh_.prefetch_face(h);
     fifo_.make_room(1);
-    fifo_.push_if(before >= kEntered && (before >> side & 1) == 0, h);
+    fifo_.push_if(has_landed & (before >= kEntered) & ((before >> side & 1) == 0), h);
   }
 
  private:
@@ -246,7 +248,6 @@ class Wavefront {
   }
 
   void enter_faces_around(Index v) {
-    prefetch_around(v);
     for (const Index h : mesh_.outgoing(v)) enter(h / 3);
     if (!may_bend_at(v)) return;
     for (const Index h : mesh_.outgoing(v)) emit_across(v, h);
@@ -262,16 +263,6 @@ class Wavefront {
     fifo_.push_if(crosses & 1, 3 * f);
     fifo_.push_if(crosses >> 1 & 1, 3 * f + 1);
     fifo_.push_if(crosses >> 2 & 1, 3 * f + 2);
-  }
-
-  /// Starts to load what entering the faces around v reads, all at once, so that cache misses
-  /// overlap.
-  void prefetch_around(Index v) const {
-    for (const Index h : mesh_.outgoing(v)) {
-      const Index beyond = mesh_.twin(Mesh::next(h));
-      if (beyond != kNone) prefetch(&mesh_.half_edge(beyond));
-      crossing_.prefetch(h - h % 3);
-    }
   }
 
   bool may_bend_at(Index v) const { return always_emits_[v] != 0 || mesh_.is_pseudo_source(v); }
@@ -310,12 +301,11 @@ class Wavefront {
   /// @param h from v
   void emit_across(Index v, Index h) {
     const Index opposite = Mesh::next(h), back = Mesh::previous(h);
-    const HalfEdge& e = mesh_.half_edge(opposite);
-    const EndpointBounds bounds(e.length, distances_[e.origin], distances_[mesh_.head(opposite)]);
+    const EndpointBounds bounds(mesh_.half_edge(opposite).length, distances_[mesh_.head(h)],
+                                distances_[mesh_.origin(back)]);
     const double at_origin = distances_[v] + mesh_.half_edge(h).length;
     const double at_head = distances_[v] + mesh_.half_edge(back).length;
-    if (bounds.beat_whole(at_origin, at_head)) return;
-    crossing_.emit(opposite, apex_from_beyond(e), distances_[v], v, *this);
+    crossing_.emit_from_apex(!bounds.beat_whole(at_origin, at_head), opposite, *this);
   }
 
   /// Ends a propagation that has come to `end`: the vertices that wait are farther, but windows

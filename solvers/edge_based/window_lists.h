@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "solvers/core/geometry.h"
-#include "solvers/core/prefetch.h"
 #include "solvers/core/window.h"
 
 namespace geodesic::edge_based {
@@ -82,7 +81,6 @@ class WindowLists {
         last_(half_edges, kNone) {}
 
   std::uint64_t window_count() const { return window_count_; }
-  void prefetch(Index h) const { geodesic::prefetch(&last_[h]); }
 
   /// A segment with room for at least `windows`, one or more, in no list yet; its count is 0.
   [[gnu::always_inline]] Segment* allocate(std::size_t windows) {

@@ -1,8 +1,8 @@
 // A calendar queue (bucket_ring.h) of vertices whose distances may decrease while they wait: the
 // order of VertexHeap but for the vertices of one bucket, which are first in, first out.
 //
-// A vertex is in it once and must be found to be moved, so that buckets are doubly linked through
-// the vertices themselves; they have no nodes of a pool.
+// A vertex that moves forward leaves its old entry behind: an entry counts only in the bucket that
+// is noted for its vertex. That spares the links by which an entry would be found.
 #pragma once
 
 #include <algorithm>
@@ -15,19 +15,14 @@
 
 namespace geodesic {
 
-/// Bucket n lies in slot n modulo kSlots, and n is kept for each vertex, so that
-/// keys may be farther apart than the slots reach. Popping passes over empty buckets one by one,
-/// and over more than a lap of them at once.
+/// Bucket n lies in slot n modulo kSlots, so that keys may be farther apart than the slots reach.
+/// Popping passes over empty buckets one by one, and over more than a lap of them at once.
 class VertexCalendar {
  public:
   /// @param vertices number of vertices; ids run from 0 to vertices - 1
   /// @param width keys covered by one bucket, in the keys' unit; not positive: all are in one
   VertexCalendar(Index vertices, double width)
-      : numbers_(width), vertices_(vertices), bucket_(vertices, kAbsent) {
-    next_.resize(vertices + kSlots);
-    previous_.resize(vertices + kSlots);
-    for (std::size_t slot = 0; slot < kSlots; ++slot) make_empty(slot);
-  }
+      : numbers_(width), slots_(kSlots), bucket_(vertices, kAbsent) {}
 
   bool empty() const { return size_ == 0; }
 
@@ -41,14 +36,13 @@ class VertexCalendar {
   }
 
   void clear() {
-    for (std::size_t slot = 0; slot < kSlots && size_ > 0; ++slot) {
-      for (Index v = first(slot); v < vertices_; v = next_[v]) {
-        bucket_[v] = kAbsent;
-        --size_;
-      }
-      make_empty(slot);
+    for (std::vector<Index>& slot : slots_) {
+      for (const Index v : slot) bucket_[v] = kAbsent;
+      slot.clear();
     }
-    current_ = popped_ = 0;
+    size_ = 0;
+    move_to(0);
+    popped_ = 0;
   }
 
   /// Inserts v, or moves it forward when it is there in a later bucket. A key that lies behind what
@@ -57,21 +51,19 @@ class VertexCalendar {
     const std::int64_t bucket = std::max(numbers_.of(key), popped_);
     if (bucket_[v] == kAbsent) {
       ++size_;
-    } else if (bucket < bucket_[v]) {
-      unlink(v);
-    } else {
+    } else if (bucket >= bucket_[v]) {
       return;
     }
-    current_ = std::min(current_, bucket);
     bucket_[v] = bucket;
-    append(slot_of(bucket), v);
+    slots_[slot_of(bucket)].push_back(v);
+    if (bucket < current_) move_to(bucket);
   }
 
   /// A vertex that is likely to be popped next, for its data to be prefetched; kNone when none is
   /// known.
   Index upcoming() const {
-    const Index v = first(slot_of(current_));
-    return v < vertices_ ? v : kNone;
+    const std::vector<Index>& slot = slots_[slot_of(current_)];
+    return at_ < slot.size() ? slot[at_] : kNone;
   }
 
   /// Removes and returns the vertex that has been longest in the first bucket that holds any. Must
@@ -79,8 +71,8 @@ class VertexCalendar {
   Index pop() {
     const Index v = seek();
     popped_ = current_;
-    unlink(v);
     bucket_[v] = kAbsent;
+    ++at_;
     --size_;
     return v;
   }
@@ -93,51 +85,46 @@ class VertexCalendar {
     return static_cast<std::size_t>(bucket) % kSlots;
   }
 
-  // A slot is a ring: of its vertices, and of an end that has a number behind those of vertices.
-  Index end(std::size_t slot) const { return vertices_ + static_cast<Index>(slot); }
-  Index first(std::size_t slot) const { return next_[end(slot)]; }
-
-  void make_empty(std::size_t slot) { next_[end(slot)] = previous_[end(slot)] = end(slot); }
-
-  void append(std::size_t slot, Index v) {
-    const Index last = previous_[end(slot)];
-    next_[last] = v;
-    previous_[v] = last;
-    next_[v] = end(slot);
-    previous_[end(slot)] = v;
-  }
-
-  void unlink(Index v) {
-    next_[previous_[v]] = next_[v];
-    previous_[next_[v]] = previous_[v];
+  /// Goes on with the first entry of a bucket.
+  void move_to(std::int64_t bucket) {
+    current_ = bucket;
+    at_ = later_ = 0;
   }
 
   /// Moves on to the first bucket that holds a vertex. @return the one that is longest in it
   Index seek() {
     std::size_t passed = 0;
     for (;;) {
-      for (Index v = first(slot_of(current_)); v < vertices_; v = next_[v]) {
+      std::vector<Index>& slot = slots_[slot_of(current_)];
+      for (; at_ < slot.size(); ++at_) {
+        const Index v = slot[at_];
         if (bucket_[v] == current_) return v;
+        const bool is_of_later_lap =
+            bucket_[v] > current_ && slot_of(bucket_[v]) == slot_of(current_);
+        if (is_of_later_lap) slot[later_++] = v;
       }
-      ++current_;
-      if (++passed == kSlots) current_ = first_bucket();
+      slot.resize(later_);
+      move_to(++passed < kSlots ? current_ + 1 : first_bucket());
     }
   }
 
   std::int64_t first_bucket() const {
     std::int64_t least = INT64_MAX;
-    for (std::size_t slot = 0; slot < kSlots; ++slot) {
-      for (Index v = first(slot); v < vertices_; v = next_[v]) least = std::min(least, bucket_[v]);
+    for (const std::vector<Index>& slot : slots_) {
+      for (const Index v : slot) {
+        if (bucket_[v] != kAbsent) least = std::min(least, bucket_[v]);
+      }
     }
     return least;
   }
 
   BucketNumbers numbers_;
-  Index vertices_;
+  std::vector<std::vector<Index>> slots_;
   std::vector<std::int64_t> bucket_;  // of each vertex, kAbsent when it does not wait
-  std::vector<Index> next_, previous_;
-  std::int64_t current_ = 0;  // no vertex waits in an earlier bucket
-  std::int64_t popped_ = 0;   // bucket popped from last
+  std::int64_t current_ = 0;          // no vertex waits in an earlier bucket
+  std::int64_t popped_ = 0;           // bucket popped from last
+  std::size_t at_ = 0;                // of the current slot: what is in front has been passed over,
+  std::size_t later_ = 0;             // but for so many entries of later laps
   std::size_t size_ = 0;
 };
 
