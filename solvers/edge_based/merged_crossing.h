@@ -93,14 +93,11 @@ class MergedCrossing {
     const Waiting waiting = std::exchange(waiting_[h], {});
     if (const Index only = waiting.first;
         only != kNil && nodes_[only].next == kNil && waiting.sends == 0) {  // most lists
-      const Node& node = nodes_[only];
+      Line line{nodes_[only].merged, nodes_[only].strip, 0, false, false};
+      nodes_[only].next = std::exchange(free_, only);
       --window_count_;
       recorder.created(1);
-      if (!is_useless(node, bounds)) {
-        Line line{node.merged, node.strip, 0, false, false};
-        cross_alone(h, line, wavefront);
-      }
-      nodes_[only].next = std::exchange(free_, only);
+      if (!is_useless(line, bounds)) cross_alone(h, line, wavefront);
       return;
     }
     gather(h, waiting, bounds, recorder);
@@ -219,9 +216,11 @@ class MergedCrossing {
     if (last != kNil) nodes_[last].next = std::exchange(free_, Index{waiting.first});
   }
 
-  bool is_useless(const Node& node, const EndpointBounds& bounds) const {
-    return bounds.beat(node.merged.window) ||
-           is_strip_too_long(mesh_, node.strip.depth + std::uint64_t{1});
+  /// @param window a Node or a Line
+  template <class Held>
+  bool is_useless(const Held& window, const EndpointBounds& bounds) const {
+    return bounds.beat(window.merged.window) ||
+           is_strip_too_long(mesh_, window.strip.depth + std::uint64_t{1});
   }
 
   /// The window that the third vertex of the face below sends over the whole of h.
@@ -413,30 +412,34 @@ class MergedCrossing {
             behind_another && apart > 0 ? (apart - 1) & kApart : 0};
   }
 
+  // A window is passed on in registers: stored number by number and read in pairs, it would be
+  // waited for. So its way to a node is inlined, and takes it by value.
+
   /// @param side through which the window leaves a face
   template <class Wavefront>
-  [[gnu::always_inline]] void land(Index side, const Window& w, float shortfall, Strip strip,
+  [[gnu::always_inline]] void land(Index side, Window w, float shortfall, Strip strip,
                                    Wavefront& wavefront) {
-    if (!mesh_.crosses_non_manifold_edges()) {
-      return put(mesh_.twin(side), w, shortfall, strip, wavefront);
+    if (mesh_.crosses_non_manifold_edges()) [[unlikely]] {
+      return land_on_sheets(side, w, shortfall, strip, wavefront);
     }
+    put(mesh_.twin(side), w, shortfall, strip, wavefront);
+  }
+
+  template <class Wavefront>
+  [[gnu::cold, gnu::noinline]] void land_on_sheets(Index side, Window w, float shortfall,
+                                                   Strip strip, Wavefront& wavefront) {
     mesh_.for_each_sheet(side,
                          [&](Index g) { put(mesh_.twin(g), w, shortfall, strip, wavefront); });
   }
 
-  /// Inlined: a window that is passed in memory is stored number by number and read in pairs, for
-  /// which processors wait.
   template <class Wavefront>
-  [[gnu::always_inline]] void put(Index h, const Window& w, float shortfall, Strip strip,
+  [[gnu::always_inline]] void put(Index h, Window w, float shortfall, Strip strip,
                                   Wavefront& wavefront) {
     if (free_ == kNil) add_node();
     const Index n = free_;
     Node& node = nodes_[n];
     free_ = node.next;
-    node.merged.window = w;
-    node.merged.shortfall = shortfall;
-    node.strip = strip;
-    node.next = waiting_[h].first;
+    node = {{w, shortfall}, strip, waiting_[h].first};
     waiting_[h].first = n & kNil;
     ++window_count_;
     wavefront.land(h);
