@@ -48,7 +48,8 @@ class VertexCalendar {
   /// Inserts v, or moves it forward when it is there in a later bucket. A key that lies behind what
   /// was popped last joins the bucket of that.
   void push_or_decrease(Index v, double key) {
-    const std::int64_t bucket = std::max(numbers_.of(key), popped_);
+    const std::int32_t bucket = std::max(
+        static_cast<std::int32_t>(std::min(numbers_.of(key), std::int64_t{kLast})), popped_);
     if (bucket_[v] == kAbsent) {
       ++size_;
     } else if (bucket >= bucket_[v]) {
@@ -78,15 +79,17 @@ class VertexCalendar {
   }
 
  private:
-  static constexpr std::size_t kSlots = 1 << 10;  // a power of two
-  static constexpr std::int64_t kAbsent = -1;
+  static constexpr std::size_t kSlots = 1 << 8;  // a power of two
+  static constexpr std::int32_t kAbsent = -1;
+  /// What is farther shares the last bucket.
+  static constexpr std::int32_t kLast = INT32_MAX;
 
-  static std::size_t slot_of(std::int64_t bucket) {
+  static std::size_t slot_of(std::int32_t bucket) {
     return static_cast<std::size_t>(bucket) % kSlots;
   }
 
   /// Goes on with the first entry of a bucket.
-  void move_to(std::int64_t bucket) {
+  void move_to(std::int32_t bucket) {
     current_ = bucket;
     at_ = later_ = 0;
   }
@@ -108,8 +111,8 @@ class VertexCalendar {
     }
   }
 
-  std::int64_t first_bucket() const {
-    std::int64_t least = INT64_MAX;
+  std::int32_t first_bucket() const {
+    std::int32_t least = kLast;
     for (const std::vector<Index>& slot : slots_) {
       for (const Index v : slot) {
         if (bucket_[v] != kAbsent) least = std::min(least, bucket_[v]);
@@ -120,9 +123,9 @@ class VertexCalendar {
 
   BucketNumbers numbers_;
   std::vector<std::vector<Index>> slots_;
-  std::vector<std::int64_t> bucket_;  // of each vertex, kAbsent when it does not wait
-  std::int64_t current_ = 0;          // no vertex waits in an earlier bucket
-  std::int64_t popped_ = 0;           // bucket popped from last
+  std::vector<std::int32_t> bucket_;  // of each vertex, kAbsent when it does not wait
+  std::int32_t current_ = 0;          // no vertex waits in an earlier bucket
+  std::int32_t popped_ = 0;           // bucket popped from last
   std::size_t at_ = 0;                // of the current slot: what is in front has been passed over,
   std::size_t later_ = 0;             // but for so many entries of later laps
   std::size_t size_ = 0;
