@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -13,6 +14,8 @@
 namespace geodesic::harness {
 namespace {
 
+constexpr const char* kStandardOutput = "-";
+
 // @param flag that names a file for results
 void check_output(const std::string& flag, const std::string& output,
                   const std::filesystem::path& mesh) {
@@ -23,29 +26,25 @@ void check_output(const std::string& flag, const std::string& output,
   }
 }
 
-void run_solve(const SolveFlags& flags) {
-  check_combination(flags);
-  const WrittenPoints points(flags);
-  const Description& solver = solver_named(flags.solver);
-  set_instruction_set(instruction_set_named(flags.vectors));
-  const MeshEntry entry = find_mesh(flags.mesh, flags.manifest);
+/// @param output file for the distances; empty: none
+/// @return what is printed
+Json solve_mesh(const SolveFlags& flags, const WrittenPoints& points, const MeshEntry& entry,
+                const std::string& output) {
   Outputs outputs;
-  const bool to_standard_output = flags.output == "-";
-  if (!flags.output.empty()) {
-    if (!to_standard_output) check_output("--output", flags.output, entry.file);
-    outputs.distances.emplace(flags.output);
+  if (!output.empty()) {
+    if (output != kStandardOutput) check_output("--output", output, entry.file);
+    outputs.distances.emplace(output);
   }
   if (!flags.paths.empty()) {
     check_path_file(flags.paths);
     check_output("--paths", flags.paths, entry.file);
     outputs.paths.emplace(flags.paths);
   }
-  const LargePages large_pages;
   const NonManifoldEdges non_manifold_edges =
       flags.cross_non_manifold ? NonManifoldEdges::crossed : NonManifoldEdges::cut;
   const BuiltMesh built =
       build_mesh(entry.file, {.repair = flags.repair, .non_manifold_edges = non_manifold_edges});
-  Problem problem = read_problem(flags, solver, entry, built, points);
+  Problem problem = read_problem(flags, solver_named(flags.solver), entry, built, points);
   for (const std::string& warning : built.loaded.warnings) {
     warn(entry.file.string() + ": " + warning);
   }
@@ -61,7 +60,61 @@ void run_solve(const SolveFlags& flags) {
                                     : solve_jointly(problem, outputs));
   if (outputs.distances) outputs.distances->commit();
   if (outputs.paths) outputs.paths->commit();
-  (to_standard_output ? std::cerr : std::cout) << json.dump(2) << std::endl;
+  return json;
+}
+
+/// The file of a mesh's distances in --output-dir: no two meshes share one.
+std::vector<std::string> files_in_folder(const std::filesystem::path& folder,
+                                         const std::vector<MeshEntry>& entries) {
+  std::vector<std::string> files;
+  for (const MeshEntry& entry : entries) {
+    const std::string file = folder / (entry.file.stem().string() + ".txt");
+    if (std::ranges::count(files, file) > 0) {
+      throw HarnessError("--output-dir: two of the meshes would be written to " + file);
+    }
+    files.push_back(file);
+  }
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw CannotWrite("--output-dir " + folder.string() + ": " + error.message());
+  return files;
+}
+
+/// Each mesh by itself: one that cannot be solved is said, and the others are solved.
+void solve_many(const SolveFlags& flags, const WrittenPoints& points,
+                const std::vector<MeshEntry>& entries) {
+  const std::vector<std::string> files = flags.output_folder.empty()
+                                             ? std::vector<std::string>(entries.size())
+                                             : files_in_folder(flags.output_folder, entries);
+  std::size_t failed = 0;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    try {
+      Json json = solve_mesh(flags, points, entries[i], files[i]);
+      if (!files[i].empty()) json["output"] = files[i];
+      std::cout << json.dump() << std::endl;
+    } catch (const CannotWrite&) {
+      throw;  // the next one will not be written either
+    } catch (const std::runtime_error& error) {
+      warn(entries[i].name + ": " + error.what());
+      ++failed;
+    }
+  }
+  if (failed == 0) return;
+  throw HarnessError(std::to_string(failed) + " of " + std::to_string(entries.size()) +
+                     " meshes were not solved");
+}
+
+void run_solve(const SolveFlags& flags) {
+  check_combination(flags);
+  const WrittenPoints points(flags);
+  solver_named(flags.solver);
+  set_instruction_set(instruction_set_named(flags.vectors));
+  std::vector<MeshEntry> entries;
+  for (const std::string& mesh : flags.meshes) entries.push_back(find_mesh(mesh, flags.manifest));
+  const LargePages large_pages;
+  if (entries.size() > 1 || !flags.output_folder.empty()) return solve_many(flags, points, entries);
+  const Json json = solve_mesh(flags, points, entries.front(), flags.output);
+  (flags.output == kStandardOutput ? std::cerr : std::cout) << json.dump(2) << std::endl;
 }
 
 }  // namespace
@@ -69,13 +122,13 @@ void run_solve(const SolveFlags& flags) {
 void add_solve_command(CLI::App& app) {
   const auto flags = std::make_shared<SolveFlags>();
   CLI::App* command = app.add_subcommand("solve", "Compute distances; print times as JSON");
-  command->add_option("mesh", flags->mesh, "mesh file, or name of the manifest")
+  command
+      ->add_option(
+          "mesh", flags->meshes,
+          "mesh files, or names of the manifest; of several ones each is solved by itself, "
+          "and has an object on a line of its own")
       ->required()
       ->type_name("MESH");
-  command
-      ->add_option("--solver", flags->solver,
-                   "solver (see geodesic-bench list; default: " + flags->solver + ")")
-      ->type_name("NAME");
   command
       ->add_option("--source", flags->sources,
                    std::string("source, repeatable, separated by commas: ") + kPointForms +
@@ -112,10 +165,11 @@ void add_solve_command(CLI::App& app) {
   command->add_flag("--resume", flags->resume,
                     "go on with a --matrix that was interrupted; the rows that are there stay");
   command
-      ->add_option("--threads", flags->threads,
-                   "threads that work at the same time: with --each (default 1) and --matrix (default: "
-                   "as many as there are processors) each on a source of its own while there are "
-                   "enough, otherwise on one source, where the solver can (edge-based)")
+      ->add_option(
+          "--threads", flags->threads,
+          "threads that work at the same time: with --each (default 1) and --matrix (default: "
+          "as many as there are processors) each on a source of its own while there are "
+          "enough, otherwise on one source, where the solver can (edge-based)")
       ->check(from_to(1, 1024));
   command
       ->add_option("--output", flags->output,
@@ -123,6 +177,11 @@ void add_solve_command(CLI::App& app) {
                    "a source; - is standard output, and the JSON object then goes to standard "
                    "error")
       ->type_name("FILE");
+  command
+      ->add_option("--output-dir", flags->output_folder,
+                   "folder for the distances of several meshes: MESH.txt for each")
+      ->type_name("DIR")
+      ->excludes("--output");
   command->add_flag(
       "--check", flags->check,
       "compare with brute force on up to 400 faces, otherwise with another exact solver");
@@ -138,16 +197,34 @@ void add_solve_command(CLI::App& app) {
   command->add_option("--limit", flags->limit, "distance beyond which vertices are unreachable")
       ->check(zero_or_above());
   command
+      ->add_option("--solver", flags->solver,
+                   "solver (see geodesic-bench list; default: " + flags->solver + ")")
+      ->type_name("NAME");
+  command
       ->add_option("--vectors", flags->vectors,
                    "instruction set of the solver: auto, plain, avx2 or avx512")
       ->type_name("SET");
   command->add_option("--manifest", flags->manifest, "list of meshes and corpora")
       ->type_name("FILE");
+  const std::initializer_list<std::pair<const char*, std::vector<const char*>>> groups = {
+      {"From where, to where",
+       {"--source", "--sources-file", "--target", "--targets-file", "--stop-at-targets",
+        "--limit"}},
+      {"What is written",
+       {"--output", "--output-dir", "--nearest-source", "--paths", "--matrix", "--float32",
+        "--resume"}},
+      {"How it is solved", {"--solver", "--each", "--threads", "--vectors"}},
+      {"The mesh", {"--repair", "--cross-non-manifold", "--manifest"}},
+      {"What is checked and counted", {"--check", "--counters"}}};
+  for (const auto& [group, options] : groups) {
+    for (const char* option : options) command->get_option(option)->group(group);
+  }
   command->footer(
       "\nExamples:\n  geodesic-bench solve bunny.ply --source 0 --output d.npy\n"
       "  geodesic-bench solve bunny.ply --source edge:3-7:0.25 --target at:0,0.1,0 --paths p.obj\n"
       "  geodesic-bench solve bunny.ply --solver mmp --source 0,17,99 --each --threads 4\n"
-      "  geodesic-bench solve bunny.ply --matrix d.npy --float32");
+      "  geodesic-bench solve bunny.ply --matrix d.npy --float32\n"
+      "  geodesic-bench solve scans/*.ply --source 0 --output-dir distances");
   command->callback([flags] { run_solve(*flags); });
 }
 

@@ -14,26 +14,32 @@ namespace {
 
 constexpr double kLong = 2;  // seconds
 
-// Wall seconds of a first solve, on memory as fresh as that of the solve with timers.
-double untimed_seconds(const std::string& solver, const Mesh& mesh, const Query& query) {
+struct FirstSolve {
+  double seconds;  ///< of the wall clock
+  std::int64_t peak_bytes;
+};
+
+// What is timed elsewhere: a solve without a recording by a new object, on fresh memory.
+FirstSolve first_solve(const std::string& solver, const Mesh& mesh, const Query& query) {
   std::vector<double> distances(mesh.vertex_count());
+  const AllocationMeter meter;
   const std::unique_ptr<Solver> fresh = make_solver(solver, mesh);
   const Stopwatch watch;
   fresh->solve(query, distances);
-  return watch.real_seconds();
+  return {watch.real_seconds(), meter.peak_bytes()};
 }
 
-// Three solves on new solver objects, the second with timers; of a solve of seconds only two.
+// A solve with timers by a new object, and after a short one another without.
 std::optional<PhaseSeconds> time_phases(const std::string& solver, const Mesh& mesh,
-                                        const Query& query, std::span<double> distances) {
-  const double before = untimed_seconds(solver, mesh, query);
+                                        const Query& query, std::span<double> distances,
+                                        double before) {
   Recording recording;
   recording.kind = RecordingKind::phase_times;
   make_solver(solver, mesh)->solve(query, distances, &recording);
   if (!recording.phase_times) return std::nullopt;
   // Drift of the machine matters less over a long solve.
   const double least =
-      before < kLong ? std::min(before, untimed_seconds(solver, mesh, query)) : before;
+      before < kLong ? std::min(before, first_solve(solver, mesh, query).seconds) : before;
   return phase_seconds(*recording.phase_times, least);
 }
 
@@ -49,10 +55,12 @@ RecordedSolve record_solve(const std::string& solver, const Mesh& mesh, const Qu
     recorded.peak_bytes = meter.peak_bytes();
   }
   recorded.counters = counters_of(recording, mesh);
-  // A solver that counts nothing has no phases either.
+  // A solver that counts nothing has no phases either, and needs no more memory when recorded.
   if (recorded.counters != Counters()) {
+    const FirstSolve first = first_solve(solver, mesh, query);
+    recorded.peak_bytes = first.peak_bytes;
     std::vector<double> timed(distances.size());
-    recorded.phases = time_phases(solver, mesh, query, timed);
+    recorded.phases = time_phases(solver, mesh, query, timed, first.seconds);
     if (!identical(timed, distances)) std::ranges::copy(timed, distances.begin());
   }
   return recorded;

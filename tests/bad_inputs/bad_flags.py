@@ -38,8 +38,9 @@ CASES = [
     # solve
     of("solve", "", "mesh is required"),
     of("solve", "hill.obj --solver", "--solver needs a value"),
+    flag(f"{SOLVE} hill.obj --output d.txt", "--output, --paths and --matrix are files of one mesh"),
+    flag(f"{SOLVE} hill.obj --output-dir .", "two of the meshes would be written to ./hill.txt"),
     of("solve", "hill.obj --solver ''", "--solver: must not be empty"),
-    of("solve", "hill.obj more.obj --solver mmp --source 0", "solve: unexpected 'more.obj'"),
     of("solve", "hill.obj --limit 0,5", "--limit: '0,5' is not a number, such as 0.5"),
     of("solve", "hill.obj --limit nan", "--limit: 'nan' is not a number, such as 0.5"),
     of("solve", "hill.obj --limit=-1", "--limit: '-1' is not 0 or greater"),

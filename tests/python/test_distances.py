@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import pickle
 import random
 import subprocess
@@ -31,6 +32,24 @@ def test_distances_are_the_bits_of_the_program(
     np.testing.assert_array_equal(
         gb.read_mesh(file).distances([7, 130], limit=9, solver=solver), expected
     )
+
+
+def test_of_several_meshes_each_that_can_be_solved_is_written(
+    ground: Arrays, tmp_path: Path
+) -> None:
+    mesh = gb.Mesh(*ground)
+    for name in ("first.obj", "last.obj"):
+        write_obj(tmp_path / name, mesh)
+    (tmp_path / "broken.obj").write_text("no mesh")
+    files = ["first.obj", "broken.obj", "last.obj"]
+    command = [BENCH, "solve", *files, "--source", "7", "--output-dir", "distances"]
+    run = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
+    assert run.returncode == 1
+    assert "broken: " in run.stderr and "1 of 3 meshes" in run.stderr
+    solved = [json.loads(line) for line in run.stdout.splitlines()]
+    assert [one["output"] for one in solved] == ["distances/first.txt", "distances/last.txt"]
+    for one in solved:
+        np.testing.assert_array_equal(np.loadtxt(tmp_path / one["output"]), mesh.distances([7]))
 
 
 def test_files_of_any_suffix_have_the_same_distances(ground: Arrays, tmp_path: Path) -> None:

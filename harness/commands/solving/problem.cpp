@@ -33,7 +33,7 @@ std::vector<WrittenPoint> points_of(const std::string& flag, const std::vector<s
 void check_matrix(const SolveFlags& flags) {
   const auto refuse = [](const std::string& why) { throw HarnessError(why); };
   if (flags.each || flags.counters || flags.check || wants_paths(flags) || flags.stop_at_targets ||
-      !flags.output.empty()) {
+      !flags.output.empty() || !flags.output_folder.empty()) {
     refuse("--matrix writes distances from each source, and goes with --limit, --threads, " +
            std::string("--float32 and --resume only"));
   }
@@ -118,6 +118,10 @@ void check_combination(const SolveFlags& flags) {
   const auto refuse = [](const std::string& why) { throw HarnessError(why); };
   const bool targets = !flags.targets.empty() || !flags.targets_file.empty();
   const bool sources = !flags.sources.empty() || !flags.sources_file.empty();
+  if (flags.meshes.size() > 1 &&
+      !(flags.output.empty() && flags.paths.empty() && flags.matrix.empty())) {
+    refuse("--output, --paths and --matrix are files of one mesh: with several use --output-dir");
+  }
   if (!flags.matrix.empty()) return check_matrix(flags);
   if (flags.single_precision || flags.resume) refuse("--float32 and --resume are for --matrix");
   if (!sources) refuse("--source or --sources-file is required");
@@ -130,7 +134,7 @@ void check_combination(const SolveFlags& flags) {
   }
   if (flags.stop_at_targets && !targets) refuse("--stop-at-targets needs --target");
   if (!flags.paths.empty() && !targets) refuse("--paths needs --target, where the paths lead");
-  if (flags.nearest_source && flags.output.empty()) {
+  if (flags.nearest_source && flags.output.empty() && flags.output_folder.empty()) {
     refuse("--nearest-source needs --output: it is a column of that file");
   }
 }

@@ -15,9 +15,10 @@
 namespace geodesic::harness {
 
 struct SolveFlags {
-  std::string mesh, solver = "edge-based";  // the fastest exact one
+  std::vector<std::string> meshes;
+  std::string solver = "edge-based";  // the fastest exact one
   std::vector<std::string> sources, targets;
-  std::string sources_file, targets_file, output, paths, matrix;
+  std::string sources_file, targets_file, output, output_folder, paths, matrix;
   bool repair = false, cross_non_manifold = false, each = false, check = false, counters = false;
   bool stop_at_targets = false, nearest_source = false, single_precision = false, resume = false;
   unsigned threads = 0;  ///< 0: as many as are best
