@@ -28,8 +28,8 @@ void check_output(const std::string& flag, const std::string& output,
 
 /// @param output file for the distances; empty: none
 /// @return what is printed
-Json solve_mesh(const SolveFlags& flags, const WrittenPoints& points, const MeshEntry& entry,
-                const std::string& output) {
+Json solve_mesh(const SolveFlags& flags, const Description& solver, const WrittenPoints& points,
+                const MeshEntry& entry, const std::string& output) {
   Outputs outputs;
   if (!output.empty()) {
     if (output != kStandardOutput) check_output("--output", output, entry.file);
@@ -44,7 +44,7 @@ Json solve_mesh(const SolveFlags& flags, const WrittenPoints& points, const Mesh
       flags.cross_non_manifold ? NonManifoldEdges::crossed : NonManifoldEdges::cut;
   const BuiltMesh built =
       build_mesh(entry.file, {.repair = flags.repair, .non_manifold_edges = non_manifold_edges});
-  Problem problem = read_problem(flags, solver_named(flags.solver), entry, built, points);
+  Problem problem = read_problem(flags, solver, entry, built, points);
   for (const std::string& warning : built.loaded.warnings) {
     warn(entry.file.string() + ": " + warning);
   }
@@ -80,8 +80,8 @@ std::vector<std::string> files_in_folder(const std::filesystem::path& folder,
   return files;
 }
 
-/// Each mesh by itself: one that cannot be solved is said, and the others are solved.
-void solve_many(const SolveFlags& flags, const WrittenPoints& points,
+/// Each mesh by itself. One that cannot be solved is reported, and the others are solved.
+void solve_many(const SolveFlags& flags, const Description& solver, const WrittenPoints& points,
                 const std::vector<MeshEntry>& entries) {
   const std::vector<std::string> files = flags.output_folder.empty()
                                              ? std::vector<std::string>(entries.size())
@@ -89,7 +89,7 @@ void solve_many(const SolveFlags& flags, const WrittenPoints& points,
   std::size_t failed = 0;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     try {
-      Json json = solve_mesh(flags, points, entries[i], files[i]);
+      Json json = solve_mesh(flags, solver, points, entries[i], files[i]);
       if (!files[i].empty()) json["output"] = files[i];
       std::cout << json.dump() << std::endl;
     } catch (const CannotWrite&) {
@@ -107,13 +107,14 @@ void solve_many(const SolveFlags& flags, const WrittenPoints& points,
 void run_solve(const SolveFlags& flags) {
   check_combination(flags);
   const WrittenPoints points(flags);
-  solver_named(flags.solver);
+  const Description& solver = solver_named(flags.solver);
   set_instruction_set(instruction_set_named(flags.vectors));
   std::vector<MeshEntry> entries;
   for (const std::string& mesh : flags.meshes) entries.push_back(find_mesh(mesh, flags.manifest));
   const LargePages large_pages;
-  if (entries.size() > 1 || !flags.output_folder.empty()) return solve_many(flags, points, entries);
-  const Json json = solve_mesh(flags, points, entries.front(), flags.output);
+  if (entries.size() > 1 || !flags.output_folder.empty())
+    return solve_many(flags, solver, points, entries);
+  const Json json = solve_mesh(flags, solver, points, entries.front(), flags.output);
   (flags.output == kStandardOutput ? std::cerr : std::cout) << json.dump(2) << std::endl;
 }
 

@@ -97,7 +97,7 @@ class MergedCrossing {
       nodes_[only].next = std::exchange(free_, only);
       --window_count_;
       recorder.created(1);
-      if (!is_useless(line, bounds)) cross_alone(h, line, wavefront);
+      if (!is_useless(line.merged.window, line.strip, bounds)) cross_alone(h, line, wavefront);
       return;
     }
     gather(h, waiting, bounds, recorder);
@@ -216,11 +216,11 @@ class MergedCrossing {
     if (last != kNil) nodes_[last].next = std::exchange(free_, Index{waiting.first});
   }
 
-  /// @param window a Node or a Line
-  template <class Held>
-  bool is_useless(const Held& window, const EndpointBounds& bounds) const {
-    return bounds.beat(window.merged.window) ||
-           is_strip_too_long(mesh_, window.strip.depth + std::uint64_t{1});
+  bool is_useless(const Node& node, const EndpointBounds& bounds) const {
+    return is_useless(node.merged.window, node.strip, bounds);
+  }
+  bool is_useless(const Window& window, Strip strip, const EndpointBounds& bounds) const {
+    return bounds.beat(window) || is_strip_too_long(mesh_, strip.depth + std::uint64_t{1});
   }
 
   /// The window that the third vertex of the face below sends over the whole of h.
