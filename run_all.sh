@@ -17,6 +17,7 @@ old_run=
 resumed=
 peers=
 solvers=
+meshes=
 folder=
 slurm=
 slurm_options=()
@@ -150,6 +151,7 @@ take_option() {
     --partition | --time | --mem) slurm_options+=("$1=$2") ;;
     --shards | --array-limit) slurm_options+=("$1=$(positive_integer "$@")") ;;
     --solvers) solvers=$2 ;;
+    --meshes) meshes=$2 ;;
     --out) out=$(absolute "$2") ;;
     --run) old_run=$(absolute "$2") ;;
     --resume) resumed=$(absolute "$2") ;;
@@ -207,16 +209,18 @@ step_run() {
   need_bench
   local status=0 what=(--corpus "$corpus") where=(--out "$out") words beside=$solvers
   local suite=$root/harness/suites/$corpus.json
-  [[ -z $folder ]] || suite=
-  if [[ -f $suite ]]; then what=("$suite"); fi
+  if [[ -n $folder ]]; then what=(--folder "$folder"); fi
+  if [[ -n $meshes ]]; then
+    what=(--meshes "$meshes")
+    if [[ -f $suite ]]; then what=("$suite" "${what[@]}"); fi
+  fi
   if [[ -n $peers ]]; then
-    if [[ -z $solvers && -f $suite ]]; then beside=$(suite_solvers "$suite"); fi
+    if [[ -z $solvers$folder && -f $suite ]]; then beside=$(suite_solvers "$suite"); fi
     words=$(build_peers --words "$beside")
     mapfile -t -O "${#run_options[@]}" run_options <<<"$words"
   elif [[ -n $solvers ]]; then
     run_options+=(--solvers "$solvers")
   fi
-  if [[ -n $folder ]]; then what=(--folder "$folder"); fi
   if [[ -n $slurm ]]; then
     run_on_slurm "${what[@]}" "${run_options[@]}"
     return
@@ -255,13 +259,13 @@ step_check() {
   local accepted=(--allow-skipped)
   # What a public code fails at is a result of the comparison.
   if [[ -n $peers ]]; then accepted+=(--others-may-fail); fi
-  PYTHONPATH=${PYTHONPATH:+$PYTHONPATH:}$root logged "$python" -m plots.check "${accepted[@]}" --run "$out" ||
+  PYTHONPATH=${PYTHONPATH:+$PYTHONPATH:}$root logged "$python" -m plots.check "${accepted[@]}" "$out" ||
     check_failed=yes
 }
 
 # Its hundred files are listed in the log alone: what check found stays in sight.
 step_plot() {
-  PYTHONPATH=${PYTHONPATH:+$PYTHONPATH:}$root "$python" -m plots.report --run "$out" >>"$log"
+  PYTHONPATH=${PYTHONPATH:+$PYTHONPATH:}$root "$python" -m plots.report "$out" >>"$log"
 }
 
 # choose_out: the folder that `run` writes and that check and plot read.

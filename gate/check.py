@@ -118,8 +118,8 @@ def verify(program: Program, options: Options) -> Verified:
 
 
 def _chosen(options: Options, solvers: Sequence[str]) -> list[str]:
-    meshes = ["--meshes", ",".join(options.meshes)] if options.meshes else []
-    return ["--corpus", CORPUS, *meshes, "--solvers", ",".join(solvers)]
+    meshes = ["--meshes", ",".join(options.meshes)] if options.meshes else ["--corpus", CORPUS]
+    return [*meshes, "--solvers", ",".join(solvers)]
 
 
 def _empty(folder: Path) -> Path:

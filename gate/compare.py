@@ -37,6 +37,7 @@ LEAST_REPETITIONS = 5
 """Of either side for that: 2 / C(10, 5) = 0.008."""
 LEAST_CELLS = 3
 """Of a mean that may fail: fewer say little about a solver."""
+ONE_PROGRAM = "both runs are of one program: where their times differ, the machine has drifted between them"
 SAME_BUILD = ("processor", "compiler", "compiler_flags", "build_type")
 SEPARATE = (
     "times are of two separate runs and include a drift of the machine between them:"
@@ -138,21 +139,22 @@ class Comparison:
     only_old: list[str] = field(default_factory=list)
     only_new: list[str] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
+    one_program: bool = False
+    """Both runs are of it, so that no difference of times says anything about a program."""
 
 
 def compare(old: Run, new: Run) -> Comparison:
     """Two separate runs. @raises GateError when they cannot be compared"""
-    if old.ours["corpus"] != new.ours["corpus"]:
-        sides = [f"{run.file} is of {run.ours['corpus']}" for run in (old, new)]
-        raise GateError(f"different corpora cannot be compared: {', '.join(sides)}")
     for name, mesh in new.meshes.items():
         if name in old.meshes and old.meshes[name].sha256 != mesh.sha256:
             raise GateError(f"mesh {name} is another file in {new.file} than in {old.file}")
     notes = _differences(old.ours, new.ours)
     result = _comparison(False, measured(old), measured(new), notes)
     alike = [c.one_processor for c in result.cells]
+    builds = [[run.ours[key] for key in ("revision", *SAME_BUILD)] for run in (old, new)]
+    result.one_program = builds[0] == builds[1] and {False} == {run.ours["modified"] for run in (old, new)}
     if any(alike):
-        notes.append(SEPARATE)
+        notes.append(ONE_PROGRAM if result.one_program else SEPARATE)
     if not all(alike):
         notes.append("times of different processors are not compared")
     if not result.cells:
@@ -231,7 +233,7 @@ def exceeded(comparison: Comparison, limits: Limits) -> list[str]:
     """A line for everything above its limit, and for every cell that was ok and has failed."""
     lines = [line for change in comparison.cells for line in _failures(change, limits)]
     for name, cells, ratio in comparison.means:
-        if "time" in limits and ratio.low > 1 + limits["time"] and cells >= LEAST_CELLS:
+        if "time" in limits and not comparison.one_program and ratio.low > 1 + limits["time"] and cells >= LEAST_CELLS:
             lines.append(f"{name}: time {_times(ratio)} over {cells} cells")
     return lines if limits else []
 
@@ -277,6 +279,9 @@ def summary(comparison: Comparison, limits: Limits) -> list[str]:
         f" {sum(bool(c.counters) for c in cells)} counted differently;"
         f" {sum(c.lost for c in cells)} that were ok and failed"
     )
+    for name, _, ratio in comparison.means[-1:]:
+        decided = ratio.excludes_one and not comparison.one_program
+        lines.append(f"{name}: time new/old {_times(ratio)}{'' if decided else ', not resolved (~)'}")
     for side, names in (("old", comparison.only_old), ("new", comparison.only_new)):
         lines += [f"only in the {side} run: {', '.join(names)}"] if names else []
     return lines + comparison.notes
@@ -284,7 +289,7 @@ def summary(comparison: Comparison, limits: Limits) -> list[str]:
 
 def tables(comparison: Comparison) -> list[Table]:
     means = [
-        [name, str(cells), _ratio(ratio.value, ratio.excludes_one),
+        [name, str(cells), _ratio(ratio.value, ratio.excludes_one and not comparison.one_program),
          f"{ratio.low:.3f} to {ratio.high:.3f}"]
         for name, cells, ratio in comparison.means
     ]  # fmt: skip

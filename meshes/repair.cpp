@@ -16,15 +16,16 @@ std::vector<RepairAction> drop_unusable(TriangleSoup& soup) {
   census.usable.flip();
   drop_faces(soup, census.usable);
   return {{"dropped_index_out_of_range", "faces that name a vertex that does not exist dropped",
-           census.index_out_of_range.size()},
+           census.index_out_of_range.size(), true, DefectKind::index_out_of_range},
           {"dropped_repeated_vertex", "faces that name a vertex twice dropped",
-           census.repeated_vertex.size()},
+           census.repeated_vertex.size(), true, DefectKind::repeated_vertex},
           {"dropped_at_non_finite_vertex", "faces at a vertex that is not finite dropped",
-           census.at_non_finite_vertex.size()},
+           census.at_non_finite_vertex.size(), true, DefectKind::non_finite_coordinate},
           {"moved_non_finite_vertex", "vertices that are not finite moved to the origin, isolated",
-           static_cast<std::size_t>(std::ranges::count(census.finite_vertices, false))},
+           static_cast<std::size_t>(std::ranges::count(census.finite_vertices, false)), true,
+           DefectKind::non_finite_coordinate},
           {"dropped_repeated_face", "repeated faces dropped, the first of each kept",
-           census.repeated_face.size()}};
+           census.repeated_face.size(), true, DefectKind::repeated_face}};
 }
 
 }  // namespace
@@ -43,14 +44,14 @@ std::vector<RepairAction> repair(TriangleSoup& soup) {
   done.insert(
       done.end(),
       {{"flipped_faces", "faces flipped to run the same way round as their neighbours",
-        orientation.flips},
+        orientation.flips, true, DefectKind::inconsistent_orientation},
        {"cut_non_manifold_edges",
         "non-manifold edges cut, so that paths cross them at their end vertices only", non_manifold,
-        false},
+        false, DefectKind::non_manifold_edge},
        {"cut_one_sided_edges",
         "edges cut because the surface has one side only, so that paths cross them at their end "
         "vertices only",
-        orientation.one_sided_edges, false}});
+        orientation.one_sided_edges, false, DefectKind::inconsistent_orientation}});
   std::erase_if(done, [](const RepairAction& action) { return action.count == 0; });
   return done;
 }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "meshes/defects.h"
 #include "solvers/core/geometry.h"
 
 namespace geodesic {
@@ -15,6 +17,7 @@ struct RepairAction {
   std::string text;     ///< "faces flipped to run the same way round as their neighbours"
   std::size_t count;    ///< never 0
   bool changed = true;  ///< false where the mesh stays as it is and only its meaning is settled
+  std::optional<DefectKind> remedied = {};  ///< by `repair`: what was wrong
   /// "faces flipped to run the same way round as their neighbours: 2"
   std::string summary() const { return text + ": " + std::to_string(count); }
 };

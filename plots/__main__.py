@@ -16,7 +16,8 @@ from results.reader import ResultError, read_run, run_folder
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = console.run_parser(__doc__)
+    parser = console.Parser(__doc__)
+    parser.add_argument("--run", type=Path, metavar="RUN", help=console.RUN)
     parser.add_argument(
         "names", nargs="*", metavar="NAME", help=f"what to draw: {', '.join(EVERYTHING)}"
     )
@@ -41,8 +42,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             write(name, one, folder, options.out)
         if options.names and left_out:
             raise ResultError(next(iter(left_out.values())))
-        for name, why in left_out.items():
-            print(f"left out: {name}: {why}")
+        if left_out:
+            print(f"left out: {', '.join(left_out)}; one that is named says why")
     except (ResultError, OSError) as error:
         return console.complain(error)
     return 0

@@ -118,7 +118,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = console.run_parser(
         __doc__,
         "geodesic-bench check",
-        "geodesic-bench check --run results/runs/mine --allow-skipped",
+        "geodesic-bench check results/runs/mine --allow-skipped",
     )
     parser.add_argument(
         "--allow-skipped", action="store_true", help="accept meshes that were skipped whole"
@@ -146,7 +146,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         for largest in largest_errors(run):
             print(f"largest relative error: {largest}")
     else:
-        print(f"Every solver on every mesh: geodesic-bench check --long --run {run.file.parent}")
+        print(f"Every solver on every mesh: geodesic-bench check --long {run.file.parent}")
     for words in first(skipped(run)):
         print(f"NOT MEASURED: {words}")
     for words in reasons(run).values():

@@ -79,8 +79,8 @@ def page(
         machine=_machine(run),
         commands={
             "The run itself, that is run.json and cells/": run.ours["command"],
-            "Every table and figure, and this page": f"python3 -m plots.report --run {folder}",
-            "Whether every cell is there and verified": f"python3 -m plots.check --run {folder}",
+            "Every table and figure, and this page": f"geodesic-bench report {folder}",
+            "Whether every cell is there and verified": f"geodesic-bench check {folder}",
         },
         left_out=[
             f"{name}: {why.removeprefix(f'{run.file}: ')}" for name, why in left_out.items()
@@ -155,7 +155,7 @@ def _machine(run: Run) -> dict[str, object]:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     parser = console.run_parser(
-        __doc__, "geodesic-bench report", "geodesic-bench report --run results/runs/mine"
+        __doc__, "geodesic-bench report", "geodesic-bench report results/runs/mine"
     )
     options = parser.parse_args(arguments)
     from plots.catalogue import draw, write  # after --help, since matplotlib takes its time
@@ -164,12 +164,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
         folder = run_folder(options.run)
         run = read_run(folder)
         drawn, left_out = draw(run)
-        for name, why in left_out.items():
-            print(f"left out: {name}: {why}")
         for name, one in drawn.items():
             write(name, one, folder)
         file = folder / "report.html"
         file.write_text(page(run, drawn, left_out, folder / "figures"), encoding="utf-8")
+        if left_out:
+            print(f"left out: {len(left_out)} tables and figures; the page says why")
         print(file)
     except (ResultError, OSError) as error:
         return console.complain(error)

@@ -130,9 +130,14 @@ def draw_lines(axes: Axes, buffer: ZBuffer, segments: Floats, color: str, width:
     return pieces
 
 
-def best_axes(mesh: Mesh, surface: Surface, lines: Floats, source: int) -> Floats:
-    """The axes of the camera that sees most of the lines (n, 2, 3), and if possible the source."""
-    up = upwards(mesh, surface)
+def best_axes(
+    mesh: Mesh, surface: Surface, lines: Floats, source: int, up: int | None = None
+) -> Floats:
+    """The axes of the camera that sees most of the lines (n, 2, 3), and if possible the source.
+
+    @param up the axis that points up, by default as `upwards` has it"""
+    if up is None:
+        up = upwards(mesh, surface)
     elevation = ABOVE_A_LANDSCAPE if _is_landscape(surface) else ELEVATION
     trials = [looking(up, azimuth, elevation) for azimuth in AZIMUTHS]
     return max(trials, key=lambda axes: _seen(axes, surface, lines, source))

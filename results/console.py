@@ -94,12 +94,13 @@ class Parser(argparse.ArgumentParser):
         self.exit(1, f"{self.prog}: {printable(message)}; see {self.prog} --help\n")
 
 
+RUN = "run folder (default: the newest of results/runs)"
+
+
 def run_parser(description: str | None, *examples: str) -> Parser:
-    """With the option --run, of type Path."""
+    """With the argument RUN, of type Path, which may be left out."""
     parser = Parser(description, *examples)
-    parser.add_argument(
-        "--run", type=Path, metavar="DIR", help="run folder (default: the newest of results/runs)"
-    )
+    parser.add_argument("run", nargs="?", type=Path, metavar="RUN", help=RUN)
     return parser
 
 

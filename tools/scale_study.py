@@ -141,8 +141,8 @@ def main() -> int:
     print(scale.step("plan", "run", *words))
     scale.step("shard", "run", *words, "--shard", f"1/{wish.shards}")
     scale.step("merge", "merge", "shards", "--out", "merged")
-    scale.step("check", "check", "--run", "merged")
-    scale.step("report", "report", "--run", "merged")
+    scale.step("check", "check", "merged")
+    scale.step("report", "report", "merged")
     size = sum(file.stat().st_size for file in (folder / "shards").rglob("run.json"))
     print(f"shards: {size / 1e6:.0f} MB; merged: "
           f"{sum(f.stat().st_size for f in (folder / 'merged').glob('r*')) / 1e6:.0f} MB")  # fmt: skip

@@ -1,6 +1,7 @@
 // Draws the scene of the page: one picture a solver, all seen by one camera.
 import * as THREE from "three";
 import { OrbitControls } from "three/OrbitControls";
+import { unzlibSync } from "three/fflate";
 
 const FRAMES_A_SECOND = 12;
 const TURN = Math.PI / 36;  // of a key
@@ -28,17 +29,18 @@ function fail(message) {
   element("controls").hidden = true;
 }
 
-async function unpacked({ type, data }) {
+// The browser's own streams would do it later: the page is to be drawn when it is loaded, since what
+// takes a picture of a page waits no longer.
+function unpacked({ type, data }) {
   const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
-  return new KINDS[type](await new Response(stream).arrayBuffer());
+  return new KINDS[type](unzlibSync(bytes).slice().buffer);
 }
 
 // All arrays of a scene, unpacked in place.
-async function unpack(object) {
+function unpack(object) {
   for (const [key, value] of Object.entries(object ?? {})) {
-    if (value?.data !== undefined) object[key] = await unpacked(value);
-    else if (typeof value === "object") await unpack(value);
+    if (value?.data !== undefined) object[key] = unpacked(value);
+    else if (typeof value === "object") unpack(value);
   }
 }
 
@@ -423,6 +425,7 @@ class Page {
     new ResizeObserver(() => this.arrange()).observe(this.views);
     document.addEventListener("keydown", (event) => this.key(event));
     this.change({});
+    this.drawNow();
   }
 
   startRenderer(software) {
@@ -539,9 +542,11 @@ class Page {
     for (let more = 2; more <= Math.min(count, width / NARROWEST); ++more) if (side(more) > side(columns)) columns = more;
     const height = Math.round(rows(columns) * (side(columns) + HEADING));
     this.views.style.height = `${height}px`;
-    this.grid.style.gridTemplateColumns = `repeat(${columns}, minmax(0, 1fr))`;
-    this.grid.style.gridAutoRows = "minmax(0, 1fr)";
-    for (const panel of this.panels) panel.box.style.display = this.state.hidden.has(panel) ? "none" : "";
+    for (const panel of this.panels) {
+      panel.box.style.display = this.state.hidden.has(panel) ? "none" : "";
+      panel.box.style.flexBasis = `${100 / columns}%`;
+      panel.box.style.height = `${100 / rows(columns)}%`;
+    }
     this.renderer.setPixelRatio(devicePixelRatio);
     this.renderer.setSize(width, height, false);
     this.move();
@@ -685,16 +690,20 @@ class Page {
   }
 }
 
-async function start() {
+function start() {
   const context = document.createElement("canvas").getContext("webgl2");
   if (!context) {
     return fail("This browser shows no WebGL 2, with which the page draws: turn it on, or try another browser.");
   }
   const scene = JSON.parse(element("scene").textContent);
-  await unpack(scene);
+  unpack(scene);
   const names = context.getExtension("WEBGL_debug_renderer_info");
   const renderer = names ? context.getParameter(names.UNMASKED_RENDERER_WEBGL) : "";
   new Page(scene, /swiftshader|llvmpipe|software/i.test(renderer));
 }
 
-start().catch((error) => fail(`The page cannot be shown: ${error.message}`));
+try {
+  start();
+} catch (error) {
+  fail(`The page cannot be shown: ${error.message}`);
+}

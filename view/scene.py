@@ -75,17 +75,19 @@ def with_frames(recording: Recording) -> list[str]:
     return sorted(there, key=lambda one: (*THESIS_SOLVERS, one).index(one))
 
 
-def scene(recording: Recording, solvers: list[str]) -> dict[str, Any]:
+def scene(recording: Recording, solvers: list[str], up: int | None = None) -> dict[str, Any]:
     """@param solvers of `with_frames`, shown side by side; may be none
+    @param up the axis that points up: 0 is x, 1 y, 2 z; by default as in figures
     @raises ResultError"""
     surface, mesh = recording.surface, recording.mesh
+    up = upwards(mesh, surface) if up is None else up
     lines = isolines(recording)
     edges = Edges(surface.faces)
     return {
         "vertices": packed(surface.vertices, "f4"),
         "faces": packed(surface.faces, "u4"),
-        "axes": best_axes(mesh, surface, np.concatenate(lines), recording.source).tolist(),
-        "up": upwards(mesh, surface),
+        "axes": best_axes(mesh, surface, np.concatenate(lines), recording.source, up).tolist(),
+        "up": up,
         "sources": [recording.source],
         "paths": _paths(recording.paths) if recording.has_paths else None,
         "cells": _cells(recording.cells) if recording.has_cells else None,

@@ -38,6 +38,7 @@ FILES = {
     "build/three.core.min.js": "b54705636e2190fa8b8ccaa7212407340b5b4248a86fda2709a5a15798880b3e",
     "build/three.module.min.js": "7beca683cc871059d68974082de4a98e3e589ae0c4322f1a22a25954d97552f1",
     "examples/jsm/controls/OrbitControls.js": "ffe21e98ec99e876f1865bfc990d2ad302464f6b400f3295571fa5fc41abddfc",
+    "examples/jsm/libs/fflate.module.js": "209a4412eb48ce609edb4391992a792ffcc3983d30ee7e2b0b89a8c470f3cd8a",
     LICENCE: "4c40a1ef62450b857c3b2aaf294936304cd552d965fbcd9d32d4c5bcf4ba4454",
 }
 """In the package: the SHA-256 sum of each file."""
@@ -46,6 +47,7 @@ MODULES = {
     "three": "build/three.module.min.js",
     "three-core": "build/three.core.min.js",
     "three/OrbitControls": "examples/jsm/controls/OrbitControls.js",
+    "three/fflate": "examples/jsm/libs/fflate.module.js",
 }
 """What the page and these files import, by the name that it is imported by."""
 

@@ -19,6 +19,7 @@
 #include "harness/cells/progress.h"
 #include "harness/cells/references.h"
 #include "harness/cells/resume.h"
+#include "harness/corpus/manifest.h"
 #include "harness/measure/benchmark.h"
 #include "harness/results/context.h"
 
@@ -231,9 +232,29 @@ RunResult Run::conclude() const {
   const auto unsupported = std::ranges::count(rows_, Outcome::unsupported, &Row::outcome);
   std::cerr << ok_ << " of " << cells_.size() << " cells ok";
   if (unsupported > 0) std::cerr << ", " << unsupported << " unsupported as declared";
+  if (const std::size_t skipped = plan_.skipped.size(); skipped > 0) {
+    std::cerr << "; " << plan_.meshes.size() << " of " << plan_.meshes.size() + skipped
+              << " meshes, " << skipped << " skipped";
+  }
   std::cerr << std::endl;
   std::cout << (folder_ / "run.json").string() << std::endl;
   return result;
+}
+
+// Results go by name: beside others' such a mesh would be taken for the manifest's.
+void warn_of_names(const Plan& plan, const fs::path& manifest) {
+  const auto is_file = [](const PlannedMesh& mesh) { return mesh.entry.kind == "file"; };
+  if (std::ranges::none_of(plan.meshes, is_file) || !fs::exists(manifest)) return;
+  const Manifest named(manifest, dataset_cache());
+  for (const Json& known : named.json().at("meshes")) {
+    for (const PlannedMesh& mesh : plan.meshes) {
+      if (known.at("name") == mesh.entry.name && known.at("sha256") != mesh.facts.at("sha256")) {
+        std::cerr << "warning: " << mesh.entry.file.string() << " is not the mesh '"
+                  << mesh.entry.name << "' of " << manifest.string()
+                  << ": rename it if the results are to stand beside those of others\n";
+      }
+    }
+  }
 }
 
 // Of the folder, after the time. Shards may start in the same second.
@@ -255,6 +276,7 @@ RunResult run(RunRequest request) {
     request.suite.memory_limit = available_memory() / request.threads;  // in equal parts
   }
   Plan plan = make_plan(request);
+  warn_of_names(plan, request.manifest);
   const auto folder = request.resume
                           ? std::make_unique<RunFolder>(*request.resume)
                           : std::make_unique<RunFolder>(request.out, default_name(request));

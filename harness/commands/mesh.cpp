@@ -129,11 +129,13 @@ void print_text(const Flags& flags, const Findings& findings) {
   for (const Defect& defect : findings.defects.defects) {
     const bool is_error = type_of(defect.kind).severity == Severity::error;
     print_words(is_error ? "defect, error" : "defect, warning", defect.text());
+    for (const RepairAction& action : findings.repairs) {
+      if (action.remedied == defect.kind) {
+        print_words(action.changed ? "  repaired" : "  settled", action.summary());
+      }
+    }
   }
   if (findings.defects.defects.empty()) print_row("defects", "none");
-  for (const RepairAction& action : findings.repairs) {
-    print_words(action.changed ? "repaired" : "settled", action.summary());
-  }
   if (flags.repair && findings.repairs.empty()) print_row("repaired", "nothing needed it");
 }
 

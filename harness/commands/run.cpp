@@ -78,24 +78,33 @@ void add_request_options(CLI::App& command, RunRequest& request, bool& plan_only
       "--resume", [&](const std::string& folder) { request = saved_request(folder).request; },
       "continue an interrupted run in this folder, with the options that it had")
       ->type_name("DIR");
-  command
-      .add_option_function<std::vector<std::string>>(
-          "suite", [&](const auto& words) { read_words(words, request); },
-          "suite in JSON (harness/suites/default.json); after --, flags of Google Benchmark")
-      ->type_name("[SUITE.json] [-- --benchmark_...]");
+  const CLI::Option* const suite_option =
+      command
+          .add_option_function<std::vector<std::string>>(
+              "suite", [&](const auto& words) { read_words(words, request); },
+              "suite in JSON (harness/suites/default.json); after --, flags of Google Benchmark")
+          ->type_name("[SUITE.json] [-- --benchmark_...]");
   call(
       "--corpus",
-      [&](const std::string& corpus) {
+      [&, suite_option](const std::string& corpus) {
+        if (suite_option->empty() && !request.resume) suite = suite_of_corpus(corpus);
         suite.corpus = corpus;
         suite.meshes.clear();  // of the suite
       },
-      "corpus of the manifest")
+      "corpus of the manifest, with the options of its suite where harness/suites has one of this "
+      "name")
       ->type_name("NAME");
-  option(
-      "--meshes", suite.meshes,
-      "mesh files, folders, patterns such as 'scans/*.ply', or names of the manifest, in place of "
-      "a corpus")
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--meshes",
+          [&](const auto& meshes) {
+            suite.meshes = meshes;
+            suite.corpus = "chosen";
+          },
+          "mesh files, folders, patterns such as 'scans/*.ply', or names of the manifest, in place "
+          "of a corpus")
       ->delimiter(',')
+      ->excludes("--corpus")
       ->type_name("NAMES");
   option(
       "--solvers", suite.solvers,
@@ -116,6 +125,7 @@ void add_request_options(CLI::App& command, RunRequest& request, bool& plan_only
       "every mesh file in this folder and below it, in place of a corpus; what cannot be solved is "
       "skipped with its reason, or repaired with --repair")
       ->excludes("--meshes")
+      ->excludes("--corpus")
       ->type_name("DIR");
   call(
       "--shard", [&](const std::string& word) { request.shard = shard_named(word); },

@@ -72,6 +72,8 @@ void set(Suite& suite, const std::string& key, const Json& value) {
   }
 }
 
+std::filesystem::path suites_folder() { return data_folder() / "harness" / "suites"; }
+
 }  // namespace
 
 Suite read_suite(const std::filesystem::path& file) {
@@ -122,8 +124,12 @@ void check_suite(const Suite& suite) {
   instruction_set_named(suite.vectors);
 }
 
-std::filesystem::path default_suite() {
-  return data_folder() / "harness" / "suites" / "default.json";
+std::filesystem::path default_suite() { return suites_folder() / "default.json"; }
+
+Suite suite_of_corpus(const std::string& corpus) {
+  check_name("corpus name", corpus);
+  const std::filesystem::path file = suites_folder() / (corpus + ".json");
+  return read_suite(std::filesystem::exists(file) ? file : default_suite());
 }
 
 }  // namespace geodesic::harness

@@ -16,7 +16,7 @@ namespace geodesic::harness {
 struct Suite {
   std::vector<std::string> solvers = {};  ///< as of solvers_named (corpus/solvers.h); empty: all
                                           ///< but Description::by_name_only
-  std::string corpus = "quick";           ///< a corpus of the manifest
+  std::string corpus = "quick";           ///< a corpus of the manifest; of `meshes` any name
   std::vector<std::string> meshes = {};   ///< names or files, in place of the whole corpus
   int sources = 3;                        ///< a mesh
   int repetitions = 3;                    ///< timed, a cell
@@ -51,5 +51,8 @@ void check_suite(const Suite& suite);
 
 /// harness/suites/default.json of the data folder (folders.h).
 std::filesystem::path default_suite();
+
+/// The suite of that name in harness/suites, or else the default one.
+Suite suite_of_corpus(const std::string& corpus);
 
 }  // namespace geodesic::harness

@@ -130,9 +130,9 @@ CASES = [
     flag("fetch.py --corpsu tiny", "unrecognized arguments: --corpsu", "see fetch.py --help"),
     flag("fetch.py --corpus tinny", "fetch.py: no corpus named 'tinny'; there are: break-even"),
     flag(r"fetch.py $'\e[31mred'", r"fetch.py: no mesh named '\x1b[31mred'; there are: beetle-alt"),
-    flag("check.py --runs x", "geodesic-bench check: unrecognized arguments: --runs x; see "
+    flag("check.py --runs", "geodesic-bench check: unrecognized arguments: --runs; see "
          "geodesic-bench check --help"),
     flag("plots table_5_1 --run nowhere", "plots: nowhere: no such folder; ./run_all.sh run"),
-    flag("report.py --run", "geodesic-bench report: argument --run: expected one argument"),
+    flag("report.py a b", "geodesic-bench report: unrecognized arguments: b"),
     flag("plots overview --out", "argument --out: expected one argument; see plots --help"),
 ]  # fmt: skip

@@ -64,7 +64,7 @@ def refused() -> Iterator[Case]:
             begins = " ".join(command.split()[:2])
             yield Case(f"{command}: {what}", command, [f"{begins}: ", "run.json", SAYS[what]],
                        files=files)  # fmt: skip
-        yield Case(f"check.py: {what}", "check.py --run .", ["geodesic-bench check: ", "run.json", SAYS[what]],
+        yield Case(f"check.py: {what}", "check.py .", ["geodesic-bench check: ", "run.json", SAYS[what]],
                    files=files)  # fmt: skip
 
 
@@ -72,7 +72,6 @@ COMMON = "have no cell in common"
 LESS = changed(lambda data: data.update(benchmarks=data["benchmarks"][:1]))
 OTHER = changed(lambda data: data.update(benchmarks=data["benchmarks"][-1:]))
 OTHER_MESH = changed(lambda data: ours(data)["meshes"][0].update(sha256=64 * "f"))
-OTHER_CORPUS = changed(lambda data: ours(data).update(corpus="other"))
 UNKNOWN_MESH = changed(lambda data: data["benchmarks"][0].update(mesh="dale"))
 NOT_A_NUMBER = changed(lambda data: data["benchmarks"][0].update(cpu_time=float("nan")))
 
@@ -82,20 +81,18 @@ CASES = [
          ["nothing to compare", COMMON], files={"a": LESS, "b": OTHER}),
     Case("geodesic-bench compare: another mesh", f"geodesic-bench compare '{GOLDEN}' b",
          ["is another file in b"], files={"b": OTHER_MESH}),
-    Case("geodesic-bench compare: another corpus", f"geodesic-bench compare '{GOLDEN}' b",
-         ["different corpora cannot be compared", "b is of other"], files={"b": OTHER_CORPUS}),
     Case("geodesic-bench compare: a run that was interrupted", "geodesic-bench compare . .",
          ["run.json: no such file; was the run interrupted?"]),
-    Case("check.py: a run that was interrupted", "check.py --run .",
+    Case("check.py: a run that was interrupted", "check.py .",
          ["run.json: no such file; was the run interrupted?"]),
-    Case("check.py: a row of an unknown mesh", "check.py --run .",
+    Case("check.py: a row of an unknown mesh", "check.py .",
          ["benchmarks[0].mesh: 'dale' is not among the context's meshes"],
          files={"run.json": UNKNOWN_MESH}),
-    Case("check.py: NaN", "check.py --run .", ["benchmarks[0].cpu_time: nan is not a finite"],
+    Case("check.py: NaN", "check.py .", ["benchmarks[0].cpu_time: nan is not a finite"],
          files={"run.json": NOT_A_NUMBER}),
     Case("plots table_5_1: cut", "plots table_5_1 --run .", ["run.json: not JSON, perhaps truncated"],
          files={"run.json": FILES["cut"]}),
-    Case("report.py: a file in place of its folder", f"report.py --run '{GOLDEN}'",
+    Case("report.py: a file in place of its folder", f"report.py '{GOLDEN}'",
          ["geodesic-bench report: ", "run.json: no such folder"]),
     Case("run_all.sh check: nothing there", "run_all.sh check --no-install --run nowhere",
          ["run_all.sh: check failed"]),

@@ -17,7 +17,9 @@ from gate.findings import GateError
 LIMITS = parse_limits("time=10%,counters=1%,memory=2%")
 
 
-def separate_runs(old: Data, new: Data) -> Comparison:
+def separate_runs(old: Data, new: Data, revision: str = 40 * "a") -> Comparison:
+    """@param revision of the new one"""
+    new["context"]["geodesic_bench"]["revision"] = revision
     return compare(run(old, "old.json"), run(new, "new.json"))
 
 
@@ -53,6 +55,18 @@ def test_a_cell_of_two_separate_runs_never_fails_on_time_and_a_mean_may() -> Non
     assert "two separate runs" in comparison.notes[0]
     failures = exceeded(separate_runs(old, separate(1.3, seed=1)), LIMITS)
     assert failures[0].startswith("mmp: time 1.") and failures[0].endswith("over 3 cells")
+
+
+def test_the_mean_of_two_runs_of_one_program_is_called_a_drift_of_the_machine() -> None:
+    old = separate(1.0)
+    same, other = (
+        separate_runs(old, separate(1.3, seed=1), revision)
+        for revision in (old["context"]["geodesic_bench"]["revision"], 40 * "a")
+    )
+    assert same.means[-1][2].excludes_one and exceeded(other, LIMITS) and not exceeded(same, LIMITS)
+    for comparison, end, note in ((same, "not resolved (~)", command.ONE_PROGRAM), (other, "]", command.SEPARATE)):
+        (mean,) = [line for line in summary(comparison, {}) if line.startswith("all: time new/old 1.")]
+        assert mean.endswith(end) and note in comparison.notes
 
 
 def test_few_repetitions_resolve_nothing_and_a_note_says_so() -> None:
@@ -126,7 +140,6 @@ def test_what_cannot_be_compared_is_an_error() -> None:
         other["benchmarks"].append({**row, "solver": "ich"})
     other["context"]["geodesic_bench"]["solvers"][0]["name"] = "ich"
     for new, words in (
-        (changed(corpus="paper"), "different corpora"),
         (mesh, "horse is another file"),
         (other, "no cell in common"),
     ):

@@ -356,7 +356,7 @@ TEST_F(CommandLine, ScriptsAreCommandsWithTheirOwnHelpAndExitCode) {
                {"compare", "rank", "export", "report", "check"});
   const Output help = run_plainly(PROGRAM, {"check", "--help"});
   EXPECT_EQ(help.code, 0) << help.err;
-  expect_words(help.out, {"usage: ", "--run"});
+  expect_words(help.out, {"usage: ", "[RUN]"});
   const Output refused = run_plainly(PROGRAM, {"check", "--nonsense"});
   EXPECT_NE(refused.code, 0);
   expect_words(refused.err, {"--nonsense"});

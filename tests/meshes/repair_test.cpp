@@ -118,7 +118,12 @@ TEST(Repair, OfAnyTrianglesFitsTheSolversIsDeterministicAndIdempotent) {
     }
     TriangleSoup once = soup;
     TriangleSoup again = soup;
-    const auto actions = counts(repair(once));
+    const DefectReport report = find_defects(once);
+    const std::vector<RepairAction> done = repair(once);
+    for (const RepairAction& action : done) {
+      EXPECT_GT(report.count(action.remedied.value()), 0u) << "round " << round << action.text;
+    }
+    const auto actions = counts(done);
     EXPECT_EQ(actions, counts(repair(again))) << "round " << round;
     EXPECT_EQ(once.triangles, again.triangles) << "round " << round;
     EXPECT_EQ(once.positions.size(), vertices);

@@ -24,7 +24,7 @@ def keep_only_good(data: dict[str, Any]) -> None:
 def test_failed_and_missing_cells_fail_and_are_listed(
     golden_folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert check.main(["--run", str(golden_folder)]) == 1
+    assert check.main([str(golden_folder)]) == 1
     printed = capsys.readouterr().out
     assert "FAILED: ich/rocker-arm/src:4711: crashed" in printed
     assert "FAILED: fwp-ch/flat-grid/src:0: wrong answer" in printed
@@ -34,7 +34,7 @@ def test_failed_and_missing_cells_fail_and_are_listed(
 
 
 def test_verified_run_passes(changed: Changed, capsys: pytest.CaptureFixture[str]) -> None:
-    assert check.main(["--run", str(changed(keep_only_good))]) == 0
+    assert check.main([str(changed(keep_only_good))]) == 0
     assert capsys.readouterr().out.splitlines()[-1] == "cells: 12 verified, 0 failed"
 
 
@@ -47,7 +47,7 @@ def test_a_mesh_that_was_skipped_fails_unless_allowed(
         data["context"]["geodesic_bench"]["skipped"].append(skip)
 
     run = str(changed(change))
-    assert [check.main(["--run", run, *more]) for more in [list[str](), ["--allow-skipped"]]] == [1, 0]
+    assert [check.main([run, *more]) for more in [list[str](), ["--allow-skipped"]]] == [1, 0]
     printed = capsys.readouterr().out
     assert "NOT MEASURED: bunny: not in the dataset cache" in printed
     assert "without a time: ch: skipped on horse: ch is for meshes of at most 20000 vertices" in printed
@@ -68,7 +68,7 @@ def test_what_a_solver_of_others_fails_at_may_be_a_finding(
         row.update(outcome="crashed", error_occurred=True, error_message="signal 11")
 
     run = str(changed(change))
-    assert [check.main(["--run", run, *more]) for more in [list[str](), ["--others-may-fail"]]] == [1, 0]
+    assert [check.main([run, *more]) for more in [list[str](), ["--others-may-fail"]]] == [1, 0]
     failed, found = (
         [line.split(": ")[0] for line in capsys.readouterr().out.splitlines() if "crashed" in line]
     )
@@ -84,7 +84,7 @@ def test_nothing_verified_is_a_failure(changed: Changed) -> None:
         ours["meshes"] = [m for m in ours["meshes"] if m["name"] == "rocker-arm"]
         ours["sources"] = {"rocker-arm": [rows[0]["source"]]}
 
-    assert check.main(["--run", str(changed(change))]) == 1
+    assert check.main([str(changed(change))]) == 1
 
 
 def test_largest_error_of_exact_solvers_is_told(
@@ -96,7 +96,7 @@ def test_largest_error_of_exact_solvers_is_told(
             if row["solver"] == "ich" and row["source"] == 31415:
                 row["max_relative_error"] = 4e-13
 
-    check.main(["--run", str(changed(change)), "--long"])
+    check.main([str(changed(change)), "--long"])
     line = "largest relative error: ich: 4.0e-13 against mmp (horse, source 31415)"
     assert line in capsys.readouterr().out
 
@@ -111,7 +111,7 @@ def test_cells_that_were_checked_against_truth_are_counted(
                 row["reference"] = "closed-form"
                 row["max_relative_error"] = 2e-16
 
-    assert check.main(["--run", str(changed(change)), "--long"]) == 0
+    assert check.main([str(changed(change)), "--long"]) == 0
     printed = capsys.readouterr().out
     assert "checked against a closed form: 2 cells (horse)" in printed
     assert "ich: 2.0e-16 against closed-form (horse, source 31415)" in printed
@@ -121,10 +121,10 @@ def test_cells_that_were_checked_against_truth_are_counted(
 def test_a_run_without_closed_forms_says_so(
     golden_folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    check.main(["--run", str(golden_folder)])
+    check.main([str(golden_folder)])
     assert "checked against a closed form: 0 cells" in capsys.readouterr().out
 
 
 def test_broken_run_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert check.main(["--run", str(tmp_path / "none")]) == 1
+    assert check.main([str(tmp_path / "none")]) == 1
     assert len(capsys.readouterr().err.splitlines()) == 1

@@ -152,7 +152,7 @@ def test_the_thesis_is_agreed_with_or_not_as_the_times_have_it(
 def test_terminal_and_report_have_the_same_sentences_and_numbers(
     golden_run: Run, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    check.main(["--run", str(golden_run.file.parent)])
+    check.main([str(golden_run.file.parent)])
     printed = capsys.readouterr().out
     page = report.page(golden_run, {"summary_by_mesh": summary.by_mesh(golden_run)}, {}, Path())
     for sentence in headline.sentences(golden_run):

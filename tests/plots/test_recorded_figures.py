@@ -241,7 +241,7 @@ def test_cells_have_a_colour_each_and_sharp_borders(run: Run) -> None:
 
 
 def test_the_report_shows_every_figure_of_a_run_with_recordings(run: Run) -> None:
-    assert report.main(["--run", str(run.file.parent)]) == 0
+    assert report.main([str(run.file.parent)]) == 0
     page = (run.file.parent / "report.html").read_text(encoding="utf-8")
     for name in NEEDS:
         assert f'<figure id="{name}">' in page

@@ -43,7 +43,7 @@ class Page(HTMLParser):
 
 
 def report_of(folder: Path) -> Page:
-    assert report.main(["--run", str(folder)]) == 0
+    assert report.main([str(folder)]) == 0
     return Page((folder / "report.html").read_text(encoding="utf-8"))
 
 
@@ -112,7 +112,7 @@ def test_the_same_run_gives_the_same_page(folder: Path) -> None:
 
 
 def test_a_broken_run_ends_in_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert report.main(["--run", str(tmp_path / "none")]) == 1
+    assert report.main([str(tmp_path / "none")]) == 1
     assert len(capsys.readouterr().err.splitlines()) == 1
 
 

@@ -24,7 +24,7 @@ PHONE = 360
 def address(tmp_path_factory: pytest.TempPathFactory) -> str:
     folder = tmp_path_factory.mktemp("a run")
     shutil.copy(Path(__file__).parent / "golden" / "run" / "run.json", folder)
-    assert report.main(["--run", str(folder)]) == 0
+    assert report.main([str(folder)]) == 0
     return (folder / "report.html").as_uri()
 
 

@@ -81,6 +81,13 @@ def test_the_scene_has_every_solver_frame_by_frame(complete_run: Run) -> None:
         assert shares == pytest.approx(np.arange(FRAMES + 1) / FRAMES, abs=2 / FRAMES)
 
 
+def test_the_axis_that_is_named_points_up(complete_run: Run) -> None:
+    recording = recordings(complete_run)[0]
+    for up in range(3):
+        shown = scene(recording, [], up)
+        assert shown["up"] == up and np.argmax(np.abs(shown["axes"][1])) == up
+
+
 def test_no_name_ends_the_script_that_holds_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(three, "import_map", lambda: "{}")
     monkeypatch.setattr(three, "licence", lambda: "a licence")

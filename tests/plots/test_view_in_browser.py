@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import subprocess
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -18,6 +19,7 @@ from results.reader import Mesh, Run
 from view import __main__ as command
 
 pytest.importorskip("selenium", reason="python3-selenium is not installed")
+import chromium
 from selenium.webdriver.common.by import By
 
 pytestmark = pytest.mark.usefixtures("with_three")
@@ -76,6 +78,14 @@ def test_it_is_drawn_without_any_request(page: Any) -> None:
     assert [name for name in page.execute_script(asked) if not name.startswith("data:")] == []
     licence = page.find_element(By.CSS_SELECTOR, "footer pre").get_property("textContent")
     assert "The MIT License" in licence and "three.js authors" in licence
+
+
+@pytest.mark.usefixtures("browser")
+def test_a_screenshot_that_waits_for_the_load_alone_shows_the_model(address: str, tmp_path: Path) -> None:
+    words = [str(chromium.BROWSER), "--headless", "--no-sandbox", "--disable-gpu", "--window-size=600,600"]
+    subprocess.run([*words, "--screenshot=shot.png", address], cwd=tmp_path, capture_output=True, timeout=SECONDS)
+    shown = imread(tmp_path / "shot.png")[:, :, :3]
+    assert (np.ptp(shown, axis=2) > 0.1).mean() > 0.05, "no colours of distances"
 
 
 def test_the_slider_and_the_keys_change_the_frame_and_what_is_seen(page: Any) -> None:
@@ -158,7 +168,7 @@ def test_100_000_faces_are_drawn_and_turned(browser: Any, tmp_path: Path) -> Non
     np.save(folder / "distances.npy", np.linalg.norm(vertices - vertices[0], axis=1))
     edge = mean_edge_length(vertices, faces)
     mesh = Mesh("torus", "", len(vertices), len(faces), edge, None, False)
-    command.write(Recording(mesh, 0, folder, {}), [], "the test", tmp_path / "torus.html")
+    command.write(Recording(mesh, 0, folder, {}), [], None, "the test", tmp_path / "torus.html")
     browser.get((tmp_path / "torus.html").as_uri())
     before = picture(browser)
     press(browser, "ArrowRight")

@@ -48,7 +48,7 @@ def test_merged_shards_are_the_run_in_one_piece(
     recordings = [sorted(str(file.relative_to(of)) for file in of.rglob("*.npy"))
                   for of in (three / "whole" / "recordings", merged / "recordings")]  # fmt: skip
     assert recordings[0] and recordings[0] == recordings[1]
-    assert sharded.bench_says("check", "--run", merged).returncode == 0
+    assert sharded.bench_says("check", merged).returncode == 0
     again = sharded.merge(three / "shards", "--out", "merged")
     assert again.returncode == 0, "a merged file can be made again"
 
@@ -76,7 +76,7 @@ def test_a_shard_that_was_stopped_is_named_and_goes_on_as_it_was(
     assert "missing: 1 of 3 shards: 2" in refused.stderr
     assert "shards/2 is not finished: geodesic-bench run --resume shards/2" in refused.stderr
     assert sharded.merge("shards", "--out", "part", "--allow-gaps").returncode == 0
-    check = sharded.bench_says("check", "--run", "part")
+    check = sharded.bench_says("check", "part")
     assert check.returncode == 1 and "FAILED: shard 2/3: missing" in check.stdout
     resumed = sharded.bench_says("run", "--resume", second)
     assert resumed.returncode == 0 and "5 of 6 cells are kept" in resumed.stderr
@@ -179,7 +179,7 @@ def test_what_another_processor_left_unfinished_is_measured_again(
     here = {(row.mesh, row.source) for row in run.of_processor(other).rows}
     assert len(elsewhere) == 2 and len(here) == 4 and not elsewhere & here
     assert (mesh, int(source)) in here
-    report = sharded.bench_says("report", "--run", "merged")
+    report = sharded.bench_says("report", "merged")
     assert report.returncode == 0, report.stderr
     tables = {file.stem for file in (tmp_path / "merged" / "tables").glob("*.md")}
     assert {"every_solver_on_processor_1", "every_solver_on_processor_2", "table_5_2_ratios"} <= tables
