@@ -24,13 +24,17 @@ CASES = [
     ("run --meshes nefertiti-l", {"nefertiti-loop2"}),
     ("run --repet", {"--repetitions"}),
     ("generate icos", {"icosphere"}),
-    ("solve --output icos", set()),
+    ("solve --output spo", {"spot-own.ply"}),
+    ("export --to b", {"bencher"}),
+    ("compare --format m", {"markdown"}),
+    ("solve spo", {"spot", "spot-own.ply"}),
 ]
 
 
 @pytest.fixture
 def environment(tmp_path: Path) -> dict[str, str]:
-    """A PATH on which geodesic-bench is the program under test."""
+    """A PATH on which geodesic-bench is the program under test, and a mesh file."""
+    (tmp_path / "spot-own.ply").touch()
     (tmp_path / "geodesic-bench").symlink_to(BENCH.resolve())
     return dict(os.environ, PATH=f"{tmp_path}:{os.environ['PATH']}")
 

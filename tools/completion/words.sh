@@ -29,11 +29,17 @@ options() {
   "$program" "$command" --help | grep -oE '^ +(-[a-z], ?)?--[a-z][a-z-]*' | grep -oE -- '--[a-z-]+'
 }
 
+# choices OPTION: as the help of a command shows them, "--to {csv,bencher}".
+choices() {
+  "$program" "$command" --help | sed -n "s/^  $1 {\([^}]*\)}.*/\1/p" | tr , '\n'
+}
+
 {
   case $previous in
     --solver | --solvers | --against | --reference) names solver ;;
     --mesh | --meshes) names mesh ;;
     --corpus) corpora ;;
+    --to | --format | --up) choices "$previous" ;;
     --vectors) printf '%s\n' auto plain avx2 avx512 ;;
     --output | --out | -o | --plugin | --manifest | --run | --resume) ;;
     *)
