@@ -11,6 +11,7 @@ import json
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 from results import console
 
@@ -36,8 +37,16 @@ COUNTS_APART, FEW = 2.0, 100
 """Counters of other revisions may differ from this one's by such a factor, and so few at all."""
 
 
-def problems(run: Run, counters: baseline.Counters, manifest: Mapping[str, Mapping[str, object]]) -> Iterator[str]:
-    """One line each."""
+def known() -> tuple[baseline.Counters, dict[str, dict[str, Any]]]:
+    """The counters of this revision, and the meshes of the manifest by name.
+
+    @raises GateError, OSError"""
+    meshes = json.loads((ROOT / "datasets" / "manifest.json").read_text(encoding="utf-8"))["meshes"]
+    return baseline.read(ROOT), {mesh["name"]: mesh for mesh in meshes}
+
+
+def problems(run: Run, counters: baseline.Counters, manifest: Mapping[str, Mapping[str, Any]]) -> Iterator[str]:
+    """One line each, of what `known` says."""
     yield from _sums(run)
     yield from _origin(run)
     yield from _meshes(run, manifest)
@@ -73,11 +82,16 @@ def _origin(run: Run) -> Iterator[str]:
         yield "a shard of a run: merge all of them first"
 
 
-def _meshes(run: Run, manifest: Mapping[str, Mapping[str, object]]) -> Iterator[str]:
-    for mesh in run.meshes.values():
-        known = manifest.get(mesh.name)
-        if known and known["sha256"] != mesh.sha256:
-            yield f"{mesh.name}: is another file than the mesh of that name in datasets/manifest.json"
+def _meshes(run: Run, manifest: Mapping[str, Mapping[str, Any]]) -> Iterator[str]:
+    for mesh in run.ours["meshes"]:
+        name = mesh["name"]
+        listed = manifest.get(name)
+        if listed is None and "licence" not in mesh:
+            yield (f"{name}: is not in datasets/manifest.json: geodesic-bench publish --licence '{name}=TEXT'"
+                   " says under which licence it can be had")  # fmt: skip
+        elif listed and listed["sha256"] != mesh["sha256"]:
+            yield (f"{name}: is another file than the mesh of that name in datasets/manifest.json:"
+                   " rename it, and measure it again")  # fmt: skip
 
 
 def _row(run: Run, row: Row) -> Iterator[str]:
@@ -122,9 +136,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     failed = 0
     try:
-        meshes = json.loads((ROOT / "datasets" / "manifest.json").read_text(encoding="utf-8"))["meshes"]
-        manifest = {mesh["name"]: mesh for mesh in meshes}
-        counters = baseline.read(ROOT)
+        counters, manifest = known()
     except (OSError, GateError) as error:
         return console.complain(error)
     for file in options.files:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
+from itertools import groupby
 from pathlib import Path
 
 from results.table import Table, markdown_page, text_cells, text_page
@@ -21,6 +22,10 @@ LABELS = {
     Weight.WARNING: "warning",
     Weight.NOTE: "note",
 }
+
+
+FIRST = 3
+"""Findings of a kind at one level that are told above the tables."""
 
 
 @dataclass(frozen=True)
@@ -75,7 +80,14 @@ def as_markdown(verdict: Verdict) -> str:
 
 
 def _lines(verdict: Verdict) -> list[str]:
-    return [f"level {f.level} {LABELS[f.weight]}: {f.text}" for f in verdict.findings]
+    """Of many findings of a kind at one level the first; the tables have all."""
+    lines = []
+    for (level, weight), group in groupby(verdict.findings, key=lambda f: (f.level, f.weight)):
+        texts = [finding.text for finding in group]
+        if len(texts) > FIRST + 1:
+            texts[FIRST:] = [f"and {len(texts) - FIRST} more, in the table"]
+        lines += [f"level {level} {LABELS[weight]}: {text}" for text in texts]
+    return lines
 
 
 def _table(level: LevelResult) -> Table:

@@ -1,0 +1,140 @@
+"""`geodesic-bench publish`: the file of a run that can stand in results/contributed/.
+
+It is the run's own without folders and the name of the host, and with the licence of each mesh that
+is not of datasets/manifest.json. It is written where `check-result` finds nothing wrong with it.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import shlex
+import sys
+import tempfile
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from results import console
+
+if __name__ == "__main__":
+    console.prepare("geodesic-bench publish")  # before imports that may fail
+
+from gate import check_result
+from gate.findings import GateError
+from plots import check
+from results import checksum
+from results.reader import ResultError, Run, newest_run, read_run
+
+ABSOLUTE = re.compile(r"""(?<![\w.:/~-])/(?:[^\s'",;:=()/]+/)*([^\s'",;:=()/]*)""")
+"""A path in a text, and its last name."""
+NEXT = (
+    "Add it to results/contributed/ of a clone, and open a pull request with it (docs/contributed-results.md)."
+)
+
+
+def published(run: Run, licences: Mapping[str, str]) -> str:
+    """The text of the file.
+
+    @param licences by mesh
+    @raises ResultError for a run whose rows are in a file beside it, and for a licence of no mesh"""
+    if run.rows_file:
+        raise ResultError(f"{run.file}: its rows are in {run.rows_file.name}, and a contribution is one file")
+    if unknown := [name for name in licences if name not in run.meshes]:
+        raise ResultError(f"--licence: the run has no mesh {', '.join(unknown)}")
+    data = json.loads(run.file.read_text(encoding="utf-8"))
+    context, ours = data["context"], data["context"]["geodesic_bench"]
+    context.pop("host_name", None)
+    for plugin in ours.get("plugins", []):
+        plugin["file"] = "/".join(Path(plugin["file"]).parts[-2:])  # the folder is the public code's name
+    for part in ours.get("parts", []):
+        part |= {"host": "", "folder": Path(part["folder"]).name}
+    for mesh in ours["meshes"]:
+        if mesh["name"] in licences:
+            mesh["licence"] = licences[mesh["name"]]
+    for row in data["benchmarks"]:
+        row.pop("recordings", None)  # files of the run's folder
+    folders: set[str] = set()
+    for one in (ours, *ours.get("parts", [])):
+        one["command"] = _without_folders(one["command"], folders)
+    data = _cleared(data, sorted(folders, key=len, reverse=True))
+    ours = data["context"]["geodesic_bench"]
+    ours.pop("checksum", None)
+    ours["checksum"] = checksum.computed(json.dumps(data, ensure_ascii=False))
+    return json.dumps(data, ensure_ascii=False, separators=(",", ":")) + "\n"
+
+
+def _without_folders(command: str, folders: set[str]) -> str:
+    """Of each path its last name; `folders` gets the others."""
+
+    def name(path: str) -> str:
+        if not path.startswith("/"):
+            return path
+        folders.add(f"{Path(path).parent}/")
+        return Path(path).name
+
+    words = [re.sub(r"[^,=]+", lambda found: name(found[0]), word) for word in shlex.split(command)]
+    return shlex.join(words)
+
+
+def _cleared(value: Any, folders: Sequence[str]) -> Any:
+    """Every text without those folders, and of other absolute paths the last name."""
+    if isinstance(value, dict):
+        return {key: _cleared(one, folders) for key, one in value.items()}
+    if isinstance(value, list):
+        return [_cleared(one, folders) for one in value]
+    if not isinstance(value, str):
+        return value
+    for folder in folders:
+        value = value.replace(folder, "")
+    return ABSOLUTE.sub(r"\1", value)
+
+
+def default_name(run: Run) -> str:
+    """2026-11-23-amd-epyc-7b13-standard.json"""
+    words = " ".join([*run.processors, run.ours["corpus"]]).lower()
+    words = re.sub(r"\((r|tm)\)|\b(cpu|processor)\b|@.*?ghz", " ", words)
+    return "-".join([run.ours["started"][:10], *re.findall(r"[a-z0-9.]+", words)]) + ".json"
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = console.run_parser(
+        __doc__,
+        "geodesic-bench publish results/runs/mine",
+        "geodesic-bench publish results/runs/mine --licence 'scan=CC BY 4.0, by its authors'",
+    )
+    parser.add_argument(
+        "--licence", action="append", default=[], metavar="MESH=TEXT",
+        help="licence of a mesh of your own; repeatable",
+    )  # fmt: skip
+    parser.add_argument(
+        "--out", type=Path, metavar="FILE.json",
+        help="file to write (default: in the current folder, named by date, processor and corpus)",
+    )  # fmt: skip
+    options = parser.parse_args(arguments)
+    if wrong := [word for word in options.licence if not re.fullmatch(r"[^=]+=.*\S.*", word)]:
+        parser.error(f"--licence {wrong[0]}: not MESH=TEXT")
+    try:
+        run = read_run(options.run or newest_run())
+        text = published(run, dict(word.split("=", 1) for word in options.licence))
+        with tempfile.TemporaryDirectory(prefix="geodesic-publish-") as scratch:
+            trial = Path(scratch) / "run.json"
+            trial.write_text(text, encoding="utf-8")
+            found = list(check_result.problems(read_run(trial), *check_result.known()))
+        for line in check.first(found):
+            console.say(f"FAILED: {line}")
+        if found:
+            return 1
+        file = options.out or Path(default_name(run))
+        if file.exists():
+            raise ResultError(f"{file}: is there already: give another --out")
+        file.write_text(text, encoding="utf-8")
+        console.say(str(file))
+        console.say(NEXT)
+    except (ResultError, GateError, OSError) as error:
+        return console.complain(error)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
