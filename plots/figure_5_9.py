@@ -26,8 +26,8 @@ PHASES = {
 }
 """By the key in a row's `phase_seconds`: name, colour, hatch."""
 ABSENT = "no phase times, or far beyond the others"
-NOTICED = 0.995
-"""The caption names what is scaled by less than this."""
+APART = 0.1
+"""A bar whose phases together differ by more than this from the timed solve is not drawn."""
 REST = ("rest", "white", "")
 OVERHEAD = "timer_overhead"
 
@@ -46,9 +46,9 @@ class Split:
     overhead: float
 
     @property
-    def scale(self) -> float:
-        """1, or what makes the phases fit into the timed solve when they took longer than it."""
-        return min(1, self.time / sum(self.phases.values()))
+    def together(self) -> float:
+        """Of the phases, over the timed solve."""
+        return sum(self.phases.values()) / self.time
 
     @property
     def overhead_share(self) -> float:
@@ -56,7 +56,7 @@ class Split:
         return self.overhead / (self.overhead + sum(self.phases.values()))
 
     def parts(self) -> list[tuple[tuple[str, str, str], float]]:
-        shown = {key: time * self.scale for key, time in self.phases.items()}
+        shown = {key: time / max(1, self.together) for key, time in self.phases.items()}
         rest = max(0, self.time - sum(shown.values()))
         return [(PHASES[key], value) for key, value in shown.items()] + [(REST, rest)]
 
@@ -77,9 +77,9 @@ def split(run: Run, mesh: str, solver: str) -> Split | None:
 
 
 def splits(run: Run, mesh: str) -> list[Split]:
-    """Of the solvers with phase times, but for those far beyond the thesis's."""
+    """Those whose phases add up to the timed solve, but for those far beyond the thesis's."""
     splits_of = (split(run, mesh, solver) for solver in measured_solvers(run))
-    found = [one for one in splits_of if one]
+    found = [one for one in splits_of if one and abs(one.together - 1) <= APART]
     limit = reach({one.solver: [one.time] for one in found})
     return [one for one in found if one.time <= limit]
 
@@ -99,13 +99,13 @@ def figure(run: Run) -> Drawing:
     chosen = chosen_meshes(run)
     if not chosen:
         raise ResultError(f"{run.file}: no verified cell has phase_seconds")
-    all_splits = {mesh.name: splits(run, mesh.name) for mesh in chosen}
-    most = max(map(len, all_splits.values()))
+    drawn = {mesh.name: splits(run, mesh.name) for mesh in chosen}
+    most = max(map(len, drawn.values()))
     picture = style.new_figure(1.2 + len(chosen) * (0.55 + 0.26 * most))
     panels = picture.subplots(len(chosen), 1, squeeze=False)[:, 0]
-    unit = time_unit([one.time for found in all_splits.values() for one in found])
+    unit = time_unit([one.time for found in drawn.values() for one in found])
     for axes, mesh in zip(panels, chosen, strict=True):
-        _draw(axes, mesh, all_splits[mesh.name], unit)
+        _draw(axes, mesh, drawn[mesh.name], unit)
     panels[-1].set_xlabel(f"CPU time of one solve ({unit.name})")
     kinds = [*PHASES.values(), REST]
     handles = [
@@ -115,7 +115,7 @@ def figure(run: Run) -> Drawing:
     style.legend_above(picture, handles)
     return Drawing(
         title="Figure 5.9: statistics of running time",
-        caption=_caption(run, all_splits),
+        caption=_caption(run, drawn),
         figure=picture,
     )
 
@@ -141,28 +141,25 @@ def _draw(axes: Axes, mesh: Mesh, found: list[Split], unit: TimeUnit) -> None:
     axes.set_title(f"{style.plain(mesh.label)}, {mesh.vertices:,} vertices", loc="left")
 
 
-def _caption(run: Run, all_splits: dict[str, list[Split]]) -> str:
-    everything = [(mesh, one) for mesh, found in all_splits.items() for one in found]
-    shares = [one.overhead_share for _, one in everything]
-    scaled = [
-        f"{one.solver} on {mesh} to {one.scale:.0%}"
-        for mesh, one in everything
-        if one.scale < NOTICED
-    ]
-    absent = [
-        f"{solver} on {mesh} ({failed.text if failed else ABSENT})"
-        for mesh, found in all_splits.items()
-        for solver in columns(run)
-        if solver in run.solvers and solver not in [one.solver for one in found]
-        for failed in [failure(run, mesh, solver)]
-    ]
+def _caption(run: Run, drawn: dict[str, list[Split]]) -> str:
+    shares = [one.overhead_share for found in drawn.values() for one in found]
+    apart, absent = [], []
+    for mesh, found in drawn.items():
+        not_drawn = [s for s in columns(run) if s in run.solvers and s not in [one.solver for one in found]]
+        for solver in not_drawn:
+            one = split(run, mesh, solver)
+            if one and abs(one.together - 1) > APART:
+                apart.append(f"{solver} on {mesh} ({one.together - 1:+.0%})")
+            else:
+                failed = failure(run, mesh, solver)
+                absent.append(f"{solver} on {mesh} ({failed.text if failed else ABSENT})")
     return sentences(
         "A bar is as long as the CPU time of a timed solve, the median over sources and "
         "repetitions. The phases are those of a solve of their own with timers, whose cost "
         f"({min(shares):.0%} to {max(shares):.0%} of that solve) is taken out of them. Rest is "
         "what the timed solve took longer than the phases together.",
-        f"Where the phases together took longer they are scaled: {', '.join(scaled)}."
-        if scaled
+        f"Not drawn, since the phases differ by more than {APART:.0%} from the timed solve: {', '.join(apart)}."
+        if apart
         else "",
         f"Without phases: {', '.join(absent)}." if absent else "",
     )

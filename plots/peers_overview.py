@@ -150,4 +150,5 @@ def command(run: Run) -> str:
     words = run.ours["command"].split()
     options = [f"{word} {value}" for word, value in zip(words, words[1:], strict=False) if word in KEPT]
     with_peers = [f"--peers {peers}"] if peers else []
-    return " ".join(["./run_all.sh", f"--corpus {run.ours['corpus']}", *with_peers, *options])
+    corpus = [] if "--meshes" in words else [f"--corpus {run.ours['corpus']}"]
+    return " ".join(["./run_all.sh", *corpus, *with_peers, *options])

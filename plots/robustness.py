@@ -74,6 +74,12 @@ def counts(run: Run) -> Table:
     )  # fmt: skip
 
 
+def right(run: Run) -> dict[str, int]:
+    """On how many cases each solver is right."""
+    cases = _cases(run)
+    return {s: sum(_worst(run, mesh, s)[0] == RIGHT for mesh in cases) for s in columns(run)}
+
+
 def failures(run: Run) -> Table:
     """@raises ResultError when no mesh of the run stands for a report, or all is right"""
     rows = [

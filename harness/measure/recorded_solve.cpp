@@ -72,7 +72,7 @@ PhaseSeconds phase_seconds(const PhaseTimes& times, double untimed) {
     timed += share->seconds;
     readings += static_cast<double>(share->readings);
   }
-  const double cost = std::clamp((timed - untimed) / std::max(readings, 1.0), 0.0, times.reading);
+  const double cost = std::max((timed - untimed) / std::max(readings, 1.0), 0.0);
   PhaseSeconds phases;
   const auto net = [&](const PhaseTimes::Share& share) {
     const double overhead = std::min(share.seconds, cost * static_cast<double>(share.readings));

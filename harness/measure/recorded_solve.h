@@ -24,7 +24,7 @@ RecordedSolve record_solve(const std::string& solver, const Mesh& mesh, const Qu
                            std::span<double> distances);
 
 /// Subtracts the cost of reading the clock from phase times. A reading costs what the solve took
-/// longer with timers, divided by all readings, and at most what a reading costs alone.
+/// longer with timers, divided by all readings.
 /// @param untimed wall seconds of the same solve without timers
 PhaseSeconds phase_seconds(const PhaseTimes& times, double untimed);
 

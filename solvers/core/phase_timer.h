@@ -1,13 +1,12 @@
 // Where the time of a solve goes: window propagation, trimming, queue maintenance (Figure 5.9 of
 // the thesis).
 //
-// One phase runs at any moment, and the clock is read when it changes. A reading takes some 10 ns,
-// about as long as a short phase; between two of them lies exactly one reading's cost, half of the
-// first and half of the second. Times are given with that cost, together with the number of
+// One phase runs at any moment, and the clock is read when it changes. A reading takes 10 to
+// 40 ns, about as long as a short phase; between two of them lies exactly one reading's cost, half
+// of the first and half of the second. Times are given with that cost, together with the number of
 // readings, so that it can be taken out where the time of the solve without them is known.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstddef>
@@ -35,9 +34,6 @@ struct PhaseTimes {
     bool operator==(const Share&) const = default;
   };
   Share propagation, trimming, queue;
-  /// Seconds that a reading takes when nothing else is done. A solve hides part of it behind its
-  /// other work.
-  double reading = 0;
 
   bool operator==(const PhaseTimes&) const = default;
 };
@@ -83,29 +79,13 @@ class BasicPhaseTimer {
     };
     return {.propagation = share(Phase::propagation),
             .trimming = share(Phase::trimming),
-            .queue = share(Phase::queue),
-            .reading = unit * ticks_per_reading()};
+            .queue = share(Phase::queue)};
   }
 
  private:
   struct Share {
     std::uint64_t ticks = 0, readings = 0;
   };
-
-  // The least of several measurements: whatever else happens on the machine only adds.
-  static double ticks_per_reading() {
-    constexpr int kBatches = 8, kReadings = 2000;
-    double least = 0;
-    for (int batch = 0; batch < kBatches; ++batch) {
-      BasicPhaseTimer timer;
-      for (int i = 0; i < kReadings; ++i) {
-        timer.change_to(i % 2 == 0 ? Phase::queue : Phase::trimming);
-      }
-      const double ticks = static_cast<double>(timer.last_ - timer.first_) / kReadings;
-      least = batch == 0 ? ticks : std::min(least, ticks);
-    }
-    return least;
-  }
 
   std::array<Share, kPhases> shares_ = {};
   Phase phase_ = Phase::outside;

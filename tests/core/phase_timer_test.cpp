@@ -41,12 +41,11 @@ TEST(PhaseTimer, GivesEachPhaseItsWorkAndItsReadings) {
   }
   FakeClock::work(999);
   const PhaseTimes times = timer.times();
-  EXPECT_DOUBLE_EQ(times.reading, kTick * FakeClock::kReading);
   EXPECT_EQ(times.propagation.readings, 6u);
   EXPECT_EQ(times.trimming.readings, 10u);
   EXPECT_EQ(times.queue.readings, 5u);
   const auto net = [&](const PhaseTimes::Share& share) {
-    return share.seconds - static_cast<double>(share.readings) * times.reading;
+    return share.seconds - kTick * FakeClock::kReading * static_cast<double>(share.readings);
   };
   EXPECT_DOUBLE_EQ(net(times.propagation), kTick * 100);
   EXPECT_DOUBLE_EQ(net(times.trimming), kTick * 5 * 21);
@@ -68,7 +67,6 @@ TEST(PhaseTimer, OfTheRealClockAddsUpToNoMoreThanTheTimeThatPassed) {
   const double passed = TickClock::seconds() - before;
   EXPECT_EQ(times.queue.readings, 20000u);
   EXPECT_EQ(times.propagation.readings, 20001u);
-  EXPECT_GT(times.reading, 0);
   EXPECT_LE(times.propagation.seconds + times.queue.seconds, passed * 1.01);
 }
 

@@ -1,0 +1,141 @@
+"""docs/results.md with its pictures, and the table in README.md, from the newest results of each
+corpus in results/contributed/: what the project says of itself was measured, and is written by
+
+    /usr/bin/python3 -m plots.contributed
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from results import console
+
+if __name__ == "__main__":
+    console.prepare("plots.contributed")  # before imports that may fail
+
+from plots import catalogue, headline, peers_overview, robustness, style, summary
+from plots.drawing import Drawing
+from plots.measures import ERROR, columns
+from plots.ratios import number
+from results import pairs
+from results.console import ROOT
+from results.reader import ResultError, Run, read_run
+from results.statistics import geometric_mean
+from results.table import BLANK, Cell, Table, estimate_cell, to_markdown
+
+FOLDER = ROOT / "results" / "contributed"
+PAGE, README = ROOT / "docs" / "results.md", ROOT / "README.md"
+STANDARD, ROBUSTNESS, FRONTIER = "standard", "robustness", "frontier"
+PICTURES = {STANDARD: ["peers_overview", "overview"], FRONTIER: ["frontier"], ROBUSTNESS: []}
+"""Figures by corpus, in the order of the page; each is docs/NAME.png."""
+BASE = "edge-based"
+SHOWN = {
+    BASE: "this project",
+    "vtp": "VTP, by its authors",
+    "libigl-exact": "libigl",
+    "gc-exact": "geometry-central",
+    "cgal": "CGAL",
+    "gc-heat": "geometry-central, heat method",
+}
+"""Lines of README's table, and whose each is."""
+MARKED = re.compile(r"(?<=<!-- Made by /usr/bin/python3 -m plots\.contributed: -->\n).*?(?=<!-- End -->)", re.DOTALL)
+
+
+def newest() -> dict[str, Run]:
+    """By corpus. @raises ResultError"""
+    runs = sorted((read_run(file) for file in FOLDER.glob("*.json")), key=lambda run: str(run.ours["started"]))
+    found = {str(run.ours["corpus"]): run for run in runs}
+    if lacking := [corpus for corpus in PICTURES if corpus not in found]:
+        raise ResultError(f"{FOLDER}: no result of {', '.join(lacking)}")
+    return found
+
+
+def beside_public_codes(standard: Run, hard: Run) -> Table:
+    """README's table: a line a code."""
+    right = robustness.right(hard)
+    return Table(
+        name="beside_public_codes", title="", text_columns=2,
+        header=["Solver", "Code", f"Time of a first answer / {BASE}", "Meshes",
+                "Largest relative error", f"Right on, of {len(hard.meshes)} hard meshes"],
+        rows=[[Cell(solver), Cell(whose), *_numbers(standard, solver), Cell(str(right[solver]))]
+              for solver, whose in SHOWN.items() if solver in columns(standard) and solver in right],
+    )  # fmt: skip
+
+
+def _numbers(run: Run, solver: str) -> list[Cell]:
+    samples = [one for mesh in run.meshes if (one := pairs.ratios(run, mesh, solver, BASE, pairs.first))]
+    if not samples:
+        return [BLANK, Cell("0"), BLANK]
+    mean = geometric_mean(samples)
+    text = number(mean.value)
+    if solver != BASE:
+        text += f" [{number(mean.low)}, {number(mean.high)}]"
+    errors = [error for mesh in run.meshes for row in run.cell(mesh, solver)
+              if row.ok and (error := row.number(ERROR.key)) is not None]  # fmt: skip
+    return [estimate_cell(mean, text), Cell(f"{len(samples)} of {len(run.meshes)}"), Cell(ERROR.show(max(errors)))]
+
+
+def readme(runs: Mapping[str, Run]) -> str:
+    """Its text with the table of these runs."""
+    table = to_markdown(beside_public_codes(runs[STANDARD], runs[ROBUSTNESS]))
+    text = README.read_text("utf-8")
+    said = f"{table}\n{peers_overview.footer(runs[STANDARD])} ([all results](docs/results.md)).\n"
+    if not MARKED.search(text):
+        raise ResultError(f"{README}: the marks of the table are gone")
+    return MARKED.sub(lambda _: said, text)
+
+
+def page(runs: Mapping[str, Run], captions: Mapping[str, tuple[str, str]]) -> str:
+    """docs/results.md.
+
+    @param captions title and caption of each figure"""
+    parts = [
+        "# Results\n\n"
+        "The newest result of each corpus in `results/contributed/`. This page and its pictures are made by\n"
+        "`/usr/bin/python3 -m plots.contributed`; [contribute one](contributed-results.md).\n"
+    ]
+    for corpus, names in PICTURES.items():
+        run = runs[corpus]
+        table = robustness.counts(run) if corpus == ROBUSTNESS else summary.overall(run)
+        sentences = [] if corpus == ROBUSTNESS else headline.sentences(run)
+        parts.append(f"## {corpus}\n\n{peers_overview.footer(run)}, at {run.ours['revision'][:10]}\n"
+                     f"([the file](../results/contributed/{run.file.name})).\n")  # fmt: skip
+        parts += [f"{' '.join(sentences)}\n"] if sentences else []
+        parts.append(to_markdown(replace(table, title="")))
+        for name in names:
+            title, caption = captions[name]
+            parts.append(f"![{title}]({_file(name).name})\n\n{caption}\n")
+    return "\n".join(parts)
+
+
+def _file(name: str) -> Path:
+    return PAGE.with_name(f"{name.replace('_', '-')}.png")
+
+
+def drawings(runs: Mapping[str, Run]) -> dict[str, Drawing]:
+    """The figures by name. @raises ResultError"""
+    return {name: catalogue.FIGURES[name](runs[corpus]) for corpus, names in PICTURES.items() for name in names}
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    console.Parser(__doc__).parse_args(arguments)
+    try:
+        runs = newest()
+        found = drawings(runs)
+        for name, drawing in found.items():
+            style.save(drawing.figure, _file(name))
+        captions = {name: (drawing.title, drawing.caption) for name, drawing in found.items()}
+        for file, text in ((PAGE, page(runs, captions)), (README, readme(runs))):
+            file.write_text(text, encoding="utf-8")
+            print(file)
+    except (ResultError, OSError) as error:
+        return console.complain(error)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
