@@ -233,7 +233,8 @@ def exceeded(comparison: Comparison, limits: Limits) -> list[str]:
     """A line for everything above its limit, and for every cell that was ok and has failed."""
     lines = [line for change in comparison.cells for line in _failures(change, limits)]
     for name, cells, ratio in comparison.means:
-        if "time" in limits and not comparison.one_program and ratio.low > 1 + limits["time"] and cells >= LEAST_CELLS:
+        timed = "time" in limits and not comparison.one_program and cells >= LEAST_CELLS
+        if timed and ratio.low > 1 + limits["time"]:
             lines.append(f"{name}: time {_times(ratio)} over {cells} cells")
     return lines if limits else []
 

@@ -67,14 +67,14 @@ def published(run: Run, licences: Mapping[str, str]) -> str:
 def _without_folders(command: str, folders: set[str]) -> str:
     """Of each path its last name; `folders` gets the others."""
 
-    def name(path: str) -> str:
+    def name(found: re.Match[str]) -> str:
+        path = found[0]
         if not path.startswith("/"):
             return path
         folders.add(f"{Path(path).parent}/")
         return Path(path).name
 
-    words = [re.sub(r"[^,=]+", lambda found: name(found[0]), word) for word in shlex.split(command)]
-    return shlex.join(words)
+    return shlex.join(re.sub(r"[^,=]+", name, word) for word in shlex.split(command))
 
 
 def _cleared(value: Any, folders: Sequence[str]) -> Any:

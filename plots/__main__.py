@@ -11,7 +11,7 @@ from results import console
 if __name__ == "__main__":
     console.prepare()  # before imports that may fail
 
-from plots.catalogue import EVERYTHING, draw, write
+from plots.catalogue import EVERYTHING, NUMBERED, draw, write
 from results.reader import ResultError, read_run, run_folder
 
 
@@ -30,7 +30,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         help="folder for what is drawn (default: tables to RUN/tables, figures to RUN/figures)",
     )  # fmt: skip
     options = parser.parse_args(arguments)
-    if unknown := [name for name in options.names if name not in EVERYTHING]:
+    if unknown := [name for name in options.names if NUMBERED.get(name, name) not in EVERYTHING]:
         parser.error(f"unknown table or figure: {', '.join(unknown)}")
     try:
         folder = run_folder(options.run)

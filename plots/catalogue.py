@@ -13,6 +13,7 @@ from plots import (
     table_5_2_ratios, table_5_3, table_thesis, twins, wavefronts,
 )  # fmt: skip
 from plots.drawing import Drawing
+from plots.models import of_thesis
 from plots.ratios import MANY
 from results import table
 from results.reader import ResultError, Run
@@ -42,6 +43,10 @@ TABLES: dict[str, Callable[[Run], Table]] = {
 FIGURES: dict[str, Callable[[Run], Drawing]] = {
     "peers_overview": peers_overview.figure,
     "overview": overview.figure,
+    "speedup": dot_figures.speedup,
+    "windows_over_limit": dot_figures.windows_over_limit,
+    "time_over_vertices": growth.figure,
+    "accuracy": dot_figures.accuracy,
     "figure_5_7": wavefronts.wavefront_and_isoline,
     "figure_5_8": curves.windows,
     "figure_5_9": figure_5_9.figure,
@@ -50,10 +55,6 @@ FIGURES: dict[str, Callable[[Run], Drawing]] = {
     "figure_6_4": figure_6_4.figure,
     "paths": paths.figure,
     "cells": paths.cells,
-    "speedup": dot_figures.speedup,
-    "windows_over_limit": dot_figures.windows_over_limit,
-    "time_over_vertices": growth.figure,
-    "accuracy": dot_figures.accuracy,
     "break_even": break_even.figure,
     "frontier": frontier.figure,
     "error_map": error_map.figure,
@@ -68,6 +69,15 @@ OF = "_of_"
 """Between a name and that of one of several meshes, as in the name of a file."""
 
 EVERYTHING: dict[str, Callable[[Run], Table | Drawing]] = {**TABLES, **FIGURES}
+NEUTRAL = {
+    "table_5_1": "strip_depth", "table_5_2": "performance", "table_5_2_ratios": "ratios",
+    "table_5_3": "solvers", "figure_5_7": "wavefront_and_isoline", "figure_5_8": "windows_on_wavefront",
+    "figure_5_9": "phases", "figure_5_10": "wavefront_quality",
+    "figure_5_10_curve": "wavefront_quality_over_progress", "figure_6_4": "isolines",
+    **{name: f"wavefront_{solver.replace('-', '_')}" for name, solver in wavefronts.APPENDIX.items()},
+}  # fmt: skip
+"""What is called by its number in the thesis, in a run without a mesh of the thesis."""
+NUMBERED = {neutral: name for name, neutral in NEUTRAL.items()}
 WITH_SECONDS = {
     "summary_by_mesh", "every_solver", "table_thesis", "table_5_2", "table_growth",
     "table_growth_exponents", "answers", "break_even_numbers", "figure_5_9", "time_over_vertices",
@@ -90,8 +100,13 @@ OF_MANY_WITH_SECONDS = {"time_over_vertices"}
 
 
 def base_name(name: str) -> str:
-    """As in EVERYTHING."""
+    """As in EVERYTHING, or NEUTRAL."""
     return name.split(ON)[0].split(OF)[0]
+
+
+def _neutral(name: str) -> str:
+    base = base_name(name)
+    return NEUTRAL.get(base, base) + name.removeprefix(base)
 
 
 def _parts(run: Run, name: str) -> dict[str, tuple[Run, str]]:
@@ -115,14 +130,14 @@ def draw(run: Run, names: Sequence[str] = ()) -> tuple[dict[str, Table | Drawing
     """What the run has the data for; and why not, of what it has not. Both by name, which of a
     figure for one of the meshes is "frontier_of_horse".
 
-    @param names of EVERYTHING; empty: all of it
+    @param names of EVERYTHING, or as NEUTRAL calls them; empty: all of it
     @raises ResultError for a run of several programs"""
     if len(run.columns.texts.get("program", ())) > 1:
         raise ResultError(f"{run.file}: a run of several programs; the gate compares them")
     drawn: dict[str, Table | Drawing] = {}
     left_out: dict[str, str] = {}
     known = EVERYTHING if len(run.meshes) <= MANY else OF_MANY
-    for one in names or known:
+    for one in (NUMBERED.get(name, name) for name in names or known):
         if one not in known:
             left_out[one] = (
                 f"{run.file}: drawn of at most {MANY} meshes, which --meshes chooses; "
@@ -141,7 +156,13 @@ def draw(run: Run, names: Sequence[str] = ()) -> tuple[dict[str, Table | Drawing
             if on and isinstance(found, Table):
                 found = replace(found, name=found.name + name.removeprefix(one))
             drawn[name] = found
-    return drawn, left_out
+    if of_thesis(run):
+        return drawn, left_out
+    neutral = {_neutral(name): one for name, one in drawn.items()}
+    return {
+        name: replace(one, name=_neutral(one.name)) if isinstance(one, Table) else one
+        for name, one in neutral.items()
+    }, {_neutral(name): why for name, why in left_out.items()}
 
 
 def write(name: str, drawn: Table | Drawing, run_folder: Path, out: Path | None = None) -> None:

@@ -13,6 +13,7 @@ from plots.camera import Floats
 from plots.dots import sentences, reach, two_lines
 from plots.drawing import Drawing
 from plots.measures import EDGE_BASED, columns, count
+from plots.models import beside_thesis, of_thesis, titled
 from plots.recordings import Recording, recordings
 from results.published import THESIS_SOLVERS
 from results.reader import Mesh, Run
@@ -39,7 +40,7 @@ def windows(run: Run) -> Drawing:
     found = (recordings(run, EDGE_BASED, RIVAL) if as_in_thesis else recordings(run))[:MODELS]
     kinds = {"all recorded": _solvers(run, found)}
     if as_in_thesis:
-        kinds = {"as in the thesis": pair} | kinds
+        kinds = {"as in the thesis" if of_thesis(run) else f"{RIVAL} and {EDGE_BASED}": pair} | kinds
     figure = style.new_figure(0.7 + 2.5 * len(found))
     grid = figure.subplots(len(found), len(kinds), squeeze=False, sharex=True)
     letters = iter("abcd")
@@ -55,14 +56,14 @@ def windows(run: Run) -> Drawing:
     figure.get_layout_engine().set(wspace=0.06)
     _legend(list(grid.flat))
     return Drawing(
-        title="Figure 5.8: windows on the wavefront",
+        title=titled(run, "Figure 5.8", "windows on the wavefront"),
         caption=sentences(
             "Windows on the wavefront, at equal steps of the vertices reached, over the mean "
-            "distance of these windows. The axis ends where a solver is far beyond the thesis's.",
-            *([f"Left {RIVAL} and {EDGE_BASED} as in the thesis, right every solver that was "
-               "recorded.",
-               *(_fewer(recording) for recording in found),
-               "The thesis: close to each other, and most of the time fewer for its own."]
+            "distance of these windows. The axis ends where a solver is far beyond the others.",
+            *([f"Left {RIVAL} and {EDGE_BASED}{beside_thesis(run, ' as in the thesis')}, right every "
+               "solver that was recorded.",
+               *(_fewer(run, recording) for recording in found),
+               beside_thesis(run, "The thesis: close to each other, and most of the time fewer for its own.")]
               if as_in_thesis else []),
         ),
         figure=figure,
@@ -81,12 +82,12 @@ def spread(run: Run) -> Drawing:
     panels[0].set_ylabel("wavefront SD (mean edge lengths)")
     _legend(list(panels))
     return Drawing(
-        title="Figure 5.10 over progress: wavefront quality",
+        title=titled(run, "Figure 5.10", "wavefront quality over progress"),
         caption=sentences(
             "Standard deviation of the distances of the windows on the wavefront at equal steps of "
-            "the vertices reached; its mean over the samples is what Figure 5.10 has for this "
-            "source.",
-            *(_smoothest(recording) for recording in found),
+            "the vertices reached"
+            f"{beside_thesis(run, '; its mean over the samples is what Figure 5.10 has for this source')}.",
+            *(_smoothest(run, recording) for recording in found),
         ),
         figure=figure,
     )
@@ -142,7 +143,7 @@ def _legend(axes: Sequence[Axes]) -> None:
     style.legend_above(axes[0].figure, list(known.values()))
 
 
-def _fewer(recording: Recording) -> str:
+def _fewer(run: Run, recording: Recording) -> str:
     levels, windows = levels_and_windows(recording, EDGE_BASED)
     rival_levels, rival_windows = levels_and_windows(recording, RIVAL)
     both = (levels >= rival_levels[0]) & (levels <= rival_levels[-1])
@@ -152,12 +153,12 @@ def _fewer(recording: Recording) -> str:
     agrees = "agrees with" if fewer > 0.5 else "does not agree with"
     return (
         f"On {recording.mesh.name} {EDGE_BASED} has fewer windows than {RIVAL} at {fewer:.0%} of "
-        f"{np.count_nonzero(both)} levels, and {ratio:.2f} times as many on average, which "
-        f"{agrees} the thesis."
+        f"{np.count_nonzero(both)} levels, and {ratio:.2f} times as many on average"
+        f"{beside_thesis(run, f', which {agrees} the thesis')}."
     )
 
 
-def _smoothest(recording: Recording) -> str:
+def _smoothest(run: Run, recording: Recording) -> str:
     means = {
         solver: float(np.mean(progress_and_sd(recording, solver)[1]))
         for solver in THESIS_SOLVERS
@@ -169,6 +170,6 @@ def _smoothest(recording: Recording) -> str:
         return f"Means on {recording.mesh.name}: {listed}."
     agrees = "agrees with" if set(order[: len(SMOOTHEST)]) == SMOOTHEST else "does not agree with"
     return (
-        f"Means on {recording.mesh.name}, from the smoothest: {listed}, which {agrees} the "
-        "thesis, where mmp and ich have the smallest."
+        f"Means on {recording.mesh.name}, from the smoothest: {listed}"
+        f"{beside_thesis(run, f', which {agrees} the thesis, where mmp and ich have the smallest')}."
     )

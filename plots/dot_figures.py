@@ -15,7 +15,7 @@ from plots.logarithmic import logarithmic, ratio_axis
 from plots.measures import (
     ERROR, LIMIT, LIMIT_SOLVER, TIME, Measure, baseline, measured_solvers, values,
 )  # fmt: skip
-from plots.models import of_thesis
+from plots.models import beside_thesis, of_thesis, titled
 from plots.ratios import BY_KEY, RIVAL, Ratio, over_meshes
 from results import published
 from results.pairs import by_source
@@ -132,12 +132,17 @@ def wavefront_quality(run: Run) -> Drawing:
         sample = by_source(values(run, mesh, solver, SD))
         return [Dot.of(median(sample))] if sample else []
 
-    words = (
+    words = [
         "Standard deviation of the distances of all windows on the wavefront, mean over samples at "
         "fixed steps of progress, in mean edge lengths of the mesh; medians over sources with 95% "
-        "bootstrap intervals. Smaller is a smoother wavefront. The thesis prints no numbers for it."
-    )
-    return estimates(run, SD.label, measured, [words], "Figure 5.10: wavefront quality")
+        "bootstrap intervals. Smaller is a smoother wavefront.",
+        beside_thesis(run, "The thesis prints no numbers for it."),
+    ]
+    return estimates(run, SD.label, measured, words, titled(run, "Figure 5.10", "wavefront quality"))
+
+
+LEAST_ALIKE, ALIKE = 3, 1.01
+"""So many solvers, whose errors are within such a factor of one another."""
 
 
 def largest_errors(run: Run, mesh: str, solver: str) -> dict[bool, float]:
@@ -148,6 +153,23 @@ def largest_errors(run: Run, mesh: str, solver: str) -> dict[bool, float]:
             truth = row.against_truth
             errors[truth] = max(errors.get(truth, 0), error)
     return errors
+
+
+def of_the_reference(run: Run, solvers: Sequence[str]) -> dict[str, list[str]]:
+    """By reference, the meshes on which so many of the solvers differ from it by the same amount that
+    the difference is its own."""
+    found: dict[str, list[str]] = {}
+    for mesh in run.meshes:
+        errors: dict[str, dict[str, float]] = {}
+        for solver in solvers:
+            for row in run.cell(mesh, solver):
+                if row.reference and not row.against_truth and (error := row.number(ERROR.key)):
+                    of = errors.setdefault(row.reference, {})
+                    of[solver] = max(of.get(solver, 0), error)
+        for reference, of in errors.items():
+            if len(of) >= LEAST_ALIKE and max(of.values()) <= ALIKE * min(of.values()):
+                found.setdefault(reference, []).append(mesh)
+    return found
 
 
 def accuracy(run: Run) -> Drawing:
@@ -183,6 +205,8 @@ def accuracy(run: Run) -> Drawing:
             "closed form, which is the truth; hollow: against the distances of another solver, "
             "which the run file names. The dashed line is 1e-12, the bound on clean meshes; marks "
             "at 1e-17 are errors of 0 or below it. Upper bounds such as Dijkstra's are left out.",
+            *(f"On {', '.join(meshes)} all differ from {reference} by the same amount: it is {reference}'s "
+              "rounding." for reference, meshes in of_the_reference(run, solvers).items()),
             without_value(run, solvers),
         ),
         figure=figure,

@@ -9,7 +9,7 @@ from matplotlib.patches import Patch
 
 from plots import style
 from plots.dots import sentences, reach
-from plots.models import ordered_meshes
+from plots.models import ordered_meshes, titled
 from plots.drawing import Drawing
 from plots.measures import (
     TIME, Measure, TimeUnit, columns, failure, measured_solvers, time_unit, values,
@@ -98,7 +98,7 @@ def figure(run: Run) -> Drawing:
     """@raises ResultError when there are no phase times"""
     chosen = chosen_meshes(run)
     if not chosen:
-        raise ResultError(f"{run.file}: no verified cell has phase_seconds")
+        raise ResultError(f"{run.file}: no verified cell has phase_seconds that add up to its time")
     drawn = {mesh.name: splits(run, mesh.name) for mesh in chosen}
     most = max(map(len, drawn.values()))
     picture = style.new_figure(1.2 + len(chosen) * (0.55 + 0.26 * most))
@@ -114,7 +114,7 @@ def figure(run: Run) -> Drawing:
     ]
     style.legend_above(picture, handles)
     return Drawing(
-        title="Figure 5.9: statistics of running time",
+        title=titled(run, "Figure 5.9", "statistics of running time"),
         caption=_caption(run, drawn),
         figure=picture,
     )

@@ -12,6 +12,7 @@ from plots import style
 from plots.camera import Camera
 from plots.drawing import Drawing
 from plots.isolines import STEPS, isolines
+from plots.models import titled
 from plots.panels import MODELS, panels
 from plots.recordings import Recording, recordings
 from plots.surface import draw_lines, draw_surface
@@ -30,7 +31,7 @@ def figure(run: Run) -> Drawing:
     picture, hidden = panels(found, lambda one: np.concatenate(isolines(one)), _draw)
     style.legend_above(picture, [Line2D([], [], label="source", **SOURCE)])
     return Drawing(
-        title="Figure 6.4: isolines of the distance field",
+        title=titled(run, "Figure 6.4", "isolines of the distance field"),
         caption=_caption() + hidden,
         figure=picture,
     )

@@ -81,7 +81,7 @@ class Measure:
     note: str = ""
 
 
-COUNTING = "How windows are counted may differ from the thesis: docs/metrics.md, Counting windows."
+COUNTING = "How windows are counted: docs/metrics.md, Counting windows."
 
 TIME = Measure("cpu_time", "Time", str, "time_s", scale=1e-3, spread=True)
 WALL_TIME = Measure("real_time", "Wall time", str, scale=1e-3, spread=True)

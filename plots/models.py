@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from results import published
 from results.reader import Mesh, ResultError, Run
 
@@ -29,6 +31,17 @@ def of_thesis(run: Run) -> list[Mesh]:
     return [mesh for mesh in ordered_meshes(run) if mesh.thesis_model]
 
 
+def titled(run: Run, number: str, words: str) -> str:
+    """"Figure 5.9: statistics of running time"; "Statistics of running time" where no mesh of the
+    run is or stands for a model of the thesis."""
+    return f"{number}: {words}" if of_thesis(run) else words[0].upper() + words[1:]
+
+
+def beside_thesis(run: Run, words: str) -> str:
+    """The words, where a mesh of the run is or stands for a model of the thesis."""
+    return words if of_thesis(run) else ""
+
+
 def groups_of_thesis(run: Run) -> dict[str, list[Mesh]]:
     """Its own models, and stand-ins for them; either may be empty.
 
@@ -44,4 +57,9 @@ def groups_of_thesis(run: Run) -> dict[str, list[Mesh]]:
 
 def left_out(run: Run) -> list[str]:
     """A sentence for each mesh of the corpus that the run skipped whole."""
-    return [f"{skip.mesh} was skipped: {skip.why}" for skip in run.not_measured]
+    return [f"{skip.mesh} was skipped: {_short(skip.why)}" for skip in run.not_measured]
+
+
+def _short(why: str) -> str:
+    """Without the file, and without the first of each defect: what no reader of a table looks up."""
+    return re.sub(r" \(first: (?:[^()]|\([^()]*\))*\)", "", re.sub(r"^\S*/\S*: ", "", why))

@@ -50,7 +50,7 @@ def figure(run: Run) -> Drawing:
             one.set_yticklabels([])
     counts = Counter(map(kind, run.meshes.values()))
     marks = [
-        Line2D([], [], label=f"{name} ({counts[name]})", **_mark(name, style.INK))
+        Line2D([], [], label=f"{name if len(counts) > 1 else 'mesh'} ({counts[name]})", **_mark(name, style.INK))
         for name in KINDS
         if counts[name]
     ]

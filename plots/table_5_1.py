@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from plots.measures import EDGE_BASED, Measure, count, our_cell
-from plots.models import left_out, of_thesis, ordered_meshes, relation
+from plots.models import left_out, of_thesis, ordered_meshes, relation, titled
 from results import published
 from results.reader import Mesh, ResultError, Run
 from results.table import BLANK, Cell, Table, without_empty_columns
@@ -27,7 +27,7 @@ def table(run: Run) -> Table:
         raise ResultError(f"{run.file}: no {EDGE_BASED}, whose window tree this table measures")
     return without_empty_columns(Table(
         name="table_5_1",
-        title="Table 5.1: depth of the window tree of the edge-based solver",
+        title=titled(run, "Table 5.1", "depth of the window tree of the edge-based solver"),
         header=[
             "Model", "Relation", "n", "log_b n", "b",
             "n, published", "log_b n, published", "b, published",

@@ -6,7 +6,7 @@ from plots.measures import (
     LIMIT, LIMIT_SOLVER, PROPAGATIONS, Measure, columns, count, limit_solver, measures_of,
     our_cell, published_cell,
 )  # fmt: skip
-from plots.models import left_out, of_thesis, ordered_meshes, relation
+from plots.models import left_out, of_thesis, ordered_meshes, relation, titled
 from results import published
 from results.reader import Mesh, Run
 from results.table import BLANK, Cell, Table, without_empty_columns
@@ -30,7 +30,7 @@ SPACE = (
 def table(run: Run) -> Table:
     return without_empty_columns(Table(
         name="table_5_2",
-        title="Table 5.2: performance of exact geodesic solvers",
+        title=titled(run, "Table 5.2", "performance of exact geodesic solvers"),
         header=["Model", "Measure", *columns(run), "Window limit"],
         text_columns=2,
         rows=[row for mesh in ordered_meshes(run) for row in _block(run, mesh)],

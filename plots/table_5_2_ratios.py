@@ -31,7 +31,7 @@ def ratios(run: Run) -> Table:
         rows.append(_mean_row(run, ratio))
     return Table(
         name="table_5_2_ratios",
-        title="Ratios of Table 5.2",
+        title="Ratios of Table 5.2" if of_thesis(run) else "Ratios of time, space and windows",
         header=["Ratio", "Model", "From", *columns(run)],
         text_columns=3,
         rows=rows,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from plots.measures import ABSENT, columns
+from plots.models import titled
 from results import published
 from results.reader import Run, Solver
 from results.table import Cell, Table
@@ -22,7 +23,7 @@ REMARKS = [
 def table(run: Run) -> Table:
     return Table(
         name="table_5_3",
-        title="Table 5.3: exact geodesic solvers compared",
+        title=titled(run, "Table 5.3", "exact geodesic solvers compared"),
         header=HEADER,
         text_columns=len(HEADER),
         rows=[_row(run.solvers[name]) for name in columns(run)],

@@ -19,6 +19,7 @@ from plots.dots import sentences
 from plots.drawing import Drawing
 from plots.isolines import isoline, levels
 from plots.measures import EDGE_BASED
+from plots.models import beside_thesis, titled
 from plots.recordings import MOMENTS, Recording, recordings
 from plots.surface import best_axes, draw_lines, draw_surface
 from plots.zbuffer import NOTHING, ZBuffer
@@ -88,12 +89,12 @@ def wavefront_and_isoline(run: Run) -> Drawing:
         wavefront,
     )
     return Drawing(
-        title="Figure 5.7: wavefront and isoline",
+        title=titled(run, "Figure 5.7", "wavefront and isoline"),
         caption=sentences(
             f"Blue: windows on the wavefront of {EDGE_BASED} on {recording.mesh.label} when "
             f"{moment}% of the vertices were reached. Red: the isoline of the vertices' exact "
             "distances, straight across each face.",
-            _claim(recording, moment, level),
+            _claim(run, recording, moment, level),
             pictures.sentence,
         ),
         figure=pictures.figure,
@@ -121,11 +122,11 @@ def appendix(name: str) -> Callable[[Run], Drawing]:
             recording.wavefront(base, MOMENT),
         )
         return Drawing(
-            title=f"Figure A.{number}: wavefront of {solver}",
+            title=titled(run, f"Figure A.{number}", f"wavefront of {solver}"),
             caption=sentences(
                 f"Windows on the wavefront of {solver} on {recording.mesh.label} when {MOMENT}% of "
-                "the vertices were reached; Figures A.1 to A.5 show the same moment from the same "
-                "side.",
+                "the vertices were reached; the figure of each other solver shows the same moment from the "
+                "same side.",
                 _spread(recording, solver),
                 pictures.sentence,
             ),
@@ -218,16 +219,17 @@ def _moment(recording: Recording) -> tuple[int, float]:
     return moment, float(steps[np.abs(steps - means[moment]).argmin()])
 
 
-def _claim(recording: Recording, moment: int, level: float) -> str:
+def _claim(run: Run, recording: Recording, moment: int, level: float) -> str:
     edge = recording.mesh.mean_edge_length
     distance = recording.snapshot(EDGE_BASED, moment)["distance"]
     mean = distance.mean()
     far = np.percentile(np.abs(distance - mean), 95) / edge
-    agrees = "which agrees with" if far <= NEAR else "which does not agree with"
+    agrees = "agrees with" if far <= NEAR else "does not agree with"
+    claim = f", which {agrees} the thesis's claim that the wavefront is an approximate isoline"
     return (
         f"Its level is {abs(level - mean) / edge:.2f} mean edge lengths from the mean distance of "
         f"the windows, and 95% of the windows are within {far:.2f} mean edge lengths of that "
-        f"mean, {agrees} the thesis's claim that the wavefront is an approximate isoline."
+        f"mean{beside_thesis(run, claim)}."
     )
 
 

@@ -103,7 +103,8 @@ def write(recording: Recording, solvers: list[str], up: str | None, command: str
     mesh = recording.mesh
     summary = f"{mesh.vertices:,} vertices, {mesh.faces:,} faces; source: vertex {recording.source}."
     title = f"How solvers sweep {mesh.name}" if solvers else f"Geodesic distances on {mesh.name}"
-    file.write_text(page(title, summary, command, scene(recording, solvers, "xyz".index(up) if up else None)), encoding="utf-8")
+    shown = scene(recording, solvers, "xyz".index(up) if up else None)
+    file.write_text(page(title, summary, command, shown), encoding="utf-8")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -372,6 +372,19 @@ def test_phases_and_rest_make_up_the_timed_solve(run: Run) -> None:
     assert sum(bar.get_width() for bar in row) == pytest.approx(1e3 * one.time)
 
 
+def test_errors_that_all_solvers_share_are_called_those_of_the_reference(run: Run) -> None:
+    solvers = [solver for solver in run.solvers if run.solvers[solver].exact]
+
+    def alike(row: Data) -> Data:
+        here = row["solver"] in solvers and row["mesh"] == "horse" and "max_relative_error" in row
+        return row | {"max_relative_error": 5.9e-14, "reference": "cgal"} if here else row
+
+    changed = changed_rows(run, alike)
+    assert dot_figures.of_the_reference(changed, solvers)["cgal"] == ["horse"]
+    assert "On horse all differ from cgal by the same amount" in dot_figures.accuracy(changed).caption
+    assert "cgal" not in dot_figures.of_the_reference(run, solvers)
+
+
 @pytest.mark.parametrize("factor", [0.85, 0.95, 1.05, 1.15])
 def test_a_bar_whose_phases_do_not_add_up_to_the_timed_solve_is_not_drawn(run: Run, factor: float) -> None:
     timed = figure_5_9.split(run, "horse", "ich")

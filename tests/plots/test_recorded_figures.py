@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from collections.abc import Callable
 from dataclasses import replace
@@ -14,13 +15,14 @@ from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
 from synthetic import SPREAD, changed_rows, without_recordings
 
-from plots import figure_6_4, isolines, paths, report, style, wavefronts
+from plots import catalogue, figure_6_4, isolines, paths, report, style, wavefronts
 from plots.catalogue import FIGURES
 from plots.drawing import Drawing
 from plots.recordings import recordings
 from plots.wavefronts import APPENDIX
 from results.published import THESIS_SOLVERS
 from results.reader import ResultError, Run
+from results.table import Table
 
 NEEDS = {
     "error_map": ["../vertices.npy", "../faces.npy", "distances.npy", "dijkstra/distances.npy"],
@@ -246,3 +248,16 @@ def test_the_report_shows_every_figure_of_a_run_with_recordings(run: Run) -> Non
     for name in NEEDS:
         assert f'<figure id="{name}">' in page
     assert set(APPENDIX.values()) == set(THESIS_SOLVERS)
+
+
+def test_a_run_without_a_mesh_of_the_thesis_has_none_of_its_numbers(complete_run: Run) -> None:
+    meshes = {name: replace(mesh, thesis_model=None, stand_in=False) for name, mesh in complete_run.meshes.items()}
+    with_numbers, _ = catalogue.draw(complete_run)
+    own, _ = catalogue.draw(replace(complete_run, meshes=meshes))
+    assert {"figure_5_7", "figure_a_5", "table_5_1"} <= with_numbers.keys()
+    assert {"wavefront_and_isoline", "wavefront_fwp_ch", "strip_depth", "performance"} <= own.keys()
+    assert own.keys() <= {catalogue.NEUTRAL.get(name, name) for name in with_numbers}
+    for name, one in own.items():
+        said = f"{name} {one.title} {'' if isinstance(one, Table) else one.caption}"
+        assert not re.search(r"(?i)thesis|(figure|table)s?[ _][a\d]\b", said), said
+        assert not isinstance(one, Table) or one.name == name
