@@ -30,7 +30,9 @@ from plots.report import TEMPLATES, picture
 from results import pairs
 from results.reader import Mesh, ResultError, Run, Solver, read_run
 from results.statistics import geometric_mean_of_ratios, median
-from results.table import BLANK, Cell, Table, estimate_cell, four_digits, mark
+from results.table import (
+    BLANK, Cell, Table, estimate_cell, four_digits, mark, without_constant_columns,
+)  # fmt: skip
 
 if TYPE_CHECKING:
     from plots.drawing import Drawing
@@ -38,10 +40,15 @@ if TYPE_CHECKING:
 HERE = Path(__file__).resolve().parent
 SHARED = ("report.css", "report.js", "site.js")
 COLUMNS = [
-    "Mesh", "Solver", "Processor", "Revision", "Date", "Raw", "Vertices", "Time (ms)",
-    "Time / the run's base", "Windows", "Memory (MB)", "Largest error",
+    "Mesh", "Solver", "Run", "Processor", "Revision", "Date", "Time (ms)", "Time / the run's base",
+    "Largest error", "Windows", "Memory (MB)", "Vertices", "Sources",
 ]  # fmt: skip
-TEXTS = 6
+TEXTS, KEPT = 6, 3
+"""Columns of texts; those that stay although all rows have the same."""
+
+
+CHOSEN, FEW = "chosen", 4
+"""The corpus of a run of --meshes, of which so many are named."""
 
 
 @dataclass(frozen=True)
@@ -51,6 +58,9 @@ class Shown:
     run: Run
     name: str
     """Of its folder below runs/."""
+
+    label: str
+    """What users call it: the name of its folder or, where it has another one, of its file."""
 
     @property
     def raw(self) -> str:
@@ -83,7 +93,11 @@ def shown(runs: Iterable[Run]) -> list[Shown]:
     for run in sorted(runs, key=lambda one: str(one.ours["started"])):
         name = str(run.ours["started"]).replace(":", "").replace("-", "")
         same = sum(other.name.split("_")[0] == name for other in named)
-        named.append(Shown(run, f"{name}_{same + 1}" if same else name))
+        label = run.file.resolve().parent.name if run.file.name == "run.json" else run.file.stem
+        alike = sum(other.label.split(" (")[0] == label for other in named)
+        named.append(
+            Shown(run, f"{name}_{same + 1}" if same else name, f"{label} ({alike + 1})" if alike else label)
+        )
     return named
 
 
@@ -122,23 +136,24 @@ def row(entry: Entry, root: str) -> list[Cell]:
     texts = [
         Cell(mesh.name, link=root + mesh_page(mesh)),
         Cell(solver.name + promise, link=root + solver_page(solver)),
+        Cell(entry.shown.label, link=root + entry.shown.raw),
         Cell(entry.processor),
         Cell(entry.shown.revision),
         Cell(entry.shown.date),
-        Cell("run.json", link=root + entry.shown.raw),
-        Cell(f"{mesh.vertices:,}", mesh.vertices),
     ]
+    sources = len(run.sources.get(mesh.name, []))
+    sizes = [Cell(f"{n:,}", n) for n in (mesh.vertices, sources)]
     times = pairs.by_source(pairs.times(run, mesh.name, solver.name))
     if not times:
-        return [*texts, failure(run, mesh.name, solver.name) or BLANK, *[BLANK] * 4]
+        return [*texts, failure(run, mesh.name, solver.name) or BLANK, *[BLANK] * 4, *sizes]
     time = median(times)
     ratio = time_over(baseline(run, EDGE_BASED)).cell(run, mesh.name, solver.name)
-    measured = [our_cell(run, mesh.name, solver.name, m) for m in (PROPAGATIONS, PEAK_BYTES, ERROR)]
-    return [*texts, estimate_cell(time, four_digits(1e3 * time.value)), ratio, *measured]
+    measured = [our_cell(run, mesh.name, solver.name, m) for m in (ERROR, PROPAGATIONS, PEAK_BYTES)]
+    return [*texts, estimate_cell(time, four_digits(1e3 * time.value)), ratio, *measured, *sizes]
 
 
 def results(name: str, title: str, of: Sequence[Entry], root: str) -> Table:
-    return Table(
+    return without_constant_columns(Table(
         name=name, title=title, header=COLUMNS, text_columns=TEXTS,
         rows=[row(entry, root) for entry in of],
         remarks=[
@@ -148,7 +163,7 @@ def results(name: str, title: str, of: Sequence[Entry], root: str) -> Table:
             "source and repetition, with 95% intervals. Times of different processors cannot be "
             "compared. A revision with a + was modified.",
         ],
-    )  # fmt: skip
+    ), KEPT)  # fmt: skip
 
 
 def runs_table(runs: Sequence[Shown]) -> Table:
@@ -156,18 +171,21 @@ def runs_table(runs: Sequence[Shown]) -> Table:
     for one in runs:
         ours = one.run.ours
         failed = len(check.failures(one.run))
-        texts = [one.date, ours["corpus"], one.revision, ", ".join(one.run.processors), ours["compiler"]]
+        names = list(one.run.meshes)
+        meshes = ", ".join([*names[:FEW], *([f"and {len(names) - FEW} more"] if len(names) > FEW else [])])
+        corpus = meshes if ours["corpus"] == CHOSEN else ours["corpus"]
+        texts = [one.date, corpus, one.revision, ", ".join(one.run.processors), ours["compiler"]]
         rows.append(
             [
+                Cell(one.label, link=one.raw),
                 *(Cell(text) for text in texts),
-                Cell("run.json", link=one.raw),
                 *(Cell(f"{n:,}", n) for n in (len(one.run.meshes), len(one.run.solvers))),
                 *(Cell(f"{n:,}", n) for n in (check.verified(one.run), failed)),
             ]
         )
     return Table(
         name="runs", title="Runs",
-        header=["Date", "Corpus", "Revision", "Processor", "Compiler", "Raw", "Meshes", "Solvers",
+        header=["Run", "Date", "Corpus or meshes", "Revision", "Processor", "Compiler", "Meshes", "Solvers",
                 "Cells verified", "Failed or missing"],
         text_columns=6, rows=rows,
     )  # fmt: skip
@@ -215,12 +233,12 @@ def history(of: Sequence[Entry]) -> list[Step]:
 def history_table(steps: Sequence[Step]) -> Table:
     return Table(
         name="history", title="History",
-        header=["Processor", "Date", "Revision", "Raw", "Cells in common", "Time / the first run's"],
+        header=["Processor", "Run", "Date", "Revision", "Cells in common", "Time / the first run's"],
         text_columns=4,
         rows=[
             [
-                Cell(step.processor), Cell(step.shown.date), Cell(step.shown.revision),
-                Cell("run.json", link=f"../{step.shown.raw}"), Cell(f"{step.shared:,}", step.shared),
+                Cell(step.processor), Cell(step.shown.label, link=f"../{step.shown.raw}"),
+                Cell(step.shown.date), Cell(step.shown.revision), Cell(f"{step.shared:,}", step.shared),
                 step.time,
             ]
             for step in steps
@@ -274,8 +292,10 @@ def history_figure(solver: str, steps: Sequence[Step]) -> Drawing | None:
 class Site:
     """The pages in a folder."""
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, pages: Mapping[str, str]) -> None:
+        """@param pages that every page links to: their titles by file"""
         self.folder = folder
+        self.pages = pages
 
     def write(
         self, file: str, title: str, summary: Sequence[str], tables: Sequence[Table] = (),
@@ -294,7 +314,7 @@ class Site:
                 style.save(one.figure, png)
                 pictures[name] = picture(one, png)
         page = TEMPLATES.get_template("site.html").render(
-            title=title, summary=summary, root=root, tables={table.name: table for table in tables},
+            title=title, summary=summary, root=root, pages=self.pages, tables={table.name: table for table in tables},
             facts=facts or {}, pictures=pictures, mark=mark,
         )  # fmt: skip
         path.write_text(page, encoding="utf-8")
@@ -302,7 +322,9 @@ class Site:
 
 def write_site(runs: Sequence[Shown], folder: Path) -> None:
     """@raises ResultError, OSError"""
-    site = Site(folder)
+    of_all, without = every_frontier(runs)
+    pages = {"index.html": "All results"} | ({"frontier.html": "Accuracy against time"} if of_all else {})
+    site = Site(folder, pages)
     every = entries(runs)
     for one in runs:
         raw = folder / "runs" / one.name
@@ -345,19 +367,25 @@ def write_site(runs: Sequence[Shown], folder: Path) -> None:
             mesh_page(mesh), latest.name, [latest.why] if latest.why else [],
             [results("results", "Results", newest_first(of), "../")], facts, frontiers(of),
         )  # fmt: skip
-    of_all: dict[str, Drawing] = {}
-    left_out: list[str] = []
+    if of_all:
+        site.write(
+            "frontier.html", pages["frontier.html"],
+            ["Of every run with solvers that are not exact, the newest first.",
+             *(f"No figure of the run of {why}." for why in without)],
+            drawings=of_all,
+        )  # fmt: skip
+
+
+def every_frontier(runs: Sequence[Shown]) -> tuple[dict[str, Drawing], list[str]]:
+    """Of the newest run first; and why another run has none."""
+    found: dict[str, Drawing] = {}
+    without: list[str] = []
     for number, one in enumerate(reversed(runs), 1):
         try:
-            of_all |= frontier(f"run_{number}", one.run, one)
+            found |= frontier(f"run_{number}", one.run, one)
         except ResultError as error:
-            left_out.append(f"{one.date}, {one.revision}: {str(error).removeprefix(f'{one.run.file}: ')}")
-    site.write(
-        "frontier.html", "Accuracy against time",
-        ["Of every run with solvers that are not exact, the newest first.",
-         *(f"No figure of the run of {why}." for why in left_out)],
-        drawings=of_all,
-    )  # fmt: skip
+            without.append(f"{one.label}: {str(error).removeprefix(f'{one.run.file}: ')}")
+    return found, without
 
 
 def facts_of(solver: Solver) -> dict[str, object]:
@@ -386,7 +414,7 @@ def frontier(name: str, run: Run, of: Shown) -> dict[str, Drawing]:
 
     drawn, left_out = catalogue.draw(run, ["frontier"])
     found = {
-        f"{name}_{number}": replace(one, title=f"{one.title}; {of.date}, {of.revision}")
+        f"{name}_{number}": replace(one, title=f"{one.title}; {of.label}")
         for number, (part, one) in enumerate(drawn.items(), 1)
         if catalogue.OF not in part
     }

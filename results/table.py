@@ -83,6 +83,25 @@ def without_empty_columns(table: Table) -> Table:
     )
 
 
+def without_constant_columns(table: Table, kept: int) -> Table:
+    """Without the columns, apart from the first `kept`, in which all cells have one text; a remark says
+    them. A table of one row stays."""
+    constant = {
+        table.header[i]: table.rows[0][i].text
+        for i in _columns(table)
+        if i >= kept and len(table.rows) > 1 and len({row[i].text for row in table.rows}) == 1
+    }
+    left = [i for i in _columns(table) if table.header[i] not in constant]
+    said = "; ".join(f"{name} {text}" for name, text in constant.items() if text)
+    return replace(
+        table,
+        header=[table.header[i] for i in left],
+        text_columns=sum(i < table.text_columns for i in left),
+        rows=[[row[i] for i in left] for row in table.rows],
+        remarks=[*([f"In all rows: {said}."] if said else []), *table.remarks],
+    )
+
+
 def mark(index: int) -> str:
     """a, b, ... z, aa, ab, ..."""
     letter = chr(ord("a") + index % 26)
