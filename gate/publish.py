@@ -112,6 +112,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         help="file to write (default: in the current folder, named by date, processor and corpus)",
     )  # fmt: skip
     options = parser.parse_args(arguments)
+    if options.out and options.out.suffix != ".json":
+        parser.error(f"--out {options.out}: a result is written as .json")
     if wrong := [word for word in options.licence if not re.fullmatch(r"[^=]+=.*\S.*", word)]:
         parser.error(f"--licence {wrong[0]}: not MESH=TEXT")
     try:

@@ -58,6 +58,8 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
         help="axis that points up at first (default: y, of terrain z)",
     )  # fmt: skip
     options = parser.parse_args(arguments)
+    if options.out and options.out.suffix != ".html":
+        parser.error(f"--out {options.out}: the page is written as .html")
     if options.mesh and options.what.is_file():
         parser.error("--mesh is for a run, and a file is one mesh")
     return options

@@ -91,6 +91,8 @@ CASES = [
     script("rank", "--solver mmp --against ich,ich", "--against has 'ich' twice"),
     script("rank", "--solver mmp --against ich --pairs 0", "'0' is not a number from 1 to 1000"),
     script("rank", "--resume a --run b", "give only one of --resume and --run"),
+    flag("geodesic-bench view hill.obj --out page.txt", "--out page.txt: the page is written as .html"),
+    flag("geodesic-bench publish --out mine.txt", "--out mine.txt: a result is written as .json"),
     flag("geodesic-bench rank --run nowhere", "geodesic-bench rank: nowhere: no such folder"),
     # verify
     flag("geodesic-bench verify", "--solver is required (geodesic-bench list)"),
