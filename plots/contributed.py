@@ -19,7 +19,7 @@ if __name__ == "__main__":
 
 from plots import catalogue, headline, peers_overview, robustness, style, summary
 from plots.drawing import Drawing
-from plots.measures import ERROR, columns
+from plots.measures import ERROR, columns, percent
 from plots.ratios import number
 from results import pairs
 from results.console import ROOT
@@ -33,6 +33,8 @@ STANDARD, ROBUSTNESS, FRONTIER = "standard", "robustness", "frontier"
 PICTURES: dict[str, list[str]] = {STANDARD: ["peers_overview", "overview"], FRONTIER: ["frontier"], ROBUSTNESS: []}
 """Figures by corpus, in the order of the page; each is docs/NAME.png."""
 BASE = "edge-based"
+PERCENT = 1e-4
+"""An error from which on it is written in percent."""
 SHOWN = {
     BASE: "this project",
     "vtp": "VTP, by its authors",
@@ -61,7 +63,7 @@ def beside_public_codes(standard: Run, hard: Run) -> Table:
         name="beside_public_codes", title="", text_columns=2,
         header=["Solver", "Code", f"Time of a first answer / {BASE}", "Meshes",
                 "Largest relative error", f"Right on, of {len(hard.meshes)} hard meshes"],
-        rows=[[Cell(solver), Cell(whose), *_numbers(standard, solver), Cell(str(right[solver]))]
+        rows=[[Cell(solver), Cell(whose), *_numbers(standard, solver), Cell(right[solver])]
               for solver, whose in SHOWN.items() if solver in columns(standard) and solver in right],
     )  # fmt: skip
 
@@ -76,7 +78,11 @@ def _numbers(run: Run, solver: str) -> list[Cell]:
         text += f" [{number(mean.low)}, {number(mean.high)}]"
     errors = [error for mesh in run.meshes for row in run.cell(mesh, solver)
               if row.ok and (error := row.number(ERROR.key)) is not None]  # fmt: skip
-    return [estimate_cell(mean, text), Cell(f"{len(samples)} of {len(run.meshes)}"), Cell(ERROR.show(max(errors)))]
+    return [estimate_cell(mean, text), Cell(f"{len(samples)} of {len(run.meshes)}"), Cell(_error(max(errors)))]
+
+
+def _error(largest: float) -> str:
+    return percent(largest) if largest >= PERCENT else ERROR.show(largest)
 
 
 def readme(runs: Mapping[str, Run]) -> str:
