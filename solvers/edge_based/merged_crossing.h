@@ -28,7 +28,7 @@ class MergedCrossing {
         tolerance_(tolerance),
         parameters_(tolerance >= kCoarse ? kForCoarse : kForFine),
         rule_{parameters_.room * tolerance * (1 - kShortfallRounding), parameters_.share_of_rest},
-        waiting_(mesh.half_edge_count()),
+        waiting_(mesh.face_count()),
         budget_(mesh),
         rounding_(coordinate_rounding(mesh)) {}
 
@@ -56,8 +56,11 @@ class MergedCrossing {
 
   template <class Visit>
   void for_each_window(Index h, const Visit& visit) const {
-    for (Index n = waiting_[h].first; n != kNil; n = nodes_[n].next) visit(nodes_[n].merged.window);
-    if (waiting_[h].sends) visit(sent_from_below(h).window);
+    const Waiting waiting = waiting_[h / 3];
+    for (Index n = waiting.first; n != kNil; n = nodes_[n].next) {
+      if (nodes_[n].strip.side == h % 3) visit(nodes_[n].merged.window);
+    }
+    if ((waiting.sends >> h % 3 & 1) != 0) visit(sent_from_below(h).window);
   }
 
   template <class Wavefront>
@@ -79,9 +82,10 @@ class MergedCrossing {
       if (wanted) emit(side, apex_from_beyond(e), distances_[v], v, wavefront);
       return;
     }
-    Waiting& waiting = waiting_[e.twin];
-    window_count_ += unsigned{wanted} & ~unsigned{waiting.sends};
-    waiting.sends |= Index{wanted};
+    Waiting& waiting = waiting_[e.twin / 3];
+    const unsigned sends = waiting.sends | unsigned{wanted} << e.twin % 3;
+    window_count_ += unsigned{sends != waiting.sends};
+    waiting.sends = sends & kAllSides;
     wavefront.land(e.twin, wanted);
   }
 
@@ -90,17 +94,19 @@ class MergedCrossing {
     auto& recorder = wavefront.recorder();
     const HalfEdge& edge = mesh_.half_edge(h);
     const EndpointBounds bounds(edge.length, distances_[edge.origin], distances_[mesh_.head(h)]);
-    const Waiting waiting = std::exchange(waiting_[h], {});
-    if (const Index only = waiting.first;
-        only != kNil && nodes_[only].next == kNil && waiting.sends == 0) {  // most lists
+    Waiting& waiting = waiting_[h / 3];
+    if (const Index only = waiting.first; only != kNil && nodes_[only].next == kNil &&
+                                          nodes_[only].strip.side == h % 3 &&
+                                          waiting.sends == 0) {  // most lists
       Line line{nodes_[only].merged, nodes_[only].strip, 0, false, false};
       nodes_[only].next = std::exchange(free_, only);
+      waiting.first = kNil;
       --window_count_;
       recorder.created(1);
       if (!is_useless(line.merged.window, line.strip, bounds)) cross_alone(h, line, wavefront);
       return;
     }
-    gather(h, waiting, bounds, recorder);
+    gather(h, bounds, recorder);
     if (lines_.size() == 1) {
       cross_alone(h, lines_.back(), wavefront);
     } else if (!lines_.empty()) {
@@ -121,30 +127,32 @@ class MergedCrossing {
   /// same way.
   static constexpr std::uint32_t kApart = 3;
 
-  // Handles of nodes have 31 bits.
-  static constexpr Index kNil = kNone >> 1;
+  // Handles of nodes have 29 bits.
+  static constexpr Index kNil = kNone >> 3;
 
   /// How a window came, in one word.
   struct Strip {
-    std::uint32_t depth : 28;  ///< in faces
-    bool from_right : 1;       ///< over the side of the face below that is next to the head
-    std::uint32_t apart : 3;   ///< from its neighbour towards the origin, for so many faces
+    std::uint32_t depth : 26;    ///< in faces
+    bool from_right : 1;         ///< over the side of the face below that is next to the head
+    std::uint32_t apart : 3;     ///< from its neighbour towards the origin, for so many faces
+    std::uint32_t side : 2 = 0;  ///< of the face before it, on which it waits
   };
-  static constexpr std::uint32_t kMostDepth = (1u << 28) - 1;
+  static constexpr std::uint32_t kMostDepth = (1u << 26) - 1;
 
-  /// A window that waits on a half-edge.
+  /// A window that waits on a side of a face.
   struct alignas(64) Node {
     MergedWindow merged;
     Strip strip;
     Index next;
   };
 
-  /// What waits on a half-edge: the last node first, and whether the third vertex of the face below
-  /// sends a window.
+  /// What waits on the sides of a face: the last node first, and on which side the third vertex of
+  /// the face below sends a window. A list a face takes a third of the memory of one a half-edge.
   struct Waiting {
-    Index first : 31 = kNil;
-    Index sends : 1 = 0;
+    Index first : 29 = kNil;
+    Index sends : 3 = 0;
   };
+  static constexpr unsigned kAllSides = 7;
 
   /// A vector that counts its items: the distance of two pointers takes a multiplication.
   template <class Item>
@@ -186,22 +194,36 @@ class MergedCrossing {
 
   /// Moves what waits on h into lines_, joined, without what paths over the ends of h beat.
   template <class Recorder>
-  void gather(Index h, Waiting waiting, const EndpointBounds& bounds, Recorder& recorder) {
+  void gather(Index h, const EndpointBounds& bounds, Recorder& recorder) {
     const auto timed = recorder.enter(Phase::trimming);
+    const unsigned side = h % 3;
+    Waiting& waiting = waiting_[h / 3];
+    const bool sends = (waiting.sends >> side & 1) != 0;
+    waiting.sends &= kAllSides ^ 1u << side;
     lines_.clear();
     from_left_.clear();
     from_right_.clear();
-    Index last = kNil;
-    for (Index n = waiting.first; n != kNil; n = nodes_[n].next) {
-      const bool from_right = nodes_[n].strip.from_right;
-      from_left_.push_if(!from_right, n);
-      from_right_.push_if(from_right, n);
-      --window_count_;
-      recorder.created(1);
-      last = n;
+    // The nodes of this side become free, those of the others stay.
+    Index ours_first = kNil, others_first = kNil;
+    Index *ours_end = &ours_first, *others_end = &others_first;
+    for (Index n = waiting.first; n != kNil;) {
+      Node& node = nodes_[n];
+      const bool ours = node.strip.side == side, from_right = node.strip.from_right;
+      from_left_.push_if(ours & !from_right, n);
+      from_right_.push_if(ours & from_right, n);
+      window_count_ -= unsigned{ours};
+      recorder.created(ours);
+      *(ours ? ours_end : others_end) = n;
+      ours_end = ours ? &node.next : ours_end;
+      others_end = ours ? others_end : &node.next;
+      n = node.next;
     }
+    *ours_end = free_;
+    *others_end = kNil;
+    free_ = ours_first;
+    waiting.first = others_first & kNil;
     for (const Index n : from_left_) append(n, bounds);
-    if (waiting.sends != 0) {
+    if (sends) {
       --window_count_;
       recorder.created(1);
       while (!from_right_.empty() && is_useless(nodes_[from_right_.back()], bounds)) {
@@ -213,7 +235,6 @@ class MergedCrossing {
       }
     }
     for (; !from_right_.empty(); from_right_.pop()) append(from_right_.back(), bounds);
-    if (last != kNil) nodes_[last].next = std::exchange(free_, Index{waiting.first});
   }
 
   bool is_useless(const Node& node, const EndpointBounds& bounds) const {
@@ -439,8 +460,10 @@ class MergedCrossing {
     const Index n = free_;
     Node& node = nodes_[n];
     free_ = node.next;
-    node = {{w, shortfall}, strip, waiting_[h].first};
-    waiting_[h].first = n & kNil;
+    Waiting& waiting = waiting_[h / 3];
+    strip.side = h % 3 & 3;
+    node = {{w, shortfall}, strip, waiting.first};
+    waiting.first = n & kNil;
     ++window_count_;
     wavefront.land(h);
   }
@@ -456,7 +479,7 @@ class MergedCrossing {
   MergeRule rule_;
   std::span<double> distances_;
   std::vector<float> shortfalls_;  // of the distances, rounded up
-  std::vector<Waiting> waiting_;   // by half-edge
+  std::vector<Waiting> waiting_;   // by face
   std::vector<Node> nodes_;
   Index free_ = kNil;  // the first of the nodes that are not in use
   std::uint64_t window_count_ = 0;
