@@ -307,7 +307,7 @@ report_failure() {
 
 finish() {
   if has_step plot; then
-    say "Tables: $out/tables (5.1, 5.2 with its ratios and claims, 5.3; as .md, .csv and .tex)"
+    say "Tables: $out/tables (as .md, .csv and .tex)"
     say "Figures: $out/figures (as .png and .pdf, with captions in .md)"
     say "All on one page: $out/report.html"
   elif has_step run; then

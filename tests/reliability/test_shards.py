@@ -182,5 +182,5 @@ def test_what_another_processor_left_unfinished_is_measured_again(
     report = sharded.bench_says("report", "merged")
     assert report.returncode == 0, report.stderr
     tables = {file.stem for file in (tmp_path / "merged" / "tables").glob("*.md")}
-    assert {"every_solver_on_processor_1", "every_solver_on_processor_2", "table_5_2_ratios"} <= tables
+    assert {"every_solver_on_processor_1", "every_solver_on_processor_2", "ratios"} <= tables
     assert "every_solver" not in tables
