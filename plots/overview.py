@@ -33,6 +33,8 @@ def figure(run: Run) -> Drawing:
     solvers = [solver for solver in measured_solvers(run) if run.solvers[solver].exact]
     ratios = [time_over(base), BY_KEY["propagations over the limit"]]
     by_time = over_each_mesh(run, base)
+    few = [s for s in solvers if 0 < len(by_time.get(s, ())) < len(run.meshes) / 2]
+    solvers = [solver for solver in solvers if solver not in few]
     solvers.sort(key=lambda s: mean(by_time[s]) if s in by_time else math.inf)
     by_solver = [{s: _means(run, ratio, s) for s in solvers} for ratio in ratios]
     both = zip(ratios, by_solver, strict=True)
@@ -70,6 +72,7 @@ def figure(run: Run) -> Drawing:
             BELOW_1
             if both_panels
             else "No window propagations over the window limit: the run has no solver of the MMP family.",
+            f"Not drawn, since it is on less than half of the meshes: {', '.join(few)}." if few else "",
             "Hollow: a stand-in for a model of the thesis." if counts["stand-in for one"] else "",
         ),
         figure=picture,
