@@ -18,7 +18,9 @@ from plots.dots import sentences, without_value
 from plots.drawing import Drawing
 from plots.logarithmic import logarithmic
 from plots.measures import ABSENT, EDGE_BASED, baseline, columns, count, time_unit
+from results import published
 from results.pairs import Time, by_source, each_of, further, ratios, times
+from results.published import Method
 from results.reader import Mesh, ResultError, Run, Solver
 from results.statistics import Estimate, geometric_mean, median
 from results.table import Cell, Table, estimate_cell
@@ -40,6 +42,8 @@ LEAST_INEXACT = 2
 ROW_INCHES = 1.62
 MOST_TICKS = 6
 FRONT = {"color": "#b8b8b8", "linewidth": 3.0, "solid_joinstyle": "miter", "zorder": 1}
+PUBLISHED = {"color": "black", "marker": "D", "markersize": 5.5, "markerfacecolor": "white",
+             "linestyle": "", "zorder": 4}  # fmt: skip
 BOUNDED, NOT_BOUNDED = "error bounded", "no bound on the error"
 
 
@@ -63,6 +67,15 @@ class Curve:
     points: list[Point]
     joined: bool
     """In the order of the one parameter that differs."""
+
+
+@dataclass(frozen=True)
+class PublishedPoint:
+    """Of a method that cannot be run here (results/published.py)."""
+
+    method: Method
+    time: float
+    """Over the base: its published ratio to another solver, times that solver's measured one."""
 
 
 Error = Callable[[Point], float]
@@ -159,6 +172,16 @@ def _without(name: str, parameter: str) -> str:
     return "?".join([base, "&".join(others)]) if others else base
 
 
+def published_points(points: Iterable[Point]) -> list[PublishedPoint]:
+    """Those beside a solver that has a point over the base."""
+    by_name = {point.solver.name: point.costs["1 source"].value for point in points}
+    return [
+        PublishedPoint(method, by_name[method.beside] * method.time_s / method.beside_time_s)
+        for method in published.methods()
+        if method.beside in by_name
+    ]
+
+
 def bounded(solver: Solver) -> bool:
     return solver.exactness in ("exact", "bounded")
 
@@ -193,6 +216,7 @@ def _of_several(run: Run) -> Drawing:
     points = over_meshes(run, meshes, base) if len(meshes) > 1 else []
     if len(points) < LEAST_INEXACT:
         raise ResultError(f"{run.file}: no two meshes that several solvers have a time of")
+    elsewhere = published_points(points)
     short = [s for s in columns(run) if s not in {point.solver.name for point in points}]
     return Drawing(
         title="The frontier over all meshes: time against error",
@@ -202,9 +226,18 @@ def _of_several(run: Run) -> Drawing:
             "repetition, with 95% bootstrap intervals; errors are the largest on any mesh, and the "
             "mean over meshes.",
             _how_to_read(run, points),
+            *(_about(point.method) for point in elsewhere),
             f"Without: {', '.join(short)} (not right or not timed on every mesh)." if short else "",
         ),
-        figure=_draw(run, points, f"time of an answer / {style.plain(base)}"),
+        figure=_draw(run, points, f"time of an answer / {style.plain(base)}", elsewhere),
+    )
+
+
+def _about(method: Method) -> str:
+    return (
+        f"Hollow diamond: {method.method} as published ({method.source}): its mean error on a mesh of "
+        f"{count(method.vertices)} vertices, and its time over that of {method.beside} there "
+        f"({method.time_s:g} s and {method.beside_time_s:g} s), times the time of {method.beside} here."
     )
 
 
@@ -240,7 +273,9 @@ def _how_to_read(run: Run, points: Sequence[Point]) -> str:
     )
 
 
-def _draw(run: Run, points: Sequence[Point], label: str) -> Figure:
+def _draw(
+    run: Run, points: Sequence[Point], label: str, elsewhere: Sequence[PublishedPoint] = ()
+) -> Figure:
     styles = style.solver_styles(run.solvers)
     looks = {solver.base: styles[solver.name] for solver in reversed(run.solvers.values())}
     picture = style.new_figure(1.4 + ROW_INCHES * len(COSTS))
@@ -250,6 +285,9 @@ def _draw(run: Run, points: Sequence[Point], label: str) -> Figure:
         row[0].set_title(cost, loc="left", fontsize=9.5)
         for axes, error in zip(row, ERRORS.values(), strict=True):
             _panel(axes, shown, looks, cost, error)
+            if error is ERRORS["mean relative error"]:
+                for point in elsewhere:
+                    axes.plot([point.method.mean_relative_error], [point.time], **PUBLISHED)
     for axes, name in zip(grid[-1], ERRORS, strict=True):
         axes.set_xlabel(name)
     logarithmic(grid[0, 0].yaxis)
@@ -259,6 +297,9 @@ def _draw(run: Run, points: Sequence[Point], label: str) -> Figure:
         handles.append(Line2D([], [], color=style.PALE, marker="o", markersize=4.5, linestyle="",
                               markerfacecolor=fill, label=words))  # fmt: skip
     handles.append(Line2D([], [], label="front", **FRONT))
+    handles += [
+        Line2D([], [], label=f"{p.method.method}, published", **PUBLISHED) for p in elsewhere
+    ]
     style.legend_above(picture, handles, columns=3)
     return picture
 

@@ -1,4 +1,5 @@
-"""The thesis's published tables as data: results/published/thesis.json, which cites its source."""
+"""Published numbers as data: the thesis's tables (results/published/thesis.json), and methods that
+cannot be run here (results/published/methods.json). Both cite their sources."""
 
 from __future__ import annotations
 
@@ -11,6 +12,7 @@ from .console import ROOT
 from .reader import ResultError
 
 FILE = ROOT / "results" / "published" / "thesis.json"
+METHODS = FILE.with_name("methods.json")
 
 THESIS_SOLVERS = ["mmp", "fwp-mmp", "ich", "fwp-ch", "edge-based"]
 """The columns of Table 5.2, in its order."""
@@ -74,6 +76,24 @@ class Claim:
 
 def claims() -> list[Claim]:
     return [Claim(**claim) for claim in _tables()["claims"]]
+
+
+@dataclass(frozen=True)
+class Method:
+    """A method that cannot be run here, as its authors measured it on one mesh."""
+
+    method: str
+    source: str
+    vertices: int
+    time_s: float
+    mean_relative_error: float
+    beside: str
+    """A solver that can be run here, and that they measured on the same mesh and machine."""
+    beside_time_s: float
+
+
+def methods() -> list[Method]:
+    return [Method(**method) for method in json.loads(METHODS.read_text(encoding="utf-8"))]
 
 
 def _of_model(table: str, model: str) -> dict[str, Any]:

@@ -10,6 +10,8 @@
 // radii d - sigma round its ends meet. It is consistent with both distances, so that what the wave
 // has met before does not add up. Where the ends were reached by different waves, the one of the
 // smaller sigma, which has gone straight for longer, takes both distances.
+// The first few edges around a source are crossed by windows instead (core/window.h), which are
+// exact.
 //
 // Vertices are taken in the order of buckets. The later end of an edge crosses the faces on both
 // sides of it. With planar waves, a third vertex that is nearer than that end can only be reached
@@ -21,6 +23,7 @@
 #include "solvers/core/queues/vertex_calendar.h"
 #include "solvers/core/registry.h"
 #include "solvers/core/tolerance.h"
+#include "solvers/core/window_predicates.h"
 
 namespace geodesic {
 namespace {
@@ -39,11 +42,24 @@ class VirtualSource final : public Solver {
   /// A vertex is taken 1.0 to 1.2 times on most meshes. Waves may feed each other round a vertex,
   /// with ever smaller distances.
   static constexpr std::uint64_t kMostTaken = 16;
+  /// How far straight lines are followed from a source, in mean edge lengths. Without
+  /// these lines, errors near a source reach 57% on a terrain of 100,000 vertices; with them 7%, as
+  /// at twice this radius.
+  static constexpr double kStraightRadius = 6;
+  /// Windows that are followed from a source: about 500 of them lie within the radius. There may be
+  /// any number of them where faces are thin.
+  static constexpr int kMostWindows = 4096;
+
+  struct Waiting {
+    Index half_edge;  ///< in whose frame the window is
+    Window window;
+  };
 
   void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
     distances_ = distances;
     for (const Source& source : query.sources) {
       reach(source.at.vertex, source.distance, source.distance);
+      follow_lines(source);
     }
     StopRule stop_rule(mesh(), query, distances);
     std::uint64_t left = kMostTaken * mesh().vertex_count();
@@ -54,6 +70,53 @@ class VirtualSource final : public Solver {
       left -= left > 0;
     }
     front_.clear();
+  }
+
+  /// Reaches vertices by straight lines over the faces around a source, with windows that no other
+  /// ones trim. Near a source the virtual source of an edge is far off: one of its ends is often
+  /// reached after the vertices behind it.
+  void follow_lines(const Source& source) {
+    for (const Index h : mesh().outgoing(source.at.vertex)) {
+      const Index far = Mesh::next(h);
+      const HalfEdge& edge = mesh().half_edge(far);
+      const Point2 from = apex_from_beyond(edge);
+      land(far, {0, edge.length, from.x, from.y, source.distance});
+    }
+    for (int left = kMostWindows; left > 0 && !windows_.empty(); --left) {
+      const Waiting next = windows_.back();
+      windows_.pop_back();
+      cross_face(next.half_edge, next.window);
+    }
+    windows_.clear();
+  }
+
+  /// Puts a window on the edge of h for the face beyond it, unless it is too far away or no shorter
+  /// than a path along the edge. It is in the frame of the twin of h.
+  void land(Index h, Window w) {
+    const HalfEdge& edge = mesh().half_edge(h);
+    if (edge.twin == kNone || is_void(w, edge.length)) return;
+    w.y = std::min(w.y, 0.0);  // Rounding must not move the source across the edge.
+    if (least_distance(w) - w.sigma > kStraightRadius * mesh().mean_edge_length()) return;
+    const EndpointBounds ends(edge.length, distances_[mesh().head(h)], distances_[edge.origin]);
+    if (!ends.beat(w)) windows_.push_back({edge.twin, w});
+  }
+
+  void cross_face(Index h, const Window& w) {
+    const FaceFrame face = face_frame(mesh(), h);
+    const WindowSight sight(w, {face.apex_x, face.apex_y});
+    if (sight.reaches()) {
+      reach(mesh().apex(h), distance_through(w, face.apex_x, face.apex_y), w.sigma);
+    }
+    if (sight.left()) {
+      const double end = sight.right() ? face.left : face.on_left(w, w.end);
+      const Point2 from = face.to_left(w.x, w.y);
+      land(Mesh::previous(h), {face.on_left(w, w.begin), end, from.x, from.y, w.sigma});
+    }
+    if (sight.right()) {
+      const double begin = sight.left() ? 0 : face.on_right(w, w.begin);
+      const Point2 from = face.to_right(w.x, w.y);
+      land(Mesh::next(h), {begin, face.on_right(w, w.end), from.x, from.y, w.sigma});
+    }
   }
 
   /// Follows the edges of v, and crosses those that lead to vertices that are no farther.
@@ -112,6 +175,7 @@ class VirtualSource final : public Solver {
 
   VertexCalendar front_;
   std::vector<double> sigma_;  // of the wave that brought a vertex its distance
+  std::vector<Waiting> windows_;
   std::span<double> distances_;
 };
 

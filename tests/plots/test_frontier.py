@@ -14,6 +14,7 @@ from synthetic import EXCESS, INEXACT, Data, data_of, with_rows
 
 from plots import catalogue, error_map, frontier, report
 from plots.frontier import COSTS, ERRORS, Point
+from results import published
 from results.columns import Columns
 from results.reader import Mesh, ResultError, Run, Solver
 from results.table import Cell, Table
@@ -140,6 +141,24 @@ def test_points_are_where_they_were_measured_and_filled_where_the_error_is_bound
     assert filled and zero < 1e-3 and axes.get_xticklabels()[0].get_text() == "0"
     lines = [(list(line.get_xdata()), list(line.get_ydata())) for line in axes.lines]
     assert ([0.005, 0.03], [0.005, 0.005]) in lines, "from its error to its bound"
+
+
+def test_a_published_method_is_drawn_by_its_time_over_that_of_a_solver_of_the_run() -> None:
+    (gsp,) = published.methods()
+    beside = solver(gsp.beside, "exact")
+    rows = [
+        row(of, time, error, mesh)
+        for mesh in MESHES
+        for of, time, error in [(EXACT, 10, 0), (HEAT, 20, 0.1), (BOUNDED, 5, 0.02), (beside, 60, 0)]
+    ]
+    drawing = frontier.figure(run_of([EXACT, HEAT, BOUNDED, beside], rows))
+    time = 6 * gsp.time_s / gsp.beside_time_s
+    largest, mean = drawing.figure.axes[:2]
+    assert marks(mean)[round(1000 * time, 6)] == (gsp.mean_relative_error, False)
+    assert round(1000 * time, 6) not in marks(largest)
+    assert f"{gsp.method} as published" in drawing.caption
+    without = [each for each in rows if each["solver"] != gsp.beside]
+    assert gsp.method not in frontier.figure(run_of([EXACT, HEAT, BOUNDED], without)).caption
 
 
 def test_a_wrong_answer_is_not_drawn_and_the_caption_says_so() -> None:

@@ -42,6 +42,18 @@ TEST(VirtualSource, is_off_by_less_than_two_percent_in_a_convex_piece_of_the_pla
   }
 }
 
+TEST(VirtualSource, is_nowhere_too_long_within_five_edges_of_a_source_in_the_plane) {
+  const Mesh mesh = plane();
+  for (const Index source : {Index{17}, Index{250}}) {
+    const std::vector<double> distances = solve("virtual-source", mesh, {source});
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      const double straight = distance_in_plane(mesh, source, v);
+      if (straight > 5 * mesh.mean_edge_length()) continue;
+      EXPECT_LE(distances[v], straight * (1 + 1e-12)) << v;
+    }
+  }
+}
+
 TEST(VirtualSource, is_off_by_an_edge_at_most_where_waves_of_several_sources_meet) {
   const Mesh mesh = plane();
   const std::vector<Index> sources = {5, 29, 400};
