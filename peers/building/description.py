@@ -17,6 +17,18 @@ PEERS = Path(__file__).resolve().parents[1]
 
 
 @dataclass(frozen=True)
+class Edit:
+    """What is changed in a file before it is compiled, without a line of its authors: every match
+    of a regular expression is replaced."""
+
+    file: str
+    """By its path in the repository."""
+    pattern: str
+    replacement: str
+    why: str
+
+
+@dataclass(frozen=True)
 class Repository:
     """A repository at a commit, and the files of it that are compiled."""
 
@@ -25,6 +37,7 @@ class Repository:
     licence: str | None
     files: Mapping[str, str]
     """SHA-256 sums by path."""
+    edits: tuple[Edit, ...] = ()
 
     @property
     def name(self) -> str:
@@ -38,7 +51,7 @@ class Repository:
 
 @dataclass(frozen=True)
 class Peer:
-    """A public code, and the folder with its description, adapter and patches."""
+    """A public code, and the folder with its description and adapter."""
 
     folder: Path
     upstream: tuple[Repository, ...]
@@ -49,10 +62,6 @@ class Peer:
     @property
     def name(self) -> str:
         return self.folder.name
-
-    @property
-    def patches(self) -> list[Path]:
-        return sorted(self.folder.glob("patches/*.patch"))
 
 
 def read_peer(folder: Path) -> Peer:
@@ -74,11 +83,16 @@ def read_peer(folder: Path) -> Peer:
 def _peer(folder: Path, data: dict[str, Any]) -> Peer:
     return Peer(
         folder=folder,
-        upstream=tuple(Repository(**each) for each in data["upstream"]),
+        upstream=tuple(_repository(each) for each in data["upstream"]),
         authors_flags=data["flags"]["authors"],
         our_flags=data["flags"]["ours"],
         packages=tuple(data.get("packages", [])),
     )
+
+
+def _repository(data: dict[str, Any]) -> Repository:
+    edits = tuple(Edit(**edit) for edit in data.get("edits", []))
+    return Repository(**{**data, "edits": edits})
 
 
 def select_peers(folder: Path, names: Iterable[str]) -> list[Peer]:

@@ -1,9 +1,9 @@
-"""The authors' sources: fetched at the pinned commit, checked file by file, patched."""
+"""The authors' sources: fetched at the pinned commit, checked file by file, edited."""
 
 from __future__ import annotations
 
+import re
 import shutil
-import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,7 +12,7 @@ from fetching.cache import sha256_of
 from fetching.download import Downloader, Origin
 from fetching.reporting import Unavailable
 
-from .description import Peer, Repository
+from .description import Edit, Peer, Repository
 
 
 def github(path: str) -> str:
@@ -28,16 +28,16 @@ class Sources:
     archives: Path
 
     def prepare(self, peer: Peer, target: Path) -> None:
-        """Fills a folder with the files of the description, one folder a repository, patched.
+        """Fills a folder with the files of the description, one folder a repository, edited.
 
         Raises Unavailable where a file cannot be had or is another one than described, or where a
-        patch does not apply.
+        pattern of an edit matches nothing.
         """
         shutil.rmtree(target, ignore_errors=True)
         for repository in peer.upstream:
             self._unpack(repository, target / repository.name)
-        for patch in peer.patches:
-            _apply(patch, target)
+            for edit in repository.edits:
+                _apply(edit, target / repository.name)
 
     def _unpack(self, repository: Repository, target: Path) -> None:
         archive = self._archive(repository)
@@ -70,13 +70,10 @@ class Sources:
         return whole
 
 
-def _apply(patch: Path, target: Path) -> None:
-    done = subprocess.run(
-        ["patch", "-p1", "--batch", "--forward", "--binary", "-i", str(patch), "-d", str(target)],
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    if done.returncode != 0:
-        said = " ".join(done.stdout.split()) or done.stderr.strip()
-        raise Unavailable(f"{patch.name} does not apply: {said}")
+def _apply(edit: Edit, folder: Path) -> None:
+    file = folder / edit.file
+    # As bytes: line ends and encodings stay the authors'.
+    text, times = re.subn(edit.pattern.encode(), edit.replacement.encode(), file.read_bytes())
+    if times == 0:
+        raise Unavailable(f"the edit {edit.pattern!r} matches nothing in {edit.file}")
+    file.write_bytes(text)

@@ -3,11 +3,16 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <optional>
 
 #include "peer.h"
+
+// As windows.h has them, without a namespace.
+using std::max;
+using std::min;
 
 #define geodesic pvtp_authors  // their namespace has the name of ours
 #include "geodesic_algorithm_approximate.h"

@@ -57,11 +57,12 @@ def test_a_file_that_the_archive_lacks_is_named(world: PeerWorld) -> None:
     assert "holds no codes-0123456789" in said_of_fake(world)
 
 
-def test_a_patch_that_does_not_apply_is_named(world: PeerWorld) -> None:
-    patch = world.fake / "patches" / "other-line.patch"
-    patch.parent.mkdir()
-    patch.write_text("--- a/codes/authors.h\n+++ b/codes/authors.h\n@@ -1 +1 @@\n-nothing\n+new\n")
-    assert said_of_fake(world).startswith("fake: missing: other-line.patch does not apply: ")
+def test_an_edit_that_matches_nothing_is_named(world: PeerWorld) -> None:
+    edit = {"file": "authors.h", "pattern": r"no\w+here", "replacement": "", "why": "a test"}
+    world.describe_repository(edits=[edit])
+    assert said_of_fake(world).startswith(
+        "fake: missing: the edit 'no\\\\w+here' matches nothing in authors.h"
+    )
 
 
 def test_a_peer_that_the_mirror_lacks_is_one_line(world: PeerWorld) -> None:

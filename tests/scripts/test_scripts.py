@@ -302,9 +302,9 @@ def test_peers_are_built_and_run_beside_the_solvers(checkout: Path) -> None:
     build.chmod(0o755)
     installed = checkout / "bin"
     installed.mkdir()
-    for name in ("dpkg-query", "patch"):
-        (installed / name).write_text("#!/bin/bash\necho -n installed\n")
-        (installed / name).chmod(0o755)
+    query = installed / "dpkg-query"
+    query.write_text("#!/bin/bash\necho -n installed\n")
+    query.chmod(0o755)
     env = dict(os.environ, PATH=f"{installed}:{os.environ['PATH']}")
     ended = run(
         checkout / "run_all.sh", "peers", "run", "--no-install", "--peers", "vtp,pvtp",
