@@ -46,7 +46,10 @@ def published(run: Run, licences: Mapping[str, str]) -> str:
     context, ours = data["context"], data["context"]["geodesic_bench"]
     context.pop("host_name", None)
     for plugin in ours.get("plugins", []):
-        plugin["file"] = "/".join(Path(plugin["file"]).parts[-2:])  # the folder is the public code's name
+        if "file" in plugin:
+            plugin["file"] = "/".join(Path(plugin["file"]).parts[-2:])  # the folder is the public code's name
+        else:
+            plugin["external"] = plugin["solvers"][0]
     for part in ours.get("parts", []):
         part |= {"host": "", "folder": Path(part["folder"]).name}
     for mesh in ours["meshes"]:

@@ -60,6 +60,21 @@ def left_out(run: Run) -> list[str]:
     return [f"{skip.mesh} was skipped: {_short(skip.why)}" for skip in run.not_measured]
 
 
+def timed_elsewhere(run: Run) -> list[str]:
+    """A sentence for each way in which external solvers are timed (docs/external-solvers.md)."""
+    ways = {
+        "reported": "as they report them",
+        "process less reading": "those of a process, less those of one that only reads the mesh",
+        "process": "those of a whole process, reading included",
+    }
+    timed = {way: run.columns.where("timed", way) for way in ways}
+    solvers = {
+        way: [s for s in run.solvers if (run.columns.where("solver", s) & rows).any()]
+        for way, rows in timed.items()
+    }
+    return [f"Times of {', '.join(of)}: {ways[way]}." for way, of in solvers.items() if of]
+
+
 def _short(why: str) -> str:
     """Without the file, and without the first of each defect: what no reader of a table looks up."""
     return re.sub(r" \(first: (?:[^()]|\([^()]*\))*\)", "", re.sub(r"^\S*/\S*: ", "", why))

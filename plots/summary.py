@@ -9,7 +9,7 @@ from plots.measures import (
     ABSENT, ERROR, PEAK_BYTES, PROPAGATIONS, TIME, columns, count, failure, our_cell,
     partial_failure, time_unit, values,
 )  # fmt: skip
-from plots.models import left_out, ordered_meshes
+from plots.models import left_out, ordered_meshes, timed_elsewhere
 from plots.ratios import (
     MANY, Ratio, fastest_exact, mean, number, over_each_mesh, over_meshes, plain, time_over,
 )  # fmt: skip
@@ -52,6 +52,7 @@ def overall(run: Run) -> Table:
                 "python3 -m plots --meshes A,B."
             ),
             "Verified and without a time: cells, each a mesh and a source.",
+            *timed_elsewhere(run),
         ],
     )  # fmt: skip
 
@@ -114,7 +115,7 @@ def by_mesh(run: Run) -> Table:
         header=["Mesh", "Vertices", f"{base}, time", *(_name(run, s).text for s in solvers[1:])],
         text_columns=1,
         rows=rows,
-        remarks=[f"CPU time of one solve without preparation. {PAIRED}", *left_out(run)],
+        remarks=[f"CPU time of one solve without preparation. {PAIRED}", *timed_elsewhere(run), *left_out(run)],
     )
 
 
@@ -162,6 +163,7 @@ def every(run: Run) -> Table:
             "CPU time of one solve without preparation, window propagations, measured peak memory "
             "of the solver: medians over sources and repetitions. Ratios of times are paired by "
             "source and repetition, with 95% bootstrap intervals.",
+            *timed_elsewhere(run),
             *left_out(run),
         ],
     )

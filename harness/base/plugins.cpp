@@ -70,20 +70,24 @@ void load_plugin(const fs::path& file) {
     if (!fs::exists(file)) throw HarnessError("there is no such file");
     if (!fs::is_regular_file(file)) throw HarnessError("it is not a regular file");
     const fs::path whole = fs::canonical(file);
-    if (std::ranges::find(plugins(), whole, &Plugin::file) != plugins().end()) {
+    if (std::ranges::find(plugins(), whole.string(), &Plugin::value) != plugins().end()) {
       throw HarnessError("it is loaded already: name it once");
     }
-    plugins().push_back(
-        {.file = whole, .sha256 = sha256_of_file(whole), .solvers = load_solvers(whole)});
+    note_plugin({.option = "--plugin",
+                 .value = whole,
+                 .sha256 = sha256_of_file(whole),
+                 .solvers = load_solvers(whole)});
   } catch (const std::exception& error) {
     throw HarnessError("plug-in '" + file.string() + "': " + error.what());
   }
 }
 
+void note_plugin(Plugin plugin) { plugins().push_back(std::move(plugin)); }
+
 std::vector<std::string> plugin_arguments() {
   std::vector<std::string> words;
   for (const Plugin& plugin : plugins()) {
-    words.insert(words.end(), {"--plugin", plugin.file.string()});
+    words.insert(words.end(), {plugin.option, plugin.value});
   }
   return words;
 }

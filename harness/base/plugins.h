@@ -1,4 +1,4 @@
-// Plug-ins: shared libraries with solvers.
+// Plug-ins: solvers that are not part of the program, in shared libraries or as programs.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,8 @@
 namespace geodesic::harness {
 
 struct Plugin {
-  std::filesystem::path file;  ///< absolute, without links
+  std::string option;  ///< that names it: "--plugin", "--external"
+  std::string value;   ///< of the option; of --plugin the file, absolute and without links
   std::string sha256;
   std::vector<std::string> solvers;  ///< names, as they were registered
 };
@@ -19,6 +20,9 @@ struct Plugin {
 ///         library or lacks a symbol, or it registers no solver, one of another version of the
 ///         contract (solvers/core/solver.h), or one whose name is taken
 void load_plugin(const std::filesystem::path& file);
+
+/// Adds what registers solvers in another way. @param plugin whose solvers are registered
+void note_plugin(Plugin plugin);
 
 /// The arguments that make another process of this program load the same plug-ins.
 std::vector<std::string> plugin_arguments();

@@ -327,6 +327,9 @@ Ended run_program(const std::filesystem::path& program, const std::vector<std::s
   if (ended.crashed && std::ranges::count(InterruptionGuard::kSignals, ended.code) > 0) {
     throw_if_interrupted_soon();
   }
+  ended.real_seconds = watch.real_seconds();
+  ended.cpu_seconds = exit.cpu_seconds;
+  ended.peak_resident_bytes = exit.peak_resident_bytes;
   ended.disturbance = disturbance_since(before, exit);
   ended.error_lines = last_lines(exit.error_tail);
   ended.out_of_memory = ran_out_of_memory(ended, exit.peak_resident_bytes, limits.memory_bytes);

@@ -49,6 +49,9 @@ struct Ended {
   bool timed_out = false;      ///< and was killed for it
   bool out_of_memory = false;  ///< crashed, and its memory had come to its limit or the machine's
   int code = 0;                ///< exit code, or the signal's number
+  double real_seconds = 0;
+  double cpu_seconds = 0;                ///< of it and of the processes that it waited for
+  std::int64_t peak_resident_bytes = 0;  ///< of the largest of these
   Disturbance disturbance = {};
   std::string error_lines;  ///< the last lines of its standard error, joined by " | "
 

@@ -7,6 +7,7 @@
 #include "harness/base/clock.h"
 #include "harness/base/error.h"
 #include "harness/corpus/solvers.h"
+#include "harness/external/external_solver.h"
 #include "harness/measure/benchmark.h"
 #include "harness/measure/recorded_solve.h"
 #include "harness/recordings/files.h"
@@ -28,6 +29,14 @@ void note(const RelativeErrors& errors, Row& row) {
   row.rms_relative_error = errors.rms;
   row.p99_relative_error = errors.p99;
   row.unreachable_mismatches = errors.unreachable_mismatches;
+}
+
+// Of the last solve. The program cannot be asked for more.
+void note(const ExternalSolver::Times& times, Row& row) {
+  row.timed = times.of;
+  row.prepare_time = 1e3 * times.prepare;
+  row.process_peak_bytes = times.peak_bytes;
+  row.instruction_set.reset();
 }
 
 class Measurement {
@@ -182,6 +191,11 @@ void Measurement::time(Solver& solver) {
       ++renewals;
     };
   }
+  if (const auto* external = dynamic_cast<const ExternalSolver*>(&solver)) {
+    work.elsewhere = [external] {
+      return SecondsElsewhere{external->last().real, external->last().cpu};
+    };
+  }
   timing_ = time_repetitions(spec_.benchmark_flags, work);
   if (renewals > 0) row_.renew_time = 1e3 * renewing / renewals;
 }
@@ -199,9 +213,15 @@ std::string Measurement::measure() {
   if (!error.empty()) return error;
   row_.process_peak_bytes = peak_resident_bytes();
   row_.instruction_set = name_of(solver->instruction_set());
+  const auto* external = dynamic_cast<const ExternalSolver*>(solver.get());
+  if (external != nullptr) {
+    note(external->last(), row_);
+    row_.unreachable_vertices = unreachable_vertices(solved_);
+  }
+  const bool has_counters = external == nullptr;
   solver.reset();
 
-  if (spec_.counted) count();
+  if (spec_.counted && has_counters) count();
   const bool same = identical(solved_, verified_) || !solver_.deterministic;
   if (spec_.pictured && same) record();
   return verify_again("a recorded solve gave other distances than timed ones");

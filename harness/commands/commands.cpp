@@ -11,12 +11,13 @@
 #include "harness/base/interruption.h"
 #include "harness/base/plugins.h"
 #include "harness/commands/values.h"
+#include "harness/external/external_program.h"
 
 namespace geodesic::harness {
 namespace {
 
-// Plug-ins are loaded while options are parsed, before any command runs.
-void add_plugin_option(CLI::App& app) {
+// They are loaded while options are parsed, before any command runs.
+void add_plugin_options(CLI::App& app) {
   app.add_option_function<std::vector<std::string>>(
          "--plugin",
          [](const std::vector<std::string>& files) {
@@ -25,6 +26,15 @@ void add_plugin_option(CLI::App& app) {
          "shared library with more solvers; repeatable")
       ->allow_extra_args(false)
       ->type_name("FILE");
+  app.add_option_function<std::vector<std::string>>(
+         "--external",
+         [](const std::vector<std::string>& words) {
+           for (const std::string& word : words) add_external_solver(word);
+         },
+         "program in any language as a solver: a command with {mesh}, {sources} and {distances}, "
+         "or a folder with a solver.json; repeatable")
+      ->allow_extra_args(false)
+      ->type_name("NAME=COMMAND");
 }
 
 void add_commands(CLI::App& app, const std::string& command_line) {
@@ -34,9 +44,9 @@ void add_commands(CLI::App& app, const std::string& command_line) {
   add_solve_command(app);
   add_verify_command(app);
   add_run_command(app, command_line);
-  add_plugin_option(app);
+  add_plugin_options(app);
   for (CLI::App* command : app.get_subcommands(nullptr)) {
-    add_plugin_option(*command);
+    add_plugin_options(*command);
     check_values(*command);
   }
   check_values(app);

@@ -25,10 +25,16 @@ struct Timing {
   std::vector<Repetition> repetitions;
 };
 
+struct SecondsElsewhere {
+  double real, cpu;
+};
+
 struct TimedWork {
   std::function<void()> solve;
   std::function<void()> prepare = {};  ///< before each solve, not timed; may be absent
   bool several_threads = false;        ///< wall time counts, CPU time is that of all threads
+  /// Of the last solve, where another process did it; otherwise absent.
+  std::function<SecondsElsewhere()> elsewhere = {};
 };
 
 /// Times the work, as many repetitions as the flags say. @throws what it throws

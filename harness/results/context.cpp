@@ -113,8 +113,9 @@ Json program_context() {
   const BuildInfo& build = build_info();
   Json plugins = Json::array();
   for (const Plugin& plugin : loaded_plugins()) {
-    plugins.push_back(
-        {{"file", plugin.file.string()}, {"sha256", plugin.sha256}, {"solvers", plugin.solvers}});
+    plugins.push_back({{plugin.option == "--plugin" ? "file" : "external", plugin.value},
+                       {"sha256", plugin.sha256},
+                       {"solvers", plugin.solvers}});
   }
   return {
       {"schema_version", kSchemaVersion},

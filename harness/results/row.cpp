@@ -17,6 +17,7 @@ void for_each_optional(SomeRow& row, const Visit& visit) {
   visit("stolen_share", row.stolen_share);
   visit("involuntary_switches_per_s", row.involuntary_switches_per_s);
   visit("instruction_set", row.instruction_set);
+  visit("timed", row.timed);
   visit("prepare_time", row.prepare_time);
   visit("renew_time", row.renew_time);
   for_each_counter(row.counters, visit);

@@ -41,6 +41,7 @@ struct Row {
   /// Process.h, Disturbance: of the process that measured the row.
   std::optional<double> stolen_share = {}, involuntary_switches_per_s = {};
   std::optional<std::string> instruction_set = {};
+  std::optional<std::string> timed = {};  ///< of an external solver: ExternalSolver::Times::of
   /// Milliseconds of CPU time; with several threads, of wall time.
   std::optional<double> prepare_time = {}, renew_time = {}, mesh_time = {};
 

@@ -58,12 +58,24 @@ class NpyParser {
     return array;
   }
 
+  std::vector<double> numbers() {
+    find_header();
+    const NumberType& type = number_type_of_file();
+    const std::string_view data = bytes_.substr(kNpyPreamble + header_.size());
+    if (data.size() % type.bytes != 0) refuse("truncated; get a whole copy");
+    std::vector<double> values;
+    for (std::size_t i = 0; i < data.size(); i += type.bytes) {
+      values.push_back(type.load(data.data() + i));
+    }
+    return values;
+  }
+
  private:
   [[noreturn]] void refuse(const std::string& why) const { throw MeshError(name_ + ": " + why); }
 
   /// A Python dictionary of one line: {'descr': '<i2', 'fortran_order': False, 'shape': (3, 4), }
   void find_header() {
-    if (!bytes_.starts_with(kNpyMagic)) refuse("not a .npy file");
+    if (!is_npy(bytes_)) refuse("not a .npy file");
     if (bytes_.size() < kNpyPreamble) refuse("truncated; get a whole copy");
     if (bytes_[6] != 1 || bytes_[7] != 0) {
       refuse("a .npy file of a version other than 1.0; save it again with numpy");
@@ -152,6 +164,12 @@ std::string npy_header(std::string_view description, std::string_view shape) {
   bytes += '\0';
   append_little_endian(bytes, static_cast<std::uint16_t>(text.size()));
   return bytes + text;
+}
+
+bool is_npy(std::string_view bytes) { return bytes.starts_with(kNpyMagic); }
+
+std::vector<double> parse_npy_numbers(std::string_view bytes, const std::string& name) {
+  return NpyParser(bytes, name).numbers();
 }
 
 Array parse_npy(std::string_view bytes, const std::string& name) {

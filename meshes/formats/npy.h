@@ -90,4 +90,12 @@ struct Array {
 ///         are not finite
 Array parse_npy(std::string_view bytes, const std::string& name);
 
+/// Whether the bytes begin as a .npy file does.
+bool is_npy(std::string_view bytes);
+
+/// All numbers of an array of any shape, in the order of the file; they need not be finite.
+/// @param name of the file, for messages
+/// @throws MeshError for anything but an array of the types of parse_npy
+std::vector<double> parse_npy_numbers(std::string_view bytes, const std::string& name);
+
 }  // namespace geodesic

@@ -10,10 +10,11 @@ one sentence. Ctrl-C ends every call at once; a solve that has begun is left to 
 """
 
 from geodesic_bench._native import Defect, Solver, __version__
+from geodesic_bench.functions import benchmark, verify
 from geodesic_bench.mesh import Mesh, Path, defects, read_mesh, solvers
 from geodesic_bench.program import Results, run
 
 __all__ = [
-    "Defect", "Mesh", "Path", "Results", "Solver", "__version__", "defects", "read_mesh", "run",
-    "solvers",
+    "Defect", "Mesh", "Path", "Results", "Solver", "__version__", "benchmark", "defects",
+    "read_mesh", "run", "solvers", "verify",
 ]  # fmt: skip

@@ -88,7 +88,7 @@ def run(
     file = Path(out) / "run.json"
     if file.exists():
         raise ValueError(f"{file} is there already: choose another folder")
-    command = [_program(executable), "run", f"--out={os.fspath(out)}", *_flags(options)]
+    command = [program(executable), "run", f"--out={os.fspath(out)}", *flags(options)]
     said = ""
     with subprocess.Popen(
         command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors="replace"
@@ -105,7 +105,7 @@ def run(
     return Results(file)
 
 
-def _program(named: str | os.PathLike[str] | None) -> str:
+def program(named: str | os.PathLike[str] | None) -> str:
     name = os.fspath(named or os.environ.get("GEODESIC_BENCH") or "geodesic-bench")
     found = shutil.which(name)
     if found is None:
@@ -116,7 +116,7 @@ def _program(named: str | os.PathLike[str] | None) -> str:
     return found
 
 
-def _flags(options: dict[str, Option]) -> list[str]:
+def flags(options: dict[str, Option]) -> list[str]:
     flags = []
     for name, value in options.items():
         flag = f"--{name.replace('_', '-')}"

@@ -37,6 +37,7 @@ def checkout(tmp_path: Path) -> Checkout:
     copy_checkout(folder)
     program = folder / "build" / "release" / "geodesic-bench"
     program.parent.mkdir(parents=True)
+    program.with_name("python").symlink_to(BENCH.resolve().with_name("python"))
     words = {
         "bench": BENCH.resolve(),
         "manifest": folder / "datasets" / "manifest.json",

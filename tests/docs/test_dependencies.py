@@ -25,6 +25,7 @@ ORDER = [
     "geodesic",
     "python",
     "harness/base",
+    "harness/external",
     "harness/corpus",
     "harness/results",
     "harness/measure",

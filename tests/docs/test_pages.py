@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 from pages import ROOT, Checkout, PageError, blocks, follow
 
-PAGES = ["adding-a-solver.md", "adding-a-mesh.md", "adding-a-figure.md", "python.md"]
+PAGES = ["adding-a-solver.md", "adding-a-mesh.md", "adding-a-figure.md", "python.md",
+         "external-solvers.md"]  # fmt: skip
 
 
 @pytest.mark.parametrize("page", PAGES)

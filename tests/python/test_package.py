@@ -56,7 +56,7 @@ def test_everything_public_has_a_docstring_with_its_parameters() -> None:
     for name in gb.__all__:
         assert getattr(gb, name).__doc__, name
     for method in (gb.Mesh.distances, gb.Mesh.paths, gb.Mesh.nearest_point,
-                   gb.Mesh.distance_matrix, gb.read_mesh, gb.run):
+                   gb.Mesh.distance_matrix, gb.read_mesh, gb.run, gb.benchmark):
         words = method.__doc__
         unsaid = [name for name in method.__annotations__ if f"{name}\n" not in words.replace(" :", "\n")]
         assert unsaid == ["return"] or unsaid == [], method.__name__

@@ -10,6 +10,7 @@
 #include "harness/base/clock.h"
 #include "harness/base/error.h"
 #include "harness/base/interruption.h"
+#include "harness/external/external_solver.h"
 #include "harness/measure/matrix.h"
 #include "harness/measure/recorded_solve.h"
 #include "harness/measure/solve_each.h"
@@ -70,6 +71,15 @@ Solved solve(const Problem& problem) {
   solved.json["prepare_time_s"] = prepare_time;
   solved.json["instruction_set"] = name_of(prepared->solver().instruction_set());
   solved.json["process_peak_bytes"] = peak_resident_bytes();
+  if (const auto* external = dynamic_cast<const ExternalSolver*>(&prepared->solver())) {
+    const ExternalSolver::Times& times = external->last();
+    solved.json.update({{"cpu_time_s", times.cpu},
+                        {"real_time_s", times.real},
+                        {"prepare_time_s", times.prepare},
+                        {"process_peak_bytes", times.peak_bytes},
+                        {"timed", times.of}});
+    solved.json.erase("instruction_set");
+  }
   solved.json["unreachable_vertices"] = unreachable_vertices(solved.distances);
   prepared.reset();
   if (problem.flags.counters) add_counters(problem, solved);

@@ -1,0 +1,203 @@
+#include "harness/external/external_solver.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <fstream>
+#include <sstream>
+
+#include "harness/base/error.h"
+#include "harness/base/files.h"
+#include "harness/base/plugins.h"
+#include "harness/base/process.h"
+#include "meshes/formats/npy.h"
+#include "meshes/formats/parsing.h"
+#include "meshes/mesh_file.h"
+
+namespace geodesic::harness {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view kTemporary = "geodesic-bench-external-";
+constexpr const char* kSaid = "said.txt";  // what the program prints
+constexpr int kReadings = 3;               // of which the fastest counts
+constexpr double kLeastSeconds = 1e-6;     // a difference of two processes may be negative
+
+struct Place {
+  std::string_view word;
+  const char* file;
+};
+constexpr Place kMeshes[] = {
+    {"{mesh}", "mesh.obj"},     {"{mesh.obj}", "mesh.obj"},         {"{mesh.off}", "mesh.off"},
+    {"{mesh.ply}", "mesh.ply"}, {"{vertices.npy}", "vertices.npy"}, {"{faces.npy}", "faces.npy"}};
+constexpr Place kDistances[] = {{"{distances}", "distances.txt"},
+                                {"{distances.npy}", "distances.npy"}};
+
+// Those of processes that were killed.
+void remove_abandoned_folders() {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(fs::temp_directory_path(), ignored)) {
+    const std::string name = entry.path().filename();
+    if (!name.starts_with(kTemporary)) continue;
+    pid_t owner = 0;
+    std::from_chars(name.data() + kTemporary.size(), name.data() + name.size(), owner);
+    if (owner > 0 && kill(owner, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path(), ignored);
+  }
+}
+
+fs::path new_temporary_folder() {
+  remove_abandoned_folders();
+  std::string name =
+      fs::temp_directory_path() / (std::string(kTemporary) + std::to_string(getpid()) + "-XXXXXX");
+  if (mkdtemp(name.data()) == nullptr) {
+    throw HarnessError("'" + name + "' cannot be made: is TMPDIR writable?");
+  }
+  return name;
+}
+
+// As it was given to the mesh.
+TriangleSoup soup_of(const Mesh& mesh) {
+  const MeshNumbers& numbers = mesh.numbers();
+  TriangleSoup soup;
+  soup.positions.resize(mesh.vertex_count());
+  soup.triangles.resize(mesh.face_count());
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    soup.positions[numbers.external_vertex(v)] = mesh.position(v);
+  }
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    Triangle corners = mesh.triangle(f);
+    for (Index& corner : corners) corner = numbers.external_vertex(corner);
+    soup.triangles[numbers.external_face(f)] = corners;
+  }
+  return soup;
+}
+
+std::string bytes_of(const TriangleSoup& soup, const std::string& file) {
+  const auto array = [](const auto& rows) {
+    using Number = std::remove_cvref_t<decltype(rows[0][0])>;
+    const auto numbers = std::span(rows).size() * 3;
+    return npy_bytes(std::span<const Number>(rows.data()->data(), numbers), 3);
+  };
+  if (file == "vertices.npy") return array(soup.positions);
+  return file == "faces.npy" ? array(soup.triangles) : mesh_bytes(soup, file);
+}
+
+void replace_all(std::string& text, std::string_view what, const std::string& by) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size()) {
+    text.replace(at, what.size(), by);
+  }
+}
+
+}  // namespace
+
+ExternalSolver::ExternalSolver(const Mesh& mesh, const Description& description,
+                               const ExternalProgram& program)
+    : Solver(mesh, description), program_(program), folder_(new_temporary_folder()) {
+  for (const auto& [word, file] : kMeshes) {
+    if (program.command.find(word) == std::string::npos || fs::exists(folder_ / file)) continue;
+    write_bytes(folder_ / file, bytes_of(soup_of(mesh), file));
+  }
+}
+
+ExternalSolver::~ExternalSolver() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+void ExternalSolver::run(const Query& query, std::span<double> distances,
+                         Recording* /*recording*/) {
+  const MeshNumbers& numbers = mesh().numbers();
+  std::string sources;
+  for (const Source& source : query.sources) {
+    if (!sources.empty()) sources += ',';
+    sources += std::to_string(numbers.external_vertex(source.at.vertex));
+  }
+  for (const auto& [word, file] : kDistances) fs::remove(folder_ / file);
+  const Process process = start(sources);
+  const std::vector<double> written = read_distances();
+  for (Index v = 0; v < distances.size(); ++v) distances[v] = written[numbers.external_vertex(v)];
+  note_times(process);
+}
+
+ExternalSolver::Process ExternalSolver::start(const std::string& sources) const {
+  std::string command = program_.command;
+  for (const auto& [word, file] : kMeshes) replace_all(command, word, quoted(folder_ / file));
+  for (const auto& [word, file] : kDistances) replace_all(command, word, quoted(folder_ / file));
+  replace_all(command, "{sources}", sources.empty() ? "''" : quoted(sources));
+  replace_all(command, "{folder}", quoted(program_.folder));
+  // In a line of its own: the command may have several, and comments.
+  command = "exec > " + quoted(folder_ / kSaid) + '\n' + command;
+  const Ended ended = run_program("/bin/sh", {"-c", command}, [] {});
+  if (!ended.succeeded()) {
+    throw HarnessError(program_.name + ": " + ended.describe() +
+                       (program_.install.empty() ? "" : "; to install it: " + program_.install));
+  }
+  return {ended.real_seconds, ended.cpu_seconds, ended.peak_resident_bytes};
+}
+
+std::vector<double> ExternalSolver::read_distances() const {
+  std::vector<double> distances;
+  const std::string name = program_.name + "'s distances";
+  const auto* const written = std::ranges::find_if(
+      kDistances, [&](const Place& place) { return fs::exists(folder_ / place.file); });
+  if (written == std::end(kDistances)) {
+    throw HarnessError(program_.name + ": it ended without writing the file of {distances}");
+  }
+  const std::string bytes = read_bytes(folder_ / written->file);
+  if (is_npy(bytes)) {
+    distances = parse_npy_numbers(bytes, name);
+  } else {
+    TextReader text(bytes, name);
+    while (text.next_line()) {
+      while (!text.at_line_end()) distances.push_back(text.number("distance"));
+    }
+  }
+  if (distances.size() != mesh().vertex_count()) {
+    throw HarnessError(program_.name + ": it wrote " + std::to_string(distances.size()) +
+                       " distances for " + std::to_string(mesh().vertex_count()) + " vertices");
+  }
+  return distances;
+}
+
+void ExternalSolver::note_times(const Process& process) {
+  last_ = {.real = process.real, .cpu = process.cpu, .peak_bytes = process.peak_bytes};
+  std::optional<double> reported;
+  std::ifstream said(folder_ / kSaid);
+  for (std::string line; std::getline(said, line);) {
+    std::istringstream words(line);
+    std::string key;
+    double seconds = 0;
+    if (!(words >> key >> seconds) || !(seconds >= 0)) continue;
+    if (key == "solve_time") reported = seconds;
+    if (key == "prepare_time") last_.prepare = seconds;
+  }
+  if (reported) {
+    last_.real = last_.cpu = *reported;
+    last_.of = "reported";
+    return;
+  }
+  if (!reading_) reading_ = reading();
+  if (!*reading_) return;
+  last_.real = std::max(process.real - (*reading_)->real, kLeastSeconds);
+  last_.cpu = std::max(process.cpu - (*reading_)->cpu, kLeastSeconds);
+  last_.of = "process less reading";
+}
+
+std::optional<ExternalSolver::Process> ExternalSolver::reading() const {
+  std::optional<Process> fastest;
+  for (int i = 0; i < kReadings; ++i) {
+    try {
+      const Process process = start("");
+      if (!fastest || process.cpu < fastest->cpu) fastest = process;
+    } catch (const HarnessError&) {
+      return std::nullopt;
+    }
+  }
+  return fastest;
+}
+
+}  // namespace geodesic::harness

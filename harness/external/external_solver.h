@@ -1,0 +1,50 @@
+// A solver whose work another process does.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "harness/external/external_program.h"
+
+namespace geodesic::harness {
+
+class ExternalSolver final : public Solver {
+ public:
+  /// Writes the mesh for the program. @throws HarnessError when that cannot be written
+  ExternalSolver(const Mesh& mesh, const Description& description, const ExternalProgram& program);
+  ~ExternalSolver() override;
+
+  /// Of the last solve, in seconds.
+  struct Times {
+    double real = 0, cpu = 0;
+    double prepare = 0;  ///< 0 where the program does not report it
+    /// "reported", "process less reading" or "process": see docs/external-solvers.md.
+    const char* of = "process";
+    std::int64_t peak_bytes = 0;  ///< resident, of its process
+  };
+  const Times& last() const { return last_; }
+
+ private:
+  struct Process {
+    double real, cpu;
+    std::int64_t peak_bytes;
+  };
+
+  void run(const Query& query, std::span<double> distances, Recording* recording) override;
+  Process start(const std::string& sources) const;
+  std::vector<double> read_distances() const;
+  void note_times(const Process& process);
+  /// Of a process that is given no source, and so reads the mesh and ends; nothing where it fails.
+  std::optional<Process> reading() const;
+
+  const ExternalProgram& program_;
+  std::filesystem::path folder_;  // temporary, for files that both processes read
+  std::optional<std::optional<Process>> reading_;
+  Times last_;
+};
+
+}  // namespace geodesic::harness

@@ -1,0 +1,19 @@
+"""What the program geodesic-bench starts for each question to a Python function: passes the question
+on to the process that has the function (functions.py), and prints its answer.
+
+ask.py SOCKET VERTICES FACES SOURCES DISTANCES
+"""
+
+import json
+import socket
+import sys
+
+with socket.socket(socket.AF_UNIX) as connection:
+    connection.connect(sys.argv[1])
+    connection.sendall(json.dumps(sys.argv[2:]).encode() + b"\n")
+    with connection.makefile("r", encoding="utf-8") as stream:
+        answer = json.loads(stream.readline() or '"the process that has the function has ended"')
+if isinstance(answer, str):
+    sys.exit(answer)
+print("prepare_time", answer[0])
+print("solve_time", answer[1])
