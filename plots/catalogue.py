@@ -9,7 +9,7 @@ from urllib.parse import quote
 
 from plots import (
     answers, break_even, curves, dot_figures, drawing, error_map, figure_5_9, figure_6_4, frontier,
-    growth, many, overview, paths, peers_overview, robustness, summary, table_5_1, table_5_2,
+    growth, many, overview, paths, peers_overview, performance_profile, robustness, summary, table_5_1, table_5_2,
     table_5_2_ratios, table_5_3, table_thesis, twins, wavefronts,
 )  # fmt: skip
 from plots.drawing import Drawing
@@ -43,6 +43,7 @@ TABLES: dict[str, Callable[[Run], Table]] = {
 FIGURES: dict[str, Callable[[Run], Drawing]] = {
     "peers_overview": peers_overview.figure,
     "overview": overview.figure,
+    "performance_profile": performance_profile.figure,
     "speedup": dot_figures.speedup,
     "windows_over_limit": dot_figures.windows_over_limit,
     "time_over_vertices": growth.figure,

@@ -41,6 +41,7 @@ NEEDS = {
     "figure_5_10": ["wavefront_sd_edges"],
     "overview": ["window_limit", "cpu_time"],
     "peers_overview": ["cpu_time"],
+    "performance_profile": ["cpu_time"],
     "speedup": ["cpu_time"],
     "time_over_vertices": ["cpu_time"],
     "windows_over_limit": ["window_propagations"],

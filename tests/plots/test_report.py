@@ -75,7 +75,7 @@ def test_the_page_shows_every_table_and_figure_and_needs_no_other_file(
 
 def test_every_picture_has_words_in_its_place(page: Page) -> None:
     pictures = [attributes for tag, attributes in page.tags if tag == "img" and "src" in attributes]
-    assert len(pictures) == 4
+    assert len(pictures) == 5
     assert all(len(attributes["alt"] or "") > 50 for attributes in pictures)
 
 

@@ -99,7 +99,7 @@ def test_every_picture_is_drawn(page: Any) -> None:
     widths = page.execute_script(
         "return [...document.querySelectorAll('figure img')].map(image => image.naturalWidth)"
     )
-    assert len(widths) == 4 and min(widths) > 1000
+    assert len(widths) == 5 and min(widths) > 1000
 
 
 @pytest.mark.parametrize("width", [PHONE, 768, 1280])
