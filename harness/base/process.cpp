@@ -53,12 +53,12 @@ void limit(__rlimit_resource resource, std::uint64_t most) {
 
 // In the child; only what is allowed between fork and exec in a program with threads.
 [[noreturn]] void become(char* const* argv, pid_t parent, int standard_error, int failure,
-                         std::uint64_t memory_bytes) {
+                         const ProcessLimits& limits) {
   setpgid(0, 0);
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  prctl(PR_SET_PDEATHSIG, limits.signal_at_death);
   if (getppid() != parent) _exit(1);  // it died before that took effect
   limit(RLIMIT_CORE, 0);
-  if (kLimitsMemory && memory_bytes != RLIM_INFINITY) limit(RLIMIT_AS, memory_bytes);
+  if (kLimitsMemory && limits.memory_bytes != RLIM_INFINITY) limit(RLIMIT_AS, limits.memory_bytes);
   const int null_device = open("/dev/null", O_RDWR | O_CLOEXEC);
   if (null_device >= 0 && dup2(null_device, STDIN_FILENO) >= 0 &&
       dup2(null_device, STDOUT_FILENO) >= 0 && dup2(standard_error, STDERR_FILENO) >= 0) {
@@ -72,10 +72,9 @@ void limit(__rlimit_resource resource, std::uint64_t most) {
 // A child process, from its start until nothing is left of it.
 class Child {
  public:
-  /// @param memory_bytes of address space that it may have, if `kLimitsMemory`
   /// @throws HarnessError when the program cannot be started
   Child(const std::string& program, const std::vector<std::string>& arguments,
-        std::uint64_t memory_bytes);
+        const ProcessLimits& limits);
   /// Kills it, unless it was finished.
   ~Child();
   Child(const Child&) = delete;
@@ -106,7 +105,7 @@ class Child {
 };
 
 Child::Child(const std::string& program, const std::vector<std::string>& arguments,
-             std::uint64_t memory_bytes) {
+             const ProcessLimits& limits) {
   std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   const std::vector<char*> argv = argv_of(words);
@@ -116,7 +115,7 @@ Child::Child(const std::string& program, const std::vector<std::string>& argumen
   const pid_t parent = getpid();
   process_ = fork();
   if (process_ == 0) {
-    become(argv.data(), parent, standard_error.write, failure.write, memory_bytes);
+    become(argv.data(), parent, standard_error.write, failure.write, limits);
   }
   int error = process_ < 0 ? errno : 0;
   close(standard_error.write);
@@ -305,7 +304,7 @@ Ended run_program(const std::filesystem::path& program, const std::vector<std::s
                   const std::function<void()>& waiting, const ProcessLimits& limits) {
   const Stopwatch watch;
   const Ticks before = Ticks::now();
-  Child child(program.string(), arguments, limits.memory_bytes);
+  Child child(program.string(), arguments, limits);
   Ended ended;
   double called_seconds = 0;
   while (!child.has_ended()) {

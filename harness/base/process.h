@@ -1,6 +1,7 @@
 // Other processes, with limits of time and memory: above all this program, started again.
 #pragma once
 
+#include <csignal>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -25,6 +26,7 @@ struct ProcessLimits {
   double seconds = std::numeric_limits<double>::infinity();  ///< then the process is killed
   /// Of address space, enforced if `kLimitsMemory`.
   std::uint64_t memory_bytes = std::numeric_limits<std::uint64_t>::max();
+  int signal_at_death = SIGKILL;  ///< that it gets when this process dies
 };
 
 /// Words as execv takes them, with a null pointer behind. They must outlive it.
@@ -61,8 +63,8 @@ struct Ended {
 };
 
 /// Runs a program and waits for it. Its standard input and output are /dev/null. It leads a process
-/// group of its own: processes that it leaves behind are killed when it has ended, and it is killed
-/// when this process dies.
+/// group of its own: processes that it leaves behind are killed when it has ended, and it gets a
+/// signal when this process dies.
 /// @param waiting called about once a second until the process has ended
 /// @throws HarnessError when the program cannot be started
 /// @throws Interrupted (interruption.h), after the process has been killed

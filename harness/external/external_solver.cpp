@@ -129,9 +129,16 @@ ExternalSolver::Process ExternalSolver::start(const std::string& sources) const 
   for (const auto& [word, file] : kDistances) replace_all(command, word, quoted(folder_ / file));
   replace_all(command, "{sources}", sources.empty() ? "''" : quoted(sources));
   replace_all(command, "{folder}", quoted(program_.folder));
-  // In a line of its own: the command may have several, and comments.
-  command = "exec > " + quoted(folder_ / kSaid) + '\n' + command;
-  const Ended ended = run_program("/bin/sh", {"-c", command}, [] {});
+  // In lines of its own: the command may have several, and comments. When this process is killed,
+  // by a limit, the shell ends its group, in which the program is: it waits in a way that a signal
+  // ends.
+  command = "exec > " + quoted(folder_ / kSaid) + "\ntrap 'kill -KILL 0' TERM\n{\n" + command +
+            "\n} &\nwait $!";
+  Ended ended = run_program("/bin/sh", {"-c", command}, [] {}, {.signal_at_death = SIGTERM});
+  if (constexpr int kBySignal = 128; ended.code > kBySignal) {
+    ended.crashed = true;
+    ended.code -= kBySignal;
+  }
   if (!ended.succeeded()) {
     throw HarnessError(program_.name + ": " + ended.describe() +
                        (program_.install.empty() ? "" : "; to install it: " + program_.install));

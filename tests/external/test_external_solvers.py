@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import shlex
+import signal
 import subprocess
 import sys
 import time
@@ -183,18 +184,33 @@ def test_a_program_that_does_not_end_is_stopped_and_its_files_are_removed(tmp_pa
     temporary = tmp_path / "tmp"
     temporary.mkdir()
     env = dict(os.environ, TMPDIR=str(temporary))
-    words = ["run", "--external", f"mine=sleep 1000 # {PLACES}", "--solvers", "mine", "--meshes",
+    seconds = f"1000.{os.getpid()}"
+    words = ["run", "--external", f"mine=sleep {seconds}; true # {PLACES}", "--solvers", "mine", "--meshes",
              mesh_file(tmp_path), "--sources", "1", "--out", tmp_path / "out", "--time-limit", "0.5"]  # fmt: skip
     start = time.monotonic()
     subprocess.run([BENCH, *map(str, words)], env=env, capture_output=True, check=False)
     assert time.monotonic() - start < 100
     (row,) = json.loads((tmp_path / "out" / "run.json").read_text())["benchmarks"]
     assert row["outcome"] == "time-out"
+    assert subprocess.run(["pgrep", "-f", f"^sleep {seconds}"], check=False).returncode == 1
     # The killed process could not; the next one does.
     solve = ["solve", mesh_file(tmp_path), "--external", f"mine={program(tmp_path)}", "--solver",
              "mine", "--source", "0"]  # fmt: skip
     subprocess.run([BENCH, *map(str, solve)], env=env, capture_output=True, check=True)
     assert list(temporary.iterdir()) == []
+
+
+def test_an_interrupted_program_is_ended(tmp_path: Path) -> None:
+    seconds = f"1001.{os.getpid()}"
+    words = ["solve", mesh_file(tmp_path), "--external", f"mine=sleep {seconds}; true # {PLACES}",
+             "--solver", "mine", "--source", "0"]  # fmt: skip
+    with subprocess.Popen([BENCH, *map(str, words)]) as process:
+        while subprocess.run(["pgrep", "-f", f"^sleep {seconds}"], check=False).returncode:
+            time.sleep(0.05)
+        process.send_signal(signal.SIGINT)
+        process.wait(timeout=60)
+    while subprocess.run(["pgrep", "-f", f"^sleep {seconds}"], check=False).returncode == 0:
+        time.sleep(0.05)
 
 
 def test_a_run_is_not_resumed_with_another_script(tmp_path: Path) -> None:
