@@ -19,8 +19,19 @@ constinit bool large_pages = false;
 constinit std::atomic<std::int64_t> live{0};
 constinit std::atomic<std::int64_t> peak{0};
 
-void count_allocation(void* block) {
-  const auto bytes = static_cast<std::int64_t>(malloc_usable_size(block));
+// The size that was asked for. What the allocator provides may be 16 bytes more, by the blocks that
+// it has at hand, and so by what was done before.
+std::int64_t counted(void* block, std::size_t asked) {
+#ifdef __cpp_sized_deallocation
+  return static_cast<std::int64_t>(asked > 0 ? asked : malloc_usable_size(block));
+#else  // Blocks are released without their size.
+  static_cast<void>(asked);
+  return static_cast<std::int64_t>(malloc_usable_size(block));
+#endif
+}
+
+void count_allocation(void* block, std::size_t asked) {
+  const std::int64_t bytes = counted(block, asked);
   const std::int64_t now = live.fetch_add(bytes, std::memory_order_relaxed) + bytes;
   std::int64_t highest = peak.load(std::memory_order_relaxed);
   while (now > highest && !peak.compare_exchange_weak(highest, now, std::memory_order_relaxed)) {
@@ -46,7 +57,7 @@ void* allocate(std::size_t bytes, std::size_t alignment) {
                       : std::aligned_alloc(alignment, (bytes + alignment - 1) & ~(alignment - 1));
     if (block != nullptr) {
       if (metering) [[unlikely]]
-        count_allocation(block);
+        count_allocation(block, bytes);
       if (large_pages && bytes >= kLargeBlock) [[unlikely]]
         ask_for_large_pages(block, bytes);
       return block;
@@ -57,10 +68,10 @@ void* allocate(std::size_t bytes, std::size_t alignment) {
   }
 }
 
-void release(void* block) noexcept {
-  if (metering) [[unlikely]] {
-    live.fetch_sub(static_cast<std::int64_t>(malloc_usable_size(block)), std::memory_order_relaxed);
-  }
+// @param asked 0 where it is not known
+void release(void* block, std::size_t asked = 0) noexcept {
+  if (metering && block != nullptr) [[unlikely]]
+    live.fetch_sub(counted(block, asked), std::memory_order_relaxed);
   std::free(block);
 }
 
@@ -82,9 +93,9 @@ void* operator new(std::size_t bytes, const std::nothrow_t& /*tag*/) noexcept {
 void operator delete(void* block) noexcept { release(block); }
 void operator delete(void* block, const std::nothrow_t& /*tag*/) noexcept { release(block); }
 void operator delete(void* block, std::align_val_t /*alignment*/) noexcept { release(block); }
-void operator delete(void* block, std::size_t /*bytes*/) noexcept { release(block); }
-void operator delete(void* block, std::size_t /*bytes*/, std::align_val_t /*alignment*/) noexcept {
-  release(block);
+void operator delete(void* block, std::size_t bytes) noexcept { release(block, bytes); }
+void operator delete(void* block, std::size_t bytes, std::align_val_t /*alignment*/) noexcept {
+  release(block, bytes);
 }
 
 namespace geodesic::harness {

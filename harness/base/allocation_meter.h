@@ -8,9 +8,8 @@
 
 namespace geodesic::harness {
 
-/// Counts from its construction to its destruction, in the sizes that the allocator really
-/// provides (malloc_usable_size). One meter at a time; memory obtained by malloc directly is not
-/// seen.
+/// Counts from its construction to its destruction, in the sizes that are asked for: the same in
+/// every run. One meter at a time; memory obtained by malloc directly is not seen.
 class AllocationMeter {
  public:
   AllocationMeter();

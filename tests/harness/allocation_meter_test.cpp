@@ -30,6 +30,25 @@ TEST(AllocationMeter, SeesThePeakAndWhatIsLeft) {
   EXPECT_LT(meter.live_bytes(), 9000);
 }
 
+// An allocator that has no block of that size at hand provides a larger one.
+TEST(AllocationMeter, CountsWhatIsAskedForWhateverHappenedBefore) {
+  std::vector<std::vector<char>> blocks;
+  for (std::size_t bytes = 8000; bytes < 8200; bytes += 8) {
+    blocks.push_back(allocated<char>(bytes));
+    const auto between = allocated<char>(24);
+  }
+  while (!blocks.empty()) {
+    blocks.erase(blocks.begin() + static_cast<std::ptrdiff_t>(blocks.size() / 2));
+    const AllocationMeter meter;
+    {
+      const auto first = allocated<double>(1000), second = allocated<double>(10);
+      EXPECT_EQ(meter.live_bytes(), 8080);
+    }
+    EXPECT_EQ(meter.live_bytes(), 0);
+    EXPECT_EQ(meter.peak_bytes(), 8080);
+  }
+}
+
 TEST(AllocationMeter, SeesOveralignedBlocks) {
   struct alignas(64) Line {
     double values[8];
