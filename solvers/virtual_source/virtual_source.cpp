@@ -33,7 +33,8 @@ class VirtualSource final : public Solver {
   VirtualSource(const Mesh& mesh, const Description& description)
       : Solver(mesh, description),
         front_(mesh.vertex_count(), kBucketWidth * mesh.mean_edge_length()),
-        sigma_(mesh.vertex_count()) {}
+        sigma_(mesh.vertex_count()),
+        source_(mesh.vertex_count()) {}
 
  private:
   /// In mean edge lengths.
@@ -50,6 +51,11 @@ class VirtualSource final : public Solver {
   /// any number of them where faces are thin.
   static constexpr int kMostWindows = 4096;
 
+  struct Wave {
+    double sigma;  ///< distance of the vertex that it comes from, where a path may have bent
+    Index source;  ///< whose distance that is
+  };
+
   struct Waiting {
     Index half_edge;  ///< in whose frame the window is
     Window window;
@@ -58,8 +64,9 @@ class VirtualSource final : public Solver {
   void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
     distances_ = distances;
     for (const Source& source : query.sources) {
-      reach(source.at.vertex, source.distance, source.distance);
-      follow_lines(source);
+      const Wave wave = {source.distance, source.at.vertex};
+      reach(source.at.vertex, source.distance, wave);
+      follow_lines(source.at.vertex, wave);
     }
     StopRule stop_rule(mesh(), query, distances);
     std::uint64_t left = kMostTaken * mesh().vertex_count();
@@ -75,17 +82,17 @@ class VirtualSource final : public Solver {
   /// Reaches vertices by straight lines over the faces around a source, with windows that no other
   /// ones trim. Near a source the virtual source of an edge is far off: one of its ends is often
   /// reached after the vertices behind it.
-  void follow_lines(const Source& source) {
-    for (const Index h : mesh().outgoing(source.at.vertex)) {
+  void follow_lines(Index v, const Wave& wave) {
+    for (const Index h : mesh().outgoing(v)) {
       const Index far = Mesh::next(h);
       const HalfEdge& edge = mesh().half_edge(far);
       const Point2 from = apex_from_beyond(edge);
-      land(far, {0, edge.length, from.x, from.y, source.distance});
+      land(far, {0, edge.length, from.x, from.y, wave.sigma});
     }
     for (int left = kMostWindows; left > 0 && !windows_.empty(); --left) {
       const Waiting next = windows_.back();
       windows_.pop_back();
-      cross_face(next.half_edge, next.window);
+      cross_face(next.half_edge, next.window, wave);
     }
     windows_.clear();
   }
@@ -101,11 +108,11 @@ class VirtualSource final : public Solver {
     if (!ends.beat(w)) windows_.push_back({edge.twin, w});
   }
 
-  void cross_face(Index h, const Window& w) {
+  void cross_face(Index h, const Window& w, const Wave& wave) {
     const FaceFrame face = face_frame(mesh(), h);
     const WindowSight sight(w, {face.apex_x, face.apex_y});
     if (sight.reaches()) {
-      reach(mesh().apex(h), distance_through(w, face.apex_x, face.apex_y), w.sigma);
+      reach(mesh().apex(h), distance_through(w, face.apex_x, face.apex_y), wave);
     }
     if (sight.left()) {
       const double end = sight.right() ? face.left : face.on_left(w, w.end);
@@ -123,18 +130,18 @@ class VirtualSource final : public Solver {
   void take(Index v, bool crosses) {
     const double d = distances_[v];
     // A path along an edge may bend at its origin, and is a wave of its own then.
-    const double sigma = mesh().is_pseudo_source(v) ? d : sigma_[v];
+    const Wave wave = {mesh().is_pseudo_source(v) ? d : sigma_[v], source_[v]};
     for (const Index h : mesh().outgoing(v)) {
       const Index into = Mesh::previous(h);
       const Index head = mesh().head(h), apex = mesh().origin(into);
       if (distances_[head] > d) {
-        reach(head, d + mesh().half_edge(h).length, sigma);
+        reach(head, d + mesh().half_edge(h).length, wave);
       } else if (crosses) {
         cross(h, v, head, apex);
       }
       if (distances_[apex] > d) {
         // An edge of two faces leaves v in one of them; any other one may only arrive.
-        if (mesh().twin(into) == kNone) reach(apex, d + mesh().half_edge(into).length, sigma);
+        if (mesh().twin(into) == kNone) reach(apex, d + mesh().half_edge(into).length, wave);
       } else if (crosses) {
         cross(into, apex, v, head);
       }
@@ -145,6 +152,8 @@ class VirtualSource final : public Solver {
   void cross(Index h, Index a, Index b, Index apex) {
     const double to_a = distances_[a], to_b = distances_[b], to_apex = distances_[apex];
     if (!(to_apex > std::min(to_a, to_b))) return;
+    // Circles round two sources say nothing of either.
+    if (source_[a] != source_[b]) return;
     const HalfEdge& edge = mesh().half_edge(h);
     const bool is_between = to_apex <= std::max(to_a, to_b);
     const bool is_obtuse = edge.apex_x * (edge.length - edge.apex_x) > edge.apex_y * edge.apex_y;
@@ -162,19 +171,21 @@ class VirtualSource final : public Solver {
     const double slack = (is_between ? kSourceSlackBetween : kSourceSlack) * length * height;
     if (height > 0 && crossing >= -slack && crossing <= length * height + slack) {
       const double dx = edge.apex_x - x;
-      reach(apex, sigma + std::sqrt(dx * dx + height * height), sigma);
+      reach(apex, sigma + std::sqrt(dx * dx + height * height), {sigma, source_[a]});
     }
   }
 
-  void reach(Index v, double distance, double sigma) {
+  void reach(Index v, double distance, const Wave& wave) {
     if (!(distance < distances_[v] * (1 - kSourceGain))) return;
     distances_[v] = distance;
-    sigma_[v] = sigma;
+    sigma_[v] = wave.sigma;
+    source_[v] = wave.source;
     front_.push_or_decrease(v, distance);
   }
 
   VertexCalendar front_;
   std::vector<double> sigma_;  // of the wave that brought a vertex its distance
+  std::vector<Index> source_;  // of the same
   std::vector<Waiting> windows_;
   std::span<double> distances_;
 };
