@@ -33,8 +33,7 @@ class VirtualSource final : public Solver {
   VirtualSource(const Mesh& mesh, const Description& description)
       : Solver(mesh, description),
         front_(mesh.vertex_count(), kBucketWidth * mesh.mean_edge_length()),
-        sigma_(mesh.vertex_count()),
-        source_(mesh.vertex_count()) {}
+        sigma_(mesh.vertex_count()) {}
 
  private:
   /// In mean edge lengths.
@@ -63,6 +62,7 @@ class VirtualSource final : public Solver {
 
   void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
     distances_ = distances;
+    source_.resize(query.sources.size() > 1 ? mesh().vertex_count() : 0);
     for (const Source& source : query.sources) {
       const Wave wave = {source.distance, source.at.vertex};
       reach(source.at.vertex, source.distance, wave);
@@ -130,7 +130,7 @@ class VirtualSource final : public Solver {
   void take(Index v, bool crosses) {
     const double d = distances_[v];
     // A path along an edge may bend at its origin, and is a wave of its own then.
-    const Wave wave = {mesh().is_pseudo_source(v) ? d : sigma_[v], source_[v]};
+    const Wave wave = {mesh().is_pseudo_source(v) ? d : sigma_[v], source_of(v)};
     for (const Index h : mesh().outgoing(v)) {
       const Index into = Mesh::previous(h);
       const Index head = mesh().head(h), apex = mesh().origin(into);
@@ -153,7 +153,7 @@ class VirtualSource final : public Solver {
     const double to_a = distances_[a], to_b = distances_[b], to_apex = distances_[apex];
     if (!(to_apex > std::min(to_a, to_b))) return;
     // Circles round two sources say nothing of either.
-    if (source_[a] != source_[b]) return;
+    if (source_of(a) != source_of(b)) return;
     const HalfEdge& edge = mesh().half_edge(h);
     const bool is_between = to_apex <= std::max(to_a, to_b);
     const bool is_obtuse = edge.apex_x * (edge.length - edge.apex_x) > edge.apex_y * edge.apex_y;
@@ -171,7 +171,7 @@ class VirtualSource final : public Solver {
     const double slack = (is_between ? kSourceSlackBetween : kSourceSlack) * length * height;
     if (height > 0 && crossing >= -slack && crossing <= length * height + slack) {
       const double dx = edge.apex_x - x;
-      reach(apex, sigma + std::sqrt(dx * dx + height * height), {sigma, source_[a]});
+      reach(apex, sigma + std::sqrt(dx * dx + height * height), {sigma, source_of(a)});
     }
   }
 
@@ -179,13 +179,15 @@ class VirtualSource final : public Solver {
     if (!(distance < distances_[v] * (1 - kSourceGain))) return;
     distances_[v] = distance;
     sigma_[v] = wave.sigma;
-    source_[v] = wave.source;
+    if (!source_.empty()) source_[v] = wave.source;
     front_.push_or_decrease(v, distance);
   }
 
+  Index source_of(Index v) const { return source_.empty() ? kNone : source_[v]; }
+
   VertexCalendar front_;
   std::vector<double> sigma_;  // of the wave that brought a vertex its distance
-  std::vector<Index> source_;  // of the same
+  std::vector<Index> source_;  // of the same; empty where there is one source
   std::vector<Waiting> windows_;
   std::span<double> distances_;
 };
