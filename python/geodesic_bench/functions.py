@@ -214,8 +214,9 @@ class _Served:
             _answer(connection, function, *json.loads(question))
         ended = os.pidfd_open(child)
         self.answering[child] = (ended, connection)
-        for sign in (ended, connection):  # the child's end, and that of who asked: by a limit
-            self.selector.register(sign, selectors.EVENT_READ, (self._ended, child))
+        # The child's end, and that of who asked: by a limit.
+        self.selector.register(ended, selectors.EVENT_READ, (self._ended, child))
+        self.selector.register(connection, selectors.EVENT_READ, (self._ended, child))
 
     def _ended(self, _: object, child: int) -> None:
         if child in self.answering:
@@ -225,8 +226,8 @@ class _Served:
         ended, connection = self.answering.pop(child)
         os.kill(child, signal.SIGKILL)
         os.waitpid(child, 0)
-        for sign in (ended, connection):
-            self.selector.unregister(sign)
+        self.selector.unregister(ended)
+        self.selector.unregister(connection)
         os.close(ended)
         connection.close()
 
@@ -238,7 +239,7 @@ def _answer(
     try:
         answer: Any = _times(function, vertices, faces, sources, out)
     except BaseException as error:
-        answer = traceback.format_exception_only(error)[-1].strip()
+        answer = traceback.format_exception_only(type(error), error)[-1].strip()
     try:
         connection.sendall(json.dumps(answer).encode() + b"\n")
     finally:
