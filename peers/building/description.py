@@ -92,7 +92,8 @@ def _peer(folder: Path, data: dict[str, Any]) -> Peer:
 
 def _repository(data: dict[str, Any]) -> Repository:
     edits = tuple(Edit(**edit) for edit in data.get("edits", []))
-    return Repository(**{**data, "edits": edits})
+    about: dict[str, Any] = data | {"edits": edits}
+    return Repository(**about)
 
 
 def select_peers(folder: Path, names: Iterable[str]) -> list[Peer]:

@@ -128,7 +128,7 @@ def test_a_description_says_what_the_program_promises(tmp_path: Path) -> None:
     program(folder)
     command = f"{shlex.quote(sys.executable)} {{folder}}/mine.py {PLACES}"
 
-    def check(**promise: object) -> subprocess.CompletedProcess[str]:
+    def check(**promise: Any) -> subprocess.CompletedProcess[str]:
         about = {"name": "mine", "command": command, "remarks": "follows edges", **promise}
         (folder / "solver.json").write_text(json.dumps(about))
         # Along edges it takes 2 to the opposite corner of a square.

@@ -27,7 +27,7 @@ def run_of(rows: list[dict[str, Any]]) -> Run:
         for name in {r["mesh"]: None for r in rows}
     }
     sources = {name: [0] for name in meshes}
-    context = {"geodesic_bench": {"plugins": []}}
+    context: dict[str, Any] = {"geodesic_bench": {"plugins": []}}
     return Run(Path("run.json"), context, meshes, solvers, sources, [], Columns.of(rows))
 
 
