@@ -10,7 +10,7 @@
 // radii d - sigma round its ends meet. It is consistent with both distances, so that what the wave
 // has met before does not add up. Where the ends were reached by different waves, the one of the
 // smaller sigma, which has gone straight for longer, takes both distances.
-// The first few edges around a source are crossed by windows instead (core/window.h), which are
+// The first few edges around a source are crossed by windows too (core/window.h), which are
 // exact.
 //
 // Vertices are taken in the order of buckets. The later end of an edge crosses the faces on both
