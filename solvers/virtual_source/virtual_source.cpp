@@ -43,8 +43,8 @@ class VirtualSource final : public Solver {
   /// with ever smaller distances.
   static constexpr std::uint64_t kMostTaken = 16;
   /// How far straight lines are followed from a source, in mean edge lengths. Without these lines,
-  /// errors near a source reach 57% on a terrain of 100,000 vertices; with them 7%, and as much with
-  /// a radius of 8.
+  /// errors near a source reach 57% on a terrain of 100,000 vertices; with them 7%, and as much
+  /// with a radius of 8.
   static constexpr double kStraightRadius = 6;
   /// Windows that are followed from a source. There may be any number of them where faces are thin.
   static constexpr int kMostWindows = 4096;
