@@ -34,22 +34,22 @@ class MergedCrossing {
 
   void start(std::span<double> distances) {
     distances_ = distances;
-    shortfalls_.assign(distances.size(), 0);
+    shares_.assign(distances.size(), 0);
     std::ranges::fill(waiting_, Waiting{});
     nodes_.clear();
     free_ = kNil;
     window_count_ = 0;
     budget_.start();
   }
-  void follow_edge(Index from, Index to) { shortfalls_[to] = shortfalls_[from]; }
+  void follow_edge(Index from, Index to) { set_shortfall(to, shortfall(from)); }
   double rounding() const { return rounding_; }
   std::uint64_t window_count() const { return window_count_; }
 
   /// The truth is from D to D + s, and s is at most room * tolerance * D, where room is at most 2:
   /// what is given is off by at most tolerance * D on both sides.
   void finish() {
-    for (std::size_t v = 0; v < distances_.size(); ++v) {
-      const double s = shortfalls_[v];
+    for (Index v = 0; v < distances_.size(); ++v) {
+      const double s = shortfall(v);
       if (s > 0) distances_[v] += std::max(parameters_.given * s, s - tolerance_ * distances_[v]);
     }
   }
@@ -67,8 +67,8 @@ class MergedCrossing {
   void emit(Index side, const Point2& from, double distance, Index root, Wavefront& wavefront) {
     const HalfEdge& e = mesh_.half_edge(side);
     if (e.twin == kNone || !(e.length > 0)) return;
-    const float shortfall = root < mesh_.vertex_count() ? shortfalls_[root] : 0;
-    land(side, {0, e.length, from.x, from.y, distance}, shortfall, {1, true, 0}, wavefront);
+    const float missing = root < mesh_.vertex_count() ? shortfall(root) : 0;
+    land(side, {0, e.length, from.x, from.y, distance}, missing, {1, true, 0}, wavefront);
   }
 
   /// The window is made when the list crosses: by then it is known what others leave of it. No
@@ -192,6 +192,18 @@ class MergedCrossing {
     bool left, right;
   };
 
+  // What the distance of a vertex may lack is kept as a share of the most that it may, rounded up:
+  // 16 bits a vertex.
+  static constexpr double kWhole = UINT16_MAX;
+
+  float shortfall(Index v) const {
+    return internal::rounded_up(rule_.most / kWhole * shares_[v] * distances_[v]);
+  }
+  void set_shortfall(Index v, float missing) {
+    const double share = missing > 0 ? missing / (rule_.most / kWhole * distances_[v]) : 0;
+    shares_[v] = static_cast<std::uint16_t>(std::min(std::ceil(share), kWhole));
+  }
+
   /// Moves what waits on h into lines_, joined, without what paths over the ends of h beat.
   template <class Recorder>
   void gather(Index h, const EndpointBounds& bounds, Recorder& recorder) {
@@ -248,7 +260,7 @@ class MergedCrossing {
   MergedWindow sent_from_below(Index h) const {
     const Index below = mesh_.twin(h), v = mesh_.apex(below);
     const Point2 from = apex_from_beyond(mesh_.half_edge(below));
-    return {{0, mesh_.half_edge(h).length, from.x, from.y, distances_[v]}, shortfalls_[v]};
+    return {{0, mesh_.half_edge(h).length, from.x, from.y, distances_[v]}, shortfall(v)};
   }
 
   /// What the windows that came over the sides of the face below leave of that window (merge.h).
@@ -365,7 +377,7 @@ class MergedCrossing {
     const Index apex = mesh_.apex(h);
     if (!(line.to_apex < distances_[apex])) return;
     wavefront.reach(apex, line.to_apex);
-    shortfalls_[apex] = line.merged.shortfall;
+    set_shortfall(apex, line.merged.shortfall);
   }
 
   template <class Recorder>
@@ -478,8 +490,8 @@ class MergedCrossing {
   Parameters parameters_;
   MergeRule rule_;
   std::span<double> distances_;
-  std::vector<float> shortfalls_;  // of the distances, rounded up
-  std::vector<Waiting> waiting_;   // by face
+  std::vector<std::uint16_t> shares_;  // by vertex, of the shortfall in the greatest one
+  std::vector<Waiting> waiting_;       // by face
   std::vector<Node> nodes_;
   Index free_ = kNil;  // the first of the nodes that are not in use
   std::uint64_t window_count_ = 0;

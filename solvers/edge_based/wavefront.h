@@ -77,7 +77,7 @@ class Wavefront {
   void start(std::span<double> distances) {
     distances_ = distances;
     std::ranges::fill(faces_, std::uint8_t{0});
-    std::ranges::fill(always_emits_, std::uint8_t{0});
+    always_emits_.assign(always_emits_.size(), false);
     fifo_.clear();
     queue_.clear();
     crossing_.start(distances);
@@ -86,7 +86,7 @@ class Wavefront {
   /// Starts from a vertex.
   void begin_at(Index v, double distance) {
     reach_first(v, distance, {kNone, v, {0, 0}});
-    always_emits_[v] = 1;
+    always_emits_[v] = true;
   }
 
   /// Starts from a point of a face that is no vertex: `reach_corners_from` for each face that it
@@ -106,7 +106,7 @@ class Wavefront {
         [&](Index h, const Point2& from, double to_apex, bool is_next) {
           const Index apex = mesh_.apex(h);
           reach_first(apex, distance + to_apex, {h, root, from});
-          if (is_next) always_emits_[apex] = 1;
+          if (is_next) always_emits_[apex] = true;
           at_corner |= to_apex < kWindowWidth * mesh_.half_edge(h).length;
         },
         [](Index, const Point2&) {});
@@ -150,8 +150,8 @@ class Wavefront {
     }
   }
 
-  bool always_emits(Index v) const { return always_emits_[v] != 0; }
-  void set_always_emits(Index v) { always_emits_[v] = 1; }
+  bool always_emits(Index v) const { return always_emits_[v]; }
+  void set_always_emits(Index v) { always_emits_[v] = true; }
 
   Recorder& recorder() { return recorder_; }
   Crossing& crossing() { return crossing_; }
@@ -265,7 +265,7 @@ class Wavefront {
     fifo_.push_if(crosses >> 2 & 1, 3 * f + 2);
   }
 
-  bool may_bend_at(Index v) const { return always_emits_[v] != 0 || mesh_.is_pseudo_source(v); }
+  bool may_bend_at(Index v) const { return always_emits_[v] || mesh_.is_pseudo_source(v); }
 
   /// The paths that go on from v along its edges: last, since windows that have come by then reach
   /// most of their ends by shorter ones.
@@ -293,7 +293,7 @@ class Wavefront {
     }
     reach(end, distance);
     crossing_.follow_edge(v, end);
-    if (emits && is_next_to_apex(apex_is_end, length)) always_emits_[end] = 1;
+    if (emits && is_next_to_apex(apex_is_end, length)) always_emits_[end] = true;
   }
 
   /// Sends a window from v over the opposite edge of the face of h, unless a path along that edge
@@ -382,7 +382,7 @@ class Wavefront {
   [[no_unique_address]] typename Recorder::Progress progress_;
   std::span<double> distances_;
   std::vector<std::uint8_t> faces_;
-  std::vector<std::uint8_t> always_emits_;  // by vertex: even where no path bends
+  std::vector<bool> always_emits_;  // by vertex: even where no path bends
   Fifo fifo_;
 };
 

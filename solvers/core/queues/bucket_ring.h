@@ -79,9 +79,10 @@ struct Fifo {
     last = at;
     ++count;
   }
-  /// Appends all items of another bucket that is not empty.
+  /// Appends all items of another bucket.
   template <class Item>
   void append(Pool<BucketNode<Item>>& nodes, const Fifo& other) {
+    if (other.empty()) return;
     (count == 0 ? first : nodes[last].next) = other.first;
     last = other.last;
     count += other.count;
@@ -145,7 +146,6 @@ class BucketRing {
   /// Moves the items of a bucket behind those of a list, which shares its nodes with the ring.
   void move_behind(std::int64_t number, Fifo& list) {
     Bucket& bucket = buckets_[place(number)];
-    if (bucket.empty()) return;
     list.append(nodes_, bucket);
     items_ -= bucket.count;
     bucket = {};

@@ -1,20 +1,24 @@
 // A calendar queue (bucket_ring.h) of vertices whose distances may decrease while they wait: the
 // order of VertexHeap but for the vertices of one bucket, which are first in, first out.
 //
-// A vertex that moves forward leaves its old entry behind: an entry counts only in the bucket that
-// is noted for its vertex. That spares the links by which an entry would be found.
+// A vertex that moves forward leaves its old entry behind. The entry that counts is in the earliest
+// bucket and is met first, and then the vertex no longer waits.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "solvers/core/geometry.h"
+#include "solvers/core/pool.h"
 #include "solvers/core/queues/bucket_ring.h"
 
 namespace geodesic {
 
+/// The keys of a vertex only fall until the queue is cleared, after it was popped as well.
+///
 /// Bucket n lies in slot n modulo kSlots, so that keys may be farther apart than the slots reach.
 /// Popping passes over empty buckets one by one, and over more than a lap of them at once.
 class VertexCalendar {
@@ -22,7 +26,7 @@ class VertexCalendar {
   /// @param vertices number of vertices; ids run from 0 to vertices - 1
   /// @param width keys covered by one bucket, in the keys' unit; not positive: all are in one
   VertexCalendar(Index vertices, double width)
-      : numbers_(width), slots_(kSlots), bucket_(vertices, kAbsent) {}
+      : numbers_(width), slots_(kSlots), marks_(vertices, kAbsent) {}
 
   bool empty() const { return size_ == 0; }
 
@@ -36,98 +40,124 @@ class VertexCalendar {
   }
 
   void clear() {
-    for (std::vector<Index>& slot : slots_) {
-      for (const Index v : slot) bucket_[v] = kAbsent;
-      slot.clear();
-    }
+    slots_[slot_of(current_)].append(nodes_, std::exchange(now_, {}));
+    for_each_entry([&](const Entry& entry) { marks_[entry.vertex] = kAbsent; });
+    std::ranges::fill(slots_, Fifo{});
+    nodes_.clear();
     size_ = 0;
-    move_to(0);
-    popped_ = 0;
+    current_ = popped_ = farthest_ = 0;
   }
 
-  /// Inserts v, or moves it forward when it is there in a later bucket. A key that lies behind what
-  /// was popped last joins the bucket of that.
+  /// Inserts v, or moves it forward. A key that lies behind what was popped last joins the bucket
+  /// of that.
   void push_or_decrease(Index v, double key) {
     const std::int32_t bucket = std::max(
         static_cast<std::int32_t>(std::min(numbers_.of(key), std::int64_t{kLast})), popped_);
-    if (bucket_[v] == kAbsent) {
+    std::uint8_t& mark = marks_[v];
+    const std::uint8_t waits_here = kWaits | static_cast<std::uint8_t>(slot_of(bucket));
+    if (mark == kAbsent) {
       ++size_;
-    } else if (bucket >= bucket_[v]) {
+    } else if (mark == waits_here && farthest_ - bucket < kSlots) {
       return;
     }
-    bucket_[v] = bucket;
-    slots_[slot_of(bucket)].push_back(v);
+    mark = waits_here;
+    farthest_ = std::max(farthest_, bucket);
     if (bucket < current_) move_to(bucket);
+    (bucket == current_ ? now_ : slots_[slot_of(bucket)]).push(nodes_, Entry{v, bucket});
   }
 
   /// A vertex that is likely to be popped next, for its data to be prefetched; kNone when none is
   /// known.
-  Index upcoming() const {
-    const std::vector<Index>& slot = slots_[slot_of(current_)];
-    return at_ < slot.size() ? slot[at_] : kNone;
-  }
+  Index upcoming() const { return now_.empty() ? kNone : nodes_[now_.first].item.vertex; }
 
   /// Removes and returns the vertex that has been longest in the first bucket that holds any. Must
   /// not be empty.
   Index pop() {
     const Index v = seek();
+    take_first(now_);
     popped_ = current_;
-    bucket_[v] = kAbsent;
-    ++at_;
+    marks_[v] = kAbsent;
     --size_;
     return v;
   }
 
  private:
-  static constexpr std::size_t kSlots = 1 << 8;  // a power of two
-  static constexpr std::int32_t kAbsent = -1;
+  struct Entry {
+    Index vertex;
+    std::int32_t bucket;
+  };
+
+  // A mark is the slot in which a vertex waits, with kWaits.
+  static constexpr std::uint8_t kAbsent = 0, kWaits = 1u << 7;
+  static constexpr std::int32_t kSlots = kWaits;
   /// What is farther shares the last bucket.
   static constexpr std::int32_t kLast = INT32_MAX;
 
   static std::size_t slot_of(std::int32_t bucket) {
-    return static_cast<std::size_t>(bucket) % kSlots;
+    return static_cast<std::size_t>(bucket % kSlots);
   }
 
-  /// Goes on with the first entry of a bucket.
+  Entry take_first(Fifo& list) {
+    const Index first = list.first;
+    list.drop_first(nodes_);
+    return nodes_.take(first).item;
+  }
+
+  /// Goes on with a bucket.
   void move_to(std::int32_t bucket) {
+    slots_[slot_of(current_)].append(nodes_, std::exchange(now_, {}));
     current_ = bucket;
-    at_ = later_ = 0;
+    Fifo& slot = slots_[slot_of(bucket)];
+    Fifo all = std::exchange(slot, {});
+    if (farthest_ - bucket < kSlots) {
+      now_ = all;
+      return;
+    }
+    while (!all.empty()) {
+      const Entry entry = take_first(all);
+      (entry.bucket == bucket ? now_ : slot).push(nodes_, entry);
+    }
   }
 
   /// Moves on to the first bucket that holds a vertex. @return the one that is longest in it
   Index seek() {
-    std::size_t passed = 0;
+    std::int32_t passed = 0;
     for (;;) {
-      std::vector<Index>& slot = slots_[slot_of(current_)];
-      for (; at_ < slot.size(); ++at_) {
-        const Index v = slot[at_];
-        if (bucket_[v] == current_) return v;
-        const bool is_of_later_lap =
-            bucket_[v] > current_ && slot_of(bucket_[v]) == slot_of(current_);
-        if (is_of_later_lap) slot[later_++] = v;
+      for (; !now_.empty(); take_first(now_)) {
+        const Index v = nodes_[now_.first].item.vertex;
+        if (marks_[v] != kAbsent) return v;
       }
-      slot.resize(later_);
       move_to(++passed < kSlots ? current_ + 1 : first_bucket());
     }
   }
 
   std::int32_t first_bucket() const {
-    std::int32_t least = kLast;
-    for (const std::vector<Index>& slot : slots_) {
-      for (const Index v : slot) {
-        if (bucket_[v] != kAbsent) least = std::min(least, bucket_[v]);
+    std::int32_t first = kLast;
+    for_each_entry([&](const Entry& entry) {
+      if (marks_[entry.vertex] != kAbsent) first = std::min(first, entry.bucket);
+    });
+    return first;
+  }
+
+  /// Of all slots.
+  template <class Visit>
+  void for_each_entry(const Visit& visit) const {
+    for (const Fifo& slot : slots_) {
+      Index n = slot.first;
+      for (std::uint32_t left = slot.count; left > 0; --left, n = nodes_[n].next) {
+        visit(nodes_[n].item);
       }
     }
-    return least;
   }
 
   BucketNumbers numbers_;
-  std::vector<std::vector<Index>> slots_;
-  std::vector<std::int32_t> bucket_;  // of each vertex, kAbsent when it does not wait
-  std::int32_t current_ = 0;          // no vertex waits in an earlier bucket
-  std::int32_t popped_ = 0;           // bucket popped from last
-  std::size_t at_ = 0;                // of the current slot: what is in front has been passed over,
-  std::size_t later_ = 0;             // but for so many entries of later laps
+  std::vector<Fifo> slots_;
+  Pool<BucketNode<Entry>> nodes_;
+  Fifo now_;  // what is left of the current bucket; its slot has entries of later laps only
+  std::vector<std::uint8_t> marks_;  // by vertex
+  std::int32_t current_ = 0;         // no vertex waits in an earlier bucket
+  std::int32_t popped_ = 0;          // bucket popped from last
+  std::int32_t farthest_ = 0;        // no entry is in a later bucket
   std::size_t size_ = 0;
 };
 
