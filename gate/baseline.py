@@ -11,7 +11,7 @@ from collections.abc import Collection
 from datetime import date
 from pathlib import Path
 
-from results.reader import Cell
+from results.reader import Cell, Source
 
 from gate.cells import COUNTERS
 from gate.findings import ERROR, REGRESSION, GateError, LevelResult, Weight
@@ -45,8 +45,12 @@ def read(tree: Path) -> Counters:
         raise GateError(f"{file}: not a table of counters: {error}") from None
 
 
+def _source(text: str) -> Source:
+    return int(text) if text.isdecimal() else text
+
+
 def _entry(line: dict[str, str]) -> tuple[Cell, dict[str, int]]:
-    cell = Cell(line["solver"], line["mesh"], int(line["source"]))
+    cell = Cell(line["solver"], line["mesh"], _source(line["source"]))
     return cell, {name: int(line[name]) for name in COUNTERS if line[name] != ""}
 
 

@@ -19,7 +19,7 @@ from plots.measures import (
     EDGE_BASED, baseline, columns, count, interval, percent, time_unit,
 )  # fmt: skip
 from results.pairs import by_source, further, preparation, times
-from results.reader import Mesh, ResultError, Run
+from results.reader import Mesh, ResultError, Run, Source
 from results.statistics import Estimate, median
 from results.table import Cell, Table, estimate_cell
 
@@ -78,7 +78,7 @@ def _point(run: Run, mesh: Mesh, heat: str, exact: str) -> Point | None:
         for pair in sorted(pairs)
     }
 
-    def middle(of: list[dict[tuple[int, int], float]]) -> tuple[float, float]:
+    def middle(of: list[dict[tuple[Source, int], float]]) -> tuple[float, float]:
         heat_time, exact_time = (median(by_source(each)).value for each in of)
         return heat_time, exact_time
 

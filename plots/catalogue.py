@@ -9,7 +9,7 @@ from urllib.parse import quote
 
 from plots import (
     answers, break_even, curves, dot_figures, drawing, error_map, figure_5_9, figure_6_4, frontier,
-    growth, many, overview, paths, peers_overview, performance_profile, robustness, summary, table_5_1, table_5_2,
+    growth, many, many_sources, overview, paths, peers_overview, performance_profile, robustness, summary, table_5_1, table_5_2,
     table_5_2_ratios, table_5_3, table_thesis, twins, wavefronts,
 )  # fmt: skip
 from plots.drawing import Drawing
@@ -32,6 +32,7 @@ TABLES: dict[str, Callable[[Run], Table]] = {
     "table_growth": growth.table,
     "table_growth_exponents": growth.exponents,
     "answers": answers.table,
+    "many_sources_numbers": many_sources.table,
     "twins": twins.table,
     "break_even_numbers": break_even.table,
     "which_to_take": frontier.which_to_take,
@@ -58,6 +59,7 @@ FIGURES: dict[str, Callable[[Run], Drawing]] = {
     "cells": paths.cells,
     "break_even": break_even.figure,
     "frontier": frontier.figure,
+    "many_sources": many_sources.figure,
     "error_map": error_map.figure,
     **{name: wavefronts.appendix(name) for name in wavefronts.APPENDIX},
 }
@@ -88,6 +90,10 @@ WITH_SECONDS = {
 the others show counts, errors, and ratios of times that one processor measured on one source."""
 ON = "_on_processor_"
 """Between a name and the number, from 1, of one of several processors."""
+
+
+OF_SETS = {"many_sources", "many_sources_numbers", "robustness", "robustness_counts", "robustness_failures"}
+"""Those that show sets of sources; the others show single vertices, where the run has any."""
 
 
 OF_MANY: dict[str, Callable[[Run], Table | Drawing]] = {
@@ -145,7 +151,8 @@ def draw(run: Run, names: Sequence[str] = ()) -> tuple[dict[str, Table | Drawing
                 f"the run has {len(run.meshes)}"
             )
             continue
-        for name, (part, on) in _parts(run, one).items():
+        shown = run if one in OF_SETS else run.of_single_sources
+        for name, (part, on) in _parts(shown, one).items():
             try:
                 found = known[one](part)
             except ResultError as error:

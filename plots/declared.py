@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from results.reader import Row, Run
+from results.reader import Row, Run, Source
 
 ALLOWED = ("unsupported", "skipped")
 FEW = 4
@@ -25,7 +25,7 @@ def allowed(run: Run) -> list[Row]:
 
 def reasons(run: Run) -> dict[tuple[str, str], str]:
     """A line for each solver and outcome: on which meshes, and the first of the reasons."""
-    cells: dict[tuple[str, str], dict[tuple[str, int], str]] = {}
+    cells: dict[tuple[str, str], dict[tuple[str, Source], str]] = {}
     for solver, outcome, mesh, source, why in _cells(run):
         cells.setdefault((solver, outcome), {}).setdefault((mesh, source), why)
     words = {"unsupported": "unsupported, as declared,", "skipped": "skipped"}
@@ -36,7 +36,7 @@ def reasons(run: Run) -> dict[tuple[str, str], str]:
     }
 
 
-def _cells(run: Run) -> Iterator[tuple[str, str, str, int, str]]:
+def _cells(run: Run) -> Iterator[tuple[str, str, str, Source, str]]:
     for skip in run.skipped:
         if skip.solver is not None:
             for source in run.sources.get(skip.mesh, []):

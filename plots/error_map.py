@@ -87,7 +87,7 @@ def figure(run: Run) -> Drawing:
     return Drawing(
         title=f"Where the error sits: {recording.mesh.label}",
         caption=sentences(
-            f"Relative errors of the distances from vertex {recording.source} of "
+            f"Relative errors of the distances from {recording.origin} of "
             f"{recording.mesh.label}, {recording.mesh.vertices:,} vertices, on one scale of "
             "colours; of a solver with several settings, the one whose largest error is nearest "
             f"to {error_text(OF_INTEREST)}.",
@@ -143,7 +143,7 @@ def _axes(recording: Recording) -> Floats:
     surface = recording.surface
     edges = np.sort(surface.faces[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
     lines = surface.vertices[np.unique(edges, axis=0)]
-    return best_axes(recording.mesh, surface, lines, recording.source)
+    return best_axes(recording.mesh, surface, lines, recording.vertices[0])
 
 
 def _draw(

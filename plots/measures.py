@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from plots.declared import is_allowed, reasons
 from results.pairs import by_source
 from results.published import THESIS_SOLVERS, Published
-from results.reader import OK, Mesh, Row, Run
+from results.reader import OK, Mesh, Row, Run, Source
 from results.statistics import Estimate, median
 from results.table import Cell, estimate_cell
 
@@ -156,7 +156,7 @@ def of_others(run: Run) -> set[str]:
     return {n for n, solver in run.solvers.items() if solver.base in plugins or solver.independent_oracle}
 
 
-def values(run: Run, mesh: str, solver: str, measure: Measure) -> dict[tuple[int, int], float]:
+def values(run: Run, mesh: str, solver: str, measure: Measure) -> dict[tuple[Source, int], float]:
     """The measure by (source, repetition), in the label's unit, where the row has it."""
     return {
         (row.source, row.repetition): measure.scale * (row.time if measure.key == TIME.key else value)
@@ -218,13 +218,13 @@ def partial_failure(run: Run, mesh: str, solver: str) -> str:
         return "Without the sources that failed. " + _failed(failed)
     missing = set(run.sources[mesh]) - {row.source for row in rows}
     if missing:
-        return f"{solver} on {mesh}: no rows for source {', '.join(map(str, sorted(missing)))}."
+        return f"{solver} on {mesh}: no rows for source {', '.join(sorted(map(str, missing)))}."
     return ""
 
 
 def _failed(rows: list[Row]) -> str:
     """Every distinct message once, with the sources it came from."""
-    causes: dict[str, list[int]] = {}
+    causes: dict[str, list[Source]] = {}
     for row in rows:
         causes.setdefault(f"{row.outcome}: {row.message}", []).append(row.source)
     listed = "; ".join(

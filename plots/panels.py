@@ -51,5 +51,5 @@ def panels(
 
 def _camera(recording: Recording, lines: Floats) -> Camera:
     surface = recording.surface
-    axes = best_axes(recording.mesh, surface, lines, recording.source)
+    axes = best_axes(recording.mesh, surface, lines, recording.vertices[0])
     return framing(axes, surface.vertices)

@@ -16,7 +16,7 @@ from plots.drawing import Drawing
 from plots.logarithmic import logarithmic
 from plots.measures import ERROR, columns
 from results.pairs import first
-from results.reader import ResultError, Run
+from results.reader import ResultError, Run, Source
 
 LEVELS = {"largest error at most 1e-6": 1e-6, "at most 1%": 1e-2, "any error": np.inf}
 """Of the panels: a solver has answered a question when its largest relative error is at most that."""
@@ -25,7 +25,7 @@ MOST_FACTOR = 1000.0
 MARKS = 5
 """About as many on a line."""
 
-Question = tuple[str, int]
+Question = tuple[str, Source]
 """A mesh and a source."""
 Answers = dict[str, dict[Question, tuple[float, float]]]
 """By solver and question: the seconds of a first answer, and its largest relative error."""
@@ -35,7 +35,7 @@ def answers(run: Run) -> Answers:
     found: Answers = {}
     for solver in columns(run):
         for mesh in run.meshes:
-            rows: dict[int, list[tuple[float, float]]] = {}
+            rows: dict[Source, list[tuple[float, float]]] = {}
             for row in run.cell(mesh, solver):
                 if row.number("cpu_time") is not None and (seconds := first(row)) > 0:
                     error = row.number(ERROR.key) or 0.0

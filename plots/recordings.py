@@ -19,7 +19,7 @@ from plots.camera import Floats
 from plots.surface import Surface
 from plots.zbuffer import Integers
 from results.published import THESIS_SOLVERS
-from results.reader import Mesh, ResultError, Run
+from results.reader import Mesh, ResultError, Run, Source
 
 MOMENTS = (25, 50, 75)
 """Per cent of the vertices reached at which the wavefront is recorded."""
@@ -54,13 +54,21 @@ class Recording:
     """Of one source on one mesh; files are read at the first access."""
 
     mesh: Mesh
-    source: int
+    source: Source
+    vertices: list[int]
+    """The source, or those of the set."""
     folder: Path
     """RUN/recordings/<mesh>/src<source>"""
     solvers: dict[str, Path]
     """Folders in it of the exact ones, which have their wavefront there."""
     inexact: dict[str, Path] = field(default_factory=dict)
     """Folders in it of the others, which have their distances there."""
+
+    @property
+    def origin(self) -> str:
+        if isinstance(self.source, int):
+            return f"vertex {self.source}"
+        return f"the {len(self.vertices):,} sources {self.source}"
 
     @cached_property
     def surface(self) -> Surface:
@@ -200,7 +208,10 @@ def recordings(run: Run, *solvers: str) -> list[Recording]:
             continue
         folder = run.file.parent / row.recordings
         mesh = run.meshes[row.mesh]
-        one = found.setdefault(row.mesh, Recording(mesh, row.source, folder.parent, {}))
+        if row.mesh not in found:
+            vertices = run.source_vertices(row.mesh, row.source)
+            found[row.mesh] = Recording(mesh, row.source, vertices, folder.parent, {})
+        one = found[row.mesh]
         if row.source == one.source:
             kind = one.solvers if run.solvers[row.solver].exact else one.inexact
             kind[row.solver] = folder

@@ -28,7 +28,7 @@ from plots.measures import (
 from plots.ratios import time_over
 from plots.report import TEMPLATES, picture
 from results import pairs
-from results.reader import Mesh, ResultError, Run, Solver, read_run
+from results.reader import Mesh, ResultError, Run, Solver, Source, read_run
 from results.statistics import geometric_mean_of_ratios, median
 from results.table import (
     BLANK, Cell, Table, estimate_cell, four_digits, mark, without_constant_columns,
@@ -218,7 +218,7 @@ class Step:
 
 def history(of: Sequence[Entry]) -> list[Step]:
     """@param of one solver, the oldest run first"""
-    times: dict[str, dict[str, dict[tuple[str, int], list[float]]]] = {}
+    times: dict[str, dict[str, dict[tuple[str, Source], list[float]]]] = {}
     runs = {entry.shown.name: entry.shown for entry in of}
     for entry in of:
         cells = times.setdefault(entry.processor, {}).setdefault(entry.shown.name, {})
@@ -227,7 +227,7 @@ def history(of: Sequence[Entry]) -> list[Step]:
             cells.setdefault((entry.mesh.sha256, source), []).append(time)
     steps = []
     for processor, by_run in times.items():
-        first: dict[tuple[str, int], list[float]] = next(filter(None, by_run.values()), {})
+        first: dict[tuple[str, Source], list[float]] = next(filter(None, by_run.values()), {})
         for name, cells in by_run.items():
             shared = [(before, cells[cell]) for cell, before in first.items() if cell in cells]
             if not shared:

@@ -139,7 +139,7 @@ def appendix(name: str) -> Callable[[Run], Drawing]:
 def _draw(recording: Recording, layers: Sequence[Lines], about: Floats) -> Pictures:
     """@param about the segments that the view shows, and the close-up a part of them"""
     mesh, surface = recording.mesh, recording.surface
-    axes = best_axes(mesh, surface, about, recording.source)
+    axes = best_axes(mesh, surface, about, recording.vertices[0])
     whole = framing(axes, surface.vertices)
     ratio = whole.width / whole.height
     tall = min(style.WIDTH / (1 + ratio), TALLEST)
@@ -166,7 +166,7 @@ def _draw(recording: Recording, layers: Sequence[Lines], about: Floats) -> Pictu
 
 def draw_source(axes: Axes, buffer: ZBuffer, recording: Recording) -> bool:
     """Marks the source where it is not hidden. @return whether it is shown"""
-    return draw_points(axes, buffer, recording.surface.vertices[[recording.source]]) > 0
+    return draw_points(axes, buffer, recording.surface.vertices[recording.vertices]) > 0
 
 
 def draw_points(axes: Axes, buffer: ZBuffer, points: Floats) -> int:

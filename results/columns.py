@@ -2,8 +2,9 @@
 
 A column is a key of the schema's rows; those of an object are "phase_seconds.queue". Numbers are
 arrays in which -1 (of whole numbers) or NaN (of others) stands for a number that a row does not
-have: the schema has neither. Texts are places in a list of different texts, -1 for none. What
-follows from other keys is not kept: names, and what is the same in every row.
+have: the schema has neither. Texts are places in a list of different texts, -1 for none. A source
+is a vertex, or a set at place p of the texts of "source", written -2 - p. What follows from other keys
+is not kept: names, and what is the same in every row.
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ FOLLOWS = ("name", "run_name", "run_type", "time_unit", "error_occurred")
 """Keys that `Columns.data` makes of others."""
 NONE = -1
 OUTCOME, OK = "outcome", "ok"
+SOURCE, FIRST_SET = "source", -2
 TYPES: dict[str, Any] = {"integer": np.int64, "number": np.float64, "string": np.int32}
 
 
@@ -38,7 +40,8 @@ def kinds() -> dict[str, str]:
             if "properties" in part:
                 yield from leaves(part["properties"], f"{prefix}{key}.")
             elif prefix or key not in FOLLOWS:
-                yield prefix + key, part.get("type", "string")  # an enumeration is of texts
+                kind = part.get("type", "string")  # an enumeration is of texts
+                yield prefix + key, "integer" if key == SOURCE else kind
 
     return dict(leaves(schema()["$defs"]["row"]["properties"], ""))
 
@@ -68,7 +71,11 @@ class Columns:
             if not present:
                 continue
             found += present
-            if kind == "string":
+            if key == SOURCE and (sets := list(dict.fromkeys(filter(_is_set, values)))):
+                texts[key] = sets
+                values = [FIRST_SET - sets.index(v) if _is_set(v) else _vertex(v) for v in values]
+                arrays[key] = np.array(values, np.int64)
+            elif kind == "string":
                 places: dict[Any, int] = {}
                 arrays[key] = np.array(
                     [NONE if v is None else places.setdefault(v, len(places)) for v in values],
@@ -107,6 +114,11 @@ class Columns:
         place = NONE if array is None else int(array[row])
         return None if place == NONE else self.texts[key][place]
 
+    def source(self, row: int) -> int | str:
+        """A vertex, or the name of a set. Every row has one."""
+        value = int(self.arrays[SOURCE][row])
+        return value if value >= 0 else self.texts[SOURCE][FIRST_SET - value]
+
     def names(self, key: str) -> list[str]:
         """The texts that rows have, in the order of the rows; every row has one."""
         _, first = np.unique(self.arrays[key], return_index=True)
@@ -131,8 +143,10 @@ class Columns:
         """The row as it is in JSON."""
         found: dict[str, Any] = {}
         for key, kind in kinds().items():
-            if kind == "string":
-                value: Any = self.text(key, row)
+            if key == SOURCE and key in self.arrays:
+                value: Any = self.source(row)
+            elif kind == "string":
+                value = self.text(key, row)
             else:
                 value = self.number(key, row)
             if value is not None:
@@ -187,9 +201,14 @@ class Columns:
                 elif kind == "string":
                     own = [places.setdefault(text, len(places)) for text in part.texts[key]]
                     array = np.array([*own, NONE], np.int32)[array]  # place -1 is the last
+                elif key == SOURCE and key in part.texts:
+                    own = [FIRST_SET - places.setdefault(text, len(places)) for text in part.texts[key]]
+                    of_sets = array <= FIRST_SET
+                    array = array.copy()
+                    array[of_sets] = np.array(own)[FIRST_SET - array[of_sets]]
                 pieces.append(array)
             arrays[key] = np.concatenate(pieces)
-            if kind == "string":
+            if places:
                 texts[key] = list(places)
         return Columns(sum(part.length for part in parts), arrays, texts)
 
@@ -219,6 +238,8 @@ class Columns:
                 and array.max(initial=NONE) < len(texts.get(key, ()))
             ):
                 raise ResultError(f"{file}: {key}: a text that run.json does not have")
+            if key == SOURCE and array.min(initial=0) < FIRST_SET + 1 - len(texts.get(key, ())):
+                raise ResultError(f"{file}: {key}: a set that run.json does not have")
         return Columns(length, arrays, {key: texts[key] for key in arrays if key in texts})
 
     def is_valid(self, data: dict[str, Any]) -> bool:
@@ -236,8 +257,9 @@ class Columns:
     def _extreme_rows(self) -> list[dict[str, Any]]:
         """For each group of rows with the same keys and outcome: a row of the least numbers and the
         shortest texts, and one of the greatest and longest."""
-        arrays = {key: array for key, array in self.arrays.items() if key not in self.texts}
-        for key, texts in self.texts.items():  # by length; places stay in the lower half
+        of_texts = {key: texts for key, texts in self.texts.items() if kinds()[key] == "string"}
+        arrays = {key: array for key, array in self.arrays.items() if key not in of_texts}
+        for key, texts in of_texts.items():  # by length; places stay in the lower half
             lengths = np.array([*map(len, texts), 0], np.int64)
             arrays[key] = (lengths[self.arrays[key]] << 32) + self.arrays[key] - NONE
         bits = np.packbits([self.has(key) for key in self.arrays], axis=0)
@@ -248,7 +270,7 @@ class Columns:
         found = []
         for reduceat in (np.minimum.reduceat, np.maximum.reduceat):
             of = {key: reduceat(array[order], starts) for key, array in arrays.items()}
-            for key in self.texts:
+            for key in of_texts:
                 of[key] = ((of[key] & 0xFFFFFFFF) + NONE).astype(np.int32)
             bounds = Columns(len(starts), of, self.texts)
             found += [bounds.data(row) for row in range(len(starts))]
@@ -258,6 +280,16 @@ class Columns:
 def _values(rows: Sequence[Mapping[str, Any]], key: str) -> list[Any]:
     into, _, last = key.rpartition(".")
     return [row.get(last) for row in ([row.get(into, {}) for row in rows] if into else rows)]
+
+
+def _is_set(source: Any) -> bool:
+    return isinstance(source, str)
+
+
+def _vertex(source: Any) -> int:
+    if type(source) is not int or source < 0:
+        raise ValueError(f"{SOURCE} is neither a vertex nor the name of a set")
+    return source
 
 
 def _numbers(key: str, kind: str, values: list[Any]) -> Array:

@@ -28,13 +28,14 @@ import numpy as np
 
 from results.checksum import computed, of_file
 from results.columns import Columns
-from results.reader import ResultError, Run, read_file
+from results.reader import ResultError, Run, Source, read_file
 
 MUCH = 20_000_000
 """Bytes: less is read before another process has started."""
 MOST_IN_JSON = 50_000
 """Rows: more are written as columns, which are read in a tenth of the time and memory."""
-RUN, ROWS, REQUEST, RECORDINGS = "run.json", "rows.npz", "request.json", "recordings"
+RUN, ROWS, REQUEST = "run.json", "rows.npz", "request.json"
+RECORDINGS, SOURCES = "recordings", "sources"
 BELONGING = {
     "suite": "its solvers, options or suite differ",
     "program": "another build of geodesic-bench, or other plug-ins, measured it",
@@ -182,7 +183,7 @@ class Group:
 
     part: Part
     mesh: str
-    source: int
+    source: Source
 
 
 def groups_of(parts: Sequence[Part]) -> list[Group]:
@@ -233,10 +234,14 @@ def rows_of(parts: Sequence[Part], groups: Sequence[Group]) -> Columns:
     rows = Columns.together(filled)
     place_of = {(group.mesh, group.source): place for place, group in enumerate(groups)}
     meshes = rows.texts["mesh"]
-    pairs, pair_of = np.unique(
-        np.stack([rows.arrays["mesh"], rows.arrays["source"]]), axis=1, return_inverse=True
-    )
-    places = np.array([place_of[meshes[mesh], source] for mesh, source in pairs.T.tolist()])[pair_of]
+    pairs, first, pair_of = np.unique(
+        np.stack([rows.arrays["mesh"], rows.arrays["source"]]),
+        axis=1, return_index=True, return_inverse=True,
+    )  # fmt: skip
+    places = np.array([
+        place_of[meshes[mesh], rows.source(row)]
+        for mesh, row in zip(pairs[0].tolist(), first.tolist(), strict=True)
+    ])[pair_of]  # fmt: skip
     arrays = dict(rows.arrays)
     if "family_index" in arrays:
         arrays["family_index"] = places * cells + arrays["family_index"] % cells
@@ -264,11 +269,22 @@ def context_of(parts: Sequence[Part], groups: Sequence[Group], out: Path) -> dic
     }
     if len({part.run.ours.get("memory_limit") for part in parts}) > 1:
         ours.pop("memory_limit", None)  # each part has its own
+    if sets := source_sets(parts):
+        ours["source_sets"] = sets
     changes = [f"shard {part.index}: {change}" for part in parts
                for change in part.run.ours.get("changes", [])]  # fmt: skip
     if changes:
         ours["changes"] = changes
     return context | {"geodesic_bench": ours}
+
+
+def source_sets(parts: Sequence[Part]) -> dict[str, dict[str, Any]]:
+    """Of all shards, by mesh and name."""
+    found: dict[str, dict[str, Any]] = {}
+    for part in parts:
+        for mesh, sets in part.run.ours.get("source_sets", {}).items():
+            found.setdefault(mesh, {}).update(sets)
+    return found
 
 
 def write(context: dict[str, Any], rows: Columns, out: Path, most_in_json: int) -> Path:
@@ -301,13 +317,13 @@ def check_out(out: Path) -> None:
         raise ResultError(f"{out / RUN}: is no merged run: merge into another folder with --out")
 
 
-def join_recordings(parts: Sequence[Part], out: Path) -> None:
-    """What shards recorded, by links where the file system has them. Shards that recorded on one
-    mesh have the same files of it."""
+def join_files(parts: Sequence[Part], subfolder: str, out: Path) -> None:
+    """What shards have in a subfolder, by links where the file system has them. Shards that
+    recorded on one mesh have the same files of it."""
     for part in parts:
-        source = part.folder / RECORDINGS
+        source = part.folder / subfolder
         for folder, _, names in os.walk(source):
-            into = out / RECORDINGS / os.path.relpath(folder, source)
+            into = out / subfolder / os.path.relpath(folder, source)
             into.mkdir(parents=True, exist_ok=True)
             for name in names:
                 file, copy = Path(folder, name), into / name
@@ -352,7 +368,8 @@ def merge(
     if missing:
         context["geodesic_bench"]["missing_shards"] = missing
     out.mkdir(parents=True, exist_ok=True)
-    join_recordings(parts, out)
+    for subfolder in (RECORDINGS, SOURCES):
+        join_files(parts, subfolder, out)
     print(summary(parts, rows, len(context["geodesic_bench"]["meshes"])))
     return write(context, rows.without("processor", processor), out, most_in_json)
 

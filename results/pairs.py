@@ -13,11 +13,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from .reader import OK, Row, Run
+from .reader import OK, Row, Run, Source
 from .statistics import DECISION_CONFIDENCE, Sample, least_for_interval
 
 Floats = NDArray[np.float64]
-Numbers = Mapping[tuple[int, int], float]
+Numbers = Mapping[tuple[Source, int], float]
 """By source and repetition."""
 Time = Callable[[Row], float]
 """Of an ok row, in seconds."""
@@ -51,14 +51,14 @@ def each_of(sources: int) -> Time:
     return lambda row: (first(row) + (sources - 1) * further(row)) / sources
 
 
-def times(run: Run, mesh: str, solver: str, time: Time = solve) -> dict[tuple[int, int], float]:
+def times(run: Run, mesh: str, solver: str, time: Time = solve) -> dict[tuple[Source, int], float]:
     rows = [row for row in run.cell(mesh, solver) if row.number("cpu_time") is not None]
     return {(row.source, row.repetition): time(row) for row in rows}
 
 
 def by_source(numbers: Numbers) -> list[list[float]]:
     """The same as a sample: a list a source, of its repetitions."""
-    groups: dict[int, list[float]] = {}
+    groups: dict[Source, list[float]] = {}
     for (source, _), number in numbers.items():
         groups.setdefault(source, []).append(number)
     return list(groups.values())

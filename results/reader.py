@@ -19,7 +19,7 @@ from typing import Any, NoReturn, TypeVar
 import numpy as np
 
 from .columns import OK as OK
-from .columns import Array, Columns
+from .columns import SOURCE, Array, Columns
 from .console import ROOT, printable
 from .schema import SCHEMA as SCHEMA
 from .schema import ResultError as ResultError
@@ -83,13 +83,25 @@ class Solver:
         return self.exactness.replace("_", " ")
 
 
-@dataclass(frozen=True, order=True)
+Source = int | str
+"""A vertex, or the name of a set of vertices that one query starts from."""
+
+
+@dataclass(frozen=True)
 class Cell:
-    """A solver on a mesh from a source vertex."""
+    """A solver on a mesh from a source."""
 
     solver: str
     mesh: str
-    source: int
+    source: Source
+
+    def __lt__(self, other: Cell) -> bool:
+        """Sets after vertices."""
+        return self._place < other._place
+
+    @property
+    def _place(self) -> tuple[str, str, bool, Source]:
+        return self.solver, self.mesh, isinstance(self.source, str), self.source
 
     def __str__(self) -> str:
         return f"{self.solver}/{self.mesh}/src:{self.source}"
@@ -101,7 +113,7 @@ class Row:
 
     solver: str
     mesh: str
-    source: int
+    source: Source
     repetition: int
     outcome: str
     message: str
@@ -167,7 +179,7 @@ class Run:
     context: dict[str, Any]
     meshes: dict[str, Mesh]
     solvers: dict[str, Solver]
-    sources: dict[str, list[int]]
+    sources: dict[str, list[Source]]
     skipped: list[Skip]
     columns: Columns
     """Of the rows, by key: what is looked at in all rows is looked at here."""
@@ -182,7 +194,7 @@ class Run:
 
         return Row(
             solver=text("solver") or "", mesh=text("mesh") or "",
-            source=int(columns.arrays["source"][place]),
+            source=columns.source(place),
             repetition=int(columns.number("repetition_index", place) or 0),
             outcome=text("outcome") or "", message=text("error_message") or "",
             reference=text("reference"), recordings=text("recordings"), program=text("program"),
@@ -213,7 +225,7 @@ class Run:
         """The same run with what this processor measured only."""
         columns = self.columns.take(self.columns.where("processor", processor))
         measured = {
-            mesh: set(columns.arrays["source"][rows].tolist())
+            mesh: {columns.source(int(row)) for row in rows}
             for (mesh,), rows in columns.by_texts("mesh").items()
         }
         sources = {
@@ -226,6 +238,36 @@ class Run:
             meshes={name: mesh for name, mesh in self.meshes.items() if sources.get(name)},
             sources={name: of for name, of in sources.items() if of},
         )
+
+    @cached_property
+    def of_single_sources(self) -> Run:
+        """The same run with the cells of single vertices only, where it has any."""
+        if SOURCE not in self.columns.texts:
+            return self
+        single = {
+            mesh: [source for source in of if isinstance(source, int)]
+            for mesh, of in self.sources.items()
+        }
+        if not all(single.values()):
+            return self
+        columns = self.columns.take(self.columns.arrays[SOURCE] >= 0)
+        return replace(self, columns=columns, sources=single)
+
+    def set_size(self, mesh: str, source: Source) -> int:
+        """How many vertices a query starts from."""
+        if isinstance(source, int):
+            return 1
+        return int(self.ours["source_sets"][mesh][source]["vertices"])
+
+    def source_vertices(self, mesh: str, source: Source) -> list[int]:
+        """@raises ResultError where the file of a set is not there"""
+        if isinstance(source, int):
+            return [source]
+        file = self.file.parent / self.ours["source_sets"][mesh][source]["file"]
+        vertices = load(file)
+        if not isinstance(vertices, list) or not all(type(v) is int for v in vertices):
+            raise ResultError(f"{file}: not a list of vertices")
+        return vertices
 
     @property
     def shard(self) -> dict[str, Any] | None:
@@ -434,7 +476,7 @@ def _typed(file: Path, data: Any, columns: Columns) -> Run:
         context=data["context"],
         meshes={mesh.name: mesh for mesh in meshes},
         solvers={solver.name: solver for solver in solvers},
-        sources={mesh: [int(v) for v in sources] for mesh, sources in ours["sources"].items()},
+        sources={mesh: list(sources) for mesh, sources in ours["sources"].items()},
         skipped=[_of(Skip, skip) for skip in ours["skipped"]],
         columns=columns.filled("processor", ours["processor"]),
         stored=data.get("columns", {}),
@@ -466,12 +508,13 @@ def _check_names(run: Run) -> None:
     before: tuple[int, int] | None = None
     for place, source, _ in np.unique(np.stack([meshes, sources, processors]), axis=1).T.tolist():
         mesh = columns.texts["mesh"][place]
-        unknown = source not in run.sources.get(mesh, [])
+        rows = (meshes == place) & (sources == source)
+        named = columns.source(int(np.argmax(rows)))
+        unknown = named not in run.sources.get(mesh, [])
         if unknown or before == (place, source):
-            rows = (meshes == place) & (sources == source)
             if unknown:
-                refuse("source", rows, f"{source} is not among the context's sources of {mesh}")
+                refuse("source", rows, f"{named} is not among the context's sources of {mesh}")
             others = rows & (processors != processors[rows][0])
-            refuse("processor", others, f"{mesh}, source {source}, was measured on two processors, "
+            refuse("processor", others, f"{mesh}, source {named}, was measured on two processors, "
                    "whose times cannot be compared")  # fmt: skip
         before = place, source

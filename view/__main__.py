@@ -103,7 +103,7 @@ def chosen(recording: Recording, solvers: Sequence[str] | None) -> list[str]:
 
 def write(recording: Recording, solvers: list[str], up: str | None, command: str, file: Path) -> None:
     mesh = recording.mesh
-    summary = f"{mesh.vertices:,} vertices, {mesh.faces:,} faces; source: vertex {recording.source}."
+    summary = f"{mesh.vertices:,} vertices, {mesh.faces:,} faces; source: {recording.origin}."
     title = f"How solvers sweep {mesh.name}" if solvers else f"Geodesic distances on {mesh.name}"
     shown = scene(recording, solvers, "xyz".index(up) if up else None)
     file.write_text(page(title, summary, command, shown), encoding="utf-8")

@@ -86,9 +86,9 @@ def scene(recording: Recording, solvers: list[str], up: int | None = None) -> di
     return {
         "vertices": packed(surface.vertices, "f4"),
         "faces": packed(surface.faces, "u4"),
-        "axes": best_axes(mesh, surface, np.concatenate(lines), recording.source, up).tolist(),
+        "axes": best_axes(mesh, surface, np.concatenate(lines), recording.vertices[0], up).tolist(),
         "up": up,
-        "sources": [recording.source],
+        "sources": recording.vertices,
         "paths": _paths(recording.paths) if recording.has_paths else None,
         "cells": _cells(recording.cells) if recording.has_cells else None,
         "distances": packed(_finite(recording.distances), "f4"),

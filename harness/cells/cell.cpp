@@ -7,6 +7,7 @@
 #include "harness/base/clock.h"
 #include "harness/base/error.h"
 #include "harness/corpus/solvers.h"
+#include "harness/corpus/sources.h"
 #include "harness/external/external_solver.h"
 #include "harness/measure/benchmark.h"
 #include "harness/measure/recorded_solve.h"
@@ -31,6 +32,14 @@ void note(const RelativeErrors& errors, Row& row) {
   row.unreachable_mismatches = errors.unreachable_mismatches;
 }
 
+// Both kinds of specification have them.
+template <class Spec>
+SourceSet sources_of(const Spec& spec) {
+  SourceSet sources = single_source(spec.source);
+  if (!spec.sources_file.empty()) sources.vertices = read_source_vertices(spec.sources_file);
+  return sources;
+}
+
 // Of the last solve. The program cannot be asked for more.
 void note(const ExternalSolver::Times& times, Row& row) {
   row.timed = times.of;
@@ -46,13 +55,14 @@ class Measurement {
         solver_(*find_solver(spec.solver)),
         soup_(soup),
         mesh_(mesh),
-        query_{.sources = {{.at = spec.source}}},
+        sources_(sources_of(spec)),
+        query_(sources_.query()),
         verified_(mesh.vertex_count()),
         solved_(mesh.vertex_count()) {
     row_.solver = spec.solver;
     row_.threads = solver_.thread_count();
     row_.mesh = spec.mesh;
-    row_.source = spec.source;
+    row_.source = spec.source_set.empty() ? sources_.name : spec.source_set;
   }
 
   /// Writes the result file. @param mesh_ms what building the mesh took
@@ -78,6 +88,7 @@ class Measurement {
   const Description& solver_;
   const TriangleSoup& soup_;
   const Mesh& mesh_;
+  const SourceSet sources_;
   const Query query_;
   std::vector<double> verified_;  // distances of the warm-up solve
   std::vector<double> solved_;    // of the solve that came last
@@ -123,7 +134,11 @@ std::string Measurement::verify_after_others(Solver& solver) {
   const auto others = static_cast<Index>(spec_.other_queries);
   for (Index k = 1; k <= others; ++k) {
     const auto step = static_cast<Index>(std::uint64_t{k} * mesh_.vertex_count() / (others + 1));
-    solve({.sources = {{.at = (spec_.source + step) % mesh_.vertex_count()}}});
+    Query other = query_;
+    for (Source& source : other.sources) {
+      source.at = (source.at.vertex + step) % mesh_.vertex_count();
+    }
+    solve(other);
   }
   if (others > 0) solve(query_);
   return others == 0 ? ""
@@ -148,7 +163,7 @@ void Measurement::record() {
   if (exact && !has_wavefront) return;
   Recording recording = wavefront_recording(spec_.frames);
   if (has_wavefront) make_solver(spec_.solver, mesh_)->solve(query_, solved_, &recording);
-  const RecordingFolders folders = recording_folders(spec_.mesh, spec_.source, spec_.solver);
+  const RecordingFolders folders = recording_folders(spec_.mesh, row_.source, spec_.solver);
   const std::filesystem::path run = spec_.run_folder;
   try {
     write_surface(run / folders.mesh, soup_);
@@ -165,11 +180,14 @@ void Measurement::record() {
 void Measurement::record_paths(const std::filesystem::path& folder) {
   if (!has_paths(folder)) {
     std::vector<double> distances = verified_;
-    write_paths(folder, solve_figure_paths(spec_.solver, mesh_, spec_.source, distances));
+    write_paths(folder, solve_figure_paths(spec_.solver, mesh_, query_, distances));
     if (!identical(distances, verified_)) solved_ = distances;
   }
   if (solver_.abilities.multiple_sources && !has_cells(folder)) {
-    write_cells(folder, solve_figure_cells(spec_.solver, mesh_, spec_.source, verified_));
+    const auto sources = spec_.source_set.empty()
+                             ? spread_vertices(mesh_, spec_.source, kFigureSources, verified_)
+                             : sources_.vertices;
+    write_cells(folder, solve_figure_cells(spec_.solver, mesh_, sources));
   }
 }
 
@@ -264,7 +282,7 @@ void run_cell(const CellSpec& spec) {
 void run_reference(const ReferenceSpec& spec) {
   const Mesh mesh(load_mesh(spec.mesh_file, {.repair = spec.repair}).soup,
                   Numbering::along_surface);
-  write_distances(spec.output, solve_once(spec.solver, mesh, {.sources = {{.at = spec.source}}}));
+  write_distances(spec.output, solve_once(spec.solver, mesh, sources_of(spec).query()));
 }
 
 int exit_code_of(const std::function<void()>& work) {

@@ -19,9 +19,11 @@ namespace geodesic::harness {
 
 struct CellSpec {
   std::string solver;
-  std::string mesh;       ///< name
-  std::string mesh_file;  ///< path
-  Index source = 0;
+  std::string mesh;                 ///< name
+  std::string mesh_file;            ///< path
+  Index source = 0;                 ///< vertex
+  std::string source_set = {};      ///< in place of it: the name of a set
+  std::string sources_file = {};    ///< with its vertices
   std::string reference = {};       ///< the solver that the distances are compared with
   std::string reference_file = {};  ///< its distances (verify/references.h)
   std::string output = {};          ///< the result file to write
@@ -35,19 +37,20 @@ struct CellSpec {
   Json context = {};    ///< context.geodesic_bench of the result file
   bool repair = false;  ///< repair the mesh first
 };
-GEODESIC_JSON_MEMBERS(CellSpec, solver, mesh, mesh_file, source, reference, reference_file, output,
-                      run_folder, counted, pictured, frames, other_queries, vectors,
-                      benchmark_flags, context, repair)
+GEODESIC_JSON_MEMBERS(CellSpec, solver, mesh, mesh_file, source, source_set, sources_file,
+                      reference, reference_file, output, run_folder, counted, pictured, frames,
+                      other_queries, vectors, benchmark_flags, context, repair)
 
 /// Distances to verify others by.
 struct ReferenceSpec {
   std::string solver;
   std::string mesh_file;
-  Index source = 0;
-  std::string output;   ///< distance file to write
-  bool repair = false;  ///< repair the mesh first
+  Index source = 0;               ///< vertex
+  std::string sources_file = {};  ///< in place of it: several
+  std::string output;             ///< distance file to write
+  bool repair = false;            ///< repair the mesh first
 };
-GEODESIC_JSON_MEMBERS(ReferenceSpec, solver, mesh_file, source, output, repair)
+GEODESIC_JSON_MEMBERS(ReferenceSpec, solver, mesh_file, source, sources_file, output, repair)
 
 /// Prepares the solver, verifies a warm-up solve, asks for other sources and again, times solves
 /// and, in a counted cell, records more on new solver objects; then writes the result file, after

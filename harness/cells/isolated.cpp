@@ -25,6 +25,9 @@ std::vector<Row> complete(const Cell& cell, const CellSpec& spec, const fs::path
   fs::remove(written);
   for (Row& row : file.rows) {
     label(row, cell);
+    if (row.name() != cell.name()) {
+      throw HarnessError("measured " + row.name() + ": this program knows no sets of sources");
+    }
     row.stolen_share = disturbance.stolen_share;
     row.involuntary_switches_per_s = disturbance.involuntary_switches_per_s;
   }
@@ -44,7 +47,7 @@ std::vector<Row> write_failure(const Cell& cell, const CellSpec& spec, Outcome o
                                const std::string& why) {
   Row row{.solver = spec.solver,
           .mesh = spec.mesh,
-          .source = spec.source,
+          .source = cell.source->name,
           .outcome = outcome,
           .error_message = why};
   label(row, cell);

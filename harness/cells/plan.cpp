@@ -6,7 +6,6 @@
 
 #include "harness/base/error.h"
 #include "harness/corpus/solvers.h"
-#include "harness/corpus/sources.h"
 #include "harness/results/context.h"
 #include "harness/results/row.h"
 #include "harness/verify/references.h"
@@ -78,13 +77,24 @@ void restrict_to(const std::vector<std::string>& cells, std::vector<const Descri
   });
 }
 
-// Those that the manifest names, or else by the seed.
-std::vector<Index> sources_of(const MeshEntry& entry, const TriangleSoup& soup,
-                              const Suite& suite) {
-  if (entry.sources.empty()) return choose_sources(soup, entry.name, suite.sources, suite.seed);
-  std::vector<Index> sources = entry.sources;
-  if (std::cmp_less(suite.sources, sources.size())) {
-    sources.resize(static_cast<std::size_t>(suite.sources));
+// Single vertices, which the manifest names or else the seed chooses, and then sets.
+std::vector<SourceSet> sources_of(const MeshEntry& entry, const TriangleSoup& soup,
+                                  const Suite& suite) {
+  std::vector<Index> vertices = entry.sources;
+  if (vertices.empty()) {
+    vertices = choose_sources(soup, entry.name, suite.sources, suite.seed);
+  } else if (std::cmp_less(suite.sources, vertices.size())) {
+    vertices.resize(static_cast<std::size_t>(suite.sources));
+  }
+  std::vector<SourceSet> sources;
+  for (const Index v : vertices) sources.push_back(single_source(v));
+  for (const std::string& set : suite.source_sets) {
+    if (auto found = find_source_set(set, soup, entry.name, suite.seed)) {
+      sources.push_back(std::move(*found));
+    }
+  }
+  if (sources.empty()) {
+    throw HarnessError("no vertex is a source (" + join(suite.source_sets, ", ") + ")");
   }
   return sources;
 }
@@ -127,6 +137,7 @@ std::vector<ShardedMesh> sharded(const std::vector<MeshEntry>& entries, const Su
     const std::uintmax_t bytes = absent ? 0 : size;
     auto sources = std::min(static_cast<std::uintmax_t>(suite.sources), bytes);
     if (!entry.sources.empty()) sources = std::min(sources, entry.sources.size());
+    sources += suite.source_sets.size();
     meshes.push_back({entry.name, bytes, std::max(static_cast<int>(sources), 1)});
   }
   return meshes;
@@ -166,6 +177,17 @@ void keep_sources(const std::vector<int>& places, const std::string& name, Plan&
 }
 
 }  // namespace
+
+Json names_in_json(const std::vector<SourceSet>& sources) {
+  Json names = Json::array();
+  for (const SourceSet& source : sources) names.push_back(source_in_json(source.name));
+  return names;
+}
+
+std::filesystem::path source_file(const PlannedMesh& mesh, const SourceSet& source) {
+  return std::filesystem::path("sources") /
+         (as_file_name(mesh.entry.name + "__" + source.name) + ".json");
+}
 
 Json outline(const RunRequest& request) {
   const std::vector<const Description*> solvers = chosen_solvers(request.suite);
@@ -225,20 +247,25 @@ Plan make_plan(const RunRequest& request) {
   return plan;
 }
 
-std::string Cell::name() const { return row_name(solver->name, mesh->entry.name, source); }
+std::string Cell::name() const { return row_name(solver->name, mesh->entry.name, source->name); }
 
-const std::string* PlannedMesh::unsupported_by(std::string_view solver) const {
+const std::string* PlannedMesh::unsupported_by(std::string_view solver,
+                                               const SourceSet& source) const {
+  static const std::string several = "supports a single source only";
+  if (source.vertices.size() > 1 && !find_solver(solver)->abilities.multiple_sources) {
+    return &several;
+  }
   const auto why = unsupported.find(base_name(solver));
   return why == unsupported.end() ? nullptr : &why->second;
 }
 
-const std::string* Cell::unsupported() const { return mesh->unsupported_by(solver->name); }
+const std::string* Cell::unsupported() const { return mesh->unsupported_by(solver->name, *source); }
 
 bool leaves_recordings(const Cell& cell, Recordings choice) {
   if (!cell.is_first_repetition()) return false;
   if (choice != Recordings::automatic) return choice == Recordings::all;
   const PlannedMesh& mesh = *cell.mesh;
-  return cell.source == mesh.run_sources.front() && mesh.vertices >= kLeastRecorded &&
+  return cell.source->name == mesh.run_sources.front().name && mesh.vertices >= kLeastRecorded &&
          mesh.vertices <= kMostRecorded;
 }
 
@@ -247,17 +274,18 @@ std::vector<Cell> Plan::interleaved_cells(int repetitions) const {
   for (const MeasuredProgram& program : programs) measured.push_back(&program);
   if (measured.empty()) measured.push_back(nullptr);
   std::vector<Cell> all;
-  const auto add_repetition = [&](const PlannedMesh& mesh, Index source, int repetition) {
+  const auto add_repetition = [&](const PlannedMesh& mesh, const SourceSet& source,
+                                  int repetition) {
     const auto first = static_cast<std::ptrdiff_t>(all.size());
     for (const Description* solver : solvers) {
       for (const MeasuredProgram* program : measured) {
-        all.push_back({&mesh, source, solver, program, repetition, std::max(repetitions, 1)});
+        all.push_back({&mesh, &source, solver, program, repetition, std::max(repetitions, 1)});
       }
     }
     if (repetition % 2 == 1) std::reverse(all.begin() + first, all.end());
   };
   for (const PlannedMesh& mesh : meshes) {
-    for (const Index source : mesh.sources) {
+    for (const SourceSet& source : mesh.sources) {
       if (repetitions < 0) add_repetition(mesh, source, -1);
       for (int r = 0; r < repetitions; ++r) add_repetition(mesh, source, r);
     }
@@ -287,7 +315,12 @@ Json run_context(const RunRequest& request, const Plan& plan, const PlannedMesh*
   for (const PlannedMesh& each : plan.meshes) {
     if (mesh != nullptr && mesh != &each) continue;
     json["meshes"].push_back(each.facts);
-    json["sources"][each.entry.name] = each.sources;
+    json["sources"][each.entry.name] = names_in_json(each.sources);
+    for (const SourceSet& source : each.sources) {
+      if (source.is_single()) continue;
+      json["source_sets"][each.entry.name][source.name] = {
+          {"vertices", source.vertices.size()}, {"file", source_file(each, source).string()}};
+    }
   }
   json["solvers"] = Json::array();
   for (const Description* each : plan.solvers) {

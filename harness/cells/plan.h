@@ -10,6 +10,7 @@
 #include "harness/base/json.h"
 #include "harness/cells/request.h"
 #include "harness/corpus/manifest.h"
+#include "harness/corpus/sources.h"
 #include "solvers/core/solver.h"
 
 namespace geodesic::harness {
@@ -17,14 +18,15 @@ namespace geodesic::harness {
 struct PlannedMesh {
   MeshEntry entry;
   Index vertices = 0;
-  Json facts = {};                      ///< for context.geodesic_bench.meshes
-  std::vector<Index> sources = {};      ///< of a shard: those that it measures
-  std::vector<Index> run_sources = {};  ///< those of the whole run
+  Json facts = {};                          ///< for context.geodesic_bench.meshes
+  std::vector<SourceSet> sources = {};      ///< of a shard: those that it measures
+  std::vector<SourceSet> run_sources = {};  ///< those of the whole run
   /// By solver, without parameters: why it cannot do this mesh.
   std::map<std::string, std::string, std::less<>> unsupported = {};
 
-  /// Why a solver, which may have parameters, cannot do this mesh; null when it can.
-  const std::string* unsupported_by(std::string_view solver) const;
+  /// Why a solver, which may have parameters, cannot do this mesh from this source; null when it
+  /// can.
+  const std::string* unsupported_by(std::string_view solver, const SourceSet& source) const;
 };
 
 /// Another build of geodesic-bench that is measured in place of this one.
@@ -37,16 +39,16 @@ struct MeasuredProgram {
 /// What one process measures.
 struct Cell {
   const PlannedMesh* mesh;
-  Index source;
+  const SourceSet* source;
   const Description* solver;
   const MeasuredProgram* program = nullptr;  ///< null: this one
   int repetition = -1;                       ///< the only one, from 0; -1: all of them
   int repetitions = 1;                       ///< in all, where it is one of several
 
-  /// "<solver>/<mesh>/src:<vertex>"
+  /// "<solver>/<mesh>/src:<source>"
   std::string name() const;
   bool is_first_repetition() const { return repetition <= 0; }
-  /// Why the solver cannot do the mesh; null when it can.
+  /// Why the solver cannot do the mesh from the source; null when it can.
   const std::string* unsupported() const;
 };
 
@@ -73,6 +75,12 @@ struct Plan {
   /// @param repetitions -1: all repetitions of a cell in one process, as `cells`
   std::vector<Cell> interleaved_cells(int repetitions) const;
 };
+
+/// As in context.geodesic_bench.sources.
+Json names_in_json(const std::vector<SourceSet>& sources);
+
+/// Below the run folder: the vertices of a set, as `solve --sources-file` takes them.
+std::filesystem::path source_file(const PlannedMesh& mesh, const SourceSet& source);
 
 inline constexpr Index kLeastRecorded = 1000;    ///< vertices: a wavefront needs some to show
 inline constexpr Index kMostRecorded = 250'000;  ///< files grow with the mesh

@@ -30,7 +30,7 @@ double expected_solve_seconds(const Description& solver, Index vertices) {
 Forecast::Forecast(const std::vector<Cell>& cells, const Suite& suite,
                    const std::vector<const Description*>& solvers)
     : cells_(cells) {
-  std::set<std::tuple<const PlannedMesh*, Index, const Description*>> references;
+  std::set<std::tuple<const PlannedMesh*, const SourceSet*, const Description*>> references;
   for (const Cell& cell : cells) {
     Expected& expected = expected_.emplace_back();
     if (cell.unsupported() != nullptr) continue;
@@ -46,7 +46,7 @@ Forecast::Forecast(const std::vector<Cell>& cells, const Suite& suite,
     }
     if (has_closed_form(cell.mesh->entry)) continue;
     for (const Description* reference : rank_references(*cell.solver, solvers, suite.reference)) {
-      if (cell.mesh->unsupported_by(reference->name) != nullptr) continue;
+      if (cell.mesh->unsupported_by(reference->name, *cell.source) != nullptr) continue;
       if (references.insert({cell.mesh, cell.source, reference}).second) {
         expected.reference = reference;
         expected.reference_solve = expected_solve_seconds(*reference, cell.mesh->vertices);

@@ -22,9 +22,11 @@ std::string write_known(const std::string& by, const Cell& cell, bool repair,
   try {
     const MeshEntry& entry = cell.mesh->entry;
     const TriangleSoup soup = load_mesh(entry.file, {.repair = repair}).soup;
-    const std::span source(&cell.source, 1);
-    write_distances(file, by == kBruteForce ? brute_force_distances(Mesh(soup), cell.source)
-                                            : closed_form_distances(entry, soup, source).value());
+    if (by == kBruteForce) {
+      write_distances(file, BruteForce(Mesh(soup)).distances(cell.source->query().sources));
+    } else {
+      write_distances(file, closed_form_distances(entry, soup, cell.source->vertices).value());
+    }
     return {};
   } catch (const std::exception& error) {
     std::cerr << "geodesic-bench: " << error.what() << '\n';
@@ -36,12 +38,15 @@ std::string write_known(const std::string& by, const Cell& cell, bool repair,
 
 std::string References::solve(const Cell& cell, const std::string& solver,
                               const std::filesystem::path& file) {
-  if (const std::string* why = cell.mesh->unsupported_by(solver)) return *why;
-  const ReferenceSpec spec{.solver = solver,
-                           .mesh_file = cell.mesh->entry.file.string(),
-                           .source = cell.source,
-                           .output = file.string(),
-                           .repair = request_.repair};
+  if (const std::string* why = cell.mesh->unsupported_by(solver, *cell.source)) return *why;
+  ReferenceSpec spec{.solver = solver,
+                     .mesh_file = cell.mesh->entry.file.string(),
+                     .source = cell.source->vertices.front(),
+                     .output = file.string(),
+                     .repair = request_.repair};
+  if (!cell.source->is_single()) {
+    spec.sources_file = folder_.parent_path() / source_file(*cell.mesh, *cell.source);
+  }
   const ProcessLimits limits = limits_of(request_.suite);
   const auto waiting = [&] {
     const std::lock_guard lock(mutex_);
@@ -70,10 +75,10 @@ Reference References::find(const Cell& cell) {
   const ReferenceSources sources{
       .named = named,
       .closed_form = has_closed_form(cell.mesh->entry),
-      .brute_force = named == kBruteForce && cell.mesh->facts["faces"] <= kBruteForceFaces};
+      .brute_force = named == kBruteForce && cell.mesh->facts["faces"] <= kBruteForceFaces,
+      .many_sources = cell.source->vertices.size() > kFewSources};
   for (const std::string& solver : reference_candidates(*cell.solver, sources)) {
-    const std::string name =
-        cell.mesh->entry.name + "__src" + std::to_string(cell.source) + "__" + solver;
+    const std::string name = cell.mesh->entry.name + "__src" + cell.source->name + "__" + solver;
     const std::filesystem::path file = folder_ / (as_file_name(name) + ".distances");
     const std::string& failure = compute(cell, solver, file);
     if (failure.empty()) return {solver, file};
@@ -84,7 +89,7 @@ Reference References::find(const Cell& cell) {
 }
 
 void References::compute_ahead(std::span<const Cell> cells, unsigned threads) {
-  std::map<Index, std::vector<const Cell*>> by_source;
+  std::map<const SourceSet*, std::vector<const Cell*>> by_source;
   for (const Cell& cell : cells) {
     if (cell.unsupported() == nullptr) by_source[cell.source].push_back(&cell);
   }

@@ -22,7 +22,7 @@ struct Reference {
 
 class References {
  public:
-  /// @param folder exists
+  /// @param folder exists, in the run folder
   /// @param request names the solver that others are verified by, and the limits; outlives this
   /// @param waiting called about once a second while a solver computes a reference, with its name;
   ///        never by two threads at once

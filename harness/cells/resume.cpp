@@ -31,13 +31,19 @@ Json program_identity() {
   return program;
 }
 
+std::string sha256_of_json(const Json& json) { return sha256_of(json.dump()); }
+
 Json identity(const RunRequest& request, const Plan& plan) {
   Json solvers = Json::array(), meshes = Json::array(), programs = Json::object();
   for (const Description* solver : plan.solvers) solvers.push_back(solver->name);
   for (const PlannedMesh& mesh : plan.meshes) {
     meshes.push_back({{"name", mesh.entry.name},
                       {"sha256", mesh.facts.at("sha256")},
-                      {"sources", mesh.sources}});
+                      {"sources", names_in_json(mesh.sources)}});
+    for (const SourceSet& source : mesh.sources) {
+      if (source.is_single()) continue;
+      meshes.back()["source_sets"][source.name] = sha256_of_json(source.vertices);
+    }
   }
   for (const auto& [name, file] : request.programs) programs[name] = sha256_of_file(file);
   return {{"program", program_identity()},
@@ -46,8 +52,6 @@ Json identity(const RunRequest& request, const Plan& plan) {
           {"solvers", std::move(solvers)},
           {"meshes", std::move(meshes)}};
 }
-
-std::string sha256_of_json(const Json& json) { return sha256_of(json.dump()); }
 
 // With keys that are found quickly.
 using Sorted = nlohmann::json;
@@ -134,6 +138,7 @@ Json shard_context(const SavedRequest& saved, const Plan& plan) {
   for (const char* key : {"shard", "manifest", "programs", "folder"}) suite.erase(key);
   for (const char* key : {"meshes", "memory_limit"}) suite["suite"].erase(key);
   suite["suite"]["solvers"] = saved.identity.at("solvers");
+  for (Json& set : suite["suite"]["source_sets"]) set = name_of_source_set(set);
   std::set<std::string> here;
   for (const PlannedMesh& mesh : plan.meshes) here.insert(mesh.entry.name);
   for (const SkippedMesh& mesh : plan.skipped) here.insert(mesh.name);
@@ -141,7 +146,8 @@ Json shard_context(const SavedRequest& saved, const Plan& plan) {
   for (std::size_t i = 0; i < plan.whole_run.size(); ++i) {
     if (here.contains(plan.whole_run[i].name)) places[plan.whole_run[i].name] = i;
   }
-  for (const PlannedMesh& mesh : plan.meshes) sources[mesh.entry.name] = mesh.run_sources;
+  for (const PlannedMesh& mesh : plan.meshes)
+    sources[mesh.entry.name] = names_in_json(mesh.run_sources);
   return {{"index", saved.request.shard->index},
           {"of", saved.request.shard->of},
           {"suite", sha256_of_json(suite)},

@@ -81,7 +81,7 @@ CellSpec Run::spec_of(const Cell& cell) const {
   CellSpec spec{.solver = cell.solver->name,
                 .mesh = cell.mesh->entry.name,
                 .mesh_file = cell.mesh->entry.file.string(),
-                .source = cell.source,
+                .source = cell.source->vertices.front(),
                 .run_folder = folder_,
                 .counted = cell.is_first_repetition(),
                 .pictured = first_program && leaves_recordings(cell, request_.recordings),
@@ -90,14 +90,19 @@ CellSpec Run::spec_of(const Cell& cell) const {
                 .vectors = suite.vectors,
                 .context = run_context(request_, plan_, cell.mesh, cell.solver),
                 .repair = request_.repair};
-  std::string name = spec.solver + "__" + spec.mesh + "__src" + std::to_string(cell.source);
+  std::string name = spec.solver + "__" + spec.mesh + "__src" + cell.source->name;
   if (alone) name += "__rep" + std::to_string(cell.repetition);
   if (cell.program != nullptr) {
     name += "__" + cell.program->name;
     spec.context["programs"] = {cell.program->facts};
   }
   spec.output = folder_ / "cells" / (as_file_name(name) + ".json");
-  spec.context["sources"][spec.mesh] = {cell.source};
+  spec.context["sources"][spec.mesh] = names_in_json({*cell.source});
+  spec.context.erase("source_sets");
+  if (!cell.source->is_single()) {
+    spec.source_set = cell.source->name;
+    spec.sources_file = folder_ / source_file(*cell.mesh, *cell.source);
+  }
   spec.benchmark_flags = {
       "--benchmark_repetitions=" + std::to_string(alone ? 1 : suite.repetitions),
       "--benchmark_min_time=" + Json(suite.min_time).dump()};
@@ -136,7 +141,7 @@ void Run::drop_parts_of_other_processors() {
     for (std::size_t i = first; i < last; ++i) {
       if (kept_.erase(i) > 0) fs::remove(spec_of(cells_[i]).output);
     }
-    std::cerr << cells_[first].mesh->entry.name << ", source " << cells_[first].source
+    std::cerr << cells_[first].mesh->entry.name << ", source " << cells_[first].source->name
               << ": was begun on another processor and is measured again\n";
   }
 }
@@ -159,9 +164,8 @@ void Run::note_failure(const Cell& cell, const Row& row) {
   }
   failed_.insert({cell.program, cell.name()});
   if (row.outcome == Outcome::out_of_memory || row.outcome == Outcome::time_out) {
-    exhausted_.try_emplace(
-        {cell.program, cell.solver, cell.mesh},
-        std::string(name_of(row.outcome)) + " from source " + std::to_string(cell.source));
+    exhausted_.try_emplace({cell.program, cell.solver, cell.mesh},
+                           std::string(name_of(row.outcome)) + " from source " + cell.source->name);
   }
 }
 
@@ -257,6 +261,16 @@ void warn_of_names(const Plan& plan, const fs::path& manifest) {
   }
 }
 
+void write_source_sets(const Plan& plan, const fs::path& folder) {
+  for (const PlannedMesh& mesh : plan.meshes) {
+    for (const SourceSet& source : mesh.sources) {
+      if (source.is_single()) continue;
+      make_folder(folder / "sources");
+      write_source_vertices(folder / source_file(mesh, source), source.vertices);
+    }
+  }
+}
+
 // Of the folder, after the time. Shards may start in the same second.
 std::string default_name(const RunRequest& request) {
   const std::string& corpus = request.suite.corpus;
@@ -283,6 +297,7 @@ RunResult run(RunRequest request) {
   const SavedRequest saved = identify(request, plan);
   save_request(saved, folder->path());
   folder->make_subfolders();
+  write_source_sets(plan, folder->path());
 
   const InterruptionGuard guard;
   plan.programs = measured_programs(request.programs, folder->path());

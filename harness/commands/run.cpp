@@ -12,6 +12,7 @@
 #include "harness/cells/run.h"
 #include "harness/commands/values.h"
 #include "harness/corpus/manifest.h"
+#include "harness/corpus/sources.h"
 
 namespace geodesic::harness {
 namespace {
@@ -52,6 +53,9 @@ void make_absolute(RunRequest& request) {
   request.suite.meshes = expand_meshes(request.suite.meshes);
   for (std::string& mesh : request.suite.meshes) {
     if (fs::is_regular_file(mesh)) mesh = fs::absolute(mesh).string();
+  }
+  for (std::string& set : request.suite.source_sets) {
+    if (fs::is_regular_file(set)) set = fs::absolute(set).string();
   }
   request.manifest = fs::absolute(request.manifest);
 }
@@ -132,6 +136,11 @@ void add_request_options(CLI::App& command, RunRequest& request, bool& plan_only
       "only part K of N: some sources of some meshes, with all solvers; `merge` joins the parts")
       ->type_name("K/N");
   option("--sources", suite.sources, "number of source vertices of each mesh");
+  option("--source-sets", suite.source_sets,
+         std::string("sets of sources of each mesh, each solved from in one query: ") +
+             kSourceSetForms)
+      ->delimiter(',')
+      ->type_name("SETS");
   option("--repetitions", suite.repetitions, "number of timed repetitions of each cell");
   option("--seed", suite.seed, "seed of the choice of source vertices");
   option("--min-time", suite.min_time, "minimum duration of a repetition in seconds");

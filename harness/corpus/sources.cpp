@@ -1,7 +1,12 @@
 #include "harness/corpus/sources.h"
 
 #include <algorithm>
+#include <charconv>
 
+#include "harness/base/error.h"
+#include "harness/base/files.h"
+#include "harness/base/json.h"
+#include "harness/corpus/points.h"
 #include "meshes/connectivity.h"
 #include "meshes/random.h"
 
@@ -24,7 +29,107 @@ std::vector<Index> vertices_of_faces(const TriangleSoup& soup) {
   return vertices;
 }
 
+// The whole of the text; nothing where it is no number.
+std::optional<Index> number_in(std::string_view text) {
+  Index number = 0;
+  const char* end = text.data() + text.size();
+  const auto [stopped, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || stopped != end) return std::nullopt;
+  return number;
+}
+
+constexpr std::string_view kRandom = "random:", kBoundary = "boundary", kComponents = "components";
+
+// The first vertex of each component.
+std::vector<Index> one_of_each_component(const TriangleSoup& soup) {
+  const std::vector<bool> usable(soup.triangles.size(), true);
+  std::vector<Index> vertices;
+  DisjointSets components = join_vertices(soup.triangles, usable, soup.positions.size());
+  for (const Index v : vertices_of_faces(soup)) {
+    if (components.find(v) == v) vertices.push_back(v);
+  }
+  return vertices;
+}
+
+std::vector<Index> boundary_of(const TriangleSoup& soup) {
+  const std::vector<bool> on_boundary = boundary_vertices(soup);
+  std::vector<Index> vertices;
+  for (Index v = 0; v < on_boundary.size(); ++v) {
+    if (on_boundary[v]) vertices.push_back(v);
+  }
+  return vertices;
+}
+
+std::vector<Index> vertices_in_file(const std::string& file, const TriangleSoup& soup) {
+  std::vector<Index> vertices = read_source_vertices(file);
+  for (const Index v : vertices) {
+    if (v >= soup.positions.size()) {
+      throw HarnessError("the set of sources '" + file + "' has vertex " + std::to_string(v) +
+                         ", and the mesh has " + std::to_string(soup.positions.size()));
+    }
+  }
+  return vertices;
+}
+
 }  // namespace
+
+bool SourceSet::is_single() const { return number_in(name).has_value(); }
+
+Query SourceSet::query() const {
+  Query query;
+  for (const Index v : vertices) query.sources.push_back({.at = v});
+  return query;
+}
+
+SourceSet single_source(Index vertex) { return {std::to_string(vertex), {vertex}}; }
+
+std::string name_of_source_set(const std::string& word) {
+  if (word == kBoundary || word == kComponents) return word;
+  if (word.starts_with(kRandom)) {
+    const std::optional<Index> count = number_in(std::string_view(word).substr(kRandom.size()));
+    if (count.value_or(0) > 0 && *count < kMostRandomSources) return word;
+  } else if (std::filesystem::is_regular_file(word)) {
+    std::string name = std::filesystem::path(word).stem().string();
+    check_name("name of a set of sources", name);
+    if (!number_in(name)) return name;
+    throw HarnessError("the file " + excerpt(word) +
+                       " has the name of a vertex: a set of sources is called as its file");
+  }
+  throw HarnessError("no set of sources: " + excerpt(word) + "; give " + kSourceSetForms);
+}
+
+std::optional<SourceSet> find_source_set(const std::string& word, const TriangleSoup& soup,
+                                         std::string_view mesh, std::uint64_t seed) {
+  SourceSet set{.name = name_of_source_set(word), .vertices = {}};
+  if (word == kBoundary) {
+    set.vertices = boundary_of(soup);
+  } else if (word == kComponents) {
+    set.vertices = one_of_each_component(soup);
+  } else if (word.starts_with(kRandom)) {
+    const Index count = number_in(std::string_view(word).substr(kRandom.size())).value();
+    set.vertices = choose_sources(soup, mesh, static_cast<int>(count), seed);
+  } else {
+    set.vertices = vertices_in_file(word, soup);
+  }
+  if (set.vertices.empty()) return std::nullopt;
+  return set;
+}
+
+std::vector<Index> read_source_vertices(const std::filesystem::path& file) {
+  const std::string flag = "set of sources";
+  std::vector<Index> vertices;
+  for (const WrittenPoint& point : read_points(file, flag)) {
+    if (point.kind != WrittenPoint::Kind::vertex || point.initial) {
+      throw HarnessError(point.text + ": a set of a run has vertices only");
+    }
+    vertices.push_back(point.elements[0]);
+  }
+  return vertices;
+}
+
+void write_source_vertices(const std::filesystem::path& file, const std::vector<Index>& vertices) {
+  write_bytes(file, Json(vertices).dump() + '\n');
+}
 
 std::vector<Index> choose_sources(const TriangleSoup& soup, std::string_view mesh, int count,
                                   std::uint64_t seed) {

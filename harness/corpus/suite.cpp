@@ -5,12 +5,14 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"
 #include "harness/base/json.h"
 #include "harness/corpus/solvers.h"
+#include "harness/corpus/sources.h"
 
 namespace geodesic::harness {
 namespace {
@@ -47,6 +49,7 @@ const Setters& setters() {
       {"corpus", [](Suite& s, const Json& v) { v.get_to(s.corpus); }},
       {"meshes", [](Suite& s, const Json& v) { v.get_to(s.meshes); }},
       {"sources", [](Suite& s, const Json& v) { set_integer(s.sources, v); }},
+      {"source_sets", [](Suite& s, const Json& v) { v.get_to(s.source_sets); }},
       {"repetitions", [](Suite& s, const Json& v) { set_integer(s.repetitions, v); }},
       {"seed", [](Suite& s, const Json& v) { set_integer(s.seed, v); }},
       {"other_queries", [](Suite& s, const Json& v) { set_integer(s.other_queries, v); }},
@@ -96,6 +99,7 @@ void to_json(Json& json, const Suite& suite) {
           {"corpus", suite.corpus},
           {"meshes", suite.meshes},
           {"sources", suite.sources},
+          {"source_sets", suite.source_sets},
           {"repetitions", suite.repetitions},
           {"seed", suite.seed},
           {"other_queries", suite.other_queries},
@@ -112,7 +116,13 @@ void check_suite(const Suite& suite) {
   const auto check = [](bool holds, const std::string& what) {
     if (!holds) throw HarnessError(what);
   };
-  check(suite.sources >= 1, "sources: a suite needs at least one source a mesh");
+  check(suite.sources >= (suite.source_sets.empty() ? 1 : 0),
+        "sources: a suite needs at least one source a mesh, or a set of sources");
+  std::set<std::string> names;
+  for (const std::string& set : suite.source_sets) {
+    const std::string name = name_of_source_set(set);
+    check(names.insert(name).second, "source_sets: two sets are called '" + name + "'");
+  }
   check(suite.repetitions >= 1, "repetitions: a suite needs at least one repetition");
   check(suite.min_time > 0 && std::isfinite(suite.min_time),
         "min_time: the least time of a repetition must be a positive number of seconds");

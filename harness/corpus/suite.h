@@ -18,11 +18,13 @@ struct Suite {
                                           ///< but Description::by_name_only
   std::string corpus = "quick";           ///< a corpus of the manifest; of `meshes` any name
   std::vector<std::string> meshes = {};   ///< names or files, in place of the whole corpus
-  int sources = 3;                        ///< a mesh
-  int repetitions = 3;                    ///< timed, a cell
-  std::uint64_t seed = 1;                 ///< of the choice of sources
-  int other_queries = 0;                  ///< from other sources, after which a cell solves again
-  double min_time = 0.05;                 ///< seconds, minimum of a repetition
+  int sources = 3;                        ///< single ones, a mesh
+  std::vector<std::string> source_sets = {};  ///< as of name_of_source_set (corpus/sources.h); each
+                                              ///< is a further source of each mesh that has it
+  int repetitions = 3;                        ///< timed, a cell
+  std::uint64_t seed = 1;                     ///< of the choice of sources
+  int other_queries = 0;   ///< from other sources, after which a cell solves again
+  double min_time = 0.05;  ///< seconds, minimum of a repetition
   std::optional<std::string> reference =
       {};                        ///< solver to verify by, or "brute force" where a closed form is
                                  ///< not known; by default a solver of another kind

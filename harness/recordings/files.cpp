@@ -73,10 +73,10 @@ void write_reached_by(const fs::path& folder, const Mesh& mesh, std::span<const 
 
 }  // namespace
 
-RecordingFolders recording_folders(const std::string& mesh, Index source,
+RecordingFolders recording_folders(const std::string& mesh, const std::string& source,
                                    const std::string& solver) {
   const fs::path of_mesh = fs::path("recordings") / as_file_name(mesh);
-  const fs::path of_source = of_mesh / ("src" + std::to_string(source));
+  const fs::path of_source = of_mesh / ("src" + as_file_name(source));
   return {.mesh = of_mesh, .source = of_source, .solver = of_source / as_file_name(solver)};
 }
 

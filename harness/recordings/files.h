@@ -13,13 +13,13 @@ namespace geodesic::harness {
 /// Folders below the run folder.
 struct RecordingFolders {
   std::filesystem::path mesh;    ///< `recordings/<mesh>`
-  std::filesystem::path source;  ///< `recordings/<mesh>/src<vertex>`
-  std::filesystem::path solver;  ///< `recordings/<mesh>/src<vertex>/<solver>`
+  std::filesystem::path source;  ///< `recordings/<mesh>/src<source>`
+  std::filesystem::path solver;  ///< `recordings/<mesh>/src<source>/<solver>`
 };
 
 /// Different names give different folders: bytes other than letters, digits, ".", "_" and "-" are
 /// written %XX.
-RecordingFolders recording_folders(const std::string& mesh, Index source,
+RecordingFolders recording_folders(const std::string& mesh, const std::string& source,
                                    const std::string& solver);
 
 /// A Recording with the options for what `write_wavefront` writes.

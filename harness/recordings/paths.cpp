@@ -24,11 +24,12 @@ std::vector<Index> spread_vertices(const Mesh& mesh, Index first, std::size_t co
   return spread;
 }
 
-FigurePaths solve_figure_paths(const std::string& solver, const Mesh& mesh, Index source,
+FigurePaths solve_figure_paths(const std::string& solver, const Mesh& mesh, const Query& query,
                                std::span<double> distances) {
-  const std::vector<Index> ends = spread_vertices(mesh, source, kFigurePaths + 1, distances);
+  const Index first = query.sources.front().at.vertex;
+  const std::vector<Index> ends = spread_vertices(mesh, first, kFigurePaths + 1, distances);
   const auto fresh = make_solver(solver, mesh);
-  const Paths paths = geodesic::solve_paths(*fresh, mesh, {.sources = {{.at = source}}});
+  const Paths paths = geodesic::solve_paths(*fresh, mesh, query);
   FigurePaths traced;
   for (const Index target : std::span(ends).subspan(1)) {
     traced.pieces.push_back({target, traced.points.size()});
@@ -40,10 +41,9 @@ FigurePaths solve_figure_paths(const std::string& solver, const Mesh& mesh, Inde
   return traced;
 }
 
-FigureCells solve_figure_cells(const std::string& solver, const Mesh& mesh, Index source,
-                               std::span<const double> distances) {
-  FigureCells cells{.sources = spread_vertices(mesh, source, kFigureSources, distances),
-                    .nearest = {}};
+FigureCells solve_figure_cells(const std::string& solver, const Mesh& mesh,
+                               const std::vector<Index>& sources) {
+  FigureCells cells{.sources = sources, .nearest = {}};
   Query query;
   for (const Index v : cells.sources) query.sources.push_back({.at = v});
   const auto fresh = make_solver(solver, mesh);

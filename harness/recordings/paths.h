@@ -30,10 +30,10 @@ struct FigurePaths {
   std::vector<Piece> pieces;
 };
 
-/// Solves on a fresh solver object for the paths to spread vertices.
+/// Solves on a fresh solver object for the paths to spread vertices, the first source among them.
 /// @param solver one that claims paths (Abilities::paths)
 /// @param distances one entry a vertex; those of an earlier solve, and then those of this one
-FigurePaths solve_figure_paths(const std::string& solver, const Mesh& mesh, Index source,
+FigurePaths solve_figure_paths(const std::string& solver, const Mesh& mesh, const Query& query,
                                std::span<double> distances);
 
 /// Which of several sources is the nearest of each vertex.
@@ -42,10 +42,9 @@ struct FigureCells {
   std::vector<Index> nearest;  ///< by external number, a place in `sources`; kNone where none leads
 };
 
-/// Solves on a fresh solver object from spread vertices, the source among them.
+/// Solves on a fresh solver object.
 /// @param solver one that claims paths and several sources
-/// @param distances of a solve from the source
-FigureCells solve_figure_cells(const std::string& solver, const Mesh& mesh, Index source,
-                               std::span<const double> distances);
+FigureCells solve_figure_cells(const std::string& solver, const Mesh& mesh,
+                               const std::vector<Index>& sources);
 
 }  // namespace geodesic::harness

@@ -43,8 +43,14 @@ std::string compact(const Json& json) {
 
 }  // namespace
 
-std::string row_name(const std::string& solver, const std::string& mesh, Index source) {
-  return solver + "/" + mesh + "/src:" + std::to_string(source);
+std::string row_name(const std::string& solver, const std::string& mesh,
+                     const std::string& source) {
+  return solver + "/" + mesh + "/src:" + source;
+}
+
+Json source_in_json(const std::string& name) {
+  const bool is_vertex = name.find_first_not_of("0123456789") == std::string::npos;
+  return is_vertex ? Json(std::stoul(name)) : Json(name);
 }
 
 std::string Row::name() const { return row_name(solver, mesh, source); }
@@ -70,7 +76,7 @@ void to_json(Json& json, const Row& row) {
                {"time_unit", "ms"},
                {"solver", row.solver},
                {"mesh", row.mesh},
-               {"source", row.source},
+               {"source", source_in_json(row.source)},
                {"outcome", name_of(row.outcome)}});
   for_each_optional(row, [&](const char* key, const auto& value) {
     if (value) json[key] = *value;
@@ -80,7 +86,8 @@ void to_json(Json& json, const Row& row) {
 void from_json(const Json& json, Row& row) {
   json.at("solver").get_to(row.solver);
   json.at("mesh").get_to(row.mesh);
-  json.at("source").get_to(row.source);
+  const Json& source = json.at("source");
+  row.source = source.is_string() ? source.get<std::string>() : source.dump();
   json.at("repetitions").get_to(row.repetitions);
   json.at("repetition_index").get_to(row.repetition_index);
   json.at("threads").get_to(row.threads);

@@ -11,7 +11,6 @@
 #include "harness/base/json.h"
 #include "harness/corpus/outcome.h"
 #include "harness/results/counters.h"
-#include "solvers/core/geometry.h"
 
 namespace geodesic::harness {
 
@@ -25,7 +24,7 @@ GEODESIC_JSON_MEMBERS(PhaseSeconds, propagation, trimming, queue, timer_overhead
 /// One timed repetition of a cell, or why the cell has none.
 struct Row {
   std::string solver, mesh;
-  Index source = 0;
+  std::string source = "0";                   ///< name of a SourceSet (corpus/sources.h)
   std::optional<std::string> program = {};    ///< of a run of several programs: which it was
   std::optional<std::string> processor = {};  ///< that measured it; in files, where it is not the
                                               ///< context's
@@ -56,7 +55,7 @@ struct Row {
   std::optional<std::uint64_t> unreachable_mismatches = {};
   std::optional<std::string> reference = {};
 
-  /// "<solver>/<mesh>/src:<vertex>"
+  /// "<solver>/<mesh>/src:<source>"
   std::string name() const;
   bool ok() const { return outcome == Outcome::ok; }
   /// What is published as the time: of the CPU, and of the wall where several threads share the
@@ -65,7 +64,10 @@ struct Row {
 };
 
 /// @see Row::name
-std::string row_name(const std::string& solver, const std::string& mesh, Index source);
+std::string row_name(const std::string& solver, const std::string& mesh, const std::string& source);
+
+/// A source in JSON: a vertex is a number, a set its name.
+Json source_in_json(const std::string& name);
 
 /// In the shape of a row of Google Benchmark. Members that are absent are left out.
 void to_json(Json& json, const Row& row);

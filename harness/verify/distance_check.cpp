@@ -49,6 +49,8 @@ double excess(double got, double expected, Relation relation, double least) {
       return error;
     case Relation::same_reach:
       return std::isinf(error) ? kInfinity : 0;
+    case Relation::same_infinity:
+      return std::isinf(got) != std::isinf(expected) ? kInfinity : 0;
   }
   return kInfinity;
 }
@@ -127,9 +129,11 @@ Promise Promise::of(const Description& solver) {
 Finding check_promise(const Promise& promise, const Query& query, std::span<const double> got,
                       std::span<const double> expected, Tolerance tolerance) {
   tolerance.relative += promise.bound;
-  const Relation relation = promise.exactness == Exactness::upper_bound ? Relation::upper_bound
-                            : promise.exactness == Exactness::unbounded ? Relation::same_reach
-                                                                        : Relation::equal;
+  Relation relation = Relation::equal;
+  if (promise.exactness == Exactness::upper_bound) relation = Relation::upper_bound;
+  if (promise.exactness == Exactness::unbounded) {
+    relation = query.sources.size() > 1 ? Relation::same_infinity : Relation::same_reach;
+  }
   if (promise.exactness == Exactness::exact || query.limit == kInfinity) {
     return check_distances(query, got, expected, relation, tolerance);
   }

@@ -41,13 +41,15 @@ Finding in(const std::string& circumstances, Finding finding);
 
 /// How distances must relate to expected ones.
 enum class Relation {
-  equal,        ///< up to the tolerance, infinite in the same places
-  same_bits,    ///< whatever the tolerance
-  upper_bound,  ///< not less, infinite and 0 in the same places
-  at_least,     ///< not less
-  at_most,      ///< not more
-  same_reach,   ///< infinite and 0 in the same places, otherwise anything: heat methods give
-                ///< negative ones
+  equal,          ///< up to the tolerance, infinite in the same places
+  same_bits,      ///< whatever the tolerance
+  upper_bound,    ///< not less, infinite and 0 in the same places
+  at_least,       ///< not less
+  at_most,        ///< not more
+  same_reach,     ///< infinite and 0 in the same places, otherwise anything: heat methods give
+                  ///< negative ones
+  same_infinity,  ///< infinite in the same places: they give each of several sources another
+                  ///< distance than 0
 };
 
 /// (got - expected) / expected, or / `least` where that is more; 0 when they are equal. Infinite,

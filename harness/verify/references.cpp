@@ -37,7 +37,13 @@ std::vector<std::string> reference_candidates(const Description& verified,
     if (!solver->values.empty()) solvers.push_back(solver);
   }
   std::vector<std::string> names;
-  for (const Description* solver : rank_references(verified, solvers, named)) {
+  std::vector<const Description*> ranked = rank_references(verified, solvers, named);
+  if (sources.many_sources) {
+    std::ranges::stable_partition(ranked, [&](const Description* solver) {
+      return !solver->independent_oracle || solver->name == named;
+    });
+  }
+  for (const Description* solver : ranked) {
     names.push_back(solver->name);
   }
   const bool named_is_first = !names.empty() && names.front() == named;

@@ -242,6 +242,43 @@ TEST_F(RunTest, RecordedCellsAreThoseOfSourcesThatAreTheirOwn) {
   EXPECT_EQ(std::ranges::count(nearest, 0xFFFFFFFF), 1) << "the isolated vertex";
 }
 
+TEST_F(RunTest, SetsOfSourcesAreCellsLikeSingleVertices) {
+  const auto own = write("own.json", "[3, 7, 9]");
+  const Output run =
+      run_suite(PROGRAM, {"--solvers", exact_solver() + ",dijkstra", "--sources", "1", "--meshes",
+                          "hill", "--source-sets", "random:3,boundary,components," + own.string(),
+                          "--recordings", "all"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  json sources = json::array();
+  for (const json& each : rows()) {
+    EXPECT_EQ(each.at("outcome"), "ok") << each;
+    const bool first = each.at("repetition_index") == 0 && each.at("solver") == "dijkstra";
+    if (first) sources.push_back(each.at("source"));
+  }
+  const json context = read_json(out_ / "run.json").at("context").at("geodesic_bench");
+  EXPECT_EQ(sources, context.at("sources").at("hill"));
+  EXPECT_EQ(sources.size(), 5u);
+  const json sets = context.at("source_sets").at("hill");
+  EXPECT_EQ(sets.at("random:3").at("vertices"), 3);
+  EXPECT_EQ(sets.at("own").at("vertices"), 3);
+  EXPECT_EQ(read_json(out_ / sets.at("own").at("file").get<std::string>()), json({3, 7, 9}));
+  const json set = row(exact_solver() + "/hill/src:own");
+  const auto folder = (out_ / set.at("recordings").get<std::string>()).parent_path();
+  EXPECT_EQ(npy_vector<std::uint32_t>(read(folder / "cell_sources.npy")),
+            (std::vector<std::uint32_t>{3, 7, 9}));
+  const auto distances = npy_vector<double>(read(folder / "distances.npy"));
+  for (const std::size_t v : {3u, 7u, 9u}) EXPECT_EQ(distances[v], 0) << v;
+}
+
+TEST_F(RunTest, AMeshWithoutAnySourceIsSkippedWithTheReason) {
+  const Output run = run_suite(PROGRAM, {"--solvers", "dijkstra", "--sources", "0", "--meshes",
+                                         "hill,tetrahedron", "--source-sets", "boundary"});
+  EXPECT_NE(run.err.find("skipped tetrahedron: no vertex is a source (boundary)"),
+            std::string::npos)
+      << run.err;
+  EXPECT_EQ(rows().size(), 2u);
+}
+
 TEST_F(RunTest, SmallMeshesAndRunsWithoutRecordingsLeaveNone) {
   for (const char* choice : {"auto", "none"}) {
     std::filesystem::remove_all(out_);

@@ -15,12 +15,12 @@ TEST(Cells, AlternateSolversOnAMeshAndSource) {
   plan.solvers = {&a, &b};
   plan.meshes.resize(2);
   plan.meshes[0].entry.name = "m";
-  plan.meshes[0].sources = {0, 7};
+  plan.meshes[0].sources = {single_source(0), single_source(7)};
   plan.meshes[1].entry.name = "n";
-  plan.meshes[1].sources = {3};
+  plan.meshes[1].sources = {single_source(3)};
   std::vector<std::string> order;
   for (const Cell& cell : plan.cells()) {
-    order.push_back(row_name(cell.solver->name, cell.mesh->entry.name, cell.source));
+    order.push_back(cell.name());
   }
   EXPECT_EQ(order, (std::vector<std::string>{"a/m/src:0", "b/m/src:0", "a/m/src:7", "b/m/src:7",
                                              "a/n/src:3", "b/n/src:3"}));
@@ -44,7 +44,7 @@ TEST(InterleavedCells, AlternateTheOrderOfSolversAndProgramsFromRepetitionToRepe
             .programs = {{.name = "x", .file = {}}, {.name = "y", .file = {}}}};
   plan.meshes.resize(1);
   plan.meshes[0].entry.name = "m";
-  plan.meshes[0].sources = {0, 7};
+  plan.meshes[0].sources = {single_source(0), single_source(7)};
   plan.only = {"a/m/src:0", "b/m/src:7"};
   std::string order;
   for (const Cell& cell : plan.interleaved_cells(3)) {
@@ -66,7 +66,7 @@ TEST(InterleavedCells, AlternateTheOrderOfSolversAndProgramsFromRepetitionToRepe
 TEST(Row, OfAFailureHasNoTimeAndASingleLine) {
   const Json json = Row{.solver = "s",
                         .mesh = "m",
-                        .source = 4,
+                        .source = "4",
                         .outcome = Outcome::error,
                         .error_message = "first\nsecond"};
   EXPECT_EQ(json["name"], "s/m/src:4");
@@ -77,8 +77,18 @@ TEST(Row, OfAFailureHasNoTimeAndASingleLine) {
   EXPECT_EQ(json["iterations"], 0);
 }
 
+TEST(Row, NamesASetOfSourcesAndNumbersAVertex) {
+  const Json vertex = Row{.solver = "s", .mesh = "m", .source = "4"};
+  const Json set = Row{.solver = "s", .mesh = "m", .source = "random:8"};
+  EXPECT_EQ(vertex["source"], 4);
+  EXPECT_EQ(set["source"], "random:8");
+  EXPECT_EQ(set["name"], "s/m/src:random:8");
+  EXPECT_EQ(vertex.get<Row>().source, "4");
+  EXPECT_EQ(set.get<Row>().source, "random:8");
+}
+
 TEST(Row, IsReadAsItWasWritten) {
-  Row row{.solver = "s", .mesh = "m", .source = 4, .program = "base"};
+  Row row{.solver = "s", .mesh = "m", .source = "4", .program = "base"};
   row.repetitions = 3;
   row.repetition_index = 2;
   row.iterations = 7;

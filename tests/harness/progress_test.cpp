@@ -18,7 +18,8 @@ TEST(Progress, IsALineACellThatNamesItAndHowLongItTook) {
   PlannedMesh mesh;
   mesh.entry.name = "m";
   mesh.vertices = 100;
-  const std::vector<Cell> cells{{&mesh, 7, &solver}, {&mesh, 9, &solver}};
+  const SourceSet seven = single_source(7), nine = single_source(9);
+  const std::vector<Cell> cells{{&mesh, &seven, &solver}, {&mesh, &nine, &solver}};
   Progress progress(cells, {.repetitions = 1, .min_time = 0.001});
   ::testing::internal::CaptureStderr();
   progress.working("reference by r");
@@ -81,7 +82,7 @@ class Replay {
       mesh.entry.name = recorded.name;
       if (recorded.closed_form) mesh.entry.recipe = Recipe{.generator = "box", .parameters = {}};
       mesh.vertices = recorded.vertices;
-      mesh.sources = {0, 1};
+      mesh.sources = {single_source(0), single_source(1)};
       if (recorded.ms[1] == 0) mesh.unsupported["ch"] = "too large";
     }
     cells_ = plan_.cells();
@@ -132,7 +133,7 @@ class Replay {
   Plan plan_;
   std::vector<Cell> cells_;
   std::vector<double> seconds_;
-  std::set<std::tuple<const PlannedMesh*, Index, std::string>> references_;
+  std::set<std::tuple<const PlannedMesh*, const SourceSet*, std::string>> references_;
 };
 
 TEST(Forecast, IsWithinAFactorOfOneAndAHalfAfterATenthOfTheTime) {

@@ -14,8 +14,8 @@ class RecordedCells : public ::testing::Test {
  protected:
   Cell cell(Index vertices, Index source, const Description& solver) {
     mesh_.vertices = vertices;
-    mesh_.sources = mesh_.run_sources = {7, 9};
-    return {&mesh_, source, &solver};
+    mesh_.sources = mesh_.run_sources = {single_source(7), single_source(9)};
+    return {&mesh_, &mesh_.sources[source == 7 ? 0 : 1], &solver};
   }
   PlannedMesh mesh_;
   static Description solver(Exactness exactness) {
@@ -44,7 +44,7 @@ TEST_F(RecordedCells, AreAllOrNoneWhereThatIsWished) {
 }
 
 TEST(RecordingFolders, AreNamedByMeshSourceAndSolver) {
-  const RecordingFolders folders = recording_folders("stanford-bunny_2.0", 12, "fwp-mmp");
+  const RecordingFolders folders = recording_folders("stanford-bunny_2.0", "12", "fwp-mmp");
   EXPECT_EQ(folders.mesh, "recordings/stanford-bunny_2.0");
   EXPECT_EQ(folders.source, "recordings/stanford-bunny_2.0/src12");
   EXPECT_EQ(folders.solver, "recordings/stanford-bunny_2.0/src12/fwp-mmp");
@@ -55,7 +55,7 @@ TEST(RecordingFolders, StayApartAndInsideTheRunWhateverTheMeshIsCalled) {
   const std::vector<std::string> names{"a b", "a_b",  "a%20b",    "..",   ".", "../x",
                                        "a/b", "a\nb", "\xc3\xa9", "$(x)", "-"};
   for (const std::string& name : names) {
-    const std::string folder = recording_folders(name, 0, "mmp").mesh.string();
+    const std::string folder = recording_folders(name, "0", "mmp").mesh.string();
     EXPECT_EQ(folder.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEF0123456789._-%/"),
               std::string::npos)
         << folder;

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <set>
 
+#include "harness/base/files.h"
 #include "meshes/random.h"
+#include "tests/harness/expect_error.h"
 
 namespace geodesic::harness {
 namespace {
@@ -66,6 +68,56 @@ TEST(Sources, FewerAreAPrefixOfMore) {
   const std::vector<Index> few = choose_sources(fan(0, 100), "m", 3, 1);
   const std::vector<Index> many = choose_sources(fan(0, 100), "m", 9, 1);
   EXPECT_TRUE(std::equal(few.begin(), few.end(), many.begin()));
+}
+
+// Two triangles without a common vertex, of vertices 2 to 7; vertices 0 and 1 have no face.
+TriangleSoup two_components() {
+  TriangleSoup soup;
+  soup.positions.resize(8);
+  soup.triangles = {{5, 6, 7}, {2, 3, 4}};
+  return soup;
+}
+
+std::vector<Index> vertices_of(const std::string& set, const TriangleSoup& soup) {
+  const auto found = find_source_set(set, soup, "m", 1);
+  return found ? found->vertices : std::vector<Index>{};
+}
+
+TEST(SourceSets, AreRandomVerticesTheBoundaryOrOneOfEachComponent) {
+  EXPECT_EQ(vertices_of("random:9", fan(0, 100)), choose_sources(fan(0, 100), "m", 9, 1));
+  EXPECT_EQ(vertices_of("random:9", two_components()).size(), 6u) << "all that there are";
+  EXPECT_EQ(vertices_of("boundary", two_components()), (std::vector<Index>{2, 3, 4, 5, 6, 7}));
+  EXPECT_EQ(vertices_of("components", two_components()), (std::vector<Index>{2, 5}));
+  TriangleSoup closed;
+  closed.positions.resize(4);
+  closed.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  EXPECT_FALSE(find_source_set("boundary", closed, "m", 1)) << "it has none";
+}
+
+TEST(SourceSets, OfAFileAreCalledLikeItAndHaveVerticesOfTheMesh) {
+  const std::filesystem::path folder = ::testing::TempDir();
+  const std::string file = folder / "front-row.json", other = folder / "points.txt";
+  write_source_vertices(file, {2, 4, 7});
+  const auto set = find_source_set(file, two_components(), "m", 1);
+  ASSERT_TRUE(set);
+  EXPECT_EQ(set->name, "front-row");
+  EXPECT_EQ(set->vertices, (std::vector<Index>{2, 4, 7}));
+  EXPECT_FALSE(set->is_single());
+  TriangleSoup small = two_components();
+  small.positions.resize(7);
+  expect_error([&] { find_source_set(file, small, "m", 1); }, {"front-row", "vertex 7", "has 7"});
+  write_bytes(other, "1, edge:3-4:0.5");
+  expect_error([&] { find_source_set(other, two_components(), "m", 1); },
+               {"points.txt", "edge:3-4:0.5", "vertices only"});
+  const std::string number = folder / "12.json";
+  write_source_vertices(number, {1});
+  expect_error([&] { name_of_source_set(number); }, {"12.json", "name of a vertex"});
+}
+
+TEST(SourceSets, OfNoFormAreRefusedWithTheForms) {
+  for (const char* word : {"random", "random:", "random:0", "random:-1", "random:x", "edge", "8"}) {
+    expect_error([&] { name_of_source_set(word); }, {word, "random:N", "boundary", "components"});
+  }
 }
 
 }  // namespace

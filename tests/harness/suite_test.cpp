@@ -11,11 +11,13 @@ using SuiteFile = TemporaryFolder;
 TEST_F(SuiteFile, SetsEveryKey) {
   const Suite suite = read_suite(write("suite.json", R"({
     "solvers": ["a", "b"], "corpus": "real", "meshes": ["m"], "sources": 5, "repetitions": 7,
+    "source_sets": ["random:8", "boundary"],
     "other_queries": 4, "seed": 18446744073709551615, "min_time": 0.25, "reference": "a", "vectors": "plain"})"));
   EXPECT_EQ(suite.solvers, (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(suite.corpus, "real");
   EXPECT_EQ(suite.meshes, std::vector<std::string>{"m"});
   EXPECT_EQ(suite.sources, 5);
+  EXPECT_EQ(suite.source_sets, (std::vector<std::string>{"random:8", "boundary"}));
   EXPECT_EQ(suite.repetitions, 7);
   EXPECT_EQ(suite.seed, 18446744073709551615u);
   EXPECT_EQ(suite.other_queries, 4);
@@ -41,6 +43,8 @@ TEST_F(SuiteFile, RefusesUnknownKeysAndListsTheKnownOnes) {
 TEST_F(SuiteFile, RefusesValuesOutOfRange) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {R"({"sources": 0})", "at least one source"},
+      {R"({"source_sets": ["random"]})", "no set of sources: random"},
+      {R"({"source_sets": ["boundary", "boundary"]})", "two sets are called 'boundary'"},
       {R"({"sources": 2.5})", "not a non-negative integer"},
       {R"({"sources": -1})", "not a non-negative integer"},
       {R"({"sources": 4294967297})", "too large"},

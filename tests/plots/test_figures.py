@@ -37,6 +37,7 @@ NEEDS = {
     "accuracy": ["max_relative_error"],
     "break_even": ["cpu_time"],
     "frontier": ["cpu_time"],
+    "many_sources": ["cpu_time"],
     "figure_5_9": ["phase_seconds"],
     "figure_5_10": ["wavefront_sd_edges"],
     "overview": ["window_limit", "cpu_time"],
@@ -87,7 +88,33 @@ def suited(name: str, run: Run) -> Run:
         return with_peers(run)
     if name == "frontier":
         return with_inexact(run, "my-heat", "steiner?points=7")
+    if name == "many_sources":
+        return with_sets(run)
     return renamed(run, SERIES) if name == "time_over_vertices" else run
+
+
+def with_sets(run: Run) -> Run:
+    """The run with a set of sources on each mesh beside its first vertex."""
+    first = {mesh: sources[0] for mesh, sources in run.sources.items()}
+    rows = [without_recordings(row) for row in data_of(run) if row["source"] == first[row["mesh"]]]
+    of_sets = [row | {"source": "random:8"} for row in rows]
+    sets = {"random:8": {"vertices": 8, "file": "sources/m.json"}}
+    return with_rows(
+        run, rows + of_sets,
+        context=run.context | {"geodesic_bench": run.ours | {"source_sets": AnyMesh(sets)}},
+        sources={mesh: [vertex, "random:8"] for mesh, vertex in first.items()},
+    )  # fmt: skip
+
+
+class AnyMesh(dict[str, Any]):
+    """Of any mesh the same sets."""
+
+    def __init__(self, sets: dict[str, Any]) -> None:
+        super().__init__()
+        self._sets = sets
+
+    def __getitem__(self, mesh: str) -> dict[str, Any]:
+        return self._sets
 
 
 def with_peers(run: Run) -> Run:
@@ -312,6 +339,8 @@ def test_all_draws_what_it_can_and_says_what_it_leaves_out(golden_run: Run) -> N
         assert "run --corpus break-even" in why.pop(heat)
     for name in ("frontier", "which_to_take", "which_to_take_mean"):
         assert "run --corpus frontier" in why.pop(name)
+    for sets in ("many_sources_numbers", "many_sources"):
+        assert "run --source-sets" in why.pop(sets)
     assert list(why) == [
         "figure_5_7", "figure_5_8", "figure_5_10_curve", "figure_6_4", "paths", "cells", "error_map",
         *(f"figure_a_{number}" for number in range(1, 6)),

@@ -26,7 +26,7 @@ def recording(tmp_path: Path) -> Recording:
     edge = mean_edge_length(vertices, faces)
     mesh = Mesh("square", "", len(vertices), len(faces), edge, None, False)
     folders = {solver: tmp_path / path for solver, path in paths.items()}
-    return Recording(mesh, 0, tmp_path / "recordings" / "square" / "src0", folders)
+    return Recording(mesh, 0, [0], tmp_path / "recordings" / "square" / "src0", folders)
 
 
 def everything(recording: Recording) -> None:

@@ -168,7 +168,7 @@ def test_100_000_faces_are_drawn_and_turned(browser: Any, tmp_path: Path) -> Non
     np.save(folder / "distances.npy", np.linalg.norm(vertices - vertices[0], axis=1))
     edge = mean_edge_length(vertices, faces)
     mesh = Mesh("torus", "", len(vertices), len(faces), edge, None, False)
-    command.write(Recording(mesh, 0, folder, {}), [], None, "the test", tmp_path / "torus.html")
+    command.write(Recording(mesh, 0, [0], folder, {}), [], None, "the test", tmp_path / "torus.html")
     browser.get((tmp_path / "torus.html").as_uri())
     before = picture(browser)
     press(browser, "ArrowRight")

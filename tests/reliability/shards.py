@@ -28,6 +28,7 @@ class Sharded:
     def words(self, *more: str, min_time: str = "0.0001") -> list[str]:
         meshes = ",".join(str(self.folder / f"{kind}.ply") for kind in SIZES)
         return ["--meshes", meshes, "--solvers", "edge-based,ich,dijkstra", "--sources", "3",
+                "--source-sets", "random:4,boundary",  # a box has no boundary
                 "--repetitions", "2", "--min-time", min_time, *more]  # fmt: skip
 
     def bench_says(self, *words: object) -> Ended:

@@ -40,7 +40,7 @@ def test_merged_shards_are_the_run_in_one_piece(
 ) -> None:
     ended = sharded.merge(three / "shards", "--out", "merged", "--rows-in-json", most)
     assert ended.returncode == 0, ended.stderr
-    assert ended.stdout.startswith("3 shards: 36 rows of 2 meshes, measured on ")
+    assert ended.stdout.startswith("3 shards: 54 rows of 2 meshes, measured on ")
     merged = tmp_path / "merged"
     assert (merged / "rows.npz").exists() == (most == "3")
     assert differences(three / "whole", merged) == []
@@ -59,7 +59,7 @@ def test_all_solvers_of_a_source_are_in_one_shard_also_when_they_alternate(
     assert sharded.run("--interleave", "--out", "whole").returncode == 0
     shards = sharded.shards(2, "--interleave")
     sources = [{(row.mesh, row.source) for row in read_run(shards / n).rows} for n in "12"]
-    assert not sources[0] & sources[1] and len(sources[0] | sources[1]) == 6
+    assert not sources[0] & sources[1] and len(sources[0] | sources[1]) == 9
     assert sharded.merge(shards, "--out", "merged").returncode == 0
     assert differences(tmp_path / "whole", tmp_path / "merged") == []
 
@@ -177,7 +177,7 @@ def test_what_another_processor_left_unfinished_is_measured_again(
     [one, other] = sorted(run.processors, key="Abacus".__ne__)
     elsewhere = {(row.mesh, row.source) for row in run.of_processor(one).rows}
     here = {(row.mesh, row.source) for row in run.of_processor(other).rows}
-    assert len(elsewhere) == 2 and len(here) == 4 and not elsewhere & here
+    assert len(elsewhere) == 3 and len(here) == 6 and not elsewhere & here
     assert (mesh, int(source)) in here
     report = sharded.bench_says("report", "merged")
     assert report.returncode == 0, report.stderr

@@ -90,6 +90,18 @@ TEST(DistanceCheck, a_limit_may_cut_off_inexact_distances_on_the_side_that_their
   }
 }
 
+TEST(DistanceCheck, an_unbounded_solver_may_give_one_of_several_sources_another_distance_than_0) {
+  const auto holds = [&](Exactness exactness, const Query& query, const Values& got) {
+    return nothing(check_promise({exactness, 0}, query, got, Values{0, 0, 1}));
+  };
+  const Query one{.sources = {{0}}}, two{.sources = {{0}, {1}}};
+  const Values shifted{0, -0.5, 1}, unreached{0, kInfinity, 1};
+  EXPECT_TRUE(holds(Exactness::unbounded, two, shifted));
+  EXPECT_FALSE(holds(Exactness::unbounded, one, shifted));
+  EXPECT_FALSE(holds(Exactness::unbounded, two, unreached));
+  EXPECT_FALSE(holds(Exactness::upper_bound, two, shifted));
+}
+
 TEST(DistanceCheck, same_bits_means_to_the_last_bit) {
   const auto check = [](double got, double expected) {
     return check_distances(kFromZero, Values{0, got}, Values{0, expected}, Relation::same_bits);

@@ -1,0 +1,178 @@
+"""Queries from several sources at once: time and error against the number of sources."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
+
+from plots import style
+from plots.dots import sentences
+from plots.drawing import Drawing
+from plots.logarithmic import logarithmic
+from plots.measures import columns, count
+from plots.ratios import fastest_exact, mean
+from results.reader import ResultError, Row, Run, Source
+from results.statistics import Estimate, median
+from results.table import Cell, Table
+
+RANDOM = "random:"
+"""Sets of so many vertices, the same number on every mesh."""
+
+
+@dataclass(frozen=True)
+class Point:
+    """A solver's answers from so many sources, over the meshes."""
+
+    sources: int
+    time: float
+    """Over that of the base from one source: the geometric mean."""
+    largest: float
+    """Relative errors: the largest, and the mean of the mean ones."""
+    mean: float
+
+
+def sizes(run: Run) -> dict[str, dict[int, Source]]:
+    """By mesh: the sources that are drawn, by the number of their vertices. The first vertex stands
+    for one."""
+    found: dict[str, dict[int, Source]] = {}
+    for mesh, sources in run.sources.items():
+        by_size: dict[int, Source] = {}
+        for source in sources:
+            size = run.set_size(mesh, source)
+            if size == 1 or str(source).startswith(RANDOM):
+                by_size.setdefault(size, source)
+        found[mesh] = by_size
+    return found
+
+
+def of(run: Run, mesh: str, solver: str, source: Source) -> list[Row]:
+    rows = run.cell(mesh, solver)
+    return [row for row in rows if row.source == source and row.number("cpu_time") is not None]
+
+
+def seconds(rows: list[Row]) -> Estimate:
+    return median([[1e-3 * row.time for row in rows]])
+
+
+def error(rows: list[Row], key: str) -> float:
+    return max((row.number(key) or 0.0 for row in rows), default=0.0)
+
+
+def base_of(run: Run) -> str:
+    """The fastest exact solver, which the others are compared with.
+
+    @raises ResultError for a run without sets of sources, or without an exact solver"""
+    if "source_sets" not in run.ours:
+        raise ResultError(f"{run.file}: no sets of sources; run --source-sets random:8,boundary")
+    return fastest_exact(run)
+
+
+def points(run: Run, solver: str, base: str) -> list[Point]:
+    """Only the numbers of sources at which the solver has an answer on every mesh that has them."""
+    by_mesh = sizes(run)
+    found = []
+    for size in sorted({size for sets in by_mesh.values() for size in sets}):
+        meshes = [mesh for mesh, sets in by_mesh.items() if {1, size} <= sets.keys()]
+        answers = [of(run, mesh, solver, by_mesh[mesh][size]) for mesh in meshes]
+        bases = [of(run, mesh, base, by_mesh[mesh][1]) for mesh in meshes]
+        if not meshes or not all(answers) or not all(bases):
+            continue
+        ratios = [seconds(a).value / seconds(b).value for a, b in zip(answers, bases, strict=True)]
+        means = [error(rows, "mean_relative_error") for rows in answers]
+        largest = max(error(rows, "max_relative_error") for rows in answers)
+        found.append(Point(size, mean(np.array(ratios)), largest, sum(means) / len(means)))
+    return found
+
+
+def figure(run: Run) -> Drawing:
+    """@raises ResultError as base_of, and for a run of fewer than two numbers of sources"""
+    base = base_of(run)
+    found = {solver: points(run, solver, base) for solver in columns(run)}
+    if max(map(len, found.values())) < 2:
+        raise ResultError(
+            f"{run.file}: no two numbers of sources; run --source-sets random:8,random:64"
+        )
+    inexact = {solver: of for solver, of in found.items() if any(p.largest > 0 for p in of)
+               and not run.solvers[solver].exact}  # fmt: skip
+    looks = style.solver_styles(run.solvers)
+    picture = style.new_figure(3.6 + 0.11 * len(found), width=9)
+    panels = picture.subplots(1, 3 if inexact else 1, squeeze=False)[0]
+    lines = {solver: [(p.sources, p.time) for p in of] for solver, of in found.items()}
+    _draw(panels[0], f"time, over {style.plain(base)}'s from one source", looks, lines)
+    if inexact:
+        means = {solver: [(p.sources, p.mean) for p in of] for solver, of in inexact.items()}
+        largest = {solver: [(p.sources, p.largest) for p in of] for solver, of in inexact.items()}
+        _draw(panels[1], "mean relative error", looks, means)
+        _draw(panels[2], "largest relative error", looks, largest)
+    panels[len(panels) // 2].set_xlabel("sources of one query")
+    handles = [
+        Line2D([], [], label=style.plain(s), color=looks[s].color, linestyle=looks[s].line,
+               marker=looks[s].marker)
+        for s in found
+    ]  # fmt: skip
+    style.legend_above(picture, handles, columns=6)
+    return Drawing(
+        title="Many sources in one query",
+        caption=sentences(
+            f"Distances to the nearest of several vertices, chosen by chance, on {len(run.meshes)} "
+            f"meshes. Left: the time of a solve without preparation, over that of {base} from one "
+            "source: medians over repetitions, geometric means over the meshes. Middle and right: "
+            "the mean of the mean errors, and the largest error on any mesh, of solvers that are "
+            "not exact. A source that is given another distance than 0 has no relative error.",
+        ),
+        figure=picture,
+    )
+
+
+def _draw(
+    axes: Axes, label: str, looks: dict[str, style.SolverStyle],
+    lines: dict[str, list[tuple[int, float]]],
+) -> None:  # fmt: skip
+    for solver, line in lines.items():
+        drawn = [(x, y) for x, y in line if y > 0]
+        if drawn:
+            look = looks[solver]
+            axes.plot(*zip(*drawn, strict=True), color=look.color, linestyle=look.line,
+                      marker=look.marker, markersize=4.5)  # fmt: skip
+    for axis in (axes.xaxis, axes.yaxis):
+        logarithmic(axis)
+    axes.set_title(label, fontsize=9.5)
+    axes.grid()
+
+
+def table(run: Run) -> Table:
+    """Every set on every mesh. @raises ResultError as base_of"""
+    base = base_of(run)
+    rows = []
+    for mesh in run.meshes:
+        for source in run.sources[mesh]:
+            bases = of(run, mesh, base, source)
+            for solver in columns(run):
+                cells = [Cell(run.meshes[mesh].label), Cell(str(source)),
+                         Cell(count(size := run.set_size(mesh, source)), size), Cell(solver)]  # fmt: skip
+                rows.append(cells + _numbers(of(run, mesh, solver, source), bases))
+    return Table(
+        name="many_sources_numbers",
+        title="Many sources in one query",
+        header=["Mesh", "From", "Sources", "Solver", f"Time / {base}", "Largest error", "Mean error"],
+        text_columns=2,
+        rows=rows,
+        remarks=[
+            "Time of a solve without preparation over that of the base from the same sources: medians "
+            "over repetitions. Errors are relative; a source that is given another distance than 0 has none.",
+        ],
+    )
+
+
+def _numbers(rows: list[Row], bases: list[Row]) -> list[Cell]:
+    if not rows:
+        return [Cell("-")] * 3
+    largest, means = error(rows, "max_relative_error"), error(rows, "mean_relative_error")
+    errors = [Cell(f"{largest:.1e}", largest), Cell(f"{means:.1e}", means)]
+    if not bases:
+        return [Cell("-"), *errors]
+    ratio = seconds(rows).value / seconds(bases).value
+    return [Cell(f"{ratio:.3g}", ratio), *errors]

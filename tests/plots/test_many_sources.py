@@ -1,0 +1,127 @@
+"""Sets of sources: in columns, in a run, and drawn."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from plots import catalogue, many_sources
+from results.columns import Columns
+from results.pairs import all_times
+from results.reader import Cell, Mesh, ResultError, Run, Solver
+
+SIZES = {"random:8": 8, "random:64": 64, "boundary": 40}
+SOLVERS = {"e": "exact", "heat": "unbounded"}
+SEVERAL = [0, *SIZES]
+
+
+def row(solver: str, mesh: str, source: int | str, time: float, error: float) -> dict[str, Any]:
+    name = f"{solver}/{mesh}/src:{source}"
+    return {"name": name, "run_name": name, "run_type": "iteration", "time_unit": "ms",
+            "solver": solver, "mesh": mesh, "source": source, "outcome": "ok", "processor": "P",
+            "cpu_time": time, "real_time": time, "threads": 1, "repetition_index": 0,
+            "max_relative_error": 2 * error, "mean_relative_error": error}  # fmt: skip
+
+
+def run_of(sources: list[int | str], folder: Path = Path()) -> Run:
+    """On mesh m; `e` takes 1, 2, 3, ... ms from the sources in turn, `heat` half of it."""
+    rows = [
+        row(solver, "m", source, (i + 1) / (1 if solver == "e" else 2), 0 if solver == "e" else 0.1)
+        for i, source in enumerate(sources)
+        for solver in SOLVERS
+    ]
+    sets = {s: {"vertices": n, "file": f"sources/{s}.json"} for s, n in SIZES.items() if s in sources}
+    return Run(
+        file=folder / "run.json",
+        context={"geodesic_bench": {"plugins": []} | ({"source_sets": {"m": sets}} if sets else {})},
+        meshes={"m": Mesh("m", "0" * 64, 100, 100, 1.0, None, False)},
+        solvers={s: Solver(s, "F", "", e == "exact", False, "", e) for s, e in SOLVERS.items()},
+        sources={"m": sources},
+        skipped=[],
+        columns=Columns.of(rows),
+    )
+
+
+def test_columns_keep_vertices_and_sets_apart() -> None:
+    rows = [row("e", "m", source, 1, 0) for source in (7, "boundary", 0, "random:8", "boundary")]
+    columns = Columns.of(rows)
+    assert [columns.source(i) for i in range(5)] == [7, "boundary", 0, "random:8", "boundary"]
+    assert columns.cells(columns.has("solver")) == 4
+    assert [columns.data(i) for i in range(5)] == rows
+    again = Columns.together([columns.take(np.array([3, 2])), columns])
+    assert [again.source(i) for i in range(4)] == ["random:8", 0, 7, "boundary"]
+
+
+@pytest.mark.parametrize("source", [-1, 1.5, True, None, ["random:8"]])
+def test_a_source_is_a_vertex_or_a_name(source: Any) -> None:
+    with pytest.raises((ValueError, TypeError)):
+        Columns.of([row("e", "m", "random:8", 1, 0), row("e", "m", source, 1, 0)])
+
+
+def test_columns_are_stored_with_their_sets(tmp_path: Path) -> None:
+    columns = Columns.of([row("e", "m", source, 1, 0) for source in (7, "boundary")])
+    columns.save(tmp_path / "rows.npz")
+    assert Columns.load(tmp_path / "rows.npz", 2, columns.texts).source(1) == "boundary"
+    with pytest.raises(ResultError, match="a set that run.json does not have"):
+        Columns.load(tmp_path / "rows.npz", 2, columns.texts | {"source": []})
+
+
+def test_cells_are_in_order_with_sets_last() -> None:
+    cells = [Cell("e", "m", source) for source in ("random:8", 10, "boundary", 9)]
+    assert [cell.source for cell in sorted(cells)] == [9, 10, "boundary", "random:8"]
+
+
+def test_a_run_knows_the_vertices_of_a_set(tmp_path: Path) -> None:
+    run = run_of(SEVERAL, tmp_path)
+    assert [run.set_size("m", source) for source in SEVERAL] == [1, 8, 64, 40]
+    (tmp_path / "sources").mkdir()
+    (tmp_path / "sources" / "boundary.json").write_text(json.dumps([3, 1, 4]), encoding="utf-8")
+    assert run.source_vertices("m", "boundary") == [3, 1, 4]
+    assert run.source_vertices("m", 5) == [5]
+    with pytest.raises(ResultError, match="no such file"):
+        run.source_vertices("m", "random:8")
+
+
+def test_other_figures_show_single_vertices_where_there_are_any() -> None:
+    assert run_of(SEVERAL).of_single_sources.sources == {"m": [0]}
+    assert len(all_times(run_of(SEVERAL).of_single_sources).seconds) == 1
+    only_sets = run_of(list(SIZES))
+    assert only_sets.of_single_sources is only_sets
+    assert len(all_times(only_sets).seconds) == 3
+
+
+def test_the_figure_shows_times_over_the_base_from_one_source() -> None:
+    points = many_sources.points(run_of(SEVERAL), "heat", "e")
+    assert [point.sources for point in points] == [1, 8, 64]
+    assert [point.time for point in points] == pytest.approx([0.5, 1, 1.5])
+    assert {point.mean for point in points} == {0.1} and {point.largest for point in points} == {0.2}
+    drawing = many_sources.figure(run_of(SEVERAL))
+    times, means, _ = drawing.figure.axes
+    assert len(times.lines) == 2 and len(means.lines) == 1  # the exact one has no error
+
+
+def test_a_number_of_sources_without_an_answer_is_left_out() -> None:
+    run = run_of(SEVERAL)
+    there = ~((run.columns.arrays["source"] == run.columns.arrays["source"][3]) & run.columns.where("solver", "heat"))
+    some = replace(run, columns=run.columns.take(there))
+    assert [p.sources for p in many_sources.points(some, "heat", "e")] == [1, 64]
+
+
+def test_the_table_has_every_set_over_the_base_from_the_same_sources() -> None:
+    table = many_sources.table(run_of(SEVERAL))
+    texts = [[cell.text for cell in cells] for cells in table.rows]
+    assert ["m", "boundary", "40", "heat", "0.5", "2.0e-01", "1.0e-01"] in texts
+    assert len(texts) == 8
+
+
+def test_without_sets_the_reason_names_the_option() -> None:
+    _, why = catalogue.draw(run_of([0, 1]), ["many_sources"])
+    assert "--source-sets" in why["many_sources"]
+    one = run_of([0, "boundary"])
+    with pytest.raises(ResultError, match="no two numbers of sources"):
+        many_sources.figure(one)
