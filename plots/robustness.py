@@ -45,7 +45,8 @@ def matrix(run: Run) -> Table:
         ],
         remarks=[
             "Cases are meshes made by generators of this project, of the kind that the reports are "
-            "about, each from the sources that the manifest names. The right answer is a closed "
+            "about, each from the sources that the manifest names, and from sets of them in one "
+            "query. The right answer is a closed "
             "form or brute force on up to 400 faces. Right: what the solver promises, on all "
             "sources; off: by its largest relative error, of one that promises no bound. Wrong: by "
             "the largest relative error, or by how many vertices are reached that must not be, or "
