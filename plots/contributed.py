@@ -29,8 +29,13 @@ from results.table import BLANK, Cell, Table, estimate_cell, to_markdown
 
 FOLDER = ROOT / "results" / "contributed"
 PAGE, README = ROOT / "docs" / "results.md", ROOT / "README.md"
-STANDARD, ROBUSTNESS, FRONTIER = "standard", "robustness", "frontier"
-PICTURES: dict[str, list[str]] = {STANDARD: ["peers_overview", "overview", "performance_profile"], FRONTIER: ["frontier"], ROBUSTNESS: []}
+STANDARD, ROBUSTNESS, FRONTIER, SETS = "standard", "robustness", "frontier", "source-sets"
+PICTURES: dict[str, list[str]] = {
+    STANDARD: ["peers_overview", "overview", "performance_profile"],
+    FRONTIER: ["frontier"],
+    SETS: ["many_sources"],
+    ROBUSTNESS: [],
+}
 """Figures by corpus, in the order of the page; each is docs/NAME.png."""
 BASE = "edge-based"
 PERCENT = 1e-4
