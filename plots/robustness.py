@@ -52,7 +52,7 @@ def matrix(run: Run) -> Table:
             "the largest relative error, or by how many vertices are reached that must not be, or "
             f"not reached; imprecise: by less than {LEAST_WRONG:.0e}. Refused: the solver says "
             "why, and gives no distances; exits: it ends the process without a word. Unsupported: "
-            f"as it declares. What is shown of several sources is the worst. {_limit(run)}",
+            f"as it declares; one that supports single sources only is judged by these. What is shown of several sources is the worst. {_limit(run)}",
         ],
     )
 
@@ -152,10 +152,14 @@ def _error(rows: Sequence[Row]) -> float:
 
 
 def _worst(run: Run, mesh: Mesh, solver: str) -> tuple[str, list[Row]]:
-    """The worst word of a case, and the rows that it is of."""
+    """The worst word of a case, and the rows that it is of. A solver that supports single sources
+    only is judged by these."""
     rows = run.cell(mesh.name, solver)
     if not rows:
         return "skipped" if run.skip(mesh.name, solver) else MISSING, []
+    rows = [
+        row for row in rows if isinstance(row.source, int) or row.outcome != "unsupported"
+    ] or rows
     words = [_word(run, row) for row in rows]
     worst = min(words, key=WORDS.index)
     return worst, [row for row, word in zip(rows, words, strict=True) if word == worst]

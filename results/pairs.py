@@ -66,7 +66,7 @@ def by_source(numbers: Numbers) -> list[list[float]]:
 
 def paired(above: Numbers, below: Numbers) -> Sample:
     """Ratios by source, of the pairs of source and repetition in which both are greater than 0."""
-    both = above.keys() & below.keys()
+    both = [key for key in above if key in below]  # in order: an interval is of an ordered sample
     return by_source({k: above[k] / below[k] for k in both if above[k] > 0 and below[k] > 0})
 
 

@@ -81,7 +81,8 @@ def median(sample: Sample) -> Estimate:
     def reduce(array: Array) -> Array:
         return np.asarray(np.median(np.nanmedian(array, axis=-1), axis=-1))
 
-    return _estimate(float(reduce(values)), reduce(_resample(values)), values)
+    drawn = _resample(values, np.random.default_rng(SEED))
+    return _estimate(float(reduce(values)), reduce(drawn), values)
 
 
 def geometric_mean(samples: Sequence[Sample]) -> Estimate:
@@ -97,7 +98,8 @@ def geometric_mean(samples: Sequence[Sample]) -> Estimate:
         return np.asarray(np.mean(np.nanmean(array, axis=-1), axis=-1))
 
     means = np.array([float(reduce(array)) for array in logs])
-    draws = np.mean([reduce(_resample(array)) for array in logs], axis=0)
+    random = np.random.default_rng(SEED)  # one for all: meshes are drawn independently
+    draws = np.mean([reduce(_resample(array, random)) for array in logs], axis=0)
     spread = np.exp(means if len(means) > 1 else logs[0])
     return _estimate(float(np.exp(np.mean(means))), np.exp(draws), spread)
 
@@ -229,9 +231,8 @@ def _padded(sample: Sample) -> Array:
     return values
 
 
-def _resample(values: Array) -> Array:
+def _resample(values: Array, random: np.random.Generator) -> Array:
     """Shape (RESAMPLES, sources, repetitions), padded as `values` is."""
-    random = np.random.default_rng(SEED)
     chosen = random.integers(len(values), size=(RESAMPLES, len(values)))
     return _redraw(values, chosen, random)
 

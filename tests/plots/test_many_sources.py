@@ -12,7 +12,7 @@ import pytest
 
 from plots import catalogue, many_sources
 from results.columns import Columns
-from results.pairs import all_times
+from results.pairs import all_times, paired, ratios
 from results.reader import Cell, Mesh, ResultError, Run, Solver
 
 SIZES = {"random:8": 8, "random:64": 64, "boundary": 40}
@@ -93,6 +93,12 @@ def test_other_figures_show_single_vertices_where_there_are_any() -> None:
     only_sets = run_of(list(SIZES))
     assert only_sets.of_single_sources is only_sets
     assert len(all_times(only_sets).seconds) == 3
+
+
+def test_ratios_are_in_the_order_of_the_run() -> None:
+    assert ratios(run_of(SEVERAL), "m", "heat", "e") == [[0.5], [0.5], [0.5], [0.5]]
+    above = {(source, 0): float(i + 1) for i, source in enumerate(SEVERAL)}
+    assert paired(above, dict.fromkeys(reversed(above), 1.0)) == [[1.0], [2.0], [3.0], [4.0]]
 
 
 def test_the_figure_shows_times_over_the_base_from_one_source() -> None:

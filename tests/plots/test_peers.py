@@ -34,7 +34,7 @@ def row(solver: str, mesh: str = "knot-1k", source: int = 0, **numbers: float) -
     return cell | {"reference": "brute force", "processor": "P"} | NUMBERS | numbers
 
 
-def failed(solver: str, mesh: str, outcome: str, source: int = 0, **data: Any) -> Data:
+def failed(solver: str, mesh: str, outcome: str, source: int | str = 0, **data: Any) -> Data:
     cell = {"solver": solver, "mesh": mesh, "source": source, "outcome": outcome}
     return cell | {"error_message": f"{outcome}, said {solver}"} | data
 
@@ -173,6 +173,13 @@ def test_the_matrix_has_a_word_for_every_solver_and_case() -> None:
         "my-heat": ("off: 2.5e-01", "unsupported"),
         "avtp": ("right", "wrong: 5.0e-01"),
     }
+
+
+def test_a_solver_of_single_sources_is_not_judged_by_sets() -> None:
+    single = [row("vtp", "apart"), failed("vtp", "apart", "unsupported", source="boundary")]
+    none = [failed("vtp", "pinched", "unsupported", source=s) for s in (0, "boundary")]
+    table = robustness.matrix(run_of([row("edge-based", "apart"), *single, *none], CASES))
+    assert [cells(table, Case=case)["vtp"].text for case in CASES] == ["right", "unsupported"]
 
 
 @pytest.mark.parametrize(

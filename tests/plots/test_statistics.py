@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 
@@ -27,6 +29,13 @@ def test_geometric_mean_over_meshes_ranges_over_their_means() -> None:
     estimate = geometric_mean([[[2.0, 8.0]], [[9.0]]])
     assert estimate.value == pytest.approx(6)
     assert [estimate.least, estimate.most] == pytest.approx([4, 9])
+
+
+def test_meshes_are_drawn_independently_so_that_more_of_them_narrow_the_interval() -> None:
+    sample = [[1.0, 1.2], [1.1, 1.4], [0.9, 1.0], [1.3, 1.5]]
+    one, nine = geometric_mean([sample]), geometric_mean([sample] * 9)
+    width_of_one, width_of_nine = (math.log(m.high / m.low) for m in (one, nine))
+    assert width_of_nine == pytest.approx(width_of_one / 3, rel=0.1)
 
 
 def test_same_sample_gives_the_same_interval() -> None:
