@@ -92,9 +92,11 @@ ON = "_on_processor_"
 """Between a name and the number, from 1, of one of several processors."""
 
 
-OF_SETS = {"many_sources", "many_sources_numbers", "robustness", "robustness_counts", "robustness_failures"}
+OF_SETS = {
+    "summary", "accuracy", "many_sources", "many_sources_numbers", "robustness", "robustness_counts",
+    "robustness_failures",
+}  # fmt: skip
 """Those that show sets of sources; the others show single vertices, where the run has any."""
-
 
 OF_MANY: dict[str, Callable[[Run], Table | Drawing]] = {
     "summary": summary.overall,

@@ -142,7 +142,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             print(printable(sentence))
         print("", to_text(replace(summary.overall(run), remarks=[])), sep="\n")
     if options.long:
-        print(to_text(summary.every(run)))
+        print(to_text(summary.every(run.of_single_sources)))
         for largest in largest_errors(run):
             print(f"largest relative error: {largest}")
     else:

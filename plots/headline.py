@@ -30,7 +30,7 @@ def sentences(run: Run) -> list[str]:
     ratios = over_each_mesh(run, base)
     found = [
         _speed(run, base, ratios), _public(run, base, ratios), _inexact(run, base, ratios),
-        _verified(run), _lacking(run), _thesis(run),
+        _verified(run), _lacking(run), _thesis(run.of_single_sources),
     ]  # fmt: skip
     return [sentence for sentence in found if sentence]
 

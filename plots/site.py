@@ -443,7 +443,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--out", type=Path, metavar="DIR", default=Path("site"), help="default: site")
     options = parser.parse_args(arguments)
     try:
-        runs = shown(read_run(path) for path in options.runs)
+        runs = shown(read_run(path).of_single_sources for path in options.runs)
         write_site(runs, options.out)
         console.say(str(options.out / "index.html"))
     except (ResultError, OSError) as error:
