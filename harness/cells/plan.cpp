@@ -5,6 +5,7 @@
 #include <set>
 
 #include "harness/base/error.h"
+#include "harness/base/files.h"
 #include "harness/corpus/solvers.h"
 #include "harness/results/context.h"
 #include "harness/results/row.h"

@@ -168,8 +168,9 @@ class MergedCrossing {
     const Item& back() const { return items_[size_ - 1]; }
     /// @return where the new item belongs: assembled there, it need not be copied
     Item& push() {
-      if (size_ == items_.size()) [[unlikely]]
+      if (size_ == items_.size()) [[unlikely]] {
         items_.resize(2 * size_ + 16);
+      }
       return items_[size_++];
     }
     /// Without a branch, which would be mispredicted often.
