@@ -48,7 +48,7 @@ def sizes(run: Run) -> dict[str, dict[int, Source]]:
     return found
 
 
-def of(run: Run, mesh: str, solver: str, source: Source) -> list[Row]:
+def answers_of(run: Run, mesh: str, solver: str, source: Source) -> list[Row]:
     rows = run.cell(mesh, solver)
     return [row for row in rows if row.source == source and row.number("cpu_time") is not None]
 
@@ -62,9 +62,9 @@ def error(rows: list[Row], key: str) -> float:
 
 
 def base_of(run: Run) -> str:
-    """The fastest exact solver, which the others are compared with.
+    """The solver that the others are compared with: the fastest exact one, where there is any.
 
-    @raises ResultError for a run without sets of sources, or without an exact solver"""
+    @raises ResultError for a run without sets of sources"""
     if "source_sets" not in run.ours:
         raise ResultError(f"{run.file}: no sets of sources; run --source-sets random:8,boundary")
     return fastest_exact(run)
@@ -76,8 +76,8 @@ def points(run: Run, solver: str, base: str) -> list[Point]:
     found = []
     for size in sorted({size for sets in by_mesh.values() for size in sets}):
         meshes = [mesh for mesh, sets in by_mesh.items() if {1, size} <= sets.keys()]
-        answers = [of(run, mesh, solver, by_mesh[mesh][size]) for mesh in meshes]
-        bases = [of(run, mesh, base, by_mesh[mesh][1]) for mesh in meshes]
+        answers = [answers_of(run, mesh, solver, by_mesh[mesh][size]) for mesh in meshes]
+        bases = [answers_of(run, mesh, base, by_mesh[mesh][1]) for mesh in meshes]
         if not meshes or not all(answers) or not all(bases):
             continue
         ratios = [seconds(a).value / seconds(b).value for a, b in zip(answers, bases, strict=True)]
@@ -149,11 +149,11 @@ def table(run: Run) -> Table:
     rows = []
     for mesh in run.meshes:
         for source in run.sources[mesh]:
-            bases = of(run, mesh, base, source)
+            bases = answers_of(run, mesh, base, source)
             for solver in columns(run):
                 cells = [Cell(run.meshes[mesh].label), Cell(str(source)),
                          Cell(count(size := run.set_size(mesh, source)), size), Cell(solver)]  # fmt: skip
-                rows.append(cells + _numbers(of(run, mesh, solver, source), bases))
+                rows.append(cells + _numbers(answers_of(run, mesh, solver, source), bases))
     return Table(
         name="many_sources_numbers",
         title="Many sources in one query",

@@ -185,6 +185,10 @@ Json names_in_json(const std::vector<SourceSet>& sources) {
   return names;
 }
 
+Json describe(const PlannedMesh& mesh, const SourceSet& source) {
+  return {{"vertices", source.vertices.size()}, {"file", source_file(mesh, source).string()}};
+}
+
 std::filesystem::path source_file(const PlannedMesh& mesh, const SourceSet& source) {
   return std::filesystem::path("sources") /
          (as_file_name(mesh.entry.name + "__" + source.name) + ".json");
@@ -319,8 +323,7 @@ Json run_context(const RunRequest& request, const Plan& plan, const PlannedMesh*
     json["sources"][each.entry.name] = names_in_json(each.sources);
     for (const SourceSet& source : each.sources) {
       if (source.is_single()) continue;
-      json["source_sets"][each.entry.name][source.name] = {
-          {"vertices", source.vertices.size()}, {"file", source_file(each, source).string()}};
+      json["source_sets"][each.entry.name][source.name] = describe(each, source);
     }
   }
   json["solvers"] = Json::array();

@@ -79,6 +79,9 @@ struct Plan {
 /// As in context.geodesic_bench.sources.
 Json names_in_json(const std::vector<SourceSet>& sources);
 
+/// As in context.geodesic_bench.source_sets, of one set.
+Json describe(const PlannedMesh& mesh, const SourceSet& source);
+
 /// Below the run folder: the vertices of a set, as `solve --sources-file` takes them.
 std::filesystem::path source_file(const PlannedMesh& mesh, const SourceSet& source);
 

@@ -102,6 +102,7 @@ CellSpec Run::spec_of(const Cell& cell) const {
   if (!cell.source->is_single()) {
     spec.source_set = cell.source->name;
     spec.sources_file = folder_ / source_file(*cell.mesh, *cell.source);
+    spec.context["source_sets"][spec.mesh][spec.source_set] = describe(*cell.mesh, *cell.source);
   }
   spec.benchmark_flags = {
       "--benchmark_repetitions=" + std::to_string(alone ? 1 : suite.repetitions),

@@ -262,6 +262,9 @@ TEST_F(RunTest, SetsOfSourcesAreCellsLikeSingleVertices) {
   EXPECT_EQ(sets.at("random:3").at("vertices"), 3);
   EXPECT_EQ(sets.at("own").at("vertices"), 3);
   EXPECT_EQ(read_json(out_ / sets.at("own").at("file").get<std::string>()), json({3, 7, 9}));
+  const json cell = read_json(out_ / "cells" / "dijkstra__hill__srcown.json").at("context");
+  EXPECT_EQ(cell.at("geodesic_bench").at("source_sets"),
+            json({{"hill", {{"own", sets.at("own")}}}}));
   const json set = row(exact_solver() + "/hill/src:own");
   const auto folder = (out_ / set.at("recordings").get<std::string>()).parent_path();
   EXPECT_EQ(npy_vector<std::uint32_t>(read(folder / "cell_sources.npy")),
