@@ -26,6 +26,30 @@ class GcMesh {
 
   geometrycentral::surface::SurfaceMesh& mesh() const { return *mesh_; }
 
+  geometrycentral::surface::Vertex vertex(Index own) const { return mesh_->vertex(numbers_[own]); }
+
+  /// A path of geometry-central, from its source on.
+  std::vector<SurfacePoint> points(
+      const Mesh& own, const std::vector<geometrycentral::surface::SurfacePoint>& path) const {
+    using geometrycentral::surface::SurfacePointType;
+    std::vector<Index> by_number;
+    for (Index v = 0; v < numbers_.size(); ++v)
+      if (numbers_[v] != kNone) by_number.push_back(v);
+    const auto number = [&](geometrycentral::surface::Vertex v) { return by_number[v.getIndex()]; };
+    std::vector<SurfacePoint> all;
+    for (const geometrycentral::surface::SurfacePoint& point : path) {
+      if (point.type == SurfacePointType::Vertex) {
+        all.emplace_back(number(point.vertex));
+      } else if (point.type == SurfacePointType::Edge) {
+        all.push_back(on_edge(own, number(point.edge.firstVertex()),
+                              number(point.edge.secondVertex()), point.tEdge));
+      } else {
+        throw std::invalid_argument("a path has a point inside a face");
+      }
+    }
+    return all;
+  }
+
   /// Those of the query that have faces.
   std::vector<geometrycentral::surface::Vertex> sources(const Query& query) const {
     std::vector<geometrycentral::surface::Vertex> all;
@@ -33,6 +57,14 @@ class GcMesh {
       if (numbers_[source.at.vertex] != kNone)
         all.push_back(mesh_->vertex(numbers_[source.at.vertex]));
     return all;
+  }
+
+  /// The targets that a query stops at, those in faces apart.
+  std::vector<geometrycentral::surface::Vertex> stops(const Query& query) const {
+    std::vector<geometrycentral::surface::Vertex> all;
+    for (const SurfacePoint& target : query.targets)
+      if (query.stop_at_targets && target.is_vertex()) all.push_back(vertex(target.vertex));
+    return all.size() == query.targets.size() ? all : decltype(all){};
   }
 
   /// Answers a query with distances by vertex of geometry-central; those beyond 1e100 are

@@ -17,7 +17,7 @@ inline Description kirsanov(const std::string& name, const std::string& known) {
           // Windows of less than this share of their edge are dropped (SMALLEST_INTERVAL_RATIO):
           // docs/peers.md says why that is taken for the bound.
           .error_bound = [](const Description&) { return 1e-6; },
-          .abilities = {.initial_distances = false},
+          .abilities = {.initial_distances = false, .traces = true},
           .remarks = remarks(known)};
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,22 @@ std::vector<Number> corners(const Mesh& mesh) {
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
     all.push_back(static_cast<Number>(mesh.origin(h)));
   return all;
+}
+
+/// The point of the edge from a to b, so much of the way; an end of it where rounding goes beyond.
+/// @return in the mesh's internal numbers, as a and b
+inline SurfacePoint on_edge(const Mesh& mesh, Index a, Index b, double share) {
+  if (!(share > 0)) return a;
+  if (!(share < 1)) return b;
+  for (const Index h : mesh.outgoing(a)) {
+    if (mesh.head(h) != b && mesh.apex(h) != b) continue;
+    SurfacePoint point;
+    point.face = h / 3;
+    point.weights[h % 3] = 1 - share;
+    point.weights[(mesh.head(h) == b ? Mesh::next(h) : Mesh::previous(h)) % 3] = share;
+    return point;
+  }
+  throw std::invalid_argument("no edge has the point of a path");
 }
 
 /// Answers with the distances that the authors' code has found.

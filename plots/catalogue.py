@@ -9,7 +9,7 @@ from urllib.parse import quote
 
 from plots import (
     answers, break_even, curves, dot_figures, drawing, error_map, figure_5_9, figure_6_4, frontier,
-    growth, many, many_sources, overview, paths, peers_overview, performance_profile, robustness, summary, table_5_1, table_5_2,
+    growth, many, many_sources, overview, path_costs, paths, peers_overview, performance_profile, robustness, summary, table_5_1, table_5_2,
     table_5_2_ratios, table_5_3, table_thesis, twins, wavefronts,
 )  # fmt: skip
 from plots.drawing import Drawing
@@ -33,6 +33,8 @@ TABLES: dict[str, Callable[[Run], Table]] = {
     "table_growth_exponents": growth.exponents,
     "answers": answers.table,
     "many_sources_numbers": many_sources.table,
+    "path_costs": path_costs.table,
+    "path_numbers": path_costs.by_mesh,
     "twins": twins.table,
     "break_even_numbers": break_even.table,
     "which_to_take": frontier.which_to_take,
@@ -60,6 +62,7 @@ FIGURES: dict[str, Callable[[Run], Drawing]] = {
     "break_even": break_even.figure,
     "frontier": frontier.figure,
     "many_sources": many_sources.figure,
+    "paths_compared": path_costs.figure,
     "error_map": error_map.figure,
     **{name: wavefronts.appendix(name) for name in wavefronts.APPENDIX},
 }
@@ -84,7 +87,7 @@ NUMBERED = {neutral: name for name, neutral in NEUTRAL.items()}
 WITH_SECONDS = {
     "summary_by_mesh", "every_solver", "table_thesis", "table_5_2", "table_growth",
     "table_growth_exponents", "answers", "break_even_numbers", "figure_5_9", "time_over_vertices",
-    "break_even", "frontier", "which_to_take", "which_to_take_mean",
+    "break_even", "frontier", "which_to_take", "which_to_take_mean", "path_numbers",
 }  # fmt: skip
 """Those that show times. Of a run on several processors they are drawn for each processor by itself;
 the others show counts, errors, and ratios of times that one processor measured on one source."""

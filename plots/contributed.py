@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -17,7 +17,7 @@ from results import console
 if __name__ == "__main__":
     console.prepare("plots.contributed")  # before imports that may fail
 
-from plots import catalogue, headline, peers_overview, robustness, style, summary
+from plots import catalogue, headline, path_costs, peers_overview, robustness, style, summary
 from plots.drawing import Drawing
 from plots.measures import ERROR, columns, percent
 from plots.ratios import number
@@ -29,14 +29,19 @@ from results.table import BLANK, Cell, Table, estimate_cell, to_markdown
 
 FOLDER = ROOT / "results" / "contributed"
 PAGE, README = ROOT / "docs" / "results.md", ROOT / "README.md"
-STANDARD, ROBUSTNESS, FRONTIER, SETS = "standard", "robustness", "frontier", "source-sets"
+STANDARD, ROBUSTNESS, FRONTIER = "standard", "robustness", "frontier"
+SETS, PATHS = "source-sets", "paths"
 PICTURES: dict[str, list[str]] = {
     STANDARD: ["peers_overview", "overview", "performance_profile"],
     FRONTIER: ["frontier"],
     SETS: ["many_sources"],
+    PATHS: ["paths_compared"],
     ROBUSTNESS: [],
 }
 """Figures by corpus, in the order of the page; each is docs/NAME.png."""
+TABLES: dict[str, Callable[[Run], Table]] = {PATHS: path_costs.table, ROBUSTNESS: robustness.counts}
+WORDS: dict[str, Callable[[Run], list[str]]] = {PATHS: path_costs.sentences, ROBUSTNESS: lambda run: []}
+"""In place of the summary, and of its sentences."""
 BASE = "edge-based"
 PERCENT = 1e-4
 """An error from which on it is written in percent."""
@@ -111,8 +116,8 @@ def page(runs: Mapping[str, Run], captions: Mapping[str, tuple[str, str]]) -> st
     ]
     for corpus, names in PICTURES.items():
         run = runs[corpus]
-        table = robustness.counts(run) if corpus == ROBUSTNESS else summary.overall(run)
-        sentences = [] if corpus == ROBUSTNESS else headline.sentences(run)
+        table = TABLES.get(corpus, summary.overall)(run)
+        sentences = WORDS.get(corpus, headline.sentences)(run)
         parts.append(f"## {corpus}\n\n{peers_overview.footer(run)}, at {run.ours['revision'][:10]}\n"
                      f"([the file](../results/contributed/{run.file.name})).\n")  # fmt: skip
         parts += [f"{' '.join(sentences)}\n"] if sentences else []

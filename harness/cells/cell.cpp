@@ -10,6 +10,7 @@
 #include "harness/corpus/sources.h"
 #include "harness/external/external_solver.h"
 #include "harness/measure/benchmark.h"
+#include "harness/measure/path_measurement.h"
 #include "harness/measure/recorded_solve.h"
 #include "harness/recordings/files.h"
 #include "harness/verify/distance_check.h"
@@ -82,6 +83,7 @@ class Measurement {
   // @param which a sentence that says it of a solver whose solves are all the same
   std::string verify_again(const std::string& which);
   void count();
+  void measure_paths();
   void record();
   void record_paths(const std::filesystem::path& folder);
   const CellSpec& spec_;
@@ -152,6 +154,16 @@ void Measurement::count() {
   row_.phase_seconds = recorded.phases;
   row_.solver_peak_bytes = recorded.peak_bytes;
   row_.unreachable_vertices = unreachable_vertices(solved_);
+}
+
+// Between two vertices only: a code that solves from one source after the other may have forgotten
+// all but the last.
+void Measurement::measure_paths() {
+  const Abilities& can = solver_.abilities;
+  if (spec_.path_targets == 0 || !spec_.source_set.empty() || !(can.paths || can.traces)) return;
+  row_.paths = harness::measure_paths(solver_, mesh_, spec_.source,
+                                      static_cast<std::size_t>(spec_.path_targets),
+                                      read_distances(spec_.reference_file, mesh_.vertex_count()));
 }
 
 // What figures show of the cell: the wavefront of a solver that has one, and the distances, which
@@ -240,6 +252,7 @@ std::string Measurement::measure() {
   solver.reset();
 
   if (spec_.counted && has_counters) count();
+  measure_paths();
   const bool same = identical(solved_, verified_) || !solver_.deterministic;
   if (spec_.pictured && same) record();
   return verify_again("a recorded solve gave other distances than timed ones");

@@ -32,6 +32,7 @@ struct CellSpec {
   bool pictured = false;  ///< leave recordings in the run folder; only of counted cells
   bool frames = false;    ///< a pictured cell: the wavefront at every step of progress
   int other_queries = 0;  ///< solve from so many other vertices, then from the source again
+  int path_targets = 0;   ///< measure paths to so many, of solvers that have paths
   std::string vectors;    ///< corpus/solvers.h
   std::vector<std::string> benchmark_flags = {};
   Json context = {};    ///< context.geodesic_bench of the result file
@@ -39,7 +40,7 @@ struct CellSpec {
 };
 GEODESIC_JSON_MEMBERS(CellSpec, solver, mesh, mesh_file, source, source_set, sources_file,
                       reference, reference_file, output, run_folder, counted, pictured, frames,
-                      other_queries, vectors, benchmark_flags, context, repair)
+                      other_queries, path_targets, vectors, benchmark_flags, context, repair)
 
 /// Distances to verify others by.
 struct ReferenceSpec {

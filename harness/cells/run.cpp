@@ -87,6 +87,7 @@ CellSpec Run::spec_of(const Cell& cell) const {
                 .pictured = first_program && leaves_recordings(cell, request_.recordings),
                 .frames = request_.frames,
                 .other_queries = suite.other_queries,
+                .path_targets = suite.path_targets,
                 .vectors = suite.vectors,
                 .context = run_context(request_, plan_, cell.mesh, cell.solver),
                 .repair = request_.repair};

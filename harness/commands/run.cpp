@@ -141,6 +141,9 @@ void add_request_options(CLI::App& command, RunRequest& request, bool& plan_only
              kSourceSetForms)
       ->delimiter(',')
       ->type_name("SETS");
+  option("--path-targets", suite.path_targets,
+         "number of vertices that paths are measured to, of solvers that have paths (default 0)")
+      ->check(CLI::NonNegativeNumber);
   option("--repetitions", suite.repetitions, "number of timed repetitions of each cell");
   option("--seed", suite.seed, "seed of the choice of source vertices");
   option("--min-time", suite.min_time, "minimum duration of a repetition in seconds");

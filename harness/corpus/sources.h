@@ -58,4 +58,12 @@ std::vector<Index> read_source_vertices(const std::filesystem::path& file);
 /// Writes such a file. @throws CannotWrite
 void write_source_vertices(const std::filesystem::path& file, const std::vector<Index>& vertices);
 
+/// Vertices far from each other: equal steps of the mesh's own order, which follows the surface,
+/// over those that are reached.
+/// @param first comes first, by its external number as all of these; it is reached
+/// @param distances by external number, infinite where nothing is reached
+/// @return count vertices, fewer where fewer are reached
+std::vector<Index> spread_vertices(const Mesh& mesh, Index first, std::size_t count,
+                                   std::span<const double> distances);
+
 }  // namespace geodesic::harness

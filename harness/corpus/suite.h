@@ -24,6 +24,7 @@ struct Suite {
   int repetitions = 3;                        ///< timed, a cell
   std::uint64_t seed = 1;                     ///< of the choice of sources
   int other_queries = 0;   ///< from other sources, after which a cell solves again
+  int path_targets = 0;    ///< to which paths are measured, of solvers that have paths
   double min_time = 0.05;  ///< seconds, minimum of a repetition
   std::optional<std::string> reference =
       {};                        ///< solver to verify by, or "brute force" where a closed form is

@@ -2,27 +2,11 @@
 
 #include <algorithm>
 
+#include "harness/corpus/sources.h"
 #include "solvers/core/registry.h"
 #include "solvers/paths/paths.h"
 
 namespace geodesic::harness {
-
-std::vector<Index> spread_vertices(const Mesh& mesh, Index first, std::size_t count,
-                                   std::span<const double> distances) {
-  std::vector<Index> reached;  // in the mesh's own order
-  std::size_t at = 0;
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    const Index given = mesh.numbers().external_vertex(v);
-    if (given == first) at = reached.size();
-    if (distances[given] < kInfinity) reached.push_back(given);
-  }
-  count = std::min(count, reached.size());
-  std::vector<Index> spread;
-  for (std::size_t i = 0; i < count; ++i) {
-    spread.push_back(reached[(at + i * reached.size() / count) % reached.size()]);
-  }
-  return spread;
-}
 
 FigurePaths solve_figure_paths(const std::string& solver, const Mesh& mesh, const Query& query,
                                std::span<double> distances) {

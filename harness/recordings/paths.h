@@ -12,14 +12,6 @@ namespace geodesic::harness {
 inline constexpr std::size_t kFigurePaths = 40;
 inline constexpr std::size_t kFigureSources = 8;
 
-/// Vertices far from each other: equal steps of the mesh's own order, which follows the surface,
-/// over those that are reached.
-/// @param first comes first, by its external number as all of these; it is reached
-/// @param distances by external number, infinite where nothing is reached
-/// @return count vertices, fewer where fewer are reached
-std::vector<Index> spread_vertices(const Mesh& mesh, Index first, std::size_t count,
-                                   std::span<const double> distances);
-
 /// Polylines on the surface, from the source to each target.
 struct FigurePaths {
   struct Piece {

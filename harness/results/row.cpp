@@ -22,6 +22,7 @@ void for_each_optional(SomeRow& row, const Visit& visit) {
   visit("renew_time", row.renew_time);
   for_each_counter(row.counters, visit);
   visit("phase_seconds", row.phase_seconds);
+  visit("paths", row.paths);
   visit("solver_peak_bytes", row.solver_peak_bytes);
   visit("unreachable_vertices", row.unreachable_vertices);
   visit("recordings", row.recordings);

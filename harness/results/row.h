@@ -21,6 +21,24 @@ struct PhaseSeconds {
 
 GEODESIC_JSON_MEMBERS(PhaseSeconds, propagation, trimming, queue, timer_overhead)
 
+/// Paths from the source to some targets. Times are in milliseconds, of the kind of
+/// Row::solve_time, without preparation.
+struct PathNumbers {
+  std::size_t targets = 0;
+  double alone_time = 0;    ///< a query for one target, which stops there, and its path: the mean
+  double first_time = 0;    ///< a solve for all vertices that remembers paths, and one path
+  double further_time = 0;  ///< each path after that: the mean
+  /// Longer than the exact distance, relatively, of the paths that lead over the surface to their
+  /// targets: the most, and the mean.
+  double max_excess = 0, mean_excess = 0;
+  std::size_t shortest = 0;     ///< of these paths, within 1e-9
+  std::size_t off_surface = 0;  ///< paths with a piece that lies on no face
+  std::size_t failed = 0;       ///< that the solver has given up, or that lead elsewhere
+};
+
+GEODESIC_JSON_MEMBERS(PathNumbers, targets, alone_time, first_time, further_time, max_excess,
+                      mean_excess, shortest, off_surface, failed)
+
 /// One timed repetition of a cell, or why the cell has none.
 struct Row {
   std::string solver, mesh;
@@ -46,6 +64,7 @@ struct Row {
 
   Counters counters = {};
   std::optional<PhaseSeconds> phase_seconds = {};
+  std::optional<PathNumbers> paths = {};
   std::optional<std::int64_t> solver_peak_bytes = {}, process_peak_bytes = {};
   std::optional<std::uint64_t> unreachable_vertices = {};
   std::optional<std::string> recordings = {}, recordings_error = {};

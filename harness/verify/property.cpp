@@ -37,6 +37,7 @@ constexpr ClaimInWords kClaims[] = {
     {kNonManifoldEdges, "to cross non-manifold edges",
      [](const Description& d) { return d.abilities.non_manifold_edges; }},
     {kPaths, "paths", [](const Description& d) { return d.abilities.paths; }},
+    {kTraces, "to trace paths itself", [](const Description& d) { return d.abilities.traces; }},
 };
 
 void must_refuse(const Trial& trial, const std::string& why) {

@@ -95,6 +95,7 @@ enum Claim : unsigned {
   kSurfaceSources = 512,
   kPaths = 1024,
   kNonManifoldEdges = 2048,  ///< its cases are to be built with them crossed
+  kTraces = 4096,            ///< traces paths by means of its own
 };
 
 struct Property {

@@ -1,6 +1,8 @@
 // MMP by Kirsanov with the repairs of geometry-central.
 #include <geometrycentral/surface/exact_geodesics.h>
 
+#include <algorithm>
+
 #include "gc_mesh.h"
 #include "kirsanov.h"
 
@@ -28,11 +30,19 @@ class GcExact final : public Solver {
     const std::vector<authors::Vertex> sources = surface_.sources(query);
     authors::VertexData<double> found(surface_.mesh(), authors::GEODESIC_INF);
     if (!sources.empty()) {
-      algorithm_.propagate(sources);
+      algorithm_.propagate(sources, authors::GEODESIC_INF, surface_.stops(query));
       found = algorithm_.getDistanceFunction();
       peer::count<authors::Interval>(algorithm_, recording);
     }
     surface_.answer(query, found, distances);
+  }
+
+  std::vector<SurfacePoint> trace_path(const Query& /*query*/,
+                                       std::span<const double> /*distances*/,
+                                       Index vertex) override {
+    std::vector<authors::SurfacePoint> path = algorithm_.traceBack(surface_.vertex(vertex));
+    std::ranges::reverse(path);
+    return surface_.points(mesh(), path);
   }
 
   peer::GcMesh surface_;

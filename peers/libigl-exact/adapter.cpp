@@ -28,7 +28,12 @@ class LibiglExact final : public Solver {
     std::vector<authors::SurfacePoint> sources;
     for (const Source& source : query.sources)
       sources.emplace_back(&mesh_.vertices()[source.at.vertex]);
-    algorithm_->propagate(sources);
+    std::vector<authors::SurfacePoint> stops;
+    for (const SurfacePoint& target : query.targets)
+      if (query.stop_at_targets && target.is_vertex())
+        stops.emplace_back(&mesh_.vertices()[target.vertex]);
+    const bool all = stops.size() == query.targets.size();
+    algorithm_->propagate(sources, authors::GEODESIC_INF, all ? &stops : nullptr);
     peer::answer(distances, authors::GEODESIC_INF, [&](Index v) {
       authors::SurfacePoint point(&mesh_.vertices()[v]);
       double d = authors::GEODESIC_INF;
@@ -36,6 +41,26 @@ class LibiglExact final : public Solver {
       return d;
     });
     peer::count<authors::Interval>(*algorithm_, recording);
+  }
+
+  std::vector<SurfacePoint> trace_path(const Query& /*query*/,
+                                       std::span<const double> /*distances*/,
+                                       Index vertex) override {
+    authors::SurfacePoint end(&mesh_.vertices()[vertex]);
+    std::vector<authors::SurfacePoint> path;
+    algorithm_->trace_back(end, path);
+    std::vector<SurfacePoint> points;
+    for (auto point = path.rbegin(); point != path.rend(); ++point) points.push_back(own(*point));
+    return points;
+  }
+
+  SurfacePoint own(authors::SurfacePoint& point) {
+    authors::MeshElementBase& element = *point.base_element();
+    if (point.type() == authors::VERTEX) return element.id();
+    if (point.type() != authors::EDGE)
+      throw std::invalid_argument("a path has a point inside a face");
+    authors::Vertex &a = *element.adjacent_vertices()[0], &b = *element.adjacent_vertices()[1];
+    return peer::on_edge(mesh(), a.id(), b.id(), point.distance(&a) / b.distance(&a));
   }
 
   authors::Mesh mesh_;

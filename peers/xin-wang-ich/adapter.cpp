@@ -3,6 +3,8 @@ long long propagated_windows = 0;  // the authors' code counts here (the edit in
 
 #include <ICHWithFurtherPriorityQueue.hpp>
 
+#include <optional>
+
 #include "peer.h"
 
 namespace geodesic {
@@ -23,11 +25,11 @@ class XinWangIch final : public Solver {
   }
 
  private:
-  // The state of a solve lies in an object of its own; the model is constant.
+  // The state of a solve lies in an object of its own, which traces paths; the model is constant.
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
     std::set<int> sources;
     for (const Source& source : query.sources) sources.insert(static_cast<int>(source.at.vertex));
-    CICHWithFurtherPriorityQueue algorithm(model_, sources);
+    CICHWithFurtherPriorityQueue& algorithm = algorithm_.emplace(model_, sources);
     propagated_windows = 0;
     algorithm.Execute();
     peer::answer(distances, DBL_MAX,
@@ -40,7 +42,28 @@ class XinWangIch final : public Solver {
     }
   }
 
+  std::vector<SurfacePoint> trace_path(const Query& /*query*/,
+                                       std::span<const double> /*distances*/,
+                                       Index vertex) override {
+    std::vector<EdgePoint> path;
+    algorithm_->FindSourceVertex(static_cast<int>(vertex), path);
+    std::vector<SurfacePoint> points;
+    for (auto point = path.rbegin(); point != path.rend(); ++point) {
+      const auto index = static_cast<Index>(point->index);
+      if (point->isVertex) {
+        points.emplace_back(index);
+      } else {
+        const auto& edge = model_.Edge(point->index);
+        points.push_back(peer::on_edge(mesh(), static_cast<Index>(edge.indexOfLeftVert),
+                                       static_cast<Index>(edge.indexOfRightVert),
+                                       point->proportion));
+      }
+    }
+    return points;
+  }
+
   CRichModel model_;
+  std::optional<CICHWithFurtherPriorityQueue> algorithm_;
 };
 
 const RegisterSolver<XinWangIch> registered{{
@@ -48,7 +71,7 @@ const RegisterSolver<XinWangIch> registered{{
     .family = "CH",
     .paper = "Xin, Wang 2009, Improving Chen and Han's algorithm on the discrete geodesic problem",
     .exactness = Exactness::unbounded,
-    .abilities = {.initial_distances = false},
+    .abilities = {.initial_distances = false, .traces = true},
     .remarks = peer::remarks(
         "the authors' code, as packaged for Python by S. Ramachandran; the algorithm is exact, the "
         "code has tolerances and states no bound"),

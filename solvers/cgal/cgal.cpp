@@ -51,6 +51,7 @@ class Cgal final : public Solver {
       if (mesh().outgoing(v).empty()) continue;
       const Vec3& p = mesh().position(v);
       vertex_[v] = surface_.add_vertex({p[0] * scale_, p[1] * scale_, p[2] * scale_});
+      own_.push_back(v);
     }
     for (Index f = 0; f < mesh().face_count(); ++f) {
       const auto [a, b, c] = mesh().triangle(f);
@@ -93,32 +94,79 @@ class Cgal final : public Solver {
   // edge, which its own assertions forbid.
   void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
     for (const Source& source : query.sources) {
-      paths_.remove_all_source_points();
       if (source.at.is_vertex()) {
         distances[source.at.vertex] = std::min(distances[source.at.vertex], source.distance);
-        if (vertex_[source.at.vertex] == Surface::null_vertex()) continue;
-        paths_.add_source_point(vertex_[source.at.vertex]);
-      } else {
-        add_point(source.at);
       }
-      reach_vertices(source, distances);
+      if (starts_from(source)) reach_vertices(source, distances);
     }
+  }
+
+  /// @return false at a vertex without faces
+  bool starts_from(const Source& source) {
+    paths_.remove_all_source_points();
+    if (!source.at.is_vertex()) {
+      add_point(source.at);
+    } else if (vertex_[source.at.vertex] != Surface::null_vertex()) {
+      paths_.add_source_point(vertex_[source.at.vertex]);
+    } else {
+      return false;
+    }
+    return true;
   }
 
   void reach_vertices(const Source& source, std::span<double> distances) {
     paths_.build_sequence_tree();
     for (Index v = 0; v < mesh().vertex_count(); ++v) {
-      if (vertex_[v] == Surface::null_vertex()) continue;
-      const double d = paths_.shortest_distance_to_source_points(vertex_[v]).first;
-      if (d < 0) continue;  // CGAL's "unreachable" is -1
-      distances[v] = std::min(distances[v], source.distance + d / scale_);
+      distances[v] = std::min(distances[v], distance_from(source, v));
     }
+  }
+
+  /// By the tree of this source; infinite where no path leads.
+  double distance_from(const Source& source, Index v) {
+    if (vertex_[v] == Surface::null_vertex()) return kInfinity;
+    const double d = paths_.shortest_distance_to_source_points(vertex_[v]).first;
+    return d < 0 ? kInfinity : source.distance + d / scale_;  // CGAL's "unreachable" is -1
+  }
+
+  /// The points of one of CGAL's paths, from its end on.
+  struct Collector {
+    const Cgal& cgal;
+    std::vector<SurfacePoint> points = {};
+
+    void operator()(Surface::Halfedge_index h, Kernel::FT share) {
+      const Index from = cgal.own_[cgal.surface_.source(h)];
+      const Index to = cgal.own_[cgal.surface_.target(h)];
+      points.push_back(in_internal_numbers(
+          cgal.mesh(), point_on_edge(cgal.mesh(), cgal.mesh().numbers().external_vertex(from),
+                                     cgal.mesh().numbers().external_vertex(to), share)));
+    }
+    void operator()(Vertex v) { points.emplace_back(cgal.own_[v]); }
+    void operator()(Face /*face*/, const Weights& /*weights*/) {
+      throw std::runtime_error("cgal: a path has a point inside a face");
+    }
+  };
+
+  // Of several sources, the tree left is that of the last one.
+  std::vector<SurfacePoint> trace_path(const Query& query, std::span<const double> distances,
+                                       Index vertex) override {
+    for (const Source& source : query.sources) {
+      if (source.at == SurfacePoint(vertex)) return {vertex};
+      if (query.sources.size() > 1 && starts_from(source)) paths_.build_sequence_tree();
+      if (distance_from(source, vertex) > distances[vertex]) continue;
+      Collector path{*this};
+      paths_.shortest_path_sequence_to_source_points(vertex_[vertex], path);
+      std::ranges::reverse(path.points);
+      if (!source.at.is_vertex()) path.points.front() = source.at;
+      return path.points;
+    }
+    throw std::runtime_error("cgal: no source has the path");
   }
 
   double scale_;
   Surface surface_;
   std::vector<Vertex> vertex_;
-  ShortestPaths paths_;  // last: refers to surface_
+  std::vector<Index> own_;  // vertices by CGAL's ids
+  ShortestPaths paths_;     // last: refers to surface_
 };
 
 const RegisterSolver<Cgal> registered{{
@@ -129,6 +177,7 @@ const RegisterSolver<Cgal> registered{{
     .abilities = {.non_manifold_vertices = false,
                   .degenerate_faces = false,
                   .surface_sources = true,
+                  .traces = true,
                   .max_vertices = kMaxVertices},
     .remarks =
         "wraps CGAL's Surface_mesh_shortest_path, which is GPL: a program that contains it "

@@ -53,6 +53,12 @@ void check_query(const Query& query, const Mesh& mesh, const Description& solver
   }
 }
 
+Query in_internal_numbers(const Mesh& mesh, Query query) {
+  for (Source& source : query.sources) source.at = in_internal_numbers(mesh, source.at);
+  for (SurfacePoint& target : query.targets) target = in_internal_numbers(mesh, target);
+  return query;
+}
+
 }  // namespace
 
 double Description::real(std::string_view parameter) const {
@@ -98,11 +104,8 @@ void Solver::solve(const Query& query, std::span<double> distances, Recording* r
     run_to_end(query, distances, recording);
     return;
   }
-  Query own = query;
-  for (Source& source : own.sources) source.at = in_internal_numbers(mesh_, source.at);
-  for (SurfacePoint& target : own.targets) target = in_internal_numbers(mesh_, target);
   in_mesh_order_.resize(distances.size());
-  run_to_end(own, in_mesh_order_, recording);
+  run_to_end(in_internal_numbers(mesh_, query), in_mesh_order_, recording);
   for (Index v = 0; v < distances.size(); ++v) {
     distances[mesh_.numbers().external_vertex(v)] = in_mesh_order_[v];
   }
@@ -120,6 +123,26 @@ void Solver::run_to_end(const Query& query, std::span<double> distances, Recordi
   for (double& d : distances) {
     if (d > farthest) d = kInfinity;
   }
+}
+
+Path Solver::trace(const Query& query, std::span<const double> distances, Index vertex) {
+  if (!description_.abilities.traces)
+    refuse(description_, "has no means of its own to trace paths");
+  check_point(vertex, "target ", mesh_, description_);
+  if (!(distances[vertex] < kInfinity)) {
+    refuse(description_, "no path leads to vertex " + std::to_string(vertex));
+  }
+  const bool renumbered = !mesh_.numbers().is_identity();
+  const Query own = in_internal_numbers(mesh_, query);
+  return path_through(mesh_, own,
+                      trace_path(own, renumbered ? in_mesh_order_ : distances,
+                                 mesh_.numbers().internal_vertex(vertex)));
+}
+
+std::vector<SurfacePoint> Solver::trace_path(const Query& /*query*/,
+                                             std::span<const double> /*distances*/,
+                                             Index /*vertex*/) {
+  return {};
 }
 
 void Solver::renew() {

@@ -17,6 +17,7 @@
 #include "solvers/core/instruction_set.h"
 #include "solvers/core/mesh.h"
 #include "solvers/core/parameters.h"
+#include "solvers/core/path.h"
 #include "solvers/core/query.h"
 #include "solvers/core/recording.h"
 
@@ -42,6 +43,7 @@ struct Abilities {
   bool concurrent_objects = true;     ///< objects may solve in several threads at the same time
   bool surface_sources = false;       ///< sources on edges and faces; else at vertices only
   bool paths = false;                 ///< remembers how paths arrive (RecordingKind::paths)
+  bool traces = false;                ///< has means of its own to trace paths (Solver::trace)
   Index max_vertices = kNone;         ///< larger meshes take unreasonably long
 };
 
@@ -97,6 +99,13 @@ class Solver {
   ///         and does not keep them; or when `distances` has the wrong size
   void solve(const Query& query, std::span<double> distances, Recording* recording = nullptr);
 
+  /// A path to a vertex, of a solver that traces paths itself. Nothing is promised of its length
+  /// but what the solver's description says.
+  /// @param query, distances the last solve of this object, and what it gave
+  /// @throws std::invalid_argument when the solver does not claim it (Abilities::traces), the mesh
+  ///         has no such vertex, or no path leads there; and what the solver throws
+  Path trace(const Query& query, std::span<const double> distances, Index vertex);
+
   /// Makes an object that has answered a query ready for the next one, where its description says
   /// that it needs renewal; otherwise nothing. `solve` does so by itself. Who times solves calls it
   /// before, and times it apart.
@@ -117,6 +126,12 @@ class Solver {
   /// filled with +infinity. May leave distances above the limit or the farthest target's; they are
   /// cleared afterwards. Whoever does not end there (StopRule) only takes longer.
   virtual void run(const Query& query, std::span<double> distances, Recording* recording) = 0;
+
+  /// As `trace`: the points of the path, from a source on, in the mesh's internal numbering. A
+  /// straight line joins each with the next one.
+  /// @param vertex one that has a distance
+  virtual std::vector<SurfacePoint> trace_path(const Query& query,
+                                               std::span<const double> distances, Index vertex);
 
   /// Drops what is left of the last query: of public codes that keep it in their mesh.
   virtual void renew_state() {}

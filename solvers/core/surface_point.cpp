@@ -61,8 +61,7 @@ SurfacePoint point_on_edge(const Mesh& mesh, Index a, Index b, double share) {
                               std::to_string(b));
 }
 
-Vec3 position_of(const Mesh& mesh, const SurfacePoint& point) {
-  const SurfacePoint own = in_internal_numbers(mesh, point);
+Vec3 position_of_internal(const Mesh& mesh, const SurfacePoint& own) {
   if (own.is_vertex()) return mesh.position(own.vertex);
   const Triangle corners = mesh.triangle(own.face);
   Vec3 position{};
@@ -70,6 +69,10 @@ Vec3 position_of(const Mesh& mesh, const SurfacePoint& point) {
     position = add(position, scale(own.weights[k], mesh.position(corners[k])));
   }
   return position;
+}
+
+Vec3 position_of(const Mesh& mesh, const SurfacePoint& point) {
+  return position_of_internal(mesh, in_internal_numbers(mesh, point));
 }
 
 std::string defect_of(const Mesh& mesh, const SurfacePoint& point) {
@@ -98,6 +101,15 @@ SurfacePoint in_internal_numbers(const Mesh& mesh, SurfacePoint given) {
     given.face = internal_face(mesh, given.face);
   }
   return given;
+}
+
+SurfacePoint in_external_numbers(const Mesh& mesh, SurfacePoint own) {
+  if (own.is_vertex()) {
+    own.vertex = mesh.numbers().external_vertex(own.vertex);
+  } else {
+    own.face = mesh.numbers().external_face(own.face);
+  }
+  return own;
 }
 
 namespace {

@@ -40,12 +40,16 @@ SurfacePoint point_on_edge(const Mesh& mesh, Index a, Index b, double share);
 /// In space, in the mesh's unit of length.
 Vec3 position_of(const Mesh& mesh, const SurfacePoint& point);
 
+/// The same of a point in the mesh's internal numbers.
+Vec3 position_of_internal(const Mesh& mesh, const SurfacePoint& own);
+
 /// What is wrong with a point of this mesh: "vertex 9 is not in the mesh of 8 vertices"; empty when
 /// nothing is. Every query is checked by it.
 std::string defect_of(const Mesh& mesh, const SurfacePoint& point);
 
-/// The same point with the mesh's internal numbers, which the functions below take.
+/// The same point with the mesh's internal numbers, which the functions below take; and back.
 SurfacePoint in_internal_numbers(const Mesh& mesh, SurfacePoint given);
+SurfacePoint in_external_numbers(const Mesh& mesh, SurfacePoint own);
 
 /// A point of the face of half-edge h, in the frame of h: y >= 0.
 /// @param point not a vertex, and of that face

@@ -1,62 +1,94 @@
-// Dijkstra's algorithm on the graph of edges: an upper bound of the geodesic distance, and a floor
-// for the time that any solver can take.
-//
-// Dijkstra 1959, "A note on two problems in connexion with graphs". Vertices are popped in the
-// order of buckets, and one that is found to be nearer afterwards is popped again: the distances
-// are the same bits as in strict order, since adding an edge never makes the greater of two the
-// smaller.
-#include "solvers/core/queues/vertex_calendar.h"
+#include "solvers/dijkstra/dijkstra.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <unordered_map>
+
 #include "solvers/core/registry.h"
 
 namespace geodesic {
 namespace {
 
-class Dijkstra final : public Solver {
- public:
-  Dijkstra(const Mesh& mesh, const Description& description)
-      : Solver(mesh, description),
-        front_(mesh.vertex_count(), kBucketWidth * mesh.mean_edge_length()) {}
+/// In mean edge lengths. Narrower buckets are more to pass over, wider ones pop more vertices
+/// twice.
+constexpr double kBucketWidth = 1;
 
- private:
-  /// In mean edge lengths. Narrower buckets are more to pass over, wider ones pop more vertices
-  /// twice.
-  static constexpr double kBucketWidth = 1;
-
-  void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
-    const auto reach = [&](Index v, double d) {
-      if (d < distances[v]) {
-        distances[v] = d;
-        front_.push_or_decrease(v, d);
-      }
-    };
-    for (const Source& source : query.sources) reach(source.at.vertex, source.distance);
-    StopRule stop_rule(mesh(), query, distances);
-    while (!front_.empty() && !stop_rule.is_over(front_.least_key())) {
-      const Index v = front_.pop();
-      const double d = distances[v];
-      mesh().prefetch_faces_around(front_.upcoming());
-      for (const Index h : mesh().outgoing(v)) {
-        reach(mesh().head(h), d + mesh().half_edge(h).length);
-        // An edge of two faces leaves v in one of them; any other one may only arrive.
-        const Index into = Mesh::previous(h);
-        if (mesh().twin(into) == kNone) {
-          reach(mesh().origin(into), d + mesh().half_edge(into).length);
-        }
-      }
-    }
-    front_.clear();
+/// Calls visit(Index neighbour, double length) for each edge of a vertex, for most of them once.
+template <class Visit>
+void for_each_neighbour(const Mesh& mesh, Index v, const Visit& visit) {
+  for (const Index h : mesh.outgoing(v)) {
+    visit(mesh.head(h), mesh.half_edge(h).length);
+    // An edge of two faces leaves v in one of them; any other one may only arrive.
+    const Index into = Mesh::previous(h);
+    if (mesh.twin(into) == kNone) visit(mesh.origin(into), mesh.half_edge(into).length);
   }
+}
 
-  VertexCalendar front_;
-};
+}  // namespace
+
+Dijkstra::Dijkstra(const Mesh& mesh, const Description& description)
+    : Solver(mesh, description),
+      front_(mesh.vertex_count(), kBucketWidth * mesh.mean_edge_length()) {}
+
+void Dijkstra::run(const Query& query, std::span<double> distances, Recording* /*recording*/) {
+  const auto reach = [&](Index v, double d) {
+    if (d < distances[v]) {
+      distances[v] = d;
+      front_.push_or_decrease(v, d);
+    }
+  };
+  for (const Source& source : query.sources) reach(source.at.vertex, source.distance);
+  StopRule stop_rule(mesh(), query, distances);
+  while (!front_.empty() && !stop_rule.is_over(front_.least_key())) {
+    const Index v = front_.pop();
+    const double d = distances[v];
+    mesh().prefetch_faces_around(front_.upcoming());
+    for_each_neighbour(mesh(), v, [&](Index u, double length) { reach(u, d + length); });
+  }
+  front_.clear();
+}
+
+std::vector<SurfacePoint> Dijkstra::trace_path(const Query& query,
+                                               std::span<const double> distances, Index vertex) {
+  const auto begins_at = [&](Index v) {
+    return std::ranges::any_of(query.sources, [&](const Source& source) {
+      return source.at.vertex == v && source.distance == distances[v];
+    });
+  };
+  // Edges without length lead in circles: vertices as far as the last one are searched, and
+  // `after` leads from each vertex towards the end.
+  std::vector<Index> waiting = {vertex};
+  std::unordered_map<Index, Index> after;
+  Index v = vertex;
+  while (!begins_at(v)) {
+    if (waiting.empty()) throw std::invalid_argument("dijkstra: not the distances of this query");
+    waiting.pop_back();
+    Index nearer = kNone;
+    for_each_neighbour(mesh(), v, [&](Index u, double length) {
+      if (distances[u] + length != distances[v]) return;
+      if (distances[u] < distances[v]) nearer = u;
+      if (distances[u] == distances[v] && u != vertex && after.emplace(u, v).second) {
+        waiting.push_back(u);
+      }
+    });
+    if (nearer != kNone) {
+      after[nearer] = v;
+      waiting = {nearer};
+    }
+    if (!waiting.empty()) v = waiting.back();
+  }
+  std::vector<SurfacePoint> points = {v};
+  while (v != vertex) points.emplace_back(v = after.at(v));
+  return points;
+}
 
 const RegisterSolver<Dijkstra> registered{{
     .name = "dijkstra",
     .family = "Dijkstra",
     .paper = "Dijkstra 1959, A note on two problems in connexion with graphs",
     .exactness = Exactness::upper_bound,
+    .abilities = {.traces = true},
     .remarks = "paths along edges only",
 }};
 
-}  // namespace
 }  // namespace geodesic

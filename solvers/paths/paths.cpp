@@ -477,21 +477,11 @@ class Paths::Trace {
     const SurfacePoint own = in_given_face(mesh_, image);
     if (!points_.empty() && own == last_) return own.vertex;
     last_ = own;
-    const MeshNumbers& numbers = mesh_.numbers();
     PathPoint point;
+    point.at = in_external_numbers(mesh_, own);
+    point.position = position_of_internal(mesh_, own);
     point.travelled = step;
-    if (own.is_vertex()) {
-      point.at.vertex = numbers.external_vertex(own.vertex);
-      point.position = mesh_.position(own.vertex);
-    } else {
-      point.at = own;
-      point.at.face = numbers.external_face(own.face);
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3& corner = mesh_.position(mesh_.origin(3 * own.face + static_cast<Index>(k)));
-        point.position = geodesic::add(point.position, scale(own.weights[k], corner));
-      }
-    }
-    if (face != kNone) point.face = numbers.external_face(face % mesh_.given_face_count());
+    if (face != kNone) point.face = mesh_.numbers().external_face(face % mesh_.given_face_count());
     points_.push_back(point);
     return own.vertex;
   }

@@ -15,25 +15,6 @@
 
 namespace geodesic {
 
-/// A point of a path: its beginning, its end, where it crosses an edge or passes through a vertex.
-struct PathPoint {
-  SurfacePoint at;
-  Vec3 position = {};    ///< in space, in the mesh's unit of length
-  double travelled = 0;  ///< along the path, from its source to here
-  /// The face, with this point and the next one on it, between which the path is straight; kNone
-  /// at the path's end.
-  Index face = kNone;
-};
-
-/// A shortest path, from its source to its end.
-struct Path {
-  Index source = kNone;           ///< the query's source it comes from, by its place in the query
-  std::vector<PathPoint> points;  ///< at least one, which is a source that the path ends in itself
-
-  /// Of the path; with the source's initial distance it is the end's distance, up to rounding.
-  double length() const { return points.back().travelled; }
-};
-
 /// The paths of one solve: 32 bytes a vertex, the distances among them. Constant, so that any
 /// number of threads may ask.
 class Paths {

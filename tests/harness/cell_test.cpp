@@ -273,6 +273,33 @@ TEST_F(RunTest, SetsOfSourcesAreCellsLikeSingleVertices) {
   for (const std::size_t v : {3u, 7u, 9u}) EXPECT_EQ(distances[v], 0) << v;
 }
 
+TEST_F(RunTest, PathsAreMeasuredOfSolversThatHaveThemFromSingleVertices) {
+  const Output run = run_suite(
+      PROGRAM, {"--solvers", "edge-based,dijkstra,flip-out,virtual-source", "--sources", "1",
+                "--meshes", "hill", "--source-sets", "random:3", "--path-targets", "10"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const std::string cell = "/hill/src:" + rows().at(0).at("source").dump();
+  for (const json& each : rows()) {
+    const bool has_paths = each.at("solver") != "virtual-source" && each.at("source").is_number();
+    EXPECT_EQ(each.contains("paths"), has_paths) << each;
+  }
+  const auto number = [&](const std::string& solver, const char* key) {
+    return row(solver + cell).at("paths").at(key).get<double>();
+  };
+  for (const char* solver : {"edge-based", "dijkstra", "flip-out"}) {
+    EXPECT_EQ(number(solver, "targets"), 10);
+    EXPECT_EQ(number(solver, "off_surface"), 0);
+    EXPECT_EQ(number(solver, "failed"), 0);
+    for (const char* time : {"alone_time", "first_time", "further_time"}) {
+      EXPECT_GT(number(solver, time), 0) << solver << ' ' << time;
+    }
+  }
+  EXPECT_EQ(number("edge-based", "shortest"), 10);
+  EXPECT_LT(number("edge-based", "max_excess"), 1e-12);
+  EXPECT_LT(number("dijkstra", "shortest"), 10);
+  EXPECT_GT(number("dijkstra", "mean_excess"), number("flip-out", "mean_excess"));
+}
+
 TEST_F(RunTest, AMeshWithoutAnySourceIsSkippedWithTheReason) {
   const Output run = run_suite(PROGRAM, {"--solvers", "dijkstra", "--sources", "0", "--meshes",
                                          "hill,tetrahedron", "--source-sets", "boundary"});

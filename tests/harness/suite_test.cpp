@@ -12,7 +12,7 @@ TEST_F(SuiteFile, SetsEveryKey) {
   const Suite suite = read_suite(write("suite.json", R"({
     "solvers": ["a", "b"], "corpus": "real", "meshes": ["m"], "sources": 5, "repetitions": 7,
     "source_sets": ["random:8", "boundary"],
-    "other_queries": 4, "seed": 18446744073709551615, "min_time": 0.25, "reference": "a", "vectors": "plain"})"));
+    "other_queries": 4, "path_targets": 7, "seed": 18446744073709551615, "min_time": 0.25, "reference": "a", "vectors": "plain"})"));
   EXPECT_EQ(suite.solvers, (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(suite.corpus, "real");
   EXPECT_EQ(suite.meshes, std::vector<std::string>{"m"});
@@ -21,6 +21,7 @@ TEST_F(SuiteFile, SetsEveryKey) {
   EXPECT_EQ(suite.repetitions, 7);
   EXPECT_EQ(suite.seed, 18446744073709551615u);
   EXPECT_EQ(suite.other_queries, 4);
+  EXPECT_EQ(suite.path_targets, 7);
   EXPECT_EQ(suite.min_time, 0.25);
   EXPECT_EQ(suite.reference, "a");
   EXPECT_EQ(suite.vectors, "plain");
@@ -37,7 +38,7 @@ TEST_F(SuiteFile, RefusesUnknownKeysAndListsTheKnownOnes) {
   const auto file = write("suite.json", R"({"repetition": 3})");
   expect_error([&] { read_suite(file); },
                {"suite.json", "'repetition'", "did you mean 'repetitions'",
-                "min_time, other_queries, reference"});
+                "min_time, other_queries, path_targets, reference"});
 }
 
 TEST_F(SuiteFile, RefusesValuesOutOfRange) {

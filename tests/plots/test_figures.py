@@ -38,6 +38,7 @@ NEEDS = {
     "break_even": ["cpu_time"],
     "frontier": ["cpu_time"],
     "many_sources": ["cpu_time"],
+    "paths_compared": ["paths"],
     "figure_5_9": ["phase_seconds"],
     "figure_5_10": ["wavefront_sd_edges"],
     "overview": ["window_limit", "cpu_time"],
@@ -90,7 +91,25 @@ def suited(name: str, run: Run) -> Run:
         return with_inexact(run, "my-heat", "steiner?points=7")
     if name == "many_sources":
         return with_sets(run)
+    if name == "paths_compared":
+        return with_paths(run)
     return renamed(run, SERIES) if name == "time_over_vertices" else run
+
+
+PATHS = {
+    "targets": 100, "alone_time": 20.0, "first_time": 50.0, "further_time": 0.0125,
+    "max_excess": 1e-15, "mean_excess": 0.0, "shortest": 100, "off_surface": 0, "failed": 0,
+}  # fmt: skip
+LONGER = PATHS | {"further_time": 1.5, "max_excess": 0.04, "mean_excess": 1e-3, "shortest": 40}
+
+
+def with_paths(run: Run) -> Run:
+    """The run with paths of all solvers, exact or not."""
+    return changed_rows(
+        run,
+        lambda row: row | {"paths": PATHS if run.solvers[row["solver"]].exact else LONGER}
+        if row["outcome"] == "ok" else row,
+    )  # fmt: skip
 
 
 def with_sets(run: Run) -> Run:
@@ -341,6 +360,8 @@ def test_all_draws_what_it_can_and_says_what_it_leaves_out(golden_run: Run) -> N
         assert "run --corpus frontier" in why.pop(name)
     for sets in ("many_sources_numbers", "many_sources"):
         assert "run --source-sets" in why.pop(sets)
+    for of_paths in ("path_costs", "path_numbers", "paths_compared"):
+        assert "run --path-targets" in why.pop(of_paths)
     assert list(why) == [
         "figure_5_7", "figure_5_8", "figure_5_10_curve", "figure_6_4", "paths", "cells", "error_map",
         *(f"figure_a_{number}" for number in range(1, 6)),

@@ -112,6 +112,21 @@ void paths_lead_there_and_back(const Trial& trial) {
   }
 }
 
+void traced_paths_keep_the_promise(const Trial& trial) {
+  const auto solver = trial.prepare();
+  for (const Query& query : some_of(trial.queries(), kQueries)) {
+    const std::vector<double> distances = trial.solve(*solver, query);
+    std::vector<double> lengths(distances.size(), kInfinity);
+    for (Index v = 0; v < distances.size(); ++v) {
+      if (distances[v] == kInfinity) continue;
+      const Path path = solver->trace(query, distances, v);
+      lengths[v] = path.length() + query.sources.at(path.source).distance;
+      require(check_path(trial.mesh(), query, v, lengths[v], path, trial.tolerance()));
+    }
+    require(trial.correct(query, lengths, trial.expected(query)));
+  }
+}
+
 void recording_paths_changes_nothing(const Trial& trial) {
   const Query& query = trial.query();
   const auto solver = trial.prepare();
@@ -392,6 +407,13 @@ std::vector<Property> path_properties() {
        surfaces_of_several_sheets, sources_are_as_if_inserted, kSurfaceSources | kNonManifoldEdges},
       {"paths-lead-there-and-back", "the path from a to b is as long as that from b to a",
        random_meshes_from_some_sources, paths_lead_there_and_back, kAnyEnds | kExactDistances},
+      {"paths-traced-lead-over-the-surface-and-are-as-long-as-promised",
+       "paths that a solver traces itself lead from a source over the faces, and their lengths are "
+       "what it promises of distances",
+       random_meshes_from_some_sources, traced_paths_keep_the_promise, kTraces},
+      {"paths-traced-on-unclean-meshes-are-as-long-as-promised",
+       "the same along borders, non-manifold vertices and edges, and faces without area",
+       [] { return of_all(unclean_mesh_properties()); }, traced_paths_keep_the_promise, kTraces},
       {"paths-recorded-change-no-distance", "a solve that records paths gives a timed one's bits",
        random_meshes_from_some_sources, recording_paths_changes_nothing, kPaths | kSameBits},
       {"nearest-sources-are-those-that-paths-come-from",

@@ -1,0 +1,283 @@
+"""Paths from one source: what they cost, and how much longer they are than the shortest ones."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
+
+from plots import style
+from plots.dots import sentences as in_lines
+from plots.drawing import Drawing
+from plots.logarithmic import logarithmic
+from plots.measures import columns, count, percent
+from plots.ratios import fastest_exact, mean, number
+from results.reader import ResultError, Row, Run
+from results.table import BLANK, Cell, Table
+
+COUNTS = (1, 10, 100, 1000)
+"""Numbers of paths that the table has the costs of."""
+MOST = 10_000
+"""Paths that the figure goes to."""
+SHORTEST = 1e-9
+"""As in the schema: a path that exceeds the exact distance by less, relatively, is the shortest."""
+
+
+@dataclass(frozen=True)
+class Paths:
+    """What `paths` of a row holds; times in milliseconds."""
+
+    targets: int
+    alone_time: float
+    first_time: float
+    further_time: float
+    max_excess: float
+    mean_excess: float
+    shortest: int
+    off_surface: int
+    failed: int
+
+    def cost(self, paths: int) -> float:
+        """Of so many paths from one source, without preparation: by a query for each, or by one
+        solve for all of them, as takes less."""
+        return min(paths * self.alone_time, self.first_time + (paths - 1) * self.further_time)
+
+
+def paths_of(row: Row) -> Paths | None:
+    """What the row says of paths, if it does."""
+    found = {key: row.number(f"paths.{key}") for key in Paths.__annotations__}
+    if found["targets"] is None:
+        return None
+    return Paths(**{key: value or 0 for key, value in found.items()})  # type: ignore[arg-type]
+
+
+def measured(run: Run) -> dict[str, dict[str, list[Paths]]]:
+    """By solver and mesh: one a source.
+
+    @raises ResultError for a run without paths"""
+    by_solver: dict[str, dict[str, list[Paths]]] = {}
+    for solver in columns(run):
+        for mesh in run.meshes:
+            first = {row.source: row for row in reversed(run.cell(mesh, solver))}
+            found = [paths for row in reversed(first.values()) if (paths := paths_of(row)) is not None]
+            if found:
+                by_solver.setdefault(solver, {})[mesh] = found
+    if not by_solver:
+        raise ResultError(f"{run.file}: no paths were measured; run --path-targets 100")
+    return by_solver
+
+
+def base_of(run: Run, found: dict[str, dict[str, list[Paths]]]) -> str:
+    """What costs are compared with: the fastest exact solver of those with paths.
+
+    @raises ResultError when there is none"""
+    base = fastest_exact(run, but=[solver for solver in columns(run) if solver not in found])
+    if base not in found or not run.solvers[base].exact:
+        raise ResultError(f"{run.file}: no exact solver has paths")
+    return base
+
+
+def over_base(of: dict[str, list[Paths]], base: dict[str, list[Paths]], cost: Callable[[Paths], float]) -> float | None:
+    """The geometric mean over meshes of the costs over those of the base, over sources in turn."""
+    ratios = [
+        mean(np.array([cost(a) / cost(b) for a, b in zip(of[mesh], base[mesh], strict=False)]))
+        for mesh in of
+        if mesh in base
+    ]
+    return mean(np.array(ratios)) if ratios else None
+
+
+def _all(of: dict[str, list[Paths]]) -> list[Paths]:
+    return [paths for each in of.values() for paths in each]
+
+
+def _excess(of: list[Paths]) -> tuple[float, float]:
+    """Mean and largest of all paths that lead over the surface."""
+    sound = [paths.targets - paths.off_surface - paths.failed for paths in of]
+    total = sum(s * paths.mean_excess for s, paths in zip(sound, of, strict=True))
+    return total / max(1, sum(sound)), max(paths.max_excess for paths in of)
+
+
+def table(run: Run) -> Table:
+    """Every solver over all meshes. @raises ResultError as base_of"""
+    found = measured(run)
+    base = base_of(run, found)
+    rows = []
+    for solver, of in found.items():
+        costs = [over_base(of, found[base], lambda paths, n=n: paths.cost(n)) for n in COUNTS]  # type: ignore[misc]
+        rows.append([
+            Cell(solver), *[BLANK if c is None else Cell(number(c), c) for c in costs],
+            *_lengths(_all(of)),
+        ])  # fmt: skip
+    return Table(
+        name="path_costs",
+        title="Paths from one source",
+        header=["Solver", *[f"{n:,} {'path' if n == 1 else 'paths'} / {base}" for n in COUNTS], *LENGTHS],
+        text_columns=1,
+        rows=rows,
+        remarks=[
+            "Time of so many paths from one source over that of the base, without preparation: by a query for each, "
+            "which stops at its target, or by one solve, as takes less. Geometric means over meshes and sources.",
+            REMARK,
+        ],
+    )
+
+
+LENGTHS = ["Mean excess", "Largest excess", "Shortest", "Off the surface", "Failed"]
+REMARK = (
+    "Excess: how much longer paths are than the exact distance, relatively. Shortest: the share that exceeds it by "
+    f"less than {SHORTEST:g}. Off the surface: paths with a piece that lies on no face. Failed: the solver gave up, "
+    "or the path ends elsewhere. Excess is that of the other paths."
+)
+
+
+def _share(of_all: float) -> str:
+    return percent(of_all) if of_all else "none"
+
+
+def _lengths(of: list[Paths]) -> list[Cell]:
+    targets = sum(paths.targets for paths in of)
+    share = sum(paths.shortest for paths in of) / max(1, targets)
+    average, largest = _excess(of)
+    lost = [sum(paths.off_surface for paths in of), sum(paths.failed for paths in of)]
+    if sum(lost) == targets:
+        return [BLANK, BLANK, BLANK, *[Cell(count(n), n) for n in lost]]
+    return [
+        Cell(f"{average:.1e}", average), Cell(f"{largest:.1e}", largest),
+        Cell(_share(share), share), *[Cell(count(n), n) for n in lost],
+    ]  # fmt: skip
+
+
+def by_mesh(run: Run) -> Table:
+    """Every solver on every mesh. @raises ResultError as measured"""
+    found = measured(run)
+    rows = []
+    for mesh in run.meshes:
+        for solver in (solver for solver in found if mesh in found[solver]):
+            of = found[solver][mesh]
+            times = [
+                float(np.mean([getattr(paths, key) for paths in of]))
+                for key in ("alone_time", "first_time", "further_time")
+            ]
+            rows.append([
+                Cell(run.meshes[mesh].label), Cell(solver),
+                *[Cell(f"{time:.3g}", time) for time in times], *_lengths(of),
+            ])  # fmt: skip
+    return Table(
+        name="path_numbers",
+        title="Paths from one source, by mesh",
+        header=["Mesh", "Solver", "One alone (ms)", "First (ms)", "Each further (ms)", *LENGTHS],
+        text_columns=2,
+        rows=rows,
+        remarks=[
+            "One alone: a query for one target, which stops there, and its path. First: a solve for all vertices and "
+            "one path. Each further: one more path after that. Means over sources, without preparation.",
+            REMARK,
+        ],
+    )
+
+
+def break_even(of: dict[str, list[Paths]], base: dict[str, list[Paths]]) -> int | None:
+    """The least number of paths for which the base takes less time, if there is one up to MOST."""
+    def dearer(paths: int) -> bool:
+        ratio = over_base(of, base, lambda one: one.cost(paths))
+        return ratio is not None and ratio > 1
+
+    if dearer(1) or not dearer(MOST):
+        return None
+    low, high = 1, MOST
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (low, middle) if dearer(middle) else (middle, high)
+    return high
+
+
+def sentences(run: Run) -> list[str]:
+    """What paths cost and how long they are, in words. @raises ResultError as base_of"""
+    found = measured(run)
+    base = base_of(run, found)
+    said = []
+    right = [solver for solver, of in found.items() if all(p.shortest == p.targets for p in _all(of))]
+    if right:
+        said.append(f"All paths of {', '.join(right)} are the shortest ones and lead over the surface.")
+    for solver, of in found.items():
+        every = _all(of)
+        targets = sum(paths.targets for paths in every)
+        if solver in right:
+            continue
+        average, largest = _excess(every)
+        lost = [f"{sum(getattr(p, key) for p in every):,} {what}"
+                for key, what in (("off_surface", "leave the surface"), ("failed", "fail"))
+                if any(getattr(p, key) for p in every)]  # fmt: skip
+        share = sum(paths.shortest for paths in every) / targets
+        said.append(
+            f"Of {targets:,} paths of {solver}, {_share(share)} {'are' if share else 'is'} the shortest; they are "
+            f"{percent(average)} longer in the mean, and {percent(largest)} at most"
+            + (f"; {' and '.join(lost)}." if lost else ".")
+        )
+        if (n := break_even(of, found[base])) is not None:
+            said.append(f"From {n:,} paths on {base} takes less time than {solver}.")
+    return said
+
+
+def figure(run: Run) -> Drawing:
+    """@raises ResultError as base_of"""
+    found = measured(run)
+    base = base_of(run, found)
+    looks = style.solver_styles(run.solvers)
+    longer = {solver: _all(of) for solver, of in found.items() if _excess(_all(of))[1] > SHORTEST}
+    picture = style.new_figure(max(3.4 + 0.11 * len(found), 2.4 + 0.3 * len(longer)), width=9)
+    panels = picture.subplots(1, 2 if longer else 1, squeeze=False, width_ratios=[3, 2] if longer else None)[0]
+    _draw_costs(panels[0], found, base, looks)
+    if longer:
+        _draw_lengths(panels[1], longer, looks)
+    style.legend_above(picture, [
+        Line2D([], [], label=style.plain(s), color=looks[s].color, linestyle=looks[s].line) for s in found
+    ], columns=6)  # fmt: skip
+    return Drawing(
+        title="Paths from one source",
+        caption=in_lines(
+            f"On {len(run.meshes)} meshes. Left: the time of so many paths from one source over that of {base}, without "
+            "preparation: by a query for each, which stops at its target, or by one solve, as takes less; geometric "
+            "means over meshes and sources."
+            + (" Right: how much longer paths are than the exact distance, of solvers whose paths are; filled the mean, "
+               "hollow the largest of all paths that lead over the surface, and the share that is the shortest one."
+               if longer else ""),
+        ),
+        figure=picture,
+    )  # fmt: skip
+
+
+def _draw_costs(
+    axes: Axes, found: dict[str, dict[str, list[Paths]]], base: str, looks: dict[str, style.SolverStyle]
+) -> None:  # fmt: skip
+    numbers = np.unique(np.geomspace(1, MOST, 60).round().astype(int)).tolist()
+    for solver, of in found.items():
+        line = [over_base(of, found[base], lambda paths, n=n: paths.cost(n)) for n in numbers]  # type: ignore[misc]
+        if None not in line:
+            axes.plot(numbers, line, color=looks[solver].color, linestyle=looks[solver].line)
+    for axis in (axes.xaxis, axes.yaxis):
+        logarithmic(axis)
+    axes.set_title(f"time, over {style.plain(base)}'s", fontsize=9.5)
+    axes.set_xlabel("paths from one source")
+    axes.grid()
+
+
+def _draw_lengths(axes: Axes, longer: dict[str, list[Paths]], looks: dict[str, style.SolverStyle]) -> None:
+    for place, (solver, of) in enumerate(longer.items()):
+        average, largest = _excess(of)
+        color = looks[solver].color
+        axes.plot([average, largest], [place, place], color=color, linewidth=0.8)
+        axes.plot([average], [place], color=color, marker="o")
+        axes.plot([largest], [place], color=color, marker="o", markerfacecolor="white")
+        share = sum(paths.shortest for paths in of) / max(1, sum(paths.targets for paths in of))
+        axes.annotate(f"shortest: {_share(share)}", (largest, place), xytext=(0, 7),
+                      textcoords="offset points", ha="right", fontsize=8)  # fmt: skip
+    axes.set_yticks(range(len(longer)), [style.plain(solver) for solver in longer])
+    axes.set_ylim(len(longer) - 0.5, -0.6)
+    logarithmic(axes.xaxis)
+    axes.set_title("excess over the exact distance", fontsize=9.5)
+    axes.grid(axis="x")
