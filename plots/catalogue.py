@@ -33,9 +33,11 @@ TABLES: dict[str, Callable[[Run], Table]] = {
     "table_growth_exponents": growth.exponents,
     "answers": answers.table,
     "many_sources_numbers": many_sources.table,
+    "many_sources_errors": many_sources.errors,
     "path_costs": path_costs.table,
     "path_numbers": path_costs.by_mesh,
     "twins": twins.table,
+    "twins_overall": twins.overall,
     "break_even_numbers": break_even.table,
     "which_to_take": frontier.which_to_take,
     "which_to_take_mean": frontier.which_to_take_mean,
@@ -96,7 +98,7 @@ ON = "_on_processor_"
 
 
 OF_SETS = {
-    "summary", "accuracy", "many_sources", "many_sources_numbers", "robustness", "robustness_counts",
+    "summary", "accuracy", "many_sources", "many_sources_errors", "many_sources_numbers", "robustness", "robustness_counts",
     "robustness_failures",
 }  # fmt: skip
 """Those that show sets of sources; the others show single vertices, where the run has any."""

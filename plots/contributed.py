@@ -1,4 +1,4 @@
-"""docs/results.md with its pictures, and the table in README.md, from the newest results of each
+"""docs/results.md with its pictures, and tables of other pages, from the newest results of each
 corpus in results/contributed/: what the project says of itself was measured, and is written by
 
     /usr/bin/python3 -m plots.contributed
@@ -6,7 +6,6 @@ corpus in results/contributed/: what the project says of itself was measured, an
 
 from __future__ import annotations
 
-import re
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
@@ -17,10 +16,10 @@ from results import console
 if __name__ == "__main__":
     console.prepare("plots.contributed")  # before imports that may fail
 
-from plots import catalogue, headline, path_costs, peers_overview, robustness, style, summary
+from plots import catalogue, headline, many_sources, path_costs, peers_overview, robustness, style, summary, twins
 from plots.drawing import Drawing
 from plots.measures import ERROR, columns, percent
-from plots.ratios import number
+from plots.ratios import number, number_with_interval
 from results import pairs
 from results.console import ROOT
 from results.reader import ResultError, Run, read_run
@@ -28,7 +27,9 @@ from results.statistics import geometric_mean
 from results.table import BLANK, Cell, Table, estimate_cell, to_markdown
 
 FOLDER = ROOT / "results" / "contributed"
-PAGE, README = ROOT / "docs" / "results.md", ROOT / "README.md"
+PAGE, README, PEERS = ROOT / "docs" / "results.md", ROOT / "README.md", ROOT / "docs" / "peers.md"
+RESULTS = {README: "docs/results.md", PEERS: "results.md"}
+"""The page of all results, as other pages link it."""
 STANDARD, ROBUSTNESS, FRONTIER = "standard", "robustness", "frontier"
 SETS, PATHS = "source-sets", "paths"
 PICTURES: dict[str, list[str]] = {
@@ -54,7 +55,8 @@ SHOWN = {
     "gc-heat": "geometry-central, heat method",
 }
 """Lines of README's table, and whose each is."""
-MARKED = re.compile(r"(?<=<!-- Made by /usr/bin/python3 -m plots\.contributed: -->\n).*?(?=<!-- End -->)", re.DOTALL)
+MARK = "<!-- Made by /usr/bin/python3 -m plots.contributed: {} -->\n"
+END = "<!-- End -->"
 
 
 def newest() -> dict[str, Run]:
@@ -85,7 +87,7 @@ def _numbers(run: Run, solver: str) -> list[Cell]:
     mean = geometric_mean(samples)
     text = number(mean.value)
     if solver != BASE:
-        text += f" [{number(mean.low)}, {number(mean.high)}]"
+        text = number_with_interval(mean)
     errors = [error for mesh in run.meshes for row in run.cell(mesh, solver)
               if row.ok and (error := row.number(ERROR.key)) is not None]  # fmt: skip
     return [estimate_cell(mean, text), Cell(f"{len(samples)} of {len(run.meshes)}"), Cell(_error(max(errors)))]
@@ -95,14 +97,27 @@ def _error(largest: float) -> str:
     return percent(largest) if largest >= PERCENT else ERROR.show(largest)
 
 
-def readme(runs: Mapping[str, Run]) -> str:
-    """Its text with the table of these runs."""
-    table = to_markdown(beside_public_codes(runs[STANDARD], runs[ROBUSTNESS]))
-    text = README.read_text("utf-8")
-    said = f"{table}\n{peers_overview.footer(runs[STANDARD])} ([all results](docs/results.md)).\n"
-    if not MARKED.search(text):
-        raise ResultError(f"{README}: the marks of the table are gone")
-    return MARKED.sub(lambda _: said, text)
+def tables(runs: Mapping[str, Run]) -> dict[Path, list[tuple[Table, Run]]]:
+    """What stands between the marks of other pages, by its name, and the run that it is of."""
+    standard, sets = runs[STANDARD], runs[SETS]
+    return {
+        README: [(beside_public_codes(standard, runs[ROBUSTNESS]), standard)],
+        PEERS: [(twins.overall(standard), standard), (many_sources.errors(sets), sets)],
+    }
+
+
+def with_tables(page: Path, made: Sequence[tuple[Table, Run]]) -> str:
+    """Its text with these tables. @raises ResultError without the marks of one"""
+    text = page.read_text("utf-8")
+    for table, run in made:
+        mark = MARK.format(table.name)
+        before, found, rest = text.partition(mark)
+        _, end, after = rest.partition(END)
+        if not found or not end:
+            raise ResultError(f"{page}: the marks of {table.name} are gone")
+        plain = to_markdown(replace(table, title=""))
+        text = f"{before}{mark}{plain}\n{peers_overview.footer(run)} ([all results]({RESULTS[page]})).\n{end}{after}"
+    return text
 
 
 def page(runs: Mapping[str, Run], captions: Mapping[str, tuple[str, str]]) -> str:
@@ -145,7 +160,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         for name, drawing in found.items():
             style.save(drawing.figure, _file(name))
         captions = {name: (drawing.title, drawing.caption) for name, drawing in found.items()}
-        for file, text in ((PAGE, page(runs, captions)), (README, readme(runs))):
+        pages = {file: with_tables(file, made) for file, made in tables(runs).items()}
+        for file, text in (pages | {PAGE: page(runs, captions)}).items():
             file.write_text(text, encoding="utf-8")
             print(file)
     except (ResultError, OSError) as error:

@@ -12,11 +12,11 @@ from plots import style
 from plots.dots import sentences
 from plots.drawing import Drawing
 from plots.logarithmic import logarithmic
-from plots.measures import columns, count
+from plots.measures import columns, count, percent
 from plots.ratios import fastest_exact, mean
 from results.reader import ResultError, Row, Run, Source
 from results.statistics import Estimate, median
-from results.table import Cell, Table
+from results.table import BLANK, Cell, Table
 
 RANDOM = "random:"
 """Sets of so many vertices, the same number on every mesh."""
@@ -141,6 +141,23 @@ def _draw(
         logarithmic(axis)
     axes.set_title(label, fontsize=9.5)
     axes.grid()
+
+
+def errors(run: Run) -> Table:
+    """Mean errors by the number of sources. @raises ResultError as base_of"""
+    base = base_of(run)
+    found = {solver: {p.sources: p.mean for p in points(run, solver, base)}
+             for solver in columns(run) if not run.solvers[solver].exact}  # fmt: skip
+    sizes_of_all = sorted({size for of in found.values() for size in of})
+    return Table(
+        name="many_sources_errors",
+        title="Mean errors from many sources in one query",
+        header=["Sources", *found],
+        text_columns=0,
+        rows=[[Cell(count(size), size), *(Cell(percent(of[size]), of[size]) if size in of else BLANK for of in found.values())]
+              for size in sizes_of_all],
+        remarks=["The mean over the meshes of the mean relative error of a vertex."],
+    )  # fmt: skip
 
 
 def table(run: Run) -> Table:

@@ -35,6 +35,10 @@ def number(value: float) -> str:
     return f"{value:,.0f}" if value >= 100 else f"{value:#.3g}"
 
 
+def number_with_interval(estimate: Estimate) -> str:
+    return f"{number(estimate.value)} [{number(estimate.low)}, {number(estimate.high)}]"
+
+
 def _fewer(value: float) -> str:
     return f"{100 * (1 - value):.1f}%"
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from plots.measures import ABSENT, PROPAGATIONS, TIME, count, values
 from plots.models import ordered_meshes
-from plots.ratios import Ratio, mean_cell, over_meshes
+from plots.ratios import Ratio, mean_cell, number_with_interval, over_meshes
 from results.pairs import by_source
 from results.reader import ResultError, Run
 from results.statistics import median
@@ -42,6 +44,23 @@ def table(run: Run) -> Table:
             "where both count them; what is counted may differ (docs/metrics.md).",
         ],
     )
+
+
+def overall(run: Run) -> Table:
+    """A line for each two twins. @raises ResultError as table"""
+    full = table(run)
+    rows = []
+    for ours, twin in (pair for pair in TWINS if set(pair) <= set(run.solvers)):
+        ratios = (Ratio("", "", (twin, measure), (ours, measure)) for measure in (TIME, PROPAGATIONS))
+        means = [over_meshes(ratio, run, list(run.meshes), twin) for ratio in ratios]
+        right = len([mesh for mesh in run.meshes if Ratio("", "", (twin, TIME), (ours, TIME)).measured(run, mesh, twin)])
+        rows.append([
+            Cell(ours), Cell(twin),
+            *(estimate_cell(m.estimate, number_with_interval(m.estimate)) if m else Cell(ABSENT) for m in means),
+            Cell(f"{right} of {len(run.meshes)}"),
+        ])  # fmt: skip
+    header = ["Ours", "Public code", "Time / ours", "Windows / ours", "Meshes on which both are right"]
+    return replace(full, name="twins_overall", header=header, text_columns=2, rows=rows)
 
 
 def _block(run: Run, ours: str, twin: str) -> list[list[Cell]]:

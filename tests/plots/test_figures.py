@@ -352,13 +352,13 @@ def test_all_draws_what_it_can_and_says_what_it_leaves_out(golden_run: Run) -> N
         assert "of one surface" in why.pop(series)
     for table in ("robustness", "robustness_counts", "robustness_failures"):
         assert "run --corpus robustness" in why.pop(table)
-    for peers in ("twins", "peers_overview"):
+    for peers in ("twins", "twins_overall", "peers_overview"):
         assert "public code" in why.pop(peers)
     for heat in ("break_even", "break_even_numbers"):
         assert "run --corpus break-even" in why.pop(heat)
     for name in ("frontier", "which_to_take", "which_to_take_mean"):
         assert "run --corpus frontier" in why.pop(name)
-    for sets in ("many_sources_numbers", "many_sources"):
+    for sets in ("many_sources_errors", "many_sources_numbers", "many_sources"):
         assert "run --source-sets" in why.pop(sets)
     for of_paths in ("path_costs", "path_numbers", "paths_compared"):
         assert "run --path-targets" in why.pop(of_paths)

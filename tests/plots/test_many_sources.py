@@ -125,6 +125,12 @@ def test_the_table_has_every_set_over_the_base_from_the_same_sources() -> None:
     assert len(texts) == 8
 
 
+def test_mean_errors_are_of_solvers_that_are_not_exact_by_the_number_of_sources() -> None:
+    table = many_sources.errors(run_of(SEVERAL))
+    assert table.header == ["Sources", "heat"]
+    assert [[cell.text for cell in row] for row in table.rows] == [["1", "10%"], ["8", "10%"], ["64", "10%"]]
+
+
 def test_without_sets_the_reason_names_the_option() -> None:
     _, why = catalogue.draw(run_of([0, 1]), ["many_sources"])
     assert "--source-sets" in why["many_sources"]

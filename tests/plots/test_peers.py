@@ -126,6 +126,9 @@ def test_twins_are_compared_by_time_and_by_the_windows_that_both_count() -> None
     assert small["/ ours"].value == pytest.approx(1.3)
     assert (large["Windows"].text, large["/ ours"].text) == ("\N{EM DASH}", "\N{EM DASH}")
     assert cells(table, Mesh=twins.ALL)["Time / ours"].value == pytest.approx(3)  # sqrt(6 * 1.5)
+    (line,) = twins.overall(run_of(rows)).rows
+    assert [line[i].value for i in (2, 3)] == pytest.approx([3, 1.3])
+    assert line[4].text == "2 of 2"
 
 
 def test_a_twin_that_fails_is_shown_with_its_outcome() -> None:
