@@ -333,6 +333,21 @@ TEST_F(CommandLine, SolveWritesPathsAndTheNearestSources) {
   EXPECT_EQ(traced[1].at("length"), 0.0);
 }
 
+TEST_F(CommandLine, SolveWritesPathsThatASolverTracesItself) {
+  const auto file = folder_ / "paths.json";
+  const Output output = run(PROGRAM, {"solve", "hill", "--solver", "dijkstra", "--source", "7",
+                                      "--target", "20,35", "--paths", file.string()});
+  ASSERT_EQ(output.code, 0) << output.err;
+  const nlohmann::json targets = nlohmann::json::parse(output.out).at("targets");
+  const nlohmann::json paths = read_json(file).at("paths");
+  ASSERT_EQ(paths.size(), 2u);
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    EXPECT_NEAR(paths[i].at("length").get<double>(), targets[i].at("distance").get<double>(),
+                1e-14);
+    for (const nlohmann::json& point : paths[i].at("points")) EXPECT_TRUE(point.contains("vertex"));
+  }
+}
+
 TEST_F(CommandLine, DistancesOnStandardOutputLeaveTheJsonObjectToStandardError) {
   const Output solve = run(PROGRAM, {"solve", "tetrahedron", "--solver", exact_solver(), "--source",
                                      "0", "--output", "-"});

@@ -25,7 +25,8 @@ namespace {
 
 struct Solved {
   std::vector<double> distances, at_targets;
-  std::optional<Paths> paths = {};
+  std::optional<Paths> paths = {};  // of a solver that remembers them
+  std::vector<Path> traced = {};    // by a solver itself, to the targets that are reached
   Json json = Json::object();
 };
 
@@ -57,7 +58,8 @@ Solved solve(const Problem& problem) {
   const double prepare_time = preparation.cpu_seconds();
 
   const Stopwatch watch;
-  if (wants_paths(problem.flags)) {
+  const bool remembers = wants_paths(problem.flags) && problem.solver.abilities.paths;
+  if (remembers) {
     solved.paths.emplace(solve_paths(prepared->solver(), problem.mesh, problem.query));
     solved.distances = solved.paths->distances();
     for (std::size_t i = 0; i < solved.at_targets.size(); ++i) {
@@ -69,6 +71,13 @@ Solved solve(const Problem& problem) {
   solved.json["cpu_time_s"] = watch.cpu_seconds();
   solved.json["real_time_s"] = watch.real_seconds();
   solved.json["prepare_time_s"] = prepare_time;
+  if (wants_paths(problem.flags) && !remembers) {
+    for (const SurfacePoint& target : problem.query.targets) {
+      if (solved.distances[target.vertex] == kInfinity) continue;
+      solved.traced.push_back(
+          prepared->solver().trace(problem.query, solved.distances, target.vertex));
+    }
+  }
   solved.json["instruction_set"] = name_of(prepared->solver().instruction_set());
   solved.json["process_peak_bytes"] = peak_resident_bytes();
   if (const auto* external = dynamic_cast<const ExternalSolver*>(&prepared->solver())) {
@@ -139,13 +148,13 @@ Json compare_with_reference(const Problem& problem, const Query& query,
 }
 
 // The paths to the targets that paths lead to.
-void write_paths(const Problem& problem, const Paths& paths, AtomicFile& file) {
-  std::vector<Path> traced;
+void write_paths(const Problem& problem, const Solved& solved, AtomicFile& file) {
+  std::vector<Path> traced = solved.traced;
   for (std::size_t i = 0; i < problem.query.targets.size(); ++i) {
-    if (std::isfinite(paths.distance_to_target(i))) {
-      traced.push_back(paths.to_target(i));
-    } else {
+    if (!std::isfinite(solved.at_targets[i])) {
       warn("no path leads to the target " + written(problem.mesh, problem.query.targets[i]));
+    } else if (solved.paths) {
+      traced.push_back(solved.paths->to_target(i));
     }
   }
   file.stream() << path_bytes(traced, problem.flags.paths);
@@ -175,7 +184,7 @@ Json solve_jointly(const Problem& problem, Outputs& outputs) {
     if (problem.flags.nearest_source) nearest = solved.paths->nearest_sources();
     outputs.distances->write(solved.distances, nearest);
   }
-  if (outputs.paths) write_paths(problem, *solved.paths, *outputs.paths);
+  if (outputs.paths) write_paths(problem, solved, *outputs.paths);
   Json json = Json::object();
   for (const Source& source : problem.query.sources) {
     json["sources"].push_back(shown(problem.mesh, source));

@@ -52,13 +52,19 @@ void check_abilities(const SolveFlags& flags, unsigned threads, const Descriptio
                        " cannot solve in several threads at the same time: leave out --threads");
   }
   if (!wants_paths(flags)) return;
+  const bool from_vertices = are_vertices({query.sources});
   const auto can = [&](const Abilities& abilities) {
-    return abilities.paths && (abilities.surface_sources || are_vertices({query.sources}));
+    return (abilities.paths && (abilities.surface_sources || from_vertices)) ||
+           (abilities.traces && are_vertices(query) && !flags.nearest_source);
   };
   if (can(solver.abilities)) return;
   std::vector<std::string> others;
   for (const Description* other : registered_solvers()) {
     if (can(other->abilities) && !other->by_name_only) others.push_back(other->name);
+  }
+  if (solver.abilities.traces && !flags.nearest_source) {
+    throw HarnessError(solver.name +
+                       " traces paths between vertices only; there are: " + join(others));
   }
   throw HarnessError(solver.name + " does not remember how paths arrive, which --paths and " +
                      "--nearest-source need; there are: " + join(others));
