@@ -54,7 +54,7 @@ void LastSegments::finish_place(const Place& place, std::span<const double> dist
   for (Index h = 3 * face; h < 3 * face + 3; ++h) {
     const Point2 at = in_frame(mesh_, place.point, h);
     const Index corner = mesh_.origin(h);
-    const double distance = distances[corner] + std::hypot(at.x, at.y);
+    const double distance = distances[corner] + norm(at);
     // Where no path bends, the line that leads through the corner is a window's: a tie is its own.
     const bool begins = mesh_.is_pseudo_source(corner) || last_segments_[corner].root == corner;
     if (!begins && distance > targets_[place.target].distance * (1 - kPathMargin)) continue;
@@ -70,7 +70,7 @@ void LastSegments::finish_place(const Place& place, std::span<const double> dist
       const auto largest = std::ranges::max_element(weights) - weights.begin();
       const Index h = 3 * face + static_cast<Index>(largest);
       const Point2 start = in_frame(mesh_, from, h), end = in_frame(mesh_, place.point, h);
-      offer(place.target, source.distance + std::hypot(end.x - start.x, end.y - start.y),
+      offer(place.target, source.distance + norm(Point2{end.x - start.x, end.y - start.y}),
             {h, mesh_.vertex_count() + i, start});
     }
   }

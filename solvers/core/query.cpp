@@ -25,7 +25,7 @@ StopRule::StopRule(const Mesh& mesh, const Query& query, std::span<const double>
       const Index h = 3 * target.face + k;  // leaves corner k
       const Point2 at = in_frame(mesh, target, h);
       bound.corners[k] = mesh.origin(h);
-      bound.rest[k] = std::hypot(at.x, at.y);
+      bound.rest[k] = norm(at);
     }
     bounds_.push_back(bound);
   }

@@ -100,7 +100,7 @@ void spread_in_face(const Mesh& mesh, const SurfacePoint& in_face, const Reach& 
   for (Index h = 3 * in_face.face; h < 3 * in_face.face + 3; ++h) {
     const Point2 from = in_frame(mesh, in_face, h);
     const Point2 from_apex = in_frame(mesh, in_face, Mesh::previous(h));
-    const double to_apex = std::hypot(from_apex.x, from_apex.y);
+    const double to_apex = norm(from_apex);
     reach(h, from, to_apex, is_next_to_apex(mesh.half_edge(h), to_apex));
     if (h != under) cross(h, seen_from_beyond(from, mesh.half_edge(h).length));
   }

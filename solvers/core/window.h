@@ -23,6 +23,10 @@ struct Point2 {
   bool operator==(const Point2&) const = default;
 };
 
+/// Its distance from the origin. By square root, which is the same bits in every C library, as
+/// std::hypot is not: squares of lengths are within range (mesh_input.h).
+inline double norm(const Point2& p) { return std::sqrt(p.x * p.x + p.y * p.y); }
+
 /// The geometry of a window; solvers derive from it what else they keep.
 struct Window {
   double begin, end;  ///< 0 <= begin < end <= length of the half-edge, from its origin
@@ -55,7 +59,7 @@ inline double least_distance_to(const Window& w, double px, double py) {
     const double t = w.x + (px - w.x) * (-w.y / height);
     const double bend = std::clamp(t, w.begin, w.end);
     if (bend == t) return distance_through(w, px, py);
-    return distance_at(w, bend) + std::hypot(px - bend, py);
+    return distance_at(w, bend) + norm(Point2{px - bend, py});
   }
   // Source and target both lie on the edge's line.
   const double bend = std::clamp(px, w.begin, w.end);

@@ -2,8 +2,10 @@
 // Google Highway.
 #include "solvers/edge_based/kernels.h"
 
+// Vectors of SVE have no size that a compiler knows, and cannot be kept in structs.
 #undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS (HWY_AVX3_DL | HWY_SSE4 | HWY_SSSE3)
+#define HWY_DISABLED_TARGETS \
+  (HWY_AVX3_DL | HWY_SSE4 | HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "solvers/edge_based/kernels-inl.h"

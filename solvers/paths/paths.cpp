@@ -17,11 +17,9 @@ namespace {
 
 Point2 minus(const Point2& a, const Point2& b) { return {a.x - b.x, a.y - b.y}; }
 
-double length_of(const Point2& a) { return std::hypot(a.x, a.y); }
-
 /// Of length 1: products with lengths of any unit stay within range.
 struct Direction {
-  explicit Direction(const Point2& a) : Direction(a, length_of(a)) {}
+  explicit Direction(const Point2& a) : Direction(a, norm(a)) {}
   Direction(const Point2& a, double length) : x(a.x / length), y(a.y / length) {}
 
   double along(const Point2& a) const { return x * a.x + y * a.y; }
@@ -66,17 +64,19 @@ class Paths::Trace {
   explicit Trace(const Paths& of) : of_(of), mesh_(of.mesh_) {}
 
   /// A path that is not as long as its end is far is none, and is not given. One whose lines misled
-  /// it, over faces without area, is looked for by distances.
+  /// it, over needles and faces without area, is looked for by distances.
   Path run(const SurfacePoint& end, double distance, const LastSegment& last_segment) {
-    const auto is_off = [&](const Path& path, double relative) {
+    const auto off = [&](const Path& path) {
       const double length = path.length() + of_.query_.sources[path.source].distance;
-      return std::abs(length - distance) > relative * (distance + mesh_.mean_edge_length());
+      return std::abs(length - distance);
     };
+    const double edge = mesh_.mean_edge_length();
     Path path = trace(end, distance, last_segment);
-    if (!is_off(path, kPathStray)) return path;
+    if (off(path) <= kPathStray * distance + kPathRounding * edge) return path;
     trusts_lines_ = false;
-    path = trace(end, distance, last_segment);
-    if (is_off(path, kPathWrong)) lost(piece_to(end, distance, last_segment));
+    Path found = trace(end, distance, last_segment);
+    if (off(found) < off(path)) path = std::move(found);
+    if (off(path) > kPathWrong * (distance + edge)) lost(piece_to(end, distance, last_segment));
     return path;
   }
 
@@ -171,7 +171,7 @@ class Paths::Trace {
       if (piece.source.empty()) lost(piece);
     }
     piece.side = mesh_.half_edge(piece.half_edge).length;
-    piece.length = length_of(minus(piece.from, piece.at));
+    piece.length = norm(minus(piece.from, piece.at));
     return piece;
   }
 
@@ -273,13 +273,13 @@ class Paths::Trace {
     const Point2 to_apex = minus({e.apex_x, e.apex_y}, here), ahead = minus(line.root, here);
     if (mesh_.crosses_non_manifold_edges()) {
       const double off = std::abs(of_.distance(apex) - (piece.distance - way.travelled));
-      if (off > length_of(to_apex) + piece.part(kPathWrong)) return {Step::failed};
+      if (off > norm(to_apex) + piece.part(kPathWrong)) return {Step::failed};
     }
-    const double left_to_go = length_of(ahead);
+    const double left_to_go = norm(ahead);
     const Direction direction(ahead, left_to_go);
     const double along = direction.along(to_apex), across = direction.across(to_apex);
     if (is_through(along, across, left_to_go, slack)) {
-      const double rest = length_of(to_apex);
+      const double rest = norm(to_apex);
       if (turns(piece, apex, way.travelled + rest)) {
         return {Step::ended, add(SurfacePoint(apex), in / 3, rest)};
       }
@@ -355,16 +355,16 @@ class Paths::Trace {
     const FaceFrame f = face_frame(mesh_, h);
     if (side == Side::own) {
       const double t = crossing(line, at, {1, 0}, f.length);
-      return {h, f.length - t, {f.length - root.x, -root.y}, length_of(minus({t, 0}, at))};
+      return {h, f.length - t, {f.length - root.x, -root.y}, norm(minus({t, 0}, at))};
     }
     if (side == Side::left) {
       const double x = crossing(line, at, {f.left_x, f.left_y}, f.left);
       const Point2 out = {x * f.left_x, x * f.left_y};
-      return {Mesh::previous(h), x, f.to_left(root.x, root.y), length_of(minus(out, at))};
+      return {Mesh::previous(h), x, f.to_left(root.x, root.y), norm(minus(out, at))};
     }
     const double u = crossing(line, minus(at, {f.length, 0}), {-f.right_x, -f.right_y}, f.right);
     const Point2 out = {f.length - u * f.right_x, -u * f.right_y};
-    return {Mesh::next(h), f.right - u, f.to_right(root.x, root.y), length_of(minus(out, at))};
+    return {Mesh::next(h), f.right - u, f.to_right(root.x, root.y), norm(minus(out, at))};
   }
 
   /// Which of two sides a line through their common corner leaves by: the first one, unless it
@@ -380,7 +380,7 @@ class Paths::Trace {
     const FaceFrame f = face_frame(mesh_, in);
     const Point2 on_left = f.to_left(line.root.x, line.root.y);
     const Point2 on_right = f.to_right(line.root.x, line.root.y);
-    const double step = length_of(minus({f.apex_x, f.apex_y}, {line.x, 0}));
+    const double step = norm(minus({f.apex_x, f.apex_y}, {line.x, 0}));
     const bool by_right =
         right ? is_first(on_right.y, on_left.y, slack) : !is_first(on_left.y, on_right.y, slack);
     if (by_right) return {Mesh::next(in), 0, on_right, step};
@@ -407,7 +407,7 @@ class Paths::Trace {
     if (piece.end.is_vertex()) {
       return mesh_.half_edge(head ? Mesh::next(h) : Mesh::previous(h)).length;
     }
-    return length_of(minus({head ? mesh_.half_edge(h).length : 0, 0}, piece.at));
+    return norm(minus({head ? mesh_.half_edge(h).length : 0, 0}, piece.at));
   }
 
   /// Where the root of a piece lies in the frame of h, if its face has it.
@@ -430,9 +430,9 @@ class Paths::Trace {
   /// @param aim, at where the line has the root, and where it is
   Index arrive(const Piece& piece, Index h, const Point2& here, const Point2& aim,
                const Point2& at) {
-    const double off = length_of(minus(aim, at));
+    const double off = norm(minus(aim, at));
     if (!(off <= piece.part(kPathStray))) return kNone;
-    double rest = length_of(minus(at, here));
+    double rest = norm(minus(at, here));
     SurfacePoint root(piece.root);
     if (piece.root >= mesh_.vertex_count()) {
       root = piece.source.front();

@@ -9,7 +9,7 @@ namespace geodesic {
 namespace {
 
 double distance_between(const Point2& a, const Point2& b) {
-  return std::hypot(a.x - b.x, a.y - b.y);
+  return norm(Point2{a.x - b.x, a.y - b.y});
 }
 
 /// A line of sight.
@@ -18,7 +18,7 @@ class Ray {
   /// @param otherwise where it leads when it goes through the eye, of length 1
   Ray(const Point2& eye, const Point2& through, const Point2& otherwise)
       : eye_(eye), to_{through.x - eye.x, through.y - eye.y} {
-    const double length = std::hypot(to_.x, to_.y);
+    const double length = norm(to_);
     to_ = length > 0 ? Point2{to_.x / length, to_.y / length} : otherwise;
   }
   /// How far a point lies to the left.
@@ -40,9 +40,7 @@ Ray to_begin(const auto& view) { return {view.eye, {view.begin, 0}, {-1, 0}}; }
 Ray to_end(const auto& view) { return {view.eye, {view.end, 0}, {1, 0}}; }
 
 /// What rounding does to lines from the eye through a half-edge.
-double rounding(const Point2& eye, double length) {
-  return kPathThrough * (std::hypot(eye.x, eye.y) + length);
-}
+double rounding(const Point2& eye, double length) { return kPathThrough * (norm(eye) + length); }
 
 }  // namespace
 
@@ -150,7 +148,7 @@ bool Paths::Search::may_lead(const View& view) const {
   if (view.eye.y == 0 && (view.eye.x == 0 || view.eye.x == length)) return false;
   const double slack = kPathStray * distance_ + tie_;
   const double beside = std::max({view.begin - view.eye.x, view.eye.x - view.end, 0.0});
-  const double nearest = std::hypot(beside, view.eye.y);
+  const double nearest = norm(Point2{beside, view.eye.y});
   if (nearest > distance_ + slack) return false;
   for (const bool head : {false, true}) {
     const Index v = head ? mesh_.head(view.in) : mesh_.origin(view.in);

@@ -16,7 +16,6 @@ constexpr double kUnfoldedRounding = 1e-14;
 
 Point2 operator-(const Point2& a, const Point2& b) { return {a.x - b.x, a.y - b.y}; }
 double cross(const Point2& a, const Point2& b) { return a.x * b.y - a.y * b.x; }
-double norm(const Point2& a) { return std::hypot(a.x, a.y); }
 
 /// Fraction of the way from a to b at which the line through p and q meets it (Cramer's rule).
 double meeting_point(const Point2& p, const Point2& q, const Point2& a, const Point2& b) {

@@ -97,7 +97,7 @@ void IntrinsicMesh::flip(Index h) {
   origin_[t] = origin_[to_a];
   join(h, to_a, to_d);
   join(t, to_b, to_c);
-  frame_[h].length = frame_[t].length = std::hypot(c.x - d.x, c.y - d.y);
+  frame_[h].length = frame_[t].length = norm(Point2{c.x - d.x, c.y - d.y});
   for (const auto& [side, from, to, apex] : {Laid{h, d, c, a},
                                              {to_a, c, a, d},
                                              {to_d, a, d, c},
@@ -134,7 +134,7 @@ void IntrinsicMesh::trace(Index h, std::vector<SurfacePoint>& points) const {
   }
   const double reach = kEndReach * frame_[h].length;
   const auto ends_at = [&](Index vertex, Point2 at, Point2 aim) {
-    return vertex == end && std::hypot(at.x - aim.x, at.y - aim.y) <= reach;
+    return vertex == end && norm(Point2{at.x - aim.x, at.y - aim.y}) <= reach;
   };
   const auto& [first, angle] = flipped->second;
   const HalfEdge& e = mesh_.half_edge(first);
