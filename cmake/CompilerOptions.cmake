@@ -2,7 +2,7 @@
 add_library(geodesic_options INTERFACE)
 target_include_directories(geodesic_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_features(geodesic_options INTERFACE cxx_std_20)
-# Contraction off: distances and counters must be the same bits on every x86-64 machine.
+# Contraction off: distances and counters must be the same bits on every machine.
 # Nobody reads errno after a square root: with it, every one is followed by a test and a call.
 target_compile_options(
   geodesic_options INTERFACE -ffp-contract=off -fno-math-errno -Wall -Wextra -Wshadow -Wpedantic -Wconversion

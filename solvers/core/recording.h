@@ -83,7 +83,7 @@ enum class RecordingKind : std::uint8_t {
   paths,        ///< how paths arrive, and nothing else
 };
 
-/// Integer results are the same on every run and every x86-64 machine.
+/// Integer results are the same on every run and every machine.
 struct Recording {
   RecordingKind kind = RecordingKind::counters;  ///< set by the caller
   /// Of RecordingKind::wavefront: when to take snapshots, as shares of the reachable vertices,
