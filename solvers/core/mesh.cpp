@@ -302,7 +302,10 @@ void Mesh::classify_vertices() {
     const Fan fan = fan_at(v);
     const bool several_fans = fan.faces < around.size();
     has_non_manifold_vertices_ |= several_fans;
-    if (several_fans || !fan.closed || has_angle_excess(v)) pseudo_source_[v] = 1;
+    // A path that bends at a boundary has more than half a plane on its one side.
+    const bool bends =
+        fan.closed ? has_angle_excess(v) : total_angle(v) > std::numbers::pi + kSaddleAngleExcess;
+    if (several_fans || bends) pseudo_source_[v] = 1;
   }
   if (crosses_non_manifold_edges()) {
     // Around such a vertex every two sheets are a surface of their own, with angles of their own.

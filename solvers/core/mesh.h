@@ -124,8 +124,9 @@ class Mesh {
     return {outgoing_.data() + first_outgoing_[v], outgoing_.data() + first_outgoing_[v + 1]};
   }
 
-  /// True where a shortest path may bend: total angle above 2 pi, a boundary vertex, a vertex that
-  /// several fans share, and a corner of a face so flat (kFlatFace) that its angles are rounding.
+  /// True where a shortest path may bend: total angle above 2 pi, at a boundary above pi, a vertex
+  /// that several fans share, and a corner of a face so flat (kFlatFace) that its angles are
+  /// rounding.
   bool is_pseudo_source(Index v) const { return pseudo_source_[v] != 0; }
 
   /// Sum of the face angles at v in radians; 0 for an isolated vertex. Computed at each call.

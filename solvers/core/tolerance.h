@@ -5,9 +5,9 @@
 
 namespace geodesic {
 
-/// A total vertex angle counts as above 2 pi from this excess on, in radians. Rounding in the sum
-/// of the angles of a flat vertex stays near 1e-15; a saddle of a smaller excess bends a path by
-/// less than this angle, which changes a length by its square.
+/// A total vertex angle counts as above 2 pi, or at a boundary above pi, from this excess on, in
+/// radians. Rounding in the sum of the angles of a flat vertex stays near 1e-15; a vertex of a
+/// smaller excess bends a path by less than this angle, which changes a length by its square.
 inline constexpr double kSaddleAngleExcess = 1e-12;
 
 /// A total vertex angle this near to a multiple of pi, in radians, is computed by arcs: above what

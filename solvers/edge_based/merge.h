@@ -34,8 +34,9 @@
 // another window, or of a path over a vertex, is so by comparing F and G themselves (by points of
 // the edge and of the face beyond it, never by where unfolded sources lie, which says something
 // about true paths only). A vertex that is reached has windows on both sides of it that give it its
-// distance; on one of the sides the angle to any direction is below pi, unless it is a saddle or
-// boundary vertex, which sends windows everywhere. So what leads over a vertex is continued, too.
+// distance; on one of the sides the angle to any direction is at most pi, unless it is a saddle or
+// a boundary vertex of more than pi, which sends windows everywhere. So what leads over a vertex is
+// continued, too.
 //
 // A vertex P that sends a window p over the opposite edge sends only what others leave of it. Let a
 // be the last window that came over the side of the face to the left of P. Where P lies to the

@@ -374,6 +374,12 @@ class Paths::Trace {
     return first > slack || first >= second;
   }
 
+  /// Whether a line along a boundary, too, leaves by the first side: the second has no face beyond.
+  bool goes_first(Index first, Index second, bool is_first) const {
+    if (mesh_.twin(first) == kNone) return false;
+    return is_first || mesh_.twin(second) == kNone;
+  }
+
   /// How a line leaves a face through its apex.
   /// @param right on which side of the apex it seems to pass
   Line leave_through_apex(Index in, const Line& line, bool right, double slack) const {
@@ -381,8 +387,9 @@ class Paths::Trace {
     const Point2 on_left = f.to_left(line.root.x, line.root.y);
     const Point2 on_right = f.to_right(line.root.x, line.root.y);
     const double step = norm(minus({f.apex_x, f.apex_y}, {line.x, 0}));
-    const bool by_right =
-        right ? is_first(on_right.y, on_left.y, slack) : !is_first(on_left.y, on_right.y, slack);
+    const bool by_right = goes_first(
+        Mesh::next(in), Mesh::previous(in),
+        right ? is_first(on_right.y, on_left.y, slack) : !is_first(on_left.y, on_right.y, slack));
     if (by_right) return {Mesh::next(in), 0, on_right, step};
     return {Mesh::previous(in), f.left, on_left, step};
   }
@@ -394,7 +401,7 @@ class Paths::Trace {
     const auto [x, y] = piece.from;
     const double step = to_end(piece, head);
     const Point2 beyond = head ? f.to_right(x, y) : f.to_left(x, y);
-    if (is_first(-y, beyond.y, slack)) {
+    if (goes_first(h, head ? Mesh::next(h) : Mesh::previous(h), is_first(-y, beyond.y, slack))) {
       return {h, head ? 0 : f.length, {f.length - x, -y}, step};
     }
     if (head) return {Mesh::next(h), f.right, beyond, step};
@@ -460,8 +467,8 @@ class Paths::Trace {
     const double length = mesh_.half_edge(h).length;
     const double at_origin = length > 0 ? x / length : 0, at_head = 1 - at_origin;
     SurfacePoint point;
-    if (at_origin == 1 || at_head == 1) {
-      point.vertex = at_head == 1 ? mesh_.head(h) : mesh_.origin(h);
+    if (std::min(at_origin, at_head) <= kWeightSum) {  // rounding leaves no other
+      point.vertex = at_head > at_origin ? mesh_.head(h) : mesh_.origin(h);
     } else {
       point.face = h / 3;
       point.weights[h % 3] = at_origin;

@@ -133,11 +133,17 @@ TEST(Mesh, total_angle_is_the_sum_of_the_corners) {
   EXPECT_NEAR(Mesh(fan(6, 0)).total_angle(0), 2 * std::numbers::pi, 4 * kRounding);
 }
 
-TEST(Mesh, pseudo_sources_are_saddles_and_boundaries) {
+TEST(Mesh, pseudo_sources_are_saddles_and_reflex_corners_of_boundaries) {
   EXPECT_FALSE(Mesh(cube_corner()).is_pseudo_source(0)) << "a convex vertex";
   EXPECT_FALSE(Mesh(fan(6, 0)).is_pseudo_source(0)) << "a flat vertex";
   EXPECT_TRUE(Mesh(fan(6, 0.3)).is_pseudo_source(0)) << "a saddle";
-  EXPECT_TRUE(Mesh(fan(6, 0)).is_pseudo_source(1)) << "a boundary vertex";
+  EXPECT_FALSE(Mesh(fan(6, 0)).is_pseudo_source(1)) << "a convex corner of a boundary";
+  TriangleSoup part = fan(6, 0);
+  part.triangles.resize(3);
+  EXPECT_FALSE(Mesh(part).is_pseudo_source(0)) << "a vertex of a straight boundary";
+  part = fan(6, 0);
+  part.triangles.resize(4);
+  EXPECT_TRUE(Mesh(part).is_pseudo_source(0)) << "a reflex corner";
 }
 
 TEST(Mesh, a_slight_saddle_is_a_pseudo_source) {

@@ -198,7 +198,7 @@ TEST(Paths, end_in_one_error_where_a_solver_remembers_nonsense) {
   EXPECT_EQ(with(fine, {kNone, kNone, {0, 0}}), to_3 + "nothing" + lost);
   const LastSegment across{3, 1, {std::sqrt(0.5), -std::sqrt(0.5)}}, back{2, 3, across.from};
   EXPECT_EQ(with({kNone, 1, {0, 0}}, across),  // vertex 1 is no source
-            "the solver remembers a path to vertex 1 from vertex 1" + lost);
+            "the solver remembers a path to vertex 3 from vertex 1" + lost);
   EXPECT_NE(with(back, across).find(lost), std::string::npos);
 }
 
