@@ -14,7 +14,7 @@ namespace geodesic::harness {
 namespace {
 
 constexpr std::size_t kTimes = 3;     // that work is measured, unless it takes as long
-constexpr double kAsLong = 1;           // seconds
+constexpr double kAsLong = 1;         // seconds
 constexpr std::size_t kAlone = 3;     // targets that a query of their own is made for
 constexpr double kSameLength = 1e-9;  // relatively: a path is the shortest one
 
