@@ -74,8 +74,12 @@ class Paths::Trace {
     Path path = trace(end, distance, last_segment);
     if (off(path) <= kPathStray * distance + kPathRounding * edge) return path;
     trusts_lines_ = false;
-    Path found = trace(end, distance, last_segment);
-    if (off(found) < off(path)) path = std::move(found);
+    try {
+      Path found = trace(end, distance, last_segment);
+      if (off(found) < off(path)) path = std::move(found);
+    } catch (const std::runtime_error&) {
+      // None is found by distances as exact as these: the first one stands, or is lost.
+    }
     if (off(path) > kPathWrong * (distance + edge)) lost(piece_to(end, distance, last_segment));
     return path;
   }
