@@ -15,7 +15,7 @@ from plots.drawing import Drawing
 from plots.logarithmic import logarithmic
 from plots.measures import columns, count, percent
 from plots.ratios import fastest_exact, mean, number
-from results.reader import ResultError, Row, Run
+from results.reader import ResultError, Row, Run, Source
 from results.table import BLANK, Cell, Table
 
 COUNTS = (1, 10, 100, 1000)
@@ -46,6 +46,10 @@ class Paths:
         return min(paths * self.alone_time, self.first_time + (paths - 1) * self.further_time)
 
 
+OfMeshes = dict[str, dict[Source, Paths]]
+"""Of a solver, by mesh and source."""
+
+
 def paths_of(row: Row) -> Paths | None:
     """What the row says of paths, if it does."""
     found = {key: row.number(f"paths.{key}") for key in Paths.__annotations__}
@@ -54,15 +58,15 @@ def paths_of(row: Row) -> Paths | None:
     return Paths(**{key: value or 0 for key, value in found.items()})  # type: ignore[arg-type]
 
 
-def measured(run: Run) -> dict[str, dict[str, list[Paths]]]:
-    """By solver and mesh: one a source.
-
-    @raises ResultError for a run without paths"""
-    by_solver: dict[str, dict[str, list[Paths]]] = {}
+def measured(run: Run) -> dict[str, OfMeshes]:
+    """By solver. @raises ResultError for a run without paths"""
+    by_solver: dict[str, OfMeshes] = {}
     for solver in columns(run):
         for mesh in run.meshes:
-            first = {row.source: row for row in reversed(run.cell(mesh, solver))}
-            found = [paths for row in reversed(first.values()) if (paths := paths_of(row)) is not None]
+            found: dict[Source, Paths] = {}
+            for row in run.cell(mesh, solver):  # repetitions of a cell have the same, or the first one has it
+                if (paths := paths_of(row)) is not None:
+                    found.setdefault(row.source, paths)
             if found:
                 by_solver.setdefault(solver, {})[mesh] = found
     if not by_solver:
@@ -70,7 +74,7 @@ def measured(run: Run) -> dict[str, dict[str, list[Paths]]]:
     return by_solver
 
 
-def base_of(run: Run, found: dict[str, dict[str, list[Paths]]]) -> str:
+def base_of(run: Run, found: dict[str, OfMeshes]) -> str:
     """What costs are compared with: the fastest exact solver of those with paths.
 
     @raises ResultError when there is none"""
@@ -80,18 +84,18 @@ def base_of(run: Run, found: dict[str, dict[str, list[Paths]]]) -> str:
     return base
 
 
-def over_base(of: dict[str, list[Paths]], base: dict[str, list[Paths]], cost: Callable[[Paths], float]) -> float | None:
-    """The geometric mean over meshes of the costs over those of the base, over sources in turn."""
+def over_base(of: OfMeshes, base: OfMeshes, cost: Callable[[Paths], float]) -> float | None:
+    """The geometric mean over meshes of the means over those sources that both have."""
     ratios = [
-        mean(np.array([cost(a) / cost(b) for a, b in zip(of[mesh], base[mesh], strict=False)]))
+        mean(np.array([cost(of[mesh][source]) / cost(base[mesh][source]) for source in both]))
         for mesh in of
-        if mesh in base
+        if (both := [source for source in of[mesh] if source in base.get(mesh, ())])
     ]
     return mean(np.array(ratios)) if ratios else None
 
 
-def _all(of: dict[str, list[Paths]]) -> list[Paths]:
-    return [paths for each in of.values() for paths in each]
+def _all(of: OfMeshes) -> list[Paths]:
+    return [paths for each in of.values() for paths in each.values()]
 
 
 def _excess(of: list[Paths]) -> tuple[float, float]:
@@ -157,7 +161,7 @@ def by_mesh(run: Run) -> Table:
     rows = []
     for mesh in run.meshes:
         for solver in (solver for solver in found if mesh in found[solver]):
-            of = found[solver][mesh]
+            of = list(found[solver][mesh].values())
             times = [
                 float(np.mean([getattr(paths, key) for paths in of]))
                 for key in ("alone_time", "first_time", "further_time")
@@ -180,7 +184,7 @@ def by_mesh(run: Run) -> Table:
     )
 
 
-def break_even(of: dict[str, list[Paths]], base: dict[str, list[Paths]]) -> int | None:
+def break_even(of: OfMeshes, base: OfMeshes) -> int | None:
     """The least number of paths for which the base takes less time, if there is one up to MOST."""
     def dearer(paths: int) -> bool:
         ratio = over_base(of, base, lambda one: one.cost(paths))
@@ -252,7 +256,7 @@ def figure(run: Run) -> Drawing:
 
 
 def _draw_costs(
-    axes: Axes, found: dict[str, dict[str, list[Paths]]], base: str, looks: dict[str, style.SolverStyle]
+    axes: Axes, found: dict[str, OfMeshes], base: str, looks: dict[str, style.SolverStyle]
 ) -> None:  # fmt: skip
     numbers = np.unique(np.geomspace(1, MOST, 60).round().astype(int)).tolist()
     for solver, of in found.items():

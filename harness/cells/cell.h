@@ -32,7 +32,7 @@ struct CellSpec {
   bool pictured = false;  ///< leave recordings in the run folder; only of counted cells
   bool frames = false;    ///< a pictured cell: the wavefront at every step of progress
   int other_queries = 0;  ///< solve from so many other vertices, then from the source again
-  int path_targets = 0;   ///< measure paths to so many, of solvers that have paths
+  int path_targets = 0;   ///< a counted cell: measure paths to so many, of solvers that have them
   std::string vectors;    ///< corpus/solvers.h
   std::vector<std::string> benchmark_flags = {};
   Json context = {};    ///< context.geodesic_bench of the result file

@@ -378,10 +378,11 @@ class Paths::Trace {
     return first > slack || first >= second;
   }
 
-  /// Whether a line along a boundary, too, leaves by the first side: the second has no face beyond.
-  bool goes_first(Index first, Index second, bool is_first) const {
+  /// Whether a line leaves by the first of two sides, as it is wanted to, or because the second one
+  /// has no face beyond: along a boundary.
+  bool goes_first(Index first, Index second, bool wanted) const {
     if (mesh_.twin(first) == kNone) return false;
-    return is_first || mesh_.twin(second) == kNone;
+    return wanted || mesh_.twin(second) == kNone;
   }
 
   /// How a line leaves a face through its apex.
