@@ -25,7 +25,9 @@ class Corners {
   /// The children of a window of half-edge h whose line to the apex is `distance` long and crosses
   /// the edge at `crossing`; makes the window owner of the corner when it is the nearest so far.
   /// Lines that cross the edge less than `resolution` apart have no side: coincident vertices
-  /// send out windows from one point that see different parts of the edge.
+  /// send out windows from one point that see different parts of the edge. It must be small: where
+  /// lines come past a source near a corner over faces 10^4 times as long as wide, those within
+  /// 10^-6 of the edge are so many that nothing bounds the windows.
   Children claim(Index h, double distance, double crossing, double resolution) {
     Owner& owner = owners_[h];
     if (distance < owner.distance) {

@@ -325,7 +325,7 @@ class Propagation {
       if (!sight.at_begin() && !sight.at_end() && has_owner(h, w.root)) {
         const auto timed = recorder_.enter(Phase::trimming);
         const Children children =
-            corners_.claim(h, distance, line_crossing(w, face), kApexReach * face.length);
+            corners_.claim(h, distance, line_crossing(w, face), kApexTolerance * face.length);
         left = children != Children::right;
         right = children != Children::left;
       }

@@ -213,7 +213,17 @@ void Paths::Search::consider(Root root, double before, const Point2& place, cons
   root.before = before;
   root.distance = before + distance_between(place, eye);
   if (root.distance > best_.distance + tie_) return;
-  if (root.distance < best_.distance - tie_ || root.before < best_.before) best_ = root;
+  const bool wins = root.distance < best_.distance - tie_ || root.before < best_.before;
+  if (wins && is_straight(root)) best_ = root;
+}
+
+/// Whether the path through the crossings is as long as the straight line of the unfolded strip.
+/// Among faces without area a strip may turn back upon itself, and rounding lets the line pass.
+bool Paths::Search::is_straight(const Root& root) const {
+  const Piece piece = piece_from(root);
+  double length = piece.before + piece.rest;
+  for (const Crossing& crossing : piece.crossings) length += crossing.step;
+  return length <= root.distance + kPathStray * distance_ + tie_;
 }
 
 Paths::Search::Piece Paths::Search::piece_from(const Root& root) const {

@@ -91,6 +91,7 @@ class Paths::Search {
   void consider_vertex(Index v, const Point2& place, const Point2& eye, Root root);
   void consider_sources(const Point2& eye, Root root);
   void consider(Root root, double before, const Point2& place, const Point2& eye);
+  bool is_straight(const Root& root) const;
   Piece piece_from(const Root& root) const;
 
   const Paths& of_;
