@@ -32,8 +32,8 @@ void add_solve_command(CLI::App& app);
 /// fail, and for those the smallest case, the command that reproduces it and where it went wrong.
 void add_verify_command(CLI::App& app);
 
-/// The process that `verify` starts; not shown in the help.
-void add_check_property_command(CLI::App& app);
+/// The processes that `verify` starts; not shown in the help.
+void add_check_commands(CLI::App& app);
 
 /// `run [SUITE.json] [-- --benchmark_...]`: measures every cell of a suite.
 /// @param command_line the whole of it, for the record

@@ -18,6 +18,7 @@ namespace {
 
 struct VerifyFlags {
   VerifyRequest request;
+  RandomMeshes random;
   std::vector<std::string> sources;
   bool list = false;
 };
@@ -44,7 +45,12 @@ std::vector<Source> sources_of(const std::string& words) {
 }
 
 void check_request(const VerifyRequest& request) {
-  if (request.solver.empty()) throw HarnessError("--solver is required (geodesic-bench list)");
+  if (request.solvers.empty() && !request.random) {
+    throw HarnessError("--solver is required (geodesic-bench list)");
+  }
+  if (request.solvers.size() > 1 && !request.random) {
+    throw HarnessError("--solver: several are checked with --random only");
+  }
   instruction_set_named(request.vectors);
   const bool on_meshes = !request.meshes.empty() || !request.corpus.empty();
   if (!on_meshes && (!request.sources.empty() || request.limit < kInfinity)) {
@@ -68,6 +74,7 @@ void run_verify(const VerifyFlags& flags) {
     const std::vector<Source> sources = sources_of(words);
     request.sources.insert(request.sources.end(), sources.begin(), sources.end());
   }
+  if (flags.random.count > 0) request.random = flags.random;
   check_request(request);
   const InterruptionGuard guard;  // temporary files are removed
   if (!verify_solver(request)) throw CLI::RuntimeError(2);
@@ -82,7 +89,11 @@ void add_verify_command(CLI::App& app) {
   request.manifest = default_manifest();
   CLI::App* command = app.add_subcommand(
       "verify", "Check a solver for the properties that all solvers promise, and explain failures");
-  command->add_option("--solver", request.solver, "solver to check (see geodesic-bench list)")
+  command
+      ->add_option("--solver", request.solvers,
+                   "solver to check (see geodesic-bench list); with --random several, or without "
+                   "it all that promise something")
+      ->delimiter(',')
       ->type_name("NAME");
   command->add_option("--property", request.property, "check this property only")
       ->type_name("NAME");
@@ -107,6 +118,21 @@ void add_verify_command(CLI::App& app) {
       ->add_option("--limit", request.limit,
                    "distance beyond which vertices of those meshes are unreachable")
       ->check(zero_or_above());
+  CLI::Option* random = command
+                            ->add_option("--random", flags->random.count,
+                                         "check distances and paths on so many random meshes, and "
+                                         "nothing else")
+                            ->check(CLI::Range(1, 100'000'000))
+                            ->excludes("--property")
+                            ->excludes("--corpus")
+                            ->excludes("--meshes");
+  command->add_option("--seed", flags->random.seed, "of the random meshes (default: 1)")
+      ->needs(random);
+  command->add_option("--first", flags->random.first, "number of the first of them (default: 0)")
+      ->needs(random);
+  command->add_option("--jobs", flags->random.jobs, "processes at a time for them (default: 1)")
+      ->check(CLI::Range(1, 1000))
+      ->needs(random);
   command
       ->add_option("--time-limit", request.time_limit, "seconds a property may take (default: 60)")
       ->check(above_zero());
@@ -126,15 +152,19 @@ void add_verify_command(CLI::App& app) {
   command->footer(
       "\nExamples:\n  geodesic-bench verify --solver my-variant\n"
       "  geodesic-bench verify --solver my-variant --property distances-are-symmetric --meshes "
-      "scans/");
+      "scans/\n"
+      "  geodesic-bench verify --solver my-variant --random 1000 --jobs 2");
   command->callback([flags] { run_verify(*flags); });
 }
 
-void add_check_property_command(CLI::App& app) {
+void add_check_commands(CLI::App& app) {
   const auto task = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("check-property", "")->group("");
   command->add_option("task", *task)->required();
   command->callback([task] { run_isolated_check(*task); });
+  CLI::App* random = app.add_subcommand("check-random", "")->group("");
+  random->add_option("task", *task)->required();
+  random->callback([task] { run_random_check(*task); });
 }
 
 }  // namespace geodesic::harness

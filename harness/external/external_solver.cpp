@@ -1,12 +1,7 @@
 #include "harness/external/external_solver.h"
 
-#include <signal.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <charconv>
 #include <fstream>
 #include <sstream>
 
@@ -22,7 +17,6 @@ namespace geodesic::harness {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view kTemporary = "geodesic-bench-external-";
 constexpr const char* kSaid = "said.txt";  // what the program prints
 constexpr int kReadings = 3;               // of which the fastest counts
 constexpr double kLeastSeconds = 1e-6;     // a difference of two processes may be negative
@@ -36,28 +30,6 @@ constexpr Place kMeshes[] = {
     {"{mesh.ply}", "mesh.ply"}, {"{vertices.npy}", "vertices.npy"}, {"{faces.npy}", "faces.npy"}};
 constexpr Place kDistances[] = {{"{distances}", "distances.txt"},
                                 {"{distances.npy}", "distances.npy"}};
-
-// Those of processes that were killed.
-void remove_abandoned_folders() {
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(fs::temp_directory_path(), ignored)) {
-    const std::string name = entry.path().filename();
-    if (!name.starts_with(kTemporary)) continue;
-    pid_t owner = 0;
-    std::from_chars(name.data() + kTemporary.size(), name.data() + name.size(), owner);
-    if (owner > 0 && kill(owner, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path(), ignored);
-  }
-}
-
-fs::path new_temporary_folder() {
-  remove_abandoned_folders();
-  std::string name =
-      fs::temp_directory_path() / (std::string(kTemporary) + std::to_string(getpid()) + "-XXXXXX");
-  if (mkdtemp(name.data()) == nullptr) {
-    throw HarnessError("'" + name + "' cannot be made: is TMPDIR writable?");
-  }
-  return name;
-}
 
 // As it was given to the mesh.
 TriangleSoup soup_of(const Mesh& mesh) {
@@ -96,16 +68,11 @@ void replace_all(std::string& text, std::string_view what, const std::string& by
 
 ExternalSolver::ExternalSolver(const Mesh& mesh, const Description& description,
                                const ExternalProgram& program)
-    : Solver(mesh, description), program_(program), folder_(new_temporary_folder()) {
+    : Solver(mesh, description), program_(program) {
   for (const auto& [word, file] : kMeshes) {
     if (program.command.find(word) == std::string::npos || fs::exists(folder_ / file)) continue;
     write_bytes(folder_ / file, bytes_of(soup_of(mesh), file));
   }
-}
-
-ExternalSolver::~ExternalSolver() {
-  std::error_code ignored;
-  fs::remove_all(folder_, ignored);
 }
 
 void ExternalSolver::run(const Query& query, std::span<double> distances,

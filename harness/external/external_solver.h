@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/base/scratch_folder.h"
 #include "harness/external/external_program.h"
 
 namespace geodesic::harness {
@@ -16,7 +17,6 @@ class ExternalSolver final : public Solver {
  public:
   /// Writes the mesh for the program. @throws HarnessError when that cannot be written
   ExternalSolver(const Mesh& mesh, const Description& description, const ExternalProgram& program);
-  ~ExternalSolver() override;
 
   /// Of the last solve, in seconds.
   struct Times {
@@ -42,7 +42,7 @@ class ExternalSolver final : public Solver {
   std::optional<Process> reading() const;
 
   const ExternalProgram& program_;
-  std::filesystem::path folder_;  // temporary, for files that both processes read
+  ScratchFolder folder_;  // for files that both processes read
   std::optional<std::optional<Process>> reading_;
   Times last_;
 };

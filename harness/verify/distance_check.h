@@ -74,8 +74,7 @@ struct Promise {
 /// Distances keep the promise: exact ones equal the expected ones, bounded ones differ by no more
 /// than the bound, upper bounds are not below them, and unbounded ones reach the same vertices.
 /// Where an inexact distance and the right one lie on different sides of the query's limit, the one
-/// beyond it counts as the limit. Runs, properties, explanations and `differential` judge a solver
-/// by this.
+/// beyond it counts as the limit. Runs, properties and explanations judge a solver by this.
 /// @param tolerance of rounding, beside a bound
 Finding check_promise(const Promise& promise, const Query& query, std::span<const double> got,
                       std::span<const double> expected, Tolerance tolerance = {});

@@ -1,25 +1,15 @@
 #include "harness/verify/isolated_check.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"
-#include "harness/base/json.h"
 #include "harness/base/process.h"
 #include "harness/corpus/solvers.h"
 #include "harness/verify/explain.h"
 #include "meshes/mesh_file.h"
 #include "meshes/messages.h"
-
-namespace geodesic {
-
-GEODESIC_JSON_MEMBERS(SurfacePoint, vertex, face, weights)
-GEODESIC_JSON_MEMBERS(Source, at, distance)
-GEODESIC_JSON_MEMBERS(Query, sources, limit, targets, stop_at_targets)
-
-}  // namespace geodesic
 
 namespace geodesic::harness {
 
@@ -27,12 +17,12 @@ struct CheckTask {
   std::string solver, property, vectors;
   std::string mesh_file = {};       // empty: the property's own cases
   std::vector<Query> queries = {};  // on the mesh file
+  double least_distance = 0;        // Tolerance::least there
   bool explain = false;             // a failure on the mesh file
   std::string result_file;
 };
-GEODESIC_JSON_MEMBERS(CheckTask, solver, property, vectors, mesh_file, queries, explain,
-                      result_file)
-GEODESIC_JSON_MEMBERS(CheckResult, outcome, what, kind, at_case, query, explanation)
+GEODESIC_JSON_MEMBERS(CheckTask, solver, property, vectors, mesh_file, queries, least_distance,
+                      explain, result_file)
 
 namespace {
 
@@ -57,31 +47,30 @@ class CheckProcess {
  private:
   std::vector<Case> all_cases() const {
     if (task_.mesh_file.empty()) return property_.cases();
-    Case given{task_.mesh_file, read_mesh_file(task_.mesh_file).soup, task_.queries};
+    Case given{.mesh = task_.mesh_file,
+               .soup = read_mesh_file(task_.mesh_file).soup,
+               .queries = task_.queries,
+               .tolerance = {.least = task_.least_distance}};
     if ((property_.needs & kNonManifoldEdges) != 0) {
       given.non_manifold_edges = NonManifoldEdges::crossed;
     }
     return {given};
   }
 
-  CheckResult check(Case given, std::size_t at_case) const {
-    const CheckResult in_solver{.outcome = CheckOutcome::crashed, .at_case = at_case};
-    const Mesh mesh = given.build();
-    LocalReference reference(solver_, mesh);
-    if (!given.known) {
-      given.known = [&](const Query& query) {
-        write({.outcome = CheckOutcome::not_known,
-               .what = "the reference, " + reference.name() + ',',
-               .at_case = at_case});
-        const auto distances = reference.distances(query);
-        write(in_solver);
-        return distances;
-      };
-    }
-    write(in_solver);
+  CheckResult check(const Case& given, std::size_t at_case) const {
+    LocalReference::watch = [&](const std::string& reference) {
+      CheckResult result{.at_case = at_case};  // in the solver
+      if (!reference.empty()) {
+        result.outcome = CheckOutcome::not_known;
+        result.what = "the reference, " + reference + ',';
+      }
+      write(result);
+    };
+    LocalReference::watch("");
     try {
       const Finding finding = check_case(property_, solver_, given);
-      return finding ? explained(given, *finding, at_case) : sound(mesh);
+      LocalReference::watch = nullptr;
+      return finding ? explained(given, *finding, at_case) : sound(given.build());
     } catch (const NoReference& error) {
       return {.outcome = CheckOutcome::not_known, .what = error.what(), .at_case = at_case};
     }
@@ -127,41 +116,33 @@ CheckResult wait_for(const CheckTask& task, double seconds) {
   }
   if (result.outcome == CheckOutcome::wrong) return result;  // whatever became of the explanation
   if (ended.succeeded() && result.outcome != CheckOutcome::crashed) return result;
-  const std::string end = ended.timed_out ? "did not end within " + significant(seconds, 6) + " s"
-                                          : "ended the process: " + ended.describe();
+  const CheckResult end = without_result(ended, ended.timed_out, seconds);
   if (result.outcome == CheckOutcome::not_known) {
-    result.what += ' ' + end;
+    result.what += ' ' + end.what;
     return result;
   }
-  result.outcome = ended.timed_out ? CheckOutcome::timed_out : CheckOutcome::crashed;
-  result.what = end;
-  result.kind = (ended.crashed ? "signal " : "exit code ") + std::to_string(ended.code);
+  result.outcome = end.outcome;
+  result.what = end.what;
+  result.kind = end.kind;
   return result;
 }
 
 }  // namespace
 
+CheckResult without_result(const Ended& ended, bool timed_out, double seconds) {
+  if (timed_out) {
+    return {.outcome = CheckOutcome::timed_out,
+            .what = "did not end within " + significant(seconds, 6) + " s"};
+  }
+  return {.outcome = CheckOutcome::crashed,
+          .what = "ended the process: " + ended.describe(),
+          .kind = (ended.crashed ? "signal " : "exit code ") + std::to_string(ended.code)};
+}
+
 void run_isolated_check(const std::string& task_json) {
   const auto task = Json::parse(task_json).get<CheckTask>();
   set_instruction_set(instruction_set_named(task.vectors));
   CheckProcess(task).run();
-}
-
-IsolatedCheck::IsolatedCheck(const Description& solver, std::string vectors, double time_limit)
-    : solver_(solver), vectors_(std::move(vectors)), time_limit_(time_limit) {
-  std::error_code error;
-  const std::filesystem::path temporary = std::filesystem::temp_directory_path(error);
-  std::string name = (temporary / "geodesic-verify-XXXXXX").string();
-  if (error || mkdtemp(name.data()) == nullptr) {
-    throw HarnessError("cannot make a folder like '" + name +
-                       "' for temporary files; set TMPDIR to one that can be written to");
-  }
-  folder_ = name;
-}
-
-IsolatedCheck::~IsolatedCheck() {
-  std::error_code ignored;
-  std::filesystem::remove_all(folder_, ignored);
 }
 
 CheckResult IsolatedCheck::on_own_cases(const Property& property) const {
@@ -185,6 +166,7 @@ CheckResult IsolatedCheck::on_case(const Property& property, const Case& given, 
                    .vectors = vectors_,
                    .mesh_file = mesh_file,
                    .queries = given.queries,
+                   .least_distance = given.tolerance.least,
                    .explain = explain,
                    .result_file = folder_ / "result.json"},
                   std::min(seconds, time_limit_));

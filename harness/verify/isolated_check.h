@@ -4,7 +4,18 @@
 
 #include <filesystem>
 
+#include "harness/base/json.h"
+#include "harness/base/process.h"
+#include "harness/base/scratch_folder.h"
 #include "harness/verify/property.h"
+
+namespace geodesic {
+
+GEODESIC_JSON_MEMBERS(SurfacePoint, vertex, face, weights)
+GEODESIC_JSON_MEMBERS(Source, at, distance)
+GEODESIC_JSON_MEMBERS(Query, sources, limit, targets, stop_at_targets)
+
+}  // namespace geodesic
 
 namespace geodesic::harness {
 
@@ -16,6 +27,9 @@ enum class CheckOutcome : std::uint8_t {
   crashed,
   timed_out
 };
+
+/// So many checks of a solver may not end; then it is asked no more.
+inline constexpr int kMostTimedOut = 3;
 
 struct CheckResult {
   CheckOutcome outcome = CheckOutcome::crashed;  ///< until the process says something else
@@ -31,16 +45,21 @@ struct CheckResult {
   }
 };
 
+GEODESIC_JSON_MEMBERS(CheckResult, outcome, what, kind, at_case, query, explanation)
+
+/// Of a process that ended, or was ended, before its check did.
+/// @param seconds that it had
+CheckResult without_result(const Ended& ended, bool timed_out, double seconds);
+
 /// The side that waits.
 class IsolatedCheck {
  public:
+  /// @param solver must outlive this
   /// @param vectors instructions to solve with (corpus/solvers.h)
   /// @param time_limit seconds that a property may take
   /// @throws HarnessError when there is no place for temporary files
-  IsolatedCheck(const Description& solver, std::string vectors, double time_limit);
-  ~IsolatedCheck();
-  IsolatedCheck(const IsolatedCheck&) = delete;
-  IsolatedCheck& operator=(const IsolatedCheck&) = delete;
+  IsolatedCheck(const Description& solver, std::string vectors, double time_limit)
+      : solver_(solver), vectors_(std::move(vectors)), time_limit_(time_limit) {}
 
   const Description& solver() const { return solver_; }
   const std::string& vectors() const { return vectors_; }
@@ -60,7 +79,7 @@ class IsolatedCheck {
   const Description& solver_;
   std::string vectors_;
   double time_limit_;
-  std::filesystem::path folder_;  // of temporary files
+  ScratchFolder folder_;
 };
 
 /// The side of the process. @param task JSON, from the other side

@@ -1,6 +1,7 @@
 #include "harness/verify/references.h"
 
 #include <algorithm>
+#include <deque>
 #include <fstream>
 #include <tuple>
 
@@ -99,8 +100,39 @@ std::vector<double> solve_once(const std::string& solver, const Mesh& mesh, cons
   return solve_with(*make_solver(solver, mesh), mesh, query, recording);
 }
 
-LocalReference::LocalReference(const Description& verified, const Mesh& mesh) : mesh_(mesh) {
-  const bool small = mesh.face_count() <= kBruteForceFaces;
+namespace {
+
+// Brute force on the meshes that it was asked about last: to find its segments takes nearly all of
+// its time, and many solvers and properties ask about the same mesh.
+std::shared_ptr<const BruteForce> brute_force_on(const Mesh& mesh) {
+  struct Known {
+    std::vector<Vec3> positions;
+    std::vector<Triangle> triangles;
+    bool crosses_non_manifold_edges;
+    std::shared_ptr<const BruteForce> segments;
+  };
+  constexpr std::size_t kKept = 4;
+  thread_local std::deque<Known> last;
+  Known asked{{}, {}, mesh.crosses_non_manifold_edges(), nullptr};
+  for (Index v = 0; v < mesh.vertex_count(); ++v) asked.positions.push_back(mesh.position(v));
+  for (Index f = 0; f < mesh.face_count(); ++f) asked.triangles.push_back(mesh.triangle(f));
+  const auto same = std::ranges::find_if(last, [&](const Known& known) {
+    return known.positions == asked.positions && known.triangles == asked.triangles &&
+           known.crosses_non_manifold_edges == asked.crosses_non_manifold_edges;
+  });
+  if (same != last.end()) return same->segments;
+  asked.segments = std::make_shared<const BruteForce>(mesh);
+  if (last.size() == kKept) last.pop_back();
+  last.push_front(std::move(asked));
+  return last.front().segments;
+}
+
+}  // namespace
+
+LocalReference::LocalReference(const Description& verified, const Mesh& mesh,
+                               Index brute_force_faces)
+    : mesh_(mesh) {
+  const bool small = mesh.face_count() <= brute_force_faces;
   for (const std::string& name : reference_candidates(verified, {.brute_force = small})) {
     if (name != kBruteForce && !unsupported(*find_solver(name), mesh).empty()) continue;
     name_ = name;
@@ -108,10 +140,16 @@ LocalReference::LocalReference(const Description& verified, const Mesh& mesh) : 
   }
 }
 
+bool LocalReference::is_independent() const {
+  const Description* solver = find_solver(name_);
+  return solver != nullptr && solver->independent_oracle;
+}
+
 std::vector<double> LocalReference::distances(const Query& query) {
+  if (watch) watch(name_);
   std::vector<double> distances;
   if (name_ == kBruteForce) {
-    if (!brute_force_) brute_force_.emplace(mesh_);
+    if (!brute_force_) brute_force_ = brute_force_on(mesh_);
     distances = brute_force_->distances(query.sources);
   } else if (find_solver(name_) != nullptr) {
     distances = solve_once(name_, mesh_, {.sources = query.sources});
@@ -120,6 +158,7 @@ std::vector<double> LocalReference::distances(const Query& query) {
                       std::to_string(mesh_.face_count()) +
                       " faces, which is too large for brute force");
   }
+  if (watch) watch("");
   for (double& d : distances) d = d > query.limit ? kInfinity : d;
   return distances;
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -82,18 +84,27 @@ class NoReference : public std::runtime_error {
 class LocalReference {
  public:
   /// Both must outlive it.
-  LocalReference(const Description& verified, const Mesh& mesh);
+  /// @param brute_force_faces up to so many faces it is brute force
+  LocalReference(const Description& verified, const Mesh& mesh,
+                 Index brute_force_faces = kBruteForceFaces);
 
   /// kBruteForce, a solver's name, or "nothing".
   const std::string& name() const { return name_; }
 
+  /// Whether it is an independent oracle, which is not ours to repair.
+  bool is_independent() const;
+
   /// @throws NoReference when there is none
   std::vector<double> distances(const Query& query);
+
+  /// For a process that a reference may end: called with its name before it is asked, and with
+  /// nothing when it has answered.
+  static inline std::function<void(const std::string& name)> watch = {};
 
  private:
   const Mesh& mesh_;
   std::string name_ = "nothing";
-  std::optional<BruteForce> brute_force_;  // once it was needed
+  std::shared_ptr<const BruteForce> brute_force_;  // once it was needed
 };
 
 /// Distances between two processes: raw doubles of this machine, one a vertex. Writes the file

@@ -1,9 +1,12 @@
 #include "harness/verify/reproduce.h"
 
 #include <algorithm>
+#include <functional>
+#include <iostream>
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"
+#include "harness/base/plugins.h"
 #include "harness/base/process.h"
 #include "harness/corpus/solvers.h"
 #include "harness/verify/shrink.h"
@@ -14,6 +17,14 @@ namespace geodesic::harness {
 namespace {
 
 using Words = std::vector<std::string>;
+
+struct Reproduction {
+  Case given;
+  std::filesystem::path file;  // empty for a mesh without faces, which no file holds
+  Words command;               // arguments of this program that make it fail again
+  bool repeated = false;       // whether they did, with the mesh as it was read back
+  CheckResult result;          // of the smallest case, explained
+};
 
 // Exit code of solve and verify.
 constexpr int kFails = 2;
@@ -136,8 +147,7 @@ void save(const Case& given, const std::filesystem::path& file) {
   write_bytes(file, mesh_bytes(given.soup, file));
 }
 
-}  // namespace
-
+/// Shrinks the case and writes it. @param file to write; its folder is made
 Reproduction save_smallest(const IsolatedCheck& check, const FailedProperty& failed,
                            const std::filesystem::path& file, double seconds) {
   const Reproducer reproducer(check, failed);
@@ -152,6 +162,49 @@ Reproduction save_smallest(const IsolatedCheck& check, const FailedProperty& fai
   const CheckResult explained = check.on_case(*failed.property, saved.given, kInfinity, true);
   if (explained.failed()) saved.result = explained;
   return saved;
+}
+
+void print_explanation(const CheckResult& result) {
+  for (const std::string& line : result.explanation) std::cout << "  " << line << '\n';
+  std::cout.flush();
+}
+
+}  // namespace
+
+void FailureReport::show(const IsolatedCheck& check, const FailedProperty& failed) {
+  std::cout << '\n' << failed.name << '\n';
+  const TriangleSoup& all = failed.given.soup;
+  if (!(seconds_ > 0)) {
+    if (failed.result.outcome != CheckOutcome::wrong || all.triangles.empty()) return;
+    return print_explanation(check.on_case(*failed.property, failed.given, kInfinity, true));
+  }
+  const Reproduction saved = save_smallest(check, failed, unused_file(failed), seconds_);
+  const TriangleSoup& few = saved.given.soup;
+  if (!saved.file.empty()) {
+    std::cout << "  smallest case  " << saved.file.string() << ": " << few.positions.size()
+              << " vertices and " << few.triangles.size() << " faces of the "
+              << all.positions.size() << " and " << all.triangles.size() << " of '"
+              << failed.given.mesh << "'\n";
+  }
+  std::cout << "  fails there    " << saved.result.what << '\n'
+            << "  reproduce it   " << as_command_line(saved.command) << '\n';
+  if (!saved.repeated) {
+    std::cout << "                 (when tried, it did not fail again: the answer may change "
+                 "from one solve to the next)\n";
+  }
+  print_explanation(saved.result);
+}
+
+// Meshes of different folders may have one name; what an earlier call left is overwritten.
+std::filesystem::path FailureReport::unused_file(const FailedProperty& failed) {
+  // "distances-equal-the-reference-on-hill"
+  std::string stem = failed.property->name + "-on-" + failed.given.mesh;
+  std::ranges::replace_if(stem, std::not_fn(is_plain), '-');
+  std::filesystem::path file = folder_ / (stem + ".obj");
+  for (int i = 2; !written_.insert(file).second; ++i) {
+    file = folder_ / (stem + '-' + std::to_string(i) + ".obj");
+  }
+  return file;
 }
 
 }  // namespace geodesic::harness

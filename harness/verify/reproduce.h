@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 
 #include "harness/verify/isolated_check.h"
 
@@ -16,20 +17,26 @@ struct FailedProperty {
   CheckResult result;
 };
 
-struct Reproduction {
-  Case given;
-  std::filesystem::path file;        ///< empty for a mesh without faces, which no file holds
-  std::vector<std::string> command;  ///< arguments of this program that make it fail again
-  bool repeated = false;             ///< whether they did, with the mesh as it was read back
-  CheckResult result;                ///< of the smallest case, explained
-};
+/// Prints failures of one call for the person who debugs the solver.
+class FailureReport {
+ public:
+  /// @param folder for meshes; made when the first one is saved
+  /// @param seconds to spend on making a case smaller; 0 saves none
+  FailureReport(std::filesystem::path folder, double seconds)
+      : folder_(std::move(folder)), seconds_(seconds) {}
 
-/// Shrinks the case, writes it, and checks whether it still fails when it is read back. A case of a
-/// property that holds on its own meshes only is written as it is.
-/// @param file to write; its folder is made
-/// @param seconds to spend on making it smaller
-/// @throws HarnessError when the file cannot be written
-Reproduction save_smallest(const IsolatedCheck& check, const FailedProperty& failed,
-                           const std::filesystem::path& file, double seconds);
+  /// Shrinks the case, writes it, checks whether it still fails when it is read back, and prints
+  /// the file, the command that makes it fail again, and what explains it. A case of a property
+  /// that holds on its own meshes only is written as it is.
+  /// @throws HarnessError when the file cannot be written
+  void show(const IsolatedCheck& check, const FailedProperty& failed);
+
+ private:
+  std::filesystem::path unused_file(const FailedProperty& failed);
+
+  std::filesystem::path folder_;
+  double seconds_;
+  std::set<std::filesystem::path> written_;
+};
 
 }  // namespace geodesic::harness

@@ -1,9 +1,8 @@
 #include "harness/verify/verify_solver.h"
 
 #include <algorithm>
-#include <functional>
 #include <iostream>
-#include <set>
+#include <map>
 #include <string_view>
 
 #include "harness/base/error.h"
@@ -12,6 +11,7 @@
 #include "harness/corpus/manifest.h"
 #include "harness/corpus/solvers.h"
 #include "harness/corpus/sources.h"
+#include "harness/verify/random_check.h"
 #include "harness/verify/reproduce.h"
 #include "meshes/mesh_file.h"
 
@@ -21,7 +21,6 @@ namespace {
 constexpr int kSources = 3;         // a mesh
 constexpr std::uint64_t kSeed = 1;  // of their choice
 constexpr std::size_t kShown = 3;   // failures that are shrunk and explained
-constexpr int kTimedOut = 3;        // properties, after which no more are checked
 
 std::vector<Query> queries_of(const VerifyRequest& request, const MeshEntry& entry,
                               const TriangleSoup& soup) {
@@ -65,13 +64,6 @@ std::vector<MeshEntry> meshes_of(const VerifyRequest& request) {
   return entries;
 }
 
-// "distances-equal-the-reference-on-hill"
-std::string file_stem(const std::string& property, const std::string& mesh) {
-  std::string stem = property + "-on-" + mesh;
-  std::ranges::replace_if(stem, std::not_fn(is_plain), '-');
-  return stem;
-}
-
 void print_line(const std::string& outcome, const std::string& name, const std::string& why) {
   constexpr std::size_t kColumn = 13;
   std::cout << "  " << outcome << std::string(kColumn - outcome.size(), ' ') << name << '\n';
@@ -79,19 +71,17 @@ void print_line(const std::string& outcome, const std::string& name, const std::
   std::cout.flush();
 }
 
-void print_explanation(const CheckResult& result) {
-  for (const std::string& line : result.explanation) std::cout << "  " << line << '\n';
-  std::cout.flush();
+std::filesystem::path failure_folder(const VerifyRequest& request) {
+  if (!request.out.empty()) return request.out;
+  return request.random ? "failures" : "failures-" + as_file_name(request.solvers.front());
 }
 
 class Verification {
  public:
   explicit Verification(const VerifyRequest& request)
       : request_(request),
-        check_(solver_named(request.solver), request.vectors, request.time_limit),
-        folder_(request.out.empty()
-                    ? std::filesystem::path("failures-" + as_file_name(check_.solver().name))
-                    : request.out) {}
+        check_(solver_named(request.solvers.front()), request.vectors, request.time_limit),
+        report_(failure_folder(request), request.shrink) {}
 
   bool run() {
     const std::vector<MeshEntry> meshes = meshes_of(request_);
@@ -104,7 +94,7 @@ class Verification {
         request_.property.empty() ? kDistancesProperty : std::string_view(request_.property);
     const Property& property = property_named(name);
     for (const MeshEntry& mesh : meshes) check(property, mesh);
-    for (const FailedProperty& failed : failed_) show(failed);
+    for (const FailedProperty& failed : failed_) report_.show(check_, failed);
     summarise();
     const int failures = count_.failed;
     if (failures == 0 && count_.not_known > 0)
@@ -136,7 +126,7 @@ class Verification {
 
   // A solver that never ends would take the time limit for every property.
   bool given_up() {
-    const bool give_up = count_.timed_out >= kTimedOut;
+    const bool give_up = count_.timed_out >= kMostTimedOut;
     if (give_up) ++count_.not_checked;
     return give_up;
   }
@@ -164,44 +154,6 @@ class Verification {
     if (failed_.size() < kShown) failed_.push_back(std::move(failed));
   }
 
-  void show(const FailedProperty& failed) {
-    std::cout << '\n' << failed.name << '\n';
-    if (request_.shrink > 0) {
-      save(failed);
-    } else if (failed.result.outcome == CheckOutcome::wrong &&
-               !failed.given.soup.triangles.empty()) {
-      print_explanation(check_.on_case(*failed.property, failed.given, kInfinity, true));
-    }
-  }
-
-  void save(const FailedProperty& failed) {
-    const Reproduction saved = save_smallest(check_, failed, unused_file(failed), request_.shrink);
-    const TriangleSoup &all = failed.given.soup, &few = saved.given.soup;
-    if (!saved.file.empty()) {
-      std::cout << "  smallest case  " << saved.file.string() << ": " << few.positions.size()
-                << " vertices and " << few.triangles.size() << " faces of the "
-                << all.positions.size() << " and " << all.triangles.size() << " of '"
-                << failed.given.mesh << "'\n";
-    }
-    std::cout << "  fails there    " << saved.result.what << '\n'
-              << "  reproduce it   " << as_command_line(saved.command) << '\n';
-    if (!saved.repeated) {
-      std::cout << "                 (when tried, it did not fail again: the answer may change "
-                   "from one solve to the next)\n";
-    }
-    print_explanation(saved.result);
-  }
-
-  // Meshes of different folders may have one name; what an earlier call left is overwritten.
-  std::filesystem::path unused_file(const FailedProperty& failed) {
-    const std::string stem = file_stem(failed.property->name, failed.given.mesh);
-    std::filesystem::path file = folder_ / (stem + ".obj");
-    for (int i = 2; !written_.insert(file).second; ++i) {
-      file = folder_ / (stem + '-' + std::to_string(i) + ".obj");
-    }
-    return file;
-  }
-
   void summarise() const {
     std::cout << '\n'
               << check_.solver().name << ": " << count_.hold << " hold, " << count_.failed
@@ -219,16 +171,105 @@ class Verification {
 
   const VerifyRequest& request_;
   const IsolatedCheck check_;
-  const std::filesystem::path folder_;
+  FailureReport report_;
   std::vector<FailedProperty> failed_;  // the first ones
-  std::set<std::filesystem::path> written_;
   struct {
     int hold = 0, failed = 0, not_claimed = 0, not_known = 0, timed_out = 0, not_checked = 0;
   } count_;
 };
 
+// Solvers that promise something of their distances, but for the oracles that are not ours.
+std::vector<const Description*> solvers_of(const VerifyRequest& request) {
+  std::vector<const Description*> chosen = solvers_named(request.solvers);
+  if (!chosen.empty()) return chosen;
+  for (const Description* solver : registered_solvers()) {
+    const bool promises = solver->exactness != Exactness::unbounded;
+    if (promises && !solver->independent_oracle) chosen.push_back(solver);
+  }
+  return chosen;
+}
+
+class RandomVerification {
+ public:
+  explicit RandomVerification(const VerifyRequest& request)
+      : request_(request), meshes_(*request.random) {}
+
+  bool run() {
+    const std::vector<const Description*> solvers = solvers_of(request_);
+    const RandomTally tally =
+        check_on_random_meshes(solvers, meshes_, request_.vectors, request_.time_limit,
+                               [this](RandomFailure failure) { note(std::move(failure)); });
+    FailureReport report(failure_folder(request_), request_.shrink);
+    for (const auto& [solver, failures] : failed_) show(report, failures.front());
+    summarise(tally);
+    return failed_.empty();
+  }
+
+ private:
+  void note(RandomFailure failure) {
+    std::vector<RandomFailure>& failures = failed_[failure.solver->name];
+    if (failures.size() == kShown) return;
+    print_line("FAILS",
+               failure.solver->name + ": " + failure.property->name + " on " + name_of(failure),
+               failure.result.what);
+    failures.push_back(std::move(failure));
+  }
+
+  std::string name_of(const RandomFailure& failure) const {
+    return "mesh " + std::to_string(failure.mesh) + " of seed " + std::to_string(meshes_.seed);
+  }
+
+  void show(FailureReport& report, const RandomFailure& failure) const {
+    const ScratchFolder scratch;
+    Case given = random_mesh_case(meshes_.seed, failure.mesh, scratch.path());
+    const std::string recipe = given.mesh;
+    given.mesh = name_of(failure);
+    const IsolatedCheck check(*failure.solver, request_.vectors, request_.time_limit);
+    report.show(check, {failure.property, failure.solver->name + ": " + failure.property->name,
+                        false, std::move(given), failure.result});
+    std::cout << "  the whole      "
+              << as_command_line({"verify", "--solver", failure.solver->name, "--random", "1",
+                                  "--seed", std::to_string(meshes_.seed), "--first",
+                                  std::to_string(failure.mesh)})
+              << ": " << recipe << '\n';
+  }
+
+  void summarise(const RandomTally& tally) const {
+    std::cout << "\nmeshes " << meshes_.first << " to " << meshes_.first + meshes_.count - 1
+              << " of seed " << meshes_.seed << ':';
+    for (std::size_t kind = 0; kind < kMeshKinds; ++kind) {
+      std::cout << (kind > 0 ? ", " : " ") << tally.meshes[kind] << ' '
+                << geodesic::name_of(static_cast<MeshKind>(kind));
+    }
+    std::cout << '\n';
+    for (const auto& [solver, of] : tally.solvers) {
+      std::cout << solver << ": " << of.hold << " hold, " << of.failed << " fail, " << of.not_known
+                << " not known";
+      if (of.not_checked > 0) {
+        std::cout << ", " << of.not_checked << " not checked after " << kMostTimedOut
+                  << " that did not end";
+      }
+      if (find_solver(solver)->exactness == Exactness::exact) {
+        std::cout << "; largest relative error";
+        for (std::size_t kind = 0; kind < kMeshKinds; ++kind) {
+          if (tally.meshes[kind] == 0) continue;
+          std::cout << ' ' << significant(of.largest_error[kind], 2) << ' '
+                    << geodesic::name_of(static_cast<MeshKind>(kind));
+        }
+      }
+      std::cout << '\n';
+    }
+  }
+
+  const VerifyRequest& request_;
+  const RandomMeshes& meshes_;
+  std::map<std::string, std::vector<RandomFailure>> failed_;  // the first ones of each solver
+};
+
 }  // namespace
 
-bool verify_solver(const VerifyRequest& request) { return Verification(request).run(); }
+bool verify_solver(const VerifyRequest& request) {
+  return request.random ? RandomVerification(request).run() : Verification(request).run();
+}
 
 }  // namespace geodesic::harness

@@ -3,24 +3,27 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "solvers/core/solver.h"
+#include "harness/verify/random_check.h"
 
 namespace geodesic::harness {
 
 struct VerifyRequest {
-  std::string solver;
-  std::string property;             ///< this one alone; empty: all
-  std::string corpus;               ///< on its meshes the distances too; empty: none
-  std::vector<std::string> meshes;  ///< names or files, on which likewise
-  std::vector<Source> sources;      ///< on those; empty: some of each
-  bool each = false;                ///< every source is a query of its own
+  std::vector<std::string> solvers;    ///< one; random meshes: any, or all
+  std::optional<RandomMeshes> random;  ///< on these alone
+  std::string property;                ///< this one alone; empty: all
+  std::string corpus;                  ///< on its meshes the distances too; empty: none
+  std::vector<std::string> meshes;     ///< names or files, on which likewise
+  std::vector<Source> sources;         ///< on those; empty: some of each
+  bool each = false;                   ///< every source is a query of its own
   double limit = kInfinity;
   double time_limit = 60;     ///< seconds that a property may take
   double shrink = 20;         ///< seconds spent on making a failing mesh smaller; 0 saves none
-  std::filesystem::path out;  ///< folder for failing meshes; empty: failures-NAME, of the solver
+  std::filesystem::path out;  ///< folder for failing meshes; empty: failures-NAME, of the solver,
+                              ///< and failures for random ones
   std::string vectors;        ///< corpus/solvers.h
   std::filesystem::path manifest;
 };

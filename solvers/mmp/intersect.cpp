@@ -62,7 +62,10 @@ Crossings crossings(const Window& a, const Window& b) {
       (s - d) * (s + d) + (std::abs(a.y) - std::abs(b.y)) * (std::abs(a.y) + std::abs(b.y));
   const double leading = (s - d) * (s + d);
   const double constant = (s * a.y - 0.5 * k) * (s * a.y + 0.5 * k);
-  const double discriminant = square(0.5 * k) - square(a.y) * leading;
+  // k^2 / 4 - y_a^2 (s^2 - d^2), in factors: that difference cancels where one source lies on the
+  // edge's line, as those of vertices do, and its root would be off by 1e-8 of the edge.
+  const double discriminant = 0.25 * (leading - square(std::abs(a.y) + std::abs(b.y))) *
+                              (leading - square(std::abs(a.y) - std::abs(b.y)));
   if (!(discriminant > 0)) return {};  // apart or touching; coinciding sources
   const double half = 0.5 * k * d;
   const double root = std::abs(s) * std::sqrt(discriminant);

@@ -206,7 +206,7 @@ class Paths::Trace {
   /// As follow, when the line of the piece does not lead to its root.
   Index search(const Piece& piece) {
     const Search::Piece found = Search(of_, piece.end, piece.distance, passed_).run();
-    const double slack = kPathStray * piece.distance + kPathRounding * piece.side;
+    const double slack = kPathWrong * (piece.distance + mesh_.mean_edge_length());
     if (!(found.distance <= piece.distance + slack)) lost(piece);
     for (const Search::End& end : found.ends) add(SurfacePoint(end.vertex), end.face, 0);
     for (const Search::Crossing& c : found.crossings) add_crossing(c.side, c.x, c.step);

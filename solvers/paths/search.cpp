@@ -146,7 +146,7 @@ bool Paths::Search::may_lead(const View& view) const {
   const double length = mesh_.half_edge(view.in).length;
   // Where the eye is at an end of the edge, so is a vertex in the same place, which has a start.
   if (view.eye.y == 0 && (view.eye.x == 0 || view.eye.x == length)) return false;
-  const double slack = kPathStray * distance_ + tie_;
+  const double slack = kPathWrong * (distance_ + mesh_.mean_edge_length());
   const double beside = std::max({view.begin - view.eye.x, view.eye.x - view.end, 0.0});
   const double nearest = norm(Point2{beside, view.eye.y});
   if (nearest > distance_ + slack) return false;
@@ -223,7 +223,7 @@ bool Paths::Search::is_straight(const Root& root) const {
   const Piece piece = piece_from(root);
   double length = piece.before + piece.rest;
   for (const Crossing& crossing : piece.crossings) length += crossing.step;
-  return length <= root.distance + kPathStray * distance_ + tie_;
+  return length <= root.distance + kPathWrong * (distance_ + mesh_.mean_edge_length());
 }
 
 Paths::Search::Piece Paths::Search::piece_from(const Root& root) const {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "meshes/generators/generators.h"
+#include "meshes/oracles/random_case.h"
 #include "meshes/random.h"
 #include "solvers/core/registry.h"
 #include "solvers/core/thread_team.h"
@@ -159,6 +160,24 @@ TEST(RegionalWavefront, throws_where_a_region_exceeds_the_bound_of_windows) {
   const auto regional = make_solver("edge-based?threads=3&region-size=200", mesh);
   std::vector<double> result(mesh.vertex_count());
   EXPECT_THROW(regional->solve({.sources = {{0}}}, result), EndlessPropagation);
+}
+
+TEST(Regions, give_the_same_bits_on_random_meshes_with_every_number_of_threads) {
+  constexpr std::uint64_t kMeshes = 30;
+  const DelayedPieces delayed;
+  for (std::uint64_t number = 0; number < kMeshes; ++number) {
+    const RandomCase made = random_case(1, number, ::testing::TempDir());
+    const Mesh mesh(made.soup);
+    Query query = made.query;
+    query.limit = kInfinity;  // where a query ends early, there is one thread
+    std::vector<double> expected(mesh.vertex_count()), got(mesh.vertex_count());
+    make_solver("edge-based?threads=2&region-size=8", mesh)->solve(query, expected);
+    for (const char* solver :
+         {"edge-based?threads=3&region-size=8", "edge-based?threads=16&region-size=8"}) {
+      make_solver(solver, mesh)->solve(query, got);
+      EXPECT_EQ(got, expected) << solver << " on mesh " << number << ", " << made.recipe;
+    }
+  }
 }
 
 }  // namespace

@@ -197,6 +197,40 @@ TEST_F(VerifyCommand, GivesUpOnASolverThatNeverEnds) {
   expect_words(found.out, {" 3 fail", "not checked, after 3 did not end", "--time-limit"});
 }
 
+TEST_F(VerifyCommand, OnRandomMeshesFindsEveryFaultAndGoesOnBehindCrashes) {
+  const Output found = verify("boundary-blind,throwing,crashing,leaving,dijkstra",
+                              {"--random", "12", "--jobs", "2", "--shrink", "5"});
+  EXPECT_EQ(found.code, 2) << found.err;
+  expect_words(found.out, {"FAILS        boundary-blind: distances-equal-the-reference on mesh ",
+                           "FAILS        crashing: ", "ended the process: killed by signal 6",
+                           "FAILS        leaving: ", "ended the process: exit code 0",
+                           "FAILS        throwing: ", "threw: ran out of luck",
+                           "--solver boundary-blind --random 1 --seed 1 --first ",
+                           "meshes 0 to 11 of seed 1: ", "crashing: 0 hold, 12 fail",
+                           "dijkstra: 12 hold, 0 fail"});
+  ASSERT_EQ(saved().size(), 4u) << found.out;
+  for (const auto& file : saved()) EXPECT_LE(faces_of(file), 4u) << file;
+}
+
+TEST_F(VerifyCommand, OnRandomMeshesGivesUpOnASolverThatNeverEnds) {
+  const Output found =
+      verify("looping,dijkstra", {"--random", "5", "--time-limit", "1", "--shrink", "0"});
+  EXPECT_EQ(found.code, 2) << found.out << found.err;
+  expect_words(found.out, {"did not end within 1 s", "dijkstra: 5 hold, 0 fail",
+                           "looping: 0 hold, 3 fail, 0 not known, 2 not checked"});
+}
+
+TEST_F(VerifyCommand, OnRandomMeshesHoldsInexactSolversToWhatTheyPromise) {
+  for (const auto& [solver, code] : {std::pair{"bounded?off=0.09", 0},
+                                     {"bounded?off=0.11", 2},
+                                     {"upper?off=0.5", 0},
+                                     {"upper?off=-0.01", 2},
+                                     {"unbounded?off=-0.5", 0}}) {
+    const Output checked = verify(solver, {"--random", "2", "--shrink", "0"});
+    EXPECT_EQ(checked.code, code) << solver << '\n' << checked.out << checked.err;
+  }
+}
+
 TEST_F(VerifyCommand, OnACorpusSaysWhichMeshesAreNotThere) {
   const Output found =
       verify(exact_solver(), {"--property", "distances-equal-the-reference", "--corpus", "quick"});
@@ -246,6 +280,10 @@ TEST_F(VerifyCommand, BadRequestsAreErrorsThatSayWhatToDo) {
   const std::string solver = exact_solver();
   expect_refused({}, {"--solver is required"});
   expect_refused({"--solver", "none"}, {"no solver named 'none'", solver});
+  expect_refused({"--solver", solver + ",dijkstra"}, {"--solver", "--random"});
+  expect_refused({"--solver", solver, "--seed", "2"}, {"--seed", "--random"});
+  expect_refused({"--random", "0"}, {"--random"});
+  expect_refused({"--random", "5", "--meshes", "hill"}, {"--random", "--meshes"});
   expect_refused({"--solver", solver, "--property", "refusals-name-the-solvers"},
                  {"did you mean 'refusals-name-the-solver'"});
   expect_refused({"--solver", solver, "--source", "1"}, {"--source", "--meshes"});

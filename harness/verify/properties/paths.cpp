@@ -23,7 +23,7 @@ std::vector<Each> some_of(const std::vector<Each>& all, std::size_t most) {
   return some;
 }
 
-/// By turns in faces, on edges and at vertices; none where there are no faces.
+/// By turns in faces, beside corners, on edges and at vertices; none where there are no faces.
 std::vector<SurfacePoint> points_by_chance(const Mesh& mesh, std::size_t count) {
   const Index faces = mesh.given_face_count();
   Random random(split_mix(faces));
@@ -32,6 +32,7 @@ std::vector<SurfacePoint> points_by_chance(const Mesh& mesh, std::size_t count) 
     const Index face = random.below(faces);
     std::array<double, 3> weights;
     for (double& w : weights) w = random.between(0, 1);
+    if (points.size() % 4 == 1) weights = {1, 0, 1e-9 * weights[2]};
     if (points.size() % 4 == 2) weights[random.below(3)] = 0;
     if (points.size() % 4 == 3) weights = {1, 0, 0};
     points.push_back(point_in_face(mesh, face, weights));
@@ -40,22 +41,24 @@ std::vector<SurfacePoint> points_by_chance(const Mesh& mesh, std::size_t count) 
 }
 
 void check_end(const Trial& trial, const Query& query, const SurfacePoint& end, double distance,
-               const Path& path) {
-  require(check_path(trial.mesh(), query, end, distance, path, trial.tolerance()));
+               const Path& path, const Tolerance& tolerance) {
+  require(check_path(trial.mesh(), query, end, distance, path, tolerance));
   // On several sheets, a path of the right length within its faces is straight by that alone.
   if (trial.mesh().crosses_non_manifold_edges()) return;
-  require(check_straight(trial.mesh(), path, trial.tolerance()));
+  require(check_straight(trial.mesh(), path, tolerance));
 }
 
 /// All targets, and as many vertices.
-void check_all(const Trial& trial, const Query& query, const Paths& paths) {
+void check_all(const Trial& trial, const Query& query, const Paths& paths,
+               const Tolerance& tolerance) {
   for (std::size_t i = 0; i < query.targets.size(); ++i) {
     const std::string target = "to target " + std::to_string(i);
     if (paths.distance_to_target(i) == kInfinity) {
       refused(target + ", where no path leads, a path", [&] { paths.to_target(i); });
       continue;
     }
-    check_end(trial, query, query.targets[i], paths.distance_to_target(i), paths.to_target(i));
+    check_end(trial, query, query.targets[i], paths.distance_to_target(i), paths.to_target(i),
+              tolerance);
   }
   std::vector<Index> vertices(trial.mesh().vertex_count());
   std::iota(vertices.begin(), vertices.end(), Index{0});
@@ -66,26 +69,38 @@ void check_all(const Trial& trial, const Query& query, const Paths& paths) {
               [&] { paths.to_vertex(v); });
       continue;
     }
-    check_end(trial, query, SurfacePoint(v), distance, paths.to_vertex(v));
+    check_end(trial, query, SurfacePoint(v), distance, paths.to_vertex(v), tolerance);
   }
+}
+
+/// Of distances and paths between points that are no vertices: rounding moves both ends.
+Tolerance between_points(const Trial& trial, double place) {
+  Tolerance tolerance = trial.tolerance();
+  tolerance.least = std::max(tolerance.least, 2 * place / tolerance.relative);
+  return tolerance;
+}
+Tolerance between_points(const Trial& trial) {
+  return between_points(trial, InsertedPoints(trial.mesh(), {}).place());
 }
 
 constexpr std::size_t kQueries = 4;  // of a case, as far as paths are concerned
 
 void paths_are_shortest(const Trial& trial) {
   const auto solver = trial.prepare();
+  const Tolerance tolerance = between_points(trial);
   for (Query query : some_of(trial.queries(), kQueries)) {
     query.targets = points_by_chance(trial.mesh(), 12);
-    check_all(trial, query, solve_paths(*solver, trial.mesh(), query));
+    check_all(trial, query, solve_paths(*solver, trial.mesh(), query), tolerance);
   }
 }
 
 void paths_begin_anywhere(const Trial& trial) {
   const auto solver = trial.prepare();
-  const std::vector<SurfacePoint> points = points_by_chance(trial.mesh(), 6);
+  const std::vector<SurfacePoint> points = points_by_chance(trial.mesh(), 4);
+  const Tolerance tolerance = between_points(trial);
   for (const SurfacePoint& from : points) {
     const Query query{.sources = {{from, 0.25}}, .targets = points};
-    check_all(trial, query, solve_paths(*solver, trial.mesh(), query));
+    check_all(trial, query, solve_paths(*solver, trial.mesh(), query), tolerance);
   }
 }
 
@@ -158,14 +173,12 @@ class WithPoints {
  public:
   WithPoints(const Trial& trial, const std::vector<SurfacePoint>& points)
       : inserted_(trial.mesh(), points),
-        reference_(trial.solver(), inserted_.mesh()),
-        tolerance_(trial.tolerance()) {
-    // Points move by up to place(), at both ends.
-    tolerance_.least = std::max(tolerance_.least, 2 * inserted_.place() / tolerance_.relative);
-  }
+        reference_(trial.reference_on(inserted_.mesh())),
+        tolerance_(between_points(trial, inserted_.place())) {}
 
-  std::vector<double> distances(const SurfacePoint& source) {
-    return reference_.distances(from(inserted_.vertex(source)));
+  std::vector<double> distances(std::vector<Source> sources) {
+    for (Source& source : sources) source.at = SurfacePoint(inserted_.vertex(source.at));
+    return reference_.distances({.sources = std::move(sources)});
   }
   Index vertex(const SurfacePoint& point) const { return inserted_.vertex(point); }
   const Tolerance& tolerance() const { return tolerance_; }
@@ -180,18 +193,26 @@ class WithPoints {
 void require_promise(const std::string& circumstances, const Trial& trial, const Query& query,
                      std::span<const double> got, std::span<const double> expected,
                      const Tolerance& tolerance) {
-  Finding finding = check_promise(Promise::of(trial.solver()), query, got, expected, tolerance);
+  Finding finding = trial.correct(query, got, expected, tolerance);
   if (finding) require(circumstances, Violation{.what = finding->what});
 }
 
+constexpr std::size_t kInserted = 8;  // points: the same mesh for both properties
+
+/// From each alone, and from all together where the solver takes several.
 void sources_are_as_if_inserted(const Trial& trial) {
-  const std::vector<SurfacePoint> points = points_by_chance(trial.mesh(), 4);
+  const std::vector<SurfacePoint> points = points_by_chance(trial.mesh(), kInserted);
   if (points.empty()) return;
   WithPoints finer(trial, points);
   const auto solver = trial.prepare();
-  for (const SurfacePoint& point : points) {
-    const Query query{.sources = {{point, 0}}};
-    std::vector<double> expected = finer.distances(point);
+  std::vector<Query> queries;
+  for (const SurfacePoint& point : points) queries.push_back({.sources = {{point, 0}}});
+  if (trial.solver().abilities.multiple_sources) {
+    queries.emplace_back();
+    for (const SurfacePoint& point : points) queries.back().sources.push_back({point, 0});
+  }
+  for (const Query& query : queries) {
+    std::vector<double> expected = finer.distances(query.sources);
     expected.resize(trial.mesh().vertex_count());
     require_promise("with the points inserted", trial, query, trial.solve(*solver, query), expected,
                     finer.tolerance());
@@ -199,14 +220,15 @@ void sources_are_as_if_inserted(const Trial& trial) {
 }
 
 void targets_are_as_if_inserted(const Trial& trial) {
-  const std::vector<SurfacePoint> points = points_by_chance(trial.mesh(), 8);
+  const std::vector<SurfacePoint> points = points_by_chance(trial.mesh(), kInserted);
   if (points.empty()) return;
   WithPoints finer(trial, points);
   const auto solver = trial.prepare();
   Query query = trial.query();
+  query.limit = kInfinity;
   query.targets = points;
   const Paths paths = solve_paths(*solver, trial.mesh(), query);
-  const std::vector<double> distances = finer.distances(query.sources[0].at);
+  const std::vector<double> distances = finer.distances(query.sources);
   std::vector<double> got, expected;
   for (std::size_t i = 0; i < points.size(); ++i) {
     got.push_back(paths.distance_to_target(i));

@@ -1,9 +1,9 @@
-#include "tests/differential/random_case.h"
+#include "meshes/oracles/random_case.h"
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
-#include "harness/base/files.h"
 #include "meshes/connectivity.h"
 #include "meshes/formats/npy.h"
 #include "meshes/generators/generators.h"
@@ -11,10 +11,8 @@
 #include "meshes/oracles/random_meshes.h"
 #include "meshes/random.h"
 
-namespace geodesic::differential {
+namespace geodesic {
 namespace {
-
-using harness::Case;
 
 // Above so many faces nothing makes a mesh larger, and brute force gives way to another solver.
 constexpr double kManyFaces = 150;
@@ -42,24 +40,28 @@ struct Scene {
   }
 };
 
-struct Surface {
+struct RandomSurface {
   const char* name;
   TriangleSoup (*make)(const Scene& s);
 };
+
+void write(const std::filesystem::path& file, const std::string& bytes) {
+  std::ofstream(file, std::ios::binary) << bytes;
+}
 
 TriangleSoup elevation(const Scene& s) {
   const Index columns = s.cells(4, 8);
   std::vector<double> heights(std::size_t{columns} * s.cells(4, 8));
   for (double& z : heights) z = s.real(0, 3);
   const std::filesystem::path file = s.scratch / "heights.npy";
-  harness::write_bytes(file, npy_bytes<double>(heights, columns));
+  write(file, npy_bytes<double>(heights, columns));
   return generate("elevation", {{"input", file.string()},
                                 {"columns", s.cells(2, 7)},
                                 {"rows", s.cells(2, 7)},
                                 {"diagonal", s.diagonal()}});
 }
 
-constexpr Surface kSurfaces[] = {
+constexpr RandomSurface kSurfaces[] = {
     {"rough-terrain",
      [](const Scene& s) {
        const Index columns = s.cells(1, 9), rows = s.cells(1, 9);
@@ -180,7 +182,7 @@ constexpr Surface kSurfaces[] = {
 };
 
 std::pair<const char*, TriangleSoup> random_surface(const Scene& s) {
-  const Surface& surface = kSurfaces[s.random.below(std::size(kSurfaces))];
+  const RandomSurface& surface = kSurfaces[s.random.below(std::size(kSurfaces))];
   return {surface.name, surface.make(s)};
 }
 
@@ -188,7 +190,7 @@ std::pair<const char*, TriangleSoup> random_surface(const Scene& s) {
 TriangleSoup changed_by(const char* generator, const Scene& s, const TriangleSoup& soup,
                         GeneratorParameters parameters) {
   const std::filesystem::path file = s.scratch / "mesh.ply";
-  harness::write_bytes(file, mesh_bytes(soup, file));
+  write(file, mesh_bytes(soup, file));
   parameters.emplace("input", file.string());
   return generate(generator, parameters);
 }
@@ -316,7 +318,7 @@ constexpr Change kChanges[] = {
      }},
 };
 
-void apply_changes(Case& made, const Scene& s) {
+void apply_changes(RandomCase& made, const Scene& s) {
   for (std::uint32_t left = s.random.below(4); left > 0; --left) {
     const Change& change = kChanges[s.random.below(std::size(kChanges))];
     if (made.soup.triangles.empty()) return;
@@ -330,7 +332,7 @@ void apply_changes(Case& made, const Scene& s) {
       continue;  // a generator that takes no such mesh
     }
     made.soup = std::move(changed);
-    made.mesh += std::string(", ") + change.name;
+    made.recipe += std::string(", ") + change.name;
   }
 }
 
@@ -374,35 +376,36 @@ double least_height(const Mesh& mesh) {
 
 }  // namespace
 
-const char* name_of(Kind kind) {
+const char* name_of(MeshKind kind) {
   switch (kind) {
-    case Kind::clean:
+    case MeshKind::clean:
       return "clean";
-    case Kind::non_manifold:
+    case MeshKind::non_manifold:
       return "non-manifold";
-    case Kind::thin:
+    case MeshKind::thin:
       return "thin";
-    case Kind::degenerate:
+    case MeshKind::degenerate:
       return "degenerate";
   }
   return "";
 }
 
-Kind kind_of(const Mesh& mesh) {
-  if (mesh.has_degenerate_faces()) return Kind::degenerate;
-  if (least_height(mesh) < kThin) return Kind::thin;
-  return mesh.has_non_manifold_vertices() ? Kind::non_manifold : Kind::clean;
+MeshKind kind_of(const Mesh& mesh) {
+  if (mesh.has_degenerate_faces()) return MeshKind::degenerate;
+  if (least_height(mesh) < kThin) return MeshKind::thin;
+  return mesh.has_non_manifold_vertices() ? MeshKind::non_manifold : MeshKind::clean;
 }
 
-Case random_case(std::uint64_t seed, std::uint64_t number, const std::filesystem::path& scratch) {
+RandomCase random_case(std::uint64_t seed, std::uint64_t number,
+                       const std::filesystem::path& scratch) {
   Random random(split_mix(split_mix(seed) ^ number));
   const Scene scene{random, scratch, kSizes[random.below(std::size(kSizes))]};
   auto [name, soup] = random_surface(scene);
-  Case made{.mesh = name, .soup = std::move(soup), .queries = {}};
+  RandomCase made{.recipe = name, .soup = std::move(soup), .query = {}, .least_distance = 0};
   apply_changes(made, scene);
-  made.queries = {random_query(made.soup, random)};
-  made.tolerance.least = kEdgePart * longest_edge(Mesh(made.soup));
+  made.query = random_query(made.soup, random);
+  made.least_distance = kEdgePart * longest_edge(Mesh(made.soup));
   return made;
 }
 
-}  // namespace geodesic::differential
+}  // namespace geodesic

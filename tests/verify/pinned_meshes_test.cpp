@@ -1,0 +1,182 @@
+// Small meshes that a solver was once wrong on, found at random and repaired, stay right.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "harness/corpus/solvers.h"
+#include "harness/verify/path_check.h"
+#include "harness/verify/random_check.h"
+#include "meshes/editing/inserted_points.h"
+#include "meshes/mesh_file.h"
+#include "meshes/point_solver.h"
+
+namespace geodesic::harness {
+namespace {
+
+/// Found on random meshes and shrunk; the files have their numbers, of seed 1 unless they say
+/// another.
+struct Pin {
+  const char* mesh;  ///< in meshes/
+  Index source;
+  const char* broke;  ///< solvers, with their largest relative error before the repair
+};
+
+const std::vector<Pin> kPins = {
+    // A source next to edges thousands of times as long as its distances: what rounding of
+    // coordinates decides was a reason to drop a window.
+    {"mesh-2598", 0, "edge-based, edge-based-bucket: 5e-7"},
+    {"mesh-3872", 0, "edge-based and its variants: 4e-8"},
+    {"mesh-4561", 17, "edge-based and its variants: 2e-4"},
+    {"mesh-4569", 8, "edge-based: 0.08"},
+    {"mesh-5004", 4, "edge-based and its variants: 0.15"},
+    {"mesh-7289", 6, "edge-based and its variants: 6e-6"},
+    // A collapsed edge beside a flat face: a source and an apex that both lie on an edge's line saw
+    // each other through it.
+    {"mesh-7257", 7, "edge-based and its variants: 0.55"},
+    // An edge a billionth as long as those beside it: its direction was no unit vector.
+    {"mesh-705", 0, "a lazy variant: 0.07, all but edge-based and edge-based-bucket: 1e-11"},
+    {"mesh-705", 17, "template: 8e-12, all but the edge-based: 6e-12"},
+    {"mesh-705-again", 10, "template: 8e-10"},
+    {"mesh-6969", 10, "template: 2e-11"},
+    {"mesh-9808", 13, "template: 4e-10"},
+    {"mesh-8341", 2, "all: 2e-12"},
+    {"mesh-8341", 12, "all but the edge-based: 2e-12"},
+    // Two windows of one source, the later one shorter by less than rounding at an edge's far end.
+    {"seed-2-mesh-6031", 3, "fwp-mmp: 1e-9"},
+    // All vertices on a line but for rounding, which said of one that no path bends there.
+    {"seed-7-mesh-4989", 5, "mmp and its variants: 0.07"},
+};
+
+std::ostream& operator<<(std::ostream& out, const Pin& pin) {
+  return out << pin.mesh << " from " << pin.source << ": " << pin.broke;
+}
+
+class PinnedMesh : public ::testing::TestWithParam<Pin> {};
+
+TEST_P(PinnedMesh, is_right_by_every_exact_solver_and_instruction_set) {
+  const Pin& pin = GetParam();
+  const std::string file = std::string(PINNED_MESHES) + "/" + pin.mesh + ".obj";
+  const Mesh mesh(read_mesh_file(file).soup);
+  const Query query = from(pin.source);
+  const auto expected = BruteForce(mesh).distances(query.sources);
+  for (const Description* solver : registered_solvers()) {
+    // An independent oracle is not ours to repair.
+    if (solver->exactness != Exactness::exact || solver->independent_oracle) continue;
+    if (!unsupported(*solver, mesh).empty()) continue;
+    for (const InstructionSet set : std::set{InstructionSet::plain, widest_instruction_set()}) {
+      set_instruction_set(set);
+      const auto made = make_solver(solver->name, mesh);
+      if (made->instruction_set() != set) continue;  // has plain ones only
+      const auto wrong = check_distances(query, solve_with(*made, mesh, query), expected);
+      EXPECT_FALSE(wrong) << solver->name << ", " << name_of(set)
+                          << " instructions: " << wrong->what;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, PinnedMesh, ::testing::ValuesIn(kPins), [](const auto& pinned) {
+  std::string name =
+      std::string(pinned.param.mesh) + "_from_" + std::to_string(pinned.param.source);
+  std::ranges::replace(name, '-', '_');
+  return name;
+});
+
+/// Sources and targets anywhere, and the paths between them.
+struct PinnedPoints {
+  std::uint64_t seed, number;  ///< of the random mesh
+  std::size_t faces;           ///< that it has
+  std::vector<SurfacePoint> sources, targets;
+  const char* broke;
+};
+
+SurfacePoint in(Index face, double a, double b, double c) {
+  SurfacePoint point;
+  point.face = face;
+  point.weights = {a, b, c};
+  return point;
+}
+
+const std::vector<PinnedPoints> kPinnedPoints = {
+    {20,
+     1719,
+     576,
+     {in(220, 0.26083198276539427, 0.23922736093567698, 0.4999406562989287),
+      in(369, 0.55332048269580802, 0.057348843136553702, 0.38933067416763817),
+      in(375, 0.75049999320436822, 0.24950000679563183, 0)},
+     {in(482, 0.21933969473656861, 2.5539939134409466e-10, 0.78066030500803196),
+      in(515, 0.99999999967272535, 0, 3.2727473170690159e-10), SurfacePoint(155)},
+     "ch, 0.04: one angle, one split presupposes sources at vertices"},
+    {2,
+     9443,
+     144,
+     {in(32, 0.36386439762608358, 0.23002462132310139, 0.40611098105081495)},
+     {in(88, 0.39457672691032686, 0.31199882492026226, 0.29342444816941082),
+      in(91, 0.29204751940047058, 0.42203030476718018, 0.28592217583234936), SurfacePoint(71),
+      in(143, 0.049712125888313113, 0, 0.9502878741116868)},
+     "paths, 6.5e-12 longer than distances over needles with collapsed edges"},
+    {10,
+     4156,
+     12,
+     {in(7, 0.45703167176270221, 0.5429683281226364, 1.146613956689891e-10)},
+     {in(2, 0.60238514879715344, 0.22648499519420076, 0.17112985600864583), SurfacePoint(7),
+      in(3, 0.42710826577669042, 0.57289173276757233, 1.4557372213704923e-09)},
+     "paths, 1.1e-12 longer than distances"},
+    {10,
+     7265,
+     38,
+     {in(9, 0.99999999912027215, 0, 8.7972778645222411e-10)},
+     {in(24, 0.69013386838775104, 6.0113311890223518e-10, 0.30986613101111576),
+      in(22, 6.5288262741991979e-09, 0.99999999347117363, 0), SurfacePoint(16)},
+     "paths, lost: among faces without area a strip turned back upon itself"},
+};
+
+std::ostream& operator<<(std::ostream& out, const PinnedPoints& pin) {
+  return out << "mesh " << pin.number << " of seed " << pin.seed << ": " << pin.broke;
+}
+
+class PinnedPaths : public ::testing::TestWithParam<PinnedPoints> {};
+
+TEST_P(PinnedPaths, are_as_long_as_right_distances_by_every_exact_solver) {
+  const PinnedPoints& pin = GetParam();
+  const Case given = random_mesh_case(pin.seed, pin.number, ScratchFolder().path());
+  ASSERT_EQ(given.soup.triangles.size(), pin.faces) << "another mesh has this number now";
+  const Mesh mesh = given.build();
+  Query query{.sources = {}, .targets = pin.targets};
+  std::vector<SurfacePoint> points = pin.targets;
+  for (const SurfacePoint& source : pin.sources) {
+    query.sources.push_back({source, 0});
+    points.push_back(source);
+  }
+  const InsertedPoints finer(mesh, points);
+  std::vector<Source> inserted;
+  for (const SurfacePoint& source : pin.sources) inserted.push_back({finer.vertex(source), 0});
+  const std::vector<double> right = BruteForce(finer.mesh()).distances(inserted);
+  Tolerance tolerance = given.tolerance;
+  tolerance.least = std::max(tolerance.least, 2 * finer.place() / tolerance.relative);
+  for (const Description* solver : registered_solvers()) {
+    const bool starts_anywhere = solver->abilities.surface_sources && solver->abilities.paths;
+    if (solver->exactness != Exactness::exact || solver->independent_oracle) continue;
+    if (!starts_anywhere || !unsupported(*solver, mesh).empty()) continue;
+    const auto made = make_solver(solver->name, mesh);
+    const Paths paths = solve_paths(*made, mesh, query);
+    for (std::size_t i = 0; i < pin.targets.size(); ++i) {
+      const double distance = paths.distance_to_target(i);
+      EXPECT_LE(
+          std::abs(relative_error(distance, right[finer.vertex(pin.targets[i])], tolerance.least)),
+          tolerance.relative)
+          << solver->name << " to target " << i;
+      const auto wrong =
+          check_path(mesh, query, pin.targets[i], distance, paths.to_target(i), given.tolerance);
+      EXPECT_FALSE(wrong) << solver->name << " to target " << i << ": " << wrong->what;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, PinnedPaths, ::testing::ValuesIn(kPinnedPoints), [](const auto& pinned) {
+  return "mesh_" + std::to_string(pinned.param.number) + "_of_seed_" +
+         std::to_string(pinned.param.seed);
+});
+
+}  // namespace
+}  // namespace geodesic::harness
