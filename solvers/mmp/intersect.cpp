@@ -30,19 +30,20 @@ void restrict_to(double from, double to, double narrowest, Crossings& found) {
   found.count = kept;
 }
 
-bool is_nearer(const Window& challenger, const Window& incumbent, double t) {
-  return nearer(distance_at(challenger, t), distance_at(incumbent, t)) < 0;
-}
-
 /// Compares the windows in the middle of each part, for when the ends tie or contradict the cuts.
-Division divide_by_midpoints(const Window& challenger, const Window& incumbent, double from,
-                             double to, const Crossings& cuts) {
+/// The middle of a long part may be so far from both sources that it ties: then its end decides.
+Division divide_by_parts(const Window& challenger, const Window& incumbent, double from, double to,
+                         const Crossings& cuts, int at_from, int at_to) {
   Division division;
   bool last = false;
   for (int k = 0; k <= cuts.count; ++k) {
     const double begin = k == 0 ? from : cuts.at[k - 1];
     const double end = k == cuts.count ? to : cuts.at[k];
-    const bool wins = is_nearer(challenger, incumbent, 0.5 * (begin + end));
+    const double middle = 0.5 * (begin + end);
+    int who = nearer(distance_at(challenger, middle), distance_at(incumbent, middle));
+    if (who == 0 && k == 0) who = at_from;
+    if (who == 0 && k == cuts.count) who = at_to;
+    const bool wins = who < 0;
     if (k == 0) division.challenger_first = wins;
     if (k > 0 && wins != last) division.at[division.cuts++] = begin;
     last = wins;
@@ -98,7 +99,7 @@ Division divide_at_crossings(Window challenger, Window incumbent, double from, d
   if (at_from * at_to < 0 && cuts.count == 1) {
     return {.challenger_first = at_from < 0, .cuts = 1, .at = {cuts.at[0]}};
   }
-  return divide_by_midpoints(challenger, incumbent, from, to, cuts);
+  return divide_by_parts(challenger, incumbent, from, to, cuts, at_from, at_to);
 }
 
 }  // namespace geodesic::mmp

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 
 namespace geodesic::mmp {
@@ -75,6 +76,28 @@ TEST(Divide, GivesAllToTheShorterWindowWhereRoundingHidesItsLeadAtTheFarEnd) {
   const Division lost = divide(longer, shorter, 0, length, 1e-14 * length);
   EXPECT_FALSE(lost.challenger_first);
   EXPECT_EQ(lost.cuts, 0);
+}
+
+TEST(Divide, CutsAtTheVertexThatAPseudoSourceLiesOn) {
+  // 150 degrees round a saddle vertex at (1, 0): the direct window is nearer but there.
+  const double turn = 150 * std::numbers::pi / 180;
+  const Window direct{0, 1, 1 - std::cos(turn), std::sin(turn), 0}, apex{0, 1, 1, 0, 1};
+  for (const bool apex_challenges : {false, true}) {
+    const Window &challenger = apex_challenges ? apex : direct,
+                 &incumbent = apex_challenges ? direct : apex;
+    const Division division = divide(challenger, incumbent, 0, 1, 1e-14);
+    EXPECT_EQ(division.challenger_first, !apex_challenges);
+    for (int k = 0; k < division.cuts; ++k) EXPECT_NEAR(division.at[k], 1, 1e-13);
+  }
+}
+
+TEST(Divide, GivesAPartToTheWindowThatWinsAtItsEndWhereItsMiddleTies) {
+  // Beside an edge 10^9 times as long as the sources are apart.
+  const double length = 2040.5247154628253;
+  const Window direct{0, length, 2040.5246677159985, 0.86776747693401113, 0};
+  const Window bent{0, length, 2040.524667668041, 0.86776747691889888, 4.7957426051804675e-08};
+  const Division division = divide(direct, bent, 0, length, 1e-14 * length);
+  EXPECT_NE(division.challenger_first, division.cuts % 2 == 1);  // the last part is direct's
 }
 
 TEST(Divide, PrefersTheSmallerSigmaOfCoincidingSources) {
