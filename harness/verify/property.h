@@ -24,8 +24,8 @@ struct Case {
   Tolerance tolerance = {};
   /// What paths do at the mesh's edges that are no manifold's.
   NonManifoldEdges non_manifold_edges = NonManifoldEdges::cut;
-  /// Up to so many faces brute force is the reference.
-  Index brute_force_faces = kBruteForceFaces;
+  /// Whose distances are right where none are known.
+  Judges judges = {};
 
   /// @throws std::invalid_argument when it cannot be built
   Mesh build() const { return Mesh(soup, Numbering::as_given, non_manifold_edges); }
@@ -39,7 +39,7 @@ class Trial {
       : solver_(solver),
         given_(given),
         mesh_(given.build()),
-        reference_(solver, mesh_, given.brute_force_faces) {}
+        reference_(solver, mesh_, given.judges) {}
   Trial(const Trial&) = delete;
   Trial& operator=(const Trial&) = delete;
 
@@ -71,7 +71,7 @@ class Trial {
 
   /// The same on a finer mesh.
   LocalReference reference_on(const Mesh& finer) const {
-    LocalReference reference(solver_, finer, given_.brute_force_faces);
+    LocalReference reference(solver_, finer, given_.judges);
     oracle_judges_ |= reference.is_independent();
     return reference;
   }
@@ -158,8 +158,8 @@ bool too_large(const Case& given, const Description& solver);
 inline constexpr const char* kThrew = "threw: ";
 
 /// Checks one case. A mesh that the solver declares not to support must be refused. What the solver
-/// throws is a violation. An independent oracle may be wrong: where a solver differs from it on a
-/// mesh of up to 1,500 faces, brute force says which, in some seconds.
+/// throws is a violation. An independent oracle may be wrong: where a solver differs from it, brute
+/// force says which on up to 1,500 faces, in some seconds, and another exact solver beyond.
 /// @param largest_error raised to Trial::largest_error
 /// @throws NoReference
 Finding check_case(const Property& property, const Description& solver, const Case& given,

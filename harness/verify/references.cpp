@@ -129,12 +129,13 @@ std::shared_ptr<const BruteForce> brute_force_on(const Mesh& mesh) {
 
 }  // namespace
 
-LocalReference::LocalReference(const Description& verified, const Mesh& mesh,
-                               Index brute_force_faces)
+LocalReference::LocalReference(const Description& verified, const Mesh& mesh, Judges judges)
     : mesh_(mesh) {
-  const bool small = mesh.face_count() <= brute_force_faces;
+  const bool small = mesh.face_count() <= judges.brute_force_faces;
   for (const std::string& name : reference_candidates(verified, {.brute_force = small})) {
-    if (name != kBruteForce && !unsupported(*find_solver(name), mesh).empty()) continue;
+    const Description* solver = find_solver(name);
+    if (solver != nullptr && solver->independent_oracle && !judges.oracles) continue;
+    if (solver != nullptr && !unsupported(*solver, mesh).empty()) continue;
     name_ = name;
     return;
   }

@@ -79,14 +79,18 @@ class NoReference : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What a LocalReference may be.
+struct Judges {
+  Index brute_force_faces = kBruteForceFaces;  ///< up to so many faces it is brute force
+  bool oracles = true;                         ///< beyond, an independent oracle comes first
+};
+
 /// The best reference that needs neither a manifest nor another process: brute force, or the best
 /// ranked solver that supports the mesh.
 class LocalReference {
  public:
   /// Both must outlive it.
-  /// @param brute_force_faces up to so many faces it is brute force
-  LocalReference(const Description& verified, const Mesh& mesh,
-                 Index brute_force_faces = kBruteForceFaces);
+  LocalReference(const Description& verified, const Mesh& mesh, Judges judges = {});
 
   /// kBruteForce, a solver's name, or "nothing".
   const std::string& name() const { return name_; }
