@@ -175,10 +175,20 @@ inline void settle_overlap(Window& first, Window& second, const Pair& begin, con
       loser.end = begin.t;
     }
   };
-  if (first_wins && is_to_one_side(first, second, begin.t, end.t)) return shorten(second);
   const bool second_wins = !is_shorter(begin.first, begin.second, rounding) &&
                            !is_shorter(end.first, end.second, rounding);
-  if (second_wins && is_to_one_side(second, first, begin.t, end.t)) shorten(first);
+  // Where both tie the shorter one wins all the same: beside a source that is next to a vertex the
+  // path round that vertex may be longer by less than rounding of long edges.
+  const bool first_is_shorter = begin.first + end.first <= begin.second + end.second;
+  const auto settle = [&](bool wins, bool other_wins, bool is_the_shorter, Window& winner,
+                          Window& loser) {
+    if (!wins || (other_wins && !is_the_shorter)) return false;
+    if (!is_to_one_side(winner, loser, begin.t, end.t)) return false;
+    shorten(loser);
+    return true;
+  };
+  if (settle(first_wins, second_wins, first_is_shorter, first, second)) return;
+  settle(second_wins, first_wins, !first_is_shorter, second, first);
 }
 
 }  // namespace internal
