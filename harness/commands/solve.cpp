@@ -160,7 +160,7 @@ void add_solve_command(CLI::App& app) {
   command
       ->add_option("--matrix", flags->matrix,
                    "file for the distances from each source (all vertices if none is given) to "
-                   "each target (or vertex), in rows: .npy, or with --limit a sparse .npz")
+                   "each target (or vertex), in rows: .npy")
       ->type_name("FILE");
   command->add_flag("--float32", flags->single_precision, "numbers of --matrix in 32 bits");
   command->add_flag("--resume", flags->resume,

@@ -155,7 +155,7 @@ class StraightCheck {
     stretch.length = distance(line.front(), line.back());
     // Every face that is unfolded adds the rounding of its sides, and a few are the check's own.
     stretch.rounding = kLastPlace * static_cast<Real>(line.size() + 2) * longest;
-    const Real slack = tolerance_.relative * stretch.length + stretch.rounding;
+    const Real slack = allowed(stretch.length) + stretch.rounding;
     for (std::size_t i = 1; i + 1 < line.size(); ++i) {
       const Real off = std::abs(turn(line.front(), line.back(), line[i]));
       if (off > slack * stretch.length) {
@@ -168,6 +168,10 @@ class StraightCheck {
     stretch.first = beam(start, first, line.front(), line.back());
     stretch.last = beam(laid, last, line.back(), line.front());
     return {};
+  }
+
+  Real allowed(Real length) const {
+    return tolerance_.relative * std::max<Real>(length, tolerance_.least);
   }
 
   PlanePoint at(const LaidFace& laid, std::size_t i) const {
@@ -211,23 +215,20 @@ class StraightCheck {
     if (least < std::numbers::pi) {
       const Real cut = std::sqrt(a * a + b * b - 2 * a * b * std::cos(least));
       const Real saved = 2 * a * b * (1 + std::cos(least)) / (a + b + cut);
-      if (saved > tolerance_.relative * std::max<Real>(path_.length(), tolerance_.least)) {
+      if (saved > allowed(path_.length())) {
         return wrong(
             "has an angle of " + significant(static_cast<double>(least), 6) + " on one side", i);
       }
     }
     if (mesh_.is_pseudo_source(v)) return {};
     // So short a stretch has no direction: it may lead to a vertex next to a source and back.
-    const Real whole = std::max<Real>(path_.length(), tolerance_.least);
-    if (std::min(a, b) <= tolerance_.relative * whole) return {};
+    if (std::min(a, b) <= allowed(path_.length())) return {};
     const Real pi = std::numbers::pi_v<Real>;
     const Real bend = std::min(std::abs(left - pi), std::abs(right - pi));
     // How far the vertex lies off the straight line between the stretches' other ends: as little as
     // rounding may put any other point of the path off its line (`unfold`).
     const Real off = bend * a * b / (a + b);
-    if (off <= tolerance_.relative * (a + b) + std::max(in.rounding, out.rounding)) {
-      return {};
-    }
+    if (off <= allowed(a + b) + std::max(in.rounding, out.rounding)) return {};
     return wrong("bends where none may, by " + significant(static_cast<double>(bend), 2), i);
   }
 

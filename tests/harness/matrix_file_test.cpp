@@ -24,40 +24,25 @@ class MatrixFileTest : public TemporaryFolder {
 };
 
 TEST_F(MatrixFileTest, keeps_the_rows_of_an_unfinished_matrix) {
-  for (const char* name : {"m.npy", "m.npz"}) {
-    open_matrix(plan(name), false)->put(1, row(1));
-    const auto file = open_matrix(plan(name), true);
-    EXPECT_FALSE(file->has(0));
-    EXPECT_TRUE(file->has(1));
-    file->put(2, row(2));
-    file->put(0, row(0));
-    file->finish();
-    EXPECT_FALSE(std::filesystem::exists(unfinished(plan(name).file)));
+  MatrixFile(plan("m.npy"), false).put(1, row(1));
+  MatrixFile file(plan("m.npy"), true);
+  EXPECT_FALSE(file.has(0));
+  EXPECT_TRUE(file.has(1));
+  file.put(2, row(2));
+  file.put(0, row(0));
+  file.finish();
+  EXPECT_FALSE(std::filesystem::exists(unfinished(plan("m.npy").file)));
 
-    const auto whole = open_matrix(plan("whole" + std::string(name)), false);
-    for (std::size_t i = 0; i < 3; ++i) whole->put(i, row(i));
-    whole->finish();
-    EXPECT_EQ(read_bytes(plan(name).file), read_bytes(plan("whole" + std::string(name)).file));
-  }
-}
-
-TEST_F(MatrixFileTest, drops_a_row_that_was_cut_off) {
-  open_matrix(plan("m.npz"), false)->put(1, row(1));
-  {
-    const auto file = open_matrix(plan("m.npz"), true);
-    file->put(2, row(2));
-  }
-  const auto part = unfinished(plan("m.npz").file);
-  std::filesystem::resize_file(part, std::filesystem::file_size(part) - 1);
-  const auto file = open_matrix(plan("m.npz"), true);
-  EXPECT_TRUE(file->has(1));
-  EXPECT_FALSE(file->has(2));
+  MatrixFile whole(plan("whole.npy"), false);
+  for (std::size_t i = 0; i < 3; ++i) whole.put(i, row(i));
+  whole.finish();
+  EXPECT_EQ(read_bytes(plan("m.npy").file), read_bytes(plan("whole.npy").file));
 }
 
 TEST_F(MatrixFileTest, holds_numbers_that_numpy_reads) {
-  const auto file = open_matrix(plan("m.npy"), false);
-  for (std::size_t i = 0; i < 3; ++i) file->put(i, row(i, 5));
-  file->finish();
+  MatrixFile file(plan("m.npy"), false);
+  for (std::size_t i = 0; i < 3; ++i) file.put(i, row(i, 5));
+  file.finish();
   const Array array = parse_npy(read_bytes(plan("m.npy").file), "m.npy");
   EXPECT_EQ(array.rows, 3u);
   EXPECT_EQ(array.columns, 4u);
@@ -66,29 +51,29 @@ TEST_F(MatrixFileTest, holds_numbers_that_numpy_reads) {
 }
 
 TEST_F(MatrixFileTest, leaves_nothing_behind_without_a_row) {
-  open_matrix(plan("m.npy"), false).reset();
+  { const MatrixFile file(plan("m.npy"), false); }
   EXPECT_FALSE(std::filesystem::exists(unfinished(plan("m.npy").file)));
 }
 
 TEST_F(MatrixFileTest, refuses_what_another_problem_or_process_writes) {
   const auto refusal = [](const MatrixPlan& plan, bool resume) {
     try {
-      open_matrix(plan, resume);
+      const MatrixFile file(plan, resume);
     } catch (const HarnessError& error) {
       return std::string(error.what());
     }
     return std::string("nothing");
   };
-  for (const char* name : {"m.npy", "m.npz"}) {
-    auto file = open_matrix(plan(name), false);
-    file->put(0, row(0));
-    EXPECT_NE(refusal(plan(name), true).find("another process is writing it"), std::string::npos);
-    file.reset();
-    EXPECT_NE(refusal(plan(name), false).find("--resume goes on with it"), std::string::npos);
-    MatrixPlan other = plan(name);
-    other.problem = std::string(64, 'q');
-    EXPECT_NE(refusal(other, true).find("is of another problem"), std::string::npos);
+  {
+    MatrixFile file(plan("m.npy"), false);
+    file.put(0, row(0));
+    EXPECT_NE(refusal(plan("m.npy"), true).find("another process is writing it"),
+              std::string::npos);
   }
+  EXPECT_NE(refusal(plan("m.npy"), false).find("--resume goes on with it"), std::string::npos);
+  MatrixPlan other = plan("m.npy");
+  other.problem = std::string(64, 'q');
+  EXPECT_NE(refusal(other, true).find("is of another problem"), std::string::npos);
   EXPECT_NE(refusal(plan("m.csv"), false).find("written as .npy"), std::string::npos);
 }
 

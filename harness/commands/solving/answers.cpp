@@ -260,12 +260,12 @@ Json write_matrix(Problem& problem) {
                       {"sources", rows},
                       {"targets", points}};
   const InterruptionGuard guard;
-  std::unique_ptr<MatrixFile> file = open_matrix({.file = flags.matrix,
-                                                  .rows = query.sources.size(),
-                                                  .columns = columns,
-                                                  .single_precision = flags.single_precision,
-                                                  .problem = sha256_of(identity.dump())},
-                                                 flags.resume);
+  const MatrixPlan plan{.file = flags.matrix,
+                        .rows = query.sources.size(),
+                        .columns = columns,
+                        .single_precision = flags.single_precision,
+                        .problem = sha256_of(identity.dump())};
+  auto file = std::make_unique<MatrixFile>(plan, flags.resume);
   restart_peak_resident_bytes();
   const Stopwatch watch;
   try {

@@ -31,16 +31,11 @@ std::vector<WrittenPoint> points_of(const std::string& flag, const std::vector<s
 }
 
 void check_matrix(const SolveFlags& flags) {
-  const auto refuse = [](const std::string& why) { throw HarnessError(why); };
   if (flags.each || flags.counters || flags.check || wants_paths(flags) || flags.stop_at_targets ||
       !flags.output.empty() || !flags.output_folder.empty()) {
-    refuse("--matrix writes distances from each source, and goes with --limit, --threads, " +
-           std::string("--float32 and --resume only"));
-  }
-  const bool sparse = std::filesystem::path(flags.matrix).extension() == ".npz";
-  if (sparse != std::isfinite(flags.limit)) {
-    refuse(sparse ? "--matrix FILE.npz is sparse: it needs --limit"
-                  : "--matrix with --limit is sparse: name a file .npz");
+    throw HarnessError(
+        "--matrix writes distances from each source, and goes with --limit, --threads, --float32 "
+        "and --resume only");
   }
 }
 
