@@ -21,8 +21,6 @@ from results.reader import ResultError, Run, read_run
 
 from gate.cells import COUNTERS, MEMORY, Measured, measured, programs
 
-NANOSECONDS = 1e6
-"""In a millisecond."""
 CSV_COLUMNS = [
     "name", "solver", "mesh", "source", "outcome", "error_message", "repetition_index",
     "real_time", "cpu_time", "time_unit", "mesh_time", "prepare_time", "window_propagations",
@@ -63,31 +61,7 @@ def to_github_action_benchmark(run: Run) -> str:
             rows.append({**time, "range": f"{min(times):g} to {max(times):g}"})
             for key, value in numbers(one).items():
                 rows.append({"name": f"{name} {key}", "unit": unit(key), "value": value})
-    return _json(rows)
-
-
-def to_bencher(run: Run) -> str:
-    """Bencher's JSON, the latency in nanoseconds. Failed cells cannot be in it."""
-    benchmarks = {}
-    for name, one in cells(run):
-        if times := [NANOSECONDS * time for time in one.times] if one.ok else []:
-            latency = {"value": statistics.median(times), "lower_value": min(times),
-                       "upper_value": max(times)}  # fmt: skip
-            others = {key.replace("_", "-"): {"value": n} for key, n in numbers(one).items()}
-            benchmarks[name] = {"latency": latency, **others}
-    return _json(benchmarks)
-
-
-def to_gbench_median(run: Run) -> str:
-    """Google Benchmark's JSON with one row a cell: the repetition of median time, the faster of two
-    in the middle, since a row must be one that was measured."""
-    rows = []
-    for name, one in cells(run):
-        in_order = sorted(one.rows, key=lambda row: row.time if row.ok else 0.0)
-        middle = in_order[(len(in_order) - 1) // 2]
-        single = {"name": name, "run_name": name, "repetitions": 1, "repetition_index": 0}
-        rows.append({**middle.data, **single})
-    return _json({"context": run.context, "benchmarks": rows})
+    return json.dumps(rows, indent=2) + "\n"
 
 
 def to_csv(run: Run) -> str:
@@ -100,22 +74,16 @@ def to_csv(run: Run) -> str:
 
 
 FORMATS: dict[str, Callable[[Run], str]] = {
-    "bencher": to_bencher,
     "csv": to_csv,
-    "gbench-median": to_gbench_median,
     "github-action-benchmark": to_github_action_benchmark,
 }
-
-
-def _json(data: object) -> str:
-    return json.dumps(data, indent=2) + "\n"
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     parser = Parser(
         __doc__,
         "geodesic-bench export --to csv results/runs/mine > mine.csv",
-        "geodesic-bench export --to bencher results/runs/mine",
+        "geodesic-bench export --to github-action-benchmark results/runs/mine",
     )
     parser.add_argument("--to", choices=FORMATS, required=True, help="format of the output")
     parser.add_argument("result", type=Path, help="a result file or run folder")

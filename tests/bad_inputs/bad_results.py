@@ -59,7 +59,7 @@ SAYS = {
 def refused() -> Iterator[Case]:
     for what, text in FILES.items():
         files = {"run.json": text}
-        for command in ("compare . .", "export --to bencher run.json"):
+        for command in ("compare . .", "export --to csv run.json"):
             command = f"geodesic-bench {command}"
             begins = " ".join(command.split()[:2])
             yield Case(f"{command}: {what}", command, [f"{begins}: ", "run.json", SAYS[what]],

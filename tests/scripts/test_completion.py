@@ -25,7 +25,7 @@ CASES = [
     ("run --repet", {"--repetitions"}),
     ("generate icos", {"icosphere"}),
     ("solve --output spo", {"spot-own.ply"}),
-    ("export --to b", {"bencher"}),
+    ("export --to g", {"github-action-benchmark"}),
     ("compare --format m", {"markdown"}),
     ("solve spo", {"spot", "spot-own.ply"}),
 ]

@@ -29,7 +29,7 @@ options() {
   "$program" "$command" --help | grep -oE '^ +(-[a-z], ?)?--[a-z][a-z-]*' | grep -oE -- '--[a-z-]+'
 }
 
-# choices OPTION: as the help of a command shows them, "--to {csv,bencher}".
+# choices OPTION: as the help of a command shows them, "--to {csv,github-action-benchmark}".
 choices() {
   "$program" "$command" --help | sed -n "s/^  $1 {\([^}]*\)}.*/\1/p" | tr , '\n'
 }
