@@ -260,6 +260,34 @@ Cases long_strips() {
   return cases;
 }
 
+// 10^6 faces in a row. Vertices 2 i and 2 i + 1 have the abscissa i.
+Cases strip_of_a_million_faces() {
+  constexpr Index kSquares = 500'000;
+  TriangleSoup strip;
+  for (Index i = 0; i <= kSquares; ++i) {
+    strip.positions.push_back({static_cast<double>(i), 0, 0});
+    strip.positions.push_back({static_cast<double>(i), 1, 0});
+  }
+  for (Index v = 0; v < 2 * kSquares; v += 2) {
+    strip.triangles.push_back({v, v + 2, v + 3});
+    strip.triangles.push_back({v, v + 3, v + 1});
+  }
+  return {plane_case("strip", strip, {from(0)}, strip)};
+}
+
+/// Rounding adds at most a unit in the last place for every face that a line crosses.
+void distances_lose_a_last_place_a_face(const Trial& trial) {
+  const std::vector<double> got = trial.solve(trial.query());
+  const std::vector<double> expected = trial.expected(trial.query());
+  for (Index v = 1; v < got.size(); ++v) {
+    const double faces = 2 * trial.mesh().position(v)[0] + 1;
+    const double error = std::abs(relative_error(got[v], expected[v]));
+    require(error <= 0x1p-53 * faces, "vertex " + std::to_string(v) + ", behind " +
+                                          significant(faces) + " faces, is off by " +
+                                          significant(error, 3));
+  }
+}
+
 // The cells of a rough terrain for which `keep` holds.
 template <class Keep>
 TriangleSoup cells_of_terrain(Index cells, Keep keep) {
@@ -416,6 +444,11 @@ std::vector<Property> extreme_mesh_properties() {
        "along a strip of a plane distances are Euclid's, however many faces a line crosses, and "
        "windows no more than sides of faces",
        long_strips, distances_are_right_in_a_window_a_side, kOwnKernel},
+      {"strips-of-a-million-faces-lose-a-last-place-a-face",
+       "along a strip of 10^6 faces distances are Euclid's to 2^-53, relative, for each face "
+       "crossed",
+       strip_of_a_million_faces, distances_lose_a_last_place_a_face, kOwnKernel | kExactDistances,
+       /*on_any_mesh=*/false},
       {"valence-of-three-is-exact", "where vertices have three faces distances are exact",
        valence_three, distances_are_right_in_few_windows},
       {"saddles-next-to-flat-are-exact",
