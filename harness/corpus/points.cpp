@@ -147,107 +147,23 @@ std::vector<WrittenPoint> parse_text(std::string_view text, const std::string& w
   return parse_points(list, where);
 }
 
-class JsonPoints {
- public:
-  JsonPoints(const Json& list, const std::string& where) : list_(list), where_(where) {}
-
-  std::vector<WrittenPoint> parse() const {
-    if (!list_.is_array()) throw HarnessError(where_ + ": a list of points is expected");
-    if (list_.empty()) throw HarnessError(where_ + ": there is no point in it");
-    std::vector<WrittenPoint> points;
-    for (std::size_t i = 0; i < list_.size(); ++i) {
-      const std::string at = where_ + ", point " + std::to_string(i);
-      points.push_back(point(list_[i], at));
-      points.back().text = at;
-      check(points.back());
+std::vector<WrittenPoint> parse_list(const Json& list, const std::string& where) {
+  if (!list.is_array()) throw HarnessError(where + ": a list of points is expected");
+  if (list.empty()) throw HarnessError(where + ": there is no point in it");
+  std::vector<WrittenPoint> points;
+  for (const Json& each : list) {
+    const std::string at = where + ", point " + std::to_string(points.size());
+    if (!each.is_string() && !each.is_number()) {
+      throw HarnessError(at + ": " + shown(each) + " is neither a number nor a string");
     }
-    return points;
+    const std::string text = each.is_string() ? each.get<std::string>() : each.dump();
+    std::vector<WrittenPoint> one = parse_points(text, at);
+    if (one.size() > 1) throw HarnessError(at + ": a string holds one point");
+    points.push_back(std::move(one.front()));
+    points.back().text = at;
   }
-
- private:
-  static WrittenPoint point(const Json& json, const std::string& at) {
-    if (json.is_string()) {
-      std::vector<WrittenPoint> points = parse_points(json.get<std::string>(), at);
-      if (points.size() > 1) throw HarnessError(at + ": a string holds one point");
-      return points.front();
-    }
-    WrittenPoint point;
-    if (json.is_number()) {
-      point.elements[0] = index(json, at);
-      return point;
-    }
-    if (!json.is_object()) {
-      throw HarnessError(at + ": " + shown(json) + " is not a number, a string or an object");
-    }
-    const auto read = [&](const std::string& key) { return of(json, key, at); };
-    std::vector<std::string> keys;
-    if (json.contains("edge")) {
-      keys = {"edge", "share"};
-      point.kind = Kind::edge;
-      const Json ends = list(read("edge"), 2, at + ", edge");
-      for (std::size_t k = 0; k < 2; ++k) point.elements[k] = index(ends[k], at + ", edge");
-      point.numbers[0] = number(read("share"), at + ", share");
-    } else if (json.contains("face")) {
-      keys = {"face", "weights"};
-      point.kind = Kind::face;
-      point.elements[0] = index(read("face"), at + ", face");
-      numbers(read("weights"), at + ", weights", point);
-    } else if (json.contains("at")) {
-      keys = {"at"};
-      point.kind = Kind::place;
-      numbers(read("at"), at + ", at", point);
-    } else {
-      keys = {"vertex"};
-      point.elements[0] = index(read("vertex"), at + ", vertex");
-    }
-    keys.emplace_back("initial");
-    if (json.contains("initial")) point.initial = number(read("initial"), at + ", initial");
-    for (const auto& [key, value] : json.items()) {
-      if (std::ranges::find(keys, key) == keys.end()) {
-        throw HarnessError(at + ": " + unknown_name("key", key, keys));
-      }
-    }
-    return point;
-  }
-
-  static Json of(const Json& object, const std::string& key, const std::string& at) {
-    if (object.contains(key)) return object.at(key);
-    if (key != "vertex") throw HarnessError(at + ": '" + key + "' is missing");
-    std::vector<std::string> keys;
-    for (const auto& [name, value] : object.items()) keys.push_back(name);
-    throw HarnessError(
-        at + ": " +
-        unknown_name("key", keys.empty() ? "" : keys.front(),
-                     {"vertex", "edge", "share", "face", "weights", "at", "initial"}));
-  }
-
-  static Index index(const Json& json, const std::string& at) {
-    if (!json.is_number_unsigned() || json.get<std::uint64_t>() >= kNone) {
-      throw HarnessError(at + ": " + shown(json) + " is not the number of a vertex or face");
-    }
-    return json.get<Index>();
-  }
-
-  static double number(const Json& json, const std::string& at) {
-    if (!json.is_number()) throw HarnessError(at + ": " + shown(json) + " is not a number");
-    return json.get<double>();
-  }
-
-  static Json list(const Json& json, std::size_t size, const std::string& at) {
-    if (!json.is_array() || json.size() != size) {
-      throw HarnessError(at + ": a list of " + std::to_string(size) + " numbers is expected");
-    }
-    return json;
-  }
-
-  static void numbers(const Json& json, const std::string& at, WrittenPoint& point) {
-    const Json three = list(json, 3, at);
-    for (std::size_t k = 0; k < 3; ++k) point.numbers[k] = number(three[k], at);
-  }
-
-  const Json& list_;
-  const std::string& where_;
-};
+  return points;
+}
 
 SurfacePoint on_surface(const WrittenPoint& point, const Mesh& mesh) {
   switch (point.kind) {
@@ -268,20 +184,21 @@ std::vector<WrittenPoint> parse_points(std::string_view text, const std::string&
   return PointParser(text, where).parse();
 }
 
-std::vector<WrittenPoint> read_points(const std::filesystem::path& file, const std::string& flag) {
-  const std::string where = flag + " '" + file.string() + "'";
-  std::string bytes;
-  try {
-    bytes = read_bytes(file);
-  } catch (const MeshError& error) {
-    throw HarnessError(flag + ' ' + error.what());
-  }
+std::vector<WrittenPoint> parse_points_file(std::string_view bytes, const std::string& where) {
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   if (first == std::string::npos) throw HarnessError(where + ": the file is empty");
   if (bytes[first] == '[' || bytes[first] == '{') {
-    return JsonPoints(parse_json(bytes, where), where).parse();
+    return parse_list(parse_json(bytes, where), where);
   }
   return parse_text(bytes, where);
+}
+
+std::vector<WrittenPoint> read_points(const std::filesystem::path& file, const std::string& flag) {
+  try {
+    return parse_points_file(read_bytes(file), flag + " '" + file.string() + "'");
+  } catch (const MeshError& error) {
+    throw HarnessError(flag + ' ' + error.what());
+  }
 }
 
 PlacedPoint place(const WrittenPoint& point, const Mesh& mesh) {

@@ -41,16 +41,14 @@ struct WrittenPoint {
 std::vector<WrittenPoint> parse_points(std::string_view text, const std::string& where);
 
 /// The points of a file. Text (CSV) has them separated by commas or white space, written as
-/// above, between double quotes if need be. JSON has a list, of numbers of vertices, of strings
-/// written as above, or of
-///
-///     {"vertex": 12}, {"edge": [3, 7], "share": 0.25}, {"face": 345, "weights": [0.2, 0.3, 0.5]},
-///     {"at": [0.1, 2, -3]}
-///
-/// each with "initial" for an initial distance.
+/// above, between double quotes if need be. JSON has a list of numbers of vertices and of strings
+/// written as above.
 /// @param flag that named the file, for messages
 /// @throws HarnessError when it cannot be read or holds anything else, or no point
 std::vector<WrittenPoint> read_points(const std::filesystem::path& file, const std::string& flag);
+
+/// As read_points, from the bytes of a file. @param where what messages begin with
+std::vector<WrittenPoint> parse_points_file(std::string_view bytes, const std::string& where);
 
 /// A point on a mesh's surface.
 struct PlacedPoint {

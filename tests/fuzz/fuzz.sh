@@ -7,7 +7,7 @@ root=$(unset CDPATH; cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd -P)
 # shellcheck source=tools/common.sh
 source "$root/tools/common.sh"
 
-all_targets=(manifest obj off ply stl suite)
+all_targets=(manifest npy obj off ply points stl suite)
 targets=()
 seconds=120
 jobs=$(processors)

@@ -1,0 +1,8 @@
+// Files of sources and targets, and what a command line has of them.
+#include "harness/corpus/points.h"
+
+#include "tests/fuzz/input.h"
+
+void geodesic::harness::fuzz::read_input(std::string_view bytes) {
+  parse_points_file(bytes, "--sources-file 'points'");
+}
