@@ -102,7 +102,7 @@ class NpyParser {
         value.starts_with('\'') ? value.substr(1, value.find('\'', 1) - 1) : value.substr(0, 20);
     const auto* const found = std::ranges::find(kNumberTypes, word, &NumberType::word);
     if (found == std::end(kNumberTypes)) {
-      refuse("holds numbers of type '" + std::string(word) +
+      refuse("holds numbers of type '" + excerpt(word, 20) +
              "'; <i2, <i4, <f4 and <f8 can be read, so convert it with numpy's astype");
     }
     return *found;
