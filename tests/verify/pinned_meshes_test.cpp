@@ -129,6 +129,18 @@ const std::vector<PinnedPoints> kPinnedPoints = {
      {in(24, 0.69013386838775104, 6.0113311890223518e-10, 0.30986613101111576),
       in(22, 6.5288262741991979e-09, 0.99999999347117363, 0), SurfacePoint(16)},
      "paths, lost: among faces without area a strip turned back upon itself"},
+    {3,
+     161,
+     15,
+     {in(14, 0.99999999997649747, 0, 2.3502495448887019e-11)},
+     {SurfacePoint(16)},
+     "mmp, fwp-mmp: 1e-9, beside an edge 10^9 times as long as two sources were apart"},
+    {2,
+     245,
+     114,
+     {in(66, 0.99999999984634336, 0, 1.5365668712774858e-10)},
+     {SurfacePoint(72)},
+     "edge-based: 1.2e-12 of the edges, round a vertex next to the source"},
 };
 
 std::ostream& operator<<(std::ostream& out, const PinnedPoints& pin) {
