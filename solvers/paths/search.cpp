@@ -183,7 +183,9 @@ bool Paths::Search::is_seen(const View& view) const {
 void Paths::Search::consider_vertex(Index v, const Point2& place, const Point2& eye, Root root) {
   const double before = of_.distance(v);
   if (before > distance_ || !of_.may_bend(v)) return;
-  if (std::ranges::find(ends_, v, &End::vertex) != ends_.end()) return;
+  // Of the vertices in the place of the end, none but a source is worth going to.
+  const bool is_end = std::ranges::find(ends_, v, &End::vertex) != ends_.end();
+  if (is_end && (end_.vertex == v || !of_.source_at_.contains(v))) return;
   if (std::ranges::find(passed_, v) != passed_.end()) return;
   root.root = v;
   root.at = SurfacePoint(v);
