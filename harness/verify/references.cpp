@@ -40,7 +40,7 @@ std::vector<std::string> reference_candidates(const Description& verified,
   std::vector<std::string> names;
   std::vector<const Description*> ranked = rank_references(verified, solvers, named);
   if (sources.many_sources) {
-    std::ranges::stable_partition(ranked, [&](const Description* solver) {
+    std::stable_partition(ranked.begin(), ranked.end(), [&](const Description* solver) {
       return !solver->independent_oracle || solver->name == named;
     });
   }

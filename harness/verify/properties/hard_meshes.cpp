@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "harness/verify/properties/properties.h"
+#include "meshes/messages.h"
 #include "solvers/core/window_bound.h"
 
 namespace geodesic::harness {
