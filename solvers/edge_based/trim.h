@@ -166,8 +166,16 @@ inline bool is_to_one_side(const Window& lines, const Window& of, double begin, 
 /// winner's lines: then its two ends decide for the whole overlap.
 inline void settle_overlap(Window& first, Window& second, const Pair& begin, const Pair& end,
                            double rounding) {
-  const bool first_wins = !is_shorter(begin.second, begin.first, rounding) &&
-                          !is_shorter(end.second, end.first, rounding);
+  bool first_wins = !is_shorter(begin.second, begin.first, rounding) &&
+                    !is_shorter(end.second, end.first, rounding);
+  bool second_wins = !is_shorter(begin.first, begin.second, rounding) &&
+                     !is_shorter(end.first, end.second, rounding);
+  // Where both tie the shorter one wins all the same: beside a source that is next to a vertex the
+  // path round that vertex may be longer by less than rounding of long edges.
+  if (first_wins && second_wins) {
+    first_wins = begin.first + end.first <= begin.second + end.second;
+    second_wins = !first_wins;
+  }
   const auto shorten = [&](Window& loser) {
     if (begin.t == loser.begin) {
       loser.begin = end.t;
@@ -175,20 +183,8 @@ inline void settle_overlap(Window& first, Window& second, const Pair& begin, con
       loser.end = begin.t;
     }
   };
-  const bool second_wins = !is_shorter(begin.first, begin.second, rounding) &&
-                           !is_shorter(end.first, end.second, rounding);
-  // Where both tie the shorter one wins all the same: beside a source that is next to a vertex the
-  // path round that vertex may be longer by less than rounding of long edges.
-  const bool first_is_shorter = begin.first + end.first <= begin.second + end.second;
-  const auto settle = [&](bool wins, bool other_wins, bool is_the_shorter, Window& winner,
-                          Window& loser) {
-    if (!wins || (other_wins && !is_the_shorter)) return false;
-    if (!is_to_one_side(winner, loser, begin.t, end.t)) return false;
-    shorten(loser);
-    return true;
-  };
-  if (settle(first_wins, second_wins, first_is_shorter, first, second)) return;
-  settle(second_wins, first_wins, !first_is_shorter, second, first);
+  if (first_wins && is_to_one_side(first, second, begin.t, end.t)) return shorten(second);
+  if (second_wins && is_to_one_side(second, first, begin.t, end.t)) shorten(first);
 }
 
 }  // namespace internal
