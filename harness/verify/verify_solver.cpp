@@ -202,7 +202,11 @@ class RandomVerification {
     FailureReport report(failure_folder(request_), request_.shrink);
     for (const auto& [solver, failures] : failed_) show(report, failures.front());
     summarise(tally);
-    return failed_.empty();
+    if (!failed_.empty()) return false;
+    for (const auto& [solver, of] : tally.solvers) {
+      if (of.not_known > 0) throw HarnessError("some are not known, as counted above");
+    }
+    return true;
   }
 
  private:
