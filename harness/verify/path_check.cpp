@@ -206,15 +206,18 @@ class StraightCheck {
 
   Finding check_vertex(std::size_t i, const Stretch& in, const Stretch& out) const {
     const Index v = path_.points[i].at.vertex;
+    Real radius = kInfinity;  // the faces around v hold a disk of it
     for (const Index h : mesh_.outgoing(v)) {
       if (!(mesh_.half_edge(h).apex_y > 0) || !(mesh_.half_edge(h).length > 0)) return {};
+      radius = std::min(radius, Real{mesh_.half_edge(Mesh::next(h)).apex_y});
     }
     const Real left = between(in.last, out.first), right = between(out.first, in.last);
     const Real least = std::min(left, right);
     const Real a = in.length, b = out.length;
     if (least < std::numbers::pi) {
-      const Real cut = std::sqrt(a * a + b * b - 2 * a * b * std::cos(least));
-      const Real saved = 2 * a * b * (1 + std::cos(least)) / (a + b + cut);
+      // By the chord between two points of the path that are as near as the disk is wide.
+      const Real near = std::min({a, b, radius}), half = std::sin(least / 2);
+      const Real saved = 2 * near * (1 - half);
       if (saved > allowed(path_.length())) {
         return wrong(
             "has an angle of " + significant(static_cast<double>(least), 6) + " on one side", i);

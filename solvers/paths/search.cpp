@@ -197,7 +197,7 @@ void Paths::Search::consider_sources(const Point2& eye, Root root) {
     for (const SurfacePoint& source : of_.source_images_[i]) {
       if (source.face != root.half_edge / 3) continue;
       const Point2 place = in_frame(mesh_, source, root.half_edge);
-      if (root.view != kNone && !is_visible(views_[root.view], place)) continue;
+      if (root.view != kNone && !shows(views_[root.view], place)) continue;
       root.root = mesh_.vertex_count() + i;
       root.at = of_.source_images_[i].front();
       consider(root, of_.query_.sources[i].distance, place, eye);
@@ -205,8 +205,8 @@ void Paths::Search::consider_sources(const Point2& eye, Root root) {
   }
 }
 
-bool Paths::Search::is_visible(const View& view, const Point2& place) {
-  const double slack = kPathThrough * distance_between(view.eye, place);
+bool Paths::Search::shows(const View& view, const Point2& place) const {
+  const double slack = rounding(view.eye, mesh_.half_edge(view.in).length);
   return to_begin(view).across(place) <= slack && to_end(view).across(place) >= -slack;
 }
 

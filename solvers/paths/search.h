@@ -87,7 +87,8 @@ class Paths::Search {
   void see(Index side, const Point2& eye, double begin, double end, Index before, Index first);
   bool may_lead(const View& view) const;
   bool is_seen(const View& view) const;
-  static bool is_visible(const View& view, const Point2& place);
+  /// Whether a point of the face beyond is seen through a view.
+  bool shows(const View& view, const Point2& place) const;
   void consider_vertex(Index v, const Point2& place, const Point2& eye, Root root);
   void consider_sources(const Point2& eye, Root root);
   void consider(Root root, double before, const Point2& place, const Point2& eye);

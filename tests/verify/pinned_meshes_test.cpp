@@ -141,6 +141,12 @@ const std::vector<PinnedPoints> kPinnedPoints = {
      {in(66, 0.99999999984634336, 0, 1.5365668712774858e-10)},
      {SurfacePoint(72)},
      "edge-based: 1.2e-12 of the edges, round a vertex next to the source"},
+    {10,
+     943,
+     846,
+     {in(830, 0, 0.5330996015599796, 0.46690039844002051)},
+     {SurfacePoint(495), SurfacePoint(101)},
+     "paths, lost: along a boundary, past a vertex that rounding moves into it"},
 };
 
 std::ostream& operator<<(std::ostream& out, const PinnedPoints& pin) {
