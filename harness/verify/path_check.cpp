@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -16,6 +17,9 @@ using Weights = std::array<double, 3>;
 
 /// Lengths of edges are rounded, in a solver's frames as in a point's share of an edge.
 constexpr Real kLastPlace = 2.2e-16L;
+
+/// Of coordinates in the plane, relative to the sides around them.
+constexpr Real kLaid = 4 * std::numeric_limits<Real>::epsilon();
 
 /// A path in the mesh's internal numbers.
 Path in_internal_numbers(const Mesh& mesh, Path path) {
@@ -141,7 +145,7 @@ class StraightCheck {
     LaidFace laid = first_face(mesh_, path_.points[first].face);
     const LaidFace start = laid;
     line.push_back(at(laid, first));
-    Real longest = longest_side(laid);
+    Real longest = longest_side(laid), turned = 0;
     for (std::size_t i = first; i < last; ++i) {
       const Index face = path_.points[i].face;
       if (face != laid.face) {
@@ -149,12 +153,14 @@ class StraightCheck {
         if (!h || mesh_.twin(*h) / 3 != laid.face) return wrong("jumps", i);
         laid = next_face(mesh_, *h, laid);
         longest = std::max(longest, longest_side(laid));
+        // Rounding turns what lies beyond a side between two far longer ones.
+        turned += kLaid * longest / mesh_.half_edge(*h).length;
       }
       line.push_back(at(laid, i + 1));
     }
     stretch.length = distance(line.front(), line.back());
     // Every face that is unfolded adds the rounding of its sides, and a few are the check's own.
-    stretch.rounding = kLastPlace * static_cast<Real>(line.size() + 2) * longest;
+    stretch.rounding = (kLastPlace * static_cast<Real>(line.size() + 2) + turned) * longest;
     const Real slack = allowed(stretch.length) + stretch.rounding;
     for (std::size_t i = 1; i + 1 < line.size(); ++i) {
       const Real off = std::abs(turn(line.front(), line.back(), line[i]));

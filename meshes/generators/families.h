@@ -42,6 +42,7 @@ std::vector<Family> terrains();  ///< terrain, elevation
 std::vector<Family> tubes();     ///< cylinder, needles, torus, torus-knot
 Family clean();
 Family decimate();
+Family involute();
 Family noise();
 Family refine();
 Family subdivide();

@@ -12,8 +12,8 @@ namespace {
 /// The table of generators, by name.
 const std::vector<Family>& families() {
   static const std::vector<Family> all = [] {
-    std::vector<Family> list = {box(),    clean(),     decimate(), noise(),
-                                refine(), subdivide(), transform()};
+    std::vector<Family> list = {box(),   clean(),  decimate(),  involute(),
+                                noise(), refine(), subdivide(), transform()};
     for (const auto& group : {cones(), sheets(), spheres(), terrains(), tubes()}) {
       list.insert(list.end(), group.begin(), group.end());
     }

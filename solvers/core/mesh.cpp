@@ -236,6 +236,7 @@ void Mesh::compute_frames_of_face(Index first) {
       e.apex_x =
           dot(subtract(position(sides[previous].origin), position(e.origin)), along[k]) / e.length;
       e.apex_y = twice_area / e.length;
+      if (sides[(k + 1) % 3].length == 0) e.apex_x = e.length;
     } else {  // the direction of a zero-length edge is free: upright keeps the other two lengths
       e.apex_x = 0;
       e.apex_y = sides[previous].length;

@@ -67,6 +67,10 @@ inline constexpr double kPathMargin = 1e-14;
 /// relative to the longest edge: see coordinate_rounding (edge_based/trim.h).
 inline constexpr double kCoordinateRounding = kPathMargin;
 
+/// How far rounding has moved a source, relative to its distance, after as many faces as distances
+/// are certain to 1e-12 for: 2^-53 a face, 9,000 faces.
+inline constexpr double kSourceRounding = 1e-12;
+
 /// A source is on a line that bounds another window's pencil when it is off by less than this,
 /// relative to the lengths whose products are compared. It often is: the vertex that split the
 /// pencil became a source itself.

@@ -121,7 +121,9 @@ inline FaceFrame face_frame(const Mesh& mesh, Index h) {
           .apex_y = e.apex_y,
           .left = left,
           .right = right,
-          .left_x = e.apex_x * per_left,
+          // Where the other two edges are one, exactly: lines wind around a vertex whose faces have
+          // all collapsed, and come back longer or shorter by what is rounded here.
+          .left_x = right > 0 ? e.apex_x * per_left : 1,
           .left_y = e.apex_y * per_left,
           // The cosine at the head, from the frame that has it as a scalar product: the difference
           // of length and apex_x has no digits left when the right edge is very short.

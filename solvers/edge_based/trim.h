@@ -60,10 +60,12 @@ inline bool is_left_of_line(const Window& w, double t, double px, double py) {
   return right_of(w, t, px, py) < internal::right_of_scale(w, t, px, py);
 }
 
-/// True when rounding of coordinates alone may decide the side of that line.
+/// True when rounding alone may decide the side of that line: of coordinates, or of sources that
+/// many faces were crossed since. Two windows of one source, which came through different strips,
+/// see it in two places then.
 inline bool has_no_side(const Window& w, double t, double px, double py, double rounding) {
   const double lengths = std::abs(px - w.x) + std::abs(py - w.y) + std::abs(t - w.x) - w.y;
-  return std::abs(right_of(w, t, px, py)) <= rounding * lengths;
+  return std::abs(right_of(w, t, px, py)) <= (rounding + kSourceRounding * lengths) * lengths;
 }
 
 /// True when the windows follow one another so that neither can beat more of the other than the

@@ -147,6 +147,20 @@ double to_far_edge(const Window& w, double t, const FaceFrame& f) {
   return 1 + y / -w.y;
 }
 
+// On a lattice of 708 x 708 vertices: the source of both is vertex 0, 1,500 faces away.
+TEST(TrimPair, leaves_windows_alone_that_see_one_source_in_two_places) {
+  const Window left{0.75000000000077727, 0.75968992248147016, -652.99999999997499,
+                    -504.99999999997772, 0};
+  const Window right{0.75968992248147016, 0.76753507014032751, -652.9999999999684,
+                     -504.99999999997249, 0};
+  Window first = left, second = right;
+  trim_pair(first, second, {.length = 1, .below_x = 0, .below_y = -1, .rounding = 1.4e-14});
+  EXPECT_EQ(first.begin, left.begin);
+  EXPECT_EQ(first.end, left.end);
+  EXPECT_EQ(second.begin, right.begin);
+  EXPECT_EQ(second.end, right.end);
+}
+
 TEST(SidesKept, takes_only_lines_that_the_path_to_the_apex_beats_inside_the_face) {
   Random random(5);
   int removed = 0;

@@ -98,6 +98,7 @@ const Expected kExpected[] = {
     {"icosahedron", "icosphere", {{"frequency", 1}}, 12, 20, 2, 0, 0x83769d3449146c45u},
     {"icosphere_of_two", "icosphere", {{"frequency", 2}}, 42, 80, 2, 0, 0xb96c7e983d058765u},
     {"icosphere", "icosphere", {}, 2562, 5120, 2, 0, 0xc63e16365c7ac5b9u},
+    {"involute", "involute", {}, 130, 128, 1, 1, 0x2e6e135d18492900u},
     {"needles", "needles", {}, 2160, 3840, 0, 2, 0xa9df5e91fdee983eu},
     {"saddle_cone", "saddle-cone", {}, 1089, 2048, 1, 1, 0x7f672f909e426488u},
     {"square_with_hole", "square-with-hole", {}, 880, 1600, 0, 2, 0x1186ad5474c5c4a9u},

@@ -77,6 +77,7 @@ TEST(Enclosures, hold_the_closed_forms) {
       {"cone", {{"sectors", 3}, {"angle", 12}, {"rings", 3}}},
       {"saddle-cone", {{"sectors", 4}, {"sector-angle", 91}, {"rings", 3}}},
       {"cylinder", {{"sides", 7}, {"rows", 3}, {"height", 0.9}}},
+      {"involute", {{"corners", 12}, {"angle", 350}}},
       {"square-with-hole", {{"hole", 2}, {"rim", 1}}},
   };
   for (const auto& [generator, parameters] : shapes) {

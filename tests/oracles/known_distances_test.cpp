@@ -66,6 +66,8 @@ INSTANTIATE_TEST_SUITE_P(
         Shape{"saddle-cone", {{"sectors", 4}, {"sector-angle", 91}, {"rings", 3}}},
         Shape{"cylinder", {{"sides", 3}, {"rows", 4}, {"radius", 0.7}}},
         Shape{"cylinder", {{"sides", 7}, {"rows", 3}, {"height", 0.9}}},
+        Shape{"involute", {{"corners", 5}, {"angle", 350}, {"width", 1}}},
+        Shape{"involute", {{"corners", 12}, {"angle", 200}}},
         Shape{"square-with-hole", {{"hole", 2}, {"rim", 1}}},
         Shape{"square-with-hole", {{"hole", 1}, {"rim", 2}}},
         Shape{"square-with-hole", {{"hole", 4}, {"rim", 1}, {"diagonal", "forward"}}}));

@@ -147,6 +147,12 @@ const std::vector<PinnedPoints> kPinnedPoints = {
      {in(830, 0, 0.5330996015599796, 0.46690039844002051)},
      {SurfacePoint(495), SurfacePoint(101)},
      "paths, lost: along a boundary, past a vertex that rounding moves into it"},
+    {10,
+     6168,
+     80,
+     {in(6, 0.99999999979555176, 0, 2.0444816255823247e-10)},
+     {SurfacePoint(3), SurfacePoint(0)},
+     "mmp, fwp-mmp: 1.9e-10 of 1.9e-10, a millionfold winding around three collapsed faces"},
 };
 
 std::ostream& operator<<(std::ostream& out, const PinnedPoints& pin) {

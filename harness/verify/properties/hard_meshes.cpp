@@ -220,6 +220,12 @@ Cases twenty_eight_turns() {
                            {0, 1, 350, 601})};
 }
 
+// 400 corners send windows over 60 degrees of needles each.
+Cases windows_by_the_square() {
+  return {closed_form_case("involute", {{"corners", 400}, {"angle", 300}, {"width", 1}},
+                           {0, 200, 500})};
+}
+
 Case flat(const std::string& name, const TriangleSoup& soup) {
   return plane_case(name, soup, some_sources(soup), soup);
 }
@@ -441,6 +447,10 @@ std::vector<Property> extreme_mesh_properties() {
       {"saddle-of-ten-thousand-degrees-is-exact",
        "around an apex of 28 turns distances are those of the unrolled sectors", twenty_eight_turns,
        distances_are_right_in_few_windows},
+      {"windows-by-the-square-of-faces-are-exact",
+       "around an arc, where every corner sends windows over all needles behind it, distances are "
+       "those of a string pulled taut",
+       windows_by_the_square, distances_are_right},
       {"strips-of-ten-thousand-faces-keep-euclid",
        "along a strip of a plane distances are Euclid's, however many faces a line crosses, and "
        "windows no more than sides of faces",
