@@ -330,7 +330,7 @@ class Propagation {
         right = children != Children::left;
       }
     } else if (sight.reaches()) {
-      const double bend = sight.at_begin() ? w.begin : w.end;
+      const double bend = sight.left() ? w.end : w.begin;  // the end that the apex lies beyond
       const double rest = face.apex_x - bend;
       reach_apex(h, face, distance_at(w, bend) + std::sqrt(rest * rest + face.apex_y * face.apex_y),
                  {bend, 0}, {h, w.root, {w.x, w.y}});

@@ -147,6 +147,12 @@ const std::vector<PinnedPoints> kPinnedPoints = {
      {in(830, 0, 0.5330996015599796, 0.46690039844002051)},
      {SurfacePoint(495), SurfacePoint(101)},
      "paths, lost: along a boundary, past a vertex that rounding moves into it"},
+    {2,
+     1880,
+     221,
+     {in(160, 0.99999999919805904, 0, 8.0194103429094572e-10)},
+     {SurfacePoint(17)},
+     "ch, ich, fwp-ch: 2.5e-11, bent round the wrong end of a window"},
     {10,
      6168,
      80,
@@ -184,6 +190,9 @@ TEST_P(PinnedPaths, are_as_long_as_right_distances_by_every_exact_solver) {
     if (!starts_anywhere || !unsupported(*solver, mesh).empty()) continue;
     const auto made = make_solver(solver->name, mesh);
     const Paths paths = solve_paths(*made, mesh, query);
+    std::vector<double> timed(mesh.vertex_count());
+    made->solve({.sources = query.sources}, timed);
+    EXPECT_EQ(timed, paths.distances()) << solver->name;
     for (std::size_t i = 0; i < pin.targets.size(); ++i) {
       const double distance = paths.distance_to_target(i);
       EXPECT_LE(
