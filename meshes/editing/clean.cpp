@@ -196,7 +196,9 @@ class FlatFaceRemover {
       enqueue_if_flat(other);
     } else if (mesh_.opposite_vh(side) != mesh_.opposite_vh(beyond)) {
       // The edge that a flip would make is there. The next round welds the vertex to the new one.
-      mesh_.split(edge, mesh_.point(mesh_.opposite_vh(side)));
+      // A copy of its place: the new vertex moves the others in memory.
+      const auto place = mesh_.point(mesh_.opposite_vh(side));
+      mesh_.split(edge, place);
       ++cuts_;
     }  // else a flip laid the two back to back, and the next round cancels them
   }
