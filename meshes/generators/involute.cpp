@@ -9,6 +9,7 @@ namespace {
 /// Corner k of the arc is vertex k, that of the rim behind it corners + 1 + k.
 TriangleSoup make_involute(const CheckedParameters& parameters) {
   const Index corners = parameters.integer("corners");
+  // With three corners or more the rim stays outside of the arc, at any angle and width.
   const double turns = parameters.real("angle") / 360, width = parameters.real("width");
   check_face_count(2.0 * corners);
   TriangleSoup soup;
@@ -94,7 +95,7 @@ Family involute() {
                           "involutes, and windows grow as corners^2",
            .closed_form = "the length of a string from a to b around the corners between them, "
                           "pulled taut",
-           .parameters = {integer_parameter("corners", 64, 1, 1000000, "of the arc, less one"),
+           .parameters = {integer_parameter("corners", 64, 3, 1000000, "of the arc, less one"),
                           real_parameter("angle", 300, 1, 350, "of the arc, degrees"),
                           real_parameter("width", 2, 1, 1000, "from the arc to the rim")}},
           make_involute,
