@@ -18,7 +18,7 @@ using Interval = boost::multiprecision::number<boost::multiprecision::mpfi_float
 /// As BruteForce, this unfolds every strip of faces that can be seen from a vertex, but a line
 /// counts twice: its length bounds the distance from below where it may lie inside the strip, and
 /// from above where it certainly does, seen through each edge of the strip. A line through a vertex
-/// does neither for certain; it is bounded from above by the two lines that meet there.
+/// is never certain; the two lines that meet there are as long, and bound it from above.
 class Enclosures {
  public:
   /// Finds the lines: all the work.
