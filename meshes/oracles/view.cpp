@@ -24,7 +24,7 @@ Real nearest(const PlanePoint& a, const PlanePoint& b) {
   const Real square = d.x * d.x + d.y * d.y;
   Real t = square > 0 ? -(a.x * d.x + a.y * d.y) / square : 0;
   t = std::min(Real{1}, std::max(Real{0}, t));
-  return std::hypot(a.x + t * d.x, a.y + t * d.y);
+  return norm(PlanePoint{a.x + t * d.x, a.y + t * d.y});
 }
 
 class View {
@@ -68,13 +68,13 @@ class View {
         turn({}, r, l) == 0;  // no narrow cone, whose lines both round to the apex
     if (half_plane && from_l == 0 && from_r == 0) {
       // A face without area, seen from a point of its line: one of its edges has the half-plane.
-      see_({mesh_.apex(h), apex, std::hypot(apex.x, apex.y), {}});
+      see_({mesh_.apex(h), apex, norm(apex), {}});
       leave(left_edge, left, apex, left, apex);
       leave(right_edge, apex, right, apex, right);
     } else {
       const bool right_of_l = from_l > 0, left_of_r = from_r > 0;
       if (right_of_l && left_of_r) {
-        see_({mesh_.apex(h), apex, std::hypot(apex.x, apex.y), strip_});
+        see_({mesh_.apex(h), apex, norm(apex), strip_});
       }
       if (right_of_l) leave(left_edge, left, apex, l, left_of_r ? apex : r);
       if (left_of_r) leave(right_edge, apex, right, right_of_l ? apex : l, r);
@@ -109,7 +109,7 @@ PlanePoint lay_out_apex(const Mesh& mesh, Index h, const PlanePoint& p, const Pl
   const Real area = dot(base, base) == longest   ? norm(cross(left, right))
                     : dot(left, left) == longest ? norm(cross(base, right))
                                                  : norm(cross(base, left));
-  const Real length = norm(base), laid = std::hypot(q.x - p.x, q.y - p.y);
+  const Real length = norm(base), laid = distance(p, q);
   const Real along = dot(base, left) / length, across = area / length;
   const PlanePoint e = {(q.x - p.x) / laid, (q.y - p.y) / laid};
   return {p.x + along * e.x - across * e.y, p.y + along * e.y + across * e.x};
