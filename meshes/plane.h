@@ -17,8 +17,8 @@ struct PlanePoint {
   Real y = 0;
 };
 
-/// Of a vector. Not std::hypot, which is slow and guards against squares beyond the range of `Real`:
-/// coordinates are of type double, whose squares are within it.
+/// Of a vector. Not std::hypot, which is slow and guards against squares beyond the range of
+/// `Real`: coordinates are of type double, whose squares are within it.
 inline Real norm(const PlanePoint& a) { return std::sqrt(a.x * a.x + a.y * a.y); }
 
 inline Real distance(const PlanePoint& a, const PlanePoint& b) {

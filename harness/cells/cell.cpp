@@ -66,8 +66,8 @@ class Measurement {
     row_.source = spec.source_set.empty() ? sources_.name : spec.source_set;
   }
 
-  /// Writes the result file. @param mesh_ms what building the mesh took
-  void run(double mesh_ms);
+  /// @param mesh_ms what building the mesh took
+  std::vector<Row> run(double mesh_ms);
 
  private:
   // Why the distances are wrong; empty when they are right. Times solves only of the latter, and
@@ -94,7 +94,7 @@ class Measurement {
   const Query query_;
   std::vector<double> verified_;  // distances of the warm-up solve
   std::vector<double> solved_;    // of the solve that came last
-  Timing timing_;
+  std::vector<Repetition> repetitions_;
   Row row_;     // what all repetitions have in common
   Row failed_;  // what is known when the distances are not right
 };
@@ -226,7 +226,7 @@ void Measurement::time(Solver& solver) {
       return SecondsElsewhere{external->last().real, external->last().cpu};
     };
   }
-  timing_ = time_repetitions(spec_.benchmark_flags, work);
+  repetitions_ = time_repetitions(spec_.benchmark_flags, work);
   if (renewals > 0) row_.renew_time = 1e3 * renewing / renewals;
 }
 
@@ -258,26 +258,25 @@ std::string Measurement::measure() {
   return verify_again("a recorded solve gave other distances than timed ones");
 }
 
-void Measurement::run(double mesh_ms) {
+std::vector<Row> Measurement::run(double mesh_ms) {
   failed_ = row_;
-  std::vector<Row> rows;
   const std::string wrong = measure();
+  if (!wrong.empty()) {
+    failed_.outcome = Outcome::wrong_answer;
+    failed_.error_message = wrong;
+    return {failed_};
+  }
+  std::vector<Row> rows;
   row_.mesh_time = mesh_ms;
-  row_.repetitions = static_cast<int>(timing_.repetitions.size());
-  for (const Repetition& repetition : timing_.repetitions) {
+  row_.repetitions = static_cast<int>(repetitions_.size());
+  for (const Repetition& repetition : repetitions_) {
     row_.repetition_index = static_cast<int>(rows.size());
     row_.iterations = repetition.iterations;
     row_.real_time = repetition.real_ms;
     row_.cpu_time = repetition.cpu_ms;
     rows.push_back(row_);
   }
-  if (!wrong.empty()) {
-    rows = {failed_};
-    rows.front().outcome = Outcome::wrong_answer;
-    rows.front().error_message = wrong;
-    timing_.context = benchmark_context();
-  }
-  write_result_file(spec_.output, timing_.context, spec_.context, rows);
+  return rows;
 }
 
 }  // namespace
@@ -289,7 +288,7 @@ void run_cell(const CellSpec& spec) {
   const Mesh mesh(soup, Numbering::along_surface);
   const double mesh_ms = 1e3 * building.cpu_seconds();
   restart_peak_resident_bytes();
-  Measurement(spec, soup, mesh).run(mesh_ms);
+  write_json(spec.output, {{"benchmarks", Measurement(spec, soup, mesh).run(mesh_ms)}});
 }
 
 void run_reference(const ReferenceSpec& spec) {

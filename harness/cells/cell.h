@@ -26,7 +26,7 @@ struct CellSpec {
   std::string sources_file = {};    ///< with its vertices
   std::string reference = {};       ///< the solver that the distances are compared with
   std::string reference_file = {};  ///< its distances (verify/references.h)
-  std::string output = {};          ///< the result file to write
+  std::string output = {};          ///< the file to write: {"benchmarks": rows}
   std::string run_folder = {};
   bool counted = true;    ///< solve some more, for counters, memory and phases
   bool pictured = false;  ///< leave recordings in the run folder; only of counted cells
@@ -35,12 +35,11 @@ struct CellSpec {
   int path_targets = 0;   ///< a counted cell: measure paths to so many, of solvers that have them
   std::string vectors;    ///< corpus/solvers.h
   std::vector<std::string> benchmark_flags = {};
-  Json context = {};    ///< context.geodesic_bench of the result file
   bool repair = false;  ///< repair the mesh first
 };
 GEODESIC_JSON_MEMBERS(CellSpec, solver, mesh, mesh_file, source, source_set, sources_file,
                       reference, reference_file, output, run_folder, counted, pictured, frames,
-                      other_queries, path_targets, vectors, benchmark_flags, context, repair)
+                      other_queries, path_targets, vectors, benchmark_flags, repair)
 
 /// Distances to verify others by.
 struct ReferenceSpec {
@@ -54,9 +53,9 @@ struct ReferenceSpec {
 GEODESIC_JSON_MEMBERS(ReferenceSpec, solver, mesh_file, source, sources_file, output, repair)
 
 /// Prepares the solver, verifies a warm-up solve, asks for other sources and again, times solves
-/// and, in a counted cell, records more on new solver objects; then writes the result file, after
-/// the recordings of a pictured cell. Distances that are wrong, or that differ between these
-/// solves, make a file with an error row and no time.
+/// and, in a counted cell, records more on new solver objects; then writes the rows, after the
+/// recordings of a pictured cell. Distances that are wrong, or that differ between these solves,
+/// make one row with the error and no time.
 /// @throws what the reader, the solver or the disk throws; the run makes an error row of it
 void run_cell(const CellSpec& spec);
 

@@ -2,7 +2,6 @@
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"
-#include "harness/measure/benchmark.h"
 
 namespace geodesic::harness {
 namespace fs = std::filesystem;
@@ -17,23 +16,46 @@ void label(Row& row, const Cell& cell) {
   if (cell.program != nullptr) row.program = cell.program->name;
 }
 
-// Makes the cell's file of what the process wrote and what is known of the process.
-std::vector<Row> complete(const Cell& cell, const CellSpec& spec, const fs::path& written,
-                          const Disturbance& disturbance) {
-  if (!fs::exists(written)) throw HarnessError("ended without writing a result");
-  CellFile file = read_cell_file(written);
-  fs::remove(written);
-  for (Row& row : file.rows) {
-    label(row, cell);
-    if (row.name() != cell.name()) {
-      throw HarnessError("measured " + row.name() + ": this program knows no sets of sources");
-    }
-    row.stolen_share = disturbance.stolen_share;
-    row.involuntary_switches_per_s = disturbance.involuntary_switches_per_s;
+class CellProcess {
+ public:
+  CellProcess(const Cell& cell, CellSpec spec, const ProcessLimits& limits,
+              const std::function<void()>& waiting)
+      : cell_(cell), spec_(std::move(spec)), limits_(limits), waiting_(waiting) {
+    spec_.output += kPartOfFile;
   }
-  write_result_file(spec.output, std::move(file.benchmark_context), spec.context, file.rows);
-  return std::move(file.rows);
-}
+
+  std::vector<Row> measure(const Reference& reference) {
+    spec_.reference = reference.solver;
+    spec_.reference_file = reference.file.string();
+    const fs::path program = cell_.program == nullptr ? "/proc/self/exe" : cell_.program->file;
+    const Ended ended =
+        run_geodesic_bench({"cell", Json(spec_).dump()}, waiting_, limits_, program);
+    if (!ended.succeeded()) return {failed_row(cell_, failure_of(ended, limits_))};
+    std::vector<Row> rows = written_rows();
+    for (Row& row : rows) {
+      label(row, cell_);
+      if (row.name() != cell_.name()) {
+        throw HarnessError("measured " + row.name() + ": this program knows no sets of sources");
+      }
+      row.stolen_share = ended.disturbance.stolen_share;
+      row.involuntary_switches_per_s = ended.disturbance.involuntary_switches_per_s;
+    }
+    return rows;
+  }
+
+ private:
+  std::vector<Row> written_rows() const {
+    if (!fs::exists(spec_.output)) throw HarnessError("ended without writing a result");
+    const Json result = read_json(spec_.output);
+    fs::remove(spec_.output);
+    return rows_in(result);
+  }
+
+  const Cell& cell_;
+  CellSpec spec_;
+  const ProcessLimits& limits_;
+  const std::function<void()>& waiting_;
+};
 
 }  // namespace
 
@@ -43,38 +65,35 @@ ProcessLimits limits_of(const Suite& suite) {
   return limits;
 }
 
-std::vector<Row> write_failure(const Cell& cell, const CellSpec& spec, Outcome outcome,
-                               const std::string& why) {
-  Row row{.solver = spec.solver,
-          .mesh = spec.mesh,
+Row failed_row(const Cell& cell, const Failure& failure) {
+  Row row{.solver = cell.solver->name,
+          .mesh = cell.mesh->entry.name,
           .source = cell.source->name,
-          .outcome = outcome,
-          .error_message = why};
+          .outcome = failure.outcome,
+          .error_message = failure.why};
   label(row, cell);
-  write_result_file(spec.output, benchmark_context(), spec.context, {row});
-  return {row};
+  return row;
 }
 
 std::vector<Row> measure_cell(const Cell& cell, CellSpec spec, References& references,
                               const ProcessLimits& limits, const std::function<void()>& waiting) {
   if (const std::string* why = cell.unsupported()) {
-    return write_failure(cell, spec, Outcome::unsupported, *why);
+    return {failed_row(cell, {Outcome::unsupported, *why})};
   }
   try {
+    CellProcess process(cell, std::move(spec), limits, waiting);
     const Reference reference = references.find(cell);
-    spec.reference = reference.solver;
-    spec.reference_file = reference.file.string();
-    CellSpec given = spec;
-    given.output += kPartOfFile;
-    const fs::path program = cell.program == nullptr ? "/proc/self/exe" : cell.program->file;
-    const Ended ended = run_geodesic_bench({"cell", Json(given).dump()}, waiting, limits, program);
-    if (ended.succeeded()) return complete(cell, spec, given.output, ended.disturbance);
-    const Failure failure = failure_of(ended, limits);
-    return write_failure(cell, spec, failure.outcome, failure.why);
+    std::vector<Row> rows = process.measure(reference);
+    if (rows.front().outcome == Outcome::wrong_answer && reference.is_independent()) {
+      if (const auto other = references.find_other_than(reference, cell)) {
+        return process.measure(*other);
+      }
+    }
+    return rows;
   } catch (const CannotWrite&) {
     throw;
   } catch (const HarnessError& error) {
-    return write_failure(cell, spec, Outcome::error, error.what());
+    return {failed_row(cell, {Outcome::error, error.what()})};
   }
 }
 

@@ -1,8 +1,7 @@
-// A cell's result, measured in a process of its own, whatever happens to that process.
+// A cell's rows, measured in a process of its own, whatever happens to that process.
 #pragma once
 
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "harness/cells/cell.h"
@@ -15,18 +14,18 @@ namespace geodesic::harness {
 /// The limits of the suite on the process of a cell.
 ProcessLimits limits_of(const Suite& suite);
 
-/// Finds the distances to verify the cell by, runs its process and writes `spec.output`. Where the
-/// solver cannot do the mesh, nothing verifies it, or the process fails, the file has an error row.
-/// @param spec complete but for the reference; its output does not exist yet
+/// Finds the distances to verify the cell by and runs its process. A wrong answer by an independent
+/// oracle is measured again by another reference where that differs from the oracle. Where the
+/// solver cannot do the mesh, nothing verifies it, or the process fails, the row says so.
+/// @param spec complete but for the reference
 /// @param waiting called about once a second while the cell's process runs
-/// @return the rows of the result file, at least one
-/// @throws CannotWrite when the result file cannot be written
-/// @throws Interrupted (interruption.h); then there is no result file
+/// @return at least one row
+/// @throws CannotWrite when the process cannot write
+/// @throws Interrupted (interruption.h)
 std::vector<Row> measure_cell(const Cell& cell, CellSpec spec, References& references,
                               const ProcessLimits& limits, const std::function<void()>& waiting);
 
-/// Writes the result file of a cell that has no time. @return its row
-std::vector<Row> write_failure(const Cell& cell, const CellSpec& spec, Outcome outcome,
-                               const std::string& why);
+/// The row of a cell that has no time.
+Row failed_row(const Cell& cell, const Failure& failure);
 
 }  // namespace geodesic::harness

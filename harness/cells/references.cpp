@@ -7,6 +7,7 @@
 #include "harness/base/process.h"
 #include "harness/cells/cell.h"
 #include "harness/cells/isolated.h"
+#include "harness/verify/distance_check.h"
 #include "harness/verify/references.h"
 #include "meshes/load.h"
 #include "meshes/threads.h"
@@ -69,7 +70,27 @@ const std::string& References::compute(const Cell& cell, const std::string& solv
              known ? write_known(solver, cell, request_.repair, file) : solve(cell, solver, file);
 }
 
-Reference References::find(const Cell& cell) {
+bool Reference::is_independent() const {
+  const Description* description = find_solver(solver);
+  return description != nullptr && description->independent_oracle;
+}
+
+std::optional<Reference> References::find_other_than(const Reference& oracle, const Cell& cell) {
+  try {
+    Reference other = find(cell, /*oracles=*/false);
+    const RelativeErrors errors = relative_errors(read_distances(oracle.file, cell.mesh->vertices),
+                                                  read_distances(other.file, cell.mesh->vertices));
+    if (errors.max <= kExactTolerance && errors.unreachable_mismatches == 0) return std::nullopt;
+    std::cerr << cell.mesh->entry.name << ", source " << cell.source->name << ": " << oracle.solver
+              << " differs from " << other.solver << " (largest relative error "
+              << significant(errors.max, 3) << "), which verifies " << cell.solver->name << '\n';
+    return other;
+  } catch (const HarnessError&) {
+    return std::nullopt;
+  }
+}
+
+Reference References::find(const Cell& cell, bool oracles) {
   std::vector<std::string> failures;
   const std::optional<std::string>& named = request_.suite.reference;
   const ReferenceSources sources{
@@ -79,9 +100,10 @@ Reference References::find(const Cell& cell) {
       .many_sources = cell.source->vertices.size() > kFewSources};
   for (const std::string& solver : reference_candidates(*cell.solver, sources)) {
     const std::string name = cell.mesh->entry.name + "__src" + cell.source->name + "__" + solver;
-    const std::filesystem::path file = folder_ / (as_file_name(name) + ".distances");
-    const std::string& failure = compute(cell, solver, file);
-    if (failure.empty()) return {solver, file};
+    Reference reference{solver, folder_ / (as_file_name(name) + ".distances")};
+    if (!oracles && reference.is_independent()) continue;
+    const std::string& failure = compute(cell, solver, reference.file);
+    if (failure.empty()) return reference;
     failures.push_back(failure);
   }
   throw HarnessError("cannot be verified: no other exact solver gave distances (" +

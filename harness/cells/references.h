@@ -18,6 +18,9 @@ namespace geodesic::harness {
 struct Reference {
   std::string solver;  ///< or kClosedForm, kBruteForce
   std::filesystem::path file;
+
+  /// Whether it is an independent oracle, which may be wrong and is not ours to repair.
+  bool is_independent() const;
 };
 
 class References {
@@ -34,13 +37,18 @@ class References {
   /// mesh, brute force where the suite names it and the mesh is small enough, or the best ranked
   /// solver (verify/references.h) that supports the mesh and succeeds.
   /// @throws HarnessError saying why each candidate gave none
-  Reference find(const Cell& cell);
+  Reference find(const Cell& cell) { return find(cell, /*oracles=*/true); }
+
+  /// The best one that is no independent oracle, where that differs from the given reference, which
+  /// is then named on standard error; nothing where both agree or there is none.
+  std::optional<Reference> find_other_than(const Reference& oracle, const Cell& cell);
 
   /// Computes what `find` will need for these cells, for as many sources at a time as there are
   /// threads. Failures are left to `find`.
   void compute_ahead(std::span<const Cell> cells, unsigned threads);
 
  private:
+  Reference find(const Cell& cell, bool oracles);
   // Empty when it was computed; otherwise why not.
   const std::string& compute(const Cell& cell, const std::string& solver,
                              const std::filesystem::path& file);

@@ -90,10 +90,8 @@ std::vector<std::string> differences(const Json& before, const Json& now) {
 
 // @throws std::exception saying what is wrong with them
 std::vector<Row> sound_rows(const Cell& cell, const CellSpec& spec) {
-  CellFile file = read_cell_file(spec.output);
-  std::vector<Row>& rows = file.rows;
-  for (Row& row : rows) {
-    row.processor = file.processor;
+  std::vector<Row> rows = read_rows(spec.output);
+  for (const Row& row : rows) {
     if (row.name() != cell.name()) throw HarnessError("is of another cell");
     if (row.recordings && !fs::exists(fs::path(spec.run_folder) / *row.recordings)) {
       throw HarnessError("has lost its recordings");
@@ -107,7 +105,7 @@ std::vector<Row> sound_rows(const Cell& cell, const CellSpec& spec) {
   if (first.program.value_or("") != (cell.program == nullptr ? "" : cell.program->name)) {
     throw HarnessError("is of another program");
   }
-  return std::move(rows);
+  return rows;
 }
 
 }  // namespace

@@ -51,9 +51,10 @@ class Run {
 
  private:
   CellSpec spec_of(const Cell& cell) const;
+  Json context_of(const Cell& cell) const;
   void compute_references(std::size_t first);
   std::vector<Row> rows_of(std::size_t cell);
-  std::vector<Row> measure(const Cell& cell);
+  std::vector<Row> measure(const Cell& cell, const CellSpec& spec);
   void drop_parts_of_other_processors();
   void note_failure(const Cell& cell, const Row& row);
 
@@ -89,21 +90,14 @@ CellSpec Run::spec_of(const Cell& cell) const {
                 .other_queries = suite.other_queries,
                 .path_targets = suite.path_targets,
                 .vectors = suite.vectors,
-                .context = run_context(request_, plan_, cell.mesh, cell.solver),
                 .repair = request_.repair};
   std::string name = spec.solver + "__" + spec.mesh + "__src" + cell.source->name;
   if (alone) name += "__rep" + std::to_string(cell.repetition);
-  if (cell.program != nullptr) {
-    name += "__" + cell.program->name;
-    spec.context["programs"] = {cell.program->facts};
-  }
+  if (cell.program != nullptr) name += "__" + cell.program->name;
   spec.output = folder_ / "cells" / (as_file_name(name) + ".json");
-  spec.context["sources"][spec.mesh] = names_in_json({*cell.source});
-  spec.context.erase("source_sets");
   if (!cell.source->is_single()) {
     spec.source_set = cell.source->name;
     spec.sources_file = folder_ / source_file(*cell.mesh, *cell.source);
-    spec.context["source_sets"][spec.mesh][spec.source_set] = describe(*cell.mesh, *cell.source);
   }
   spec.benchmark_flags = {
       "--benchmark_repetitions=" + std::to_string(alone ? 1 : suite.repetitions),
@@ -112,6 +106,18 @@ CellSpec Run::spec_of(const Cell& cell) const {
   spec.benchmark_flags.insert(spec.benchmark_flags.end(), request_.benchmark_flags.begin(),
                               request_.benchmark_flags.end());
   return spec;
+}
+
+Json Run::context_of(const Cell& cell) const {
+  Json context = run_context(request_, plan_, cell.mesh, cell.solver);
+  const std::string& mesh = cell.mesh->entry.name;
+  if (cell.program != nullptr) context["programs"] = {cell.program->facts};
+  context["sources"][mesh] = names_in_json({*cell.source});
+  context.erase("source_sets");
+  if (!cell.source->is_single()) {
+    context["source_sets"][mesh][cell.source->name] = describe(*cell.mesh, *cell.source);
+  }
+  return context;
 }
 
 void Run::keep_measured_cells() {
@@ -148,11 +154,10 @@ void Run::drop_parts_of_other_processors() {
   }
 }
 
-std::vector<Row> Run::measure(const Cell& cell) {
-  const CellSpec spec = spec_of(cell);
+std::vector<Row> Run::measure(const Cell& cell, const CellSpec& spec) {
   const auto exhausted = exhausted_.find({cell.program, cell.solver, cell.mesh});
   if (exhausted != exhausted_.end()) {
-    return write_failure(cell, spec, Outcome::skipped, exhausted->second);
+    return {failed_row(cell, {Outcome::skipped, exhausted->second})};
   }
   return measure_cell(cell, spec, references_, limits_of(request_.suite),
                       [this] { progress_.working("measuring"); });
@@ -188,7 +193,9 @@ std::vector<Row> Run::rows_of(std::size_t cell) {
     return kept->second;
   }
   compute_references(cell);
-  std::vector<Row> rows = measure(cells_[cell]);
+  const CellSpec spec = spec_of(cells_[cell]);
+  std::vector<Row> rows = measure(cells_[cell], spec);
+  write_result_file(spec.output, benchmark_context(), context_of(cells_[cell]), rows);
   for (Row& row : rows) row.processor = processor_;
   ++measured_;
   progress_.ended(one_line(rows));

@@ -79,7 +79,8 @@ void check_benchmark_flags(const std::vector<std::string>& flags) {
   }
 }
 
-Timing time_repetitions(const std::vector<std::string>& flags, const TimedWork& work) {
+std::vector<Repetition> time_repetitions(const std::vector<std::string>& flags,
+                                         const TimedWork& work) {
   initialize(flags);
   benchmark::ClearRegisteredBenchmarks();
   auto* const timed = benchmark::RegisterBenchmark("solve", [&](benchmark::State& state) {
@@ -107,16 +108,16 @@ Timing time_repetitions(const std::vector<std::string>& flags, const TimedWork& 
   if (work.several_threads) timed->MeasureProcessCPUTime()->UseRealTime();
   JsonText out;
   benchmark::RunSpecifiedBenchmarks(&out.reporter());
+  std::vector<Repetition> repetitions;
   const Json json = out.parse();
-  Timing timing{.context = json.at("context"), .repetitions = {}};
   for (const Json& row : json.at("benchmarks")) {
     if (row.at("run_type") != "iteration") continue;  // an aggregate
     const double cpu_ms = work.elsewhere ? 1e3 * row.at(kCpuElsewhere).get<double>()
                                          : row.at("cpu_time").get<double>();
-    timing.repetitions.push_back({row.at("iterations"), row.at("real_time"), cpu_ms});
+    repetitions.push_back({row.at("iterations"), row.at("real_time"), cpu_ms});
   }
-  if (timing.repetitions.empty()) throw HarnessError("Google Benchmark timed nothing");
-  return timing;
+  if (repetitions.empty()) throw HarnessError("Google Benchmark timed nothing");
+  return repetitions;
 }
 
 Json benchmark_context() {

@@ -20,11 +20,6 @@ struct Repetition {
   double real_ms, cpu_ms;  ///< of one iteration
 };
 
-struct Timing {
-  Json context;  ///< Google Benchmark's own keys
-  std::vector<Repetition> repetitions;
-};
-
 struct SecondsElsewhere {
   double real, cpu;
 };
@@ -38,7 +33,8 @@ struct TimedWork {
 };
 
 /// Times the work, as many repetitions as the flags say. @throws what it throws
-Timing time_repetitions(const std::vector<std::string>& flags, const TimedWork& work);
+std::vector<Repetition> time_repetitions(const std::vector<std::string>& flags,
+                                         const TimedWork& work);
 
 /// Google Benchmark's own context keys, without timing anything.
 Json benchmark_context();

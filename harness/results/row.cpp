@@ -111,19 +111,26 @@ void write_result_file(const std::filesystem::path& file, Json benchmark_context
   write_json(file, json);
 }
 
-CellFile read_cell_file(const std::filesystem::path& file) {
+std::vector<Row> rows_in(const Json& result_file) {
+  try {
+    std::vector<Row> rows = result_file.at("benchmarks");
+    if (rows.empty()) throw HarnessError("has no row");
+    return rows;
+  } catch (const Json::exception&) {
+    throw HarnessError("is not as it was written");
+  }
+}
+
+std::vector<Row> read_rows(const std::filesystem::path& file) {
   Json json = read_json(file);
   try {
     Json& ours = json.at("context").at("geodesic_bench");
     const std::string checksum = ours.at("checksum");
     ours.erase("checksum");
     if (checksum != sha256_of(compact(json))) throw HarnessError("is not as it was written");
-    CellFile cell{.benchmark_context = json.at("context"),
-                  .processor = ours.at("processor"),
-                  .rows = json.at("benchmarks")};
-    cell.benchmark_context.erase("geodesic_bench");
-    if (cell.rows.empty()) throw HarnessError("has no row");
-    return cell;
+    std::vector<Row> rows = rows_in(json);
+    for (Row& row : rows) row.processor = ours.at("processor").get<std::string>();
+    return rows;
   } catch (const Json::exception&) {
     throw HarnessError("is not as it was written");
   }

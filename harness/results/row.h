@@ -99,16 +99,13 @@ void from_json(const Json& json, Row& row);
 void write_result_file(const std::filesystem::path& file, Json benchmark_context, Json context,
                        const std::vector<Row>& rows);
 
-struct CellFile {
-  Json benchmark_context;  ///< Google Benchmark's own keys
-  std::string processor;   ///< that measured them
-  std::vector<Row> rows;   ///< at least one
-};
+/// The rows of a result file, at least one. @throws HarnessError when it has none or is broken
+std::vector<Row> rows_in(const Json& result_file);
 
-/// Reads what write_result_file wrote.
+/// Reads what write_result_file wrote: at least one row, with their processor.
 /// @throws HarnessError when the file cannot be read, has no row, or is not as it was written:
 ///         context.geodesic_bench.checksum is the SHA-256 of the file without that key, as compact
 ///         JSON
-CellFile read_cell_file(const std::filesystem::path& file);
+std::vector<Row> read_rows(const std::filesystem::path& file);
 
 }  // namespace geodesic::harness

@@ -671,6 +671,20 @@ TEST_F(RunTest, AReferenceThatFailsIsReplacedByTheNext) {
   EXPECT_NE(row("dijkstra/tetrahedron/src:0").at("reference"), "crashing");
 }
 
+TEST_F(RunTest, AnOracleThatAnotherExactSolverContradictsJudgesNoSolver) {
+  const Output run =
+      run_suite(kFaultyProgram, {"--solvers", "wrong," + exact_solver(), "--meshes", "tetrahedron",
+                                 "--sources", "1", "--reference", "oracle?off=0.1"});
+  EXPECT_EQ(run.code, 2) << run.err;
+  EXPECT_NE(run.err.find("tetrahedron, source 0: oracle?off=0.1 differs from "), std::string::npos);
+  const json right = row(exact_solver() + "/tetrahedron/src:0");
+  EXPECT_EQ(right.at("outcome"), "ok") << right;
+  EXPECT_NE(right.at("reference"), "oracle?off=0.1");
+  const json wrong = row("wrong/tetrahedron/src:0");
+  EXPECT_EQ(wrong.at("outcome"), "wrong answer");
+  EXPECT_NEAR(wrong.value("max_relative_error", -1.0), 1e-9, 1e-12);
+}
+
 // A mesh of the manifest whose distances have a closed form: a box that the program itself makes.
 class RunOfABox : public RunTest {
  protected:
