@@ -1,14 +1,28 @@
 #include "harness/base/interruption.h"
 
 #include <cstring>
+#include <ctime>
 #include <string>
 
 namespace geodesic::harness {
 namespace {
 
 volatile std::sig_atomic_t received = 0;
+volatile std::sig_atomic_t received_at = 0;  // seconds
 
-void remember(int signal) { received = signal; }
+// Calls nothing that a handler of signals may not call.
+void remember(int signal) {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  const auto seconds = static_cast<std::sig_atomic_t>(now.tv_sec);
+  if (received == 0) {
+    received = signal;
+    received_at = seconds;
+  } else if (seconds - received_at > 1) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
+}
 
 }  // namespace
 
@@ -17,12 +31,11 @@ Interrupted::Interrupted(int signal)
 
 InterruptionGuard::InterruptionGuard() {
   received = 0;
-  struct sigaction once {};
-  once.sa_handler = remember;
-  once.sa_flags = static_cast<int>(SA_RESETHAND);
+  struct sigaction remembered {};
+  remembered.sa_handler = remember;
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     sigaction(kSignals[i], nullptr, &before_[i]);
-    if (before_[i].sa_handler != SIG_IGN) sigaction(kSignals[i], &once, nullptr);
+    if (before_[i].sa_handler != SIG_IGN) sigaction(kSignals[i], &remembered, nullptr);
   }
 }
 

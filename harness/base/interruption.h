@@ -19,8 +19,8 @@ class Interrupted : public std::runtime_error {
 };
 
 /// During its lifetime SIGINT, SIGTERM and SIGHUP make throw_if_interrupted throw instead of ending
-/// the program; a second signal ends it at once. A signal that is ignored stays ignored (nohup). At
-/// most one guard exists at a time.
+/// the program; another one more than a second later ends it at once (timeout sends two together).
+/// A signal that is ignored stays ignored (nohup). At most one guard exists at a time.
 class InterruptionGuard {
  public:
   InterruptionGuard();

@@ -47,4 +47,19 @@ void StatusLine::clear() {
   shown_ = false;
 }
 
+void CountLine::clear() {
+  const std::lock_guard lock(mutex_);
+  line_.clear();
+}
+
+void CountLine::ended(std::size_t count) {
+  const std::lock_guard lock(mutex_);
+  ended_ += count;
+  const double now = watch_.real_seconds();
+  if (now - shown_seconds_ < 1) return;
+  shown_seconds_ = now;
+  line_.show(std::to_string(ended_) + " of " + std::to_string(total_) + ' ' + unit_ + ", " +
+             duration(now) + " so far");
+}
+
 }  // namespace geodesic::harness

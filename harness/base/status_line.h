@@ -1,6 +1,8 @@
 // What a long task is doing, on standard error.
 #pragma once
 
+#include <cstddef>
+#include <mutex>
 #include <string>
 
 #include "harness/base/clock.h"
@@ -29,6 +31,30 @@ class StatusLine {
   bool shown_ = false;
   double logged_seconds_ = 0;  // when the log was last written to
   Stopwatch watch_;
+};
+
+/// A status line that counts: "1200 of 10000 meshes, 95 s so far". Any thread may call it.
+class CountLine {
+ public:
+  /// @param unit "meshes"
+  /// @param ended that need not be done
+  CountLine(std::size_t total, std::string unit, std::size_t ended = 0)
+      : total_(total), unit_(std::move(unit)), ended_(ended) {}
+  ~CountLine() { line_.clear(); }
+
+  void ended(std::size_t count = 1);
+
+  /// Takes away the line that is shown, before something else is printed.
+  void clear();
+
+ private:
+  const std::size_t total_;
+  const std::string unit_;
+  std::size_t ended_;
+  double shown_seconds_ = 0;
+  StatusLine line_;
+  Stopwatch watch_;
+  std::mutex mutex_;
 };
 
 }  // namespace geodesic::harness

@@ -11,6 +11,8 @@
 #include <set>
 
 #include "harness/base/error.h"
+#include "harness/base/interruption.h"
+#include "harness/base/status_line.h"
 #include "harness/corpus/solvers.h"
 #include "meshes/threads.h"
 
@@ -39,9 +41,10 @@ GEODESIC_JSON_MEMBERS(RandomTask, solvers, vectors, seed, first, end, skip, give
 namespace {
 
 // Of a random mesh; those that find no right distances come last.
-constexpr const char* kProperties[] = {
-    kDistancesProperty, "sources-in-faces-and-on-edges-equal-inserted-vertices",
-    "targets-in-faces-and-on-edges-equal-inserted-vertices", "paths-begin-in-faces-and-on-edges-too"};
+constexpr const char* kProperties[] = {kDistancesProperty,
+                                       "sources-in-faces-and-on-edges-equal-inserted-vertices",
+                                       "targets-in-faces-and-on-edges-equal-inserted-vertices",
+                                       "paths-begin-in-faces-and-on-edges-too"};
 constexpr std::uint64_t kChunk = 100;  // meshes a process
 
 // Its log has a line of JSON for every step, so that the other side knows where the process ended:
@@ -115,24 +118,23 @@ class RandomCheck {
  public:
   RandomCheck(const std::vector<const Description*>& solvers, const RandomMeshes& meshes,
               const std::string& vectors, double time_limit,
-              const std::function<void(RandomFailure)>& failed)
-      : meshes_(meshes), failed_(failed) {
+              const std::function<void(RandomFailure)>& failed, RandomTally& tally)
+      : meshes_(meshes), failed_(failed), progress_(meshes.count, "meshes"), tally_(tally) {
     task_.vectors = vectors;
     task_.seed = meshes.seed;
     task_.time_limit = time_limit;
     for (const Description* solver : solvers) task_.solvers.push_back(solver->name);
   }
 
-  RandomTally run() {
+  void run() {
     const std::uint64_t chunks = (meshes_.count + kChunk - 1) / kChunk;
     do_in_threads(chunks, meshes_.jobs, [this]() -> Worker {
       return [this, scratch = std::make_shared<ScratchFolder>()](std::size_t chunk) {
-        const std::uint64_t begin = chunk * kChunk;
-        check(meshes_.first + begin, meshes_.first + std::min(begin + kChunk, meshes_.count),
-              *scratch);
+        const std::uint64_t begin = chunk * kChunk, end = std::min(begin + kChunk, meshes_.count);
+        check(meshes_.first + begin, meshes_.first + end, *scratch);
+        progress_.ended(end - begin);
       };
     });
-    return tally_;
   }
 
  private:
@@ -147,8 +149,7 @@ class RandomCheck {
         const std::lock_guard lock(mutex_);
         task.given_up.assign(given_up_.begin(), given_up_.end());
       }
-      const Ended ended = run_geodesic_bench({"check-random", Json(task).dump()}, [] {},
-                                             {.memory_bytes = available_memory() / meshes_.jobs});
+      const Ended ended = run_process(task);
       const std::lock_guard lock(mutex_);
       const std::optional<RandomAsk> died_in = read(task.log_file);
       if (!died_in && ended.succeeded()) return;
@@ -156,6 +157,17 @@ class RandomCheck {
       ended_in(*died_in, ended);
       task.first = died_in->mesh;
       task.skip = died_in->number + 1;
+    }
+  }
+
+  Ended run_process(const RandomTask& task) {
+    try {
+      return run_geodesic_bench({"check-random", Json(task).dump()}, [] {},
+                                {.memory_bytes = available_memory() / meshes_.jobs});
+    } catch (const Interrupted&) {
+      const std::lock_guard lock(mutex_);
+      read(task.log_file);
+      throw;
     }
   }
 
@@ -204,16 +216,18 @@ class RandomCheck {
       ++of.hold;
     } else {
       ++of.failed;
-      failed_({ask.mesh, &solver_named(ask.solver), &property_named(ask.property),
-               std::move(result)});
+      progress_.clear();
+      failed_(
+          {ask.mesh, &solver_named(ask.solver), &property_named(ask.property), std::move(result)});
     }
   }
 
   const RandomMeshes& meshes_;
   const std::function<void(RandomFailure)>& failed_;
   RandomTask task_;
+  CountLine progress_;
   std::mutex mutex_;  // of all below
-  RandomTally tally_;
+  RandomTally& tally_;
   std::size_t kind_ = 0;   // of the mesh that a log is at
   std::string reference_;  // that is being asked there
   std::map<std::string, int> timed_out_;
@@ -231,11 +245,11 @@ Case random_mesh_case(std::uint64_t seed, std::uint64_t number,
           .tolerance = {.least = made.least_distance}};
 }
 
-RandomTally check_on_random_meshes(const std::vector<const Description*>& solvers,
-                                   const RandomMeshes& meshes, const std::string& vectors,
-                                   double time_limit,
-                                   const std::function<void(RandomFailure)>& failed) {
-  return RandomCheck(solvers, meshes, vectors, time_limit, failed).run();
+void check_on_random_meshes(const std::vector<const Description*>& solvers,
+                            const RandomMeshes& meshes, const std::string& vectors,
+                            double time_limit, const std::function<void(RandomFailure)>& failed,
+                            RandomTally& tally) {
+  RandomCheck(solvers, meshes, vectors, time_limit, failed, tally).run();
 }
 
 void run_random_check(const std::string& task_json) {

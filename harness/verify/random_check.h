@@ -44,11 +44,12 @@ struct RandomTally {
 /// a check of more than `time_limit` seconds is a failure, and a new process goes on behind it.
 /// @param vectors instructions to solve with (corpus/solvers.h)
 /// @param failed called for every failure, by one thread at a time
+/// @param tally of what was checked, after an exception too
 /// @throws HarnessError, Interrupted
-RandomTally check_on_random_meshes(const std::vector<const Description*>& solvers,
-                                   const RandomMeshes& meshes, const std::string& vectors,
-                                   double time_limit,
-                                   const std::function<void(RandomFailure)>& failed);
+void check_on_random_meshes(const std::vector<const Description*>& solvers,
+                            const RandomMeshes& meshes, const std::string& vectors,
+                            double time_limit, const std::function<void(RandomFailure)>& failed,
+                            RandomTally& tally);
 
 /// The side of the process. @param task JSON, from the other side
 void run_random_check(const std::string& task);

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <iostream>
 #include <map>
+#include <numeric>
 #include <string_view>
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"
+#include "harness/base/interruption.h"
 #include "harness/base/plugins.h"
 #include "harness/corpus/manifest.h"
 #include "harness/corpus/solvers.h"
@@ -196,9 +198,15 @@ class RandomVerification {
 
   bool run() {
     const std::vector<const Description*> solvers = solvers_of(request_);
-    const RandomTally tally =
-        check_on_random_meshes(solvers, meshes_, request_.vectors, request_.time_limit,
-                               [this](RandomFailure failure) { note(std::move(failure)); });
+    RandomTally tally;
+    try {
+      check_on_random_meshes(
+          solvers, meshes_, request_.vectors, request_.time_limit,
+          [this](RandomFailure failure) { note(std::move(failure)); }, tally);
+    } catch (const Interrupted&) {
+      summarise(tally);
+      throw;
+    }
     FailureReport report(failure_folder(request_), request_.shrink);
     for (const auto& [solver, failures] : failed_) show(report, failures.front());
     summarise(tally);
@@ -239,8 +247,11 @@ class RandomVerification {
   }
 
   void summarise(const RandomTally& tally) const {
-    std::cout << "\nmeshes " << meshes_.first << " to " << meshes_.first + meshes_.count - 1
-              << " of seed " << meshes_.seed << ':';
+    const auto checked = std::accumulate(tally.meshes.begin(), tally.meshes.end(), 0ULL);
+    std::cout << '\n'
+              << (checked < meshes_.count ? std::to_string(checked) + " of the meshes " : "meshes ")
+              << meshes_.first << " to " << meshes_.first + meshes_.count - 1 << " of seed "
+              << meshes_.seed << ':';
     for (std::size_t kind = 0; kind < kMeshKinds; ++kind) {
       std::cout << (kind > 0 ? ", " : " ") << tally.meshes[kind] << ' '
                 << geodesic::name_of(static_cast<MeshKind>(kind));

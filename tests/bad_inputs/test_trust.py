@@ -178,6 +178,19 @@ def test_an_interrupted_verify_leaves_nothing_behind(
     until(lambda: members(process) == [])
 
 
+def test_an_interrupted_verify_of_random_meshes_says_what_it_has_checked() -> None:
+    words = [BENCH, "verify", "--solver", "edge-based", "--random", "1000000"]
+    with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        time.sleep(2)
+        process.send_signal(signal.SIGTERM)
+        out, errors = process.communicate(timeout=30)
+    assert (process.returncode, errors) == (143, "geodesic-bench: interrupted (Terminated)\n")
+    said = re.search(r"\n(\d+) of the meshes 0 to 999999 of seed 1: .*\nedge-based: (\d+) hold, 0 fail", out)
+    assert said, out
+    meshes, hold = map(int, said.groups())
+    assert 0 < meshes <= hold <= 4 * meshes
+
+
 def test_a_killed_verify_leaves_no_process_behind(tmp_path: Path) -> None:
     process = verifying(tmp_path / "work")
     process.kill()

@@ -38,6 +38,15 @@ TEST(RunProgram, is_interrupted_when_the_signal_of_a_whole_group_reaches_the_chi
   EXPECT_THROW(run_in_shell("kill -TERM $$", kLong), Interrupted);
 }
 
+TEST(InterruptionGuard, takes_two_signals_at_once_for_one_and_ends_at_a_later_one) {
+  const InterruptionGuard guard;
+  raise(SIGTERM);
+  raise(SIGTERM);
+  EXPECT_THROW(throw_if_interrupted(), Interrupted);
+  std::this_thread::sleep_for(std::chrono::milliseconds(2100));
+  EXPECT_EXIT(raise(SIGTERM), testing::KilledBySignal(SIGTERM), "");
+}
+
 TEST(RunProgram, knows_a_crash_by_a_signal_that_comes_to_the_child_alone) {
   const InterruptionGuard guard;
   const Ended ended = run_in_shell("kill -TERM $$", kLong);
