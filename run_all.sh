@@ -125,7 +125,7 @@ parse_options() {
   [[ -n $slurm || ${#slurm_options[@]} -eq 0 ]] || die "${slurm_options[0]%%=*} is for --slurm"
   [[ $slurm != follow || ${#slurm_options[@]} -eq 0 ]] ||
     die "--slurm-follow takes the options from its folder: leave out ${slurm_options[0]%%=*}"
-  [[ -z $slurm || -z $resumed ]] || die "--resume is for a run on this machine; --slurm-follow DIR goes on with one of Slurm"
+  [[ -z $slurm || -z $resumed ]] || die "--resume is for a run on this machine; --slurm-follow DIR continues one of Slurm"
   if has_step run; then
     [[ -z $old_run ]] || die "--run is for check and plot of an old run; run writes to --out DIR"
     if [[ -n $resumed ]]; then

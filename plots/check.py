@@ -1,10 +1,10 @@
-"""What a run shows, in short, and whether every cell of it is there and verified; exit code 1 and a
-list of what is not.
+"""A short summary of a run, and a check that every cell is there and verified. Exit code 1 and a list
+of what is not.
 
-A solver that declares that it does not support a mesh, an outcome that the suite expects, and a
-solver that was skipped on a mesh for a stated reason, are listed but are no failures. A mesh that
-was skipped whole is one, unless --allow-skipped is given. With --others-may-fail what solvers of others
-fail at, those of plug-ins and oracles, is a finding about them, and no failure of the run.
+Listed without being a failure: a solver that does not support a mesh, an outcome that the suite
+expects, and a solver that was skipped on a mesh for a stated reason. A mesh that was skipped whole is
+a failure, unless --allow-skipped is given. With --others-may-fail, failures of the solvers of plug-ins
+and of oracles are listed as findings, and are no failures of the run.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Is anything lost when runs are killed? Kills many, at random moments, and goes on with them.
+"""Is anything lost when runs are killed? Kills many, at random moments, and resumes them.
 
     tools/kill_study.py --bench build/release/geodesic-bench [--kills 200] [--seed 1]
 

@@ -164,7 +164,7 @@ void add_solve_command(CLI::App& app) {
       ->type_name("FILE");
   command->add_flag("--float32", flags->single_precision, "numbers of --matrix in 32 bits");
   command->add_flag("--resume", flags->resume,
-                    "go on with a --matrix that was interrupted; the rows that are there stay");
+                    "continue an interrupted --matrix; its finished rows stay");
   command
       ->add_option(
           "--threads", flags->threads,

@@ -49,8 +49,7 @@ class MatrixFile::Unfinished {
       refuse("another process is writing it");
     }
     if (size() > 0 && !resume) {
-      refuse(
-          "holds rows of a matrix that was not finished: --resume goes on with it; or remove it");
+      refuse("holds rows of an unfinished matrix: continue it with --resume, or remove it");
     }
     has_rows_ = size() > 0;
   }

@@ -1,4 +1,4 @@
-// Files of matrices that are written row by row, in any order, and may be gone on with.
+// Files of matrices that are written row by row, in any order, and may be continued.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ struct MatrixPlan {
   std::filesystem::path file;  ///< .npy
   std::size_t rows = 0, columns = 0;
   bool single_precision = false;  ///< float32, otherwise float64
-  /// 64 characters that differ for every other problem: an unfinished file is only gone on with
+  /// 64 characters that differ for every other problem: an unfinished file is only continued
   /// when they are the same.
   std::string problem;
 };
@@ -24,7 +24,7 @@ struct MatrixPlan {
 /// is taken at once, the process needs memory for the rows that are being written only.
 class MatrixFile {
  public:
-  /// @param resume whether an unfinished file is gone on with; without one the matrix begins anew
+  /// @param resume whether an unfinished file is continued; without one the matrix begins anew
   /// @throws HarnessError for another extension, for an unfinished file when it is not to be gone
   ///         on with, is of another problem or in use, and when there is no room for the file
   MatrixFile(const MatrixPlan& plan, bool resume);

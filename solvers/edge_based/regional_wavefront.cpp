@@ -222,7 +222,7 @@ class RegionalWavefront::RegionAtWork {
   void send_windows() {
     WindowLists& lists = wavefront_.crossing().lists();
     const Index first = region_.first_portal_face;
-    wavefront_.for_each_landing(first, [&](Index portal) {
+    wavefront_.take_landings(first, [&](Index portal) {
       const InRegion& beyond = region_.beyond[portal - 3 * first];
       Mail& mail = mail_of_step(beyond.region);
       landed_.clear();

@@ -1,5 +1,5 @@
-// The wavefront over the half-edges of a mesh: which vertices wait, which faces are entered, and
-// what crosses a face next. See edge_based.cpp for the algorithm.
+// The wavefront over the half-edges of a mesh: which vertex is next, and what crosses faces then.
+// See edge_based.cpp for the algorithm.
 //
 // It knows no window. What waits on half-edges, and what becomes of it in a face, is the business
 // of a Crossing (list_crossing.h, merged_crossing.h), which has
@@ -21,14 +21,13 @@
 // and calls `reach`, `arrive` and `land` of the wavefront.
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "solvers/core/queues/concepts.h"
 #include "solvers/core/recorders.h"
+#include "solvers/edge_based/entered_faces.h"
 #include "solvers/edge_based/trim.h"
 
 namespace geodesic::edge_based {
@@ -76,9 +75,8 @@ class Wavefront {
   /// @param distances to fill; infinite
   void start(std::span<double> distances) {
     distances_ = distances;
-    std::ranges::fill(faces_, std::uint8_t{0});
+    faces_.clear();
     always_emits_.assign(always_emits_.size(), false);
-    fifo_.clear();
     queue_.clear();
     crossing_.start(distances);
   }
@@ -133,21 +131,13 @@ class Wavefront {
 
   /// Takes the half-edges of entered faces on which something waits.
   void cross_entered_faces() {
-    for (std::size_t i = 0; i < fifo_.size(); ++i) cross(fifo_[i]);
-    fifo_.clear();
+    faces_.cross_all([this](Index h) { cross(h); });
   }
 
-  /// Calls visit(h) for each half-edge of faces from `first` on, none of which has been entered,
-  /// on which something has landed since the last call.
+  /// As EnteredFaces::take_landings.
   template <class Visit>
-  void for_each_landing(Index first, const Visit& visit) {
-    for (Index f = first; f < faces_.size(); ++f) {
-      if (faces_[f] == 0) continue;
-      for (Index k = 0; k < 3; ++k) {
-        if ((faces_[f] >> k & 1) != 0) visit(3 * f + k);
-      }
-      faces_[f] = 0;
-    }
+  void take_landings(Index first, const Visit& visit) {
+    faces_.take_landings(first, visit);
   }
 
   bool always_emits(Index v) const { return always_emits_[v]; }
@@ -176,44 +166,14 @@ class Wavefront {
     }
   }
 
-  /// Something has landed on h, where `has_landed`. It crosses at once where the face has been
+  /// Something has landed on h, where `has_landed`. It crosses next where the face has been
   /// entered.
   void land(Index h, bool has_landed = true) {
-    std::uint8_t& face = faces_[h / 3];
-    const unsigned before = face, side = h % 3;
-    face = static_cast<std::uint8_t>(before | unsigned{has_landed} << side);
     mesh_.prefetch_face(h);
-    fifo_.make_room(1);
-    fifo_.push_if(has_landed & (before >= kEntered) & ((before >> side & 1) == 0), h);
+    faces_.land(h, has_landed);
   }
 
  private:
-  // Bit k of a face says that something waits on its half-edge k, this one that one of its vertices
-  // has been popped. Then what waits is in the FIFO.
-  static constexpr unsigned kEntered = 1u << 3;
-
-  /// Half-edges that cross next.
-  class Fifo {
-   public:
-    std::size_t size() const { return size_; }
-    Index operator[](std::size_t i) const { return items_[i]; }
-    void clear() { size_ = 0; }
-    void make_room(std::size_t more) {
-      if (size_ + more > items_.size()) [[unlikely]] {
-        items_.resize(2 * size_ + more + 256);
-      }
-    }
-    /// Without a branch, which would be mispredicted often. There must be room.
-    void push_if(bool wanted, Index h) {
-      items_[size_] = h;
-      size_ += wanted;
-    }
-
-   private:
-    std::vector<Index> items_;
-    std::size_t size_ = 0;
-  };
-
   /// @param number of the source in the query
   void begin_at(const Source& source, Index number) {
     if (source.at.is_vertex()) return begin_at(source.at.vertex, source.distance);
@@ -242,27 +202,17 @@ class Wavefront {
   }
 
   void cross(Index h) {
-    faces_[h / 3] &= static_cast<std::uint8_t>(~(1u << h % 3));
     crossing_.cross(h, *this);
     recorder_.wavefront_size(crossing_.window_count());
   }
 
   void enter_faces_around(Index v) {
-    for (const Index h : mesh_.outgoing(v)) enter(h / 3);
+    {
+      const auto timed = recorder_.enter(Phase::queue);
+      for (const Index h : mesh_.outgoing(v)) faces_.enter(h / 3);
+    }
     if (!may_bend_at(v)) return;
     for (const Index h : mesh_.outgoing(v)) emit_across(v, h);
-  }
-
-  /// What waits on a face's edges, and what lands there from now on, crosses next.
-  void enter(Index f) {
-    const auto timed = recorder_.enter(Phase::queue);
-    const unsigned before = faces_[f];
-    faces_[f] = static_cast<std::uint8_t>(before | kEntered);
-    const unsigned crosses = before >= kEntered ? 0 : before;
-    fifo_.make_room(3);
-    fifo_.push_if(crosses & 1, 3 * f);
-    fifo_.push_if(crosses >> 1 & 1, 3 * f + 1);
-    fifo_.push_if(crosses >> 2 & 1, 3 * f + 2);
   }
 
   bool may_bend_at(Index v) const { return always_emits_[v] || mesh_.is_pseudo_source(v); }
@@ -322,12 +272,11 @@ class Wavefront {
     // Where a face has been entered, what waits is in the FIFO. Elsewhere a half-edge may come
     // there twice; nothing waits the second time.
     const auto enqueue_nearer = [&](Index h) {
-      if ((faces_[h / 3] & kEntered) != 0) return;
+      if (faces_.has_entered(h)) return;
       bool nearer = false;
       crossing_.for_each_window(
           h, [&](const Window& w) { nearer = nearer || least_distance(w) <= end; });
-      fifo_.make_room(1);
-      fifo_.push_if(nearer, h);
+      if (nearer) faces_.enqueue(h);
     };
     const auto enqueue_nearer_beyond = [&](Index h) {
       mesh_.for_each_sheet(h, [&](Index g) { enqueue_nearer(mesh_.twin(g)); });
@@ -343,13 +292,11 @@ class Wavefront {
         enqueue_nearer(Mesh::previous(h));
         enqueue_nearer_beyond(Mesh::next(h));
       }
-      for (std::size_t i = 0; i < fifo_.size(); ++i) {
-        const Index h = fifo_[i];
+      faces_.cross_all([&](Index h) {
         cross(h);
         enqueue_nearer_beyond(Mesh::previous(h));
         enqueue_nearer_beyond(Mesh::next(h));
-      }
-      fifo_.clear();
+      });
     }
   }
 
@@ -381,9 +328,8 @@ class Wavefront {
   [[no_unique_address]] Recorder recorder_;
   [[no_unique_address]] typename Recorder::Progress progress_;
   std::span<double> distances_;
-  std::vector<std::uint8_t> faces_;
+  EnteredFaces faces_;
   std::vector<bool> always_emits_;  // by vertex: even where no path bends
-  Fifo fifo_;
 };
 
 }  // namespace geodesic::edge_based

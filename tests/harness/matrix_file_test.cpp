@@ -70,7 +70,7 @@ TEST_F(MatrixFileTest, refuses_what_another_problem_or_process_writes) {
     EXPECT_NE(refusal(plan("m.npy"), true).find("another process is writing it"),
               std::string::npos);
   }
-  EXPECT_NE(refusal(plan("m.npy"), false).find("--resume goes on with it"), std::string::npos);
+  EXPECT_NE(refusal(plan("m.npy"), false).find("continue it with --resume"), std::string::npos);
   MatrixPlan other = plan("m.npy");
   other.problem = std::string(64, 'q');
   EXPECT_NE(refusal(other, true).find("is of another problem"), std::string::npos);

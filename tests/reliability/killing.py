@@ -1,4 +1,4 @@
-"""Runs that are killed at random moments and gone on with until they end.
+"""Runs that are killed at random moments and resumed until they end.
 
 A run here is small and does everything that a run can do: several meshes, sources and solvers,
 repetitions, recordings.

@@ -1,5 +1,5 @@
 """`solve --matrix`: rows as those of single solves, in files that NumPy and SciPy read; what was
-interrupted is gone on with."""
+interrupted is continued."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ def test_an_interrupted_matrix_is_gone_on_with(words: list[str], tmp_path: Path)
     assert not (tmp_path / words[0]).exists()
 
     refused = solve(grid, *asked)
-    assert refused.returncode == 1 and "--resume goes on with it" in refused.stderr
+    assert refused.returncode == 1 and "continue it with --resume" in refused.stderr
     other = solve(grid, "--source", "1,2", "--matrix", *words, "--resume")
     assert other.returncode == 1 and "is of another problem" in other.stderr
     assert solve(grid, *asked, "--resume").returncode == 0

@@ -170,7 +170,7 @@ def test_nothing_is_lost_when(
     assert before.items() <= after.items(), "what was finished is neither lost nor measured again"
     assert differences(world.whole, following.out) == []
     logs = "".join(log.read_text() for log in following.out.glob("logs/*.log"))
-    assert " cells are kept from " in logs, f"no shard was gone on with: {words}"
+    assert " cells are kept from " in logs, f"no shard was resumed: {words}"
 
 
 def test_ctrl_c_leaves_the_jobs_to_themselves_and_cancelled_ones_are_gone_on_with(world: World) -> None:
