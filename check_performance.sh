@@ -43,21 +43,19 @@ resolved (only with --strict).
 EOF
 }
 
-split_options "$@"
-set -- "${split[@]}"
-while [[ $# -gt 0 ]]; do
+take_word() {
   case $1 in
-    --help | -h) usage; exit 0 ;;
-    --no-install) install=no; shift ;;
     --levels | --solvers | --margin | --budget | --a-a | --out | --reason)
       words+=("$1" "$(value_of "$@")")
-      shift 2
+      taken=2
       ;;
-    --strict | --update-baseline) words+=("$1"); shift ;;
+    --strict | --update-baseline) words+=("$1") ;;
     -*) unknown_option "$1" ;;
-    *) words+=("$1"); shift ;;
+    *) words+=("$1") ;;
   esac
-done
+}
+
+parse_options "$@"
 
 start_log check_performance
 set_up "$install" python build gate

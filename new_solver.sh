@@ -39,39 +39,33 @@ and built with everything else; no other file changes. What lies there runs only
                  plug-in with an installed geodesic-bench
   --help         this text
 
-docs/adding-a-solver.md goes on from there, to a variant that is verified and ranked.
+docs/adding-a-solver.md continues from there, to a variant that is verified and ranked.
 EOF
 }
 
-parse_options() {
-  split_options "$@"
-  set -- "${split[@]}"
-  while [[ $# -gt 0 ]]; do
-    case $1 in
-      --help | -h) usage; exit 0 ;;
-      --from)
-        from=$(value_of "$@")
-        [[ " ${starts[*]} " == *" $from "* ]] ||
-          die "cannot start from '$from'; there are ${starts[*]}"
-        shift 2
-        ;;
-      --outside)
-        outside=$(value_of "$@")
-        outside=$(realpath -m -- "$outside")
-        shift 2
-        ;;
-      -*) unknown_option "$1" ;;
-      *)
-        [[ -z $name ]] || die "one name at a time: '$name' or '$1'?"
-        name=$1
-        shift
-        ;;
-    esac
-  done
-  [[ -n $name ]] || die "give the solver a name: ./new_solver.sh my-variant; --help has more"
+take_word() {
+  case $1 in
+    --from)
+      from=$(value_of "$@")
+      [[ " ${starts[*]} " == *" $from "* ]] ||
+        die "cannot start from '$from'; there are ${starts[*]}"
+      taken=2
+      ;;
+    --outside)
+      outside=$(value_of "$@")
+      outside=$(realpath -m -- "$outside")
+      taken=2
+      ;;
+    -*) unknown_option "$1" ;;
+    *)
+      [[ -z $name ]] || die "one name at a time: '$name' or '$1'?"
+      name=$1
+      ;;
+  esac
 }
 
 check_name() {
+  [[ -n $name ]] || die "give the solver a name: ./new_solver.sh my-variant; --help has more"
   [[ $name =~ ^[a-z][a-z0-9]*(-[a-z0-9]+)*$ ]] ||
     die "invalid solver name '$name': use lower case letters and digits, in words joined by" \
       "hyphens, a letter first: my-variant"

@@ -84,38 +84,35 @@ What is missing is installed with apt, given root or sudo. Log: build/logs/run_a
 EOF
 }
 
-parse_options() {
+take_word() {
   local value
-  split_options "$@"
-  set -- "${split[@]}"
-  while [[ $# -gt 0 ]]; do
-    case $1 in
-      --help | -h) usage; exit 0 ;;
-      --no-install) install=no; shift ;;
-      --repair) run_options+=(--repair); shift ;;
-      --slurm) slurm=submit; shift ;;
-      --slurm-script) slurm=submit; slurm_options+=(--write-only); steps+=(build fetch run); shift ;;
-      --exclusive) slurm_options+=("$1"); shift ;;
-      --sbatch)
-        [[ $# -ge 2 && $2 == -* ]] || die "--sbatch needs an option of sbatch: --sbatch=--account=mine"
-        slurm_options+=("--sbatch=$2")
-        shift 2
-        ;;
-      --partition | --time | --mem | --shards | --array-limit | --slurm-follow | --folder | \
-        --preset | --corpus | --out | --run | --resume | --peers | --solvers | --meshes | --sources | --repetitions)
-        value=$(value_of "$@")
-        take_option "$1" "$value"
-        shift 2
-        ;;
-      -*) unknown_option "$1" ;;
-      *)
-        [[ " ${known_steps[*]} " == *" $1 "* ]] ||
-          die "unknown step $1; steps are ${known_steps[*]}"
-        steps+=("$1")
-        shift
-        ;;
-    esac
-  done
+  case $1 in
+    --repair) run_options+=(--repair) ;;
+    --slurm) slurm=submit ;;
+    --slurm-script) slurm=submit; slurm_options+=(--write-only); steps+=(build fetch run) ;;
+    --exclusive) slurm_options+=("$1") ;;
+    --sbatch)
+      [[ $# -ge 2 && $2 == -* ]] || die "--sbatch needs an option of sbatch: --sbatch=--account=mine"
+      slurm_options+=("--sbatch=$2")
+      taken=2
+      ;;
+    --partition | --time | --mem | --shards | --array-limit | --slurm-follow | --folder | \
+      --preset | --corpus | --out | --run | --resume | --peers | --solvers | --meshes | --sources | --repetitions)
+      value=$(value_of "$@")
+      take_option "$1" "$value"
+      taken=2
+      ;;
+    -*) unknown_option "$1" ;;
+    *)
+      [[ " ${known_steps[*]} " == *" $1 "* ]] ||
+        die "unknown step $1; steps are ${known_steps[*]}"
+      steps+=("$1")
+      ;;
+  esac
+}
+
+# What follows from several options together.
+complete_options() {
   if [[ ${#steps[@]} -eq 0 ]]; then
     steps=("${all_steps[@]}")
     if [[ -n $folder ]]; then steps=(build run check plot); fi
@@ -318,6 +315,7 @@ finish() {
 }
 
 parse_options "$@"
+complete_options
 bench="$root/build/$preset/geodesic-bench"
 choose_out
 start_log run_all

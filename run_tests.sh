@@ -29,21 +29,11 @@ build/NAME/tests/reports with every case of the C++ programs
 EOF
 }
 
-parse_options() {
-  split_options "$@"
-  set -- "${split[@]}"
-  while [[ $# -gt 0 ]]; do
-    case $1 in
-      --help | -h) usage; exit 0 ;;
-      --no-install) install=no; shift ;;
-      --preset)
-        preset=$(value_of "$@")
-        preset=$(known_preset "$preset" "${presets[@]}")
-        shift 2
-        ;;
-      *) unknown_option "$1" ;;
-    esac
-  done
+take_word() {
+  [[ $1 == --preset ]] || unknown_option "$1"
+  preset=$(value_of "$@")
+  preset=$(known_preset "$preset" "${presets[@]}")
+  taken=2
 }
 
 # Both runners run, whatever the first one finds.

@@ -40,6 +40,24 @@ split_options() {
   done
 }
 
+# parse_options WORD...: calls the script's `take_word WORD [NEXT...]` for each word, which sets `taken`
+# to 2 where it has used the next word too. --option=value is two words. Does --help and, in a script
+# that has `install`, --no-install.
+parse_options() {
+  local taken split
+  split_options "$@"
+  set -- "${split[@]}"
+  while [[ $# -gt 0 ]]; do
+    taken=1
+    case $1 in
+      --help | -h) usage; exit 0 ;;
+      --no-install) [[ -n ${install:-} ]] || unknown_option "$1"; install=no ;;
+      *) take_word "$@" ;;
+    esac
+    shift "$taken"
+  done
+}
+
 # value_of OPTION [VALUE...]: prints the value that must follow an option.
 value_of() {
   [[ $# -ge 2 && -n $2 && $2 != --* ]] || die "$1 needs a value; see $program --help"

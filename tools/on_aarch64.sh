@@ -36,17 +36,13 @@ quick and frontier (./run_all.sh fetch). Exit codes: 0 all the same and right, 1
 EOF
 }
 
-parse_options() {
-  split_options "$@"
-  set -- "${split[@]}"
-  while [[ $# -gt 0 ]]; do
-    case $1 in
-      --help | -h) usage; exit 0 ;;
-      --meshes) meshes=$(positive_integer "$1" "${2:-}"); shift 2 ;;
-      --native) native=$(value_of "$@"); shift 2 ;;
-      *) unknown_option "$1" ;;
-    esac
-  done
+take_word() {
+  case $1 in
+    --meshes) meshes=$(positive_integer "$1" "${2:-}") ;;
+    --native) native=$(value_of "$@") ;;
+    *) unknown_option "$1" ;;
+  esac
+  taken=2
 }
 
 check_needs() {

@@ -34,30 +34,22 @@ ordinary tests replay. Log: build/logs/fuzz.log
 EOF
 }
 
-parse_options() {
+take_word() {
   local value
-  split_options "$@"
-  set -- "${split[@]}"
-  while [[ $# -gt 0 ]]; do
-    case $1 in
-      --help | -h) usage; exit 0 ;;
-      --no-install) install=no; shift ;;
-      --seconds | --jobs)
-        value=$(value_of "$@")
-        value=$(positive_integer "$1" "$value")
-        if [[ $1 == --jobs ]]; then jobs=$value; else seconds=$value; fi
-        shift 2
-        ;;
-      -*) unknown_option "$1" ;;
-      *)
-        [[ " ${all_targets[*]} " == *" $1 "* ]] ||
-          die "unknown target $1; targets are ${all_targets[*]}"
-        targets+=("$1")
-        shift
-        ;;
-    esac
-  done
-  [[ ${#targets[@]} -gt 0 ]] || targets=("${all_targets[@]}")
+  case $1 in
+    --seconds | --jobs)
+      value=$(value_of "$@")
+      value=$(positive_integer "$1" "$value")
+      if [[ $1 == --jobs ]]; then jobs=$value; else seconds=$value; fi
+      taken=2
+      ;;
+    -*) unknown_option "$1" ;;
+    *)
+      [[ " ${all_targets[*]} " == *" $1 "* ]] ||
+        die "unknown target $1; targets are ${all_targets[*]}"
+      targets+=("$1")
+      ;;
+  esac
 }
 
 # As many rounds as it takes, `jobs` targets in each, share the seconds.
@@ -133,6 +125,7 @@ list_findings() {
 }
 
 parse_options "$@"
+[[ ${#targets[@]} -gt 0 ]] || targets=("${all_targets[@]}")
 start_log fuzz
 set_up "$install" build fuzz
 build_preset fuzz
