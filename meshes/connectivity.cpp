@@ -128,6 +128,21 @@ std::vector<bool> boundary_vertices(const TriangleSoup& soup) {
   return boundary;
 }
 
+TriangleSoup soup_of(const Mesh& mesh) {
+  const MeshNumbers& numbers = mesh.numbers();
+  TriangleSoup soup{std::vector<Vec3>(mesh.vertex_count()),
+                    std::vector<Triangle>(mesh.given_face_count())};
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    soup.positions[numbers.external_vertex(v)] = mesh.position(v);
+  }
+  for (Index f = 0; f < mesh.given_face_count(); ++f) {
+    Triangle& given = soup.triangles[numbers.external_face(f)];
+    given = mesh.triangle(f);
+    for (Index& corner : given) corner = numbers.external_vertex(corner);
+  }
+  return soup;
+}
+
 TriangleSoup side_by_side(TriangleSoup first, const TriangleSoup& second) {
   const auto offset = static_cast<Index>(first.positions.size());
   first.positions.insert(first.positions.end(), second.positions.begin(), second.positions.end());

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "solvers/core/geometry.h"
+#include "solvers/core/mesh.h"
 
 namespace geodesic {
 
@@ -117,6 +117,9 @@ std::vector<bool> used_vertices(std::span<const Triangle> triangles, std::size_t
 /// One flag a vertex: whether it lies on an edge along which no face runs in the opposite
 /// direction.
 std::vector<bool> boundary_vertices(const TriangleSoup& soup);
+
+/// The vertices and faces of the mesh as they were given.
+TriangleSoup soup_of(const Mesh& mesh);
 
 /// Both meshes as separate components: vertices and faces of the second follow those of the first.
 TriangleSoup side_by_side(TriangleSoup first, const TriangleSoup& second);

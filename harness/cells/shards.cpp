@@ -1,11 +1,11 @@
 #include "harness/cells/shards.h"
 
 #include <algorithm>
-#include <charconv>
 #include <queue>
 #include <tuple>
 
 #include "harness/base/error.h"
+#include "solvers/core/number_text.h"
 
 namespace geodesic::harness {
 namespace {
@@ -21,21 +21,14 @@ std::uint64_t cost_of(const ShardedMesh& mesh) {
   return std::max<std::uint64_t>(mesh.bytes * cube_root(mesh.bytes), 1);
 }
 
-// The whole word as a number; 0 where it is none.
-int number_in(std::string_view word) {
-  int number = 0;
-  const char* end = word.data() + word.size();
-  const auto [stopped, error] = std::from_chars(word.data(), end, number);
-  return error == std::errc() && stopped == end ? number : 0;
-}
-
 }  // namespace
 
 Shard shard_named(const std::string& word) {
   const std::size_t slash = word.find('/');
   if (slash != std::string::npos) {
-    const Shard shard{number_in(std::string_view(word).substr(0, slash)),
-                      number_in(std::string_view(word).substr(slash + 1))};
+    const std::string_view text = word;
+    const Shard shard{number_in<int>(text.substr(0, slash)).value_or(0),
+                      number_in<int>(text.substr(slash + 1)).value_or(0)};
     if (shard.of <= kMostShards && shard.index >= 1 && shard.index <= shard.of) return shard;
   }
   throw HarnessError("--shard " + excerpt(word) + ": not K/N with K from 1 to N, N at most " +

@@ -1,31 +1,22 @@
 #include "harness/commands/values.h"
 
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <functional>
 #include <string>
 
 #include "harness/base/error.h"
+#include "solvers/core/number_text.h"
 
 namespace geodesic::harness {
 namespace {
 
 std::string quoted(const std::string& word) { return "'" + word + "' "; }
 
-// Whether all of the word is a number, in decimals and with a point, whatever the locale.
-template <class Number>
-bool parse(const std::string& word, Number& number) {
-  const char* const end = word.data() + word.size();
-  const auto [rest, error] = std::from_chars(word.data(), end, number);
-  return error == std::errc() && rest == end;
-}
-
 // Empty when it is one.
 template <class Integer>
 std::string why_no_integer(const std::string& word) {
-  Integer integer = 0;
-  if (parse(word, integer)) return {};
+  if (number_in<Integer>(word)) return {};
   const bool digits = word.find_first_not_of("0123456789") == std::string::npos;
   if (digits) return quoted(word) + "is too large";
   return quoted(word) +
@@ -33,16 +24,15 @@ std::string why_no_integer(const std::string& word) {
 }
 
 std::string why_no_number(const std::string& word) {
-  double number = 0;
-  if (parse(word, number) && !std::isnan(number)) return {};
+  const std::optional<double> number = number_in<double>(word);
+  if (number && !std::isnan(*number)) return {};
   return quoted(word) + "is not a number, such as 0.5 or 1e-3";
 }
 
 CLI::Validator number_that(const std::function<bool(double)>& holds, const std::string& words) {
   const auto check = [holds, words](const std::string& word) {
     const std::string why = why_no_number(word);
-    double number = 0;
-    parse(word, number);
+    const double number = number_in<double>(word).value_or(0);
     return !why.empty() || holds(number) ? why : quoted(word) + "is not " + words;
   };
   return {[check](std::string& word) { return check(word); }, ""};

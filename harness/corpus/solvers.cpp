@@ -1,29 +1,22 @@
 #include "harness/corpus/solvers.h"
 
 #include <algorithm>
-#include <charconv>
 #include <sstream>
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"
 #include "harness/base/json.h"
+#include "solvers/core/number_text.h"
 #include "solvers/core/registry.h"
 
 namespace geodesic::harness {
 namespace {
 
-bool is_number(std::string_view word) {
-  double number = 0;
-  const char* const end = word.data() + word.size();
-  const auto [rest, error] = std::from_chars(word.data(), end, number);
-  return error == std::errc() && rest == end;
-}
-
 // The solver that a word behind a comma names: a number is a further value of the last parameter of
 // the solver before it.
 std::string name_after(const std::string& before, const std::string& word) {
   const std::size_t equals = before.rfind('='), more = word.find('&');
-  if (equals == std::string::npos || !is_number(std::string_view(word).substr(0, more))) {
+  if (equals == std::string::npos || !number_in<double>(std::string_view(word).substr(0, more))) {
     return word;
   }
   if (more != std::string::npos) {

@@ -1,7 +1,6 @@
 #include "harness/corpus/sources.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"
@@ -9,6 +8,7 @@
 #include "harness/corpus/points.h"
 #include "meshes/connectivity.h"
 #include "meshes/random.h"
+#include "solvers/core/number_text.h"
 
 namespace geodesic::harness {
 namespace {
@@ -27,15 +27,6 @@ std::vector<Index> vertices_of_faces(const TriangleSoup& soup) {
     if (used[v]) vertices.push_back(v);
   }
   return vertices;
-}
-
-// The whole of the text; nothing where it is no number.
-std::optional<Index> number_in(std::string_view text) {
-  Index number = 0;
-  const char* end = text.data() + text.size();
-  const auto [stopped, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc() || stopped != end) return std::nullopt;
-  return number;
 }
 
 constexpr std::string_view kRandom = "random:", kBoundary = "boundary", kComponents = "components";
@@ -73,7 +64,7 @@ std::vector<Index> vertices_in_file(const std::string& file, const TriangleSoup&
 
 }  // namespace
 
-bool SourceSet::is_single() const { return number_in(name).has_value(); }
+bool SourceSet::is_single() const { return number_in<Index>(name).has_value(); }
 
 Query SourceSet::query() const {
   Query query;
@@ -86,12 +77,13 @@ SourceSet single_source(Index vertex) { return {std::to_string(vertex), {vertex}
 std::string name_of_source_set(const std::string& word) {
   if (word == kBoundary || word == kComponents) return word;
   if (word.starts_with(kRandom)) {
-    const std::optional<Index> count = number_in(std::string_view(word).substr(kRandom.size()));
+    const std::optional<Index> count =
+        number_in<Index>(std::string_view(word).substr(kRandom.size()));
     if (count.value_or(0) > 0 && *count < kMostRandomSources) return word;
   } else if (std::filesystem::is_regular_file(word)) {
     std::string name = std::filesystem::path(word).stem().string();
     check_name("name of a set of sources", name);
-    if (!number_in(name)) return name;
+    if (!number_in<Index>(name)) return name;
     throw HarnessError("the file " + excerpt(word) +
                        " has the name of a vertex: a set of sources is called as its file");
   }
@@ -106,7 +98,7 @@ std::optional<SourceSet> find_source_set(const std::string& word, const Triangle
   } else if (word == kComponents) {
     set.vertices = one_of_each_component(soup);
   } else if (word.starts_with(kRandom)) {
-    const Index count = number_in(std::string_view(word).substr(kRandom.size())).value();
+    const Index count = number_in<Index>(std::string_view(word).substr(kRandom.size())).value();
     set.vertices = choose_sources(soup, mesh, static_cast<int>(count), seed);
   } else {
     set.vertices = vertices_in_file(word, soup);

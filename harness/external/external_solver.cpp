@@ -9,6 +9,7 @@
 #include "harness/base/files.h"
 #include "harness/base/plugins.h"
 #include "harness/base/process.h"
+#include "meshes/connectivity.h"
 #include "meshes/formats/npy.h"
 #include "meshes/formats/parsing.h"
 #include "meshes/mesh_file.h"
@@ -30,23 +31,6 @@ constexpr Place kMeshes[] = {
     {"{mesh.ply}", "mesh.ply"}, {"{vertices.npy}", "vertices.npy"}, {"{faces.npy}", "faces.npy"}};
 constexpr Place kDistances[] = {{"{distances}", "distances.txt"},
                                 {"{distances.npy}", "distances.npy"}};
-
-// As it was given to the mesh.
-TriangleSoup soup_of(const Mesh& mesh) {
-  const MeshNumbers& numbers = mesh.numbers();
-  TriangleSoup soup;
-  soup.positions.resize(mesh.vertex_count());
-  soup.triangles.resize(mesh.face_count());
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    soup.positions[numbers.external_vertex(v)] = mesh.position(v);
-  }
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    Triangle corners = mesh.triangle(f);
-    for (Index& corner : corners) corner = numbers.external_vertex(corner);
-    soup.triangles[numbers.external_face(f)] = corners;
-  }
-  return soup;
-}
 
 std::string bytes_of(const TriangleSoup& soup, const std::string& file) {
   const auto array = [](const auto& rows) {

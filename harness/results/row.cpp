@@ -5,6 +5,7 @@
 #include "harness/base/files.h"
 #include "harness/base/json.h"
 #include "harness/results/context.h"
+#include "solvers/core/number_text.h"
 
 namespace geodesic::harness {
 namespace {
@@ -50,8 +51,8 @@ std::string row_name(const std::string& solver, const std::string& mesh,
 }
 
 Json source_in_json(const std::string& name) {
-  const bool is_vertex = name.find_first_not_of("0123456789") == std::string::npos;
-  return is_vertex ? Json(std::stoul(name)) : Json(name);
+  const std::optional<Index> vertex = number_in<Index>(name);
+  return vertex ? Json(*vertex) : Json(name);
 }
 
 std::string Row::name() const { return row_name(solver, mesh, source); }

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "meshes/connectivity.h"
 #include "meshes/editing/edited_mesh.h"
 #include "meshes/editing/open_mesh.h"
 
@@ -39,21 +40,6 @@ void move_to_origin(std::vector<Vec3>& positions) {
   }
 }
 
-TriangleSoup as_given(const Mesh& mesh) {
-  const MeshNumbers& numbers = mesh.numbers();
-  TriangleSoup soup{std::vector<Vec3>(mesh.vertex_count()),
-                    std::vector<Triangle>(mesh.given_face_count())};
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    soup.positions[numbers.external_vertex(v)] = mesh.position(v);
-  }
-  for (Index f = 0; f < mesh.given_face_count(); ++f) {
-    Triangle& given = soup.triangles[numbers.external_face(f)];
-    given = mesh.triangle(f);
-    for (Index& corner : given) corner = numbers.external_vertex(corner);
-  }
-  return soup;
-}
-
 // A face's side of an edge.
 struct SheetSide {
   Index half_edge;
@@ -77,7 +63,7 @@ std::vector<SheetSide> sides_of_edge(const Mesh& mesh, Index h) {
 // on them have one number.
 class Inserter {
  public:
-  explicit Inserter(const Mesh& mesh) : mesh_(mesh), soup_(as_given(mesh)) {
+  explicit Inserter(const Mesh& mesh) : mesh_(mesh), soup_(soup_of(mesh)) {
     move_to_origin(soup_.positions);
     for (const Vec3& p : soup_.positions) {
       for (const double c : p) place_ = std::max(place_, 0x1p-49 * std::abs(c));

@@ -1,23 +1,19 @@
 #include "solvers/core/parameters.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 
 #include "solvers/core/messages.h"
+#include "solvers/core/number_text.h"
 
 namespace geodesic {
 namespace {
 
-/// The whole of `text` as a finite number.
-std::optional<double> parse_number(const std::string& text) {
-  double number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc() || stop != end || !std::isfinite(number)) return std::nullopt;
-  return number;
+std::optional<double> finite_number_in(const std::string& text) {
+  const std::optional<double> number = number_in<double>(text);
+  return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 std::vector<std::string> split_at_commas(std::string_view text) {
@@ -44,7 +40,7 @@ bool is_acceptable(const ParameterDescription& parameter, const std::string& tex
     case ParameterKind::words:
       return std::ranges::all_of(split_at_commas(text), is_choice);
     default:
-      const std::optional<double> number = parse_number(text);
+      const std::optional<double> number = finite_number_in(text);
       if (!number || (parameter.kind == ParameterKind::integer && *number != std::floor(*number)))
         return false;
       return parameter.least <= *number && *number <= parameter.greatest;
@@ -136,7 +132,7 @@ CheckedParameters::CheckedParameters(std::string_view owner,
     if (!is_acceptable(parameter, text))
       refuse("parameter " + parameter.name + " is '" + text + "'; it must be " + parameter.range());
     texts_.emplace(parameter.name,
-                   parameter.is_number() ? ParameterValue(*parse_number(text)).text() : text);
+                   parameter.is_number() ? ParameterValue(*finite_number_in(text)).text() : text);
     names.push_back(parameter.name);
   }
   for (const auto& [name, value] : given) {
@@ -144,7 +140,9 @@ CheckedParameters::CheckedParameters(std::string_view owner,
   }
 }
 
-double CheckedParameters::real(std::string_view name) const { return *parse_number(text(name)); }
+double CheckedParameters::real(std::string_view name) const {
+  return *finite_number_in(text(name));
+}
 
 const std::string& CheckedParameters::text(std::string_view name) const {
   const auto found = texts_.find(name);

@@ -64,7 +64,7 @@ CASES = [
     target("--matrix nowhere/m.npy", "cannot write 'nowhere/m.npy.unfinished'"),
     target("--resume", "--float32 and --resume are for --matrix"),
     Case("an unfinished matrix", f"{SOLVE} --matrix m.npy",
-         ["'m.npy.unfinished' holds rows of a matrix that was not finished: --resume"],
+         ["'m.npy.unfinished' holds rows of an unfinished matrix: continue it with --resume"],
          files={"m.npy.unfinished": "something"}),
     Case("an unfinished matrix of another problem", f"{SOLVE} --matrix m.npy --resume",
          ["'m.npy.unfinished' is of another problem than this one: remove it"],

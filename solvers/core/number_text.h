@@ -1,0 +1,21 @@
+// Texts that are numbers.
+#pragma once
+
+#include <charconv>
+#include <optional>
+#include <string_view>
+
+namespace geodesic {
+
+/// The number that the whole text is, in decimals and with a point in every locale; nothing when it
+/// is none or out of range.
+template <class Number>
+std::optional<Number> number_in(std::string_view text) {
+  Number number{};
+  const char* const end = text.data() + text.size();
+  const auto [stopped, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || stopped != end) return std::nullopt;
+  return number;
+}
+
+}  // namespace geodesic
