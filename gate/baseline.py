@@ -13,8 +13,8 @@ from pathlib import Path
 
 from results.reader import Cell, Source
 
-from gate.cells import COUNTERS
-from gate.findings import ERROR, REGRESSION, GateError, LevelResult, Weight
+from gate.cells import COUNTERS, Number
+from gate.findings import ERROR, GateError, LevelResult, Weight
 from gate.program import Verified
 
 FOLDER = Path("results") / "baseline"
@@ -92,15 +92,15 @@ def _judge(result: LevelResult, cell: Cell, old: dict[str, int], new: dict[str, 
         before, after = old.get(name), new.get(name)
         if before == after:
             continue
-        change = f"{after / before - 1:+.2%}" if before and after is not None else "-"
-        result.table.append([str(cell), name, str(before), str(after), change])
-        text = f"{cell}: {name} {change}, {before} to {after}"
         if before is None or after is None:
-            result.fail(f"{text}: only one of the two has this counter", ERROR)
-        elif after > before * (1 + GROWTH_FAIL):
-            result.fail(text, REGRESSION, cell.solver)
-        elif after > before:
-            result.add(Weight.WARNING, text, solver=cell.solver)
+            text = f"{cell}: {name} {before} to {after}: only one of the two has this counter"
+            result.fail(text, ERROR)
+            continue
+        number = Number(before, after)
+        result.table.append([str(cell), name, str(before), str(after), number.change])
+        text = f"{cell}: {name} {number.change}, {before} to {after}"
+        if after > before:
+            result.judge_growth(text, number, cell.solver, GROWTH_FAIL, warn=0)
         else:
             result.add(Weight.NOTE, f"{text}; --update-baseline keeps the gain")
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from results.reader import Cell, Row, Run
@@ -20,6 +21,33 @@ UNSUPPORTED = "unsupported"
 
 MEMORY_FLOOR = 64 * 1024
 """Bytes by which memory may always grow: a table that is doubled once more."""
+
+
+@dataclass(frozen=True)
+class Number:
+    """Of the old and the new side; it may grow up to a limit."""
+
+    old: float
+    new: float
+    unit: str = ""
+
+    @property
+    def ratio(self) -> float:
+        return self.new / self.old if self.old else math.inf
+
+    @property
+    def change(self) -> str:
+        """ "+2.18%" """
+        return f"{self.ratio - 1:+.2%}" if self.old else "new"
+
+    def above(self, limit: float | None, floor: float = 0) -> bool:
+        """Whether it has grown by more than the limit, as a fraction, and by more than the floor."""
+        grown = limit is not None and self.new > (1 + limit) * self.old
+        return grown and self.new - self.old > floor
+
+    def __str__(self) -> str:
+        return f"{self.ratio:.4g} times ({self.old:.6g}{self.unit} to {self.new:.6g}{self.unit})"
+
 
 @dataclass(frozen=True)
 class Measured:

@@ -8,7 +8,6 @@ two separate runs is shown and never fails, because the machine may have drifted
 from __future__ import annotations
 
 import json
-import math
 import re
 import statistics
 import sys
@@ -22,7 +21,7 @@ from results import console
 if __name__ == "__main__":
     console.prepare("geodesic-bench compare")  # before imports that may fail
 
-from gate.cells import COUNTERS, MEMORY, MEMORY_FLOOR, WRONG, Measured, measured, programs
+from gate.cells import COUNTERS, MEMORY, MEMORY_FLOOR, WRONG, Measured, Number, measured, programs
 from gate.findings import REGRESSION, WRONG_ANSWER, GateError
 from results.console import complain
 from results.pairs import interleaved
@@ -46,25 +45,6 @@ SEPARATE = (
 
 Limits = dict[str, float]
 """By kind, time, counters or memory, the largest growth: 0.1 for 10%."""
-
-
-@dataclass(frozen=True)
-class Number:
-    """Of the old and the new side."""
-
-    old: float
-    new: float
-    unit: str = ""
-
-    @property
-    def ratio(self) -> float:
-        return self.new / self.old if self.old else math.inf
-
-    def above(self, limit: float | None) -> bool:
-        return limit is not None and self.new > (1 + limit) * self.old
-
-    def __str__(self) -> str:
-        return f"{self.ratio:.4g} times ({self.old:.6g}{self.unit} to {self.new:.6g}{self.unit})"
 
 
 @dataclass
@@ -244,7 +224,7 @@ def _failures(change: Change, limits: Limits) -> list[str]:
     limit = limits.get("counters")
     lines += [f"{name} {c}" for name, c in change.counters.items() if c.above(limit)]
     memory = change.number(MEMORY, " B")
-    if memory and memory.above(limits.get("memory")) and memory.new - memory.old > MEMORY_FLOOR:
+    if memory and memory.above(limits.get("memory"), MEMORY_FLOOR):
         lines.append(f"memory {memory}")
     if change.decision(limits) == Decision.SLOWER:
         lines.append(f"time {change.time}, {len(change.ratios)} pairs")

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from enum import IntEnum
+
+from gate.cells import Number
 
 GOOD = 0
 ERROR = 1
@@ -64,6 +67,20 @@ class LevelResult:
 
     def fail(self, text: str, exit_code: int, solver: str | None = None) -> None:
         self.add(Weight.FAILURE, text, exit_code, solver)
+
+    def judge_growth(
+        self, text: str, number: Number, solver: str, fail: float,
+        warn: float = math.inf, floor: float = 0,
+    ) -> None:
+        """Of a number that does not depend on the machine's load.
+
+        @param text one line that says what has changed
+        @param fail, warn the growth, as a fraction, above which it is a failure or a warning
+        @param floor by so much it may always grow"""
+        if number.above(fail, floor):
+            self.fail(text, REGRESSION, solver)
+        elif number.above(warn):
+            self.add(Weight.WARNING, text, solver=solver)
 
     def grew(self, solver: str) -> bool:
         """Whether a number of this solver increased here, even within its limit."""

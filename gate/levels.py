@@ -11,7 +11,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 from results.reader import Cell
 
-from gate.cells import MEMORY, MEMORY_FLOOR, UNSUPPORTED, WRONG, Measured
+from gate.cells import MEMORY, MEMORY_FLOOR, UNSUPPORTED, WRONG, Measured, Number
 from gate.findings import REGRESSION, WRONG_ANSWER, LevelResult, Weight
 from gate.program import NotCountableError, Program, Verified
 
@@ -86,11 +86,10 @@ def memory(base: Verified, head: Verified) -> LevelResult:
         result.compared += 1
         if old == new:
             continue
-        change = f"{new / old - 1:+.2%}" if old else "new"
-        result.table.append([str(after.cell), f"{old}", f"{new}", change])
-        if new > old * (1 + MEMORY_FAIL) and new - old > MEMORY_FLOOR:
-            text = f"{after.cell}: peak memory {change}, {old} to {new} bytes"
-            result.fail(text, REGRESSION, after.cell.solver)
+        number, cell = Number(old, new), after.cell
+        result.table.append([str(cell), f"{old}", f"{new}", number.change])
+        text = f"{cell}: peak memory {number.change}, {old} to {new} bytes"
+        result.judge_growth(text, number, cell.solver, MEMORY_FAIL, floor=MEMORY_FLOOR)
     return result
 
 
@@ -118,19 +117,13 @@ def instructions(
         return result
     result.heading = ["row", "base", "head", "change"]
     for cell, old, new in counts:
-        _judge_instructions(result, cell, old, new)
+        number = Number(old, new)
+        result.compared += 1
+        result.table.append([str(cell), f"{old}", f"{new}", number.change])
+        text = f"{cell}: {number.change} instructions inside solve, {old} to {new}"
+        result.judge_growth(text, number, cell.solver, INSTRUCTIONS_FAIL, INSTRUCTIONS_WARN)
     flags = [run.context["compiler_flags"] for run in (base_run, head_run)]
     if flags[0] != flags[1]:
         result.add(Weight.NOTE, f"compiler flags differ: {flags[0]} / {flags[1]}")
     return result
 
-
-def _judge_instructions(result: LevelResult, cell: Cell, old: int, new: int) -> None:
-    growth = new / old - 1
-    result.compared += 1
-    result.table.append([str(cell), f"{old}", f"{new}", f"{growth:+.2%}"])
-    text = f"{cell}: {growth:+.2%} instructions inside solve, {old} to {new}"
-    if growth > INSTRUCTIONS_FAIL:
-        result.fail(text, REGRESSION, cell.solver)
-    elif growth > INSTRUCTIONS_WARN:
-        result.add(Weight.WARNING, text, solver=cell.solver)
