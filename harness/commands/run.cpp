@@ -7,12 +7,12 @@
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"
-#include "harness/cells/cell.h"
-#include "harness/cells/resume.h"
-#include "harness/cells/run.h"
 #include "harness/commands/values.h"
 #include "harness/corpus/manifest.h"
 #include "harness/corpus/sources.h"
+#include "harness/run/cell.h"
+#include "harness/run/resume.h"
+#include "harness/run/run.h"
 
 namespace geodesic::harness {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/cells/plan.h"
+#include "harness/run/plan.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Recordings: which cells leave them, and in which folders.
-#include "harness/cells/plan.h"
+#include "harness/run/plan.h"
 
 #include <algorithm>
 #include <set>

@@ -1,4 +1,4 @@
-#include "harness/cells/shards.h"
+#include "harness/run/shards.h"
 
 #include <gtest/gtest.h>
 

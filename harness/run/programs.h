@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "harness/cells/plan.h"
-#include "harness/cells/request.h"
+#include "harness/run/plan.h"
+#include "harness/run/request.h"
 
 namespace geodesic::harness {
 

@@ -1,4 +1,4 @@
-#include "harness/cells/folder.h"
+#include "harness/run/folder.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

@@ -1,4 +1,4 @@
-#include "harness/cells/cell.h"
+#include "harness/run/cell.h"
 
 #include <iostream>
 #include <memory>

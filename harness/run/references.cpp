@@ -1,12 +1,12 @@
-#include "harness/cells/references.h"
+#include "harness/run/references.h"
 
 #include <iostream>
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"
 #include "harness/base/process.h"
-#include "harness/cells/cell.h"
-#include "harness/cells/isolated.h"
+#include "harness/run/cell.h"
+#include "harness/run/isolated.h"
 #include "harness/verify/distance_check.h"
 #include "harness/verify/references.h"
 #include "meshes/load.h"

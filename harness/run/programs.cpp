@@ -1,4 +1,4 @@
-#include "harness/cells/programs.h"
+#include "harness/run/programs.h"
 
 #include <set>
 

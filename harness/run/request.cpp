@@ -1,4 +1,4 @@
-#include "harness/cells/request.h"
+#include "harness/run/request.h"
 
 #include <array>
 

@@ -1,4 +1,4 @@
-#include "harness/cells/progress.h"
+#include "harness/run/progress.h"
 
 #include <algorithm>
 #include <cmath>

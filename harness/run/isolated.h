@@ -4,10 +4,10 @@
 #include <functional>
 #include <vector>
 
-#include "harness/cells/cell.h"
-#include "harness/cells/plan.h"
-#include "harness/cells/references.h"
 #include "harness/results/row.h"
+#include "harness/run/cell.h"
+#include "harness/run/plan.h"
+#include "harness/run/references.h"
 
 namespace geodesic::harness {
 

@@ -1,4 +1,4 @@
-#include "harness/cells/isolated.h"
+#include "harness/run/isolated.h"
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"

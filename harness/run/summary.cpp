@@ -1,4 +1,4 @@
-#include "harness/cells/summary.h"
+#include "harness/run/summary.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "harness/base/json.h"
-#include "harness/cells/request.h"
 #include "harness/corpus/manifest.h"
 #include "harness/corpus/sources.h"
+#include "harness/run/request.h"
 #include "solvers/core/solver.h"
 
 namespace geodesic::harness {

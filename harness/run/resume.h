@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "harness/cells/cell.h"
-#include "harness/cells/plan.h"
 #include "harness/results/row.h"
+#include "harness/run/cell.h"
+#include "harness/run/plan.h"
 
 namespace geodesic::harness {
 

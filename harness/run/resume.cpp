@@ -1,4 +1,4 @@
-#include "harness/cells/resume.h"
+#include "harness/run/resume.h"
 
 #include <dlfcn.h>
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/cells/plan.h"
 #include "harness/results/row.h"
+#include "harness/run/plan.h"
 
 namespace geodesic::harness {
 

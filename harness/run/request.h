@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/cells/shards.h"
 #include "harness/corpus/suite.h"
+#include "harness/run/shards.h"
 
 namespace geodesic::harness {
 

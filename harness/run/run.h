@@ -1,8 +1,8 @@
 // A run: every cell of a suite in a process of its own, and run.json made of what they wrote.
 #pragma once
 
-#include "harness/cells/request.h"
-#include "harness/cells/summary.h"
+#include "harness/run/request.h"
+#include "harness/run/summary.h"
 
 namespace geodesic::harness {
 

@@ -8,7 +8,7 @@
 
 #include "harness/base/clock.h"
 #include "harness/base/status_line.h"
-#include "harness/cells/plan.h"
+#include "harness/run/plan.h"
 
 namespace geodesic::harness {
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/cells/plan.h"
+#include "harness/run/plan.h"
 
 namespace geodesic::harness {
 

@@ -1,4 +1,4 @@
-#include "harness/cells/run.h"
+#include "harness/run/run.h"
 
 #include <algorithm>
 #include <iostream>
@@ -13,15 +13,15 @@
 #include "harness/base/files.h"
 #include "harness/base/interruption.h"
 #include "harness/base/plugins.h"
-#include "harness/cells/folder.h"
-#include "harness/cells/isolated.h"
-#include "harness/cells/programs.h"
-#include "harness/cells/progress.h"
-#include "harness/cells/references.h"
-#include "harness/cells/resume.h"
 #include "harness/corpus/manifest.h"
 #include "harness/measure/benchmark.h"
 #include "harness/results/context.h"
+#include "harness/run/folder.h"
+#include "harness/run/isolated.h"
+#include "harness/run/programs.h"
+#include "harness/run/progress.h"
+#include "harness/run/references.h"
+#include "harness/run/resume.h"
 
 namespace geodesic::harness {
 namespace fs = std::filesystem;
