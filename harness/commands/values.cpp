@@ -11,29 +11,29 @@
 namespace geodesic::harness {
 namespace {
 
-std::string quoted(const std::string& word) { return "'" + word + "' "; }
+std::string in_quotes(const std::string& word) { return "'" + word + "' "; }
 
 // Empty when it is one.
 template <class Integer>
 std::string why_no_integer(const std::string& word) {
   if (number_in<Integer>(word)) return {};
   const bool digits = word.find_first_not_of("0123456789") == std::string::npos;
-  if (digits) return quoted(word) + "is too large";
-  return quoted(word) +
+  if (digits) return in_quotes(word) + "is too large";
+  return in_quotes(word) +
          (std::is_signed_v<Integer> ? "is not an integer" : "is not a non-negative integer");
 }
 
 std::string why_no_number(const std::string& word) {
   const std::optional<double> number = number_in<double>(word);
   if (number && !std::isnan(*number)) return {};
-  return quoted(word) + "is not a number, such as 0.5 or 1e-3";
+  return in_quotes(word) + "is not a number, such as 0.5 or 1e-3";
 }
 
 CLI::Validator number_that(const std::function<bool(double)>& holds, const std::string& words) {
   const auto check = [holds, words](const std::string& word) {
     const std::string why = why_no_number(word);
     const double number = number_in<double>(word).value_or(0);
-    return !why.empty() || holds(number) ? why : quoted(word) + "is not " + words;
+    return !why.empty() || holds(number) ? why : in_quotes(word) + "is not " + words;
   };
   return {[check](std::string& word) { return check(word); }, ""};
 }
