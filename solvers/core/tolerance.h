@@ -131,6 +131,11 @@ inline constexpr double kPathStray = 5e-13;
 /// and a mean edge, is wrong. Well above what is left of rounding.
 inline constexpr double kPathWrong = 1e-9;
 
+/// A path is searched for among points whose distances allow it up to this, relative to its length
+/// and the mean edge: what distances are exact to. Among needles thousands of times as many do up
+/// to kPathWrong.
+inline constexpr double kPathSearch = 1e-12;
+
 /// A source that its own solver gives a distance above this, in edge lengths, was put elsewhere.
 inline constexpr double kElsewhere = 1e-12;
 

@@ -46,12 +46,14 @@ inline Side sides_kept(const Window& w, Side seen, const ApexWinner& winner, con
     if (!is_shorter(winner.distance, distance, rounding)) return seen;
     // Its line to the apex is the longer one: lines between that and the winner's source are
     // beaten, which is one whole side unless the source lies inside the pencil.
+    // The winner's path must come over the edge on the side of its source. Round the end of its own
+    // window, which a saddle vertex bounds, it may come on the other one: it crosses no line then.
     const double t = crossing(w, face);
     if (source_on_edge(w, face.length) || has_no_side(w, t, best.x, best.y, rounding)) return seen;
-    if (!is_left_of_line(w, t, best.x, best.y)) {
+    if (!is_left_of_line(w, t, best.x, best.y) && winner.crossing >= t) {
       return is_right_of_line(w, w.end, best.x, best.y) ? Side::left : Side::both;
     }
-    if (!is_right_of_line(w, t, best.x, best.y)) {
+    if (!is_right_of_line(w, t, best.x, best.y) && winner.crossing <= t) {
       return is_left_of_line(w, w.begin, best.x, best.y) ? Side::right : Side::both;
     }
     return Side::both;

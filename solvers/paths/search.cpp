@@ -54,6 +54,20 @@ Paths::Search::Search(const Paths& of, const SurfacePoint& end, double distance,
       passed_(passed) {}
 
 Paths::Search::Piece Paths::Search::run() {
+  for (const double share : {kPathSearch, kPathWrong}) {
+    slack_ = share * (distance_ + mesh_.mean_edge_length());
+    look_around();
+    if (best_.distance <= distance_ + slack_) break;
+  }
+  return piece_from(best_);
+}
+
+/// Considers all roots that are seen from the end.
+void Paths::Search::look_around() {
+  ends_.clear();
+  views_.clear();
+  views_of_.clear();
+  best_ = {};
   if (end_.is_vertex()) {
     ends_.push_back({end_.vertex, kNone, kNone});
     for (Index i = 0; i < ends_.size(); ++i) start_at_vertex(i);
@@ -67,7 +81,6 @@ Paths::Search::Piece Paths::Search::run() {
   }
   // Views are looked through in the order in which they are added.
   for (Index view = 0; view < views_.size(); ++view) look_beyond(view);
-  return piece_from(best_);
 }
 
 /// At the end, or at a vertex in the same place: those add themselves to `ends_`.
@@ -146,10 +159,9 @@ bool Paths::Search::may_lead(const View& view) const {
   const double length = mesh_.half_edge(view.in).length;
   // Where the eye is at an end of the edge, so is a vertex in the same place, which has a start.
   if (view.eye.y == 0 && (view.eye.x == 0 || view.eye.x == length)) return false;
-  const double slack = kPathWrong * (distance_ + mesh_.mean_edge_length());
   const double beside = std::max({view.begin - view.eye.x, view.eye.x - view.end, 0.0});
   const double nearest = norm(Point2{beside, view.eye.y});
-  if (nearest > distance_ + slack) return false;
+  if (nearest > distance_ + slack_) return false;
   for (const bool head : {false, true}) {
     const Index v = head ? mesh_.head(view.in) : mesh_.origin(view.in);
     const double known = std::min(of_.distance(v), of_.farthest_);  // the vertex is not nearer
@@ -157,7 +169,7 @@ bool Paths::Search::may_lead(const View& view) const {
     // What the distance from the eye exceeds that from the vertex by is least at the far end.
     const double far = head ? view.begin : view.end, from_vertex = head ? length - far : far;
     const double from_eye = distance_between(view.eye, {far, 0});
-    if (known - from_vertex > distance_ - from_eye + slack) return false;
+    if (known - from_vertex > distance_ - from_eye + slack_) return false;
   }
   return true;
 }

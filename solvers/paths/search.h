@@ -79,6 +79,7 @@ class Paths::Search {
     double before = kInfinity;  ///< of the root itself
   };
 
+  void look_around();
   void start_at_vertex(Index i);
   void add_end(Index vertex, Index face, Index before);
   void start(Index h, const Point2& eye, Index under, Index end);
@@ -99,7 +100,8 @@ class Paths::Search {
   const Mesh& mesh_;
   SurfacePoint end_;
   double distance_;
-  double tie_;  ///< paths that differ by less are equally short
+  double tie_;    ///< paths that differ by less are equally short
+  double slack_;  ///< by which distances may rule a view out wrongly
   std::span<const Index> passed_;
   std::vector<End> ends_;
   std::vector<View> views_;

@@ -159,6 +159,12 @@ const std::vector<PinnedPoints> kPinnedPoints = {
      {in(6, 0.99999999979555176, 0, 2.0444816255823247e-10)},
      {SurfacePoint(3), SurfacePoint(0)},
      "mmp, fwp-mmp: 1.9e-10 of 1.9e-10, a millionfold winding around three collapsed faces"},
+    {9,
+     9322,
+     96,
+     {in(56, 0.99999999983289278, 0, 1.6710727363088468e-10)},
+     {SurfacePoint(9)},
+     "edge-based: 7.2e-4, lines beaten by a path round the other side of a saddle vertex"},
 };
 
 std::ostream& operator<<(std::ostream& out, const PinnedPoints& pin) {
