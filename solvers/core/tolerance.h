@@ -67,6 +67,10 @@ inline constexpr double kPathMargin = 1e-14;
 /// relative to the longest edge: see coordinate_rounding (edge_based/trim.h).
 inline constexpr double kCoordinateRounding = kPathMargin;
 
+/// A source is next to an edge when it is nearer than this times the rounding of coordinates: then
+/// these turn its lines by more than 1e-9, ten times the kApexTolerance.
+inline constexpr double kNextToEdge = 1e9;
+
 /// How far rounding has moved a source, relative to its distance, after as many faces as distances
 /// are certain to 1e-12 for: 2^-53 a face, 9,000 faces.
 inline constexpr double kSourceRounding = 1e-12;

@@ -84,6 +84,13 @@ inline double hit(const Window& w, double px, double py) {
   return w.x + (px - w.x) * (-w.y / (py - w.y));
 }
 
+/// What a window keeps beyond the position where it is cut. A source that is next to the edge sees
+/// what lies near on it by angles that rounding of coordinates turns: cut exactly, its last line
+/// and the first one of the window beside it would go apart on the way.
+inline double kept_beyond(const Window& loser, double p, double rounding) {
+  return std::abs(p - loser.x) - loser.y < kNextToEdge * rounding ? rounding : 0;
+}
+
 /// `winner` is the shorter one at a point that the loser's line through position `p` passes.
 /// Removes the lines of the loser between p and the direction of the winner's source. Nothing is
 /// removed when that source lies on the line itself: it has no side then.
@@ -91,13 +98,13 @@ inline void beat(const Window& winner, Window& loser, double p, double rounding)
   if (has_no_side(loser, p, winner.x, winner.y, rounding)) return;
   if (!is_left_of_line(loser, p, winner.x, winner.y)) {
     if (is_right_of_line(loser, loser.end, winner.x, winner.y)) {
-      loser.end = std::max(loser.begin, std::min(loser.end, p));
+      loser.end = std::clamp(p + kept_beyond(loser, p, rounding), loser.begin, loser.end);
     } else if (p <= loser.begin) {
       loser.begin = std::clamp(hit(loser, winner.x, winner.y), loser.begin, loser.end);
     }
   } else if (!is_right_of_line(loser, p, winner.x, winner.y)) {
     if (is_left_of_line(loser, loser.begin, winner.x, winner.y)) {
-      loser.begin = std::min(loser.end, std::max(loser.begin, p));
+      loser.begin = std::clamp(p - kept_beyond(loser, p, rounding), loser.begin, loser.end);
     } else if (p >= loser.end) {
       loser.end = std::clamp(hit(loser, winner.x, winner.y), loser.begin, loser.end);
     }
@@ -180,9 +187,11 @@ inline void settle_overlap(Window& first, Window& second, const Pair& begin, con
   }
   const auto shorten = [&](Window& loser) {
     if (begin.t == loser.begin) {
-      loser.begin = end.t;
+      const double cut = end.t - kept_beyond(loser, end.t, rounding);
+      loser.begin = std::clamp(cut, loser.begin, loser.end);
     } else if (end.t == loser.end) {
-      loser.end = begin.t;
+      const double cut = begin.t + kept_beyond(loser, begin.t, rounding);
+      loser.end = std::clamp(cut, loser.begin, loser.end);
     }
   };
   if (first_wins && is_to_one_side(first, second, begin.t, end.t)) return shorten(second);

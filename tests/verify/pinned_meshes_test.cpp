@@ -165,6 +165,12 @@ const std::vector<PinnedPoints> kPinnedPoints = {
      {in(56, 0.99999999983289278, 0, 1.6710727363088468e-10)},
      {SurfacePoint(9)},
      "edge-based: 7.2e-4, lines beaten by a path round the other side of a saddle vertex"},
+    {8,
+     6993,
+     144,
+     {in(62, 0.99999999986600097, 0, 1.3399898822968261e-10)},
+     {SurfacePoint(82)},
+     "edge-based: 0.036, between the lines of a vertex 2e-9 from an edge and those beside them"},
 };
 
 std::ostream& operator<<(std::ostream& out, const PinnedPoints& pin) {
