@@ -16,10 +16,11 @@ double distance_between(const Point2& a, const Point2& b) {
 class Ray {
  public:
   /// @param otherwise where it leads when it goes through the eye, of length 1
-  Ray(const Point2& eye, const Point2& through, const Point2& otherwise)
+  /// @param slack by which rounding moves the eye
+  Ray(const Point2& eye, const Point2& through, const Point2& otherwise, double slack)
       : eye_(eye), to_{through.x - eye.x, through.y - eye.y} {
     const double length = norm(to_);
-    to_ = length > 0 ? Point2{to_.x / length, to_.y / length} : otherwise;
+    to_ = length > slack ? Point2{to_.x / length, to_.y / length} : otherwise;
   }
   /// How far a point lies to the left.
   double across(const Point2& p) const { return to_.x * (p.y - eye_.y) - to_.y * (p.x - eye_.x); }
@@ -36,8 +37,8 @@ class Ray {
 };
 
 /// The first and the last line from the eye to what is seen of an edge.
-Ray to_begin(const auto& view) { return {view.eye, {view.begin, 0}, {-1, 0}}; }
-Ray to_end(const auto& view) { return {view.eye, {view.end, 0}, {1, 0}}; }
+Ray to_begin(const auto& view, double slack) { return {view.eye, {view.begin, 0}, {-1, 0}, slack}; }
+Ray to_end(const auto& view, double slack) { return {view.eye, {view.end, 0}, {1, 0}, slack}; }
 
 /// What rounding does to lines from the eye through a half-edge.
 double rounding(const Point2& eye, double length) { return kPathThrough * (norm(eye) + length); }
@@ -95,9 +96,11 @@ void Paths::Search::start_at_vertex(Index i) {
 }
 
 void Paths::Search::add_end(Index vertex, Index face, Index before) {
-  if (std::ranges::find(ends_, vertex, &End::vertex) == ends_.end()) {
-    ends_.push_back({vertex, face, before});
-  }
+  if (!is_end(vertex)) ends_.push_back({vertex, face, before});
+}
+
+bool Paths::Search::is_end(Index vertex) const {
+  return std::ranges::find(ends_, vertex, &End::vertex) != ends_.end();
 }
 
 /// @param eye in the frame of h, one side of a face of the end
@@ -119,7 +122,7 @@ void Paths::Search::look_beyond(Index view) {
   const double slack = rounding(seen.eye, f.length);
   const Root root{.half_edge = seen.in, .view = view, .end = seen.first};
   consider_sources(seen.eye, root);
-  const Ray first = to_begin(seen), last = to_end(seen);
+  const Ray first = to_begin(seen, slack), last = to_end(seen, slack);
   // Whether the apex is seen, or a side beyond it.
   const bool left = first.across(apex) <= slack;
   const bool right = last.across(apex) >= -slack;
@@ -157,8 +160,10 @@ void Paths::Search::see(Index side, const Point2& eye, double begin, double end,
 /// Whether the path may run through a view, by the distances of the edge's ends.
 bool Paths::Search::may_lead(const View& view) const {
   const double length = mesh_.half_edge(view.in).length;
-  // Where the eye is at an end of the edge, so is a vertex in the same place, which has a start.
-  if (view.eye.y == 0 && (view.eye.x == 0 || view.eye.x == length)) return false;
+  // A vertex at the eye has a start of its own, unless it is the middle of a flat cap's side.
+  const double here = rounding(view.eye, length);
+  if (norm(view.eye) <= here && is_end(mesh_.origin(view.in))) return false;
+  if (distance_between(view.eye, {length, 0}) <= here && is_end(mesh_.head(view.in))) return false;
   const double beside = std::max({view.begin - view.eye.x, view.eye.x - view.end, 0.0});
   const double nearest = norm(Point2{beside, view.eye.y});
   if (nearest > distance_ + slack_) return false;
@@ -196,8 +201,7 @@ void Paths::Search::consider_vertex(Index v, const Point2& place, const Point2& 
   const double before = of_.distance(v);
   if (before > distance_ || !of_.may_bend(v)) return;
   // Of the vertices in the place of the end, none but a source is worth going to.
-  const bool is_end = std::ranges::find(ends_, v, &End::vertex) != ends_.end();
-  if (is_end && (end_.vertex == v || !of_.source_at_.contains(v))) return;
+  if (is_end(v) && (end_.vertex == v || !of_.source_at_.contains(v))) return;
   if (std::ranges::find(passed_, v) != passed_.end()) return;
   root.root = v;
   root.at = SurfacePoint(v);
@@ -219,7 +223,8 @@ void Paths::Search::consider_sources(const Point2& eye, Root root) {
 
 bool Paths::Search::shows(const View& view, const Point2& place) const {
   const double slack = rounding(view.eye, mesh_.half_edge(view.in).length);
-  return to_begin(view).across(place) <= slack && to_end(view).across(place) >= -slack;
+  return to_begin(view, slack).across(place) <= slack &&
+         to_end(view, slack).across(place) >= -slack;
 }
 
 void Paths::Search::consider(Root root, double before, const Point2& place, const Point2& eye) {

@@ -82,6 +82,7 @@ class Paths::Search {
   void look_around();
   void start_at_vertex(Index i);
   void add_end(Index vertex, Index face, Index before);
+  bool is_end(Index vertex) const;
   void start(Index h, const Point2& eye, Index under, Index end);
   void look_beyond(Index view);
   /// Adds what is seen of a side.
