@@ -21,19 +21,28 @@ class Ray {
       : eye_(eye), to_{through.x - eye.x, through.y - eye.y} {
     const double length = norm(to_);
     to_ = length > slack ? Point2{to_.x / length, to_.y / length} : otherwise;
+    spread_ = length > slack ? slack / length : 0;
   }
   /// How far a point lies to the left.
   double across(const Point2& p) const { return to_.x * (p.y - eye_.y) - to_.y * (p.x - eye_.x); }
+  /// By which rounding may move it there, since it turns a line through a point next to the eye.
+  double spread(const Point2& p) const { return spread_ * distance_between(p, eye_); }
   /// Where it crosses a side of a face, from the side's corner.
   /// @param side of length 1, away from the corner
   /// @param along where it does when it runs along the side
-  double crossing(const Point2& corner, const Point2& side, double length, double along) const {
+  /// @param outwards 1 or -1: the way in which rounding may move it
+  double crossing(const Point2& corner, const Point2& side, double length, double along,
+                  double outwards) const {
     const double turn = to_.x * side.y - to_.y * side.x;
-    return turn == 0 ? along : std::clamp(-across(corner) / turn, 0.0, length);
+    if (turn == 0) return along;
+    const double at = std::clamp(-across(corner) / turn, 0.0, length);
+    const double moved = spread({corner.x + at * side.x, corner.y + at * side.y}) / std::abs(turn);
+    return std::clamp(at + outwards * moved, 0.0, length);
   }
 
  private:
   Point2 eye_, to_;
+  double spread_;  // an angle
 };
 
 /// The first and the last line from the eye to what is seen of an edge.
@@ -124,19 +133,19 @@ void Paths::Search::look_beyond(Index view) {
   consider_sources(seen.eye, root);
   const Ray first = to_begin(seen, slack), last = to_end(seen, slack);
   // Whether the apex is seen, or a side beyond it.
-  const bool left = first.across(apex) <= slack;
-  const bool right = last.across(apex) >= -slack;
+  const bool left = first.across(apex) <= slack + first.spread(apex);
+  const bool right = last.across(apex) >= -slack - last.spread(apex);
   if (left && right) consider_vertex(mesh_.apex(seen.in), apex, seen.eye, root);
   if (left) {
     const Point2 origin{0, 0}, side{f.left_x, f.left_y};
-    const double begin = first.crossing(origin, side, f.left, 0);
-    const double end = right ? f.left : last.crossing(origin, side, f.left, f.left);
+    const double begin = first.crossing(origin, side, f.left, 0, -1);
+    const double end = right ? f.left : last.crossing(origin, side, f.left, f.left, 1);
     see(Mesh::previous(seen.in), f.to_left(seen.eye.x, seen.eye.y), begin, end, view, seen.first);
   }
   if (right) {
     const Point2 head{f.length, 0}, side{-f.right_x, -f.right_y};
-    const double begin = left ? 0 : f.right - first.crossing(head, side, f.right, f.right);
-    const double end = f.right - last.crossing(head, side, f.right, 0);
+    const double begin = left ? 0 : f.right - first.crossing(head, side, f.right, f.right, 1);
+    const double end = f.right - last.crossing(head, side, f.right, 0, -1);
     see(Mesh::next(seen.in), f.to_right(seen.eye.x, seen.eye.y), begin, end, view, seen.first);
   }
 }
