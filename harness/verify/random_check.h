@@ -32,7 +32,7 @@ struct RandomFailure {
 struct RandomTally {
   struct OfSolver {
     std::uint64_t hold = 0, failed = 0;
-    std::uint64_t not_known = 0;  ///< the reference refused, or ended the process
+    std::uint64_t not_known = 0;    ///< the reference refused, or ended the process
     std::uint64_t not_checked = 0;  ///< the solver had not ended too often
     std::array<double, kMeshKinds> largest_error = {};  ///< of exact distances, by kind of mesh
   };
