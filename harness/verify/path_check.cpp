@@ -237,7 +237,8 @@ class StraightCheck {
     // How far the vertex lies off the straight line between the stretches' other ends: as little as
     // rounding may put any other point of the path off its line (`unfold`).
     const Real off = bend * a * b / (a + b);
-    if (off <= allowed(a + b) + std::max(in.rounding, out.rounding)) return {};
+    // No numbers over an edge without length, beyond which a line has no direction.
+    if (!(off > allowed(a + b) + std::max(in.rounding, out.rounding))) return {};
     return wrong("bends where none may, by " + significant(static_cast<double>(bend), 2), i);
   }
 
