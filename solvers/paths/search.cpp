@@ -169,9 +169,9 @@ void Paths::Search::see(Index side, const Point2& eye, double begin, double end,
 /// Whether the path may run through a view, by the distances of the edge's ends.
 bool Paths::Search::may_lead(const View& view) const {
   const double length = mesh_.half_edge(view.in).length;
-  // A vertex at the eye has a start of its own, unless it is the middle of a flat cap's side.
   // An edge without length has no frame: its ends do.
   if (length == 0) return false;
+  // A vertex at the eye has a start of its own, unless it is the middle of a flat cap's side.
   const double here = rounding(view.eye, length);
   if (norm(view.eye) <= here && is_end(mesh_.origin(view.in))) return false;
   if (distance_between(view.eye, {length, 0}) <= here && is_end(mesh_.head(view.in))) return false;

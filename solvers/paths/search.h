@@ -101,8 +101,8 @@ class Paths::Search {
   const Mesh& mesh_;
   SurfacePoint end_;
   double distance_;
-  double tie_;    ///< paths that differ by less are equally short
-  double slack_;  ///< by which distances may rule a view out wrongly
+  double tie_;        ///< paths that differ by less are equally short
+  double slack_ = 0;  ///< by which distances may rule a view out wrongly
   std::span<const Index> passed_;
   std::vector<End> ends_;
   std::vector<View> views_;
