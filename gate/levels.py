@@ -126,4 +126,3 @@ def instructions(
     if flags[0] != flags[1]:
         result.add(Weight.NOTE, f"compiler flags differ: {flags[0]} / {flags[1]}")
     return result
-

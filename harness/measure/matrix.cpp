@@ -8,6 +8,7 @@
 #include "meshes/threads.h"
 
 namespace geodesic::harness {
+
 void solve_matrix(const MatrixProblem& problem, unsigned threads, MatrixFile& file) {
   std::vector<std::size_t> open;
   for (std::size_t row = 0; row < problem.sources.size(); ++row) {

@@ -25,8 +25,8 @@ struct MatrixPlan {
 class MatrixFile {
  public:
   /// @param resume whether an unfinished file is continued; without one the matrix begins anew
-  /// @throws HarnessError for another extension, for an unfinished file when it is not to be gone
-  ///         on with, is of another problem or in use, and when there is no room for the file
+  /// @throws HarnessError for another extension, for an unfinished file when it is not to be
+  ///         continued, is of another problem or in use, and when there is no room for the file
   MatrixFile(const MatrixPlan& plan, bool resume);
   ~MatrixFile();
   MatrixFile(const MatrixFile&) = delete;

@@ -2,6 +2,7 @@
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"
+#include "harness/verify/references.h"
 
 namespace geodesic::harness {
 namespace fs = std::filesystem;
@@ -84,7 +85,8 @@ std::vector<Row> measure_cell(const Cell& cell, CellSpec spec, References& refer
     CellProcess process(cell, std::move(spec), limits, waiting);
     const Reference reference = references.find(cell);
     std::vector<Row> rows = process.measure(reference);
-    if (rows.front().outcome == Outcome::wrong_answer && reference.is_independent()) {
+    const bool wrong = rows.front().outcome == Outcome::wrong_answer;
+    if (wrong && is_independent_oracle(reference.solver)) {
       if (const auto other = references.find_other_than(reference, cell)) {
         return process.measure(*other);
       }

@@ -70,14 +70,9 @@ const std::string& References::compute(const Cell& cell, const std::string& solv
              known ? write_known(solver, cell, request_.repair, file) : solve(cell, solver, file);
 }
 
-bool Reference::is_independent() const {
-  const Description* description = find_solver(solver);
-  return description != nullptr && description->independent_oracle;
-}
-
 std::optional<Reference> References::find_other_than(const Reference& oracle, const Cell& cell) {
   try {
-    Reference other = find(cell, /*oracles=*/false);
+    const Reference other = find(cell, /*oracles=*/false);
     const RelativeErrors errors = relative_errors(read_distances(oracle.file, cell.mesh->vertices),
                                                   read_distances(other.file, cell.mesh->vertices));
     if (errors.max <= kExactTolerance && errors.unreachable_mismatches == 0) return std::nullopt;
@@ -99,11 +94,11 @@ Reference References::find(const Cell& cell, bool oracles) {
       .brute_force = named == kBruteForce && cell.mesh->facts["faces"] <= kBruteForceFaces,
       .many_sources = cell.source->vertices.size() > kFewSources};
   for (const std::string& solver : reference_candidates(*cell.solver, sources)) {
+    if (!oracles && is_independent_oracle(solver)) continue;
     const std::string name = cell.mesh->entry.name + "__src" + cell.source->name + "__" + solver;
-    Reference reference{solver, folder_ / (as_file_name(name) + ".distances")};
-    if (!oracles && reference.is_independent()) continue;
-    const std::string& failure = compute(cell, solver, reference.file);
-    if (failure.empty()) return reference;
+    const std::filesystem::path file = folder_ / (as_file_name(name) + ".distances");
+    const std::string& failure = compute(cell, solver, file);
+    if (failure.empty()) return {solver, file};
     failures.push_back(failure);
   }
   throw HarnessError("cannot be verified: no other exact solver gave distances (" +

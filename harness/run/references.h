@@ -18,9 +18,6 @@ namespace geodesic::harness {
 struct Reference {
   std::string solver;  ///< or kClosedForm, kBruteForce
   std::filesystem::path file;
-
-  /// Whether it is an independent oracle, which may be wrong and is not ours to repair.
-  bool is_independent() const;
 };
 
 class References {

@@ -29,6 +29,11 @@ std::vector<const Description*> rank_references(const Description& verified,
   return candidates;
 }
 
+bool is_independent_oracle(const std::string& reference) {
+  const Description* solver = find_solver(reference);
+  return solver != nullptr && solver->independent_oracle;
+}
+
 std::vector<std::string> reference_candidates(const Description& verified,
                                               const ReferenceSources& sources) {
   std::vector<const Description*> solvers = registered_solvers();
@@ -133,17 +138,12 @@ LocalReference::LocalReference(const Description& verified, const Mesh& mesh, Ju
     : mesh_(mesh) {
   const bool small = mesh.face_count() <= judges.brute_force_faces;
   for (const std::string& name : reference_candidates(verified, {.brute_force = small})) {
+    if (!judges.oracles && is_independent_oracle(name)) continue;
     const Description* solver = find_solver(name);
-    if (solver != nullptr && solver->independent_oracle && !judges.oracles) continue;
     if (solver != nullptr && !unsupported(*solver, mesh).empty()) continue;
     name_ = name;
     return;
   }
-}
-
-bool LocalReference::is_independent() const {
-  const Description* solver = find_solver(name_);
-  return solver != nullptr && solver->independent_oracle;
 }
 
 std::vector<double> LocalReference::distances(const Query& query) {

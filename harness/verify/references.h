@@ -45,6 +45,9 @@ std::vector<const Description*> rank_references(const Description& verified,
                                                 const std::optional<std::string>& named,
                                                 const RelativeTimes& times = relative_times());
 
+/// Whether a reference is an independent oracle, which may be wrong and is not ours to repair.
+bool is_independent_oracle(const std::string& reference);
+
 /// What can verify a solver, best first: the named solver, the closed form, brute force, then the
 /// other registered solvers as rank_references orders them.
 std::vector<std::string> reference_candidates(const Description& verified,
@@ -95,8 +98,7 @@ class LocalReference {
   /// kBruteForce, a solver's name, or "nothing".
   const std::string& name() const { return name_; }
 
-  /// Whether it is an independent oracle, which is not ours to repair.
-  bool is_independent() const;
+  bool is_independent() const { return is_independent_oracle(name_); }
 
   /// @throws NoReference when there is none
   std::vector<double> distances(const Query& query);

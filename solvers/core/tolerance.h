@@ -69,7 +69,7 @@ inline constexpr double kPathMargin = 1e-14;
 inline constexpr double kCoordinateRounding = 3e-15;
 
 /// A source is next to an edge when it is nearer than this times the rounding of coordinates: then
-/// these turn its lines by more than 1e-9, ten times the kApexTolerance.
+/// these turn its lines by more than 3e-10, three times the kApexTolerance.
 inline constexpr double kNextToEdge = 3e9;
 
 /// How far rounding has moved a source, relative to its distance, after as many faces as distances
