@@ -1,5 +1,6 @@
 #include "solvers/chen_han/shadow.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "solvers/core/tolerance.h"
@@ -49,6 +50,10 @@ std::optional<ShadowBorder> find_border(const Mesh& mesh, const Incoming& incomi
     x = -(incoming.x * first.cosine + incoming.y * first.sine);
     y = incoming.x * first.sine - incoming.y * first.cosine;
   }
+  // Earlier by kShadowMargin.
+  const double straight = x;
+  x += kShadowMargin * y;
+  y = std::max(y - kShadowMargin * straight, 0.0);
   for (Index corner = next_corner(mesh, incoming.corner, turn); corner != kNone;
        corner = next_corner(mesh, corner, turn)) {
     const MetCorner met = meet(mesh, corner, turn);

@@ -4,7 +4,9 @@
 // the surface (Mitchell, Mount, Papadimitriou 1987, section 3). A pseudo-source therefore sends
 // windows only into the shadow of the line along which its own distance arrived; everything else is
 // lit by windows that passed the vertex. At a saddle the shadow is a wedge as wide as the angle's
-// excess over 2 pi; at a boundary vertex it is what lies more than pi away on either side.
+// excess over 2 pi; at a boundary vertex it is what lies more than pi away on either side. It is
+// taken wider by kShadowMargin: among paths that are equally long but for rounding it is chance
+// which one gives the distance, and the lines of the others pass the vertex elsewhere.
 #pragma once
 
 #include <cstdint>

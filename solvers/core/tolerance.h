@@ -64,13 +64,17 @@ inline constexpr double kWindowWidth = 1e-14;
 inline constexpr double kPathMargin = 1e-14;
 
 /// The same for a distance that is far shorter than the edges whose frames its window came through,
-/// relative to the longest edge: see coordinate_rounding (edge_based/trim.h). 13 units in the last
+/// relative to the longest edge: see coordinate_rounding (window_predicates.h). 13 units in the last
 /// place, and less than what such distances are exact to, 1e-12 of a 256th of that edge.
 inline constexpr double kCoordinateRounding = 3e-15;
 
 /// A source is next to an edge when it is nearer than this times the rounding of coordinates: then
 /// these turn its lines by more than 3e-10, three times the kApexTolerance.
 inline constexpr double kNextToEdge = 3e9;
+
+/// A shadow (chen_han/shadow.h) begins earlier by this angle, in radians: above what the directions
+/// of paths differ by whose lengths are equal but for rounding (see kApexReach).
+inline constexpr double kShadowMargin = 1e-6;
 
 /// How far rounding has moved a source, relative to its distance, after as many faces as distances
 /// are certain to 1e-12 for: 2^-53 a face, 9,000 faces.

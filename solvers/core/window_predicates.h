@@ -22,6 +22,23 @@ inline bool source_on_edge(const Window& w, double length) {
   return w.y > -kFlatFace * length && w.begin <= w.x && w.x <= w.end;
 }
 
+/// What rounding may add to a distance that is far shorter than the edges whose frames its window
+/// came through: a source near to a long edge still has coordinates along that edge. Two windows of
+/// one source then differ by that much, and which of them is the shorter one is chance.
+inline double coordinate_rounding(const Mesh& mesh) {
+  double longest_edge = 0;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    longest_edge = std::max(longest_edge, mesh.half_edge(h).length);
+  }
+  return kCoordinateRounding * longest_edge;
+}
+
+/// True when rounding of coordinates turns the window's line through position t: its source is next
+/// to the edge there.
+inline bool is_turned_by_rounding(const Window& w, double t, double rounding) {
+  return std::abs(t - w.x) - w.y < kNextToEdge * rounding;
+}
+
 /// Positive when (px, py) lies to the right of the line from the source of w through t, times the
 /// line's length and the distance between the point and the source.
 inline double right_of(const Window& w, double t, double px, double py) {
@@ -99,7 +116,7 @@ struct EndpointBounds {
 };
 
 /// True when a path of length a beats one of length b by more than rounding.
-/// @param rounding of coordinates (edge_based/trim.h)
+/// @param rounding of coordinates
 inline bool is_shorter(double a, double b, double rounding) {
   return a < b * (1 - kPathMargin) - rounding;
 }

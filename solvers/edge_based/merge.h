@@ -212,7 +212,7 @@ inline Lead lead_over(const Neighbours& both, const Window& m, Double2 outer, co
 /// the first one becomes the merged one.
 /// @param second the neighbour towards the head of the edge
 /// @param length of the edge
-/// @param rounding of coordinates (trim.h)
+/// @param rounding of coordinates (core/window_predicates.h)
 inline Joined join(MergedWindow& first, MergedWindow& second, double length, double rounding,
                    const MergeRule& rule) {
   using internal::Double2;

@@ -37,7 +37,7 @@ inline double crossing(const Window& w, const FaceFrame& face) {
 /// What remains of a window that is not the winner's own.
 /// @param seen the sides that its lines pass
 /// @param best the winner's window
-/// @param rounding of coordinates (trim.h)
+/// @param rounding of coordinates (core/window_predicates.h)
 inline Side sides_kept(const Window& w, Side seen, const ApexWinner& winner, const Window& best,
                        const FaceFrame& face, double rounding) {
   if (seen == Side::both) {

@@ -18,19 +18,8 @@ namespace geodesic::edge_based {
 struct EdgeBelow {
   double length;            ///< of the edge
   double below_x, below_y;  ///< third vertex of the face below, below_y <= 0
-  double rounding = 0;      ///< of coordinates, see `coordinate_rounding`
+  double rounding = 0;      ///< of coordinates (core/window_predicates.h)
 };
-
-/// What rounding may add to a distance that is far shorter than the edges whose frames its window
-/// came through: a source near to a long edge still has coordinates along that edge. Two windows of
-/// one source then differ by that much, and which of them is the shorter one is chance.
-inline double coordinate_rounding(const Mesh& mesh) {
-  double longest_edge = 0;
-  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
-    longest_edge = std::max(longest_edge, mesh.half_edge(h).length);
-  }
-  return kCoordinateRounding * longest_edge;
-}
 
 /// @param h the half-edge that carries the windows; it must have a twin
 /// @param rounding of coordinates
@@ -84,11 +73,10 @@ inline double hit(const Window& w, double px, double py) {
   return w.x + (px - w.x) * (-w.y / (py - w.y));
 }
 
-/// What a window keeps beyond the position where it is cut. A source that is next to the edge sees
-/// what lies near on it by angles that rounding of coordinates turns: cut exactly, its last line
-/// and the first one of the window beside it would go apart on the way.
+/// What a window keeps beyond the position where it is cut: its last line and the first one of the
+/// window beside it may go apart on the way.
 inline double kept_beyond(const Window& loser, double p, double rounding) {
-  return std::abs(p - loser.x) - loser.y < kNextToEdge * rounding ? rounding : 0;
+  return is_turned_by_rounding(loser, p, rounding) ? rounding : 0;
 }
 
 /// `winner` is the shorter one at a point that the loser's line through position `p` passes.

@@ -14,7 +14,7 @@
 //   cross(h, wavefront)         takes what waits on h over the face of h
 //   follow_edge(from, to)       a path along this edge is the shortest to `to` yet
 //   finish()                    the distances are those of all paths that were looked for
-//   rounding()                  of coordinates (trim.h)
+//   rounding()                  of coordinates (core/window_predicates.h)
 //   window_count(), for_each_window(h, visit)
 //                               what waits: how much, and visit(const Window&) for each on h
 //
@@ -92,8 +92,9 @@ class Wavefront {
   ///
   /// Next to a corner, the lines to both sides of it are turned by the rounding of coordinates, and
   /// what lies behind the corner may be between them: the corner sends windows too, as a source
-  /// does. They are as long or longer, and soon beaten. Where the point is a window's width from
-  /// the corner, its own lines have no direction, and there are only the corner's.
+  /// does. They are as long or longer, and soon beaten. Where the point is so near to the corner
+  /// that rounding hides the way there and back, its own lines have no direction, and there are
+  /// only the corner's.
   /// @param root as in LastSegment
   /// @return whether the point is at a corner
   [[gnu::cold, gnu::noinline]] bool reach_corners_from(const SurfacePoint& in_face, double distance,
@@ -105,7 +106,7 @@ class Wavefront {
           const Index apex = mesh_.apex(h);
           reach_first(apex, distance + to_apex, {h, root, from});
           if (is_next) always_emits_[apex] = true;
-          at_corner |= to_apex < kWindowWidth * mesh_.half_edge(h).length;
+          at_corner |= 2 * to_apex < kCoordinateRounding * mesh_.half_edge(h).length;
         },
         [](Index, const Point2&) {});
     return at_corner;

@@ -33,7 +33,8 @@ class Propagation {
       : mesh_(mesh),
         recorder_(recorder),
         budget_(mesh),
-        wavefront_(mesh.half_edge_count(), Policy::make_queue(mesh), recorder_) {}
+        wavefront_(mesh.half_edge_count(), Policy::make_queue(mesh), recorder_),
+        rounding_(coordinate_rounding(mesh)) {}
   Propagation(const Propagation&) = delete;
   Propagation& operator=(const Propagation&) = delete;
 
@@ -223,12 +224,23 @@ class Propagation {
   void propagate(const Taken& taken) {
     const WindowOrigin origin{taken.source, taken.depth.next()};
     recorder_.propagated(1, origin.depth);
-    if (taken.window.y < 0) {
-      cross_face(taken.edge, taken.window, origin);
-    } else {
-      const double length = mesh_.half_edge(taken.edge).length;
-      cross_face(mesh_.twin(taken.edge), turned(taken.window, length), origin);
+    const bool is_turned = !(taken.window.y < 0);
+    const Index h = is_turned ? mesh_.twin(taken.edge) : taken.edge;
+    const double length = mesh_.half_edge(h).length;
+    Window w = is_turned ? turned(taken.window, length) : taken.window;
+    if (-w.y < kNextToEdge * rounding_) [[unlikely]] {
+      widen(w, length);
     }
+    cross_face(h, w, origin);
+  }
+
+  /// Windows end where others begin. Where rounding turns the lines there, those of both would go
+  /// apart on the way: each takes with it what lies beyond its end by as much as rounding. Its
+  /// source is so near that such a line is shorter than one that bends at the end by less than
+  /// that.
+  [[gnu::cold, gnu::noinline]] void widen(Window& w, double length) const {
+    if (is_turned_by_rounding(w, w.begin, rounding_)) w.begin = std::max(w.begin - rounding_, 0.0);
+    if (is_turned_by_rounding(w, w.end, rounding_)) w.end = std::min(w.end + rounding_, length);
   }
 
   /// @param w in the frame of h, whose face it enters; y < 0
@@ -309,6 +321,7 @@ class Propagation {
   Recorder recorder_;
   WindowBudget budget_;
   Front wavefront_;
+  double rounding_;  // of coordinates
   std::span<double> distances_;
   std::vector<double> emitted_;  // distance of the windows that each vertex sent out last
   int row_ = 0;                  // faces crossed at once by the window being sent out

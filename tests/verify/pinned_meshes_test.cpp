@@ -169,8 +169,9 @@ const std::vector<PinnedPoints> kPinnedPoints = {
      6993,
      144,
      {in(62, 0.99999999986600097, 0, 1.3399898822968261e-10)},
-     {SurfacePoint(82)},
-     "edge-based: 0.036, between the lines of a vertex 2e-9 from an edge and those beside them"},
+     {SurfacePoint(82), SurfacePoint(72)},
+     "edge-based: 0.036, mmp: 6.2e-11, between the lines of a vertex 2e-9 from an edge and those "
+     "beside them"},
     {3,
      7360,
      144,
@@ -189,6 +190,18 @@ const std::vector<PinnedPoints> kPinnedPoints = {
      {in(406, 0.023978166972088769, 0, 0.97602183302791135)},
      {in(412, 0.99999999933809658, 0, 6.6190345106253141e-10)},
      "paths, lost: past a vertex 4e-11 from the target"},
+    {4,
+     9764,
+     586,
+     {in(409, 0.99999999920018023, 0, 7.9981967993419391e-10)},
+     {SurfacePoint(318)},
+     "ch, ich, fwp-ch: 2.3e-10, between a pseudo-source's shadow and the lines that pass it"},
+    {5,
+     3827,
+     96,
+     {in(56, 0.99999999983289278, 0, 1.6710727363088468e-10)},
+     {SurfacePoint(3)},
+     "edge-based: 2e-12, from a source 9e-15 of an edge from a corner"},
 };
 
 std::ostream& operator<<(std::ostream& out, const PinnedPoints& pin) {
