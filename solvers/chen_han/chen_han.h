@@ -6,9 +6,6 @@
 //   make_queue(mesh)   an empty one
 #pragma once
 
-#include <stdexcept>
-#include <string>
-
 #include "solvers/chen_han/propagation.h"
 #include "solvers/core/queues/bucket_queue.h"
 #include "solvers/core/queues/calendar_queue.h"
@@ -39,7 +36,7 @@ template <class Policy>
 class ChenHan final : public Solver {
  public:
   ChenHan(const Mesh& mesh, const Description& description)
-      : Solver(mesh, description), propagation_(checked(mesh, description)) {}
+      : Solver(mesh, description), propagation_(mesh) {}
 
  private:
   /// A recorded solve; defined in recorded.h, as the next one.
@@ -48,12 +45,6 @@ class ChenHan final : public Solver {
   /// As a timed solve, with windows that carry the length of their strip.
   static void solve_dropping_long_strips(const Mesh& mesh, const Query& query,
                                          std::span<double> distances);
-
-  static const Mesh& checked(const Mesh& mesh, const Description& description) {
-    if (mesh.vertex_count() <= kMaxRoots) return mesh;
-    throw std::invalid_argument(description.name + ": supports at most " +
-                                std::to_string(kMaxRoots) + " vertices");
-  }
 
   void run(const Query& query, std::span<double> distances, Recording* recording) override {
     if (recording != nullptr) return solve_recorded(mesh(), query, distances, *recording);

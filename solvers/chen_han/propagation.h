@@ -19,8 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
-#include <stdexcept>
-#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -44,15 +42,11 @@ namespace geodesic::chen_han {
 template <class Depth>
 struct StoredWindow : Window {
   Index half_edge;
-  Index root : 31;                    ///< as in LastSegment (core/recording.h)
-  Index entry : 1;                    ///< an Entry
+  Index root;                         ///< as in LastSegment (core/recording.h)
   [[no_unique_address]] Depth depth;  ///< faces crossed since the pseudo-source
 
   bool is_pseudo_source() const { return !(end > begin); }
 };
-
-/// As many roots as `StoredWindow::root` can tell apart.
-inline constexpr Index kMaxRoots = (Index{1} << 31) - 1;
 
 /// What windows carry of their strip's length. Where none are filtered, nothing else ends a solve
 /// on some meshes.
@@ -109,7 +103,7 @@ class Propagation {
         if (!is_outdated(w)) emit(w.root, {w.half_edge, w.x, w.y});
       } else {
         if constexpr (Recorder::kRecords) --waiting_;
-        if (!is_outdated(w) && !is_useless(w)) propagate(w);
+        if (!is_outdated(w) && !is_too_long(w)) propagate(w);
       }
       if constexpr (Recorder::kRecords) {
         if (progress_.made_step()) sample();
@@ -162,10 +156,6 @@ class Propagation {
   /// Gives roots that are no vertices an entry each behind the distances of vertices, so that
   /// nothing has to tell them apart.
   [[gnu::cold, gnu::noinline]] void make_room_for_roots(const Query& query) {
-    if (query.sources.size() > kMaxRoots - mesh_.vertex_count()) {
-      throw std::invalid_argument("more than " + std::to_string(kMaxRoots) +
-                                  " vertices and sources");
-    }
     with_roots_.assign(mesh_.vertex_count(), kInfinity);
     for (const Source& source : query.sources) with_roots_.push_back(source.distance);
     distances_ = with_roots_;
@@ -200,8 +190,7 @@ class Propagation {
     const auto cross_side = [&](Index h, const Point2& from) __attribute__((cold)) {
       const HalfEdge& e = mesh_.half_edge(h);
       if (e.twin == kNone || !(e.length > 0)) return;
-      const Stored w{
-          {0, e.length, from.x, from.y, source.distance}, e.twin, root & kMaxRoots, 0, {}};
+      const Stored w{{0, e.length, from.x, from.y, source.distance}, e.twin, root, {}};
       // As least_distance: one more call of that would cost the hot ones their inlining.
       if (distance_at(w, nearest_position(w)) > limit_) return;
       if constexpr (Recorder::kRecords) {
@@ -223,7 +212,7 @@ class Propagation {
   }
 
   /// Starts to load what upcoming windows need while others are propagated: the window, then the
-  /// face it enters, then the face it comes from and distances.
+  /// face it enters, then distances.
   void prefetch_ahead() {
     pipeline_.advance(upcoming(queue_));
     if (pipeline_[0] != kNone) {
@@ -237,13 +226,9 @@ class Propagation {
       prefetch(&distances_[w->root]);
     }
     if (const Stored* w = upcoming_window(2)) {
-      mesh_.prefetch_face(mesh_.twin(w->half_edge));
       prefetch(&distances_[mesh_.origin(w->half_edge)]);
       prefetch(&distances_[mesh_.head(w->half_edge)]);
       prefetch(&distances_[mesh_.apex(w->half_edge)]);
-    }
-    if (const Stored* w = upcoming_window(3)) {
-      prefetch(&distances_[mesh_.apex(mesh_.twin(w->half_edge))]);
     }
   }
 
@@ -284,7 +269,7 @@ class Propagation {
     w.y = incoming.y;
     w.sigma = distance;
     w.half_edge = incoming.corner;
-    w.root = v & kMaxRoots;
+    w.root = v;
     push(distance, w);
   }
 
@@ -304,7 +289,7 @@ class Propagation {
     }
     find_shadow(mesh_, v, unreliable_[v] ? Incoming{} : incoming, shadow_);
     for (const ShadowedEdge& edge : shadow_) {
-      const Stored parent{{0, 0, 0, 0, distance}, kNone, v & kMaxRoots, 0, {}};
+      const Stored parent{{0, 0, 0, 0, distance}, kNone, v, {}};
       const Point2 source = apex_from_beyond(mesh_.half_edge(edge.across));
       offer(parent, edge.across, edge.begin, edge.end, source, Entry::at_origin, source, v);
     }
@@ -378,7 +363,6 @@ class Propagation {
     const Stored w{{begin, end, source.x, std::min(source.y, 0.0), parent.sigma},
                    e.twin,
                    parent.root,
-                   static_cast<Index>(entry) & 1,
                    parent.depth.next()};
     if constexpr (Filter::filters) {
       const auto timed = recorder_.enter(Phase::trimming);
@@ -401,17 +385,9 @@ class Propagation {
             .ends = {e.length, distances_[mesh_.head(across)], distances_[e.origin]}};
   }
 
-  /// The filter again, with the distances known by now.
-  bool is_useless(const Stored& w) const {
-    const auto timed = recorder_.enter(Phase::trimming);
+  bool is_too_long(const Stored& w) const {
     if constexpr (std::is_same_v<Depth, StripDepth>) {
-      if (is_strip_too_long(mesh_, w.depth.faces + std::uint64_t{1})) return true;
-    }
-    if constexpr (Filter::filters) {
-      const Index across = mesh_.twin(w.half_edge);
-      const Point2 third = apex_from_beyond(mesh_.half_edge(across));
-      return Filter::is_useless(w, static_cast<Entry>(w.entry),
-                                passed_face(across, third, mesh_.apex(across)));
+      return is_strip_too_long(mesh_, w.depth.faces + std::uint64_t{1});
     } else {
       return false;
     }
@@ -440,7 +416,7 @@ class Propagation {
   StopRule stop_rule_;
   bool stops_ = false;            // the query says so
   Index next_source_ = 0;         // of the query, to start from
-  PrefetchPipeline<4> pipeline_;  // slots on their way through prefetch_ahead
+  PrefetchPipeline<3> pipeline_;  // slots on their way through prefetch_ahead
   [[no_unique_address]] typename Recorder::Count waiting_{};  // windows in the queue
   [[no_unique_address]] typename Recorder::Progress progress_;
 };
