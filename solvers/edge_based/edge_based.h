@@ -59,10 +59,9 @@ class EdgeBased final : public Solver {
  private:
   using Serial = Wavefront<ListCrossing, typename Order::Queue, NoRecorder>;
 
-  /// Large regions cost less mail; there must be enough of them for the threads.
   Index region_size(const Description& description) const {
     const Index asked = description.integer("region-size");
-    return asked > 0 ? asked : std::clamp<Index>(mesh().vertex_count() / 32, 1024, 4096);
+    return asked > 0 ? asked : usual_region_size(mesh());
   }
 
   template <class Recorder>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <utility>
 
@@ -264,16 +265,25 @@ RegionalWavefront::RegionalWavefront(const Mesh& mesh, InstructionSet set, unsig
 
 RegionalWavefront::~RegionalWavefront() = default;
 
-void RegionalWavefront::run(const Query& query, std::span<double> distances) {
+void RegionalWavefront::run(const Query& query, std::span<double> distances, TurnTimes* times) {
+  using Clock = std::chrono::steady_clock;
   Steps& steps = *steps_;
+  const auto plan = [&] {
+    steps.plan();
+    if (times != nullptr) times->emplace_back();
+  };
   const auto begin = [&] {
     for (const Source& source : query.sources) begin_at(source);
     for (Index r = 0; r < regions_.size(); ++r) steps[r].least_key = at_work_[r]->least_key();
-    steps.plan();
+    plan();
   };
   const auto take_turn = [&](Index r, unsigned thread) {
     steps[r].thread.store(thread, std::memory_order_relaxed);
+    const auto start = times != nullptr ? Clock::now() : Clock::time_point();
     at_work_[r]->take_turn(steps[r]);
+    if (times != nullptr) {
+      times->back().push_back(std::chrono::duration<double>(Clock::now() - start).count());
+    }
   };
   const auto hand_over = [&](std::size_t r) {
     at_work_[r]->hand_over(distances, [&](Index v) { return regions_.first_copy(v).region == r; });
@@ -287,7 +297,7 @@ void RegionalWavefront::run(const Query& query, std::span<double> distances) {
       const std::span<const Index> due = steps.due();
       team.share(
           thread, due.size(), [&](std::size_t i) { return last_thread(due[i]); },
-          [&](std::size_t i) { take_turn(due[i], thread); }, [&] { steps.plan(); });
+          [&](std::size_t i) { take_turn(due[i], thread); }, plan);
     }
     team.share(thread, regions_.size(), team.in_equal_parts(regions_.size()), hand_over, [] {});
   });

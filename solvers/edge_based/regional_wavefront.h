@@ -39,8 +39,12 @@ class RegionalWavefront {
   RegionalWavefront(const Mesh& mesh, InstructionSet set, unsigned threads, Index region_size);
   ~RegionalWavefront();
 
+  /// Seconds of each turn, step by step.
+  using TurnTimes = std::vector<std::vector<double>>;
+
   /// As Solver::run.
-  void run(const Query& query, std::span<double> distances);
+  /// @param times filled where given; of one thread only
+  void run(const Query& query, std::span<double> distances, TurnTimes* times = nullptr);
 
  private:
   class Steps;

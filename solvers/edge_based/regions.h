@@ -30,6 +30,12 @@ struct Region {
   std::vector<Index> neighbours = {};  ///< regions with copies of shared vertices, in order
 };
 
+/// Vertices of a region, at most, where nothing else is asked for: large regions cost less mail,
+/// and there must be enough of them for the threads.
+inline Index usual_region_size(const Mesh& mesh) {
+  return std::clamp<Index>(mesh.vertex_count() / 32, 1024, 4096);
+}
+
 /// Faces by the region of their corners with the least number. Regions follow a space-filling curve
 /// through boxes that are halved until each holds few vertices: they depend on the mesh alone.
 class Regions {

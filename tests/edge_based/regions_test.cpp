@@ -14,12 +14,14 @@
 #include "solvers/core/registry.h"
 #include "solvers/core/thread_team.h"
 #include "solvers/core/window_bound.h"
+#include "solvers/edge_based/regional_wavefront.h"
 
 namespace geodesic {
 namespace {
 
 using edge_based::InRegion;
 using edge_based::Region;
+using edge_based::RegionalWavefront;
 using edge_based::Regions;
 
 std::vector<Mesh> meshes() {
@@ -152,6 +154,25 @@ TEST(RegionalWavefront, gives_the_bits_of_the_serial_one_where_a_query_ends_earl
   query.limit = 2;
   EXPECT_EQ(distances(mesh, "edge-based?threads=2&region-size=30", query),
             distances(mesh, "edge-based", query));
+}
+
+TEST(RegionalWavefront, times_every_turn_where_it_is_asked_to) {
+  const Mesh mesh(generate("terrain", {{"columns", 45}, {"rows", 45}}));
+  const Query query{.sources = {{0}}};
+  const auto count_turns = [](const RegionalWavefront::TurnTimes& steps) {
+    std::size_t turns = 0;
+    for (const auto& step : steps) turns += step.size();
+    return turns;
+  };
+  RegionalWavefront regional(mesh, InstructionSet::plain, 1, 100);
+  std::vector<double> timed(mesh.vertex_count()), untimed(mesh.vertex_count());
+  RegionalWavefront::TurnTimes first, second;
+  regional.run(query, timed, &first);
+  regional.run(query, untimed);
+  regional.run(query, timed, &second);
+  EXPECT_EQ(timed, untimed);
+  EXPECT_GT(count_turns(first), 16u) << "of as many regions";
+  EXPECT_EQ(count_turns(first), count_turns(second));
 }
 
 TEST(RegionalWavefront, throws_where_a_region_exceeds_the_bound_of_windows) {
