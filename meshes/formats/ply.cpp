@@ -278,7 +278,11 @@ class BodyParser {
   void parse(const std::vector<Element>& elements) {
     for (const Element& element : elements) {
       check_room(element);
-      for (std::uint64_t i = 0; i < element.count; ++i) read_row(element, i);
+      const bool is_vertex = element.name == "vertex";
+      for (std::uint64_t i = 0; i < element.count; ++i) {
+        const Vec3 position = read_row(element, i);
+        if (is_vertex) add_vertex(position);
+      }
     }
     values_.end_file(file_);
     if (joints_ > 0) {
@@ -302,7 +306,8 @@ class BodyParser {
     if (element.name == "face") polygons_.reserve(element.count);
   }
 
-  void read_row(const Element& element, std::uint64_t i) {
+  /// @return what the row says of x, y and z
+  Vec3 read_row(const Element& element, std::uint64_t i) {
     values_.begin_row(element.name, i);
     Vec3 position = {};
     for (const Property& property : element.properties) {
@@ -325,10 +330,12 @@ class BodyParser {
       }
     }
     values_.end_row();
-    if (element.name == "vertex") {
-      file_.soup.positions.push_back(position);
-      if (values_.line() > 0) file_.lines.vertices.push_back(values_.line());
-    }
+    return position;
+  }
+
+  void add_vertex(const Vec3& position) {
+    file_.soup.positions.push_back(position);
+    if (values_.line() > 0) file_.lines.vertices.push_back(values_.line());
   }
 
   std::int64_t list_length(const Property& property) {
