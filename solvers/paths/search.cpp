@@ -273,7 +273,7 @@ Paths::Search::Piece Paths::Search::piece_from(const Root& root) const {
     const View& view = views_[i];
     const double up = ahead.y - view.eye.y;
     const double x = up > 0 ? ahead.x - (ahead.x - view.eye.x) * (ahead.y / up) : ahead.x;
-    const Point2 here{std::clamp(x, view.begin, view.end), 0};
+    const Point2 here{std::clamp(x, 0.0, mesh_.half_edge(view.in).length), 0};
     (piece.crossings.empty() ? piece.rest : piece.crossings.back().step) =
         distance_between(here, ahead);
     piece.crossings.push_back({view.side, here.x, 0});

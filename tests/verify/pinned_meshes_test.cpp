@@ -190,6 +190,13 @@ const std::vector<PinnedPoints> kPinnedPoints = {
      {in(406, 0.023978166972088769, 0, 0.97602183302791135)},
      {in(412, 0.99999999933809658, 0, 6.6190345106253141e-10)},
      "paths, lost: past a vertex 4e-11 from the target"},
+    {7,
+     1516,
+     182,
+     {in(86, 0.35225338476248286, 0.6477466152375172, 0)},
+     {SurfacePoint(39)},
+     "paths, 4.5e-9 longer than distances: between vertices in line, beside edges 10^5 times as "
+     "long"},
     {4,
      9764,
      586,
