@@ -33,7 +33,11 @@ def predictions(file: Path) -> dict[int, Curve]:
 
     @raises ValueError for a file without them"""
     samples: dict[int, dict[int, list[float]]] = {}
-    for row in json.loads(file.read_text(encoding="utf-8"))["benchmarks"]:
+    try:
+        rows = json.loads(file.read_text(encoding="utf-8"))["benchmarks"]
+    except (ValueError, KeyError, TypeError):
+        raise ValueError(f"{file}: not the JSON of geodesic-microbench") from None
+    for row in rows:
         name, _, cells = row["run_name"].partition("/")
         if name != "predicted_threads" or row["run_type"] != "iteration":
             continue
@@ -56,7 +60,7 @@ def draw(curves: dict[int, Curve], file: Path) -> None:
         label = f"edge-based, predicted: {(cells + 1) ** 2:,} vertices"
         axes.plot(list(curve), list(curve.values()), color=style.INK, linestyle=line, label=label)
     low, high = zip(*PVTP.values())
-    axes.vlines(list(PVTP), low, high, color="#D55E00", linewidth=3, label="PVTP, published")
+    axes.vlines(list(PVTP), low, high, color=style.ISOLINE, linewidth=3, label="PVTP, published")
     threads = sorted({n for curve in curves.values() for n in curve})
     axes.plot(threads, [1 / n for n in threads], color=style.PALE, linewidth=0.7, label="1 / threads")
     axes.set_xscale("log", base=2)
@@ -80,7 +84,7 @@ def main(words: Sequence[str] | None = None) -> int:
     options = parser.parse_args(words)
     try:
         draw(predictions(options.benchmark), options.picture)
-    except (OSError, ValueError, KeyError) as error:
+    except (OSError, ValueError) as error:
         print(f"draw_threads.py: {error}", file=sys.stderr)
         return 1
     return 0

@@ -1,7 +1,6 @@
 // Edge-based propagation as a solver: the wavefront (wavefront.h) of exact lists (list_crossing.h).
 #pragma once
 
-#include <algorithm>
 #include <memory>
 #include <span>
 

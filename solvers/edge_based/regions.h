@@ -6,6 +6,7 @@
 // enters their faces there, and what lands on them belongs to the region whose face that is.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "solvers/core/mesh.h"

@@ -224,10 +224,10 @@ class Propagation {
   void propagate(const Taken& taken) {
     const WindowOrigin origin{taken.source, taken.depth.next()};
     recorder_.propagated(1, origin.depth);
-    const bool is_turned = !(taken.window.y < 0);
-    const Index h = is_turned ? mesh_.twin(taken.edge) : taken.edge;
+    const bool enters_twin = !(taken.window.y < 0);
+    const Index h = enters_twin ? mesh_.twin(taken.edge) : taken.edge;
     const double length = mesh_.half_edge(h).length;
-    Window w = is_turned ? turned(taken.window, length) : taken.window;
+    Window w = enters_twin ? turned(taken.window, length) : taken.window;
     if (-w.y < kNextToEdge * rounding_) [[unlikely]] {
       widen(w, length);
     }
