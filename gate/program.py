@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from results.pairs import Pairs, interleaved
-from results.reader import Cell, ResultError, read_file
+from results.reader import Cell, ResultError, Run, read_file
 
 from gate.cells import Measured, measured
 from gate.findings import GateError
@@ -65,8 +65,8 @@ class Program:
         """Verifies and counts every cell of a run into the folder `out`.
 
         @param chosen options of `run` that name the meshes and solvers"""
-        file = self._run([*chosen, "--repetitions", "1", "--min-time", "0.000001"], out)
-        return Verified(*_contents(file, None))
+        run = self._run([*chosen, "--repetitions", "1", "--min-time", "0.000001"], out)
+        return Verified(run.ours, measured(run))
 
     def measure_pairs(
         self, base: Program, head: Program, chosen: Sequence[str], cells: Sequence[Cell],
@@ -79,9 +79,8 @@ class Program:
         options = ["--repetitions", str(pairs), "--min-time", str(MIN_SECONDS)]
         options += ["--recordings", "none", "--cells", ",".join(map(str, cells))]
         options += ["--program", f"base={base.path}", "--program", f"head={head.path}"]
-        file = self._run([*chosen, *options], out)
-        _, old = _contents(file, "base")
-        _, new = _contents(file, "head")
+        run = self._run([*chosen, *options], out)
+        old, new = (measured(run, program) for program in ("base", "head"))
         for side in (old, new):
             for one in side.values():
                 if one.failure is not None:
@@ -103,11 +102,14 @@ class Program:
             raise GateError(f"callgrind counted nothing in {self.path}: is {SOLVE} still there?")
         return counted
 
-    def _run(self, options: Sequence[str], out: Path) -> Path:
+    def _run(self, options: Sequence[str], out: Path) -> Run:
         words = ["run", *options, "--sources", "1", "--out", str(out)]
         # A run with wrong or failed cells has an exit code of its own and a complete run.json.
         self._call(words, may_fail=(out / "run.json").exists)
-        return out / "run.json"
+        try:
+            return read_file(out / "run.json", of_any_revision=True)
+        except ResultError as error:
+            raise GateError(str(error)) from None
 
     def _call(
         self, words: list[str], before: Sequence[str] = (), may_fail: Callable[[], bool] = bool
@@ -124,11 +126,3 @@ class Program:
             last = (ended.stderr.strip().splitlines() or ["it printed no error"])[-1]
             raise GateError(f"`{words[0]}` of the {self.name} failed: {last}")
         return ended.stdout
-
-
-def _contents(file: Path, program: str | None) -> tuple[dict[str, Any], dict[Cell, Measured]]:
-    try:
-        run = read_file(file, of_any_revision=True)
-    except ResultError as error:
-        raise GateError(str(error)) from None
-    return run.ours, measured(run, program)

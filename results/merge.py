@@ -120,11 +120,8 @@ def _read(folder: Path) -> Part:
 def _read_all(folders: Sequence[Path]) -> Iterator[Part]:
     """On all processors where there is much to read."""
     if sum((folder / RUN).stat().st_size for folder in folders) < MUCH:
-        return map(_read, folders)
-    return _in_processes(folders)
-
-
-def _in_processes(folders: Sequence[Path]) -> Iterator[Part]:
+        yield from map(_read, folders)
+        return
     with ProcessPoolExecutor() as pool:
         yield from pool.map(_read, folders)
 
@@ -177,20 +174,11 @@ def gaps(parts: Sequence[Part], unfinished: Sequence[Path]) -> tuple[list[int], 
     return missing, lines
 
 
-@dataclass(frozen=True)
-class Group:
-    """All that was measured on one mesh from one source."""
+def pairs_of(parts: Sequence[Part]) -> list[tuple[str, Source]]:
+    """Of mesh and source, in the order of the run in one piece.
 
-    part: Part
-    mesh: str
-    source: Source
-
-
-def groups_of(parts: Sequence[Part]) -> list[Group]:
-    """In the order of the run in one piece.
-
-    @raises ResultError where two shards have the same source, or two files of one mesh"""
-    found: dict[tuple[int, int], Group] = {}
+    @raises ResultError where two shards have the same one"""
+    found: dict[tuple[int, int], tuple[Part, str, Source]] = {}
     for part in parts:
         for mesh, sources in part.run.sources.items():
             of_run = part.shard["sources"].get(mesh, [])
@@ -200,12 +188,12 @@ def groups_of(parts: Sequence[Part]) -> list[Group]:
                         f"{part.run.file}: shard: {mesh}, source {source}, has no place in the run"
                     )
                 place = (part.shard["places"][mesh], of_run.index(source))
-                other = found.setdefault(place, Group(part, mesh, source))
-                if other.part is not part:
+                other = found.setdefault(place, (part, mesh, source))[0]
+                if other is not part:
                     raise ResultError(
-                        f"{mesh}, source {source}, is in both {other.part.folder} and {part.folder}"
+                        f"{mesh}, source {source}, is in both {other.folder} and {part.folder}"
                     )
-    return [found[place] for place in sorted(found)]
+    return [found[place][1:] for place in sorted(found)]
 
 
 def check_meshes(parts: Sequence[Part]) -> None:
@@ -221,7 +209,7 @@ def check_meshes(parts: Sequence[Part]) -> None:
                 )
 
 
-def rows_of(parts: Sequence[Part], groups: Sequence[Group]) -> Columns:
+def rows_of(parts: Sequence[Part], pairs: Sequence[tuple[str, Source]]) -> Columns:
     """The rows as in the file of the run in one piece; each names its processor.
 
     @raises ResultError when there is none"""
@@ -232,23 +220,20 @@ def rows_of(parts: Sequence[Part], groups: Sequence[Group]) -> Columns:
     if not filled:
         raise ResultError("nothing was measured: no shard has a row")
     rows = Columns.together(filled)
-    place_of = {(group.mesh, group.source): place for place, group in enumerate(groups)}
-    meshes = rows.texts["mesh"]
-    pairs, first, pair_of = np.unique(
+    place_of = {pair: place for place, pair in enumerate(pairs)}
+    _, first, pair_of = np.unique(
         np.stack([rows.arrays["mesh"], rows.arrays["source"]]),
         axis=1, return_index=True, return_inverse=True,
     )  # fmt: skip
-    places = np.array([
-        place_of[meshes[mesh], rows.source(row)]
-        for mesh, row in zip(pairs[0].tolist(), first.tolist(), strict=True)
-    ])[pair_of]  # fmt: skip
+    found = [place_of[str(rows.text("mesh", row)), rows.source(row)] for row in first.tolist()]
+    places = np.array(found)[pair_of]
     arrays = dict(rows.arrays)
     if "family_index" in arrays:
         arrays["family_index"] = places * cells + arrays["family_index"] % cells
     return replace(rows, arrays=arrays).take(np.argsort(places, kind="stable"))
 
 
-def context_of(parts: Sequence[Part], groups: Sequence[Group], out: Path) -> dict[str, Any]:
+def context_of(parts: Sequence[Part], out: Path) -> dict[str, Any]:
     """That of the first shard, with what the others have besides."""
     context = dict(parts[0].run.context)
     places = {mesh: place for part in parts for mesh, place in part.shard["places"].items()}
@@ -355,15 +340,15 @@ def merge(
     if not parts:
         raise ResultError("no shard is finished: " + ", ".join(map(str, unfinished)))
     check_meshes(parts)
-    groups = groups_of(parts)
+    pairs = pairs_of(parts)
     missing, lines = gaps(parts, unfinished)
     if lines and not allow_gaps:
         raise ResultError("; ".join(lines) + " (--allow-gaps merges without them)")
     for line in lines:
         print(f"geodesic-bench merge: {line}", file=sys.stderr)
-    rows = rows_of(parts, groups)
+    rows = rows_of(parts, pairs)
     processor = str(rows.text("processor", 0))
-    context = context_of(parts, groups, out)
+    context = context_of(parts, out)
     context["geodesic_bench"] |= {"processor": processor, "command": command}
     if missing:
         context["geodesic_bench"]["missing_shards"] = missing

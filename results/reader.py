@@ -493,28 +493,25 @@ def _check_names(run: Run) -> None:
     """The meshes, solvers and sources of the rows must be in the context, and all that one
     processor measured of a source."""
     columns = run.columns
+    if not columns.length:
+        return
 
-    def refuse(key: str, rows: Array, why: str) -> NoReturn:
-        place = int(np.flatnonzero(rows)[0])
+    def refuse(key: str, place: int, why: str) -> NoReturn:
         raise ResultError(f"{run.file}: benchmarks[{place}].{key}: {why}")
 
     for key, plural, known in (("mesh", "meshes", set(run.meshes)), ("solver", "solvers", set(run.solvers))):
-        for name in columns.texts.get(key, ()):
-            if name not in known and (rows := columns.where(key, name)).any():
-                refuse(key, rows, f"{name!r} is not among the context's {plural}")
-    if not columns.length:
-        return
-    meshes, sources, processors = (columns.arrays[key] for key in ("mesh", "source", "processor"))
-    before: tuple[int, int] | None = None
-    for place, source, _ in np.unique(np.stack([meshes, sources, processors]), axis=1).T.tolist():
-        mesh = columns.texts["mesh"][place]
-        rows = (meshes == place) & (sources == source)
-        named = columns.source(int(np.argmax(rows)))
-        unknown = named not in run.sources.get(mesh, [])
-        if unknown or before == (place, source):
-            if unknown:
-                refuse("source", rows, f"{named} is not among the context's sources of {mesh}")
-            others = rows & (processors != processors[rows][0])
-            refuse("processor", others, f"{mesh}, source {named}, was measured on two processors, "
+        for name in columns.names(key):
+            if name not in known:
+                place = int(np.argmax(columns.where(key, name)))
+                refuse(key, place, f"{name!r} is not among the context's {plural}")
+    numbers = np.stack([columns.arrays[key] for key in ("mesh", "source", "processor")])
+    _, first = np.unique(numbers, axis=1, return_index=True)
+    seen: set[tuple[str | None, Source]] = set()
+    for place in sorted(first.tolist()):
+        mesh, source = columns.text("mesh", place), columns.source(place)
+        if source not in run.sources.get(str(mesh), []):
+            refuse("source", place, f"{source} is not among the context's sources of {mesh}")
+        if (mesh, source) in seen:
+            refuse("processor", place, f"{mesh}, source {source}, was measured on two processors, "
                    "whose times cannot be compared")  # fmt: skip
-        before = place, source
+        seen.add((mesh, source))

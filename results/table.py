@@ -7,7 +7,7 @@ import csv
 import io
 import math
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -74,13 +74,7 @@ class Table:
 
 def without_empty_columns(table: Table) -> Table:
     """Without the columns in which no cell has a text."""
-    kept = [i for i in _columns(table) if any(row[i].text for row in table.rows)]
-    return replace(
-        table,
-        header=[table.header[i] for i in kept],
-        text_columns=sum(i < table.text_columns for i in kept),
-        rows=[[row[i] for i in kept] for row in table.rows],
-    )
+    return _with(table, [i for i in _columns(table) if any(row[i].text for row in table.rows)])
 
 
 def without_constant_columns(table: Table, kept: int) -> Table:
@@ -93,12 +87,17 @@ def without_constant_columns(table: Table, kept: int) -> Table:
     }
     left = [i for i in _columns(table) if table.header[i] not in constant]
     said = "; ".join(f"{name} {text}" for name, text in constant.items() if text)
+    remarks = [*([f"In all rows: {said}."] if said else []), *table.remarks]
+    return replace(_with(table, left), remarks=remarks)
+
+
+def _with(table: Table, columns: Sequence[int]) -> Table:
+    """These columns of the table only."""
     return replace(
         table,
-        header=[table.header[i] for i in left],
-        text_columns=sum(i < table.text_columns for i in left),
-        rows=[[row[i] for i in left] for row in table.rows],
-        remarks=[*([f"In all rows: {said}."] if said else []), *table.remarks],
+        header=[table.header[i] for i in columns],
+        text_columns=sum(i < table.text_columns for i in columns),
+        rows=[[row[i] for i in columns] for row in table.rows],
     )
 
 
