@@ -46,8 +46,8 @@ EOF
 take_word() {
   case $1 in
     --levels | --solvers | --margin | --budget | --a-a | --out | --reason)
-      words+=("$1" "$(value_of "$@")")
-      taken=2
+      take_value "$@"
+      words+=("$1" "$value")
       ;;
     --strict | --update-baseline) words+=("$1") ;;
     -*) unknown_option "$1" ;;

@@ -46,16 +46,12 @@ EOF
 take_word() {
   case $1 in
     --from)
-      from=$(value_of "$@")
-      [[ " ${starts[*]} " == *" $from "* ]] ||
-        die "cannot start from '$from'; there are ${starts[*]}"
-      taken=2
+      take_value "$@"
+      [[ " ${starts[*]} " == *" $value "* ]] ||
+        die "cannot start from '$value'; there are ${starts[*]}"
+      from=$value
       ;;
-    --outside)
-      outside=$(value_of "$@")
-      outside=$(realpath -m -- "$outside")
-      taken=2
-      ;;
+    --outside) take_value "$@"; outside=$(realpath -m -- "$value") ;;
     -*) unknown_option "$1" ;;
     *)
       [[ -z $name ]] || die "one name at a time: '$name' or '$1'?"
@@ -76,9 +72,9 @@ check_name() {
   die "there is a solver named '$name' already, in ${taken#"$root/"}"
 }
 
-# instance_of SKELETON...: the files, one after the other, with the names put in.
-instance_of() {
-  sed -e "s/@name@/$name/g" -e "s/@folder@/$folder_name/g" -e "s/@sources@/$sources/g" "$@"
+# write_instance SKELETON FILE: the skeleton with the names put in.
+write_instance() {
+  sed -e "s/@name@/$name/g" -e "s/@folder@/$folder_name/g" "$1" >"$folder/$2"
 }
 
 # In the template's files the word is its name and nothing else.
@@ -91,11 +87,10 @@ write_template() {
 }
 
 write_variant() {
-  local skeleton file
-  for skeleton in "$root/tools/new_solver/$from"/*.in; do
-    file=$(basename "$skeleton" .in)
-    instance_of "$skeleton" >"$folder/${file/#solver.cpp/$folder_name.cpp}"
-  done
+  local skeletons="$root/tools/new_solver"
+  write_instance "$skeletons/$from/solver.cpp.in" "$folder_name.cpp"
+  write_instance "$skeletons/$from/README.md.in" README.md
+  write_instance "$skeletons/CMakeLists.txt.in" CMakeLists.txt
 }
 
 # Half a folder would stop the next build.
@@ -113,18 +108,12 @@ write_folder() {
   local why
   why=$(mkdir -p "$folder" 2>&1) || die "cannot make $folder: ${why##*: }; nothing was changed"
   trap remove_unfinished EXIT
-  sources=$folder_name.cpp
   if [[ $from == template ]]; then
     write_template
   else
     write_variant
   fi
-  if [[ -n $outside ]]; then write_project; fi
-}
-
-write_project() {
-  local parts="$root/tools/new_solver/outside"
-  instance_of "$parts/CMakeLists.txt.in" >"$folder/CMakeLists.txt"
+  if [[ -n $outside ]]; then write_instance "$root/tools/new_solver/outside.txt.in" CMakeLists.txt; fi
 }
 
 rivals() {

@@ -85,9 +85,8 @@ EOF
 }
 
 take_word() {
-  local value
   case $1 in
-    --repair) run_options+=(--repair) ;;
+    --repair) run_options+=("$1") ;;
     --slurm) slurm=submit ;;
     --slurm-script) slurm=submit; slurm_options+=(--write-only); steps+=(build fetch run) ;;
     --exclusive) slurm_options+=("$1") ;;
@@ -96,12 +95,23 @@ take_word() {
       slurm_options+=("--sbatch=$2")
       taken=2
       ;;
-    --partition | --time | --mem | --shards | --array-limit | --slurm-follow | --folder | \
-      --preset | --corpus | --out | --run | --resume | --peers | --solvers | --meshes | --sources | --repetitions)
-      value=$(value_of "$@")
-      take_option "$1" "$value"
-      taken=2
+    --partition | --time | --mem) take_value "$@"; slurm_options+=("$1=$value") ;;
+    --shards | --array-limit) take_number "$@"; slurm_options+=("$1=$value") ;;
+    --slurm-follow) take_value "$@"; slurm=follow; out=$(absolute "$value") ;;
+    --preset) take_preset "$@" ;;
+    --corpus) take_value "$@"; corpus=$value ;;
+    --folder)
+      take_value "$@"
+      folder=$(absolute "$value")
+      corpus=$(basename "$value" | tr -c 'A-Za-z0-9_.\n-' -)
       ;;
+    --peers) take_value "$@"; peers=$value ;;
+    --solvers) take_value "$@"; solvers=$value ;;
+    --meshes) take_value "$@"; meshes=$value ;;
+    --sources | --repetitions) take_number "$@"; run_options+=("$1" "$value") ;;
+    --out) take_value "$@"; out=$(absolute "$value") ;;
+    --run) take_value "$@"; old_run=$(absolute "$value") ;;
+    --resume) take_value "$@"; resumed=$(absolute "$value") ;;
     -*) unknown_option "$1" ;;
     *)
       [[ " ${known_steps[*]} " == *" $1 "* ]] ||
@@ -133,30 +143,6 @@ complete_options() {
     [[ -z $out$resumed ]] || die "--out and --resume are for run; check and plot take --run DIR"
     out=$old_run
   fi
-}
-
-take_option() {
-  case $1 in
-    --preset) preset=$(known_preset "$2" "${presets[@]}") ;;
-    --corpus) corpus=$2 ;;
-    --peers) peers=$2 ;;
-    --folder)
-      folder=$(absolute "$2")
-      corpus=$(basename "$2" | tr -c 'A-Za-z0-9_.\n-' -)
-      ;;
-    --slurm-follow) slurm=follow; out=$(absolute "$2") ;;
-    --partition | --time | --mem) slurm_options+=("$1=$2") ;;
-    --shards | --array-limit) slurm_options+=("$1=$(positive_integer "$@")") ;;
-    --solvers) solvers=$2 ;;
-    --meshes) meshes=$2 ;;
-    --out) out=$(absolute "$2") ;;
-    --run) old_run=$(absolute "$2") ;;
-    --resume) resumed=$(absolute "$2") ;;
-    --sources | --repetitions)
-      run_options+=("$1" "$(positive_integer "$@")")
-      ;;
-    *) run_options+=("$1" "$2") ;;
-  esac
 }
 
 has_step() {

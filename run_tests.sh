@@ -31,9 +31,7 @@ EOF
 
 take_word() {
   [[ $1 == --preset ]] || unknown_option "$1"
-  preset=$(value_of "$@")
-  preset=$(known_preset "$preset" "${presets[@]}")
-  taken=2
+  take_preset "$@"
 }
 
 # Both runners run, whatever the first one finds.

@@ -28,28 +28,15 @@ logged() {
   "$@" 2>&1 | tee -ia "$log"
 }
 
-# split_options WORD...: fills the array `split` with the words, --option=value as two.
-split_options() {
-  local word
-  split=()
-  for word in "$@"; do
-    case $word in
-      --*=*) split+=("${word%%=*}" "${word#*=}") ;;
-      *) split+=("$word") ;;
-    esac
-  done
-}
-
 # parse_options WORD...: calls the script's `take_word WORD [NEXT...]` for each word, which sets `taken`
 # to 2 where it has used the next word too. --option=value is two words. Does --help and, in a script
 # that has `install`, --no-install.
 parse_options() {
-  local taken split
-  split_options "$@"
-  set -- "${split[@]}"
+  local taken value
   while [[ $# -gt 0 ]]; do
     taken=1
     case $1 in
+      --*=*) set -- "${1%%=*}" "${1#*=}" "${@:2}"; continue ;;
       --help | -h) usage; exit 0 ;;
       --no-install) [[ -n ${install:-} ]] || unknown_option "$1"; install=no ;;
       *) take_word "$@" ;;
@@ -58,26 +45,29 @@ parse_options() {
   done
 }
 
-# value_of OPTION [VALUE...]: prints the value that must follow an option.
-value_of() {
+# take_value OPTION [VALUE...]: sets `value` to what must follow an option, and `taken`.
+take_value() {
   [[ $# -ge 2 && -n $2 && $2 != --* ]] || die "$1 needs a value; see $program --help"
-  printf '%s\n' "$2"
+  value=$2
+  taken=2
+}
+
+# take_number OPTION [VALUE...]: the same, for a positive integer.
+take_number() {
+  take_value "$@"
+  [[ $value =~ ^[1-9][0-9]{0,6}$ ]] || die "$1 must be a positive integer, not '$value'"
+}
+
+# take_preset OPTION [VALUE...]: sets `preset` to one of the script's `presets`, and `taken`.
+take_preset() {
+  take_value "$@"
+  # shellcheck disable=SC2154 # the script has them
+  [[ " ${presets[*]} " == *" $value "* ]] || die "unknown preset $value; presets are ${presets[*]}"
+  preset=$value
 }
 
 unknown_option() {
   die "unknown option $1; see $program --help"
-}
-
-# positive_integer OPTION VALUE: prints the value.
-positive_integer() {
-  [[ $2 =~ ^[1-9][0-9]{0,6}$ ]] || die "$1 must be a positive integer, not '$2'"
-  printf '%s\n' "$2"
-}
-
-# known_preset NAME PRESET...: prints NAME, which must be one of the presets.
-known_preset() {
-  [[ " ${*:2} " == *" $1 "* ]] || die "unknown preset $1; presets are ${*:2}"
-  printf '%s\n' "$1"
 }
 
 # absolute PATH: as seen from the folder the user was in.

@@ -38,11 +38,10 @@ EOF
 
 take_word() {
   case $1 in
-    --meshes) meshes=$(positive_integer "$1" "${2:-}") ;;
-    --native) native=$(value_of "$@") ;;
+    --meshes) take_number "$@"; meshes=$value ;;
+    --native) take_value "$@"; native=$value ;;
     *) unknown_option "$1" ;;
   esac
-  taken=2
 }
 
 check_needs() {

@@ -9,7 +9,6 @@ source "$root/tools/common.sh"
 
 roots=${GEODESIC_DEBIAN_ROOTS:-$root/build/debian}
 mirror=
-user_folder=$PWD
 release=
 command=()
 clone=/root/geodesic-bench  # in the chroot
@@ -56,8 +55,8 @@ parse_options() {
     case $1 in
       --help | -h) usage; exit 0 ;;
       --roots=* | --mirror=*) set -- "${1%%=*}" "${1#*=}" "${@:2}" ;;
-      --roots) roots=$(value_of "$@"); shift 2 ;;
-      --mirror) mirror=$(value_of "$@"); shift 2 ;;
+      --roots) take_value "$@"; roots=$value; shift 2 ;;
+      --mirror) take_value "$@"; mirror=$value; shift 2 ;;
       -*) unknown_option "$1" ;;
       *) break ;;
     esac
@@ -66,7 +65,7 @@ parse_options() {
   release=$1
   command=("${@:2}")
   [[ $release =~ ^[a-z]+$ ]] || die "a release is a name such as trixie, not '$release'"
-  roots=$(cd "$user_folder" && absolute "$roots")
+  roots=$(absolute "$roots")
   chroot=$roots/$release
 }
 

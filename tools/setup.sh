@@ -102,17 +102,12 @@ install_packages() {
 want_optional() {
   local optional
   mapfile -t optional < <(missing "$2")
-  [[ ${#optional[@]} -eq 0 ]] || offer_optional "$1" "${optional[@]}"
-}
-
-offer_optional() {
-  local install=$1
-  shift
-  if [[ $install == yes ]] && may_install; then
-    say "installing (optional): $*"
-    apt_install "$@" && return 0
+  [[ ${#optional[@]} -gt 0 ]] || return 0
+  if [[ $1 == yes ]] && may_install; then
+    say "installing (optional): ${optional[*]}"
+    apt_install "${optional[@]}" && return 0
   fi
-  say "without the optional $*: what uses it is left out"
+  say "without the optional ${optional[*]}: what uses it is left out"
 }
 
 # want_three: three.js is there afterwards, or a line says how to get it; only `view` needs it.

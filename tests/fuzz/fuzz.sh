@@ -35,14 +35,9 @@ EOF
 }
 
 take_word() {
-  local value
   case $1 in
-    --seconds | --jobs)
-      value=$(value_of "$@")
-      value=$(positive_integer "$1" "$value")
-      if [[ $1 == --jobs ]]; then jobs=$value; else seconds=$value; fi
-      taken=2
-      ;;
+    --seconds) take_number "$@"; seconds=$value ;;
+    --jobs) take_number "$@"; jobs=$value ;;
     -*) unknown_option "$1" ;;
     *)
       [[ " ${all_targets[*]} " == *" $1 "* ]] ||

@@ -7,6 +7,7 @@ root=$(unset CDPATH; cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd -P)
 # shellcheck source=tools/common.sh
 source "$root/tools/common.sh"
 
+presets=(ci release)
 preset=ci
 install=yes
 
@@ -29,9 +30,7 @@ EOF
 
 take_word() {
   [[ $1 == --preset ]] || unknown_option "$1"
-  preset=$(value_of "$@")
-  preset=$(known_preset "$preset" ci release)
-  taken=2
+  take_preset "$@"
 }
 
 parse_options "$@"
