@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 from collections.abc import Callable
@@ -13,8 +14,10 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 SCRIPTS = ["run_all.sh", "run_tests.sh", "check_performance.sh", "tests/fuzz/fuzz.sh"]
+GOLDEN = ROOT / "tests" / "plots" / "golden" / "run"
 
 Ended = subprocess.CompletedProcess[str]
+FakePath = Callable[..., dict[str, str]]
 
 
 @pytest.fixture
@@ -22,7 +25,7 @@ def checkout(tmp_path: Path) -> Path:
     """What the scripts need, without solvers, in a folder whose name has spaces."""
     copy = tmp_path / "a path with spaces"
     copy.mkdir()
-    for name in SCRIPTS:
+    for name in [*SCRIPTS, "new_solver.sh"]:
         (copy / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, copy / name)
     for folder in ["tools", "plots", "results/published"]:
@@ -32,8 +35,17 @@ def checkout(tmp_path: Path) -> Path:
     return copy
 
 
+def program(file: Path, text: str) -> Path:
+    """A script of bash in place of what the file may be."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.unlink(missing_ok=True)
+    file.write_text(f"#!/bin/bash\n{text}\n")
+    file.chmod(0o755)
+    return file
+
+
 @pytest.fixture
-def fake_path(tmp_path: Path) -> Callable[..., dict[str, str]]:
+def fake_path(tmp_path: Path) -> FakePath:
     """fake_path(name="script", ...) is an environment whose PATH has the basic tools and these."""
 
     def make(**commands: str) -> dict[str, str]:
@@ -42,13 +54,21 @@ def fake_path(tmp_path: Path) -> Callable[..., dict[str, str]]:
         for tool in "bash cat date dirname grep head id mkdir sed tail tee".split():
             (folder / tool).symlink_to(str(shutil.which(tool)))
         for name, text in commands.items():
-            file = folder / name.replace("_", "-")
-            file.unlink(missing_ok=True)
-            file.write_text(f"#!/bin/bash\n{text}\n")
-            file.chmod(0o755)
+            program(folder / name.replace("_", "-"), text)
         return {"PATH": str(folder)}
 
     return make
+
+
+def before_others(command: Path) -> dict[str, str]:
+    """An environment whose PATH begins with the command's folder."""
+    return dict(os.environ, PATH=f"{command.parent}:{os.environ['PATH']}")
+
+
+def bench(checkout: Path, writes: str = "run.json", code: int = 0) -> None:
+    """Has geodesic-bench print what it is asked for, and write a file into the folder that it names last."""
+    program(checkout / "build" / "release" / "geodesic-bench",
+            f'echo "asked: $*"\nmkdir -p "${{@: -1}}"; echo >"${{@: -1}}/{writes}"; exit {code}')  # fmt: skip
 
 
 def run(script: Path, *arguments: str, env: dict[str, str] | None = None, cwd: str = "/") -> Ended:
@@ -63,18 +83,25 @@ def run(script: Path, *arguments: str, env: dict[str, str] | None = None, cwd: s
     )
 
 
-@pytest.mark.parametrize("script", SCRIPTS)
+@pytest.mark.parametrize("script", [*SCRIPTS, "new_solver.sh"])
 def test_help_lists_every_option_from_any_folder(checkout: Path, script: str) -> None:
     ended = run(checkout / script, "--help")
     assert ended.returncode == 0 and ended.stderr == ""
     text = (checkout / script).read_text()
-    steps = ["build", "peers", "fetch", "run", "check", "plot"] if script == "run_all.sh" else []
-    options = [word for word in ["--corpus", "--preset", "--out", "--run", "--jobs"] if f"{word})" in text]
-    for word in ["--no-install", "--help", *steps, *options]:
+    words = {
+        "run_all.sh": ["build", "peers", "fetch", "run", "check", "plot"],
+        "check_performance.sh": ["2 wrong answer", "4 not"],
+        "new_solver.sh": ["template", "edge-based", "mmp", "chen-han"],
+    }
+    cases = re.findall(r"^ +((?:--[a-z-]+[ |\\\n]*)+)\)", text, re.MULTILINE)
+    options = re.findall(r"--[a-z-]+", " ".join(cases)) or ["--preset"]  # of run_tests.sh: no case
+    if "\ninstall=" in text:
+        options.append("--no-install")
+    for word in ["--help", *options, *words.get(script, [])]:
         assert word in ended.stdout
 
 
-@pytest.mark.parametrize("script", SCRIPTS)
+@pytest.mark.parametrize("script", [*SCRIPTS, "new_solver.sh"])
 def test_unknown_option_names_the_help(checkout: Path, script: str) -> None:
     ended = run(checkout / script, "--fast")
     name = Path(script).name
@@ -83,7 +110,7 @@ def test_unknown_option_names_the_help(checkout: Path, script: str) -> None:
 
 
 def test_a_command_on_a_release_of_debian_is_refused_in_one_line(
-    checkout: Path, fake_path: Callable[..., dict[str, str]]
+    checkout: Path, fake_path: FakePath
 ) -> None:
     script = checkout / "tools/on_debian.sh"
     for words, says in {
@@ -105,50 +132,50 @@ def test_a_command_on_a_release_of_debian_is_refused_in_one_line(
     assert not (checkout / "build").exists()
 
 
-def test_unknown_step_lists_the_steps(checkout: Path) -> None:
-    ended = run(checkout / "run_all.sh", "biuld")
-    assert ended.returncode == 1
-    assert "unknown step biuld; steps are build peers fetch run check plot" in ended.stderr
-
-
-def test_unknown_preset_lists_the_presets(checkout: Path) -> None:
-    ended = run(checkout / "run_tests.sh", "--preset=fast")
-    assert ended.returncode == 1 and "presets are ci debug release" in ended.stderr
+OF_RUN_ALL = "corpus preset folder peers solvers meshes sources out run resume shards mem slurm-follow".split()
+NO_NUMBERS = [("--sources", "0"), ("--sources", "-1"), ("--repetitions", "two"), ("--shards", "99999999")]
 
 
 @pytest.mark.parametrize(
-    "option",
-    ["--corpus", "--out", "--run", "--meshes", "--solvers", "--sources", "--repetitions"],
-)
-def test_option_without_value_is_an_error(checkout: Path, option: str) -> None:
-    for arguments in ([option], [option, "--no-install"]):
-        ended = run(checkout / "run_all.sh", *arguments)
-        assert ended.returncode == 1 and f"{option} needs a value" in ended.stderr
+    ("words", "says"),
+    [
+        ("run_all.sh biuld", "unknown step biuld; steps are build peers fetch run check plot"),
+        ("run_tests.sh --preset=fast", "unknown preset fast; presets are ci debug release"),
+        ("run_all.sh --preset debug", "unknown preset debug; presets are release ci"),
+        *((f"run_all.sh --{option} --no-install", f"--{option} needs a value") for option in OF_RUN_ALL),
+        ("run_all.sh --out", "--out needs a value"),
+        ("check_performance.sh --out", "--out needs a value"),
+        *((f"run_all.sh {option} {number}", f"{option} must be a positive integer, not '{number}'")
+          for option, number in NO_NUMBERS),
+        ("tests/fuzz/fuzz.sh --seconds 0", "--seconds must be a positive integer, not '0'"),
+        ("tests/fuzz/fuzz.sh --jobs=two", "--jobs must be a positive integer, not 'two'"),
+        ("tests/fuzz/fuzz.sh of", "unknown target of; targets are manifest"),
+        ("run_all.sh fetch --no-install", "run ./run_all.sh build"),
+        ("run_all.sh run --no-install", "run ./run_all.sh build"),
+        ("run_all.sh check --no-install", "start one with ./run_all.sh run"),
+        ("run_all.sh plot --no-install", "start one with ./run_all.sh run"),
+        ("run_all.sh plot --out x", "check and plot take --run DIR"),
+        ("run_all.sh run plot --run x", "run writes to --out DIR"),
+        ("run_all.sh run --resume x --out y", "--out cannot be used with --resume"),
+        ("run_all.sh plot --resume x", "--out and --resume are for run"),
+        ("run_all.sh run --mem 4G", "--mem is for --slurm"),
+        ("run_all.sh --sbatch=account", "--sbatch needs an option of sbatch: --sbatch=--account=mine"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_done_is_refused_with_the_reason(checkout: Path, words: str, says: str) -> None:
+    script, *arguments = words.split()
+    ended = run(checkout / script, *arguments)
+    assert ended.returncode == 1 and says in ended.stderr
 
 
-@pytest.mark.parametrize("option", ["--sources", "--repetitions"])
-@pytest.mark.parametrize("number", ["0", "-1", "two"])
-def test_counts_must_be_positive_numbers(checkout: Path, option: str, number: str) -> None:
-    ended = run(checkout / "run_all.sh", option, number)
-    assert ended.returncode == 1
-    assert f"{option} must be a positive integer, not '{number}'" in ended.stderr
-
-
-@pytest.mark.parametrize("number", ["0", "-1", "two", "99999999"])
-@pytest.mark.parametrize("option", ["--seconds", "--jobs"])
-def test_fuzzing_takes_positive_numbers_and_known_targets(
-    checkout: Path, option: str, number: str
-) -> None:
-    ended = run(checkout / "tests/fuzz/fuzz.sh", option, number)
-    assert ended.returncode == 1
-    assert f"{option} must be a positive integer, not '{number}'" in ended.stderr
-    ended = run(checkout / "tests/fuzz/fuzz.sh", "of")
-    assert ended.returncode == 1 and "unknown target of; targets are manifest" in ended.stderr
+def test_a_folder_that_is_no_run_is_named(checkout: Path) -> None:
+    ended = run(checkout / "run_all.sh", "plot", "--run", "x", "--no-install")
+    assert ended.returncode == 1 and "no such folder" in ended.stdout + ended.stderr
 
 
 @pytest.mark.parametrize("script", SCRIPTS)
 def test_no_install_prints_the_line_that_would_and_stops(
-    checkout: Path, fake_path: Callable[..., dict[str, str]], script: str
+    checkout: Path, fake_path: FakePath, script: str
 ) -> None:
     env = fake_path(dpkg_query="exit 1", apt_get="echo installed >&2")
     ended = run(checkout / script, "--no-install", env=env)
@@ -158,16 +185,14 @@ def test_no_install_prints_the_line_that_would_and_stops(
     assert {"g++", "cmake", "ninja-build", "libcli11-dev"} <= set(line.split())
 
 
-def test_without_root_and_sudo_the_line_is_printed(
-    checkout: Path, fake_path: Callable[..., dict[str, str]]
-) -> None:
+def test_without_root_and_sudo_the_line_is_printed(checkout: Path, fake_path: FakePath) -> None:
     env = fake_path(dpkg_query="exit 1", id="echo 1000", apt_get="exit 0")
     ended = run(checkout / "run_all.sh", "build", env=env)
     assert ended.returncode == 1 and "sudo apt-get install" in ended.stderr
 
 
 def test_root_installs_what_is_missing_and_failure_shows_apts_words(
-    checkout: Path, fake_path: Callable[..., dict[str, str]]
+    checkout: Path, fake_path: FakePath
 ) -> None:
     env = fake_path(
         dpkg_query="exit 1",
@@ -181,84 +206,42 @@ def test_root_installs_what_is_missing_and_failure_shows_apts_words(
     assert "apt-get could not install: g++" in ended.stderr
 
 
-def test_steps_that_need_the_program_say_how_to_get_it(checkout: Path) -> None:
-    for step in ["fetch", "run"]:
-        ended = run(checkout / "run_all.sh", step, "--no-install")
-        assert ended.returncode == 1 and "run ./run_all.sh build" in ended.stderr
-
-
-def test_check_and_plot_without_any_run_say_how_to_get_one(checkout: Path) -> None:
-    for step in ["check", "plot"]:
-        ended = run(checkout / "run_all.sh", step, "--no-install")
-        assert ended.returncode == 1 and "start one with ./run_all.sh run" in ended.stderr
-
-
-def test_plot_alone_draws_the_newest_run_twice_in_a_row(checkout: Path) -> None:
+def test_plot_alone_draws_the_newest_run_over_what_was_drawn_before(checkout: Path) -> None:
     folder = checkout / "results" / "runs" / "20260102T030405Z-golden"
-    shutil.copytree(ROOT / "tests" / "plots" / "golden" / "run", folder)
+    shutil.copytree(GOLDEN, folder)
+    (folder / "tables").mkdir()
+    for file in (folder / "report.html", folder / "tables" / "table_5_2.md"):
+        file.write_text("old")
     (checkout / "results" / "runs" / "20250101T000000Z-older").mkdir()
-    for _ in range(2):
-        ended = run(checkout / "run_all.sh", "plot", "--no-install")
-        assert ended.returncode == 0, ended.stderr
-        assert ended.stdout.splitlines()[-1].endswith(f": {folder}/report.html")
-    assert (folder / "tables" / "table_5_2.md").exists()
+    ended = run(checkout / "run_all.sh", "plot", "--no-install")
+    assert ended.returncode == 0, ended.stderr
+    assert ended.stdout.splitlines()[-1].endswith(f": {folder}/report.html")
+    for file in (folder / "report.html", folder / "tables" / "table_5_2.md"):
+        assert file.read_text() != "old"
     assert (folder / "figures" / "speedup.pdf").exists()
-    assert (folder / "report.html").exists()
     assert "plot: done" in (checkout / "build" / "logs" / "run_all.log").read_text()
 
 
-def test_failed_check_still_draws_the_tables_and_ends_in_error(checkout: Path) -> None:
-    shutil.copytree(ROOT / "tests" / "plots" / "golden" / "run", checkout / "my run")
+def test_failed_check_still_draws_an_old_run_where_it_is_and_ends_in_error(checkout: Path) -> None:
+    shutil.copytree(GOLDEN, checkout / "my run")
     arguments = ["check", "plot", "--no-install", "--run", "my run"]
     ended = run(checkout / "run_all.sh", *arguments, cwd=str(checkout))
     assert ended.returncode == 1 and "check failed" in ended.stderr
     assert "FAILED: ich/rocker-arm/src:4711" in ended.stdout
     assert (checkout / "my run" / "tables" / "table_5_1.tex").exists()
-
-
-def test_an_old_run_is_redrawn_where_it_is_without_the_program(checkout: Path) -> None:
-    shutil.copytree(ROOT / "tests" / "plots" / "golden" / "run", checkout / "old run")
-    ended = run(checkout / "run_all.sh", "plot", "--no-install", "--run", str(checkout / "old run"))
-    assert ended.returncode == 0, ended.stderr
-    assert (checkout / "old run" / "report.html").exists()
+    assert (checkout / "my run" / "report.html").exists()
     assert not (checkout / "results" / "runs").exists()
 
 
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (["plot", "--out", "x"], "check and plot take --run DIR"),
-        (["run", "plot", "--run", "x"], "run writes to --out DIR"),
-        (["run", "--resume", "x", "--out", "y"], "--out cannot be used with --resume"),
-        (["plot", "--resume", "x"], "--out and --resume are for run"),
-        (["plot", "--run", "x", "--no-install"], "no such folder"),
-    ],
-)
-def test_the_folder_to_write_and_the_one_to_read_are_not_confused(
-    checkout: Path, arguments: list[str], words: str
-) -> None:
-    ended = run(checkout / "run_all.sh", *arguments)
-    assert ended.returncode == 1 and words in ended.stdout + ended.stderr
-
-
 def test_run_folder_that_holds_results_is_not_written_to(checkout: Path) -> None:
-    bench = checkout / "build" / "release" / "geodesic-bench"
-    bench.parent.mkdir(parents=True)
-    bench.write_text("#!/bin/bash\nexit 0\n")
-    bench.chmod(0o755)
-    shutil.copytree(ROOT / "tests" / "plots" / "golden" / "run", checkout / "old")
+    bench(checkout)
+    shutil.copytree(GOLDEN, checkout / "old")
     ended = run(checkout / "run_all.sh", "run", "--no-install", "--out", str(checkout / "old"))
     assert ended.returncode == 1 and "already contains a run" in ended.stderr
 
 
 def test_an_interrupted_run_names_the_command_that_continues_it(checkout: Path) -> None:
-    bench = checkout / "build" / "release" / "geodesic-bench"
-    bench.parent.mkdir(parents=True)
-    bench.write_text(
-        '#!/bin/bash\necho "asked: $*"\nmkdir -p "${@: -1}"; echo > "${@: -1}/request.json"\n'
-        "exit 130"
-    )
-    bench.chmod(0o755)
+    bench(checkout, "request.json", 130)
     out = checkout / "a run"
     ended = run(checkout / "run_all.sh", "run", "--no-install", "--out", str(out))
     assert ended.returncode == 130
@@ -268,12 +251,7 @@ def test_an_interrupted_run_names_the_command_that_continues_it(checkout: Path) 
 
 
 def test_options_reach_the_program(checkout: Path) -> None:
-    bench = checkout / "build" / "release" / "geodesic-bench"
-    bench.parent.mkdir(parents=True)
-    bench.write_text(
-        '#!/bin/bash\necho "asked: $*"\nmkdir -p "${@: -1}"; echo > "${@: -1}/run.json"'
-    )
-    bench.chmod(0o755)
+    bench(checkout)
     out = checkout / "new run"
     ended = run(
         checkout / "run_all.sh", "run", "--no-install", "--corpus=tiny", "--solvers", "mmp,ich",
@@ -286,12 +264,7 @@ def test_options_reach_the_program(checkout: Path) -> None:
 
 
 def test_peers_are_built_and_run_beside_the_solvers(checkout: Path) -> None:
-    bench = checkout / "build" / "release" / "geodesic-bench"
-    bench.parent.mkdir(parents=True)
-    bench.write_text(
-        '#!/bin/bash\necho "asked: $*"\nmkdir -p "${@: -1}"; echo > "${@: -1}/run.json"'
-    )
-    bench.chmod(0o755)
+    bench(checkout)
     build = checkout / "peers" / "build.py"
     build.parent.mkdir()
     build.write_text(
@@ -299,13 +272,7 @@ def test_peers_are_built_and_run_beside_the_solvers(checkout: Path) -> None:
         "at = words.index('--words') + 1 if '--words' in words else 0\n"
         "print(f'--plugin\\nvtp.so\\n--solvers\\n{words[at]},vtp' if at else words)"
     )
-    build.chmod(0o755)
-    installed = checkout / "bin"
-    installed.mkdir()
-    query = installed / "dpkg-query"
-    query.write_text("#!/bin/bash\necho -n installed\n")
-    query.chmod(0o755)
-    env = dict(os.environ, PATH=f"{installed}:{os.environ['PATH']}")
+    env = before_others(program(checkout / "bin" / "dpkg-query", "echo -n installed"))
     ended = run(
         checkout / "run_all.sh", "peers", "run", "--no-install", "--peers", "vtp,pvtp",
         "--solvers", "mmp", "--out", str(checkout / "new"), env=env,
@@ -351,12 +318,9 @@ def ci(checkout: Path) -> Callable[..., Ended]:
             for file, text in ((checkout / name, text) for name, text in reports.items())
         )
         for name in ["run_tests.sh", "run_all.sh", "tests/fuzz/fuzz.sh", "tests/slurm/slurm.sh"]:
-            stand_in = checkout / name
-            stand_in.parent.mkdir(exist_ok=True)
-            code = ends.get(stand_in.stem, 0)
+            stem = Path(name).stem
             before = made if name == "run_tests.sh" else ""
-            stand_in.write_text(f"#!/bin/bash\n{before}echo \"{stand_in.stem}: $*\"; exit {code}\n")
-            stand_in.chmod(0o755)
+            program(checkout / name, f'{before}echo "{stem}: $*"; exit {ends.get(stem, 0)}')
         return run(checkout / ".ci" / script)
 
     return start
@@ -400,12 +364,8 @@ def test_the_nightly_jobs_are_all_run_and_counted(
 
 
 def build_with_fake_cmake(checkout: Path, tmp_path: Path, version: str) -> Ended:
-    cmake = tmp_path / "bin" / "cmake"
-    cmake.parent.mkdir()
     answer = f'[[ $1 == --version ]] && echo "cmake version {version}" || echo "asked: $*"'
-    cmake.write_text(f"#!/bin/bash\n{answer}\n")
-    cmake.chmod(0o755)
-    env = dict(os.environ, PATH=f"{cmake.parent}:{os.environ['PATH']}")
+    env = before_others(program(tmp_path / "bin" / "cmake", answer))
     return run(checkout / "run_all.sh", "build", "--no-install", env=env)
 
 
