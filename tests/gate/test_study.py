@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 from pathlib import Path
 
@@ -13,11 +12,8 @@ from gate.program import NotCountableError
 
 
 @pytest.fixture(scope="module")
-def study(tmp_path_factory: pytest.TempPathFactory) -> Study:
-    program = os.environ.get("GEODESIC_BENCH")
-    if program is None:
-        pytest.skip("GEODESIC_BENCH names no program; ./run_tests.sh sets it")
-    return Study(Path(program).parent, tmp_path_factory.mktemp("study"))
+def study(bench: Path, tmp_path_factory: pytest.TempPathFactory) -> Study:
+    return Study(bench.parent, tmp_path_factory.mktemp("study"))
 
 
 @pytest.mark.parametrize(

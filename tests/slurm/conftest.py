@@ -23,11 +23,3 @@ def cluster() -> Iterator[Cluster]:
         pytest.skip(reason)
     with Cluster(nodes=3) as running:
         yield running
-
-
-@pytest.fixture(scope="session")
-def bench() -> Path:
-    program = os.environ.get("GEODESIC_BENCH")
-    if program is None:
-        pytest.skip("GEODESIC_BENCH names no program; tests/slurm/slurm.sh sets it")
-    return Path(program).resolve()
