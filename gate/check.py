@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import shutil
 import sys
@@ -91,7 +92,7 @@ def _time(
 
 def sessions(base: Program, head: Program, options: Options) -> timing.Session:
     """Run folders OUT/time-1, OUT/time-2, ..., measured by the head's program."""
-    numbers = iter(range(1, 10_000))
+    numbers = itertools.count(1)
 
     def session(cells: Sequence[Cell]) -> dict[Cell, Pairs]:
         solvers = list(dict.fromkeys(cell.solver for cell in cells))

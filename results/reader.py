@@ -393,14 +393,22 @@ def _columns(file: Path, data: dict[str, Any], *, check: bool) -> Columns:
 def load(file: Path) -> Any:
     """JSON with finite numbers, control characters escaped. @raises ResultError"""
     try:
-        text = _text(file)
-        data = _parsed(file, text)
+        text = file.read_text(encoding="utf-8")
+        data = json.loads(text)
         if _ESCAPED.search(text) or not text.replace("\n", "").isprintable():
             data = _harmless(data)
         if _NON_FINITE.search(text):
             _refuse_non_finite(file, data)
+    except ResultError:
+        raise
     except RecursionError:
         raise ResultError(f"{file}: nested too deep for a result file") from None
+    except FileNotFoundError:
+        raise ResultError(f"{file}: no such file; was the run interrupted?") from None
+    except OSError as error:
+        raise ResultError(f"{file}: cannot be read: {error.strerror}") from None
+    except ValueError as error:  # of UTF-8 or JSON
+        raise ResultError(f"{file}: not JSON, perhaps truncated: {error}") from None
     return data
 
 
@@ -425,24 +433,6 @@ def newest_run() -> Path:
     if not folders:
         raise ResultError(f"{RUNS}: no run there yet; ./run_all.sh run makes one")
     return folders[-1]
-
-
-def _text(file: Path) -> str:
-    try:
-        return file.read_text(encoding="utf-8")
-    except FileNotFoundError:
-        raise ResultError(f"{file}: no such file; was the run interrupted?") from None
-    except OSError as error:
-        raise ResultError(f"{file}: cannot be read: {error.strerror}") from None
-    except ValueError as error:  # of UTF-8
-        raise ResultError(f"{file}: not JSON, perhaps truncated: {error}") from None
-
-
-def _parsed(file: Path, text: str) -> Any:
-    try:
-        return json.loads(text)
-    except ValueError as error:
-        raise ResultError(f"{file}: not JSON, perhaps truncated: {error}") from None
 
 
 def _refuse_non_finite(file: Path, data: Any) -> None:

@@ -42,6 +42,12 @@ TIMED_MESHES = ("icosphere", "needles", "growth-10k")
 """Rows of 4 to 20 ms."""
 
 
+def failed_level(verdict: Verdict) -> int | None:
+    """The lowest level that failed."""
+    failed = (f.level for f in verdict.findings if f.weight == Weight.FAILURE)
+    return min(failed, default=None)
+
+
 @dataclass(frozen=True)
 class Fault:
     name: str
@@ -60,6 +66,12 @@ class Fault:
     def kind(self) -> str:
         """As faulty_solve.cpp names it."""
         return self.name.split("-")[0]
+
+    def found(self, verdict: Verdict) -> bool:
+        """8% may be a regression, be slower within the margin or not resolved, but not good."""
+        if self.found_by is None and self is not A_A:
+            return verdict.word != "good"
+        return (verdict.exit_code, failed_level(verdict)) == (self.exit_code, self.found_by)
 
 
 FAULTS = (
@@ -135,34 +147,6 @@ def loaded_core(wanted: bool) -> Iterator[None]:
         burner.wait()
 
 
-@dataclass(frozen=True)
-class Ended:
-    """The outcome of a run."""
-
-    exit_code: int
-    failed: int | None
-    """The lowest level that failed."""
-    word: str
-    ratios: tuple[str, ...] = ()
-    """Head's time over the base's, a row of level 4 each."""
-
-    def found(self, fault: Fault) -> bool:
-        """8% may be a regression, be slower within the margin or not resolved, but not good."""
-        if fault.found_by is None and fault is not A_A:
-            return self.word != "good"
-        return (self.exit_code, self.failed) == (fault.exit_code, fault.found_by)
-
-
-def ended(verdict: Verdict) -> Ended:
-    failed = [f.level for f in verdict.findings if f.weight == Weight.FAILURE]
-    ratios = tuple(
-        row[level.heading.index("head/base")]
-        for level in verdict.levels if level.level == 4
-        for row in level.table
-    )  # fmt: skip
-    return Ended(verdict.exit_code, min(failed, default=None), verdict.word, ratios)
-
-
 @dataclass
 class Series:
     """The runs of one fault."""
@@ -170,13 +154,13 @@ class Series:
     fault: Fault
     wanted: int
     loaded: bool = False
-    runs: list[Ended] = field(default_factory=list)
+    runs: list[Verdict] = field(default_factory=list)
     seconds: float = 0.0
     not_countable: str = ""
 
     @property
     def found(self) -> int:
-        return sum(run.found(self.fault) for run in self.runs)
+        return sum(map(self.fault.found, self.runs))
 
     @property
     def missed(self) -> bool:
@@ -187,7 +171,7 @@ class Series:
             while len(self.runs) < self.wanted:
                 began = time.monotonic()
                 try:
-                    self.runs.append(ended(study.run(self.fault)))
+                    self.runs.append(study.run(self.fault))
                 except NotCountableError as error:
                     self.not_countable = str(error)
                     return
@@ -197,8 +181,11 @@ class Series:
 
     def _last(self, seconds: float) -> str:
         run = self.runs[-1]
-        parts = [f"{run.word}, {seconds:.0f} s", *run.ratios]
-        if not run.found(self.fault):
+        parts = [f"{run.word}, {seconds:.0f} s"]
+        for level in run.levels:
+            if level.level == 4:
+                parts += [row[level.heading.index("head/base")] for row in level.table]
+        if not self.fault.found(run):
             parts.append("not as it should be")
         name = f"{self.fault.name}{' loaded' * self.loaded}"
         return f"{name} {len(self.runs)} of {self.wanted}: {', '.join(parts)}"

@@ -35,7 +35,6 @@ def test_equals_fail_no_limit(seed: int) -> None:
 def test_15_percent_is_decided_by_pairs(seed: int) -> None:
     comparison = compare_programs(run(of_programs(1.15, spread=0.02, seed=seed)))
     lines = summary(comparison, LIMITS)
-    assert any(line.startswith(("FAILED: mmp", "NOT RESOLVED: mmp")) for line in lines)
     assert any("FAILED: mmp: time 1.1" in line and "over 3 cells" in line for line in lines)
 
 
@@ -127,22 +126,13 @@ def test_json_has_every_number(tmp_path: Path, capsys: pytest.CaptureFixture[str
 
 
 def test_what_cannot_be_compared_is_an_error() -> None:
-    def changed(**ours: Any) -> Data:
-        data = separate(1.0)
-        data["context"]["geodesic_bench"].update(ours)
-        return data
-
     mesh = separate(1.0)
     mesh["context"]["geodesic_bench"]["meshes"][0]["sha256"] = 64 * "f"
     other = separate(1.0)
-    other["benchmarks"] = []
-    for row in separate(1.0)["benchmarks"]:
-        other["benchmarks"].append({**row, "solver": "ich"})
+    for row in other["benchmarks"]:
+        row["solver"] = "ich"
     other["context"]["geodesic_bench"]["solvers"][0]["name"] = "ich"
-    for new, words in (
-        (mesh, "horse is another file"),
-        (other, "no cell in common"),
-    ):
+    for new, words in ((mesh, "horse is another file"), (other, "no cell in common")):
         with pytest.raises(GateError, match=words):
             separate_runs(separate(1.0), new)
     with pytest.raises(GateError, match="no programs"):

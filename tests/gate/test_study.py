@@ -6,7 +6,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from gate_study import FAULTS, Fault, Study, ended
+from gate_study import FAULTS, Fault, Study
 
 from gate.program import NotCountableError
 
@@ -25,7 +25,7 @@ def test_fault_is_found_at_its_level(study: Study, fault: Fault) -> None:
     if 2 in fault.levels and study.base_run.context["build_type"] != "Release":
         pytest.skip("valgrind does not run programs with sanitizers")
     try:
-        result = ended(study.run(fault))
+        verdict = study.run(fault)
     except NotCountableError as error:
         pytest.skip(str(error))
-    assert (result.exit_code, result.failed) == (fault.exit_code, fault.found_by)
+    assert fault.found(verdict), verdict.headline
