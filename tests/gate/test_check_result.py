@@ -49,12 +49,18 @@ def rows_of(data: Data, solver: str) -> list[Data]:
     return found
 
 
-def test_a_result_that_was_written_by_the_program_passes(
-    result: Data, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert check_result.main([str(write(tmp_path / "run.json", result))]) == 0
-    said = capsys.readouterr().out
-    assert "cells: " in said and "0123456789, Some processor, 2026-01-02" in said
+Check = Callable[[Path], tuple[int, str]]
+
+
+@pytest.fixture
+def check(capsys: pytest.CaptureFixture[str]) -> Check:
+    """check(FILE) is the exit code and what is said."""
+    return lambda file: (check_result.main([str(file)]), capsys.readouterr().out)
+
+
+def test_a_result_that_was_written_by_the_program_passes(result: Data, tmp_path: Path, check: Check) -> None:
+    code, said = check(write(tmp_path / "run.json", result))
+    assert code == 0 and "cells: " in said and "0123456789, Some processor, 2026-01-02" in said
 
 
 def test_every_contributed_result_passes() -> None:
@@ -110,46 +116,43 @@ def uneven(data: Data) -> None:
     ],
 )  # fmt: skip
 def test_what_is_wrong_is_a_line_and_an_exit_code(
-    result: Data, tmp_path: Path, capsys: pytest.CaptureFixture[str],
-    change: Callable[[Data], None], said: str,
-) -> None:  # fmt: skip
+    result: Data, tmp_path: Path, check: Check, change: Callable[[Data], None], said: str
+) -> None:
     change(result)
     file = write(tmp_path / "theirs.json", result)
-    assert check_result.main([str(file)]) == 1
-    lines = capsys.readouterr().out.splitlines()
-    assert any(line.startswith(f"FAILED: {file}: ") and said in line for line in lines), lines
+    code, lines = check(file)
+    assert code == 1
+    assert any(line.startswith(f"FAILED: {file}: ") and said in line for line in lines.splitlines()), lines
 
 
-def test_a_number_that_was_changed_afterwards_is_found(
-    result: Data, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_number_that_was_changed_afterwards_is_found(result: Data, tmp_path: Path, check: Check) -> None:
     file = write(tmp_path / "run.json", result)
     time = rows_of(result, "edge-based")[0]["cpu_time"]
     text = file.read_text()
     assert text.count(str(time)) >= 1
     file.write_text(text.replace(str(time), str(time * 0.9), 1))
-    assert check_result.main([str(file)]) == 1
-    assert "the checksum is another one" in capsys.readouterr().out
+    code, said = check(file)
+    assert code == 1 and "the checksum is another one" in said
 
 
 def test_a_row_of_columns_that_was_changed_afterwards_is_found(
-    result: Data, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    result: Data, tmp_path: Path, check: Check
 ) -> None:
     file = merge.write(result["context"], Columns.of(result["benchmarks"]), tmp_path, 0)
-    assert check_result.main([str(file)]) == 0
+    assert check(file)[0] == 0
     run = read_run(file)
     run.columns.arrays["real_time"] *= 1.0625
     run.columns.without("processor", run.ours["processor"]).save(tmp_path / "rows.npz")
-    assert check_result.main([str(file)]) == 1
-    assert "rows.npz has another checksum, or none" in capsys.readouterr().out
+    code, said = check(file)
+    assert code == 1 and "rows.npz has another checksum, or none" in said
 
 
 def test_counters_far_from_those_of_this_revision_are_found(
-    result: Data, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    result: Data, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, check: Check
 ) -> None:
     row = rows_of(result, "mmp")[0]
     cell = check_result.Cell("mmp", row["mesh"], row["source"])
     known = {cell: {"window_propagations": 3 * row["window_propagations"]}}
     monkeypatch.setattr(check_result.baseline, "read", lambda _: known)
-    assert check_result.main([str(write(tmp_path / "run.json", result))]) == 1
-    assert "; this revision counts " in capsys.readouterr().out
+    code, said = check(write(tmp_path / "run.json", result))
+    assert code == 1 and "; this revision counts " in said

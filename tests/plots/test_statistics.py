@@ -38,24 +38,22 @@ def test_meshes_are_drawn_independently_so_that_more_of_them_narrow_the_interval
     assert width_of_nine == pytest.approx(width_of_one / 3, rel=0.1)
 
 
-def test_same_sample_gives_the_same_interval() -> None:
+def test_interval_of_a_sample_is_always_the_same_holds_the_value_and_lies_within_the_range() -> None:
     sample = [[1.0, 1.1, 1.3], [1.2, 1.25], [0.9, 1.0, 0.95]]
-    assert median(sample) == median(sample)
-
-
-def test_interval_holds_the_value_and_lies_within_the_range() -> None:
-    estimate = median([[1.0, 1.1, 1.3], [1.2, 1.25], [0.9, 1.0, 0.95]])
+    estimate = median(sample)
+    assert estimate == median(sample)
     assert estimate.least <= estimate.low <= estimate.value <= estimate.high <= estimate.most
 
 
-def test_constant_sample_has_no_spread() -> None:
-    estimate = median([[3.0, 3.0], [3.0]])
-    assert (estimate.low, estimate.high) == (3.0, 3.0)
-
-
-def test_spread_between_sources_is_not_hidden_by_many_repetitions() -> None:
-    estimate = median([[1.0] * 50, [2.0] * 50, [3.0] * 50])
-    assert (estimate.low, estimate.high) == (1.0, 3.0)
+@pytest.mark.parametrize(
+    ("sample", "ends"),
+    [([[3.0, 3.0], [3.0]], (3.0, 3.0)), ([[1.0] * 50, [2.0] * 50, [3.0] * 50], (1.0, 3.0))],
+)
+def test_spread_is_that_between_sources_however_many_their_repetitions(
+    sample: list[list[float]], ends: tuple[float, float]
+) -> None:
+    estimate = median(sample)
+    assert (estimate.low, estimate.high) == ends
 
 
 @pytest.mark.parametrize("sample", [[], [[]], [[1.0], []]])

@@ -1,16 +1,11 @@
-#!/usr/bin/python3
 """A Slurm cluster on this machine: a controller and some nodes, with a folder of their own.
 
-    tests/slurm/cluster.py [--nodes 3] COMMAND...
-
-brings it up, runs the command with SLURM_CONF set, and takes it down. Needs Debian's packages
-slurmctld, slurmd and munge, and root, as whom the jobs run; daemons of Slurm that the machine may
-have are not touched. Everything listens on 127.0.0.1 only.
+Needs Debian's packages slurmctld, slurmd and munge, and root, as whom the jobs run; daemons of Slurm
+that the machine may have are not touched. Everything listens on 127.0.0.1 only.
 """
 
 from __future__ import annotations
 
-import argparse
 import os
 import secrets
 import shutil
@@ -256,19 +251,3 @@ def _free_ports(count: int) -> list[int]:
             continue
         return list(range(first, first + count))
     raise RuntimeError("no free ports")
-
-
-def main() -> int:
-    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("--nodes", type=int, default=3)
-    parser.add_argument("command", nargs=argparse.REMAINDER)
-    wish = parser.parse_args()
-    if reason := why_not():
-        print(f"cluster.py: {reason}", file=sys.stderr)
-        return 1
-    with Cluster(wish.nodes) as cluster:
-        return subprocess.run(wish.command or ["sinfo", "-N", "-l"], env=cluster.environment).returncode
-
-
-if __name__ == "__main__":
-    sys.exit(main())

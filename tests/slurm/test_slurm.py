@@ -34,7 +34,7 @@ class World:
         ended = self.sharded.bench_says("run", *self.words, "--out", "whole")
         assert ended.returncode == 0, ended.stderr
         self.whole = folder / "whole"
-        self.environment = cluster.environment 
+        self.environment = cluster.environment
 
     def submit(self, out: str, *options: str, words: list[str] | None = None) -> Following:
         run = ["submit", "--out", str(self.folder / out), "--bench", str(self.sharded.bench),
