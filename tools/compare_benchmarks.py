@@ -32,13 +32,8 @@ def least_times(files: Sequence[Path]) -> Times:
 def compare(before: Sequence[Path], after: Sequence[Path]) -> list[str]:
     """Lines of a table."""
     middle = len(before) // 2
-    halves = [
-        (least_times(old), least_times(new))
-        for old, new in (
-            (before[:middle], after[:middle]),
-            (before[middle:], after[middle:]),
-        )
-    ]
+    parts_of_runs = (slice(middle), slice(middle, None))
+    halves = [(least_times(before[part]), least_times(after[part])) for part in parts_of_runs]
     old, new = least_times(before), least_times(after)
     width = max((len(name) for name in old), default=0)
     lines = [f"{'benchmark':{width}}  {'before ns':>12}  {'after ns':>12}   ratio   in the halves"]

@@ -121,7 +121,6 @@ def test_two_revisions_are_compared_whatever_the_working_tree_holds(repository: 
 def test_missing_base_says_how_to_get_one(repository: Repository) -> None:
     line = error_of(repository.check("origin/nothing"))
     assert "no revision 'origin/nothing'" in line and "fetch" in line
-    assert "the base is missing" in error_of(repository.check())
 
 
 def test_base_that_does_not_build_is_named_with_its_first_error(repository: Repository) -> None:
@@ -135,11 +134,8 @@ def test_base_that_does_not_build_is_named_with_its_first_error(repository: Repo
     assert "base-build.log" in line
 
 
-def test_no_baseline_says_how_to_make_it_and_making_it_needs_a_reason(
-    repository: Repository,
-) -> None:
+def test_no_baseline_says_how_to_make_it_and_its_history_has_the_reasons(repository: Repository) -> None:
     assert "--update-baseline writes it" in error_of(repository.check("main", "--levels=1"))
-    assert "needs --reason" in error_of(repository.check("--update-baseline"))
     ended = repository.check("--update-baseline", "--reason", "the first one")
     assert ended.returncode == GOOD, ended.stderr
     folder = repository.folder / "results" / "baseline"
@@ -155,9 +151,8 @@ def test_no_baseline_says_how_to_make_it_and_making_it_needs_a_reason(
     assert history.index("fewer square roots") < history.index("+5.00% to +5.00%")
     assert repository.check("main", "--levels=1").returncode == GOOD
     again = repository.check("--update-baseline", "--reason", "no change")
-    assert "nothing changed" in again.stdout and "no change" not in (
-        folder / "CHANGES.md"
-    ).read_text()
+    assert "nothing changed" in again.stdout
+    assert "no change" not in (folder / "CHANGES.md").read_text()
 
 
 def test_baseline_of_wrong_answers_is_refused(repository: Repository) -> None:
@@ -178,6 +173,8 @@ def test_margin_below_the_measured_noise_is_refused(repository: Repository) -> N
 @pytest.mark.parametrize(
     ("words", "said"),
     [
+        ([], "the base is missing"),
+        (["--update-baseline"], "needs --reason"),
         (["main", "--levels", "5"], "levels are 0, 1, 2, 3 and 4"),
         (["main", "--margin", "0.9"], "a margin is a ratio above 1, as in 1.10"),
         (["--a-a", "0"], "at least one session"),

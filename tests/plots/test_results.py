@@ -100,6 +100,15 @@ def without(key: str) -> Change:
     return lambda data: data["benchmarks"][0].pop(key)
 
 
+def one_among_many(share: float) -> Change:
+    def change(data: dict[str, Any]) -> None:
+        for one in data["benchmarks"]:
+            one["stolen_share"] = 0.5
+        data["benchmarks"][5]["stolen_share"] = share
+
+    return change
+
+
 @pytest.mark.parametrize(
     ("change", "says"),
     [
@@ -107,6 +116,14 @@ def without(key: str) -> Change:
         (row(3, wavefront_sd=float("nan")), ["benchmarks[3].wavefront_sd", "nan is not a finite number"]),
         (row(3, wavefront_sd=float("-inf")), ["benchmarks[3].wavefront_sd", "-inf is not a finite number"]),
         (row(3, window_limit=None), ["benchmarks[3].window_limit"]),
+        (one_among_many(-0.5), ["benchmarks[5].stolen_share"]),
+        (one_among_many(1.5), ["benchmarks[5].stolen_share"]),
+        (row(0, cpu_time="1"), ["benchmarks[0].cpu_time"]),
+        (row(0, source=1.5), ["benchmarks[0].source"]),
+        (row(0, source=-1), ["benchmarks[0].source"]),
+        (row(0, mesh=7), ["benchmarks[0].mesh"]),
+        (row(0, name=7), ["benchmarks[0].name"]),
+        (row(0, error_occurred=True), ["benchmarks[0]"]),
         (row(3, windows=7), ["benchmarks[3]", "'windows'"]),
         (ours(extra=1), ["context.geodesic_bench", "'extra'"]),
         (ours(schema_version=1), ["schema_version"]),
