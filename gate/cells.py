@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from results.reader import Cell, Row, Run
@@ -79,9 +80,12 @@ class Measured:
         """A number that is the same in every repetition; None where the solver has none."""
         return next((n for row in self.rows if (n := row.number(key)) is not None), None)
 
+    def numbers(self, keys: Iterable[str]) -> dict[str, float]:
+        """Those that the solver has."""
+        return {key: value for key in keys if (value := self.number(key)) is not None}
+
     def counters(self) -> dict[str, int]:
-        found = {name: self.number(name) for name in COUNTERS}
-        return {name: int(value) for name, value in found.items() if value is not None}
+        return {name: int(value) for name, value in self.numbers(COUNTERS).items()}
 
 
 def measured(run: Run, program: str | None = None) -> dict[Cell, Measured]:

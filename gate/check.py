@@ -95,10 +95,9 @@ def sessions(base: Program, head: Program, options: Options) -> timing.Session:
     numbers = itertools.count(1)
 
     def session(cells: Sequence[Cell]) -> dict[Cell, Pairs]:
-        solvers = list(dict.fromkeys(cell.solver for cell in cells))
+        chosen = _chosen(options, list(dict.fromkeys(cell.solver for cell in cells)))
         out = _empty(options.out / f"time-{next(numbers)}")
-        chosen = _chosen(options, solvers)
-        return head.measure_pairs(base, head, chosen, cells, timing.PAIRS, out)
+        return head.measure_pairs(base, chosen, cells, timing.PAIRS, out)
 
     return session
 

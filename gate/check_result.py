@@ -19,7 +19,7 @@ if __name__ == "__main__":
     console.prepare("geodesic-bench check-result")  # before imports that may fail
 
 from gate import baseline
-from gate.cells import COUNTERS
+from gate.cells import Measured
 from gate.findings import GateError
 from plots import check
 from results import checksum
@@ -119,7 +119,7 @@ def _row(run: Run, row: Row) -> Iterator[str]:
 def _counters(run: Run, known: baseline.Counters) -> Iterator[str]:
     cells: dict[Cell, dict[str, int]] = {}
     for row in run.rows:
-        counted = {name: int(n) for name in COUNTERS if (n := row.number(name)) is not None}
+        counted = Measured(row.cell, [row]).counters()
         if counted and cells.setdefault(row.cell, counted) != counted:
             yield f"{row.cell}: counters differ between repetitions"
     for cell, counted in cells.items():

@@ -41,12 +41,6 @@ def cells(run: Run) -> Iterator[tuple[str, Measured]]:
             yield (str(cell) if program is None else f"{cell}@{program}"), one
 
 
-def numbers(one: Measured) -> dict[str, float]:
-    """Those of which less is better and that are the same in every repetition."""
-    found = {key: one.number(key) for key in (*COUNTERS, MEMORY)}
-    return {key: value for key, value in found.items() if value is not None}
-
-
 def unit(key: str) -> str:
     return {MEMORY: "bytes", "strip_depth": "faces"}.get(key, "windows")
 
@@ -59,7 +53,7 @@ def to_github_action_benchmark(run: Run) -> str:
             key = "real_time" if (one.number("threads") or 1) > 1 else "cpu_time"
             time = {"name": f"{name} {key}", "unit": "ms", "value": statistics.median(times)}
             rows.append({**time, "range": f"{min(times):g} to {max(times):g}"})
-            for key, value in numbers(one).items():
+            for key, value in one.numbers((*COUNTERS, MEMORY)).items():
                 rows.append({"name": f"{name} {key}", "unit": unit(key), "value": value})
     return json.dumps(rows, indent=2) + "\n"
 

@@ -69,16 +69,15 @@ class Program:
         return Verified(run.ours, measured(run))
 
     def measure_pairs(
-        self, base: Program, head: Program, chosen: Sequence[str], cells: Sequence[Cell],
-        pairs: int, out: Path,
+        self, base: Program, chosen: Sequence[str], cells: Sequence[Cell], pairs: int, out: Path
     ) -> dict[Cell, Pairs]:
-        """Times two programs in pairs, by this one's `run --program`, into the folder `out`.
+        """Times this program and a base in pairs, by this one's `run --program`, into the folder `out`.
 
         @param chosen options of `run` that name meshes and solvers, the cells among them
         @raises GateError when a program that was verified fails"""
         options = ["--repetitions", str(pairs), "--min-time", str(MIN_SECONDS)]
         options += ["--recordings", "none", "--cells", ",".join(map(str, cells))]
-        options += ["--program", f"base={base.path}", "--program", f"head={head.path}"]
+        options += ["--program", f"base={base.path}", "--program", f"head={self.path}"]
         run = self._run([*chosen, *options], out)
         old, new = (measured(run, program) for program in ("base", "head"))
         for side in (old, new):
