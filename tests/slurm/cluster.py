@@ -15,6 +15,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Callable
 from pathlib import Path
 from types import TracebackType
 
@@ -222,8 +223,7 @@ class Cluster:
 
         self._wait(up, "the nodes")
 
-    def _wait(self, done: object, what: str) -> None:
-        assert callable(done)
+    def _wait(self, done: Callable[[], bool], what: str) -> None:
         deadline = time.monotonic() + SECONDS
         while not done():
             ended = [name for name, daemon in self._daemons.items() if daemon.poll() is not None]
