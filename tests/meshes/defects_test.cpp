@@ -3,9 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "tests/meshes/mesh_samples.h"
+#include "tests/shapes.h"
 
 namespace geodesic {
 namespace {
@@ -37,68 +36,37 @@ TEST(Defects, ACleanMeshHasNone) {
   EXPECT_EQ(text_of(defects_of(kTwoFaces)), "");
 }
 
-TEST(Defects, IndexOutOfRange) {
+TEST(Defects, OfEveryKindAreCountedAndTheFirstIsNamed) {
+  using enum DefectKind;
   expect_only(
-      kTwoFaces + "f 1 2 9\nf 0 1 2\n", DefectKind::index_out_of_range,
+      kTwoFaces + "f 1 2 9\nf 0 1 2\n", index_out_of_range,
       "2 faces that name a vertex that does not exist (first: face 2 (line 7) of vertices 0, "
       "1, 8; the file has 4 vertices, counted here from 0)");
-}
-
-TEST(Defects, RepeatedVertex) {
-  expect_only(kTwoFaces + "f 1 2 2\n", DefectKind::repeated_vertex,
+  expect_only(kTwoFaces + "f 1 2 2\n", repeated_vertex,
               "1 face that names a vertex twice (first: face 2 (line 7) of vertices 0, 1, 1)");
-}
-
-TEST(Defects, NonFiniteCoordinate) {
   for (const char* coordinate : {"nan", "inf", "-inf", "1e400", "-2e150"}) {
-    expect_only(kTwoFaces + "v 0 0 " + coordinate + "\nf 1 4 5\n",
-                DefectKind::non_finite_coordinate,
+    expect_only(kTwoFaces + "v 0 0 " + coordinate + "\nf 1 4 5\n", non_finite_coordinate,
                 "1 vertex with a coordinate that is not finite or above 1e150 (first: vertex 4 "
                 "(line 7))\n1 isolated vertex (first: vertex 4 (line 7))");
   }
-}
-
-TEST(Defects, RepeatedFace) {
-  expect_only(kTwoFaces + "f 2 3 1\nf 3 2 1\n", DefectKind::repeated_face,
+  expect_only(kTwoFaces + "f 2 3 1\nf 3 2 1\n", repeated_face,
               "2 repeated faces (first: face 2 (line 7) of vertices 1, 2, 0)");
-}
-
-TEST(Defects, NonManifoldEdge) {
-  expect_only(kTwoFaces + "v 0.5 0.5 1\nf 3 1 5\n", DefectKind::non_manifold_edge,
+  expect_only(kTwoFaces + "v 0.5 0.5 1\nf 3 1 5\n", non_manifold_edge,
               "1 non-manifold edge (first: edge 0-2 of face 0 (line 5), face 1 (line 6), face 2 "
               "(line 8))");
-}
-
-TEST(Defects, InconsistentOrientation) {
-  expect_only(kSquare + "f 1 2 3\nf 1 4 3\n", DefectKind::inconsistent_orientation,
+  expect_only(kMisoriented, inconsistent_orientation,
               "1 edge between inconsistently oriented faces (first: edge 0-2 of face 0 (line 5), "
               "face 1 (line 6))");
-}
-
-TEST(Defects, NonManifoldVertex) {
-  expect_only(kSquare + "v 5 5 5\nf 1 2 3\nf 1 4 5\n", DefectKind::non_manifold_vertex,
+  expect_only(kSquare + "v 5 5 5\nf 1 2 3\nf 1 4 5\n", non_manifold_vertex,
               "1 non-manifold vertex (first: vertex 0 (line 1))");
-}
-
-TEST(Defects, ZeroAreaFace) {
-  expect_only("v 0 0 0\nv 1 0 0\nv 3 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n", DefectKind::zero_area_face,
+  expect_only("v 0 0 0\nv 1 0 0\nv 3 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n", zero_area_face,
               "1 degenerate face of zero area (first: face 0 (line 5) of vertices 0, 1, 2)");
-}
-
-TEST(Defects, ZeroLengthEdgeWithTheZeroAreaItCauses) {
-  expect_only("v 0 0 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n",
-              DefectKind::zero_length_edge,
+  expect_only("v 0 0 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n", zero_length_edge,
               "1 degenerate face of zero area (first: face 0 (line 5) of vertices 0, 1, 2)\n"
               "1 zero-length edge (first: edge 0-1 of face 0 (line 5))");
-}
-
-TEST(Defects, IsolatedVertex) {
-  expect_only("v 9 9 9\n" + kSquare + "f 2 3 4\nf 2 4 5\n", DefectKind::isolated_vertex,
+  expect_only("v 9 9 9\n" + kSquare + "f 2 3 4\nf 2 4 5\n", isolated_vertex,
               "1 isolated vertex (first: vertex 0 (line 1))");
-}
-
-TEST(Defects, SeveralComponents) {
-  expect_only(kTwoFaces + "v 5 0 0\nv 6 0 0\nv 5 1 0\nf 5 6 7\n", DefectKind::several_components,
+  expect_only(kTwoFaces + "v 5 0 0\nv 6 0 0\nv 5 1 0\nf 5 6 7\n", several_components,
               "2 components that no path connects (first: the second holds face 2 (line 10))");
 }
 
@@ -126,15 +94,7 @@ TEST(Defects, ExamplesOfBinaryFilesHaveNoLines) {
 }
 
 TEST(Defects, AVertexOfManyFacesCostsNoQuadraticTime) {
-  constexpr Index kRim = 200'000;
-  TriangleSoup soup;
-  soup.positions.push_back({0, 0, 1});
-  for (Index i = 0; i < kRim; ++i) {
-    const double angle = 2 * 3.14159265358979 * i / kRim;
-    soup.positions.push_back({std::cos(angle), std::sin(angle), 0});
-    soup.triangles.push_back({0, 1 + i, 1 + (i + 1) % kRim});
-  }
-  EXPECT_EQ(text_of(find_defects(soup)), "");
+  EXPECT_EQ(text_of(find_defects(fan(200'000, 1, 1))), "");
 }
 
 }  // namespace

@@ -85,6 +85,7 @@ TEST(Hostile, CountsThatTheFileCannotHoldAreRefusedWithoutMemoryForThem) {
       {"d.off", "OFF BINARY\n\x7f\xff\xff\xff" + binary_off("").substr(4)},
       {"e.off", "OFF BINARY\n" + binary_off("").replace(4, 1, "\x7f")},
       {"f.off", "OFF BINARY\n" + binary_off("").replace(60, 1, "\x7f")},  // corners of a face
+      {"g.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n"},
       {"a.ply", ply("ascii", vertices + "element face 1\n" + corners)},
       {"b.ply", ply("binary_little_endian", vertices + "element face 1\n" + corners)},
       {"c.ply", ply("binary_big_endian", few + "element face 4000000000\n" + corners)},
@@ -98,15 +99,9 @@ TEST(Hostile, CountsThatTheFileCannotHoldAreRefusedWithoutMemoryForThem) {
       {"a.stl", stl}};
   const std::size_t before = peak_kilobytes();
   for (const Sample& sample : samples) {
-    const std::string message = refusal(sample.bytes, sample.name);
-    EXPECT_TRUE(contains(message, sample.name + ", ")) << message;
+    expect_refusal(sample.bytes, sample.name, sample.name + ", ");
   }
   EXPECT_LT(peak_kilobytes(), before + 32 * 1024);
-}
-
-TEST(Hostile, AFaceOfFewerCornersThanItClaimsIsRefused) {
-  EXPECT_TRUE(contains(refusal("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n", "a.off"),
-                       "line 7: the file ends before the end of face 0 of 1"));
 }
 
 TEST(Hostile, OtherFilesAreOfTheWrongFormat) {
@@ -129,8 +124,7 @@ TEST(Hostile, OtherFilesAreOfTheWrongFormat) {
       {{"a.stl", "short"}, "wrong format"},
   };
   for (const auto& [sample, expected] : cases) {
-    EXPECT_TRUE(contains(refusal(sample.bytes, sample.name), expected))
-        << refusal(sample.bytes, sample.name) << "\nexpected: " << expected;
+    expect_refusal(sample.bytes, sample.name, expected);
   }
 }
 
@@ -143,24 +137,6 @@ TEST(Hostile, TheContentDecidesAgainstTheExtensionAndSaysSo) {
     EXPECT_TRUE(contains(file.warnings[0], "the content is " + file.format)) << file.warnings[0];
     EXPECT_TRUE(parse_mesh(sample.bytes, "without-extension").warnings.empty()) << sample.name;
   }
-}
-
-TEST(Hostile, WhatIsNoFileIsNamed) {
-  const TemporaryFolder folder;
-  const auto message = [](const std::filesystem::path& path) -> std::string {
-    try {
-      read_mesh_file(path);
-    } catch (const MeshError& error) {
-      return error.what();
-    }
-    return "accepted";
-  };
-  EXPECT_EQ(message(folder.file("none.obj")),
-            folder.file("none.obj").string() + ": no such file; check the path");
-  EXPECT_EQ(message(folder.file("")),
-            folder.file("").string() + ": not a regular file; name a mesh file");
-  EXPECT_EQ(message("/dev/zero"), "/dev/zero: not a regular file; name a mesh file");
-  EXPECT_EQ(message(folder.write("a.obj", kObj)), "accepted");
 }
 
 }  // namespace

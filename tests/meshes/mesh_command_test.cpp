@@ -5,10 +5,13 @@
 #include <CLI/CLI.hpp>
 
 #include "harness/base/json.h"
+#include "tests/harness/temporary_folder.h"
 #include "tests/meshes/mesh_samples.h"
 
 namespace geodesic::harness {
 namespace {
+
+using MeshCommand = TemporaryFolder;
 
 struct Outcome {
   std::string output, error;
@@ -29,11 +32,8 @@ Outcome run(std::vector<std::string> arguments) {
   return {testing::internal::GetCapturedStdout(), error};
 }
 
-const std::string kMisoriented = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 4 3\n";
-
-TEST(MeshCommand, PrintsCountsTopologyLengthsAndAngles) {
-  const TemporaryFolder folder;
-  const Outcome outcome = run({folder.write("a.off", kOff)});
+TEST_F(MeshCommand, PrintsCountsTopologyLengthsAndAngles) {
+  const Outcome outcome = run({write("a.off", kOff)});
   EXPECT_EQ(outcome.error, "");
   for (const char* part :
        {"OFF", "vertices            4", "faces               4", "edges               6",
@@ -44,18 +44,16 @@ TEST(MeshCommand, PrintsCountsTopologyLengthsAndAngles) {
   }
 }
 
-TEST(MeshCommand, PrintsJson) {
-  const TemporaryFolder folder;
-  const Json json = Json::parse(run({folder.write("a.obj", kObj), "--json"}).output);
+TEST_F(MeshCommand, PrintsJson) {
+  const Json json = Json::parse(run({write("a.obj", kObj), "--json"}).output);
   EXPECT_EQ(json["vertices"], 4);
   EXPECT_EQ(json["genus"], 0);
   EXPECT_EQ(json["edge_length"]["min"], 1);
   EXPECT_EQ(json["defects"], Json::array());
 }
 
-TEST(MeshCommand, DescribesABadMeshAndThenFails) {
-  const TemporaryFolder folder;
-  const Outcome outcome = run({folder.write("a.obj", kMisoriented), "--json"});
+TEST_F(MeshCommand, DescribesABadMeshAndThenFails) {
+  const Outcome outcome = run({write("a.obj", kMisoriented), "--json"});
   EXPECT_TRUE(contains(outcome.error, "distances would be meaningless")) << outcome.error;
   const Json json = Json::parse(outcome.output);
   EXPECT_EQ(json["defects"][0]["kind"], "inconsistent_orientation");
@@ -63,10 +61,9 @@ TEST(MeshCommand, DescribesABadMeshAndThenFails) {
   EXPECT_EQ(json["defects"][0]["count"], 1);
 }
 
-TEST(MeshCommand, RepairsReportsAndWrites) {
-  const TemporaryFolder folder;
-  const auto bad = folder.write("a.obj", kMisoriented);
-  const auto good = folder.file("b.ply");
+TEST_F(MeshCommand, RepairsReportsAndWrites) {
+  const auto bad = write("a.obj", kMisoriented);
+  const auto good = folder_ / "b.ply";
   EXPECT_NE(run({bad, "--output", good}).error, "");
   EXPECT_FALSE(std::filesystem::exists(good));
   const Outcome outcome = run({bad, "--repair", "--output", good});
@@ -76,9 +73,8 @@ TEST(MeshCommand, RepairsReportsAndWrites) {
   EXPECT_TRUE(contains(run({good, "--repair"}).output, "nothing needed it"));
 }
 
-TEST(MeshCommand, AMeshWithoutUsableFacesStillGivesJson) {
-  const TemporaryFolder folder;
-  const auto bad = folder.write("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 2\n");
+TEST_F(MeshCommand, AMeshWithoutUsableFacesStillGivesJson) {
+  const auto bad = write("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 2\n");
   const Outcome outcome = run({bad, "--json", "--repair"});
   EXPECT_TRUE(contains(outcome.error, "no usable face is left")) << outcome.error;
   EXPECT_TRUE(Json::parse(outcome.output)["edge_length"].is_null());

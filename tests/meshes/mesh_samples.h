@@ -1,16 +1,16 @@
 // Small meshes in every format, and what the tests of this folder share.
 #pragma once
 
-#include <unistd.h>
+#include <gtest/gtest.h>
 
 #include <bit>
-#include <filesystem>
-#include <fstream>
+#include <random>
 #include <string>
 #include <string_view>
 
 #include "meshes/formats/bytes.h"
 #include "meshes/mesh_file.h"
+#include "tests/message_of.h"
 
 namespace geodesic {
 
@@ -20,11 +20,29 @@ inline TriangleSoup tetrahedron() {
           .triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
 }
 
+/// Faces at random on few vertices: they have every defect at once.
+inline TriangleSoup random_triangles(std::mt19937& random) {
+  TriangleSoup soup;
+  const std::size_t vertices = 4 + random() % 12;
+  for (std::size_t v = 0; v < vertices; ++v) {
+    soup.positions.push_back({static_cast<double>(random() % 4), static_cast<double>(random() % 4),
+                              random() % 20 == 0 ? kInfinity : 1.0});
+  }
+  for (std::size_t f = 0; f < 4 + random() % 30; ++f) {
+    const auto vertex = [&] { return static_cast<Index>(random() % (vertices + 1)); };
+    soup.triangles.push_back({vertex(), vertex(), vertex()});
+  }
+  return soup;
+}
+
 inline const std::string kObj =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
 
 inline const std::string kOff =
     "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+
+/// Two faces that run along their common edge in the same direction.
+inline const std::string kMisoriented = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 4 3\n";
 
 inline std::string ply_header(const std::string& format, const std::string& coordinate_type) {
   const std::string type = "property " + coordinate_type + " ";
@@ -107,40 +125,31 @@ inline std::string binary_stl(const std::string& title) {
   return bytes;
 }
 
-/// What reading these bytes throws; "accepted" when it does not.
-inline std::string refusal(const std::string& bytes, const std::string& name) {
-  try {
-    parse_mesh(bytes, name);
-  } catch (const MeshError& error) {
-    return error.what();
-  }
-  return "accepted";
+/// The bytes are those of the tetrahedron, of which nothing is to be warned.
+inline MeshFile expect_tetrahedron(const std::string& bytes, const std::string& name,
+                                   const std::string& format) {
+  MeshFile file = parse_mesh(bytes, name);
+  EXPECT_EQ(file.soup.positions, tetrahedron().positions) << format;
+  EXPECT_EQ(file.soup.triangles, tetrahedron().triangles) << format;
+  EXPECT_EQ(file.format, format);
+  EXPECT_EQ(file.warnings, std::vector<std::string>{});
+  return file;
 }
 
 inline bool contains(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
-/// A folder that lives as long as the object.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "meshes-test-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+/// What reading these bytes throws.
+inline std::string refusal(const std::string& bytes, const std::string& name) {
+  return message_of<MeshError>([&] { parse_mesh(bytes, name); });
+}
 
-  std::filesystem::path file(const std::string& name) const { return path_ / name; }
-  std::filesystem::path write(const std::string& name, const std::string& bytes) const {
-    std::ofstream(file(name), std::ios::binary) << bytes;
-    return file(name);
-  }
-
- private:
-  std::filesystem::path path_;
-};
+/// Reading these bytes throws a message that has this part.
+inline void expect_refusal(const std::string& bytes, const std::string& name,
+                           const std::string& part) {
+  const std::string message = refusal(bytes, name);
+  EXPECT_TRUE(contains(message, part)) << message << "\nexpected: " << part;
+}
 
 }  // namespace geodesic

@@ -12,13 +12,7 @@ const std::string kCorners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 MeshFile parse(const std::string& text) { return parse_mesh(text, "test.obj"); }
 
-TEST(Obj, KeepsTheFilesVerticesAndFacesInOrder) {
-  const MeshFile file = parse(kObj);
-  EXPECT_EQ(file.soup.positions, tetrahedron().positions);
-  EXPECT_EQ(file.soup.triangles, tetrahedron().triangles);
-  EXPECT_EQ(file.format, "OBJ");
-  EXPECT_TRUE(file.warnings.empty());
-}
+TEST(Obj, KeepsTheFilesVerticesAndFacesInOrder) { expect_tetrahedron(kObj, "test.obj", "OBJ"); }
 
 TEST(Obj, KnowsTheLineOfEveryElement) {
   const MeshFile file = parse("# title\n" + kCorners + "\nf 1 2 3 4\nf 1 3 2\n");
@@ -79,10 +73,6 @@ TEST(Obj, SkipsWeightsAndColoursBehindCoordinates) {
   EXPECT_EQ(file.soup.positions, (std::vector<Vec3>{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}));
 }
 
-TEST(Obj, KeepsIsolatedVertices) {
-  EXPECT_EQ(parse("v 9 9 9\n" + kCorners + "f 2 3 4\n").soup.positions.size(), 5u);
-}
-
 TEST(Obj, ReportsGeometryThatIsNotRead) {
   const MeshFile file = parse(kCorners + "l 1 2\nl 2 3\nf 1 2 3\n");
   ASSERT_EQ(file.warnings.size(), 1u);
@@ -101,12 +91,8 @@ TEST(Obj, LeavesIndicesOutOfRangeToTheSearchForDefects) {
   for (const std::size_t f : {1u, 2u, 3u}) EXPECT_EQ(file.soup.triangles[f][0], kNone) << f;
 }
 
-struct Malformed {
-  std::string text, expected;
-};
-
 TEST(Obj, NamesTheLineOfWhatIsMalformed) {
-  const std::vector<Malformed> cases = {
+  const std::vector<std::pair<std::string, std::string>> cases = {
       {kCorners + "f 1 2\n", "test.obj, line 5: a face has 2 corners"},
       {kCorners + "f\n", "test.obj, line 5: a face has 0 corners"},
       {"v 0 0\nf 1 1 1\n", "test.obj, line 1: the z coordinate is missing"},
@@ -123,10 +109,7 @@ TEST(Obj, NamesTheLineOfWhatIsMalformed) {
       {kCorners + "f 1 2 3 \\", "the file ends before"},
       {"v 0 0 \x7f\n", "'\\x7f'"},
   };
-  for (const Malformed& c : cases) {
-    EXPECT_TRUE(contains(refusal(c.text, "test.obj"), c.expected))
-        << refusal(c.text, "test.obj") << "\nexpected: " << c.expected;
-  }
+  for (const auto& [text, expected] : cases) expect_refusal(text, "test.obj", expected);
 }
 
 }  // namespace

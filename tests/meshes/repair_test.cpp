@@ -8,6 +8,7 @@
 #include "meshes/defects.h"
 #include "solvers/core/mesh.h"
 #include "tests/meshes/mesh_samples.h"
+#include "tests/shapes.h"
 
 namespace geodesic {
 namespace {
@@ -19,26 +20,6 @@ std::map<std::string, std::size_t> counts(const std::vector<RepairAction>& actio
 }
 
 using Counts = std::map<std::string, std::size_t>;
-
-// A band of n quadrilaterals (two triangles each) that is closed with or without half a turn.
-TriangleSoup band(Index n, bool half_turn) {
-  TriangleSoup soup;
-  for (Index i = 0; i < n; ++i) {
-    for (const double z : {0.0, 1.0}) {
-      const double angle = 6.283185307179586 * i / n;
-      soup.positions.push_back({std::cos(angle), std::sin(angle), z});
-    }
-  }
-  for (Index i = 0; i < n; ++i) {
-    const bool turn = half_turn && i + 1 == n;
-    const Index next = 2 * ((i + 1) % n);
-    const Index low = next + (turn ? 1 : 0);
-    const Index high = next + (turn ? 0 : 1);
-    soup.triangles.push_back({2 * i, low, high});
-    soup.triangles.push_back({2 * i, high, 2 * i + 1});
-  }
-  return soup;
-}
 
 TEST(Repair, LeavesACleanMeshAlone) {
   TriangleSoup soup = tetrahedron();
@@ -101,21 +82,10 @@ TEST(Repair, KeepsDegenerateFacesAndIsolatedVertices) {
   EXPECT_EQ(soup.positions.size(), 5u);
 }
 
-// Random faces on few vertices have every defect at once.
 TEST(Repair, OfAnyTrianglesFitsTheSolversIsDeterministicAndIdempotent) {
   std::mt19937 random(7);
   for (int round = 0; round < 200; ++round) {
-    TriangleSoup soup;
-    const std::size_t vertices = 4 + random() % 12;
-    for (std::size_t v = 0; v < vertices; ++v) {
-      soup.positions.push_back({1.0 * static_cast<double>(random() % 4),
-                                1.0 * static_cast<double>(random() % 4),
-                                random() % 20 == 0 ? kInfinity : 1.0});
-    }
-    for (std::size_t f = 0; f < 4 + random() % 30; ++f) {
-      const auto vertex = [&] { return static_cast<Index>(random() % (vertices + 1)); };
-      soup.triangles.push_back({vertex(), vertex(), vertex()});
-    }
+    const TriangleSoup soup = random_triangles(random);
     TriangleSoup once = soup;
     TriangleSoup again = soup;
     const DefectReport report = find_defects(once);
@@ -126,7 +96,7 @@ TEST(Repair, OfAnyTrianglesFitsTheSolversIsDeterministicAndIdempotent) {
     const auto actions = counts(done);
     EXPECT_EQ(actions, counts(repair(again))) << "round " << round;
     EXPECT_EQ(once.triangles, again.triangles) << "round " << round;
-    EXPECT_EQ(once.positions.size(), vertices);
+    EXPECT_EQ(once.positions.size(), soup.positions.size());
     EXPECT_NO_THROW(Mesh{once}) << "round " << round;
 
     TriangleSoup twice = once;

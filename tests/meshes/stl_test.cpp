@@ -72,20 +72,17 @@ TEST(Stl, JoinsManyCornersAsOneByOneComparisonWould) {
 
 TEST(Stl, RefusesSizesThatDoNotFitTheCount) {
   const std::string bytes = binary_stl("binary");
-  EXPECT_TRUE(contains(refusal(bytes + "1", "a.stl"), "declares 4 triangles, but the file has 285"))
-      << refusal(bytes + "1", "a.stl");
-  EXPECT_TRUE(contains(refusal(bytes.substr(0, 200), "a.stl"), "which is 2 triangles"))
-      << refusal(bytes.substr(0, 200), "a.stl");
-  EXPECT_TRUE(contains(refusal(binary_stl("solid").substr(0, 200), "a.stl"), "truncated"));
+  expect_refusal(bytes + "1", "a.stl", "declares 4 triangles, but the file has 285");
+  expect_refusal(bytes.substr(0, 200), "a.stl", "which is 2 triangles");
+  expect_refusal(binary_stl("solid").substr(0, 200), "a.stl", "truncated");
 }
 
 TEST(Stl, NamesTheLineOfWhatIsMalformed) {
   std::string four_corners = ascii_stl();
   four_corners.insert(four_corners.find(" endloop"), "  vertex 5 5 5\n");
   EXPECT_EQ(refusal(four_corners, "a.stl"), "a.stl, line 7: expected 'endloop', found 'vertex'");
-  EXPECT_TRUE(contains(refusal("solid\nfacet normal 0 0 x\n", "a.stl"),
-                       "line 2: the normal 'x' is not a number"));
-  EXPECT_TRUE(contains(refusal("solid a\nendsolid\n", "a.stl"), "empty mesh"));
+  expect_refusal("solid\nfacet normal 0 0 x\n", "a.stl", "line 2: the normal 'x' is not a number");
+  expect_refusal("solid a\nendsolid\n", "a.stl", "empty mesh");
 }
 
 }  // namespace

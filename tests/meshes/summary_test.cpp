@@ -5,39 +5,17 @@
 #include <cmath>
 #include <random>
 
+#include "meshes/connectivity.h"
+#include "meshes/generators/generators.h"
 #include "meshes/repair.h"
 #include "solvers/core/mesh.h"
 #include "tests/meshes/mesh_samples.h"
+#include "tests/shapes.h"
 
 namespace geodesic {
 namespace {
 
-// A grid of n x n vertices, closed in one or both directions by identifying opposite sides; its
-// position in space does not matter for the topology.
-TriangleSoup grid(Index n, bool close_u, bool close_v) {
-  TriangleSoup soup;
-  for (Index i = 0; i < n; ++i) {
-    for (Index j = 0; j < n; ++j) {
-      soup.positions.push_back({static_cast<double>(i), static_cast<double>(j), 0});
-    }
-  }
-  const auto id = [&](Index i, Index j) { return (i % n) * n + j % n; };
-  for (Index i = 0; i + (close_u ? 0 : 1) < n; ++i) {
-    for (Index j = 0; j + (close_v ? 0 : 1) < n; ++j) {
-      soup.triangles.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
-      soup.triangles.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
-    }
-  }
-  return soup;
-}
-
-void append(TriangleSoup& soup, const TriangleSoup& other) {
-  const auto shift = static_cast<Index>(soup.positions.size());
-  soup.positions.insert(soup.positions.end(), other.positions.begin(), other.positions.end());
-  for (const auto& [a, b, c] : other.triangles) {
-    soup.triangles.push_back({a + shift, b + shift, c + shift});
-  }
-}
+TriangleSoup small_torus() { return generate("torus", {{"rings", 5}, {"sides", 5}}); }
 
 TEST(Summary, OfATetrahedronHasItsClosedForms) {
   const MeshSummary s = summarize(tetrahedron());
@@ -56,24 +34,24 @@ TEST(Summary, OfATetrahedronHasItsClosedForms) {
 }
 
 TEST(Summary, CountsLoopsAndGenus) {
-  const MeshSummary disc = summarize(grid(5, false, false));
+  const MeshSummary disc = summarize(generate("grid", {{"columns", 4}, {"rows", 4}}));
   EXPECT_EQ(disc.boundary_loops, 1u);
   EXPECT_EQ(disc.boundary_edges, 16u);
   EXPECT_EQ(disc.genus, 0u);
-  const MeshSummary annulus = summarize(grid(5, true, false));
+  const MeshSummary annulus = summarize(generate("cylinder", {{"sides", 5}, {"rows", 4}}));
   EXPECT_EQ(annulus.boundary_loops, 2u);
   EXPECT_EQ(annulus.genus, 0u);
-  const MeshSummary torus = summarize(grid(5, true, true));
+  const MeshSummary torus = summarize(small_torus());
   EXPECT_EQ(torus.boundary_loops, 0u);
   EXPECT_EQ(torus.genus, 1u);
 }
 
 TEST(Summary, AddsUpOverComponents) {
-  TriangleSoup soup = grid(5, true, true);
-  append(soup, grid(4, true, true));
-  append(soup, grid(5, false, false));
-  append(soup, tetrahedron());
-  soup.positions.push_back({9, 9, 9});
+  TriangleSoup soup = small_torus();
+  for (const TriangleSoup& more :
+       {small_torus(), generate("grid"), tetrahedron(), TriangleSoup{{{9, 9, 9}}, {}}}) {
+    soup = side_by_side(std::move(soup), more);
+  }
   const MeshSummary s = summarize(soup);
   EXPECT_EQ(s.components, 4u);
   EXPECT_EQ(s.genus, 2u);
@@ -101,7 +79,7 @@ TEST(Summary, HasNoGenusWhenTheSurfaceHasOneSideOnly) {
 }
 
 TEST(Summary, TakesMisorientedFacesAsIfTheyWereTurned) {
-  TriangleSoup soup = grid(5, true, true);
+  TriangleSoup soup = small_torus();
   for (std::size_t f = 0; f < soup.triangles.size(); f += 3) {
     std::swap(soup.triangles[f][0], soup.triangles[f][1]);
   }
@@ -111,31 +89,11 @@ TEST(Summary, TakesMisorientedFacesAsIfTheyWereTurned) {
 }
 
 TEST(Summary, CountsInteriorVerticesOfMoreThanAFullTurnAsSaddles) {
-  // Vertex 0 in the middle of a rim whose height is constant (a cone), zero (flat) or alternating.
-  constexpr Index kRim = 6;
-  struct Case {
-    double even, odd;
-    std::size_t saddles;
-  };
-  for (const auto& [even, odd, saddles] :
-       {Case{0.5, 0.5, 0}, Case{0, 0, 0}, Case{0.1, -0.1, 1}, Case{1e-3, -1e-3, 1}}) {
-    TriangleSoup soup{.positions = {{0, 0, 0}}, .triangles = {}};
-    for (Index i = 0; i < kRim; ++i) {
-      const double angle = 2 * M_PI * i / kRim;
-      soup.positions.push_back({std::cos(angle), std::sin(angle), i % 2 == 0 ? even : odd});
-      soup.triangles.push_back({0, 1 + i, 1 + (i + 1) % kRim});
-    }
-    EXPECT_EQ(summarize(soup).saddle_vertices, saddles)
-        << "heights " << even << " and " << odd << ", total angle " << Mesh(soup).total_angle(0);
+  EXPECT_EQ(summarize(fan(6, 0.5, 0.5)).saddle_vertices, 0u) << "a cone";
+  EXPECT_EQ(summarize(fan(6, 0, 0)).saddle_vertices, 0u) << "flat";
+  for (const double height : {0.1, 1e-3}) {
+    EXPECT_EQ(summarize(fan(6, height, -height)).saddle_vertices, 1u) << height;
   }
-}
-
-TEST(Summary, AgreesWithTheSolversMesh) {
-  const TriangleSoup soup = grid(6, false, true);
-  const MeshSummary s = summarize(soup);
-  const Mesh mesh(soup);
-  EXPECT_EQ(s.edges, mesh.edge_count());
-  EXPECT_NEAR(s.edge_lengths->mean, mesh.mean_edge_length(), 1e-14);
 }
 
 TEST(Summary, OfUnusableFacesOnlyHasNoLengths) {
@@ -148,15 +106,7 @@ TEST(Summary, OfUnusableFacesOnlyHasNoLengths) {
 }
 
 TEST(Summary, OfAVertexOfManyFacesCostsNoQuadraticTime) {
-  constexpr Index kRim = 200'000;
-  TriangleSoup soup;
-  soup.positions.push_back({0, 0, 1});
-  for (Index i = 0; i < kRim; ++i) {
-    const double angle = 2 * M_PI * i / kRim;
-    soup.positions.push_back({std::cos(angle), std::sin(angle), 0});
-    soup.triangles.push_back({0, 1 + i, 1 + (i + 1) % kRim});
-  }
-  EXPECT_EQ(summarize(soup).boundary_loops, 1u);
+  EXPECT_EQ(summarize(fan(200'000, 1, 1)).boundary_loops, 1u);
 }
 
 TEST(Summary, CountsTheFansOfANonManifoldVertexAsOneComponent) {
@@ -196,16 +146,7 @@ TEST(Summary, LeavesOutUnusableFacesAndOrientsTheOthers) {
 TEST(Summary, OfAnyRepairedTrianglesIsThatOfTheSolversMesh) {
   std::mt19937 random(11);
   for (int round = 0; round < 300; ++round) {
-    TriangleSoup soup;
-    const std::size_t vertices = 4 + random() % 8;
-    for (std::size_t v = 0; v < vertices; ++v) {
-      soup.positions.push_back({static_cast<double>(random() % 100),
-                                static_cast<double>(random() % 100), static_cast<double>(v)});
-    }
-    for (std::size_t f = 0; f < 3 + random() % 20; ++f) {
-      const auto vertex = [&] { return static_cast<Index>(random() % vertices); };
-      soup.triangles.push_back({vertex(), vertex(), vertex()});
-    }
+    TriangleSoup soup = random_triangles(random);
     repair(soup);
     const MeshSummary s = summarize(soup);
     const Mesh mesh(soup);
