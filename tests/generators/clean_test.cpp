@@ -5,22 +5,15 @@
 #include <cmath>
 #include <random>
 
+#include "meshes/connectivity.h"
 #include "meshes/defects.h"
-#include "meshes/summary.h"
 #include "solvers/core/mesh.h"
-#include "tests/generators/input_files.h"
+#include "tests/generators/generator_test.h"
 #include "tests/harness/expect_error.h"
+#include "tests/shapes.h"
 
 namespace geodesic {
 namespace {
-
-void append(TriangleSoup& soup, const TriangleSoup& more) {
-  const auto first = static_cast<Index>(soup.positions.size());
-  soup.positions.insert(soup.positions.end(), more.positions.begin(), more.positions.end());
-  for (const auto& [a, b, c] : more.triangles) {
-    soup.triangles.push_back({first + a, first + b, first + c});
-  }
-}
 
 Index add_vertex(TriangleSoup& soup, const Vec3& position) {
   soup.positions.push_back(position);
@@ -234,9 +227,8 @@ TEST_F(Clean, KeepsOneSideOfASurfaceStoredTwice) {
 }
 
 TEST_F(Clean, SplitsTwoSpheresThatShareAVertex) {
-  TriangleSoup soup = sphere_;
-  const auto first = static_cast<Index>(soup.positions.size());
-  append(soup, sphere_);
+  TriangleSoup soup = side_by_side(sphere_, sphere_);
+  const auto first = static_cast<Index>(sphere_.positions.size());
   for (Triangle& face : soup.triangles) std::replace(face.begin(), face.end(), first + 20, 20u);
   const TriangleSoup result = cleaned(soup);
   expect_measurable(result);
@@ -245,10 +237,9 @@ TEST_F(Clean, SplitsTwoSpheresThatShareAVertex) {
 }
 
 TEST_F(Clean, SplitsTwoTubesThatTouchAlongAnEdge) {
-  TriangleSoup soup = generate("cylinder", {{"sides", 12}, {"rows", 6}});
-  const TriangleSoup tube = soup;
-  const auto first = static_cast<Index>(soup.positions.size());
-  append(soup, tube);
+  const TriangleSoup tube = generate("cylinder", {{"sides", 12}, {"rows", 6}});
+  TriangleSoup soup = side_by_side(tube, tube);
+  const auto first = static_cast<Index>(tube.positions.size());
   // Vertices 24 and 36 are neighbours along the axis.
   for (Triangle& face : soup.triangles) {
     std::replace(face.begin(), face.end(), first + 24, 24u);
@@ -261,21 +252,8 @@ TEST_F(Clean, SplitsTwoTubesThatTouchAlongAnEdge) {
 }
 
 TEST_F(Clean, CutsASurfaceOfOneSide) {
-  TriangleSoup soup;
-  const Index n = 20;
-  for (Index i = 0; i < n; ++i) {
-    for (const double side : {-1.0, 1.0}) {
-      const double angle = 6.283185307179586 * i / n, radius = 3 + side * std::cos(angle / 2);
-      soup.positions.push_back(
-          {radius * std::cos(angle), radius * std::sin(angle), side * std::sin(angle / 2)});
-    }
-  }
-  for (Index i = 0; i < n; ++i) {
-    const bool turns = i + 1 == n;
-    const Index low = 2 * ((i + 1) % n) + (turns ? 1 : 0);
-    const Index high = 2 * ((i + 1) % n) + (turns ? 0 : 1);
-    soup.triangles.insert(soup.triangles.end(), {{2 * i, low, high}, {2 * i, high, 2 * i + 1}});
-  }
+  constexpr Index n = 20;
+  const TriangleSoup soup = band(n, true);
   ASSERT_FALSE(summarize(soup).orientable);
   const TriangleSoup result = cleaned(soup);
   expect_measurable(result);
@@ -285,9 +263,9 @@ TEST_F(Clean, CutsASurfaceOfOneSide) {
 }
 
 TEST_F(Clean, KeepsTheComponentOfMostFaces) {
-  TriangleSoup soup = generate("icosphere", {{"frequency", 2}});
-  append(soup, sphere_);
-  append(soup, generate("icosphere", {{"frequency", 3}}));
+  const TriangleSoup soup =
+      side_by_side(side_by_side(generate("icosphere", {{"frequency", 2}}), sphere_),
+                   generate("icosphere", {{"frequency", 3}}));
   expect_same(cleaned(soup, "largest"), sphere_);
   expect_remark("smaller components dropped: 2");
   EXPECT_EQ(summarize(cleaned(soup)).components, 3u);
@@ -302,7 +280,7 @@ TEST_F(Clean, CleansEverythingAtOnce) {
   for (const Index face : {60u, 104u}) add_fin(soup, face);
   for (const Index face : {63u, 99u}) add_flap(soup, face);
   std::swap(soup.triangles[70][0], soup.triangles[70][1]);
-  append(soup, sphere_);
+  soup = side_by_side(std::move(soup), sphere_);
   soup.triangles.push_back({0, 1, static_cast<Index>(plate_.positions.size() + 40)});
   const TriangleSoup all = cleaned(soup);
   expect_measurable(all);

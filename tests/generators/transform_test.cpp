@@ -1,14 +1,11 @@
 // The generator transform: each parameter does what it says, and nothing else.
 #include <gtest/gtest.h>
 
-#include "tests/generators/input_files.h"
-#include "tests/generators/soup_topology.h"
+#include "meshes/defects.h"
+#include "tests/generators/generator_test.h"
 
 namespace geodesic {
 namespace {
-
-using geodesic::testing::SoupTopology;
-using geodesic::testing::topology_of;
 
 class Transform : public InputFiles {
  protected:
@@ -32,14 +29,14 @@ TEST_F(Transform, WithoutItsFirstFaceASaddleLiesOnTheBoundary) {
   const TriangleSoup soup = transformed(saddle_, {{"without", 1}});
   EXPECT_EQ(soup.triangles.size(), saddle_.triangles.size() - 1);
   EXPECT_EQ(soup.positions, saddle_.positions);
-  EXPECT_EQ(topology_of(saddle_).boundary_loops, 1u);
-  EXPECT_EQ(topology_of(soup).boundary_loops, 2u);
+  EXPECT_EQ(summarize(saddle_).boundary_loops, 1u);
+  EXPECT_EQ(summarize(soup).boundary_loops, 2u);
 }
 
 TEST_F(Transform, FacesWithVerticesOfTheirOwnAreComponents) {
   const TriangleSoup soup = transformed(saddle_, {{"vertices", "own"}});
   EXPECT_EQ(soup.positions.size(), 3 * saddle_.triangles.size());
-  EXPECT_EQ(topology_of(soup).components, saddle_.triangles.size());
+  EXPECT_EQ(summarize(soup).components, saddle_.triangles.size());
   EXPECT_NEAR(area_of(soup), area_of(saddle_), 1e-15);
 }
 
@@ -48,17 +45,17 @@ TEST_F(Transform, APinchedMeshHangsTogetherAtOneVertex) {
   const std::size_t vertices = saddle_.positions.size();
   EXPECT_EQ(soup.positions.size(), 2 * vertices - 1);
   EXPECT_EQ(soup.triangles.size(), 2 * saddle_.triangles.size());
-  EXPECT_EQ(topology_of(soup).components, 1u);
-  EXPECT_EQ(topology_of(soup).repeated_half_edges, 0u);
+  EXPECT_EQ(summarize(soup).components, 1u);
+  EXPECT_FALSE(find_defects(soup).has_errors());
   for (std::size_t v = 1; v < vertices; ++v)
     EXPECT_EQ(soup.positions[vertices - 1 + v], scale(-1, saddle_.positions[v]));
 }
 
 TEST_F(Transform, CopiesLieApartAndIsolatedVerticesComeLast) {
   const TriangleSoup soup = transformed(saddle_, {{"copies", 3}, {"isolated", 2}});
-  const SoupTopology topology = topology_of(soup);
-  EXPECT_EQ(topology.components, 3u);
-  EXPECT_EQ(topology.isolated_vertices, 2u);
+  const MeshSummary summary = summarize(soup);
+  EXPECT_EQ(summary.components, 3u);
+  EXPECT_EQ(summary.isolated_vertices, 2u);
   EXPECT_EQ(soup.positions.size(), 3 * saddle_.positions.size() + 2);
   EXPECT_NEAR(area_of(soup), 3 * area_of(saddle_), 1e-14);
 }

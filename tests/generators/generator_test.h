@@ -1,13 +1,17 @@
-// Meshes made from meshes: what the tests of generators with an input file share.
+// What the tests of generators share.
 #pragma once
 
 #include <cstdio>
+#include <cstring>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "meshes/generators/generators.h"
+#include "meshes/summary.h"
 #include "solvers/core/geometry.h"
 #include "tests/harness/temporary_folder.h"
+#include "tests/message_of.h"
 
 namespace geodesic {
 
@@ -25,6 +29,7 @@ inline std::string off_text(const TriangleSoup& soup) {
   return text;
 }
 
+/// Starts generators from meshes.
 class InputFiles : public harness::TemporaryFolder {
  protected:
   TriangleSoup made(const std::string& generator, const TriangleSoup& input,
@@ -45,6 +50,29 @@ inline double area_of(const TriangleSoup& soup) {
         norm(cross(subtract(soup.positions[b], corner), subtract(soup.positions[c], corner))) / 2;
   }
   return sum;
+}
+
+/// Isolated vertices count.
+inline long euler_characteristic(const MeshSummary& summary) {
+  return static_cast<long>(summary.vertices + summary.faces) - static_cast<long>(summary.edges);
+}
+
+/// One number for all bits of a mesh: FNV-1a over the bytes of all coordinates and indices.
+inline std::uint64_t hash_of(const TriangleSoup& soup) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  const auto add = [&hash](const auto& element) {
+    unsigned char bytes[sizeof element];
+    std::memcpy(bytes, &element, sizeof element);
+    for (const unsigned char byte : bytes) hash = (hash ^ byte) * 0x100000001b3u;
+  };
+  for (const Vec3& position : soup.positions) add(position);
+  for (const Triangle& face : soup.triangles) add(face);
+  return hash;
+}
+
+/// Why a generator takes no such parameters.
+inline std::string refusal(std::string_view generator, const GeneratorParameters& parameters) {
+  return message_of<std::invalid_argument>([&] { generate(generator, parameters); });
 }
 
 inline void expect_same(const TriangleSoup& made, const TriangleSoup& expected) {
