@@ -8,13 +8,13 @@
 namespace geodesic::harness::fuzz {
 
 /// What a target defines.
-/// @throws HarnessError for a file that is refused; whatever else leaves it is a finding
+/// @throws HarnessError or MeshError for a file that is refused; whatever else leaves it is a
+/// finding
 void read_input(std::string_view bytes);
 
 /// Calls read_input and holds it to what every reader promises: a file that is refused is refused
 /// with one line, and memory is in proportion to the file.
-/// @throws std::logic_error for a broken promise, and whatever read_input throws besides
-///         HarnessError
+/// @throws std::logic_error for a broken promise, and findings of read_input
 void check_input(std::string_view bytes);
 
 }  // namespace geodesic::harness::fuzz
