@@ -20,21 +20,6 @@ std::vector<int> drain(Queue& queue) {
   return items;
 }
 
-TEST(CalendarQueue, pops_in_order_of_keys) {
-  CalendarQueue<int> queue({1, 16});
-  for (const int i : {5, 1, 4, 2, 3}) queue.push(i, i);
-  EXPECT_EQ(drain(queue), (std::vector{1, 2, 3, 4, 5}));
-}
-
-TEST(CalendarQueue, pops_equal_keys_in_order_of_insertion) {
-  CalendarQueue<int> queue({2, 16});
-  for (int i = 0; i < 100; ++i) queue.push(i % 3, i);
-  const std::vector<int> items = drain(queue);
-  for (std::size_t i = 1; i < items.size(); ++i) {
-    EXPECT_LT(std::pair(items[i - 1] % 3, items[i - 1]), std::pair(items[i] % 3, items[i]));
-  }
-}
-
 // Widths from "all in one bucket" to "most beyond the ring".
 TEST(CalendarQueue, equals_a_stable_sort_whatever_the_width_while_items_come_and_go) {
   for (const double width : {0.0, 1e9, 3.0, 0.1, 1e-3, 1e-300}) {

@@ -23,15 +23,6 @@ TEST(VertexCalendar, pops_bucket_by_bucket_and_in_order_of_arrival_inside_of_one
   EXPECT_EQ(drain(calendar), (std::vector<Index>{7, 9, 3, 1}));
 }
 
-TEST(VertexCalendar, a_smaller_key_moves_a_vertex_forward) {
-  VertexCalendar calendar(4, 0.25);
-  calendar.push_or_decrease(0, 1);
-  calendar.push_or_decrease(1, 2);
-  calendar.push_or_decrease(2, 3);
-  calendar.push_or_decrease(2, 0.5);
-  EXPECT_EQ(drain(calendar), (std::vector<Index>{2, 0, 1}));
-}
-
 TEST(VertexCalendar, a_key_behind_what_was_popped_is_next) {
   VertexCalendar calendar(3, 1.0);
   calendar.push_or_decrease(0, 5);
@@ -48,16 +39,6 @@ TEST(VertexCalendar, keys_that_share_a_slot_wait_for_their_lap) {
   calendar.push_or_decrease(2, 128.5);
   calendar.push_or_decrease(3, 0.5);
   EXPECT_EQ(drain(calendar), (std::vector<Index>{3, 2, 0, 1}));
-}
-
-TEST(VertexCalendar, a_vertex_moves_forward_by_whole_laps) {
-  VertexCalendar calendar(3, 1.0);
-  calendar.push_or_decrease(0, 3 * 128 + 0.5);
-  calendar.push_or_decrease(1, 130.5);
-  calendar.push_or_decrease(0, 128.5);
-  calendar.push_or_decrease(2, 0.5);
-  calendar.push_or_decrease(0, 0.5);
-  EXPECT_EQ(drain(calendar), (std::vector<Index>{2, 0, 1}));
 }
 
 TEST(VertexCalendar, a_vertex_that_was_popped_waits_again_once) {
