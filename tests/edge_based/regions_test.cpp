@@ -8,13 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "meshes/connectivity.h"
 #include "meshes/generators/generators.h"
 #include "meshes/oracles/random_case.h"
 #include "meshes/random.h"
-#include "solvers/core/registry.h"
 #include "solvers/core/thread_team.h"
 #include "solvers/core/window_bound.h"
 #include "solvers/edge_based/regional_wavefront.h"
+#include "tests/solved.h"
 
 namespace geodesic {
 namespace {
@@ -31,14 +32,7 @@ std::vector<Mesh> meshes() {
   all.emplace_back(terrain);
   all.emplace_back(generate("torus", {}));
   all.emplace_back(generate("cylinder", {}));  // paths of the same length without end
-  TriangleSoup apart = terrain;                // two components, an isolated vertex
-  for (const Triangle& t : terrain.triangles) {
-    const auto more = static_cast<Index>(terrain.positions.size());
-    apart.triangles.push_back({t[0] + more, t[1] + more, t[2] + more});
-  }
-  for (const Vec3& p : terrain.positions) apart.positions.push_back(add(p, {5, 0, 0}));
-  apart.positions.push_back({0, 0, 0});
-  all.emplace_back(apart);
+  all.emplace_back(side_by_side(terrain, generate("two-components")));
   return all;
 }
 
@@ -102,12 +96,6 @@ TEST(Regions, have_all_copies_of_a_vertex) {
   }
 }
 
-std::vector<double> distances(const Mesh& mesh, const std::string& solver, const Query& query) {
-  std::vector<double> result(mesh.vertex_count());
-  make_solver(solver, mesh)->solve(query, result);
-  return result;
-}
-
 Query random_query(const Mesh& mesh, std::uint64_t seed) {
   Random random(seed);
   Query query{.sources = {{random.below(mesh.vertex_count()), random.between(0, 1)}}};
@@ -125,25 +113,13 @@ TEST(RegionalWavefront, gives_the_same_bits_on_any_number_of_threads_whenever_th
   std::uint64_t seed = 0;
   for (const Mesh& mesh : meshes()) {
     const Query query = random_query(mesh, ++seed);
-    const auto expected = distances(mesh, "edge-based?threads=2&region-size=30", query);
+    const auto expected = distances_by("edge-based?threads=2&region-size=30", mesh, query);
     const DelayedPieces delayed;
     for (const char* threads : {"3", "5", "16"}) {
-      EXPECT_EQ(distances(mesh, "edge-based?region-size=30&threads=" + std::string(threads), query),
-                expected)
+      EXPECT_EQ(
+          distances_by("edge-based?region-size=30&threads=" + std::string(threads), mesh, query),
+          expected)
           << threads << " threads";
-    }
-  }
-}
-
-TEST(RegionalWavefront, gives_the_distances_of_the_serial_one_but_for_rounding) {
-  std::uint64_t seed = 0;
-  for (const Mesh& mesh : meshes()) {
-    const Query query = random_query(mesh, ++seed);
-    const auto serial = distances(mesh, "edge-based", query);
-    const auto regional = distances(mesh, "edge-based?threads=2&region-size=30", query);
-    for (Index v = 0; v < mesh.vertex_count(); ++v) {
-      if (serial[v] == regional[v]) continue;
-      ASSERT_NEAR(regional[v], serial[v], 1e-14 * serial[v]) << "vertex " << v;
     }
   }
 }
@@ -152,8 +128,8 @@ TEST(RegionalWavefront, gives_the_bits_of_the_serial_one_where_a_query_ends_earl
   const Mesh mesh(generate("terrain", {{"columns", 45}, {"rows", 45}}));
   Query query = random_query(mesh, 1);
   query.limit = 2;
-  EXPECT_EQ(distances(mesh, "edge-based?threads=2&region-size=30", query),
-            distances(mesh, "edge-based", query));
+  EXPECT_EQ(distances_by("edge-based?threads=2&region-size=30", mesh, query),
+            distances_by("edge-based", mesh, query));
 }
 
 TEST(RegionalWavefront, times_every_turn_where_it_is_asked_to) {
@@ -191,12 +167,11 @@ TEST(Regions, give_the_same_bits_on_random_meshes_with_every_number_of_threads) 
     const Mesh mesh(made.soup);
     Query query = made.query;
     query.limit = kInfinity;  // where a query ends early, there is one thread
-    std::vector<double> expected(mesh.vertex_count()), got(mesh.vertex_count());
-    make_solver("edge-based?threads=2&region-size=8", mesh)->solve(query, expected);
+    const auto expected = distances_by("edge-based?threads=2&region-size=8", mesh, query);
     for (const char* solver :
          {"edge-based?threads=3&region-size=8", "edge-based?threads=16&region-size=8"}) {
-      make_solver(solver, mesh)->solve(query, got);
-      EXPECT_EQ(got, expected) << solver << " on mesh " << number << ", " << made.recipe;
+      EXPECT_EQ(distances_by(solver, mesh, query), expected)
+          << solver << " on mesh " << number << ", " << made.recipe;
     }
   }
 }

@@ -47,11 +47,11 @@ inline std::vector<std::uint64_t> bits_of(const Steps& steps) {
 }
 
 /// An edge of length 1 and an apex above it.
-inline FaceFrame random_face(Random& random) {
+inline FaceFrame face_of(const Point2& apex) {
   FaceFrame f{};
   f.length = 1;
-  f.apex_x = random.between(-0.3, 1.3);
-  f.apex_y = random.between(0.2, 1.5);
+  f.apex_x = apex.x;
+  f.apex_y = apex.y;
   f.left = std::hypot(f.apex_x, f.apex_y);
   f.right = std::hypot(1 - f.apex_x, f.apex_y);
   f.left_x = f.apex_x / f.left;
@@ -59,6 +59,10 @@ inline FaceFrame random_face(Random& random) {
   f.right_x = (1 - f.apex_x) / f.right;
   f.right_y = -f.apex_y / f.right;
   return f;
+}
+
+inline FaceFrame random_face(Random& random) {
+  return face_of({random.between(-0.3, 1.3), random.between(0.2, 1.5)});
 }
 
 }  // namespace geodesic::edge_based

@@ -189,15 +189,7 @@ TEST(SidesKept, takes_only_lines_that_the_path_to_the_apex_beats_inside_the_face
 }
 
 TEST(SidesKept, keeps_both_sides_of_a_tie) {
-  const FaceFrame face{1,
-                       0.5,
-                       0.5,
-                       std::sqrt(0.5),
-                       std::sqrt(0.5),
-                       std::sqrt(0.5),
-                       std::sqrt(0.5),
-                       std::sqrt(0.5),
-                       -std::sqrt(0.5)};
+  const FaceFrame face = face_of({0.5, 0.5});
   const Window left{0, 0.5, 0.25, -1, 0}, right{0.5, 1, 0.75, -1, 0};
   const ApexWinner winner{.window = 0,
                           .distance = distance_through(left, face.apex_x, face.apex_y),

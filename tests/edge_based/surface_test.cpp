@@ -8,7 +8,7 @@
 
 #include "meshes/generators/generators.h"
 #include "meshes/random.h"
-#include "solvers/core/registry.h"
+#include "tests/solved.h"
 
 namespace geodesic {
 namespace {
@@ -70,14 +70,6 @@ TEST(EdgeBasedSurface, sources_next_to_a_corner_see_what_lies_behind_it) {
   }
 }
 
-/// Windows propagated by a solve.
-std::uint64_t windows(const Mesh& mesh, const Query& query) {
-  std::vector<double> distances(mesh.vertex_count());
-  Recording recording;
-  make_solver(kSolver, mesh)->solve(query, distances, &recording);
-  return *recording.window_propagations;
-}
-
 // A ladder of which every vertex is far away: only windows come to the target.
 TEST(EdgeBasedSurface, a_limit_is_reached_over_edges_whose_ends_are_beyond_it) {
   constexpr Index kRungs = 60;
@@ -93,14 +85,13 @@ TEST(EdgeBasedSurface, a_limit_is_reached_over_edges_whose_ends_are_beyond_it) {
   const SurfacePoint to = point_in_face(mesh, 80, {0.5, 0.1, 0.4});
   const double expected = space_between(position_of(mesh, from), position_of(mesh, to));
   Query query{.sources = {{.at = from}}, .limit = expected + 0.01, .targets = {to}};
-  std::vector<double> distances(mesh.vertex_count());
   Recording recording;
   recording.kind = RecordingKind::paths;
-  make_solver(kSolver, mesh)->solve(query, distances, &recording);
+  const std::vector<double> distances = distances_by(kSolver, mesh, query, &recording);
   EXPECT_NEAR(recording.targets[0].distance, expected, 1e-12);
   EXPECT_EQ(std::ranges::count(distances, kInfinity), 2 * (kRungs + 1));
   // One window a face: 60 faces to the target and a few beyond, 20 to the boundary behind.
-  EXPECT_LE(windows(mesh, query), 90u);
+  EXPECT_LE(propagated_by(kSolver, mesh, query), 90u);
 }
 
 TEST(EdgeBasedSurface, a_limit_does_not_depend_on_how_long_edges_are_elsewhere) {
@@ -111,10 +102,13 @@ TEST(EdgeBasedSurface, a_limit_does_not_depend_on_how_long_edges_are_elsewhere) 
   spiked.triangles.push_back({1, 0, tip});
   const Index middle = 12 * 25 + 12;
   const Query query{.sources = {{.at = middle}}, .limit = 4};
-  const auto expected = static_cast<double>(windows(Mesh(square), query));
+  const auto windows = [](const TriangleSoup& soup, const Query& asked) {
+    return static_cast<double>(propagated_by(kSolver, Mesh(soup), asked));
+  };
+  const double expected = windows(square, query);
   // Not the same: buckets are as wide as edges are long on the average.
-  EXPECT_LE(static_cast<double>(windows(Mesh(spiked), query)), 1.1 * expected);
-  EXPECT_LE(expected, 0.3 * static_cast<double>(windows(Mesh(square), {query.sources})));
+  EXPECT_LE(windows(spiked, query), 1.1 * expected);
+  EXPECT_LE(expected, 0.3 * windows(square, {query.sources}));
 }
 
 }  // namespace

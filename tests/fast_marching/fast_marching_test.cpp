@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "meshes/generators/generators.h"
-#include "solvers/core/registry.h"
 #include "solvers/variants/fast_marching/unfolded.h"
+#include "tests/solved.h"
 
 namespace geodesic::fast_marching {
 namespace {
@@ -73,8 +73,7 @@ TEST(FastMarching, is_exact_for_planar_waves_through_obtuse_corners_too) {
       const double column = p[0] - shear * p[1];
       if (p[1] > 0 && std::abs(column - 20) < 1 && std::abs(p[0] - 20) < 19) tested.push_back(v);
     }
-    std::vector<double> distances(mesh.vertex_count());
-    make_solver("fast-marching", mesh)->solve(query, distances);
+    const std::vector<double> distances = distances_by("fast-marching", mesh, query);
     EXPECT_GE(tested.size(), 8u) << shear;
     for (const Index v : tested) {
       EXPECT_NEAR(distances[v], mesh.position(v)[1], 1e-12) << shear << ", vertex " << v;
@@ -85,8 +84,7 @@ TEST(FastMarching, is_exact_for_planar_waves_through_obtuse_corners_too) {
 
 double mean_error_on_sphere(Index frequency) {
   const Mesh mesh(generate("icosphere", {{"frequency", frequency}}));
-  std::vector<double> distances(mesh.vertex_count());
-  make_solver("fast-marching", mesh)->solve({.sources = {{0}}}, distances);
+  const std::vector<double> distances = distances_by("fast-marching", mesh, {.sources = {{0}}});
   double sum = 0;
   for (Index v = 1; v < mesh.vertex_count(); ++v) {
     const Vec3 a = mesh.position(0), b = mesh.position(v);

@@ -9,7 +9,7 @@
 #include "meshes/generators/generators.h"
 #include "meshes/oracles/random_meshes.h"
 #include "meshes/random.h"
-#include "solvers/core/registry.h"
+#include "tests/solved.h"
 
 namespace geodesic {
 namespace {
@@ -33,12 +33,6 @@ std::vector<SurfacePoint> points_everywhere(const Mesh& mesh, std::uint64_t seed
     points.push_back(mesh.triangle(face)[0]);
   }
   return points;
-}
-
-std::vector<double> distances_of(const Mesh& mesh, const Query& query) {
-  std::vector<double> distances(mesh.vertex_count());
-  make_solver("edge-based", mesh)->solve(query, distances);
-  return distances;
 }
 
 // A measure that cannot be 0 of errors of distances that may be.
@@ -72,8 +66,8 @@ TEST(InsertedPoints, leave_vertices_their_numbers_and_the_surface_its_shape) {
     };
     EXPECT_EQ(euler(finer), euler(mesh));
     const Query query{.sources = {{.at = 0}, {.at = 5, .distance = 0.1}}};
-    const std::vector<double> before = distances_of(mesh, query);
-    const std::vector<double> after = distances_of(finer, query);
+    const std::vector<double> before = distances_by("edge-based", mesh, query);
+    const std::vector<double> after = distances_by("edge-based", finer, query);
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
       EXPECT_LE(relative_error(after[v], before[v]), kExact) << "vertex " << v;
     }
@@ -94,8 +88,8 @@ TEST(InsertedPoints, in_faces_without_height_leave_distances_as_they_are) {
     const InsertedPoints inserted(mesh, points);
     for (const Index source : {0u, 3u, 4u}) {
       const Query query{.sources = {{.at = source}}};
-      const std::vector<double> before = distances_of(mesh, query);
-      const std::vector<double> after = distances_of(inserted.mesh(), query);
+      const std::vector<double> before = distances_by("edge-based", mesh, query);
+      const std::vector<double> after = distances_by("edge-based", inserted.mesh(), query);
       for (Index v = 0; v < mesh.vertex_count(); ++v) {
         EXPECT_LE(relative_error(after[v], before[v]), kExact) << height << ": " << source << v;
       }

@@ -1,6 +1,5 @@
 // Shortest paths traced back from distances: as long as these, over the edges that they cross.
 #include "meshes/oracles/path.h"
-#include "meshes/connectivity.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "meshes/connectivity.h"
 #include "meshes/generators/generators.h"
 #include "meshes/oracles/brute_force.h"
 #include "meshes/oracles/random_meshes.h"
@@ -18,15 +18,10 @@ namespace {
 Vec3 point_on(const Mesh& mesh, const EdgeCrossing& crossing) {
   const HalfEdge& edge = mesh.half_edge(crossing.half_edge);
   const Vec3 &a = mesh.position(edge.origin), &b = mesh.position(mesh.head(crossing.half_edge));
-  const double share = crossing.position / edge.length;
-  Vec3 p;
-  for (std::size_t k = 0; k < 3; ++k) p[k] = a[k] + share * (b[k] - a[k]);
-  return p;
+  return add(a, scale(crossing.position / edge.length, subtract(b, a)));
 }
 
-double distance(const Vec3& a, const Vec3& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
+double distance(const Vec3& a, const Vec3& b) { return norm(subtract(a, b)); }
 
 // On the surface, from point to point.
 double length_of(const Mesh& mesh, const StraightPiece& piece) {

@@ -4,7 +4,7 @@
 #include "harness/verify/path_check.h"
 #include "meshes/generators/generators.h"
 #include "meshes/oracles/random_meshes.h"
-#include "solvers/core/registry.h"
+#include "tests/solved.h"
 
 namespace geodesic {
 namespace {
@@ -57,8 +57,7 @@ TEST(FlipOut, finds_the_straight_line_of_a_plane_however_edges_run) {
 
 TEST(FlipOut, finds_the_shortest_path_often_and_a_longer_one_as_often) {
   const Mesh mesh(rough_sphere(6, 4, 0.1));
-  std::vector<double> exact(mesh.vertex_count());
-  make_solver("edge-based", mesh)->solve({.sources = {{.at = 0}}}, exact);
+  const std::vector<double> exact = distances_by("edge-based", mesh, {.sources = {{.at = 0}}});
   int shortest = 0;
   const std::vector<Path> paths = paths_of("flip-out", mesh, 0);
   for (const Path& path : paths) {

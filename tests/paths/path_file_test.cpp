@@ -6,6 +6,7 @@
 #include "harness/base/json.h"
 #include "meshes/formats/bytes.h"
 #include "meshes/oracles/random_meshes.h"
+#include "tests/message_of.h"
 #include "tests/paths/oracle_paths.h"
 
 namespace geodesic {
@@ -105,13 +106,8 @@ TEST_F(PathFile, as_ply_has_vertices_and_edges) {
 
 TEST_F(PathFile, of_another_kind_is_refused_in_one_line) {
   EXPECT_THROW(path_bytes(paths_, "a.txt"), MeshError);
-  try {
-    check_path_file("paths.csv");
-    FAIL();
-  } catch (const MeshError& error) {
-    EXPECT_STREQ(error.what(),
-                 "cannot write 'paths.csv': paths are written as .json, .obj or .ply");
-  }
+  EXPECT_EQ(message_of<MeshError>([] { check_path_file("paths.csv"); }),
+            "cannot write 'paths.csv': paths are written as .json, .obj or .ply");
 }
 
 TEST_F(PathFile, may_hold_no_path) {

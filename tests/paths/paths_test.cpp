@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <string>
 
 #include "harness/verify/path_check.h"
 #include "meshes/connectivity.h"
 #include "meshes/generators/generators.h"
 #include "meshes/oracles/random_meshes.h"
+#include "tests/message_of.h"
 #include "tests/paths/oracle_paths.h"
 
 namespace geodesic {
@@ -134,16 +134,6 @@ TEST(Paths, say_which_source_is_nearest) {
   for (Index v = 0; v < mesh.vertex_count(); ++v) EXPECT_EQ(paths.nearest_source(v), expected[v]);
   EXPECT_EQ(paths.to_vertex(2).source, 2u);
   EXPECT_EQ(paths.to_vertex(2).length(), 1);
-}
-
-template <class Error>
-std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
 }
 
 TEST(Paths, are_refused_where_none_leads) {

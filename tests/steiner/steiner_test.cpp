@@ -7,15 +7,13 @@
 #include <vector>
 
 #include "meshes/oracles/random_meshes.h"
-#include "solvers/core/registry.h"
+#include "tests/solved.h"
 
 namespace geodesic {
 namespace {
 
 std::vector<double> distances(const std::string& solver, const Mesh& mesh, Index source) {
-  std::vector<double> distances(mesh.vertex_count());
-  make_solver(solver, mesh)->solve({.sources = {{source}}}, distances);
-  return distances;
+  return distances_by(solver, mesh, {.sources = {{source}}});
 }
 
 std::string with_points(Index points) { return "steiner?points=" + std::to_string(points); }

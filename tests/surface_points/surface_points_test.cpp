@@ -12,8 +12,8 @@
 #include "meshes/oracles/random_meshes.h"
 #include "meshes/point_solver.h"
 #include "meshes/random.h"
-#include "solvers/core/registry.h"
 #include "solvers/paths/paths.h"
+#include "tests/solved.h"
 
 namespace geodesic {
 namespace {
@@ -62,27 +62,11 @@ struct Answer {
 };
 
 Answer solve_recording_paths(const std::string& solver, const Mesh& mesh, const Query& query) {
-  Answer answer{std::vector<double>(mesh.vertex_count()), {}};
+  Answer answer;
   answer.recording.kind = RecordingKind::paths;
-  make_solver(solver, mesh)->solve(query, answer.distances, &answer.recording);
+  answer.distances = distances_by(solver, mesh, query, &answer.recording);
   return answer;
 }
-
-/// What is asked of a mesh with its points inserted.
-struct Inserted {
-  InsertedPoints points;
-  Query query;
-
-  static std::vector<SurfacePoint> all_points(const Query& query) {
-    std::vector<SurfacePoint> points = query.targets;
-    for (const Source& source : query.sources) points.push_back(source.at);
-    return points;
-  }
-  Inserted(const Mesh& mesh, const Query& given) : points(mesh, all_points(given)), query(given) {
-    for (Source& source : query.sources) source.at = points.vertex(source.at);
-    for (SurfacePoint& target : query.targets) target = points.vertex(target);
-  }
-};
 
 class SurfacePoints : public testing::TestWithParam<std::string> {
  protected:
@@ -117,19 +101,21 @@ TEST_P(SurfacePoints, have_the_distances_of_vertices_in_their_place) {
       SCOPED_TRACE(i);
       const Query query = random_query(mesh, random, random_points(mesh, random, 12));
       const Answer answer = solve_recording_paths(GetParam(), mesh, query);
-      const Inserted inserted(mesh, query);
-      const Mesh& finer = inserted.points.mesh();
-      std::vector<double> expected(finer.vertex_count());
-      make_solver("edge-based", finer)->solve(inserted.query, expected);
+      std::vector<SurfacePoint> points = query.targets;
+      for (const Source& source : query.sources) points.push_back(source.at);
+      const InsertedPoints inserted(mesh, points);
+      const Query finer = inserted.translated(query);
+      const std::vector<double> expected = distances_by("edge-based", inserted.mesh(), finer);
       for (Index v = 0; v < mesh.vertex_count(); ++v) {
         SCOPED_TRACE("vertex " + std::to_string(v));
-        expect_near(answer.distances[v], expected[v], inserted.points.place());
+        expect_near(answer.distances[v], expected[v], inserted.place());
       }
       for (std::size_t t = 0; t < query.targets.size(); ++t) {
         SCOPED_TRACE("target " + std::to_string(t));
-        expect_near(answer.recording.targets[t].distance,
-                    expected[inserted.query.targets[t].vertex], inserted.points.place());
+        expect_near(answer.recording.targets[t].distance, expected[finer.targets[t].vertex],
+                    inserted.place());
       }
+      EXPECT_EQ(distances_by(GetParam(), mesh, query), answer.distances) << "timed, not recorded";
     }
   }
 }
@@ -187,18 +173,6 @@ TEST_P(SurfacePoints, have_the_distances_and_paths_of_targets_after_a_solve_with
       query.limit = random.between(0, 2);
       expect_same_without_targets(*solver, mesh, query);
     }
-  }
-}
-
-TEST_P(SurfacePoints, are_timed_with_the_bits_of_recorded_solves) {
-  Random random(2);
-  for (const NamedMesh& each : meshes()) {
-    const Mesh mesh(each.soup);
-    if (!takes(mesh)) continue;
-    const Query query = random_query(mesh, random, random_points(mesh, random, 8));
-    std::vector<double> timed(mesh.vertex_count());
-    make_solver(GetParam(), mesh)->solve(query, timed);
-    EXPECT_EQ(timed, solve_recording_paths(GetParam(), mesh, query).distances) << each.name;
   }
 }
 
@@ -270,13 +244,6 @@ bool ends_early(const std::string& solver) {
   return base_name(solver) != "ch" && base_name(solver) != "template";
 }
 
-std::uint64_t windows(const std::string& solver, const Mesh& mesh, const Query& query) {
-  std::vector<double> distances(mesh.vertex_count());
-  Recording recording;
-  make_solver(solver, mesh)->solve(query, distances, &recording);
-  return recording.window_propagations.value();
-}
-
 TEST_P(SurfacePoints, that_are_targets_end_a_solve_as_a_limit_at_the_farthest_would) {
   const Mesh mesh(generate("terrain", {{"columns", 40}, {"rows", 40}}), Numbering::along_surface);
   Random random(6);
@@ -299,8 +266,8 @@ TEST_P(SurfacePoints, that_are_targets_end_a_solve_as_a_limit_at_the_farthest_wo
     Query limited = query;
     limited.stop_at_targets = false;
     limited.limit = farthest;
-    const std::uint64_t least = windows(GetParam(), mesh, limited);
-    EXPECT_LE(windows(GetParam(), mesh, query), 1.3 * static_cast<double>(least) + 6);
+    const std::uint64_t least = propagated_by(GetParam(), mesh, limited);
+    EXPECT_LE(propagated_by(GetParam(), mesh, query), 1.3 * static_cast<double>(least) + 6);
   }
 }
 
