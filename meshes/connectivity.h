@@ -43,6 +43,10 @@ class DisjointSets {
   std::vector<Index> parent_;
 };
 
+inline bool names_a_vertex_twice(const Triangle& t) {
+  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
 inline Index next_in_face(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
 inline Index previous_in_face(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
 inline Index origin_of(std::span<const Triangle> triangles, Index h) {

@@ -46,7 +46,7 @@ FaceCensus take_census_of_faces(const TriangleSoup& soup) {
     const auto& [a, b, c] = soup.triangles[f];
     if (std::max({a, b, c}) >= soup.positions.size()) {
       census.index_out_of_range.push_back(f);
-    } else if (a == b || b == c || c == a) {
+    } else if (names_a_vertex_twice(soup.triangles[f])) {
       census.repeated_vertex.push_back(f);
     } else if (!census.finite_vertices[a] || !census.finite_vertices[b] ||
                !census.finite_vertices[c]) {
@@ -107,8 +107,7 @@ class Finder {
     report_fans();
     report_flat_faces();
     report_components();
-    std::sort(report_.defects.begin(), report_.defects.end(),
-              [](const Defect& a, const Defect& b) { return a.kind < b.kind; });
+    std::ranges::sort(report_.defects, {}, &Defect::kind);
     return std::move(report_);
   }
 
@@ -256,10 +255,8 @@ std::string Defect::text() const {
 }
 
 std::size_t DefectReport::count(DefectKind kind) const {
-  for (const Defect& defect : defects) {
-    if (defect.kind == kind) return defect.count;
-  }
-  return 0;
+  const auto found = std::ranges::find(defects, kind, &Defect::kind);
+  return found == defects.end() ? 0 : found->count;
 }
 
 bool DefectReport::has_errors() const {

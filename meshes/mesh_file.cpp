@@ -75,8 +75,7 @@ Recognised recognise(std::string_view bytes, const std::string& name) {
   if (word == "solid" || word == "SOLID") return {parse_stl_ascii, ".stl"};
   constexpr std::array<std::string_view, 9> kObjBegins = {"v", "vt", "vn",     "f",     "o",
                                                           "g", "s",  "mtllib", "usemtl"};
-  const bool begins_as_obj =
-      std::find(kObjBegins.begin(), kObjBegins.end(), word) != kObjBegins.end();
+  const bool begins_as_obj = std::ranges::find(kObjBegins, word) != kObjBegins.end();
   if (begins_as_obj || extension == ".obj") return {parse_obj, ".obj"};
   refuse_unknown(name);
 }

@@ -19,8 +19,8 @@ namespace {
 /// One flag a face: it names three different vertices that exist.
 std::vector<bool> find_usable(const TriangleSoup& soup) {
   std::vector<bool> usable;
-  for (const auto& [a, b, c] : soup.triangles) {
-    usable.push_back(std::max({a, b, c}) < soup.positions.size() && a != b && b != c && c != a);
+  for (const Triangle& face : soup.triangles) {
+    usable.push_back(std::ranges::max(face) < soup.positions.size() && !names_a_vertex_twice(face));
   }
   return usable;
 }
@@ -98,9 +98,7 @@ std::vector<RepairAction> weld_edges(TriangleSoup& soup) {
   for (Triangle& face : soup.triangles) {
     for (Index& v : face) v = joined.find(v);
   }
-  std::erase_if(soup.triangles, [](const Triangle& face) {
-    return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
-  });
+  std::erase_if(soup.triangles, names_a_vertex_twice);
   return {{"welded_vertices", "vertices joined to another along an edge without length", count}};
 }
 
@@ -260,9 +258,7 @@ class Log {
     for (const RepairAction& action : actions) {
       if (!action.changed || action.count == 0) continue;
       changed = true;
-      const auto known =
-          std::find_if(actions_.begin(), actions_.end(),
-                       [&](const RepairAction& other) { return other.key == action.key; });
+      const auto known = std::ranges::find(actions_, action.key, &RepairAction::key);
       if (known == actions_.end()) {
         actions_.push_back(action);
       } else {
@@ -274,8 +270,7 @@ class Log {
 
   std::vector<std::string> lines() const {
     std::vector<std::string> lines;
-    std::transform(actions_.begin(), actions_.end(), std::back_inserter(lines),
-                   [](const RepairAction& action) { return action.summary(); });
+    for (const RepairAction& action : actions_) lines.push_back(action.summary());
     return lines;
   }
 

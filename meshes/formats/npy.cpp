@@ -43,17 +43,13 @@ class NpyParser {
       refuse("not in C order; convert it with numpy's ascontiguousarray");
     }
     Array array = shape();
-    const std::string_view data = bytes_.substr(kNpyPreamble + header_.size());
-    require_size(array, type.bytes, data.size());
-    array.values.reserve(array.rows * array.columns);
-    for (std::size_t i = 0; i < data.size(); i += type.bytes) {
-      const double value = type.load(data.data() + i);
-      if (!std::isfinite(value)) {
-        refuse("the number in row " + std::to_string(array.values.size() / array.columns) +
-               ", column " + std::to_string(array.values.size() % array.columns) +
-               " (counted from 0) is not finite; fill the gaps first");
-      }
-      array.values.push_back(value);
+    require_size(array, type.bytes);
+    array.values = load_all(type);
+    for (std::size_t i = 0; i < array.values.size(); ++i) {
+      if (std::isfinite(array.values[i])) continue;
+      refuse("the number in row " + std::to_string(i / array.columns) + ", column " +
+             std::to_string(i % array.columns) +
+             " (counted from 0) is not finite; fill the gaps first");
     }
     return array;
   }
@@ -61,13 +57,8 @@ class NpyParser {
   std::vector<double> numbers() {
     find_header();
     const NumberType& type = number_type_of_file();
-    const std::string_view data = bytes_.substr(kNpyPreamble + header_.size());
-    if (data.size() % type.bytes != 0) refuse("truncated; get a whole copy");
-    std::vector<double> values;
-    for (std::size_t i = 0; i < data.size(); i += type.bytes) {
-      values.push_back(type.load(data.data() + i));
-    }
-    return values;
+    if (data_.size() % type.bytes != 0) refuse("truncated; get a whole copy");
+    return load_all(type);
   }
 
  private:
@@ -85,6 +76,16 @@ class NpyParser {
       refuse("truncated within its header; get a whole copy");
     }
     header_ = bytes_.substr(kNpyPreamble, length);
+    data_ = bytes_.substr(kNpyPreamble + length);
+  }
+
+  std::vector<double> load_all(const NumberType& type) const {
+    std::vector<double> values;
+    values.reserve(data_.size() / type.bytes);
+    for (std::size_t i = 0; i < data_.size(); i += type.bytes) {
+      values.push_back(type.load(data_.data() + i));
+    }
+    return values;
   }
 
   std::string_view value_of(std::string_view key) const {
@@ -131,13 +132,13 @@ class NpyParser {
     return array;
   }
 
-  void require_size(const Array& array, std::size_t number_bytes, std::size_t data_bytes) const {
+  void require_size(const Array& array, std::size_t number_bytes) const {
     // Divided: the product of a hostile shape would overflow.
-    const std::size_t numbers = data_bytes / number_bytes;
-    const bool fits = data_bytes % number_bytes == 0 && numbers % array.rows == 0 &&
+    const std::size_t numbers = data_.size() / number_bytes;
+    const bool fits = data_.size() % number_bytes == 0 && numbers % array.rows == 0 &&
                       numbers / array.rows == array.columns;
     if (!fits) {
-      refuse("holds " + std::to_string(data_bytes) + " bytes of numbers, but " +
+      refuse("holds " + std::to_string(data_.size()) + " bytes of numbers, but " +
              std::to_string(array.rows) + " x " + std::to_string(array.columns) + " numbers of " +
              std::to_string(number_bytes) + " bytes are announced; get a whole copy");
     }
@@ -146,6 +147,7 @@ class NpyParser {
   std::string_view bytes_;
   const std::string& name_;
   std::string_view header_;
+  std::string_view data_;  // behind the header
 };
 
 }  // namespace

@@ -20,9 +20,8 @@ Vec3 newell_normal(std::span<const Vec3> positions, std::span<const Index> corne
   Vec3 sum = {0, 0, 0};
   const Vec3& origin = positions[corners[0]];
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    const Vec3 normal =
-        cross(subtract(positions[corners[i]], origin), subtract(positions[corners[i + 1]], origin));
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += normal[k];
+    sum = add(sum, cross(subtract(positions[corners[i]], origin),
+                         subtract(positions[corners[i + 1]], origin)));
   }
   return sum;
 }

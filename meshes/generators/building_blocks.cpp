@@ -118,11 +118,10 @@ TriangleSoup read_input(const CheckedParameters& parameters) {
                     "; clean the mesh first: generate clean --input " + file);
   };
   for (Index f = 0; f < soup.triangles.size(); ++f) {
-    const auto& [a, b, c] = soup.triangles[f];
-    if (std::max({a, b, c}) >= soup.positions.size()) {
+    if (std::ranges::max(soup.triangles[f]) >= soup.positions.size()) {
       refuse("face", f, "names a vertex that does not exist");
     }
-    if (a == b || b == c || c == a) refuse("face", f, "names a vertex twice");
+    if (names_a_vertex_twice(soup.triangles[f])) refuse("face", f, "names a vertex twice");
   }
   for (Index v = 0; v < soup.positions.size(); ++v) {
     if (!is_finite(soup.positions[v])) refuse("vertex", v, "is not finite");

@@ -2,7 +2,9 @@
 // several parts, pinched, with isolated vertices.
 #include <algorithm>
 #include <string>
+#include <utility>
 
+#include "meshes/connectivity.h"
 #include "meshes/generators/families.h"
 
 namespace geodesic {
@@ -46,13 +48,12 @@ void pinch(TriangleSoup& soup) {
 void repeat(TriangleSoup& soup, Index copies) {
   check_face_count(1.0 * static_cast<double>(soup.triangles.size()) * copies);
   const TriangleSoup first = soup;
-  const auto count = static_cast<Index>(first.positions.size());
   const Box box = box_around(first.positions);
   const double step = 2 * (box.high[0] - box.low[0]);
   for (Index copy = 1; copy < copies; ++copy) {
-    for (const Vec3& p : first.positions) soup.positions.push_back(add(p, {copy * step, 0, 0}));
-    for (const auto& [a, b, c] : first.triangles)
-      soup.triangles.push_back({copy * count + a, copy * count + b, copy * count + c});
+    TriangleSoup moved = first;
+    for (Vec3& p : moved.positions) p[0] += copy * step;
+    soup = side_by_side(std::move(soup), moved);
   }
 }
 

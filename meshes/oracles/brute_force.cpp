@@ -60,8 +60,4 @@ std::vector<double> BruteForce::distances(std::span<const Source> sources) const
   return distances;
 }
 
-std::vector<double> brute_force_distances(const Mesh& mesh, Index source) {
-  return BruteForce(mesh).distances(std::vector<Source>{{.at = source}});
-}
-
 }  // namespace geodesic

@@ -28,7 +28,4 @@ class BruteForce {
   std::vector<std::vector<std::pair<Index, Real>>> lines_;  // per vertex: to which, and its length
 };
 
-/// Distances from one vertex.
-std::vector<double> brute_force_distances(const Mesh& mesh, Index source);
-
 }  // namespace geodesic

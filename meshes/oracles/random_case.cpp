@@ -257,64 +257,57 @@ TriangleSoup stretched(TriangleSoup soup, const Scene& s) {
 struct Change {
   const char* name;
   bool makes_larger;
-  TriangleSoup (*make)(const TriangleSoup& soup, const Scene& s);
+  TriangleSoup (*make)(TriangleSoup soup, const Scene& s);
 };
 
 constexpr Change kChanges[] = {
     {"noise", false,
-     [](const TriangleSoup& soup, const Scene& s) {
+     [](TriangleSoup soup, const Scene& s) {
        return changed_by("noise", s, soup, {{"amplitude", s.real(0, 1)}, {"seed", s.seed()}});
      }},
-    {"moved", false,
-     [](const TriangleSoup& soup, const Scene& s) {
-       return with_vertices_moved_anywhere(soup, s);
-     }},
-    {"stretched", false,
-     [](const TriangleSoup& soup, const Scene& s) { return stretched(soup, s); }},
+    {"moved", false, with_vertices_moved_anywhere},
+    {"stretched", false, stretched},
     {"refined", true,
-     [](const TriangleSoup& soup, const Scene& s) {
+     [](TriangleSoup soup, const Scene& s) {
        const auto count = static_cast<Index>(soup.positions.size());
        return changed_by("refine", s, soup, {{"vertices", count + s.random.below(count / 2 + 1)}});
      }},
     {"subdivided", true,
-     [](const TriangleSoup& soup, const Scene& s) {
+     [](TriangleSoup soup, const Scene& s) {
        constexpr const char* kSteps[] = {"midpoint", "loop", "barycentric"};
        if (soup.triangles.size() > 50) return soup;
        return changed_by("subdivide", s, soup, {{"steps", kSteps[s.random.below(3)]}});
      }},
-    {"points in faces", true,
-     [](const TriangleSoup& soup, const Scene& s) { return with_points_in_faces(soup, s); }},
+    {"points in faces", true, with_points_in_faces},
     {"missing faces", false,
-     [](const TriangleSoup& soup, const Scene& s) {
+     [](TriangleSoup soup, const Scene& s) {
        const std::uint32_t one_in = 2 + s.random.below(20);
-       return with_missing_faces(soup, s.seed(), one_in);
+       return with_missing_faces(std::move(soup), s.seed(), one_in);
      }},
     {"holes", false,
-     [](const TriangleSoup& soup, const Scene& s) {
+     [](TriangleSoup soup, const Scene& s) {
        const Index holes = 1 + s.random.below(4);
-       return with_holes(soup, s.seed(), holes);
+       return with_holes(std::move(soup), s.seed(), holes);
      }},
-    {"joined vertices", false,
-     [](const TriangleSoup& soup, const Scene& s) { return with_joined_vertices(soup, s); }},
-    {"turned faces", false,
-     [](const TriangleSoup& soup, const Scene& s) { return with_turned_faces(soup, s); }},
+    {"joined vertices", false, with_joined_vertices},
+    {"turned faces", false, with_turned_faces},
     {"another component", true,
-     [](const TriangleSoup& soup, const Scene& s) {
-       return side_by_side(soup, random_surface(s).second);
+     [](TriangleSoup soup, const Scene& s) {
+       return side_by_side(std::move(soup), random_surface(s).second);
      }},
     {"cleaned", false,
-     [](const TriangleSoup& soup, const Scene& s) {
+     [](TriangleSoup soup, const Scene& s) {
        return changed_by("clean", s, soup, {{"parts", "all"}});
      }},
     {"collapsed edges", false,
-     [](const TriangleSoup& soup, const Scene& s) {
+     [](TriangleSoup soup, const Scene& s) {
        const std::uint32_t one_in = 8 + s.random.below(30);
-       return with_collapsed_edges(soup, s.seed(), one_in);
+       return with_collapsed_edges(std::move(soup), s.seed(), one_in);
      }},
     {"flat caps", false,
-     [](const TriangleSoup& soup, const Scene& s) {
+     [](TriangleSoup soup, const Scene& s) {
        const std::uint32_t one_in = 4 + s.random.below(30);
-       return with_flat_caps(soup, s.seed(), one_in);
+       return with_flat_caps(std::move(soup), s.seed(), one_in);
      }},
 };
 

@@ -16,7 +16,8 @@ TEST(BruteForce, is_straight_across_the_short_side_of_needles) {
     const Mesh mesh(
         TriangleSoup{{tip, side, opposite(side), opposite(tip)}, {{0, 1, 2}, {3, 2, 1}}});
     const auto straight = static_cast<double>(straight_distance(mesh, 0, 3));
-    EXPECT_NEAR(brute_force_distances(mesh, 0)[3], straight, 1e-15 * straight) << width;
+    const double distance = BruteForce(mesh).distances(std::vector<Source>{{.at = 0}})[3];
+    EXPECT_NEAR(distance, straight, 1e-15 * straight) << width;
   }
 }
 
