@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "meshes/connectivity.h"
 #include "tests/shapes.h"
 
 namespace geodesic {
@@ -209,12 +210,8 @@ TEST(Mesh, of_a_manifold_has_no_images_of_its_faces) {
 }
 
 TEST(Mesh, closed_fans_that_share_a_vertex_make_it_a_pseudo_source) {
-  TriangleSoup soup = fan(6, 0, 0);
-  for (Index i = 0; i < 5; ++i) {  // a second fan, above, around the same vertex
-    const double angle = 2 * std::numbers::pi * i / 5;
-    soup.positions.push_back({std::cos(angle), std::sin(angle), 4});
-    soup.triangles.push_back({0, 7 + i, 7 + (i + 1) % 5});
-  }
+  TriangleSoup soup = side_by_side(fan(6, 0, 0), fan(5, 4, 4));
+  for (Triangle& t : soup.triangles) std::ranges::replace(t, 7u, 0u);
   const Mesh mesh(soup);
   EXPECT_FALSE(mesh.is_boundary(0));
   EXPECT_TRUE(mesh.is_pseudo_source(0));
