@@ -12,7 +12,7 @@ import pytest
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parents[1] / "datasets")]
 
-from fetch_world import World  # noqa: E402  (needs the path above)
+from fetch_world import Missing, World  # noqa: E402  (needs the path above)
 from http_site import Site, serving  # noqa: E402
 
 # Where the real files are, read before any test changes it.
@@ -25,6 +25,22 @@ def world(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> World:
     monkeypatch.setenv("NO_PROXY", "127.0.0.1")
     monkeypatch.setattr(sys, "argv", ["fetch.py"])  # what its messages begin with
     return World(tmp_path)
+
+
+@pytest.fixture
+def missing(world: World, capsys: pytest.CaptureFixture[str]) -> Missing:
+    """missing(MIRROR) fetches the world's only mesh, which cannot be had: says why, on one line.
+    Nothing is left behind."""
+
+    def reason(mirror: str = "") -> str:
+        assert world.fetch(mirror=mirror) == 3
+        assert (world.cached(), world.leftovers()) == ([], [])
+        (line,) = capsys.readouterr().err.splitlines()
+        begin = f"{world.meshes[0]['name']}: missing: "
+        assert line.startswith(begin)
+        return line.removeprefix(begin)
+
+    return reason
 
 
 @pytest.fixture

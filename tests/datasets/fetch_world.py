@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import hashlib
+import io
 import json
 import os
-import shutil
-import stat
 import subprocess
 import sys
+import tarfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +25,9 @@ BENCH = Path(os.environ.get("GEODESIC_BENCH") or DEFAULT_BENCH).absolute()
 
 COMMITTED: dict[str, Any] = json.loads((ROOT / "datasets" / "manifest.json").read_text("utf-8"))
 """The manifest of the checkout."""
+
+Missing = Callable[..., str]
+"""The fixture `missing` of conftest.py."""
 
 # The program itself reads the manifest.
 LISTING = """#!/bin/sh
@@ -83,28 +86,37 @@ def packaged(name: str, upstream: bytes, mesh: bytes, package: dict[str, str]) -
     return entry(name, "package", sha256(mesh), **more)
 
 
-def generated(name: str, generator: str = "grid", size: int = 4) -> dict[str, Any]:
+def generated(
+    name: str, generator: str = "grid", size: int = 4, contents: bytes = b"", **more: Any
+) -> dict[str, Any]:
+    """What the stand-in makes.
+
+    @param contents of its input"""
     return entry(
         name,
         "generated",
-        sha256(f"{generator} --size={size}\n".encode()),
+        sha256(contents + f"{generator} --size={size}\n".encode()),
         generator=generator,
         parameters={"size": size},
         file=f"{name}.ply",
+        **more,
     )
 
 
-def derived(name: str, source: str, contents: bytes, size: int = 4) -> dict[str, Any]:
+def derived(name: str, source: str, contents: bytes) -> dict[str, Any]:
     """What the stand-in makes of `source`, whose file has these contents."""
-    return entry(
-        name,
-        "generated",
-        sha256(contents + f"cut --size={size}\n".encode()),
-        generator="cut",
-        parameters={"size": size},
-        inputs={"input": source},
-        file=f"{name}.ply",
-    )
+    return generated(name, "cut", contents=contents, inputs={"input": source})
+
+
+def tgz_of(members: Mapping[str, bytes], kind: bytes = tarfile.REGTYPE) -> bytes:
+    """@param kind of the members; links lead to /etc/passwd"""
+    packed = io.BytesIO()
+    with tarfile.open(fileobj=packed, mode="w:gz") as opened:
+        for name, data in members.items():
+            info = tarfile.TarInfo(name)
+            info.type, info.size, info.linkname = kind, len(data), "/etc/passwd"
+            opened.addfile(info, io.BytesIO(data))
+    return packed.getvalue()
 
 
 def wait_for(happened: Callable[[], bool], what: str) -> None:
@@ -118,7 +130,7 @@ def wait_for(happened: Callable[[], bool], what: str) -> None:
 def executable(file: Path, text: str) -> Path:
     file.parent.mkdir(parents=True, exist_ok=True)
     file.write_text(text)
-    file.chmod(file.stat().st_mode | stat.S_IXUSR | stat.S_IXGRP | stat.S_IXOTH)
+    file.chmod(0o755)
     return file
 
 
@@ -169,22 +181,22 @@ class World:
     def write(self) -> None:
         self.manifest.write_text(json.dumps(self.data()))
 
-    def words(self, *words: str, bench: Path | None = None) -> list[str]:
+    def words(self, *words: str) -> list[str]:
         """Those of a command line of fetch.py; --corpus all when none are given."""
         self.write()
         return [
             *(words or ("--corpus", "all")),
             *("--manifest", str(self.manifest)),
-            *("--cache", str(self.cache), "--bench", str(bench or self.bench)),
+            *("--cache", str(self.cache), "--bench", str(self.bench)),
         ]
 
-    def fetch(self, *words: str, mirror: str | None = "", bench: Path | None = None) -> int:
+    def fetch(self, *words: str, mirror: str | None = "") -> int:
         """Runs datasets/fetch.py in this process, from the mirror's folder unless told otherwise;
         None: without a mirror."""
         os.environ.pop("GEODESIC_DATASETS_MIRROR", None)
         if mirror is not None:
             os.environ["GEODESIC_DATASETS_MIRROR"] = mirror or str(self.mirror)
-        return fetch.main(self.words(*words, bench=bench))
+        return fetch.main(self.words(*words))
 
     def start(self, mirror: str = "") -> subprocess.Popen[str]:
         """Starts datasets/fetch.py --corpus all as a process of its own."""

@@ -8,7 +8,7 @@ import socket
 from pathlib import Path
 
 import pytest
-from fetch_world import TRIANGLE, World, generated, sha256, wait_for
+from fetch_world import TRIANGLE, Missing, World, generated, sha256, wait_for
 from fetching import download
 from http_site import Site
 
@@ -17,11 +17,6 @@ LARGE = random.Random(1).randbytes(5 << 20)  # more than one piece of a download
 
 def part_of(world: World, data: bytes) -> Path:
     return world.cache / ".fetch" / "parts" / f"{sha256(data)}.part"
-
-
-def put_part(world: World, data: bytes, contents: bytes) -> None:
-    part_of(world, data).parent.mkdir(parents=True)
-    part_of(world, data).write_bytes(contents)
 
 
 def test_a_folder_and_a_site_fill_the_cache_alike(world: World, site: Site) -> None:
@@ -79,61 +74,49 @@ def test_a_truncated_download_does_not_count_and_goes_on(
 
 
 def test_a_truncated_download_without_a_length_does_not_count(
-    world: World, site: Site, capsys: pytest.CaptureFixture[str]
+    world: World, site: Site, missing: Missing
 ) -> None:
     world.put_mesh("large", LARGE)
     site.cut_after, site.with_length = 3_000_000, False
-    assert world.fetch(mirror=site.url) == 3
-    assert "has sha256" in capsys.readouterr().err
-    assert (world.cached(), world.leftovers()) == ([], [])
-
-
-def test_a_site_that_cannot_go_on_sends_all_again(world: World, site: Site) -> None:
-    world.put_mesh("large", LARGE)
-    put_part(world, LARGE, LARGE[:1000])
-    site.ranges = False
-    assert world.fetch(mirror=site.url) == 0
-    assert (world.cache / "large.obj").read_bytes() == LARGE
-    assert site.asked == ["/site/large.obj bytes=1000-"]
+    assert "has sha256" in missing(site.url)
 
 
 @pytest.mark.parametrize(
-    "beginning", [b"of another file", LARGE + b"longer", b"x" * len(LARGE)], ids=len
+    ("left", "behaviour", "asked"),
+    [
+        (LARGE, {}, []),
+        (LARGE[:1000], {"ranges": False}, [" bytes=1000-"]),
+        (LARGE[:1000], {"shifted": True}, [" bytes=1000-", ""]),
+        (b"of another file", {}, [" bytes=15-", ""]),
+        (LARGE + b"longer", {}, [f" bytes={len(LARGE) + 6}-", ""]),
+        (b"x" * len(LARGE), {}, [f" bytes={len(LARGE)}-", ""]),
+    ],
+    ids=["whole", "without ranges", "another range", "wrong", "longer", "as long and wrong"],
 )
-def test_a_wrong_beginning_is_thrown_away(world: World, site: Site, beginning: bytes) -> None:
-    world.put_mesh("large", LARGE)
-    put_part(world, LARGE, beginning)
-    assert world.fetch(mirror=site.url) == 0
-    assert (world.cache / "large.obj").read_bytes() == LARGE
-    assert site.asked == [f"/site/large.obj bytes={len(beginning)}-", "/site/large.obj"]
-
-
-def test_another_range_than_the_wanted_is_not_used(world: World, site: Site) -> None:
-    world.put_mesh("large", LARGE)
-    put_part(world, LARGE, LARGE[:1000])
-    site.shifted = True
-    assert world.fetch(mirror=site.url) == 0
-    assert (world.cache / "large.obj").read_bytes() == LARGE
-
-
-def test_a_whole_download_that_was_not_used_yet_is_not_asked_for_again(
-    world: World, site: Site
+def test_what_an_earlier_download_left_is_used_or_thrown_away(
+    world: World, site: Site, left: bytes, behaviour: dict[str, bool], asked: list[str]
 ) -> None:
-    world.put_mesh("a")
-    put_part(world, TRIANGLE, TRIANGLE)
+    world.put_mesh("large", LARGE)
+    part_of(world, LARGE).parent.mkdir(parents=True)
+    part_of(world, LARGE).write_bytes(left)
+    vars(site).update(behaviour)
     assert world.fetch(mirror=site.url) == 0
-    assert (site.asked, world.leftovers()) == ([], [])
+    assert (world.cache / "large.obj").read_bytes() == LARGE
+    assert site.asked == [f"/site/large.obj{range_}" for range_ in asked]
+    assert world.leftovers() == []
 
 
-def test_a_tampered_download_is_removed(
-    world: World, site: Site, capsys: pytest.CaptureFixture[str]
+@pytest.mark.parametrize("over_http", [False, True])
+def test_a_tampered_file_is_not_used_and_the_rest_goes_on(
+    world: World, site: Site, over_http: bool, capsys: pytest.CaptureFixture[str]
 ) -> None:
     tampered = TRIANGLE + b"# more\n"
     world.put_mesh("a").write_bytes(tampered)
     world.meshes.append(generated("g"))
-    assert world.fetch(mirror=site.url) == 3
+    mirror = site.url if over_http else str(world.mirror)
+    assert world.fetch(mirror=mirror) == 3
     assert capsys.readouterr().err == (
-        f"a: missing: {site.url}/site/a.obj has sha256 {sha256(tampered)}, "
+        f"a: missing: {mirror}/site/a.obj has sha256 {sha256(tampered)}, "
         f"the manifest says {sha256(TRIANGLE)}: not used\n"
     )
     assert (world.cached(), world.leftovers()) == (["g.ply", "g.ply.recipe.json"], [])
@@ -144,15 +127,11 @@ def test_a_tampered_download_is_removed(
     [(404, "is no longer at {} (404 Not Found)"), (503, "{} answers 503 Service Unavailable")],
 )
 def test_an_address_without_the_file_is_one_line(
-    world: World, site: Site, status: int, message: str, capsys: pytest.CaptureFixture[str]
+    world: World, site: Site, status: int, message: str, missing: Missing
 ) -> None:
     world.put_mesh("a")
     site.status = status
-    assert world.fetch(mirror=site.url) == 3
-    err = capsys.readouterr().err
-    assert err.startswith(f"a: missing: {message.format(f'{site.url}/site/a.obj')}")
-    assert len(err.splitlines()) == 1
-    assert (world.cached(), world.leftovers()) == ([], [])
+    assert missing(site.url).startswith(message.format(f"{site.url}/site/a.obj"))
 
 
 def test_a_silent_site_is_given_up(
@@ -187,25 +166,8 @@ def test_an_interrupted_download_goes_on_in_the_next_fetch(world: World, site: S
 
 
 def test_a_site_that_sends_without_end_is_given_up(
-    world: World, site: Site, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    world: World, site: Site, monkeypatch: pytest.MonkeyPatch, missing: Missing
 ) -> None:
     world.put_mesh("large", LARGE)
     monkeypatch.setattr(download, "MAX_BYTES", 2 << 20)
-    assert world.fetch(mirror=site.url) == 3
-    assert "has more than 2097152 bytes: not used" in capsys.readouterr().err
-    assert (world.cached(), world.leftovers()) == ([], [])
-
-
-def test_no_site_at_the_address_is_one_line_a_mesh(
-    world: World, capsys: pytest.CaptureFixture[str]
-) -> None:
-    world.put_mesh("a")
-    world.put_mesh("b")
-    with socket.create_server(("127.0.0.1", 0)) as unused:
-        address = f"127.0.0.1:{unused.getsockname()[1]}"
-    assert world.fetch(mirror=f"http://{address}") == 3
-    lines = capsys.readouterr().err.splitlines()
-    assert [line.split(" (")[0] for line in lines] == [
-        f"{name}: missing: cannot reach {address}" for name in "ab"
-    ]
-    assert "Connection refused" in lines[0]
+    assert missing(site.url).endswith("has more than 2097152 bytes: not used")

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import gzip
-import io
-import tarfile
 from pathlib import Path
 
 import fetching.packages
 import pytest
-from fetch_world import TRIANGLE, World, executable, packaged
+from fetch_world import TRIANGLE, Missing, World, executable, packaged, tgz_of
 
 PACKED = gzip.compress(TRIANGLE, mtime=0)
 NPM_PACKAGE = {"manager": "npm", "name": "shapes", "version": "1.2.3", "file": "models/a.obj.gz"}
@@ -29,20 +27,9 @@ def npm(world: World, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The stand-in, which is found before any other npm."""
     file = executable(world.folder / "bin" / "npm", FAKE_NPM)
     monkeypatch.setenv("PATH", str(file.parent), prepend=":")
-    with tarfile.open(file.with_name("tarball"), "w:gz") as tarball:
-        info = tarfile.TarInfo("package/models/a.obj.gz")
-        info.size = len(PACKED)
-        tarball.addfile(info, io.BytesIO(PACKED))
+    file.with_name("tarball").write_bytes(tgz_of({"package/models/a.obj.gz": PACKED}))
     world.meshes = [packaged("a", PACKED, TRIANGLE, NPM_PACKAGE)]
     return file
-
-
-def missing(world: World, capsys: pytest.CaptureFixture[str]) -> str:
-    assert world.fetch() == 3
-    assert (world.cached(), world.leftovers()) == ([], [])
-    line = capsys.readouterr().err
-    assert line.startswith("a: missing: ") and len(line.splitlines()) == 1
-    return line.removeprefix("a: missing: ").rstrip("\n")
 
 
 def test_a_file_is_taken_out_of_an_npm_package_and_no_script_is_run(
@@ -58,14 +45,11 @@ def test_a_file_is_taken_out_of_an_npm_package_and_no_script_is_run(
 
 
 def test_a_missing_npm_is_named(
-    world: World,
-    npm: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
+    npm: Path, monkeypatch: pytest.MonkeyPatch, missing: Missing
 ) -> None:
     npm.unlink()
     monkeypatch.setenv("PATH", str(npm.parent))
-    assert missing(world, capsys) == (
+    assert missing() == (
         "is in the npm package shapes, and there is no npm: install it (Debian: npm)"
     )
 
@@ -83,25 +67,16 @@ def test_a_missing_npm_is_named(
     ],
 )
 def test_the_reason_of_an_npm_that_fails_is_passed_on(
-    world: World, npm: Path, script: str, reason: str, capsys: pytest.CaptureFixture[str]
+    npm: Path, script: str, reason: str, missing: Missing
 ) -> None:
     npm.write_text(f"#!/bin/sh\n{script}\n")
-    assert missing(world, capsys) == f"npm pack shapes@1.2.3 failed: {reason}"
+    assert missing() == f"npm pack shapes@1.2.3 failed: {reason}"
 
 
-def test_a_package_without_the_file_is_named(
-    world: World, npm: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    world.meshes[0]["package"] = {**NPM_PACKAGE, "file": "models/b.obj.gz"}
-    assert missing(world, capsys) == "shapes-1.2.3.tgz holds no package/models/b.obj.gz"
-
-
-def test_another_file_than_the_expected_is_not_used(
-    world: World, npm: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+@pytest.mark.usefixtures("npm")
+def test_another_file_than_the_expected_is_not_used(world: World, missing: Missing) -> None:
     world.meshes[0]["upstream_sha256"] = "0" * 64
-    line = missing(world, capsys)
-    assert line.startswith("models/a.obj.gz in the npm package shapes has sha256 ")
+    assert missing().startswith("models/a.obj.gz in the npm package shapes has sha256 ")
 
 
 def python_package(
@@ -136,16 +111,16 @@ def test_a_file_is_copied_out_of_a_python_package_that_is_imported_only_if_it_is
 
 @pytest.mark.parametrize("file", ["../../secret.obj", "/etc/passwd", "models/../../../a.obj"])
 def test_a_file_outside_of_a_python_package_is_not_read(
-    world: World, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], file: str
+    world: World, monkeypatch: pytest.MonkeyPatch, file: str, missing: Missing
 ) -> None:
     python_package(world, monkeypatch, "geodesic_test_outside")
     world.meshes[0]["package"]["file"] = file
-    assert missing(world, capsys).startswith(f"'{file}' points outside the Python package")
+    assert missing().startswith(f"'{file}' points outside the Python package")
 
 
 def test_a_python_package_that_is_not_installed_is_named(
-    world: World, capsys: pytest.CaptureFixture[str]
+    world: World, missing: Missing
 ) -> None:
     place = {"manager": "python", "name": "geodesic_test_ghost", "file": "a.obj"}
     world.meshes = [packaged("a", TRIANGLE, TRIANGLE, place)]
-    assert missing(world, capsys).startswith("is in the Python package geodesic_test_ghost, which")
+    assert missing().startswith("is in the Python package geodesic_test_ghost, which")
