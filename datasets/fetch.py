@@ -30,10 +30,9 @@ from fetching.cache import Cache, default_cache
 from fetching.download import Downloader, origin_from_environment
 from fetching.fetcher import Fetcher
 from fetching.program import DEFAULT_BENCH, DEFAULT_MANIFEST, Entry, Manifest
-from fetching.reporting import FetchError, Progress, Unavailable
+from fetching.reporting import EXIT_MISSING, FetchError, Progress, Unavailable
 
 MIRROR_VARIABLE = "GEODESIC_DATASETS_MIRROR"
-EXIT_MISSING = 3
 
 
 def parse_arguments(words: list[str] | None) -> argparse.Namespace:
@@ -78,9 +77,7 @@ def fetch(arguments: argparse.Namespace) -> int:
     cache = Cache(arguments.cache)
     progress = Progress(arguments.bars)
     with contextlib.closing(Downloader(progress, MIRROR_VARIABLE)) as downloader:
-        fetcher = Fetcher(
-            manifest, cache, arguments.bench, origin, progress, downloader, console.say
-        )
+        fetcher = Fetcher(manifest, cache, arguments.bench, origin, progress, downloader)
         return fetch_all(fetcher, entries)
 
 

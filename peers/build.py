@@ -34,10 +34,9 @@ from building.flags import Bench, loading
 from building.plugin import Builder
 from building.sources import Sources, github
 from fetching.download import Downloader, origin_from_environment
-from fetching.reporting import FetchError, Progress, Unavailable
+from fetching.reporting import EXIT_MISSING, FetchError, Progress, Unavailable
 
 MIRROR_VARIABLE = "GEODESIC_PEERS_MIRROR"
-EXIT_MISSING = 3
 
 
 def parse_arguments(words: Sequence[str] | None) -> argparse.Namespace:
@@ -75,7 +74,8 @@ def build_all(builder: Builder, peers: Sequence[Peer]) -> int:
 
 def words_of_run(bench: Bench, plugins: Sequence[Path], solvers: str) -> list[str]:
     """Words of `geodesic-bench run`: the plug-ins, and its solvers with theirs."""
-    beside = solvers or ",".join(each.name for each in bench.solvers() if not each.by_name_only)
+    always = [name for name, by_name_only in bench.solvers().items() if not by_name_only]
+    beside = solvers or ",".join(always)
     names = [beside, *bench.solvers_of(*plugins)]
     return [*loading(plugins), "--solvers", ",".join(names)]
 

@@ -29,6 +29,7 @@ if __name__ == "__main__":
 from fetching.archive import extract
 from fetching.cache import sha256_of
 from fetching.packages import npm_package
+from fetching.reporting import EXIT_MISSING
 from fetching.reporting import Unavailable as Unavailable
 
 NAME, VERSION = "three", "0.171.0"
@@ -42,7 +43,6 @@ FILES = {
     LICENCE: "4c40a1ef62450b857c3b2aaf294936304cd552d965fbcd9d32d4c5bcf4ba4454",
 }
 """In the package: the SHA-256 sum of each file."""
-EXIT_MISSING = 3
 MODULES = {
     "three": "build/three.module.min.js",
     "three-core": "build/three.core.min.js",
@@ -52,9 +52,9 @@ MODULES = {
 """What the page and these files import, by the name that it is imported by."""
 
 
-def is_there(folder: Path | None = None) -> bool:
-    """Whether the folder, by default FOLDER, has every file, unchanged."""
-    files = {(folder or FOLDER) / file: expected for file, expected in FILES.items()}
+def is_there() -> bool:
+    """Whether FOLDER has every file, unchanged."""
+    files = {FOLDER / file: expected for file, expected in FILES.items()}
     return all(file.is_file() and sha256_of(file) == expected for file, expected in files.items())
 
 
@@ -90,9 +90,9 @@ def fetch(package: Path | None) -> str:
             (whole / file).parent.mkdir(parents=True, exist_ok=True)
         archive = package or npm_package(NAME, VERSION, Path(scratch))
         extract(archive, {f"package/{file}": whole / file for file in FILES})
-        if not is_there(whole):
-            wrong = [file for file in FILES if sha256_of(whole / file) != FILES[file]]
-            raise Unavailable(f"{wrong[0]} in {archive.name} is not that of {what}: not used")
+        for file, expected in FILES.items():
+            if sha256_of(whole / file) != expected:
+                raise Unavailable(f"{file} in {archive.name} is not that of {what}: not used")
         shutil.rmtree(FOLDER, ignore_errors=True)
         whole.replace(FOLDER)
     return f"{what}: fetched"

@@ -20,7 +20,7 @@ from typing import Any
 from results.console import reason_of
 
 from .program import ROOT
-from .reporting import FetchError
+from .reporting import FetchError, Unavailable
 
 WORK = ".fetch"
 
@@ -33,6 +33,13 @@ def default_cache() -> Path:
 def sha256_of(path: Path) -> str:
     with path.open("rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def check_sha256(path: Path, expected: str, what: str, says: str = "the manifest") -> None:
+    """`says`: who expects it. Raises Unavailable for a file with another sum."""
+    found = sha256_of(path)
+    if found != expected:
+        raise Unavailable(f"{what} has sha256 {found}, {says} says {expected}: not used")
 
 
 class Cache:

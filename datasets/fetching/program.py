@@ -77,7 +77,7 @@ class Manifest:
             )
         done = _run(bench, "list", "--json", "--manifest", str(path))
         if done.returncode != 0:
-            raise FetchError(_last_line(done).removeprefix("geodesic-bench: "))
+            raise FetchError(last_line(done).removeprefix("geodesic-bench: "))
         data = json.loads(done.stdout)
         self._sources: dict[str, str] = {
             name: source["base"] for name, source in data["sources"].items()
@@ -93,13 +93,13 @@ class Manifest:
 
     def entry(self, name: str) -> Entry:
         """A mesh or elevation grid. Raises FetchError for an unknown one, listing those known."""
-        return _find(self._entries, name, "mesh")
+        return find(self._entries, name, "mesh")
 
     def select(self, corpora: Iterable[str], names: Iterable[str]) -> list[Entry]:
         """The meshes of the corpora, then those named, each once. Raises FetchError as `entry`."""
         chosen: dict[str, None] = {}
         for corpus in corpora:
-            chosen.update(dict.fromkeys(_find(self.corpora, corpus, "corpus")))
+            chosen.update(dict.fromkeys(find(self.corpora, corpus, "corpus")))
         chosen.update(dict.fromkeys(names))
         return [self.entry(name) for name in chosen]
 
@@ -113,18 +113,20 @@ def generate(bench: Path, mesh: Entry, inputs: Mapping[str, Path], target: Path)
     parameters = [f"--{name}={value}" for name, value in given.items()]
     done = _run(bench, "generate", mesh.generator, *parameters, "-o", str(target))
     if done.returncode != 0:
-        raise Unavailable(f"could not be generated: {_last_line(done)}")
+        raise Unavailable(f"could not be generated: {last_line(done)}")
 
 
 def _run(bench: Path, *words: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run([str(bench), *words], capture_output=True, text=True, check=False)
 
 
-def _last_line(done: subprocess.CompletedProcess[str]) -> str:
+def last_line(done: subprocess.CompletedProcess[str]) -> str:
+    """What a program that failed says of it."""
     return (done.stderr.strip().splitlines() or [f"exit code {done.returncode}"])[-1]
 
 
-def _find(known: Mapping[str, Value], name: str, kind: str) -> Value:
+def find(known: Mapping[str, Value], name: str, kind: str) -> Value:
+    """Raises FetchError for an unknown name, listing those known."""
     if name not in known:
         raise FetchError(f"no {kind} named '{name}'; there are: {', '.join(sorted(known))}")
     return known[name]

@@ -8,6 +8,9 @@ from typing import Any, TextIO
 
 import tqdm
 
+EXIT_MISSING = 3
+"""Something could not be had."""
+
 
 class FetchError(Exception):
     """Concerns all of the fetch: nothing more can be had. The message says what to do."""
@@ -18,10 +21,10 @@ class Unavailable(Exception):
 
 
 class Progress:
-    """Draws on a terminal; None or anything else that is not a terminal gets nothing."""
+    """Draws on a terminal; anything else gets nothing."""
 
-    def __init__(self, terminal: TextIO | None) -> None:
-        self._terminal = terminal if terminal is not None and terminal.isatty() else None
+    def __init__(self, terminal: TextIO) -> None:
+        self._terminal = terminal
 
     @contextmanager
     def download(self, label: str, total: int | None, done: int) -> Iterator[Callable[[int], None]]:
@@ -37,4 +40,4 @@ class Progress:
 
     def _bar(self, **options: Any) -> tqdm.tqdm:
         terminal = self._terminal
-        return tqdm.tqdm(**options, leave=False, file=terminal, disable=terminal is None)
+        return tqdm.tqdm(**options, leave=False, file=terminal, disable=not terminal.isatty())

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import jsonschema
+from fetching.program import find
 from fetching.reporting import FetchError
 
 from results.console import reason_of
@@ -37,7 +38,7 @@ class Repository:
     licence: str | None
     files: Mapping[str, str]
     """SHA-256 sums by path."""
-    edits: tuple[Edit, ...] = ()
+    edits: Sequence[Edit] = ()
 
     @property
     def name(self) -> str:
@@ -54,10 +55,10 @@ class Peer:
     """A public code, and the folder with its description and adapter."""
 
     folder: Path
-    upstream: tuple[Repository, ...]
+    upstream: Sequence[Repository]
     authors_flags: str
     our_flags: str
-    packages: tuple[str, ...]
+    packages: Sequence[str]
 
     @property
     def name(self) -> str:
@@ -77,30 +78,21 @@ def read_peer(folder: Path) -> Peer:
     except jsonschema.ValidationError as error:
         where = "/".join(map(str, error.absolute_path)) or "the description"
         raise FetchError(f"{file}: {where}: {error.message}") from error
-    return _peer(folder, data)
-
-
-def _peer(folder: Path, data: dict[str, Any]) -> Peer:
     return Peer(
         folder=folder,
-        upstream=tuple(_repository(each) for each in data["upstream"]),
+        upstream=[_repository(**each) for each in data["upstream"]],
         authors_flags=data["flags"]["authors"],
         our_flags=data["flags"]["ours"],
-        packages=tuple(data.get("packages", [])),
+        packages=data.get("packages", []),
     )
 
 
-def _repository(data: dict[str, Any]) -> Repository:
-    edits = tuple(Edit(**edit) for edit in data.get("edits", []))
-    about: dict[str, Any] = data | {"edits": edits}
-    return Repository(**about)
+def _repository(edits: Iterable[dict[str, str]] = (), **data: Any) -> Repository:
+    return Repository(**data, edits=[Edit(**edit) for edit in edits])
 
 
 def select_peers(folder: Path, names: Iterable[str]) -> list[Peer]:
     """Those named, or all. Raises FetchError for an unknown name, listing those known."""
     known = {file.parent.name: file.parent for file in sorted(folder.glob("*/peer.json"))}
-    chosen = list(names) or list(known)
-    for name in chosen:
-        if name not in known:
-            raise FetchError(f"no peer named '{name}'; there are: {', '.join(known)}")
-    return [read_peer(known[name]) for name in dict.fromkeys(chosen)]
+    chosen = [find(known, name, "peer") for name in dict.fromkeys(list(names) or known)]
+    return [read_peer(folder) for folder in chosen]

@@ -8,16 +8,11 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from fetching.program import last_line
 from fetching.reporting import Unavailable
 
 ROUNDS = 5
 SOLVE_SECONDS = 60
-
-
-@dataclass(frozen=True)
-class Solver:
-    name: str
-    by_name_only: bool
 
 
 @dataclass(frozen=True)
@@ -27,16 +22,16 @@ class Bench:
     program: Path
     mesh: Path
 
-    def solvers(self, *plugins: Path) -> list[Solver]:
-        """Of the program, and of plug-ins. Raises Unavailable."""
+    def solvers(self, *plugins: Path) -> dict[str, bool]:
+        """Those of the program, and of plug-ins: whether each runs by its name only. Raises
+        Unavailable."""
         done = self._run("list", "--json", *loading(plugins))
-        listed = json.loads(done.stdout)["solvers"]
-        return [Solver(each["name"], each["by_name_only"]) for each in listed]
+        return {each["name"]: each["by_name_only"] for each in json.loads(done.stdout)["solvers"]}
 
     def solvers_of(self, *plugins: Path) -> list[str]:
         """Names of those that plug-ins bring. Raises Unavailable."""
         own = self.solvers()
-        return [solver.name for solver in self.solvers(*plugins) if solver not in own]
+        return [solver for solver in self.solvers(*plugins) if solver not in own]
 
     def make_mesh(self) -> None:
         """A torus of 2,048 vertices: closed, since some codes fail on boundaries.
@@ -66,8 +61,7 @@ class Bench:
         except subprocess.TimeoutExpired:
             raise Unavailable(f"takes over {SOLVE_SECONDS} s for a small mesh") from None
         if done.returncode != 0:
-            last = (done.stderr.strip().splitlines() or [f"exit code {done.returncode}"])[-1]
-            raise Unavailable(f"fails on a small mesh: {last}")
+            raise Unavailable(f"fails on a small mesh: {last_line(done)}")
         return done
 
 

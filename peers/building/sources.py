@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from fetching.archive import extract
-from fetching.cache import sha256_of
+from fetching.cache import check_sha256
 from fetching.download import Downloader, Origin
 from fetching.reporting import Unavailable
 
@@ -48,18 +48,11 @@ class Sources:
         extract(archive, targets)
         # The sums are the files': the same archive is compressed differently from year to year.
         for path, expected in repository.files.items():
-            found = sha256_of(target / path)
-            if found != expected:
-                raise Unavailable(
-                    f"{path} of {repository.repository} has sha256 {found}, peer.json says "
-                    f"{expected}: not used"
-                )
+            check_sha256(target / path, expected, f"{path} of {repository.repository}", "peer.json")
 
     def _archive(self, repository: Repository) -> Path:
         place = self.origin(repository.archive)
         if isinstance(place, Path):
-            if not place.is_file():
-                raise Unavailable(f"is not in the mirror: there is no {place}")
             return place
         whole = self.archives / repository.archive
         if not whole.is_file():

@@ -112,7 +112,7 @@ def test_another_three_js_is_not_taken(
 ) -> None:
     monkeypatch.setattr(three, "FOLDER", tmp_path / "three")
     archive = package(tmp_path / "three.tgz", dict.fromkeys(three.FILES, b"alert(1)"))
-    assert three.main([str(archive)]) == three.EXIT_MISSING
+    assert three.main([str(archive)]) == 3
     assert "is not that of three.js" in capsys.readouterr().err
     assert not three.is_there() and not (tmp_path / "three").exists()
     assert three.main([str(tmp_path / "none.tgz")]) == 1
