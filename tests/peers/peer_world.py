@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import hashlib
-import io
 import json
 import os
+import shutil
 import subprocess
 import sys
-import tarfile
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -74,10 +74,10 @@ const RegisterSolver<Fake<leave>> leaves{named("leaves")};
 """
 
 LISTS = """cmake_minimum_required(VERSION 3.25)
-project(fake LANGUAGES CXX)
+project(NAME LANGUAGES CXX)
 include(peer)
-geodesic_add_peer(fake adapter.cpp)
-target_include_directories(fake PRIVATE ${PEER_SOURCES}/codes)
+geodesic_add_peer(NAME adapter.cpp)
+target_include_directories(NAME PRIVATE ${PEER_SOURCES}/codes)
 """
 
 
@@ -89,38 +89,37 @@ class PeerWorld:
         self.peers = folder / "peers"
         self.mirror = folder / "mirror"
         self.built = folder / "built"
-        self.fake = self.peers / "fake"
-        self.fake.mkdir(parents=True)
-        (self.fake / "adapter.cpp").write_text(ADAPTER)
-        (self.fake / "CMakeLists.txt").write_text(LISTS)
-        self.archive = self.mirror / "somebody" / "codes" / "archive" / f"{COMMIT}.tar.gz"
-        self.archive.parent.mkdir(parents=True)
-        with tarfile.open(self.archive, "w:gz") as archive:
-            info = tarfile.TarInfo(f"codes-{COMMIT}/{HEADER}")
-            info.size = len(AUTHORS)
-            archive.addfile(info, io.BytesIO(AUTHORS.encode()))
-        self.describe()
+        self.add("fake")
+        top = folder / f"codes-{COMMIT}"
+        top.mkdir()
+        (top / HEADER).write_text(AUTHORS)
+        archive = self.mirror / "somebody" / "codes" / "archive" / COMMIT
+        archive.parent.mkdir(parents=True)
+        shutil.make_archive(str(archive), "gztar", folder, top.name)
 
-    def describe(self, **changes: Any) -> None:
-        """Writes peer.json: the right one but for the changes."""
+    def add(
+        self, name: str, adapter: str = ADAPTER, packages: Sequence[str] = (), **upstream: Any
+    ) -> None:
+        """A peer, or another one in its place: as it should be but for what is given.
+
+        @param upstream of the authors' repository"""
         sha256 = hashlib.sha256(AUTHORS.encode()).hexdigest()
         repository = {
             "repository": "somebody/codes", "commit": COMMIT, "licence": "MIT",
             "files": {HEADER: sha256},
+            **upstream,
         }  # fmt: skip
         description = {
             "what": "A fake.", "promise": "exact distances", "paper": "none",
             "upstream": [repository],
             "flags": {"authors": "-O1", "from": "this test", "ours": "-O1"},
-            **changes,
+            "packages": packages,
         }  # fmt: skip
-        (self.fake / "peer.json").write_text(json.dumps(description))
-
-    def describe_repository(self, **changes: Any) -> None:
-        self.describe()
-        description = json.loads((self.fake / "peer.json").read_text())
-        description["upstream"][0] |= changes
-        self.describe(upstream=description["upstream"])
+        folder = self.peers / name
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / "adapter.cpp").write_text(adapter)
+        (folder / "CMakeLists.txt").write_text(LISTS.replace("NAME", name))
+        (folder / "peer.json").write_text(json.dumps(description))
 
     @property
     def plugin(self) -> Path:

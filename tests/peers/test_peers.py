@@ -5,10 +5,11 @@ from __future__ import annotations
 import json
 import os
 from pathlib import Path
+from typing import Any
 
 import jsonschema
 import pytest
-from peer_world import ROOT, PeerWorld
+from peer_world import COMMIT, HEADER, ROOT, PeerWorld
 
 SCHEMA = jsonschema.Draft202012Validator(
     json.loads((ROOT / "peers" / "peer.schema.json").read_text("utf-8"))
@@ -16,17 +17,12 @@ SCHEMA = jsonschema.Draft202012Validator(
 FOLDERS = sorted(file.parent for file in ROOT.glob("peers/*/peer.json"))
 
 
-@pytest.fixture(scope="session")
-def bench() -> Path:
+@pytest.fixture
+def world(tmp_path: Path) -> PeerWorld:
     program = os.environ.get("GEODESIC_BENCH")
     if program is None:
         pytest.skip("GEODESIC_BENCH names no program; ./run_tests.sh sets it")
-    return Path(program).resolve()
-
-
-@pytest.fixture
-def world(tmp_path: Path, bench: Path) -> PeerWorld:
-    return PeerWorld(tmp_path, bench)
+    return PeerWorld(tmp_path, Path(program).resolve())
 
 
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
@@ -37,71 +33,49 @@ def test_the_description_keeps_its_schema_and_the_folder_has_an_adapter(folder: 
     assert f"geodesic_add_peer({folder.name} " in (folder / "CMakeLists.txt").read_text("utf-8")
 
 
-def said_of_fake(world: PeerWorld, mirror: str | None = None) -> str:
-    """The line about the peer, which is named and missing."""
-    ended = world.build("fake", mirror=mirror)
-    assert ended.returncode == 3, ended.stdout + ended.stderr
-    line, count = ended.stdout.splitlines()
-    assert count == "1 peers: 0 built, 1 missing" and ended.stderr == ""
-    assert not world.plugin.exists()
-    return line
+EDIT = {"file": HEADER, "pattern": r"no\w+here", "replacement": "", "why": "a test"}
+MISSING: dict[str, tuple[dict[str, Any], str]] = {
+    "another-sum": ({"files": {HEADER: "0" * 64}}, "authors.h of somebody/codes has sha256 "),
+    "no-file": ({"files": {"no.h": "0" * 64}}, f"{COMMIT}.tar.gz holds no codes-{COMMIT}/no.h"),
+    "edit": ({"edits": [EDIT]}, r"the edit 'no\\w+here' matches nothing in authors.h"),
+    "no-archive": ({"commit": "f" * 40}, "is not in the mirror: there is no "),
+    "no-package": (
+        {"packages": ["lib-of-nobody-dev"]},
+        "needs lib-of-nobody-dev: apt-get install --no-install-recommends lib-of-nobody-dev",
+    ),
+    "broken": ({"adapter": '#include "missing.h"\n'}, "does not compile with -O1: "),
+}
+"""By the name of a peer: what is wrong with it, and how its reason begins."""
 
 
-def test_a_file_with_another_sum_is_not_compiled(world: PeerWorld) -> None:
-    world.describe_repository(files={"authors.h": "0" * 64})
-    assert said_of_fake(world).startswith("fake: missing: authors.h of somebody/codes has sha256 ")
+def test_a_peer_that_cannot_be_had_is_one_line_with_the_reason(world: PeerWorld) -> None:
+    for name, (wrong, _) in MISSING.items():
+        world.add(name, **wrong)
+    ended = world.build(*MISSING)
+    assert (ended.returncode, ended.stderr) == (3, ""), ended.stdout
+    *lines, count = ended.stdout.splitlines()
+    assert count == f"{len(MISSING)} peers: 0 built, {len(MISSING)} missing"
+    for line, (name, (_, reason)) in zip(lines, MISSING.items(), strict=True):
+        assert line.startswith(f"{name}: missing: {reason}")
+        assert not (world.built / name / f"lib{name}.so").exists()
 
 
-def test_a_file_that_the_archive_lacks_is_named(world: PeerWorld) -> None:
-    world.describe_repository(files={"other.h": "0" * 64})
-    assert "holds no codes-0123456789" in said_of_fake(world)
-
-
-def test_an_edit_that_matches_nothing_is_named(world: PeerWorld) -> None:
-    edit = {"file": "authors.h", "pattern": r"no\w+here", "replacement": "", "why": "a test"}
-    world.describe_repository(edits=[edit])
-    assert said_of_fake(world).startswith(
-        "fake: missing: the edit 'no\\\\w+here' matches nothing in authors.h"
-    )
-
-
-def test_a_peer_that_the_mirror_lacks_is_one_line(world: PeerWorld) -> None:
-    world.archive.unlink()
-    assert said_of_fake(world) == (
-        f"fake: missing: is not in the mirror: there is no {world.archive}"
-    )
-
-
-def test_without_a_network_a_peer_is_one_line(world: PeerWorld) -> None:
-    assert said_of_fake(world, mirror="http://127.0.0.1:9").startswith(
+def test_without_a_network_a_peer_is_one_line_and_fails_nothing_if_all_are_asked_for(
+    world: PeerWorld,
+) -> None:
+    ended = world.build(mirror="http://127.0.0.1:9")
+    assert ended.returncode == 0
+    assert ended.stdout.startswith(
         "fake: missing: cannot reach 127.0.0.1:9 (Connection refused): check the network, "
         "or set GEODESIC_PEERS_MIRROR"
     )
-
-
-def test_a_missing_package_is_named_with_the_line_that_installs_it(world: PeerWorld) -> None:
-    world.describe(packages=["lib-of-nobody-dev"])
-    assert said_of_fake(world) == (
-        "fake: missing: needs lib-of-nobody-dev: apt-get install --no-install-recommends "
-        "lib-of-nobody-dev"
-    )
-
-
-def test_a_peer_that_does_not_compile_is_one_line(world: PeerWorld) -> None:
-    (world.fake / "adapter.cpp").write_text('#include "missing.h"\n')
-    assert said_of_fake(world).startswith("fake: missing: does not compile with -O1: ")
-
-
-def test_what_is_missing_fails_nothing_when_all_are_asked_for(world: PeerWorld) -> None:
-    world.archive.unlink()
-    assert world.build().returncode == 0
 
 
 def test_a_broken_description_and_an_unknown_name_are_errors(world: PeerWorld) -> None:
     ended = world.build("nobody")
     assert ended.returncode == 1
     assert ended.stderr == "peers/build.py: no peer named 'nobody'; there are: fake\n"
-    world.describe_repository(commit="main")
+    world.add("fake", commit="main")
     ended = world.build("fake")
     assert ended.returncode == 1
     assert "peer.json: upstream/0/commit: 'main' does not match" in ended.stderr
