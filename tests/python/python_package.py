@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import os
+import subprocess
 import sys
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
@@ -26,11 +26,16 @@ def find_package() -> None:
         sys.path.insert(0, str(BUILD / "python"))
 
 
-def write_obj(file: Path, mesh: Any) -> None:
+def write_obj(file: Path, vertices: ArrayLike, faces: ArrayLike) -> None:
     """So that coordinates come back as the same bits."""
-    lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in mesh.vertices.tolist()]
-    lines += [f"f {a} {b} {c}" for a, b, c in (mesh.faces.astype(int) + 1).tolist()]
+    lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in np.asarray(vertices).tolist()]
+    lines += [f"f {a} {b} {c}" for a, b, c in (np.asarray(faces) + 1).tolist()]
     file.write_text("\n".join(lines) + "\n")
+
+
+def solve(*words: object) -> None:
+    """By the program."""
+    subprocess.run([BENCH, "solve", *map(str, words)], check=True, capture_output=True)
 
 
 def rough_ground(side: int) -> Arrays:

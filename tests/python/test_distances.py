@@ -5,41 +5,38 @@ from __future__ import annotations
 import json
 import pickle
 import random
+import shutil
 import subprocess
 import threading
+from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
-from python_package import BENCH, Arrays, rough_ground, write_obj
+from python_package import BENCH, Arrays, rough_ground, solve
 
 gb = pytest.importorskip("geodesic_bench")
 
 
 @pytest.mark.parametrize("solver", gb.solvers())
 def test_distances_are_the_bits_of_the_program(
-    solver: str, ground: Arrays, tmp_path: Path
+    solver: str, mesh: Any, file: Path, tmp_path: Path
 ) -> None:
-    mesh = gb.Mesh(*ground)
-    file, output = tmp_path / "ground.obj", tmp_path / "distances.txt"
-    write_obj(file, mesh)
-    solve = [BENCH, "solve", file, "--solver", solver, "--output", output]
-    subprocess.run([*solve, "--source", "7,130", "--limit", "9"], check=True, capture_output=True)
+    output = tmp_path / "distances.txt"
+    solve(file, "--solver", solver, "--source", "7,130", "--limit", 9, "--output", output)
     expected = np.loadtxt(output)
     assert np.isinf(expected).any()
-    np.testing.assert_array_equal(mesh.distances([7, 130], limit=9, solver=solver), expected)
-    np.testing.assert_array_equal(
-        gb.read_mesh(file).distances([7, 130], limit=9, solver=solver), expected
-    )
+    for asked in (mesh, gb.read_mesh(file)):
+        np.testing.assert_array_equal(asked.distances([7, 130], limit=9, solver=solver), expected)
 
 
 def test_of_several_meshes_each_that_can_be_solved_is_written(
-    ground: Arrays, tmp_path: Path
+    mesh: Any, file: Path, tmp_path: Path
 ) -> None:
-    mesh = gb.Mesh(*ground)
     for name in ("first.obj", "last.obj"):
-        write_obj(tmp_path / name, mesh)
+        shutil.copy(file, tmp_path / name)
     (tmp_path / "broken.obj").write_text("no mesh")
     files = ["first.obj", "broken.obj", "last.obj"]
     command = [BENCH, "solve", *files, "--source", "7", "--output-dir", "distances"]
@@ -52,28 +49,26 @@ def test_of_several_meshes_each_that_can_be_solved_is_written(
         np.testing.assert_array_equal(np.loadtxt(tmp_path / one["output"]), mesh.distances([7]))
 
 
-def test_files_of_any_suffix_have_the_same_distances(ground: Arrays, tmp_path: Path) -> None:
-    file = tmp_path / "ground.obj"
-    mesh = gb.Mesh(*ground)
-    write_obj(file, mesh)
+def test_files_of_any_suffix_have_the_same_distances(
+    mesh: Any, file: Path, tmp_path: Path
+) -> None:
     expected, nearest = mesh.distances([7, 130], limit=9, return_nearest=True)
     separate = np.stack([mesh.distances([source], limit=9) for source in (7, 130)])
 
-    def solve(*words: str) -> Path:
+    def solved(*words: str) -> Path:
         output = tmp_path / words[-1]
-        command = [BENCH, "solve", file, "--source", "7,130", "--limit", "9", *words[:-1]]
-        subprocess.run([*command, "--output", output], check=True, capture_output=True)
+        solve(file, "--source", "7,130", "--limit", 9, *words[:-1], "--output", output)
         return output
 
-    np.testing.assert_array_equal(np.load(solve("d.npy")), expected)
-    csv = np.genfromtxt(solve("--nearest-source", "d.csv"), delimiter=",", names=True)
-    table = np.load(solve("--nearest-source", "table.npy"))
+    np.testing.assert_array_equal(np.load(solved("d.npy")), expected)
+    csv = np.genfromtxt(solved("--nearest-source", "d.csv"), delimiter=",", names=True)
+    table = np.load(solved("--nearest-source", "table.npy"))
     for name, values in {"distance": expected, "source": nearest}.items():
         np.testing.assert_array_equal(csv[name], values)
         np.testing.assert_array_equal(table[name], values)
     np.testing.assert_array_equal(csv["vertex"], np.arange(len(expected)))
-    np.testing.assert_array_equal(np.load(solve("--each", "each.npy")), separate)
-    rows = solve("--each", "each.csv").read_text().splitlines()
+    np.testing.assert_array_equal(np.load(solved("--each", "each.npy")), separate)
+    rows = solved("--each", "each.csv").read_text().splitlines()
     assert rows[0].startswith("source,0,1,2,")
     assert [row.split(",")[0] for row in rows[1:]] == ['"7"', '"130"']
     np.testing.assert_array_equal(
@@ -81,8 +76,7 @@ def test_files_of_any_suffix_have_the_same_distances(ground: Arrays, tmp_path: P
     )
 
 
-def test_each_row_of_a_matrix_is_the_bits_of_a_single_query(ground: Arrays) -> None:
-    mesh = gb.Mesh(*ground)
+def test_each_row_of_a_matrix_is_the_bits_of_a_single_query(mesh: Any) -> None:
     rows, columns = [5, 0, 143, 5], [143, 2, 2]
     full = np.stack([mesh.distances(row) for row in rows])
     for threads in (0, 1, 3, 9):
@@ -96,8 +90,7 @@ def test_each_row_of_a_matrix_is_the_bits_of_a_single_query(ground: Arrays) -> N
 
 
 @pytest.mark.parametrize("dtype", [np.float64, np.float32, ">f4"])
-def test_a_matrix_with_a_limit_stores_what_it_reaches(ground: Arrays, dtype: str) -> None:
-    mesh = gb.Mesh(*ground)
+def test_a_matrix_with_a_limit_stores_what_it_reaches(mesh: Any, dtype: str) -> None:
     dense = mesh.distance_matrix([3, 77])
     sparse = mesh.distance_matrix([3, 77], limit=4.0, dtype=dtype)
     reached = dense <= 4
@@ -110,8 +103,7 @@ def test_a_matrix_with_a_limit_stores_what_it_reaches(ground: Arrays, dtype: str
     assert mesh.distance_matrix([], limit=4.0).shape == (0, dense.shape[1])
 
 
-def test_a_bar_counts_the_rows(ground: Arrays, capsys: pytest.CaptureFixture[str]) -> None:
-    mesh = gb.Mesh(*ground)
+def test_a_bar_counts_the_rows(mesh: Any, capsys: pytest.CaptureFixture[str]) -> None:
     expected = mesh.distance_matrix(range(30))
     assert capsys.readouterr().err == ""
     np.testing.assert_array_equal(mesh.distance_matrix(range(30), progress=True), expected)
@@ -127,16 +119,14 @@ def test_a_matrix_without_room_is_refused_with_its_size() -> None:
         gb.Mesh(np.eye(3), [[0, 1, 2]]).distance_matrix(many, many)
 
 
-def test_initial_distances_are_added_and_the_least_sum_counts(ground: Arrays) -> None:
-    mesh = gb.Mesh(*ground)
+def test_initial_distances_are_added_and_the_least_sum_counts(mesh: Any) -> None:
     first, second = mesh.distance_matrix([0, 100])
     both = mesh.distances([0, 100], initial=[1.5, 4])
     np.testing.assert_allclose(both, np.minimum(first + 1.5, second + 4), rtol=1e-12)
     np.testing.assert_allclose(mesh.distances(0, initial=2), first + 2, rtol=1e-12)
 
 
-def test_no_limit_is_an_infinite_one(ground: Arrays) -> None:
-    mesh = gb.Mesh(*ground)
+def test_no_limit_is_an_infinite_one(mesh: Any) -> None:
     np.testing.assert_array_equal(mesh.distances(0, limit=None), mesh.distances(0, limit=np.inf))
 
 
@@ -178,23 +168,21 @@ def test_arrays_of_any_type_order_and_flag_give_the_same_bits_and_are_not_writte
     real = ["f8", "f4", ">f8", "f2", "i4", ">i2", "u1", "longdouble"]
     whole = ["i8", "u8", "i4", ">u4", "i2", "u1", "O"]
 
-    def disguised(array: np.ndarray, types: list[str]) -> np.ndarray:
+    forms: list[Callable[[Any], Any]] = [
+        np.asfortranarray,
+        lambda array: np.repeat(array, 2, axis=0)[::2],  # with gaps
+        lambda array: array[::-1].copy()[::-1],  # backwards
+        lambda array: array.tolist(),
+    ]
+
+    def disguised(array: np.ndarray, types: list[str]) -> Any:
         array = array.astype(chance.choice(types))
-        for shape_of_memory in (np.asfortranarray, strided, reverse, list_of_lists):
+        for form in forms:
             if chance.random() < 0.3:
-                array = shape_of_memory(array)
+                array = form(array)
         if isinstance(array, np.ndarray):
             array.flags.writeable = chance.random() < 0.5
         return array
-
-    def strided(array: np.ndarray) -> np.ndarray:
-        return np.repeat(array, 2, axis=0)[::2]
-
-    def reverse(array: np.ndarray) -> np.ndarray:
-        return array[::-1].copy()[::-1]
-
-    def list_of_lists(array: np.ndarray) -> np.ndarray:
-        return array.tolist()
 
     for _ in range(150):
         given = disguised(vertices, real), disguised(faces, whole)
@@ -266,7 +254,6 @@ def test_a_thousand_queries_and_meshes_do_not_make_the_process_grow() -> None:
     assert resident_bytes() - before < 10e6
 
 
-def test_several_threads_answer_one_source(ground: Arrays) -> None:
-    mesh = gb.Mesh(*ground)
+def test_several_threads_answer_one_source(mesh: Any) -> None:
     regional = mesh.distances(3, threads=3, region_size=20)
     np.testing.assert_allclose(regional, mesh.distances(3), rtol=1e-14)

@@ -11,17 +11,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from python_package import BENCH, write_obj
+from python_package import BENCH
 
 gb = pytest.importorskip("geodesic_bench")
 
 Solve = Callable[[Any], Any]
-
-
-@pytest.fixture
-def mesh(tmp_path: Path, ground: tuple[Any, Any]) -> str:
-    write_obj(tmp_path / "ground.obj", gb.Mesh(*ground))
-    return str(tmp_path / "ground.obj")
 
 
 def exact(vertices: Any, faces: Any) -> Solve:
@@ -48,13 +42,13 @@ def endless(vertices: Any, faces: Any) -> Solve:
     return lambda sources: time.sleep(1000)
 
 
-def measure(functions: Any, out: Path, mesh: str, **options: Any) -> Any:
-    return gb.benchmark(functions, out, meshes=[mesh], executable=BENCH, repetitions=2, sources=1,
+def measure(functions: Any, out: Path, file: Path, **options: Any) -> Any:
+    return gb.benchmark(functions, out, meshes=[file], executable=BENCH, repetitions=2, sources=1,
                         min_time=0.001, progress=False, **options)  # fmt: skip
 
 
-def test_a_function_is_measured_beside_solvers(tmp_path: Path, mesh: str) -> None:
-    results = measure(exact, tmp_path / "out", mesh, promise="exact", against=["mmp"])
+def test_a_function_is_measured_beside_solvers(tmp_path: Path, file: Path) -> None:
+    results = measure(exact, tmp_path / "out", file, promise="exact", against=["mmp"])
     table = results.to_pandas()
     assert set(table.solver) == {"exact", "mmp"} and set(table.outcome) == {"ok"}
     of = table[table.solver == "exact"]
@@ -72,17 +66,17 @@ def test_a_function_is_measured_beside_solvers(tmp_path: Path, mesh: str) -> Non
     ],
 )
 def test_what_is_wrong_with_a_function_is_its_row(
-    tmp_path: Path, mesh: str, function: Any, reason: str
+    tmp_path: Path, file: Path, function: Any, reason: str
 ) -> None:
-    results = measure(function, tmp_path / "out", mesh, promise="upper_bound", against=["mmp"])
+    results = measure(function, tmp_path / "out", file, promise="upper_bound", against=["mmp"])
     rows = {row.solver: f"{row.outcome}: {row.message}" for row in results.run.rows}
     assert rows["mmp"].startswith("ok")
     assert reason in rows[function.__name__]
 
 
-def test_a_function_that_does_not_end_is_stopped(tmp_path: Path, mesh: str) -> None:
+def test_a_function_that_does_not_end_is_stopped(tmp_path: Path, file: Path) -> None:
     start = time.monotonic()
-    results = measure({"endless": endless, "exact": exact}, tmp_path / "out", mesh, time_limit=2)
+    results = measure({"endless": endless, "exact": exact}, tmp_path / "out", file, time_limit=2)
     assert time.monotonic() - start < 100
     outcomes = {row.solver: row.outcome for row in results.run.rows}
     assert outcomes == {"endless": "time-out", "exact": "ok", "edge-based": "ok"}
@@ -97,11 +91,11 @@ def test_a_function_is_checked_for_what_solvers_promise() -> None:
         gb.verify(exact, property="no-such", progress=False, executable=BENCH)
 
 
-def test_a_promise_that_is_a_number_bounds_the_error(tmp_path: Path, mesh: str) -> None:
+def test_a_promise_that_is_a_number_bounds_the_error(tmp_path: Path, file: Path) -> None:
     def longer(vertices: Any, faces: Any) -> Solve:
         solve = exact(vertices, faces)
         return lambda sources: 1.02 * solve(sources)
 
     for bound, outcome in [(0.03, "ok"), (0.01, "wrong answer")]:
-        results = measure(longer, tmp_path / str(bound), mesh, promise=bound, against=[])
+        results = measure(longer, tmp_path / str(bound), file, promise=bound, against=[])
         assert {row.outcome for row in results.run.rows} == {outcome}

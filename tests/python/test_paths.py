@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
-from python_package import Arrays
 
 gb = pytest.importorskip("geodesic_bench")
 
 
-def test_a_path_is_as_long_as_the_distance_and_lies_on_its_faces(ground: Arrays) -> None:
-    mesh = gb.Mesh(*ground)
+def test_a_path_is_as_long_as_the_distance_and_lies_on_its_faces(mesh: Any) -> None:
     distances = mesh.distances(5)
     for target in (0, 77, len(distances) - 1):
         path = mesh.path(5, target)
@@ -27,8 +27,7 @@ def test_a_path_is_as_long_as_the_distance_and_lies_on_its_faces(ground: Arrays)
             np.testing.assert_allclose(off, 0, atol=1e-12)
 
 
-def test_paths_lead_between_points_of_faces_there_and_back(ground: Arrays) -> None:
-    mesh = gb.Mesh(*ground)
+def test_paths_lead_between_points_of_faces_there_and_back(mesh: Any) -> None:
     ends = [(3, (0.2, 0.3, 0.5)), (200, (0.5, 0.5, 0)), 44, (np.int64(17), np.array([1, 2, 3]))]
     for a in ends:
         for b in ends:
@@ -42,8 +41,7 @@ def test_paths_lead_between_points_of_faces_there_and_back(ground: Arrays) -> No
     assert len(mesh.path(44, 44).points) == 1
 
 
-def test_the_nearest_source_is_that_of_the_least_row(ground: Arrays) -> None:
-    mesh = gb.Mesh(*ground)
+def test_the_nearest_source_is_that_of_the_least_row(mesh: Any) -> None:
     sources, initial = [0, 100, 60], [0.5, 0, 1]
     distances, nearest = mesh.distances(sources, initial, return_nearest=True)
     rows = mesh.distance_matrix(sources) + np.array(initial)[:, None]
@@ -53,8 +51,7 @@ def test_the_nearest_source_is_that_of_the_least_row(ground: Arrays) -> None:
     np.testing.assert_array_equal(of_near == -1, np.isinf(near))
 
 
-def test_paths_by_one_solve_are_those_of_a_solve_each(ground: Arrays) -> None:
-    mesh = gb.Mesh(*ground)
+def test_paths_by_one_solve_are_those_of_a_solve_each(mesh: Any) -> None:
     targets = [143, (200, (0.5, 0.5, 0)), 5, (3.0, 7.5, 9.0)]
     paths = mesh.paths(5, targets)
     for path, target in zip(paths, targets, strict=True):

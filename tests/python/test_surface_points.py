@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import json
-import subprocess
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from python_package import BENCH, Arrays, write_obj
+from python_package import Arrays, solve
 
 gb = pytest.importorskip("geodesic_bench")
 
@@ -29,17 +28,6 @@ def written(points: list[Any]) -> str:
         str(p) if isinstance(p, int) else f"face:{p[0]}:" + ",".join(str(float(w)) for w in p[1])
         for p in points
     )
-
-
-@pytest.fixture(scope="module")
-def file(ground: Arrays, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    file = tmp_path_factory.mktemp("points") / "ground.obj"
-    write_obj(file, gb.Mesh(*ground))
-    return file
-
-
-def solve(*words: object) -> None:
-    subprocess.run([BENCH, "solve", *map(str, words)], check=True, capture_output=True)
 
 
 @pytest.mark.parametrize("solver", SOLVERS)
@@ -121,8 +109,7 @@ def test_a_place_is_the_point_of_the_program_wherever_points_are_taken(
     np.testing.assert_allclose(np.linalg.norm(feet - [place, other], axis=1), above, rtol=1e-12)
 
 
-def test_no_point_of_the_surface_is_nearer_than_the_nearest(ground: Arrays) -> None:
-    mesh = gb.Mesh(*ground)
+def test_no_point_of_the_surface_is_nearer_than_the_nearest(mesh: Any) -> None:
     chance = np.random.default_rng(5)
     places = chance.uniform(-2, 13, (40, 3))
     faces = chance.integers(len(mesh.faces), size=5000)
@@ -172,13 +159,13 @@ WEIGHTS = "the weights of a source must be finite, none negative, and not all 0,
         ("a", "source vertices must be integers, not <U1"),
     ],
 )  # fmt: skip
-def test_a_point_that_is_none_is_refused(ground: Arrays, source: object, message: str) -> None:
+def test_a_point_that_is_none_is_refused(mesh: Any, source: object, message: str) -> None:
     with pytest.raises(ValueError) as refusal:
-        gb.Mesh(*ground).path(source, 0)
+        mesh.path(source, 0)
     assert str(refusal.value) == message
     if "three weights" in message and not isinstance(source, tuple):
         return  # a list of vertices elsewhere
-    for ask in (gb.Mesh(*ground).distances, gb.Mesh(*ground).distance_matrix):
+    for ask in (mesh.distances, mesh.distance_matrix):
         with pytest.raises(ValueError) as refusal:
             ask([7, source] if isinstance(source, tuple) else source)
         what = "source" if ask.__name__ == "distances" else "row"
