@@ -53,10 +53,18 @@ def program(folder: Path, report: str = "", empty: str = "", name: str = "mine.p
     return f"{shlex.quote(sys.executable)} {shlex.quote(str(file))} {PLACES}"
 
 
-def bench(*words: object, cwd: Path = ROOT) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [BENCH, *map(str, words)], capture_output=True, text=True, check=False, cwd=cwd
-    )
+def bench(*words: object, **options: Any) -> subprocess.CompletedProcess[str]:
+    """@param options of subprocess.run"""
+    return subprocess.run([BENCH, *map(str, words)], capture_output=True, text=True, **options)
+
+
+def solving(folder: Path, external: object, *words: object) -> list[object]:
+    """Words of the program: the program mine, on the squares."""
+    return ["solve", mesh_file(folder), "--external", external, "--solver", "mine", *words]
+
+
+def is_running(command: str) -> bool:
+    return subprocess.run(["pgrep", "-f", f"^{command}"], check=False).returncode == 0
 
 
 def mesh_file(folder: Path) -> Path:
@@ -68,10 +76,10 @@ def mesh_file(folder: Path) -> Path:
     return file
 
 
-def run(folder: Path, command: str, *words: object) -> list[dict[str, Any]]:
+def run(folder: Path, command: str, *words: object, **options: Any) -> list[dict[str, Any]]:
     """Rows of a run with the program, named mine."""
     ended = bench("run", "--external", f"mine={command}", "--solvers", "mine", "--repetitions", 2,
-                  "--sources", 1, "--meshes", mesh_file(folder), "--out", folder / "out", *words)  # fmt: skip
+                  "--sources", 1, "--meshes", mesh_file(folder), "--out", folder / "out", *words, **options)  # fmt: skip
     assert (folder / "out" / "run.json").is_file(), ended.stderr
     data = json.loads((folder / "out" / "run.json").read_text())
     return list(data["benchmarks"])
@@ -96,10 +104,10 @@ def test_otherwise_the_row_says_what_the_time_is_of(tmp_path: Path, empty: str, 
 
 
 def test_distances_come_in_the_order_in_which_the_mesh_has_its_vertices(tmp_path: Path) -> None:
-    ended = bench("solve", mesh_file(tmp_path), "--external", f"mine={program(tmp_path)}",
-                  "--solver", "mine", "--source", "4,6", "--output", tmp_path / "d.txt")  # fmt: skip
+    mine = f"mine={program(tmp_path)}"
+    ended = bench(*solving(tmp_path, mine, "--source", "4,6", "--output", "-"))
     assert ended.returncode == 0, ended.stderr
-    assert (tmp_path / "d.txt").read_text().split() == ["inf"] * 4 + ["0", "1", "0", "1"]
+    assert ended.stdout.split() == ["inf"] * 4 + ["0", "1", "0", "1"]
 
 
 @pytest.mark.parametrize("reads", ["{mesh}", "{mesh.off}", "{mesh.ply}", "{vertices.npy} {faces.npy}"])
@@ -113,8 +121,7 @@ def test_meshes_and_distances_are_in_the_formats_that_the_command_names(
     save = "printf '0 1 2\\n1 inf inf inf inf\\n' >" if "npy" not in writes else (
         f"/usr/bin/python3 -c {shlex.quote(numpy)}")  # fmt: skip
     command = f"cp {reads} {shlex.quote(str(copies))} && : {{sources}} && {save} {writes}"
-    ended = bench("solve", mesh_file(tmp_path), "--external", f"mine={command}", "--solver", "mine",
-                  "--source", 0, "--output", "-")  # fmt: skip
+    ended = bench(*solving(tmp_path, f"mine={command}", "--source", 0, "--output", "-"))
     assert ended.stdout.split() == ["0", "1", "2", "1", "inf", "inf", "inf", "inf"], ended.stderr
     assert len(list(copies.iterdir())) == len(reads.split())
     for file in copies.glob("mesh.*"):
@@ -132,8 +139,7 @@ def test_a_description_says_what_the_program_promises(tmp_path: Path) -> None:
         about = {"name": "mine", "command": command, "remarks": "follows edges", **promise}
         (folder / "solver.json").write_text(json.dumps(about))
         # Along edges it takes 2 to the opposite corner of a square.
-        return bench("solve", mesh_file(tmp_path), "--external", folder, "--solver", "mine",
-                     "--source", 1, "--check")  # fmt: skip
+        return bench(*solving(tmp_path, folder, "--source", 1, "--check"))
 
     assert check().returncode == check(promise="upper_bound").returncode == 0
     assert check(promise="bounded", error_bound=0.5).returncode == 0
@@ -184,32 +190,27 @@ def test_a_program_that_does_not_end_is_stopped_and_its_files_are_removed(tmp_pa
     temporary = tmp_path / "tmp"
     temporary.mkdir()
     env = dict(os.environ, TMPDIR=str(temporary))
-    seconds = f"1000.{os.getpid()}"
-    words = ["run", "--external", f"mine=sleep {seconds}; true # {PLACES}", "--solvers", "mine", "--meshes",
-             mesh_file(tmp_path), "--sources", "1", "--out", tmp_path / "out", "--time-limit", "0.5"]  # fmt: skip
+    sleep = f"sleep 1000.{os.getpid()}"
     start = time.monotonic()
-    subprocess.run([BENCH, *map(str, words)], env=env, capture_output=True, check=False)
+    (row,) = run(tmp_path, f"{sleep}; true # {PLACES}", "--time-limit", 0.5, env=env)
     assert time.monotonic() - start < 100
-    (row,) = json.loads((tmp_path / "out" / "run.json").read_text())["benchmarks"]
     assert row["outcome"] == "time-out"
-    assert subprocess.run(["pgrep", "-f", f"^sleep {seconds}"], check=False).returncode == 1
+    assert not is_running(sleep)
     # The killed process could not; the next one does.
-    solve = ["solve", mesh_file(tmp_path), "--external", f"mine={program(tmp_path)}", "--solver",
-             "mine", "--source", "0"]  # fmt: skip
-    subprocess.run([BENCH, *map(str, solve)], env=env, capture_output=True, check=True)
+    solve = solving(tmp_path, f"mine={program(tmp_path)}", "--source", 0)
+    assert bench(*solve, env=env).returncode == 0
     assert list(temporary.iterdir()) == []
 
 
 def test_an_interrupted_program_is_ended(tmp_path: Path) -> None:
-    seconds = f"1001.{os.getpid()}"
-    words = ["solve", mesh_file(tmp_path), "--external", f"mine=sleep {seconds}; true # {PLACES}",
-             "--solver", "mine", "--source", "0"]  # fmt: skip
+    sleep = f"sleep 1001.{os.getpid()}"
+    words = solving(tmp_path, f"mine={sleep}; true # {PLACES}", "--source", 0)
     with subprocess.Popen([BENCH, *map(str, words)]) as process:
-        while subprocess.run(["pgrep", "-f", f"^sleep {seconds}"], check=False).returncode:
+        while not is_running(sleep):
             time.sleep(0.05)
         process.send_signal(signal.SIGINT)
         process.wait(timeout=60)
-    while subprocess.run(["pgrep", "-f", f"^sleep {seconds}"], check=False).returncode == 0:
+    while is_running(sleep):
         time.sleep(0.05)
 
 
