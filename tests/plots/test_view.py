@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import base64
-import io
 import json
 import re
-import tarfile
+import shutil
 import zlib
 from pathlib import Path
 from typing import Any
@@ -98,21 +97,15 @@ def test_no_name_ends_the_script_that_holds_it(monkeypatch: pytest.MonkeyPatch) 
     assert held and json.loads(held[1]) == {"solvers": [{"name": evil}]}
 
 
-def package(file: Path, contents: dict[str, bytes]) -> Path:
-    with tarfile.open(file, "w:gz") as archive:
-        for name, data in contents.items():
-            member = tarfile.TarInfo(f"package/{name}")
-            member.size = len(data)
-            archive.addfile(member, io.BytesIO(data))
-    return file
-
-
 def test_another_three_js_is_not_taken(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(three, "FOLDER", tmp_path / "three")
-    archive = package(tmp_path / "three.tgz", dict.fromkeys(three.FILES, b"alert(1)"))
-    assert three.main([str(archive)]) == 3
+    for file in three.FILES:
+        (tmp_path / "package" / file).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "package" / file).write_text("alert(1)")
+    archive = shutil.make_archive(str(tmp_path / "three"), "gztar", tmp_path, "package")
+    assert three.main([archive]) == 3
     assert "is not that of three.js" in capsys.readouterr().err
     assert not three.is_there() and not (tmp_path / "three").exists()
     assert three.main([str(tmp_path / "none.tgz")]) == 1

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 import subprocess
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -21,6 +20,7 @@ from view import __main__ as command
 pytest.importorskip("selenium", reason="python3-selenium is not installed")
 import chromium
 from selenium.webdriver.common.by import By
+from selenium.webdriver.support.wait import WebDriverWait
 
 pytestmark = pytest.mark.usefixtures("with_three")
 SECONDS = 60
@@ -28,10 +28,7 @@ SECONDS = 60
 
 
 def until(holds: Callable[[], object]) -> None:
-    end = time.monotonic() + SECONDS
-    while not holds():
-        assert time.monotonic() < end, "it did not come about"
-        time.sleep(0.05)
+    WebDriverWait(None, SECONDS, 0.05).until(lambda _: holds())
 
 
 def is_drawn(page: Any) -> bool:
