@@ -1,4 +1,5 @@
-"""Plug-ins built against an installed copy: what one brings, and why one is refused."""
+"""Plug-ins built against an installed copy: what one brings, and why one is refused.
+tests/bad_inputs/bad_plugins.py has those that are none."""
 
 from __future__ import annotations
 
@@ -22,7 +23,6 @@ STRIP = (
 )
 """A straight line across it crosses two edges."""
 SOURCES = {
-    "empty": "int nothing = 0;\n",
     "wrong": EXAMPLE.replace('"my-solver"', '"wrong"').replace("upper_bound", "exact"),
     "taken": EXAMPLE.replace('"my-solver"', '"mmp"'),
     "undefined": "namespace a { int missing(int); }\nint called = a::missing(1);\n",
@@ -161,7 +161,6 @@ def test_verify_prints_a_command_that_loads_the_plugin(
 @pytest.mark.parametrize(
     ("name", "words"),
     [
-        ("empty", ["registers no solver"]),
         ("taken", ["'mmp'", "another name"]),
         ("undefined", ["a::missing(int)", "build it again"]),
         ("other-contract", ["built against contract 100", "has contract ", "build it again"]),
@@ -176,18 +175,6 @@ def test_refused(
     assert line.startswith(f"geodesic-bench: plug-in '{file}': ")
     for word in words:
         assert word in line
-
-
-def test_refused_what_is_no_library(installed: Installed, tmp_path: Path) -> None:
-    (tmp_path / "text.so").write_text("no library")
-    for name, why in {
-        "absent.so": "there is no such file",
-        ".": "not a regular file",
-        "text.so": "not a shared library",
-    }.items():
-        line = refusal(installed, tmp_path, "--plugin", name, "list")
-        assert f"'{name}'" in line
-        assert why in line
 
 
 def test_refused_when_loaded_already(
