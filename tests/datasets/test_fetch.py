@@ -1,4 +1,5 @@
-"""datasets/fetch.py against a folder as mirror and a program made by the test."""
+"""datasets/fetch.py against a folder as mirror and a program made by the test. What is wrong with its
+command line or around it is in tests/bad_inputs."""
 
 from __future__ import annotations
 
@@ -89,27 +90,6 @@ def test_a_generator_that_fails_gives_its_line(
         capsys.readouterr().err
     )
     assert "h.ply" in world.cached()
-
-
-def test_unknown_names_are_errors_that_list_the_known(
-    world: World, capsys: pytest.CaptureFixture[str]
-) -> None:
-    world.meshes = [generated("g")]
-    assert world.fetch("x") == 1
-    assert capsys.readouterr().err == "fetch.py: no mesh named 'x'; there are: g\n"
-    assert world.fetch("--corpus", "x") == 1
-    assert capsys.readouterr().err == "fetch.py: no corpus named 'x'; there are: all\n"
-
-
-def test_a_cache_that_cannot_be_made_is_one_line(
-    world: World, capsys: pytest.CaptureFixture[str]
-) -> None:
-    world.meshes = [generated("g"), generated("h")]
-    world.cache.write_text("a file where the folder should be")
-    assert world.fetch() == 1
-    err = capsys.readouterr().err
-    assert err.startswith(f"fetch.py: cannot write to the dataset cache {world.cache}")
-    assert len(err.splitlines()) == 1
 
 
 @contextmanager
@@ -244,7 +224,7 @@ echo "$2 $3" > "$last"
 
 
 def generating(world: World) -> subprocess.Popen[str]:
-    """A fetch that makes a mesh until the file is there."""
+    """A fetch that makes the mesh g until there is the file "go"."""
     world.meshes = [generated("g")]
     world.bench.write_text(SLOW_BENCH)
     process = world.start()

@@ -44,16 +44,6 @@ def test_a_file_is_taken_out_of_an_npm_package_and_no_script_is_run(
     assert world.fetch() == 0, "what is there needs no npm"
 
 
-def test_a_missing_npm_is_named(
-    npm: Path, monkeypatch: pytest.MonkeyPatch, missing: Missing
-) -> None:
-    npm.unlink()
-    monkeypatch.setenv("PATH", str(npm.parent))
-    assert missing() == (
-        "is in the npm package shapes, and there is no npm: install it (Debian: npm)"
-    )
-
-
 @pytest.mark.parametrize(
     ("script", "reason"),
     [
