@@ -10,7 +10,6 @@ Exit codes: 0 it is there, 3 it could not be had, 1 wrong use or an error of the
 from __future__ import annotations
 
 import base64
-import json
 import shutil
 import sys
 import tempfile
@@ -62,15 +61,15 @@ def licence() -> str:
     return (FOLDER / LICENCE).read_text("utf-8")
 
 
-def import_map() -> str:
-    """JSON of an import map in which every module is a data: address, since a page without any
+def import_map() -> dict[str, dict[str, str]]:
+    """An import map in which every module is a data: address, since a page without any
     other file has no places for them. @raises Unavailable when three.js is not there"""
     if not is_there():
         raise Unavailable(
             f"three.js {VERSION}, which draws the page, is not in {FOLDER}: fetch it with"
             f" {ROOT / 'view' / 'three.py'} (without npm: {ROOT / 'view' / 'three.py'} --help)"
         )
-    return json.dumps({"imports": {name: _address(file) for name, file in MODULES.items()}})
+    return {"imports": {name: _address(file) for name, file in MODULES.items()}}
 
 
 def _address(file: str) -> str:

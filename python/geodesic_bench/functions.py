@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import selectors
+import shlex
 import signal
 import socket
 import subprocess
@@ -13,6 +14,7 @@ import tempfile
 import time
 import traceback
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
@@ -129,18 +131,18 @@ class _Served:
         self.code = 0
 
     def __enter__(self) -> _Served:
-        self.folder = tempfile.TemporaryDirectory(prefix="geodesic-bench-")
-        self.selector = selectors.DefaultSelector()
-        self.listeners: list[socket.socket] = []
+        self.closing = ExitStack()
+        temporary = tempfile.TemporaryDirectory(prefix="geodesic-bench-")
+        folder = Path(self.closing.enter_context(temporary))
+        self.selector = self.closing.enter_context(selectors.DefaultSelector())
         self.answering: dict[int, tuple[int, socket.socket]] = {}
         self.words: list[str] = []
         for name, function in self.functions.items():
-            place = Path(self.folder.name) / name
+            place = folder / name
             place.mkdir()
-            listener = socket.socket(socket.AF_UNIX)
+            listener = self.closing.enter_context(socket.socket(socket.AF_UNIX))
             listener.bind(str(place / "socket"))
             listener.listen()
-            self.listeners.append(listener)
             self.selector.register(listener, selectors.EVENT_READ, (self._accept, function))
             (place / "solver.json").write_text(json.dumps(self._description(name)))
             self.words += ["--external", str(place)]
@@ -149,20 +151,16 @@ class _Served:
     def __exit__(self, *_: object) -> None:
         for child in list(self.answering):
             self._end(child)
-        for listener in self.listeners:
-            listener.close()
-        self.selector.close()
-        self.folder.cleanup()
+        self.closing.close()
 
     def _description(self, name: str) -> dict[str, object]:
-        ask = [sys.executable, "-I", "-S", str(Path(__file__).with_name("ask.py"))]
-        quoted = " ".join("'" + word.replace("'", "'\\''") + "'" for word in ask)
+        ask = shlex.join([sys.executable, "-I", "-S", str(Path(__file__).with_name("ask.py"))])
         about: dict[str, object] = {"promise": self.promise}
         if not isinstance(self.promise, str):
             about = {"promise": "bounded", "error_bound": self.promise}
         return about | {
             "name": name,
-            "command": f"{quoted} {{folder}}/socket "
+            "command": f"{ask} {{folder}}/socket "
             "{vertices.npy} {faces.npy} {sources} {distances.npy}",
             "remarks": "a Python function",
         }

@@ -88,7 +88,7 @@ def test_the_axis_that_is_named_points_up(complete_run: Run) -> None:
 
 
 def test_no_name_ends_the_script_that_holds_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(three, "import_map", lambda: "{}")
+    monkeypatch.setattr(three, "import_map", dict)
     monkeypatch.setattr(three, "licence", lambda: "a licence")
     evil = "</script><script>alert(1)</script>"
     text = page(evil, evil, evil, {"solvers": [{"name": evil}]})
