@@ -35,22 +35,18 @@ def origin_from_environment(variable: str, upstream: Callable[[str], str]) -> Or
     if parts.scheme in ("http", "https") and parts.netloc:
         return lambda path: f"{place.rstrip('/')}/{path}"
     if parts.scheme == "file" and parts.netloc in ("", "localhost"):
-        return _origin_in(Path(url2pathname(parts.path)))
+        return lambda path: _in_mirror(Path(url2pathname(parts.path)) / path)
     if "://" in place:
         raise FetchError(
             f"{variable} is {place}: it must be a folder, or an address that begins with "
             "file:///, http:// or https://"
         )
-    return _origin_in(Path(place))
+    return lambda path: _in_mirror(Path(place) / path)
 
 
-def _origin_in(folder: Path) -> Origin:
-    def file(path: str) -> Path:
-        found = folder / path
-        if not found.is_file():
-            raise Unavailable(f"is not in the mirror: there is no {found}")
-        return found
-
+def _in_mirror(file: Path) -> Path:
+    if not file.is_file():
+        raise Unavailable(f"is not in the mirror: there is no {file}")
     return file
 
 
