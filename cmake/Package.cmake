@@ -23,7 +23,8 @@ install(FILES results/README.md results/fingerprints.json results/run.schema.jso
 install(DIRECTORY datasets/fetching DESTINATION ${GEODESIC_DATA_FOLDER}/datasets
         FILES_MATCHING PATTERN "*.py" PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY harness/suites DESTINATION ${GEODESIC_DATA_FOLDER}/harness)
-install(FILES harness/relative_times.json DESTINATION ${GEODESIC_DATA_FOLDER}/harness)
+install(FILES harness/relative_times.json harness/suite.schema.json
+        DESTINATION ${GEODESIC_DATA_FOLDER}/harness)
 install(DIRECTORY results/baseline results/published DESTINATION ${GEODESIC_DATA_FOLDER}/results)
 install(FILES results/__init__.py results/checksum.py results/columns.py results/console.py results/merge.py
               results/pairs.py results/published.py results/reader.py results/schema.py results/statistics.py results/table.py

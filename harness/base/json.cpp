@@ -38,6 +38,12 @@ void check_bounds(std::string_view text) {
   }
 }
 
+// The library's message without its number: "type must be string, but is array".
+std::string reason_of(const Json::exception& error) {
+  const std::string_view text = error.what();
+  return excerpt(text.substr(text.find("] ") + 2));
+}
+
 }  // namespace
 
 Json parse_json(std::string_view text, const std::string& name) {
@@ -50,11 +56,6 @@ Json parse_json(std::string_view text, const std::string& name) {
   } catch (const HarnessError& error) {
     throw HarnessError(name + ": " + error.what());
   }
-}
-
-std::string reason_of(const Json::exception& error) {
-  const std::string_view text = error.what();
-  return excerpt(text.substr(text.find("] ") + 2));
 }
 
 std::string shown(const Json& value) {

@@ -47,9 +47,6 @@ using Json = nlohmann::ordered_json;
 ///         or has an object of more than 1000 keys
 Json parse_json(std::string_view text, const std::string& name);
 
-/// The library's message without its number: "type must be string, but is array".
-std::string reason_of(const Json::exception& error);
-
 /// A value as in its file, for a message; of a list or an object, which may be of any size, its
 /// type.
 std::string shown(const Json& value);

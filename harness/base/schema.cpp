@@ -29,6 +29,7 @@ bool fits(const Json& value, const Json& schema) {
   const std::map<std::string, std::function<bool(const Json&)>> keywords{
       {"const", is_value},
       {"enum", [&](const Json& values) { return std::ranges::any_of(values, is_value); }},
+      {"maximum", [&](const Json& most) { return !value.is_number() || value <= most; }},
       {"minimum", [&](const Json& least) { return !value.is_number() || value >= least; }},
       {"pattern", [&](const Json& p) { return !value.is_string() || matches(value, p); }},
       {"type", [&](const Json& type) {
@@ -49,7 +50,9 @@ std::string expectation(const Json& schema) {
   if (schema.contains("must_be")) return schema["must_be"];
   if (schema.contains("const")) return schema["const"].dump();
   if (schema.contains("enum")) return "one of " + join(schema["enum"]);
-  return schema["type"] == "object" ? "an object" : "a list";
+  return std::map<std::string, std::string>{
+      {"array", "a list"}, {"number", "a number"}, {"object", "an object"}, {"string", "text"}}
+      .at(schema["type"]);
 }
 
 [[noreturn]] void must_be(const std::string& what, const Json& value) {

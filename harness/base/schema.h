@@ -1,4 +1,5 @@
-// JSON Schema, draft 2020-12, as far as datasets/manifest.schema.json uses it.
+// JSON Schema, draft 2020-12, as far as datasets/manifest.schema.json, harness/suite.schema.json
+// and descriptions of external solvers use it.
 #pragma once
 
 #include "harness/base/json.h"

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "harness/base/error.h"
+#include "harness/base/json.h"
 
 namespace geodesic::harness {
 
@@ -25,10 +26,6 @@ inline constexpr std::array<std::string_view, 8> kOutcomeNames{
     "ok",       "wrong answer", "unsupported", "out of memory",
     "time-out", "crashed",      "error",       "skipped"};
 
-/// What a suite may declare as expected of a cell.
-inline constexpr std::array kExpectable{Outcome::unsupported, Outcome::out_of_memory,
-                                        Outcome::time_out, Outcome::crashed, Outcome::error};
-
 constexpr std::string_view name_of(Outcome outcome) {
   return kOutcomeNames[static_cast<std::size_t>(outcome)];
 }
@@ -36,6 +33,11 @@ constexpr std::string_view name_of(Outcome outcome) {
 /// @throws HarnessError for a word that is not an outcome
 inline Outcome outcome_named(std::string_view word) {
   return static_cast<Outcome>(&named("outcome", kOutcomeNames, word) - kOutcomeNames.data());
+}
+
+inline void to_json(Json& json, Outcome outcome) { json = name_of(outcome); }
+inline void from_json(const Json& json, Outcome& outcome) {
+  outcome = outcome_named(json.get<std::string>());
 }
 
 }  // namespace geodesic::harness

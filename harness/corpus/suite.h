@@ -37,17 +37,19 @@ struct Suite {
       {};  ///< by "solver/mesh": an outcome that is not a failure there
 };
 
+// All keys, as a suite that read_suite takes; null where there is no value.
+GEODESIC_JSON_MEMBERS(Suite, solvers, corpus, meshes, sources, source_sets, repetitions, seed,
+                      other_queries, path_targets, min_time, vectors, time_limit, expected,
+                      reference, memory_limit)
+
 /// Reads a suite; keys that the file leaves out keep the values above.
-/// @throws HarnessError for an unknown key (listing the known ones) or a value out of range
+/// @throws HarnessError for what harness/suite.schema.json does not have, such as an unknown key
+///         (listing the known ones), and for a value out of range
 Suite read_suite(const std::filesystem::path& file);
 
 /// As `read_suite` on a file's content.
 /// @param name what messages call the file
 Suite parse_suite(const Json& json, const std::string& name);
-
-/// All keys, as a suite that read_suite takes.
-void to_json(Json& json, const Suite& suite);
-inline void from_json(const Json& json, Suite& suite) { suite = parse_suite(json, "the suite"); }
 
 /// @throws HarnessError naming the first value out of range
 void check_suite(const Suite& suite);

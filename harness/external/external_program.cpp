@@ -26,9 +26,9 @@ const Json& schema() {
     "properties": {
       "name": {"type": "string", "pattern": "^[a-z0-9]+(-[a-z0-9]+)*$",
                "must_be": "lower-case letters and digits, joined by '-'"},
-      "command": {"type": "string", "minLength": 1},
+      "command": {"type": "string"},
       "promise": {"enum": ["exact", "upper_bound", "unbounded", "bounded"]},
-      "error_bound": {"type": "number", "exclusiveMinimum": 0},
+      "error_bound": {"type": "number"},
       "paper": {"type": "string"},
       "remarks": {"type": "string"},
       "install": {"type": "string"}

@@ -79,7 +79,7 @@ void to_json(Json& json, const Row& row) {
                {"solver", row.solver},
                {"mesh", row.mesh},
                {"source", source_in_json(row.source)},
-               {"outcome", name_of(row.outcome)}});
+               {"outcome", row.outcome}});
   for_each_optional(row, [&](const char* key, const auto& value) {
     if (value) json[key] = *value;
   });
@@ -93,7 +93,7 @@ void from_json(const Json& json, Row& row) {
   json.at("repetitions").get_to(row.repetitions);
   json.at("repetition_index").get_to(row.repetition_index);
   json.at("threads").get_to(row.threads);
-  row.outcome = outcome_named(json.at("outcome").get<std::string>());
+  json.at("outcome").get_to(row.outcome);
   row.error_message = json.value("error_message", "");
   json.at("iterations").get_to(row.iterations);
   json.at("real_time").get_to(row.real_time);

@@ -312,8 +312,7 @@ Json run_context(const RunRequest& request, const Plan& plan, const PlannedMesh*
   json["repetitions"] = suite.repetitions;
   json["time_limit"] = suite.time_limit;
   if (suite.memory_limit) json["memory_limit"] = *suite.memory_limit;
-  json["expected"] = Json::object();
-  for (const auto& [cell, outcome] : suite.expected) json["expected"][cell] = name_of(outcome);
+  json["expected"] = suite.expected;
   json["command"] = request.command;
   json["meshes"] = Json::array();
   json["sources"] = Json::object();

@@ -9,7 +9,7 @@ namespace geodesic {
 
 /// "no solver named 'mpm' (did you mean 'mmp'?); there are: ch, ich, mmp", or "the nearest of 80:"
 /// and the eight nearest, where a list of all would be too long to read.
-/// @param kind what the name should have been: "solver", "mesh", "key of a suite"
+/// @param kind what the name should have been: "solver", "mesh", "key"
 std::string unknown_name(std::string_view kind, std::string_view name,
                          const std::vector<std::string>& known);
 

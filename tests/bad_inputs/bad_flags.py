@@ -37,6 +37,9 @@ CASES = [
     flag("geodesic-bench solve --sorce 1 --help", "'--sorce' (did you mean '--source'?)"),
     # solve
     of("solve", "", "mesh is required"),
+    flag("geodesic-bench solve hill.obj", "--source or --sources-file is required"),
+    flag(f"{SOLVE} --counters --each", "--counters is for one solve: leave out --each"),
+    flag(f"{SOLVE} --check --limit 1", "--check is for distances without --limit"),
     of("solve", "hill.obj --solver", "--solver needs a value"),
     flag(f"{SOLVE} hill.obj --output d.txt", "--output, --paths and --matrix are files of one mesh"),
     flag(f"{SOLVE} hill.obj --output-dir .", "two of the meshes would be written to ./hill.txt"),
@@ -76,6 +79,7 @@ CASES = [
     flag("geodesic-bench generate --list icosphere", "--list takes no other argument"),
     # run
     flag("geodesic-bench run --sources 0", "sources", "at least one"),
+    flag("geodesic-bench run --vectors sse9", "no kind of vectors named 'sse9'", "auto, plain, avx2"),
     of("run", "--sources many", "--sources: 'many' is not an integer"),
     of("run", "--seed -1", "--seed: '-1' is not a non-negative integer"),
     of("run", "--corpus ''", "--corpus: must not be empty"),
@@ -96,7 +100,20 @@ CASES = [
     flag("geodesic-bench rank --run nowhere", "geodesic-bench rank: nowhere: no such folder"),
     # verify
     flag("geodesic-bench verify", "--solver is required (geodesic-bench list)"),
-    flag("geodesic-bench verify --solver mmp --property nope", "no property named 'nope'"),
+    flag("geodesic-bench verify --solver mpp", "no solver named 'mpp' (did you mean 'mmp'?)"),
+    flag("geodesic-bench verify --solver mmp,ich", "--solver: several are checked with --random only"),
+    of("verify", "--solver mmp --seed 2", "--seed requires --random"),
+    of("verify", "--random 0", "--random: "),
+    of("verify", "--random 5 --meshes hill.obj", "--meshes excludes --random"),
+    flag("geodesic-bench verify --solver mmp --property refusals-name-the-solvers",
+         "(did you mean 'refusals-name-the-solver'?)"),
+    flag("geodesic-bench verify --solver mmp --meshes hill.obj --property"
+         " single-triangle-has-its-edges-for-distances", "is defined on its own meshes only"),
+    flag("geodesic-bench verify --solver mmp --corpus quik", "(did you mean 'quick'?)"),
+    flag("geodesic-bench verify --solver mmp --vectors sse9", "no kind of vectors named 'sse9'"),
+    flag("geodesic-bench verify --solver mmp --meshes hill.obj --property"
+         " repetition-gives-the-same-bits --source 4",
+         "source vertex 4 is not in 'hill', which has 4 vertices"),
     of("verify", "--solver mmp --time-limit 0", "--time-limit: '0' is not greater than 0"),
     of("verify", "--solver mmp --shrink=-1", "--shrink: '-1' is not 0 or greater"),
     flag("geodesic-bench verify --solver mmp --source a --meshes hill.obj",
