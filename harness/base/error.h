@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <stdexcept>
 
@@ -18,6 +19,8 @@ class HarnessError : public std::runtime_error {
 class CannotWrite : public HarnessError {
  public:
   using HarnessError::HarnessError;
+  CannotWrite(const std::filesystem::path& file, const std::string& why)
+      : HarnessError("cannot write '" + file.string() + "': " + why) {}
 };
 
 /// Distances that cannot be right; main exits with 2.

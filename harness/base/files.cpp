@@ -9,7 +9,7 @@
 #include <cctype>
 #include <cerrno>
 #include <cstring>
-#include <memory>
+#include <sstream>
 
 #include "harness/base/build_info.h"
 #include "harness/base/error.h"
@@ -17,10 +17,6 @@
 namespace geodesic::harness {
 namespace fs = std::filesystem;
 namespace {
-
-[[noreturn]] void cannot_write(const fs::path& path) {
-  throw CannotWrite("cannot write '" + path.string() + "': " + std::strerror(errno));
-}
 
 // Makes a new file: an existing symbolic link is not followed.
 // @return whether it could
@@ -30,29 +26,6 @@ bool create(const fs::path& path) {
   const int file = open(path.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, kMode);
   return file >= 0 && close(file) == 0;
 }
-
-class Digest {
- public:
-  Digest() { EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr); }
-
-  void add(const char* bytes, std::size_t count) { EVP_DigestUpdate(context_.get(), bytes, count); }
-
-  std::string hexadecimal() {
-    std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
-    unsigned int size = 0;
-    EVP_DigestFinal_ex(context_.get(), digest.data(), &size);
-    std::string hex;
-    for (unsigned int i = 0; i < size; ++i) {
-      hex += "0123456789abcdef"[digest[i] >> 4];
-      hex += "0123456789abcdef"[digest[i] & 15];
-    }
-    return hex;
-  }
-
- private:
-  const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_{EVP_MD_CTX_new(),
-                                                                         EVP_MD_CTX_free};
-};
 
 // Empty where the program is not installed. Relative to the program: the prefix may be moved.
 fs::path installed_data() {
@@ -72,15 +45,15 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), written_(path_) 
   std::error_code ignored;
   auto mode = std::ios::out | std::ios::binary;
   if (fs::is_directory(path_, ignored)) {
-    throw CannotWrite("cannot write '" + path_.string() + "': it is a folder");
+    throw CannotWrite(path_, "it is a folder");
   }
   if (!fs::exists(path_, ignored) || fs::is_regular_file(path_, ignored)) {
     written_ += std::to_string(getpid()).insert(0, 1, '.') + kPartOfFile;
-    if (!create(written_)) cannot_write(path_);
+    if (!create(written_)) throw CannotWrite(path_, std::strerror(errno));
     mode |= std::ios::in;  // opens what is there, and creates nothing
   }
   stream_.open(written_, mode);
-  if (!stream_) cannot_write(path_);
+  if (!stream_) throw CannotWrite(path_, std::strerror(errno));
 }
 
 AtomicFile::~AtomicFile() {
@@ -91,13 +64,11 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::commit() {
-  stream_.flush();
-  if (!stream_) cannot_write(path_);
-  stream_.close();
-  if (!stream_) cannot_write(path_);
+  stream_.close();  // which fails where not everything could be written
+  if (!stream_) throw CannotWrite(path_, std::strerror(errno));
   std::error_code error;
   if (written_ != path_) fs::rename(written_, path_, error);
-  if (error) throw CannotWrite("cannot write '" + path_.string() + "': " + error.message());
+  if (error) throw CannotWrite(path_, error.message());
   committed_ = true;
 }
 
@@ -139,20 +110,23 @@ void make_folder(const fs::path& folder, const std::string& advice) {
 }
 
 std::string sha256_of(std::string_view bytes) {
-  Digest digest;
-  digest.add(bytes.data(), bytes.size());
-  return digest.hexadecimal();
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
+  unsigned int size = 0;
+  EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr);
+  std::string hex;
+  for (unsigned int i = 0; i < size; ++i) {
+    hex += "0123456789abcdef"[digest[i] >> 4];
+    hex += "0123456789abcdef"[digest[i] & 15];
+  }
+  return hex;
 }
 
 std::string sha256_of_file(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw HarnessError("cannot read '" + path.string() + "'");
-  Digest digest;
-  std::array<char, 1 << 16> block;
-  while (file.read(block.data(), block.size()) || file.gcount() > 0) {
-    digest.add(block.data(), static_cast<std::size_t>(file.gcount()));
-  }
-  return digest.hexadecimal();
+  std::ostringstream bytes;
+  bytes << file.rdbuf();
+  return sha256_of(bytes.view());
 }
 
 fs::path data_folder() {

@@ -5,6 +5,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstdint>
@@ -17,10 +18,6 @@
 namespace geodesic::harness {
 namespace fs = std::filesystem;
 namespace {
-
-[[noreturn]] void cannot_write(const fs::path& path, int error) {
-  throw CannotWrite("cannot write '" + path.string() + "': " + std::strerror(error));
-}
 
 template <class T>
 void store(std::span<const double> values, char* at) {
@@ -39,79 +36,52 @@ void give_back(char* begin, std::size_t bytes) {
 
 }  // namespace
 
-// FILE.unfinished, opened and locked.
+// FILE.unfinished, opened, locked and mapped into memory.
 class MatrixFile::Unfinished {
  public:
   Unfinished(const MatrixPlan& plan, bool resume) : file_(plan.file), path_(unfinished(plan.file)) {
     file_descriptor_.number = open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
-    if (descriptor() < 0) cannot_write(path_, errno);
-    if (flock(descriptor(), LOCK_EX | LOCK_NB) != 0) {
+    if (file_descriptor_.number < 0) throw CannotWrite(path_, std::strerror(errno));
+    if (flock(file_descriptor_.number, LOCK_EX | LOCK_NB) != 0) {
       refuse("another process is writing it");
     }
-    if (size() > 0 && !resume) {
+    has_rows_ = size() > 0;
+    if (has_rows_ && !resume) {
       refuse("holds rows of an unfinished matrix: continue it with --resume, or remove it");
     }
-    has_rows_ = size() > 0;
   }
   ~Unfinished() {
+    if (map_ != nullptr) munmap(map_, bytes_);
     std::error_code ignored;
     if (!has_rows_) fs::remove(path_, ignored);
   }
   Unfinished(const Unfinished&) = delete;
   Unfinished& operator=(const Unfinished&) = delete;
 
-  const fs::path& path() const { return path_; }
-  int descriptor() const { return file_descriptor_.number; }
+  std::size_t size() const { return fs::file_size(path_); }
 
-  std::size_t size() const {
-    const off_t end = lseek(descriptor(), 0, SEEK_END);
-    if (end < 0) cannot_write(path_, errno);
-    return static_cast<std::size_t>(end);
-  }
-
-  // Bytes at a place, fewer where the file ends.
-  std::string read(std::size_t at, std::size_t count) const {
-    std::string bytes(count, '\0');
-    std::size_t done = 0;
-    while (done < count) {
-      const ssize_t got =
-          pread(descriptor(), bytes.data() + done, count - done, static_cast<off_t>(at + done));
-      if (got < 0 && errno == EINTR) continue;
-      if (got < 0) cannot_write(path_, errno);
-      if (got == 0) break;
-      done += static_cast<std::size_t>(got);
+  // Takes the room on the disk of a new file: a map of one that cannot grow would end the process.
+  char* map(std::size_t bytes) {
+    int error = has_rows_ ? 0 : EINTR;
+    while (error == EINTR) {
+      error = posix_fallocate(file_descriptor_.number, 0, static_cast<off_t>(bytes));
     }
-    bytes.resize(done);
-    return bytes;
-  }
-
-  void write(std::size_t at, std::string_view bytes) const {
-    while (!bytes.empty()) {
-      const ssize_t done = pwrite(descriptor(), bytes.data(), bytes.size(), static_cast<off_t>(at));
-      if (done < 0 && errno == EINTR) continue;
-      if (done < 0) cannot_write(path_, errno);
-      at += static_cast<std::size_t>(done);
-      bytes.remove_prefix(static_cast<std::size_t>(done));
+    if (error != 0) {
+      throw CannotWrite(path_, std::to_string(bytes / 1'000'000) + " MB: " + std::strerror(error));
     }
+    void* const map =
+        mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file_descriptor_.number, 0);
+    if (map == MAP_FAILED) throw CannotWrite(path_, std::strerror(errno));
+    bytes_ = bytes;
+    return map_ = static_cast<char*>(map);
   }
 
-  // Takes the room on the disk: a map of a file that cannot grow would end the process.
-  void allocate(std::size_t bytes) const {
-    int error = EINTR;
-    while (error == EINTR) error = posix_fallocate(descriptor(), 0, static_cast<off_t>(bytes));
-    if (error == 0) return;
-    throw CannotWrite("cannot write '" + path_.string() +
-                      "': " + std::to_string(bytes / 1'000'000) + " MB: " + std::strerror(error));
-  }
-
-  void truncate(std::size_t bytes) const {
-    if (ftruncate(descriptor(), static_cast<off_t>(bytes)) != 0) cannot_write(path_, errno);
-  }
-
-  void rename_to_file() const {
+  // Cuts off what follows so many bytes, and gives the file its name.
+  void finish(std::size_t bytes) const {
     std::error_code error;
-    fs::rename(path_, file_, error);
-    if (error) throw CannotWrite("cannot write '" + file_.string() + "': " + error.message());
+    fs::resize_file(path_, bytes, error);
+    if (!error) fs::rename(path_, file_, error);
+    if (error) throw CannotWrite(file_, error.message());
   }
 
   // Nothing is left behind of a file without any.
@@ -133,6 +103,8 @@ class MatrixFile::Unfinished {
 
   Descriptor file_descriptor_;
   std::atomic<bool> has_rows_ = false;
+  char* map_ = nullptr;
+  std::size_t bytes_ = 0;
 };
 
 // The .npy file, then a byte a row that says whether it is there, then the problem: what follows
@@ -150,24 +122,20 @@ MatrixFile::MatrixFile(const MatrixPlan& plan, bool resume)
                  "(" + std::to_string(plan.rows) + ", " + std::to_string(plan.columns) + ")");
   numbers_at_ = header.size();
   flags_at_ = numbers_at_ + plan.rows * bytes_a_row_;
-  const std::size_t problem_at = flags_at_ + plan.rows;
-  bytes_ = problem_at + plan.problem.size();
-  if (file_->size() == 0) {
-    file_->allocate(bytes_);
-    file_->write(problem_at, plan.problem);
-    file_->write(0, header);
-  } else if (file_->size() != bytes_ || file_->read(0, header.size()) != header ||
-             file_->read(problem_at, plan.problem.size()) != plan.problem) {
+  const std::size_t problem_at = flags_at_ + plan.rows, bytes = problem_at + plan.problem.size();
+  const std::size_t before = file_->size();
+  if (before == 0 || before == bytes) map_ = file_->map(bytes);
+  if (before == 0) {
+    std::ranges::copy(plan.problem, map_ + problem_at);
+    std::ranges::copy(header, map_);
+  } else if (before != bytes || std::string_view(map_, header.size()) != header ||
+             std::string_view(map_ + problem_at, plan.problem.size()) != plan.problem) {
     file_->refuse("is of another problem than this one: remove it, or name another --matrix");
   }
-  before_ = file_->read(flags_at_, plan.rows);
-  void* const map =
-      mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_SHARED, file_->descriptor(), 0);
-  if (map == MAP_FAILED) cannot_write(file_->path(), errno);
-  map_ = static_cast<char*>(map);
+  before_.assign(map_ + flags_at_, plan.rows);
 }
 
-MatrixFile::~MatrixFile() { munmap(map_, bytes_); }
+MatrixFile::~MatrixFile() = default;
 
 void MatrixFile::put(std::size_t row, std::span<const double> values) {
   char* const begin = map_ + numbers_at_ + row * bytes_a_row_;
@@ -177,10 +145,7 @@ void MatrixFile::put(std::size_t row, std::span<const double> values) {
   give_back(begin, bytes_a_row_);
 }
 
-void MatrixFile::finish() {
-  file_->truncate(flags_at_);
-  file_->rename_to_file();
-}
+void MatrixFile::finish() { file_->finish(flags_at_); }
 
 fs::path unfinished(const fs::path& file) { return fs::path(file) += ".unfinished"; }
 

@@ -45,9 +45,9 @@ class MatrixFile {
   std::unique_ptr<Unfinished> file_;
   std::size_t bytes_a_row_;
   bool single_precision_;
-  std::size_t numbers_at_ = 0, flags_at_ = 0, bytes_ = 0;
-  std::string before_;  // a byte a row
-  char* map_ = nullptr;
+  std::size_t numbers_at_ = 0, flags_at_ = 0;
+  std::string before_;   // a byte a row
+  char* map_ = nullptr;  // of the whole file
 };
 
 /// What a row of a file is put into while it is unfinished.
