@@ -87,26 +87,34 @@ MeshEntry entry_of(const Json& mesh, const fs::path& cache) {
   return entry;
 }
 
-std::vector<fs::path> files_in(const fs::path& folder) {
-  std::error_code error;
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder, error)) files.push_back(entry.path());
-  if (error) throw HarnessError("cannot read folder '" + folder.string() + "': " + error.message());
-  return files;
+// @param Iterator over the entries of a folder
+template <class Iterator>
+std::vector<fs::path> files_in(const fs::path& folder, fs::directory_options options = {}) {
+  try {
+    std::vector<fs::path> files;
+    for (const auto& entry : Iterator(folder, options)) files.push_back(entry.path());
+    return files;
+  } catch (const fs::filesystem_error& error) {
+    throw HarnessError("cannot read folder '" + folder.string() + "': " + error.code().message());
+  }
 }
 
-void check_names(const std::vector<fs::path>& files) {
+// The mesh files among these, at least one, in the order of their names.
+// @param where they were looked for: "in folder 'scans'"
+std::vector<std::string> mesh_files(std::vector<fs::path> files, const std::string& where) {
+  std::erase_if(files, [](const fs::path& file) {
+    std::error_code unreadable;
+    return !has_mesh_extension(file) || !fs::is_regular_file(file, unreadable);
+  });
+  if (files.empty()) throw HarnessError("no mesh file " + where + ": .obj, .off, .ply or .stl");
   for (const fs::path& file : files) {
     if (harmless(file.string()) == file.string()) continue;
     throw HarnessError(harmless(file.string()) +
                        ": the name has a control character, or bytes that are not UTF-8, which no "
                        "result file can hold: rename it");
   }
-}
-
-bool is_mesh_file(const fs::path& file) {
-  std::error_code unreadable;
-  return has_mesh_extension(file) && fs::is_regular_file(file, unreadable);
+  std::ranges::sort(files);
+  return {files.begin(), files.end()};
 }
 
 std::vector<fs::path> matches_of(const std::string& pattern) {
@@ -161,34 +169,18 @@ std::vector<std::string> expand_meshes(const std::vector<std::string>& words) {
       meshes.push_back(word);
       continue;
     }
-    std::vector<fs::path> files = is_pattern ? matches_of(word) : files_in(word);
-    std::erase_if(files, [](const fs::path& file) { return !is_mesh_file(file); });
-    if (files.empty()) {
-      throw HarnessError((is_pattern ? "no mesh file matches '" : "no mesh file in folder '") +
-                         word + "': .obj, .off, .ply or .stl");
-    }
-    check_names(files);
-    std::ranges::sort(files);
+    const std::vector<std::string> files =
+        is_pattern ? mesh_files(matches_of(word), "matches '" + word + "'")
+                   : mesh_files(files_in<fs::directory_iterator>(word), "in folder '" + word + "'");
     meshes.insert(meshes.end(), files.begin(), files.end());
   }
   return meshes;
 }
 
 std::vector<std::string> mesh_files_below(const fs::path& folder) {
-  std::error_code error;
-  std::vector<fs::path> files;
-  fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error);
-  for (; !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
-    if (is_mesh_file(at->path())) files.push_back(at->path());
-  }
-  if (error) throw HarnessError("cannot read folder '" + folder.string() + "': " + error.message());
-  if (files.empty()) {
-    throw HarnessError("no mesh file in folder '" + folder.string() +
-                       "' or below it: .obj, .off, .ply or .stl");
-  }
-  check_names(files);
-  std::ranges::sort(files);
-  return {files.begin(), files.end()};
+  return mesh_files(files_in<fs::recursive_directory_iterator>(
+                        folder, fs::directory_options::skip_permission_denied),
+                    "in folder '" + folder.string() + "' or below it");
 }
 
 std::vector<std::string> names_below(const fs::path& folder,

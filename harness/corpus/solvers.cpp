@@ -57,20 +57,6 @@ std::string canonical_cell(const std::string& cell) {
   return known ? solver_named(solver).name + cell.substr(slash) : cell;
 }
 
-std::string_view exactness_name(Exactness exactness) {
-  switch (exactness) {
-    case Exactness::exact:
-      return "exact";
-    case Exactness::bounded:
-      return "bounded";
-    case Exactness::upper_bound:
-      return "upper_bound";
-    case Exactness::unbounded:
-      break;
-  }
-  return "unbounded";
-}
-
 std::string shown_exactness(const Description& solver) {
   if (solver.exactness == Exactness::bounded) {
     return "within " + ParameterValue(solver.error_bound(solver)).text();

@@ -1,6 +1,7 @@
 // Solvers and instruction sets as users name them, and the meshes that solvers can do.
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <string_view>
@@ -24,8 +25,13 @@ std::vector<const Description*> solvers_named(const std::vector<std::string>& wo
 /// unchanged where no such solver is registered. @throws as solver_named
 std::string canonical_cell(const std::string& cell);
 
-/// "exact", "bounded", "upper_bound", "unbounded"
-std::string_view exactness_name(Exactness exactness);
+/// In the order of Exactness.
+inline constexpr std::array<std::string_view, 4> kExactnessNames{"exact", "bounded", "upper_bound",
+                                                                 "unbounded"};
+
+constexpr std::string_view exactness_name(Exactness exactness) {
+  return kExactnessNames[static_cast<std::size_t>(exactness)];
+}
 
 /// The same for readers, a bound as a number: "within 0.01", "upper bound".
 std::string shown_exactness(const Description& solver);

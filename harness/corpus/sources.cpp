@@ -20,13 +20,16 @@ std::uint64_t hash(std::string_view text) {
   return h;
 }
 
-std::vector<Index> vertices_of_faces(const TriangleSoup& soup) {
-  const std::vector<bool> used = used_vertices(soup.triangles, soup.positions.size());
+std::vector<Index> flagged(const std::vector<bool>& flags) {
   std::vector<Index> vertices;
-  for (Index v = 0; v < used.size(); ++v) {
-    if (used[v]) vertices.push_back(v);
+  for (Index v = 0; v < flags.size(); ++v) {
+    if (flags[v]) vertices.push_back(v);
   }
   return vertices;
+}
+
+std::vector<Index> vertices_of_faces(const TriangleSoup& soup) {
+  return flagged(used_vertices(soup.triangles, soup.positions.size()));
 }
 
 constexpr std::string_view kRandom = "random:", kBoundary = "boundary", kComponents = "components";
@@ -38,15 +41,6 @@ std::vector<Index> one_of_each_component(const TriangleSoup& soup) {
   DisjointSets components = join_vertices(soup.triangles, usable, soup.positions.size());
   for (const Index v : vertices_of_faces(soup)) {
     if (components.find(v) == v) vertices.push_back(v);
-  }
-  return vertices;
-}
-
-std::vector<Index> boundary_of(const TriangleSoup& soup) {
-  const std::vector<bool> on_boundary = boundary_vertices(soup);
-  std::vector<Index> vertices;
-  for (Index v = 0; v < on_boundary.size(); ++v) {
-    if (on_boundary[v]) vertices.push_back(v);
   }
   return vertices;
 }
@@ -66,7 +60,7 @@ std::vector<Index> vertices_in_file(const std::string& file, const TriangleSoup&
 
 bool SourceSet::is_single() const { return number_in<Index>(name).has_value(); }
 
-Query SourceSet::query() const {
+Query query_from(const std::vector<Index>& vertices) {
   Query query;
   for (const Index v : vertices) query.sources.push_back({.at = v});
   return query;
@@ -94,7 +88,7 @@ std::optional<SourceSet> find_source_set(const std::string& word, const Triangle
                                          std::string_view mesh, std::uint64_t seed) {
   SourceSet set{.name = name_of_source_set(word), .vertices = {}};
   if (word == kBoundary) {
-    set.vertices = boundary_of(soup);
+    set.vertices = flagged(boundary_vertices(soup));
   } else if (word == kComponents) {
     set.vertices = one_of_each_component(soup);
   } else if (word.starts_with(kRandom)) {

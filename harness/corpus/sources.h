@@ -22,13 +22,16 @@ namespace geodesic::harness {
 std::vector<Index> choose_sources(const TriangleSoup& soup, std::string_view mesh, int count,
                                   std::uint64_t seed);
 
+/// All distances from the nearest of some vertices.
+Query query_from(const std::vector<Index>& vertices);
+
 /// What one query starts from.
 struct SourceSet {
   std::string name;             ///< of a single vertex its number
   std::vector<Index> vertices;  ///< at least one
 
   bool is_single() const;
-  Query query() const;
+  Query query() const { return query_from(vertices); }
 };
 
 SourceSet single_source(Index vertex);

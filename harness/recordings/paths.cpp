@@ -28,10 +28,8 @@ FigurePaths solve_figure_paths(const std::string& solver, const Mesh& mesh, cons
 FigureCells solve_figure_cells(const std::string& solver, const Mesh& mesh,
                                const std::vector<Index>& sources) {
   FigureCells cells{.sources = sources, .nearest = {}};
-  Query query;
-  for (const Index v : cells.sources) query.sources.push_back({.at = v});
   const auto fresh = make_solver(solver, mesh);
-  cells.nearest = geodesic::solve_paths(*fresh, mesh, query).nearest_sources();
+  cells.nearest = geodesic::solve_paths(*fresh, mesh, query_from(sources)).nearest_sources();
   return cells;
 }
 

@@ -6,6 +6,7 @@
 
 #include "harness/base/error.h"
 #include "harness/corpus/solvers.h"
+#include "harness/corpus/sources.h"
 #include "harness/verify/properties/properties.h"
 
 namespace geodesic::harness {
@@ -154,10 +155,6 @@ std::string role_of(Index v, const Mesh& mesh, const Query& query) {
 
 Query from(Index source) { return from(std::vector<Index>{source}); }
 
-Query from(const std::vector<Index>& sources) {
-  Query query;
-  for (const Index v : sources) query.sources.push_back({v, 0});
-  return query;
-}
+Query from(const std::vector<Index>& sources) { return query_from(sources); }
 
 }  // namespace geodesic::harness
