@@ -17,46 +17,28 @@ void label(Row& row, const Cell& cell) {
   if (cell.program != nullptr) row.program = cell.program->name;
 }
 
-class CellProcess {
- public:
-  CellProcess(const Cell& cell, CellSpec spec, const ProcessLimits& limits,
-              const std::function<void()>& waiting)
-      : cell_(cell), spec_(std::move(spec)), limits_(limits), waiting_(waiting) {
-    spec_.output += kPartOfFile;
-  }
-
-  std::vector<Row> measure(const Reference& reference) {
-    spec_.reference = reference.solver;
-    spec_.reference_file = reference.file.string();
-    const fs::path program = cell_.program == nullptr ? "/proc/self/exe" : cell_.program->file;
-    const Ended ended =
-        run_geodesic_bench({"cell", Json(spec_).dump()}, waiting_, limits_, program);
-    if (!ended.succeeded()) return {failed_row(cell_, failure_of(ended, limits_))};
-    std::vector<Row> rows = written_rows();
-    for (Row& row : rows) {
-      label(row, cell_);
-      if (row.name() != cell_.name()) {
-        throw HarnessError("measured " + row.name() + ": this program knows no sets of sources");
-      }
-      row.stolen_share = ended.disturbance.stolen_share;
-      row.involuntary_switches_per_s = ended.disturbance.involuntary_switches_per_s;
+std::vector<Row> rows_of_process(const Cell& cell, CellSpec spec, const Reference& reference,
+                                 const ProcessLimits& limits,
+                                 const std::function<void()>& waiting) {
+  spec.output += kPartOfFile;
+  spec.reference = reference.solver;
+  spec.reference_file = reference.file.string();
+  const fs::path program = cell.program == nullptr ? "/proc/self/exe" : cell.program->file;
+  const Ended ended = run_geodesic_bench({"cell", Json(spec).dump()}, waiting, limits, program);
+  if (!ended.succeeded()) return {failed_row(cell, failure_of(ended, limits))};
+  if (!fs::exists(spec.output)) throw HarnessError("ended without writing a result");
+  std::vector<Row> rows = rows_in(read_json(spec.output));
+  fs::remove(spec.output);
+  for (Row& row : rows) {
+    label(row, cell);
+    if (row.name() != cell.name()) {
+      throw HarnessError("measured " + row.name() + ": this program knows no sets of sources");
     }
-    return rows;
+    row.stolen_share = ended.disturbance.stolen_share;
+    row.involuntary_switches_per_s = ended.disturbance.involuntary_switches_per_s;
   }
-
- private:
-  std::vector<Row> written_rows() const {
-    if (!fs::exists(spec_.output)) throw HarnessError("ended without writing a result");
-    const Json result = read_json(spec_.output);
-    fs::remove(spec_.output);
-    return rows_in(result);
-  }
-
-  const Cell& cell_;
-  CellSpec spec_;
-  const ProcessLimits& limits_;
-  const std::function<void()>& waiting_;
-};
+  return rows;
+}
 
 }  // namespace
 
@@ -76,20 +58,20 @@ Row failed_row(const Cell& cell, const Failure& failure) {
   return row;
 }
 
-std::vector<Row> measure_cell(const Cell& cell, CellSpec spec, References& references,
+std::vector<Row> measure_cell(const Cell& cell, const CellSpec& spec, References& references,
                               const ProcessLimits& limits, const std::function<void()>& waiting) {
   if (const std::string* why = cell.unsupported()) {
     return {failed_row(cell, {Outcome::unsupported, *why})};
   }
   try {
-    CellProcess process(cell, std::move(spec), limits, waiting);
+    const auto measure = [&](const Reference& reference) {
+      return rows_of_process(cell, spec, reference, limits, waiting);
+    };
     const Reference reference = references.find(cell);
-    std::vector<Row> rows = process.measure(reference);
+    std::vector<Row> rows = measure(reference);
     const bool wrong = rows.front().outcome == Outcome::wrong_answer;
     if (wrong && is_independent_oracle(reference.solver)) {
-      if (const auto other = references.find_other_than(reference, cell)) {
-        return process.measure(*other);
-      }
+      if (const auto other = references.find_other_than(reference, cell)) return measure(*other);
     }
     return rows;
   } catch (const CannotWrite&) {

@@ -22,7 +22,7 @@ ProcessLimits limits_of(const Suite& suite);
 /// @return at least one row
 /// @throws CannotWrite when the process cannot write
 /// @throws Interrupted (interruption.h)
-std::vector<Row> measure_cell(const Cell& cell, CellSpec spec, References& references,
+std::vector<Row> measure_cell(const Cell& cell, const CellSpec& spec, References& references,
                               const ProcessLimits& limits, const std::function<void()>& waiting);
 
 /// The row of a cell that has no time.
