@@ -136,9 +136,6 @@ struct Property {
 /// All of them, the fast ones first.
 const std::vector<Property>& all_properties();
 
-/// @return null when no property has that name
-const Property* find_property(std::string_view name);
-
 /// @throws HarnessError naming the known ones
 const Property& property_named(std::string_view name);
 

@@ -23,6 +23,18 @@ std::vector<Each> some_of(const std::vector<Each>& all, std::size_t most) {
   return some;
 }
 
+/// Some of the mesh's vertices.
+std::vector<Index> some_vertices(const Mesh& mesh, std::size_t most) {
+  std::vector<Index> vertices(mesh.vertex_count());
+  std::iota(vertices.begin(), vertices.end(), Index{0});
+  return some_of(vertices, most);
+}
+
+double in_space(const Vec3& a, const Vec3& b) { return geodesic::norm(subtract(a, b)); }
+
+/// Between points that are near, their own positions are rounded.
+constexpr Tolerance kNearPoints{.relative = kExactTolerance, .least = 0.01};
+
 /// By turns in faces, beside corners, on edges and at vertices; none where there are no faces.
 std::vector<SurfacePoint> points_by_chance(const Mesh& mesh, std::size_t count) {
   const Index faces = mesh.given_face_count();
@@ -60,9 +72,7 @@ void check_all(const Trial& trial, const Query& query, const Paths& paths,
     check_end(trial, query, query.targets[i], paths.distance_to_target(i), paths.to_target(i),
               tolerance);
   }
-  std::vector<Index> vertices(trial.mesh().vertex_count());
-  std::iota(vertices.begin(), vertices.end(), Index{0});
-  for (const Index v : some_of(vertices, 200)) {
+  for (const Index v : some_vertices(trial.mesh(), 200)) {
     const double distance = paths.distances()[v];
     if (distance == kInfinity) {
       refused("to vertex " + std::to_string(v) + ", where no path leads, a path",
@@ -259,9 +269,7 @@ void rivals_agree_between_points(const Trial& trial) {
     expected.push_back(trial.solve(*other, query));
     require_promise(beside, trial, query, trial.solve(*solver, query), expected.back(), tolerance);
   }
-  std::vector<Index> vertices(mesh.vertex_count());
-  std::iota(vertices.begin(), vertices.end(), Index{0});
-  for (const Index v : some_of(vertices, 4)) {
+  for (const Index v : some_vertices(mesh, 4)) {
     const Query query{.sources = {{v, 0}}, .targets = points};
     const Paths paths = solve_paths(*solver, mesh, query);
     std::vector<double> got, back;
@@ -282,13 +290,10 @@ void points_of_a_plane_are_euclids(const Trial& trial) {
     std::vector<double> got, expected;
     for (std::size_t i = 0; i < points.size(); ++i) {
       got.push_back(paths.distance_to_target(i));
-      const Vec3 line =
-          subtract(position_of(trial.mesh(), points[i]), position_of(trial.mesh(), from));
-      expected.push_back(geodesic::norm(line));
+      expected.push_back(
+          in_space(position_of(trial.mesh(), points[i]), position_of(trial.mesh(), from)));
     }
-    // Between points that are near, their own positions are rounded.
-    const Tolerance tolerance{.relative = kExactTolerance, .least = 0.01};
-    require_promise("as the crow flies", trial, query, got, expected, tolerance);
+    require_promise("as the crow flies", trial, query, got, expected, kNearPoints);
   }
 }
 
@@ -304,14 +309,12 @@ void nearest_points_of_a_plane_are_euclids(const Trial& trial) {
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
       double nearest = kInfinity;
       for (const Source& source : query.sources) {
-        const Vec3 line = subtract(mesh.position(v), position_of(mesh, source.at));
-        nearest = std::min(nearest, geodesic::norm(line));
+        nearest = std::min(nearest, in_space(mesh.position(v), position_of(mesh, source.at)));
       }
       expected.push_back(nearest);
     }
-    const Tolerance tolerance{.relative = kExactTolerance, .least = 0.01};
     require_promise("as the crow flies", trial, query, trial.solve(*solver, query), expected,
-                    tolerance);
+                    kNearPoints);
   }
 }
 
@@ -334,20 +337,16 @@ void near_points_go_round_a_corner(const Trial& trial) {
   const auto solver = trial.prepare();
   for (const double share : {1e-3, 1e-5, 1e-7, 1e-9, 2e-10, 7e-11, 1e-11, 1e-13}) {
     const SurfacePoint from = point_on_edge(mesh, 4, 7, share);
-    const auto between = [&](Index v, const Vec3& place) {
-      return geodesic::norm(subtract(mesh.position(v), place));
-    };
-    const double to_corner = share * between(7, mesh.position(4));
+    const double to_corner = share * in_space(mesh.position(7), mesh.position(4));
     std::vector<double> expected;
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
       const bool behind = v == 1 || v == 2 || v == 5;
-      expected.push_back(behind ? to_corner + between(v, mesh.position(4))
-                                : between(v, position_of(mesh, from)));
+      expected.push_back(behind ? to_corner + in_space(mesh.position(v), mesh.position(4))
+                                : in_space(mesh.position(v), position_of(mesh, from)));
     }
-    const Tolerance tolerance{.relative = kExactTolerance, .least = 0.01};
     const Query query{.sources = {{from, 0}}};
     require_promise(significant(share, 2) + " from the corner", trial, query,
-                    trial.solve(*solver, query), expected, tolerance);
+                    trial.solve(*solver, query), expected, kNearPoints);
   }
 }
 
@@ -360,15 +359,6 @@ Cases of_all(const std::vector<Property>& properties) {
       each.queries = some_of(each.queries, kQueries);
       cases.push_back(std::move(each));
     }
-  }
-  return cases;
-}
-
-Cases from_several() {
-  Cases cases = random_mesh_cases({});
-  for (Case& each : cases) {
-    const Index last = static_cast<Index>(each.soup.positions.size()) - 1;
-    each.queries = {from({0, last / 3, last / 2, last})};
   }
   return cases;
 }
@@ -440,7 +430,7 @@ std::vector<Property> path_properties() {
        random_meshes_from_some_sources, recording_paths_changes_nothing, kPaths | kSameBits},
       {"nearest-sources-are-those-that-paths-come-from",
        "the source that a vertex's path comes from is one that no other is nearer than",
-       from_several, nearest_sources_are_nearest, kPaths | kMultipleSources},
+       random_meshes_from_four_sources, nearest_sources_are_nearest, kPaths | kMultipleSources},
       {"sources-in-faces-and-on-edges-equal-inserted-vertices",
        "from a point in a face or on an edge distances are those of the mesh with it as a vertex",
        random_meshes_from_some_sources, sources_are_as_if_inserted, kSurfaceSources},

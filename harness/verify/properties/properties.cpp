@@ -21,11 +21,6 @@ const std::vector<Property>& all_properties() {
   return all;
 }
 
-const Property* find_property(std::string_view name) {
-  const auto at = std::ranges::find(all_properties(), name, &Property::name);
-  return at == all_properties().end() ? nullptr : &*at;
-}
-
 const Property& property_named(std::string_view name) {
   return named("property", all_properties(), name, &Property::name);
 }
@@ -48,6 +43,15 @@ std::vector<Query> some_sources(const TriangleSoup& soup) {
 Cases random_meshes_from_some_sources() {
   Cases cases = random_mesh_cases({});
   for (Case& each : cases) each.queries = some_sources(each.soup);
+  return cases;
+}
+
+Cases random_meshes_from_four_sources() {
+  Cases cases = random_mesh_cases({});
+  for (Case& each : cases) {
+    const Index last = static_cast<Index>(each.soup.positions.size()) - 1;
+    each.queries = {from({0, last / 3, last / 3 + 1, last})};
+  }
   return cases;
 }
 

@@ -38,6 +38,8 @@ Cases random_mesh_cases(const std::vector<Query>& queries);
 std::vector<Query> some_sources(const TriangleSoup& soup);
 /// The random meshes, each with some_sources.
 Cases random_meshes_from_some_sources();
+/// The random meshes, each with a query from four vertices, two of them neighbours as a rule.
+Cases random_meshes_from_four_sources();
 std::vector<Query> every_source(const TriangleSoup& soup);
 
 /// Books, surfaces with fins and such of one side, whose non-manifold edges paths cross.

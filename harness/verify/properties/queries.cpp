@@ -1,6 +1,7 @@
 // Queries: what is refused, the distance limit, several sources, and what no path reaches.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 #include "harness/verify/properties/properties.h"
@@ -153,21 +154,6 @@ Cases two_components(int sources) {
            {sources == 2 ? from({3, in_second}) : from(3)}}};
 }
 
-void distances_are_exact(const Trial& trial) {
-  for (const Query& query : trial.queries()) {
-    require(check_distances(query, trial.solve(query), trial.expected(query)));
-  }
-}
-
-Cases random_meshes_from_four_sources() {
-  Cases cases = random_mesh_cases({});
-  for (Case& each : cases) {
-    const Index last = static_cast<Index>(each.soup.positions.size()) - 1;
-    each.queries = {from({0, last / 3, last / 3 + 1, last})};
-  }
-  return cases;
-}
-
 // Brute force for every solver takes its time.
 Cases few_meshes_from_four_sources() {
   Cases cases = random_meshes_from_four_sources();
@@ -185,16 +171,7 @@ void least_of_single_sources(const Trial& trial) {
   require(check_distances(query, trial.solve(query), least));
 }
 
-Cases sphere_from_one_vertex_twice() {
-  return {{"sphere", rough_sphere(4, 1, 0.3), {from({5, 5})}}};
-}
-
-Cases sphere_from_all_vertices() {
-  Cases cases = sphere_from_one_vertex_twice();
-  Query& query = cases[0].queries[0] = {};
-  for (Index v = 0; v < cases[0].soup.positions.size(); ++v) query.sources.push_back({v});
-  return cases;
-}
+Cases sphere(const Query& query) { return one("sphere", rough_sphere(4, 1, 0.3), query); }
 
 Cases torus(const std::vector<Source>& sources) {
   return {{"torus", rough_torus(5, 12, 7, 0.2), {{.sources = sources}}}};
@@ -256,7 +233,7 @@ std::vector<Property> component_properties() {
          return Cases{
              {"triangle", {{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}, {{0, 1, 2}}}, {from(0), from(1)}}};
        },
-       distances_are_exact, kExactDistances,
+       distances_are_right, kExactDistances,
        /*on_any_mesh=*/false},
       {"isolated-source-reaches-itself-only",
        "from a vertex without faces no other vertex is reached", isolated_source},
@@ -280,9 +257,17 @@ std::vector<Property> component_properties() {
        few_meshes_from_four_sources, distances_are_right, kMultipleSources},
       {"sources-named-twice-count-once",
        "a source that is named twice gives the distances of that source",
-       sphere_from_one_vertex_twice, distances_are_right, kMultipleSources},
+       [] {
+         return sphere(from({5, 5}));
+       },
+       distances_are_right, kMultipleSources},
       {"sources-may-be-all-vertices", "when every vertex is a source, every distance is 0",
-       sphere_from_all_vertices, distances_are_right, kMultipleSources},
+       [] {
+         std::vector<Index> all(42);
+         std::iota(all.begin(), all.end(), Index{0});
+         return sphere(from(all));
+       },
+       distances_are_right, kMultipleSources},
       {"initial-distances-are-added-to-every-path-from-their-source",
        "an initial distance is added to all distances from its source",
        [] {
