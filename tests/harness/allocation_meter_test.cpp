@@ -59,16 +59,6 @@ TEST(AllocationMeter, SeesOveralignedBlocks) {
   EXPECT_EQ(meter.live_bytes(), 0);
 }
 
-TEST(AllocationMeter, StartsFromZero) {
-  {
-    const AllocationMeter meter;
-    const auto any = allocated<double>(1000);
-  }
-  const AllocationMeter meter;
-  EXPECT_EQ(meter.live_bytes(), 0);
-  EXPECT_EQ(meter.peak_bytes(), 0);
-}
-
 // Not through the heap: sanitizers keep freed blocks.
 TEST(PeakResidentBytes, ForgetsWhatWasBeforeTheRestart) {
   constexpr std::size_t kBytes = 200 << 20;

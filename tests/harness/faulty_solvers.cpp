@@ -1,11 +1,15 @@
-// Solvers that fail in every way that a run must catch and survive. They solve by another solver
-// first, so that only what is wrong on purpose is wrong.
+// Solvers that fail in every way that a run must catch and survive. Those that answer at all solve
+// by another solver first, so that only what is wrong on purpose is wrong.
+#include <signal.h>
 #include <unistd.h>
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <iostream>
+#include <list>
+#include <set>
 #include <stdexcept>
 #include <vector>
 
@@ -27,206 +31,70 @@ const Description& sound_solver() {
   throw std::logic_error("no exact solver is registered");
 }
 
-class Faulty : public Solver {
- public:
-  Faulty(const Mesh& mesh, const Description& description) : Solver(mesh, description) {}
+// In the mesh's internal numbering, as `run` has it; `solve` speaks of the numbers given.
+struct Asked {
+  const Description& description;
+  const Mesh& mesh;
+  const Query& query;
+  std::span<double> distances;
+  Recording* recording;
+  int solves;                      // before, since the object was made or renewed
+  const std::set<Index>& sources;  // first ones, of these solves and of this one
 
- protected:
-  // Both in the mesh's internal numbering, as `run` has it; `solve` speaks of the numbers given.
-  void solve_soundly(Query query, std::span<double> distances) {
-    for (Source& source : query.sources)
-      source.at.vertex = mesh().numbers().external_vertex(source.at.vertex);
+  Index last_vertex() const { return mesh.numbers().internal_vertex(mesh.vertex_count() - 1); }
+  // Of the last vertex of the file; far above rounding and far below what a plot shows.
+  void spoil() const { distances[last_vertex()] *= 1 + 1e-9; }
+
+  void solve_soundly(Query same) const {
+    const MeshNumbers& numbers = mesh.numbers();
+    for (Source& source : same.sources) {
+      source.at.vertex = numbers.external_vertex(source.at.vertex);
+    }
     std::vector<double> given(distances.size());
-    make_solver(sound_solver().name, mesh())->solve(query, given);
-    for (Index v = 0; v < distances.size(); ++v)
-      distances[v] = given[mesh().numbers().external_vertex(v)];
-  }
-  // The last vertex of the file; the relative error is far above rounding and far below what a plot
-  // shows.
-  void spoil(std::span<double> distances) const {
-    distances[mesh().numbers().internal_vertex(mesh().vertex_count() - 1)] *= 1 + 1e-9;
+    make_solver(sound_solver().name, mesh)->solve(same, given);
+    for (Index v = 0; v < given.size(); ++v) distances[v] = given[numbers.external_vertex(v)];
   }
 };
 
-class Wrong final : public Faulty {
-  using Faulty::Faulty;
-  void run(const Query& query, std::span<double> distances, Recording*) override {
-    solve_soundly(query, distances);
-    spoil(distances);
-  }
-};
+using Fault = void (*)(const Asked& asked);
 
-// Keeps state that a second solve trips over.
-class Forgetful final : public Faulty {
-  using Faulty::Faulty;
-  void run(const Query& query, std::span<double> distances, Recording*) override {
-    solve_soundly(query, distances);
-    if (solves_++ > 0) spoil(distances);
-  }
-  int solves_ = 0;
-};
-
-// Is right until it was asked for another source.
-class Stale final : public Faulty {
-  using Faulty::Faulty;
-  void run(const Query& query, std::span<double> distances, Recording*) override {
-    solve_soundly(query, distances);
-    if (first_ == kNone) first_ = query.sources.front().at.vertex;
-    spoiled_ = spoiled_ || first_ != query.sources.front().at.vertex;
-    if (spoiled_) spoil(distances);
-  }
-  Index first_ = kNone;
-  bool spoiled_ = false;
-};
-
-class Disturbed final : public Faulty {
-  using Faulty::Faulty;
-  void run(const Query& query, std::span<double> distances, Recording* recording) override {
-    solve_soundly(query, distances);
-    if (recording != nullptr) spoil(distances);
-  }
-};
-
-// Knows the first source only.
-class SingleMinded final : public Faulty {
-  using Faulty::Faulty;
-  void run(const Query& query, std::span<double> distances, Recording*) override {
-    solve_soundly({.sources = {query.sources.front()}, .limit = query.limit}, distances);
-  }
-};
-
-// Knows no pseudo-sources at boundaries: what lies behind them is not reached.
-class BoundaryBlind final : public Faulty {
-  using Faulty::Faulty;
-  void run(const Query& query, std::span<double> distances, Recording*) override {
-    solve_soundly({.sources = query.sources}, distances);
-    const std::vector<double> right(distances.begin(), distances.end());
-    for (Index v = 0; v < right.size(); ++v) {
-      const auto path = shortest_path(mesh(), query.sources, right, v);
-      for (std::size_t bend = 1; bend < path.size(); ++bend) {
-        if (mesh().is_boundary(path[bend].from)) distances[v] = kInfinity;
-      }
-    }
-  }
-};
-
-class NotANumber final : public Faulty {
-  using Faulty::Faulty;
-  void run(const Query& query, std::span<double> distances, Recording*) override {
-    solve_soundly(query, distances);
-    distances.back() = std::nan("");
-  }
-};
-
-// Too long on meshes of some faces, too short on smaller ones: two faults.
-class TwoFaced final : public Faulty {
-  using Faulty::Faulty;
-  void run(const Query& query, std::span<double> distances, Recording*) override {
-    solve_soundly(query, distances);
-    distances[mesh().numbers().internal_vertex(mesh().vertex_count() - 1)] *=
-        mesh().face_count() < 6 ? 1 - 1e-9 : 1 + 1e-9;
-  }
-};
-
-class Miscounting final : public Faulty {
-  using Faulty::Faulty;
-  void run(const Query& query, std::span<double> distances, Recording* recording) override {
-    solve_soundly(query, distances);
-    if (recording != nullptr) recording->strip_depth = 1;
-  }
-};
-
-// Closes its standard error, which is what a process is waited for by.
-class Mute final : public Faulty {
-  using Faulty::Faulty;
-  void run(const Query&, std::span<double> distances, Recording*) override {
-    close(STDERR_FILENO);
-    for (volatile double* at = distances.data();;) *at = 0;
-  }
-};
-
-class Looping final : public Faulty {
-  using Faulty::Faulty;
-  void run(const Query&, std::span<double> distances, Recording*) override {
-    for (volatile double* at = distances.data();;) *at = 0;
-  }
-};
-
-class Crashing final : public Faulty {
-  using Faulty::Faulty;
-  void run(const Query&, std::span<double>, Recording*) override { std::abort(); }
-};
-
-class Throwing final : public Faulty {
-  using Faulty::Faulty;
-  void run(const Query&, std::span<double>, Recording*) override {
-    throw std::runtime_error("ran out of luck");
-  }
-};
-
-class Leaving final : public Faulty {
-  using Faulty::Faulty;
-  void run(const Query&, std::span<double>, Recording*) override { std::_Exit(0); }
-};
-
-// As a library may that takes itself for a program.
-class Exiting final : public Faulty {
-  using Faulty::Faulty;
-  void run(const Query&, std::span<double>, Recording*) override { std::exit(0); }
-};
-
-// Right, and talks like a result file.
-class Printing final : public Faulty {
-  using Faulty::Faulty;
-  void run(const Query& query, std::span<double> distances, Recording*) override {
-    for (std::ostream* out : {&std::cout, &std::cerr}) {
-      *out << R"({"name": "forged", "outcome": "ok", "cpu_time": 0})" << std::endl;
-    }
-    std::puts("forged/tetrahedron/src:0");
-    solve_soundly(query, distances);
-  }
-};
-
-// Every distance is off by the same part, except those of sources.
-class Off final : public Faulty {
+class Faulty final : public Solver {
  public:
-  Off(const Mesh& mesh, const Description& description)
-      : Faulty(mesh, description), factor_(1 + description.real("off")) {}
+  Faulty(const Mesh& mesh, const Description& description, Fault fault, bool answers)
+      : Solver(mesh, description), description_(description), fault_(fault), answers_(answers) {}
 
  private:
-  void run(const Query& query, std::span<double> distances, Recording*) override {
-    solve_soundly(query, distances);
-    for (double& d : distances) d *= factor_;
+  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+    sources_.insert(query.sources.front().at.vertex);
+    const Asked asked{description_, mesh(), query, distances, recording, solves_++, sources_};
+    if (answers_) asked.solve_soundly(query);
+    fault_(asked);
   }
-  const double factor_;
-};
+  void renew_state() override { solves_ = 0; }
 
-// Adds what is left of the last query.
-class Renewable final : public Faulty {
-  using Faulty::Faulty;
-  void run(const Query& query, std::span<double> distances, Recording*) override {
-    solve_soundly(query, distances);
-    if (left_) spoil(distances);
-    left_ = true;
-  }
-  void renew_state() override { left_ = false; }
-  bool left_ = false;
-};
-
-// As parallel codes may: other last digits from solve to solve, or another answer.
-class Fickle final : public Faulty {
- public:
-  Fickle(const Mesh& mesh, const Description& description)
-      : Faulty(mesh, description), by_(description.real("by")) {}
-
- private:
-  void run(const Query& query, std::span<double> distances, Recording*) override {
-    solve_soundly(query, distances);
-    for (double& d : distances) d *= 1 + by_ * solves_;
-    ++solves_;
-  }
-  const double by_;
+  const Description& description_;
+  const Fault fault_;
+  const bool answers_;
   int solves_ = 0;
+  std::set<Index> sources_;
+};
+
+// As RegisterSolver does.
+void add(Description description, Fault fault, bool answers) {
+  SolverFactory factory = [=](const Mesh& mesh, const Description& d) {
+    return std::make_unique<Faulty>(mesh, d, fault, answers);
+  };
+  geodesic_register_solver(compiled_contract().c_str(), &description, &factory);
+}
+
+// Right, but for what the fault changes.
+struct Wrong {
+  Wrong(Description description, Fault fault) { add(std::move(description), fault, true); }
+};
+
+// Gives no distances.
+struct Hostile {
+  Hostile(Description description, Fault fault) { add(std::move(description), fault, false); }
 };
 
 Description faulty(const char* name, Index max_vertices = 1000) {
@@ -234,6 +102,10 @@ Description faulty(const char* name, Index max_vertices = 1000) {
           .family = kFamily,
           .paper = "none",
           .abilities = {.max_vertices = max_vertices}};
+}
+
+Description only_by_name(const char* name) {
+  return {.name = name, .family = kFamily, .paper = "none", .by_name_only = true};
 }
 
 // By name only: the bounds are the harness's to test, not those of every solver.
@@ -272,29 +144,150 @@ Description fickle() {
   return description;
 }
 
-const RegisterSolver<Exiting> exiting{faulty("exiting")};
-const RegisterSolver<Printing> printing{faulty("printing")};
-const RegisterSolver<Off> off_within{bounded()};
-const RegisterSolver<Off> off_above{inexact("upper", Exactness::upper_bound)};
-const RegisterSolver<Off> off_anyhow{inexact("unbounded", Exactness::unbounded)};
-const RegisterSolver<Off> off_as_oracle{oracle()};
-const RegisterSolver<Renewable> renewable_solver{renewable()};
-const RegisterSolver<Fickle> fickle_solver{fickle()};
-const RegisterSolver<Wrong> wrong{faulty("wrong")};
-const RegisterSolver<Forgetful> forgetful{faulty("forgetful")};
-const RegisterSolver<Stale> stale{faulty("stale")};
-const RegisterSolver<Disturbed> disturbed{faulty("disturbed")};
-const RegisterSolver<SingleMinded> single_minded{faulty("single-minded")};
-const RegisterSolver<BoundaryBlind> boundary_blind{faulty("boundary-blind")};
-const RegisterSolver<NotANumber> not_a_number{faulty("not-a-number")};
-const RegisterSolver<TwoFaced> two_faced{faulty("two-faced")};
-const RegisterSolver<Miscounting> miscounting{faulty("miscounting")};
-const RegisterSolver<Mute> mute{faulty("mute")};
-const RegisterSolver<Looping> looping{faulty("looping")};
-const RegisterSolver<Crashing> crashing{faulty("crashing")};
-const RegisterSolver<Throwing> throwing{faulty("throwing")};
-const RegisterSolver<Leaving> leaving{faulty("leaving")};
-const RegisterSolver<Wrong> tiny{faulty("tiny", 3)};
+void spoil(const Asked& asked) { asked.spoil(); }
+
+// Keeps state that a second solve trips over.
+void spoil_second(const Asked& asked) {
+  if (asked.solves > 0) asked.spoil();
+}
+
+// Every distance by the same part, except those of sources.
+void be_off(const Asked& asked) {
+  for (double& d : asked.distances) d *= 1 + asked.description.real("off");
+}
+
+void loop(const Asked& asked) {
+  for (volatile double* at = asked.distances.data();;) *at = 0;
+}
+
+const Wrong kWrong[] = {
+    {faulty("wrong"), spoil},
+    {faulty("tiny", 3), spoil},
+    {faulty("forgetful"), spoil_second},
+    {renewable(), spoil_second},
+    {bounded(), be_off},
+    {inexact("upper", Exactness::upper_bound), be_off},
+    {inexact("unbounded", Exactness::unbounded), be_off},
+    {oracle(), be_off},
+    // As parallel codes may: other last digits from solve to solve, or another answer.
+    {fickle(),
+     [](const Asked& asked) {
+       for (double& d : asked.distances) d *= 1 + asked.description.real("by") * asked.solves;
+     }},
+    // Is right until it was asked for another source.
+    {faulty("stale"),
+     [](const Asked& asked) {
+       if (asked.sources.size() > 1) asked.spoil();
+     }},
+    {faulty("disturbed"),
+     [](const Asked& asked) {
+       if (asked.recording != nullptr) asked.spoil();
+     }},
+    // Knows the first source only.
+    {faulty("single-minded"),
+     [](const Asked& asked) {
+       asked.solve_soundly({.sources = {asked.query.sources[0]}, .limit = asked.query.limit});
+     }},
+    // Knows no pseudo-sources at boundaries: what lies behind them is not reached.
+    {faulty("boundary-blind"),
+     [](const Asked& asked) {
+       asked.solve_soundly({.sources = asked.query.sources});
+       const std::vector<double> right(asked.distances.begin(), asked.distances.end());
+       for (Index v = 0; v < right.size(); ++v) {
+         const auto path = shortest_path(asked.mesh, asked.query.sources, right, v);
+         for (std::size_t bend = 1; bend < path.size(); ++bend) {
+           if (asked.mesh.is_boundary(path[bend].from)) asked.distances[v] = kInfinity;
+         }
+       }
+     }},
+    {faulty("not-a-number"), [](const Asked& asked) { asked.distances.back() = std::nan(""); }},
+    // Too long on meshes of some faces, too short on smaller ones: two faults.
+    {faulty("two-faced"),
+     [](const Asked& asked) {
+       asked.distances[asked.last_vertex()] *= asked.mesh.face_count() < 6 ? 1 - 1e-9 : 1 + 1e-9;
+     }},
+    {faulty("miscounting"),
+     [](const Asked& asked) {
+       if (asked.recording != nullptr) asked.recording->strip_depth = 1;
+     }},
+    // Right, and talks like a result file.
+    {faulty("printing"),
+     [](const Asked&) {
+       for (std::ostream* out : {&std::cout, &std::cerr}) {
+         *out << R"({"name": "forged", "outcome": "ok", "cpu_time": 0})" << std::endl;
+       }
+       std::puts("forged/tetrahedron/src:0");
+     }},
+};
+
+// A page and more in every call, used afterwards, so that no compiler makes a loop of it.
+int deeper(int depth, const volatile bool& on) {
+  volatile char page[5000];
+  page[depth % 5000] = 1;
+  return on ? deeper(depth + 1, on) + page[depth % 5000] : 0;
+}
+
+constexpr std::size_t kBlock = std::size_t{16} << 20;
+
+const Hostile kHostile[] = {
+    {faulty("looping"), loop},
+    // Closes its standard error, which is what a process is waited for by.
+    {faulty("mute"),
+     [](const Asked& asked) {
+       close(STDERR_FILENO);
+       loop(asked);
+     }},
+    {faulty("crashing"), [](const Asked&) { std::abort(); }},
+    {faulty("throwing"), [](const Asked&) { throw std::runtime_error("ran out of luck"); }},
+    {faulty("leaving"), [](const Asked&) { std::_Exit(0); }},
+    // As a library may that takes itself for a program.
+    {faulty("exiting"), [](const Asked&) { std::exit(0); }},
+    {only_by_name("stack-overflow"),
+     [](const Asked& asked) {
+       const volatile bool for_ever = true;
+       asked.distances[0] = deeper(0, for_ever);
+     }},
+    {only_by_name("hungry"),
+     [](const Asked&) {
+       for (std::list<std::vector<char>> blocks;;) blocks.emplace_back(kBlock, 'x');
+     }},
+    // Does not look whether it got what it asked for.
+    {only_by_name("hungry-and-blind"),
+     [](const Asked&) {
+       for (;;) {
+         void* volatile block = std::malloc(kBlock);  // volatile: or nobody would miss it
+         std::memset(block, 'x', kBlock);
+       }
+     }},
+    // More than any pipe holds, on both outputs.
+    {only_by_name("talkative"),
+     [](const Asked&) {
+       const std::string line(1000, 'x');
+       for (int i = 0; i < 10'000; ++i) {
+         std::cout << line << '\n';
+         std::cerr << line << '\n';
+       }
+       std::cerr << "the \033[31mlast\377 words" << std::endl;
+       std::abort();
+     }},
+    {only_by_name("chatterbox"),
+     [](const Asked&) {
+       for (;;) std::cerr << "and another thing" << std::endl;
+     }},
+    // Ends, and leaves a process that holds its standard error and would live on.
+    {only_by_name("parent"),
+     [](const Asked&) {
+       if (fork() == 0) {
+         for (;;) pause();
+       }
+       throw 7;
+     }},
+    {only_by_name("deaf"),
+     [](const Asked&) {
+       for (const int each : {SIGINT, SIGTERM, SIGHUP}) signal(each, SIG_IGN);
+       for (;;) pause();
+     }},
+};
 
 }  // namespace
 }  // namespace geodesic

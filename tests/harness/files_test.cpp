@@ -90,28 +90,5 @@ TEST_F(Files, ManifestFindsMeshesInTheCache) {
   EXPECT_EQ(manifest.corpus("all").size(), 2u);
 }
 
-TEST_F(Files, ManifestErrorsListWhatExists) {
-  const Manifest manifest(write("m.json", whole_manifest(kManifest)), folder_);
-  expect_error([&] { manifest.mesh("hose"); }, {"did you mean 'horse'", "cube, horse"});
-  expect_error([&] { manifest.corpus("slow"); }, {"no corpus named 'slow'", "all, quick"});
-}
-
-TEST_F(Files, ManifestWithAnUnknownMeshInACorpusIsRefused) {
-  const auto file =
-      write("m.json", whole_manifest(R"({"corpora": {"quick": ["cube"]}, "meshes": []})"));
-  expect_error([&] { Manifest(file, folder_); }, {"m.json", "no mesh named 'cube'"});
-}
-
-TEST_F(Files, ManifestCannotNameFilesOutsideOfItsFolders) {
-  const auto refused = [&](const std::string& mesh, const std::string& corpora) {
-    const auto file = write(
-        "m.json", whole_manifest(R"({"corpora": )" + corpora + R"(, "meshes": [)" + mesh + "]}"));
-    expect_error([&] { Manifest(file, folder_); }, {"must be ", R"(not "../a)"});
-  };
-  refused(R"({"name": "../a", "kind": "generated", "file": "a.obj"})", "{}");
-  refused(R"({"name": "a", "kind": "generated", "file": "../a.obj"})", "{}");
-  refused(R"({"name": "a", "kind": "generated", "file": "a.obj"})", R"({"../a": ["a"]})");
-}
-
 }  // namespace
 }  // namespace geodesic::harness

@@ -21,12 +21,6 @@ TEST(PhaseSeconds, GiveWhatTheTimersAddedToThePhasesByTheirReadings) {
   EXPECT_DOUBLE_EQ(seconds.timer_overhead, 0.5);
 }
 
-TEST(PhaseSeconds, AddUpToTheSolveWithoutTimers) {
-  const PhaseSeconds seconds = phase_seconds(kFourSeconds, 3.2);
-  EXPECT_DOUBLE_EQ(seconds.propagation + seconds.trimming + seconds.queue, 3.2);
-  EXPECT_DOUBLE_EQ(sum(seconds), 4);
-}
-
 TEST(PhaseSeconds, TakeOutNothingFromASolveThatWasFasterWithTimers) {
   const PhaseSeconds seconds = phase_seconds(kFourSeconds, 5);
   EXPECT_EQ(seconds.timer_overhead, 0);

@@ -11,13 +11,7 @@ namespace {
 
 std::string quoted(const std::string& word) {
   std::string text = "'";
-  for (const char c : word) {
-    if (c == '\'') {
-      text += "'\\''";
-    } else {
-      text += c;
-    }
-  }
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return text + "'";
 }
 
@@ -49,12 +43,6 @@ constexpr const char* kManifest = R"({
     {"name": "absent", "kind": "downloaded", "file": "absent.ply"}]})";
 
 }  // namespace
-
-void expect_words(const std::string& text, const std::vector<std::string>& words) {
-  for (const std::string& word : words) {
-    EXPECT_NE(text.find(word), std::string::npos) << "'" << word << "' is missing in: " << text;
-  }
-}
 
 ProgramTest::ProgramTest() : manifest_(write("manifest.json", whole_manifest(kManifest))) {
   write("hill.off", hill(6));

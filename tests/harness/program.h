@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/harness/expect_words.h"
 #include "tests/harness/temporary_folder.h"
 
 namespace geodesic::harness {
@@ -26,8 +27,6 @@ struct Output {
   std::string out;
   std::string err;
 };
-
-void expect_words(const std::string& text, const std::vector<std::string>& words);
 
 /// A test with two tiny meshes in a manifest of its own: "hill" (open terrain, one isolated vertex)
 /// and "tetrahedron"; "absent" is in the manifest and not in the cache.

@@ -13,6 +13,14 @@ class RunTest : public ProgramTest {
                      {"--out", out_.string(), "--min-time", "0.0001", "--repetitions", "2"});
     return run(program, arguments);
   }
+  /// A run of the program in which nothing fails.
+  void measure(const std::vector<std::string>& arguments) const {
+    const Output run = run_suite(PROGRAM, arguments);
+    ASSERT_EQ(run.code, 0) << run.err;
+  }
+  nlohmann::json run_context() const {
+    return read_json(out_ / "run.json").at("context").at("geodesic_bench");
+  }
   nlohmann::json rows() const { return read_json(out_ / "run.json").at("benchmarks"); }
   // The first row of a cell.
   nlohmann::json row(const std::string& name) const {

@@ -57,18 +57,14 @@ class PinnedMesh : public ::testing::TestWithParam<Pin> {};
 TEST_P(PinnedMesh, is_right_by_every_exact_solver_and_instruction_set) {
   const Pin& pin = GetParam();
   const std::string file = std::string(PINNED_MESHES) + "/" + pin.mesh + ".obj";
-  const Mesh mesh(read_mesh_file(file).soup);
-  const Query query = from(pin.source);
-  const auto expected = BruteForce(mesh).distances(query.sources);
+  const Case given{pin.mesh, read_mesh_file(file).soup, {from(pin.source)}};
+  const Property& property = property_named(kDistancesProperty);  // brute force judges so few faces
   for (const Description* solver : registered_solvers()) {
     // An independent oracle is not ours to repair.
     if (solver->exactness != Exactness::exact || solver->independent_oracle) continue;
-    if (!unsupported(*solver, mesh).empty()) continue;
     for (const InstructionSet set : std::set{InstructionSet::plain, widest_instruction_set()}) {
       set_instruction_set(set);
-      const auto made = make_solver(solver->name, mesh);
-      if (made->instruction_set() != set) continue;  // has plain ones only
-      const auto wrong = check_distances(query, solve_with(*made, mesh, query), expected);
+      const Finding wrong = check_case(property, *solver, given);
       EXPECT_FALSE(wrong) << solver->name << ", " << name_of(set)
                           << " instructions: " << wrong->what;
     }
