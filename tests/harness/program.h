@@ -18,8 +18,8 @@ struct Program {
   std::vector<std::string> words;
 };
 
-/// With solvers that fail in every way that a run must survive (faulty_solvers.cpp,
-/// hostile_solvers.cpp), as a plug-in.
+/// With solvers that fail in every way that a run must survive (faulty_solvers.cpp), as a
+/// plug-in.
 inline const Program kFaultyProgram(PROGRAM, {"--plugin", FAULTY_SOLVERS});
 
 struct Output {

@@ -11,7 +11,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def bench() -> Path:
     program = os.environ.get("GEODESIC_BENCH")
     if program is None:

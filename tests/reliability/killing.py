@@ -64,6 +64,19 @@ def processes_of(folder: Path) -> list[int]:
     return found
 
 
+def two_meshes(bench: Path, folder: Path) -> str:
+    """Makes a box and a terrain in a folder; what `run --meshes` takes of them."""
+    sizes = {
+        "box": ["--x-cells", "6", "--y-cells", "5", "--z-cells", "4"],
+        "terrain": ["--columns", "12", "--rows", "9"],
+    }
+    files = [str(folder / f"{kind}.ply") for kind in sizes]
+    for kind, file in zip(sizes, files, strict=True):
+        command = [bench, "generate", kind, *sizes[kind], "-o", file]
+        subprocess.run(command, check=True, capture_output=True)
+    return ",".join(files)
+
+
 @dataclass
 class Tally:
     kills: dict[str, int] = field(default_factory=dict)
@@ -82,7 +95,7 @@ class Killing:
         self.folder = folder
         self.random = random.Random(seed)
         self.tally = Tally()
-        self.meshes = [self._mesh("box"), self._mesh("terrain")]
+        self.meshes = two_meshes(self.bench, folder)
         began = time.monotonic()
         whole = self._work()
         ended = self._start(whole, resume=False).wait()
@@ -96,21 +109,11 @@ class Killing:
         in it, and with them the peak of what malloc takes."""
         return self.folder / f"run-{self.tally.runs:04}"
 
-    def _mesh(self, kind: str) -> Path:
-        sizes = {
-            "box": ["--x-cells", "6", "--y-cells", "5", "--z-cells", "4"],
-            "terrain": ["--columns", "12", "--rows", "9"],
-        }
-        file = self.folder / f"{kind}.ply"
-        subprocess.run([self.bench, "generate", kind, *sizes[kind], "-o", file], check=True)
-        return file
-
     def _start(self, work: Path, resume: bool) -> subprocess.Popen[str]:
         work.mkdir(exist_ok=True)
         words = ["--resume", "run"]
         if not resume:
-            meshes = ",".join(str(mesh) for mesh in self.meshes)
-            words = ["--meshes", meshes, "--solvers", SOLVERS, "--sources", "2", "--repetitions",
+            words = ["--meshes", self.meshes, "--solvers", SOLVERS, "--sources", "2", "--repetitions",
                      "2", "--min-time", "0.001", "--recordings", "all", "--out", "run"]
         with (work / "errors").open("w", encoding="utf-8") as errors:
             return subprocess.Popen(

@@ -6,30 +6,23 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
-from killing import VARYING
+from killing import VARYING, two_meshes
 
 from results.reader import Run, read_run
 
 Ended = subprocess.CompletedProcess[str]
-SIZES = {
-    "box": ["--x-cells", "6", "--y-cells", "5", "--z-cells", "4"],
-    "terrain": ["--columns", "12", "--rows", "9"],
-}
 FOLLOW_FROM_TIMES = {*VARYING, "phase_seconds", "processor"}
 
 
 class Sharded:
     def __init__(self, bench: Path, folder: Path) -> None:
         self.bench, self.folder = bench, folder
-        for kind, sizes in SIZES.items():
-            command = [bench, "generate", kind, *sizes, "-o", folder / f"{kind}.ply"]
-            subprocess.run(command, check=True, capture_output=True)
+        self.meshes = two_meshes(bench, folder)
 
-    def words(self, *more: str, min_time: str = "0.0001") -> list[str]:
-        meshes = ",".join(str(self.folder / f"{kind}.ply") for kind in SIZES)
-        return ["--meshes", meshes, "--solvers", "edge-based,ich,dijkstra", "--sources", "3",
+    def words(self, *more: str) -> list[str]:
+        return ["--meshes", self.meshes, "--solvers", "edge-based,ich,dijkstra", "--sources", "3",
                 "--source-sets", "random:4,boundary",  # a box has no boundary
-                "--repetitions", "2", "--min-time", min_time, *more]  # fmt: skip
+                "--repetitions", "2", "--min-time", "0.0001", *more]  # fmt: skip
 
     def bench_says(self, *words: object) -> Ended:
         command = [str(self.bench), *map(str, words)]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import re
 import shutil
 from collections.abc import Callable
@@ -23,12 +22,9 @@ def sharded(bench: Path, tmp_path: Path) -> Sharded:
 
 
 @pytest.fixture(scope="module")
-def three(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def three(bench: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A run in one piece, `whole`, and three `shards` of it; not to be changed."""
-    program = os.environ.get("GEODESIC_BENCH")
-    if program is None:
-        pytest.skip("GEODESIC_BENCH names no program; ./run_tests.sh sets it")
-    world = Sharded(Path(program).resolve(), tmp_path_factory.mktemp("three"))
+    world = Sharded(bench, tmp_path_factory.mktemp("three"))
     assert world.run("--out", "whole", "--recordings", "all").returncode == 0
     world.shards(3, "--recordings", "all")
     return world.folder
