@@ -72,7 +72,7 @@ def two_meshes(bench: Path, folder: Path) -> str:
     }
     files = [str(folder / f"{kind}.ply") for kind in sizes]
     for kind, file in zip(sizes, files, strict=True):
-        command = [bench, "generate", kind, *sizes[kind], "-o", file]
+        command = [str(bench), "generate", kind, *sizes[kind], "-o", file]
         subprocess.run(command, check=True, capture_output=True)
     return ",".join(files)
 
