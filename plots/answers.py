@@ -4,7 +4,8 @@ further one, memory and errors."""
 from __future__ import annotations
 
 from plots.measures import (
-    ABSENT, EDGE_BASED, PEAK_BYTES, RESIDENT, baseline, columns, failure, interval, our_cell, partial_failure, time_unit,
+    ABSENT, EDGE_BASED, ERROR, PEAK_BYTES, RESIDENT, baseline, columns, failure, interval_cell, our_cell,
+    partial_failure, time_unit,
 )  # fmt: skip
 from plots.models import ordered_meshes
 from plots.ratios import plain
@@ -13,14 +14,11 @@ from results.reader import Mesh, Run
 from results.statistics import geometric_mean, median
 from results.table import BLANK, Cell, Table, estimate_cell
 
+
 def errors(run: Run, mesh: str, solver: str, key: str) -> list[float]:
     """Of right and wrong answers, one a row that has it."""
     found = (row.number(key) for row in run.cell(mesh, solver))
     return [error for error in found if error is not None]
-
-
-def error_text(error: float) -> str:
-    return f"{error:.1e}"
 
 
 def table(run: Run) -> Table:
@@ -88,8 +86,8 @@ def _time(run: Run, mesh: str, solver: str, base: str, time: Time) -> list[Cell]
     if not pairs:
         return [estimate_cell(estimate, shown), Cell(ABSENT)]
     ratio = geometric_mean([pairs])
-    return [estimate_cell(estimate, shown), estimate_cell(ratio, interval(ratio, plain))]
+    return [estimate_cell(estimate, shown), interval_cell(ratio, plain)]
 
 
 def _error(error: float) -> Cell:
-    return Cell(error_text(error), error)
+    return Cell(ERROR.show(error), error)

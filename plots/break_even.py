@@ -10,18 +10,18 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from plots import style
-from plots.answers import error_text, errors
+from plots.answers import errors
 from plots.dots import sentences
 from plots.drawing import Drawing
 from plots.growth import surface
 from plots.logarithmic import logarithmic
 from plots.measures import (
-    EDGE_BASED, baseline, columns, count, interval, percent, time_unit,
+    EDGE_BASED, ERROR, baseline, columns, count, interval_cell, percent, time_unit,
 )  # fmt: skip
 from results.pairs import by_source, further, preparation, times
 from results.reader import Mesh, ResultError, Run, Source
 from results.statistics import Estimate, median
-from results.table import Cell, Table, estimate_cell
+from results.table import Cell, Table
 
 LEAST_MESHES = 2
 
@@ -123,7 +123,7 @@ def _row(heat: str, point: Point) -> list[Cell]:
         return Cell(time_unit([value]).text(value), value)
 
     def error(value: float) -> Cell:
-        return Cell(error_text(value), value) if math.isfinite(value) else Cell("not known")
+        return Cell(ERROR.show(value), value) if math.isfinite(value) else Cell("not known")
 
     return [
         Cell(heat),
@@ -131,7 +131,7 @@ def _row(heat: str, point: Point) -> list[Cell]:
         Cell(count(point.mesh.vertices), point.mesh.vertices),
         *map(seconds, point.preparations),
         *map(seconds, point.furthers),
-        estimate_cell(point.sources, interval(point.sources, _sources))
+        interval_cell(point.sources, _sources)
         if math.isfinite(point.sources.value)
         else Cell("never"),
         error(point.mean_error),
@@ -170,9 +170,8 @@ def figure(run: Run) -> Drawing:
         axes.set_xlabel("vertices $n$")
         axes.set_ylabel(label)
         axes.grid()
-        for axis in (axes.xaxis, axes.yaxis):
-            if axes.lines:
-                logarithmic(axis)
+        if axes.lines:
+            logarithmic(axes.xaxis, axes.yaxis)
     handles = [
         Line2D([], [], color=styles[h].color, marker=styles[h].marker, markersize=4.5,
                linestyle=styles[h].line if len(surfaces) == 1 else "", label=style.plain(h))
@@ -199,11 +198,11 @@ def _draw_sources(axes: Axes, points: list[Point], line: dict[str, object], dash
     shown = [p for p in points if 0 < p.sources.value < math.inf]
     if not shown:
         return
-    values = [p.sources.value for p in shown]
-    reach = [[v - p.sources.low for v, p in zip(values, shown, strict=True)],
-             [p.sources.high - v for v, p in zip(values, shown, strict=True)]]  # fmt: skip
-    vertices = [p.mesh.vertices for p in shown]
-    axes.errorbar(vertices, values, yerr=reach, linestyle=dashes, elinewidth=1, **line)
+    sources = [p.sources for p in shown]
+    axes.errorbar(
+        [p.mesh.vertices for p in shown], [one.value for one in sources], yerr=style.bars(sources),
+        linestyle=dashes, elinewidth=1, **line,
+    )  # fmt: skip
 
 
 def _sentence(heat: str, exact: str, points: list[Point]) -> str:

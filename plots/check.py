@@ -101,17 +101,15 @@ def checked_against_truth(run: Run) -> str:
     columns = run.columns
     rows = columns.where("outcome", OK) & columns.where("reference", CLOSED_FORM)
     places = dict.fromkeys(columns.arrays["mesh"][rows].tolist())
-    meshes = [columns.texts["mesh"][place] for place in places]
-    if len(meshes) > MANY:
-        meshes = [*meshes[:MANY], f"and {len(meshes) - MANY} more"]
+    meshes = first([columns.texts["mesh"][place] for place in places])
     named = ", ".join(meshes) or "no mesh of the run has one"
     return f"checked against a closed form: {columns.cells(rows)} cells ({named})"
 
 
-def first(lines: Sequence[str]) -> list[str]:
-    """A list that can be read: of many lines the first, and how many follow."""
-    more = len(lines) - MANY
-    return [*lines[:MANY], f"and {more} more"] if more > 0 else list(lines)
+def first(lines: Sequence[str], many: int = MANY) -> list[str]:
+    """A list that can be read: of more than so many lines the first, and how many follow."""
+    more = len(lines) - many
+    return [*lines[:many], f"and {more} more"] if more > 0 else list(lines)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

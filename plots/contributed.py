@@ -18,8 +18,8 @@ if __name__ == "__main__":
 
 from plots import catalogue, headline, many_sources, path_costs, peers_overview, robustness, style, summary, twins
 from plots.drawing import Drawing
-from plots.measures import ERROR, columns, percent
-from plots.ratios import number, number_with_interval
+from plots.measures import ERROR, columns, errors_of, interval, percent
+from plots.ratios import number
 from results import pairs
 from results.console import ROOT
 from results.reader import ResultError, Run, read_run
@@ -87,10 +87,9 @@ def _numbers(run: Run, solver: str) -> list[Cell]:
     mean = geometric_mean(samples)
     text = number(mean.value)
     if solver != BASE:
-        text = number_with_interval(mean)
-    errors = [error for mesh in run.meshes for row in run.cell(mesh, solver)
-              if row.ok and (error := row.number(ERROR.key)) is not None]  # fmt: skip
-    return [estimate_cell(mean, text), Cell(f"{len(samples)} of {len(run.meshes)}"), Cell(_error(max(errors)))]
+        text = interval(mean, number)
+    largest = float(max(errors_of(run, solver)))
+    return [estimate_cell(mean, text), Cell(f"{len(samples)} of {len(run.meshes)}"), Cell(_error(largest))]
 
 
 def _error(largest: float) -> str:

@@ -13,7 +13,7 @@ from plots.camera import Floats
 from plots.dots import sentences, reach, two_lines
 from plots.drawing import Drawing
 from plots.measures import EDGE_BASED, columns, count
-from plots.models import beside_thesis, of_thesis, titled
+from plots.models import agreement, beside_thesis, of_thesis, titled
 from plots.recordings import Recording, recordings
 from results.published import THESIS_SOLVERS
 from results.reader import Mesh, Run
@@ -150,11 +150,10 @@ def _fewer(run: Run, recording: Recording) -> str:
     rival = np.interp(levels[both], rival_levels, rival_windows)
     fewer = float(np.mean(windows[both] < rival))
     ratio = float(windows[both].sum() / rival.sum())
-    agrees = "agrees with" if fewer > 0.5 else "does not agree with"
     return (
         f"On {recording.mesh.name} {EDGE_BASED} has fewer windows than {RIVAL} at {fewer:.0%} of "
         f"{np.count_nonzero(both)} levels, and {ratio:.2f} times as many on average"
-        f"{beside_thesis(run, f', which {agrees} the thesis')}."
+        f"{agreement(run, fewer > 0.5)}."
     )
 
 
@@ -168,8 +167,6 @@ def _smoothest(run: Run, recording: Recording) -> str:
     listed = ", ".join(f"{solver} {means[solver]:.2f}" for solver in order)
     if not set(means) >= SMOOTHEST:
         return f"Means on {recording.mesh.name}: {listed}."
-    agrees = "agrees with" if set(order[: len(SMOOTHEST)]) == SMOOTHEST else "does not agree with"
-    return (
-        f"Means on {recording.mesh.name}, from the smoothest: {listed}"
-        f"{beside_thesis(run, f', which {agrees} the thesis, where mmp and ich have the smallest')}."
-    )
+    agrees = set(order[: len(SMOOTHEST)]) == SMOOTHEST
+    words = agreement(run, agrees, ", where mmp and ich have the smallest")
+    return f"Means on {recording.mesh.name}, from the smoothest: {listed}{words}."

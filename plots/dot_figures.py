@@ -13,14 +13,12 @@ from plots.dots import (
 from plots.drawing import Drawing
 from plots.logarithmic import logarithmic, ratio_axis
 from plots.measures import (
-    ERROR, LIMIT, LIMIT_SOLVER, TIME, Measure, baseline, measured_solvers, values,
+    ERROR, LIMIT, LIMIT_SOLVER, TIME, Measure, baseline, measured_solvers, median_of,
 )  # fmt: skip
 from plots.models import beside_thesis, of_thesis, titled
 from plots.ratios import BY_KEY, RIVAL, Ratio, over_meshes
 from results import published
-from results.pairs import by_source
 from results.reader import ResultError, Run
-from results.statistics import geometric_mean, median
 
 OVER_LIMIT = BY_KEY["propagations over the limit"]
 SD = Measure("wavefront_sd_edges", "wavefront SD (mean edge lengths)", lambda value: f"{value:.3f}")
@@ -37,9 +35,8 @@ def speedup(run: Run) -> Drawing:
     solvers = [s for s in measured_solvers(run) if s != base and run.solvers[s].exact]
 
     def measured(mesh: str, solver: str) -> list[Dot]:
-        sample = ratio.measured(run, mesh, solver)
-        hollow = run.meshes[mesh].stand_in
-        return [Dot.of(geometric_mean([sample]), hollow=hollow)] if sample else []
+        mean = ratio.mean(run, mesh, solver)
+        return [Dot.of(mean, hollow=run.meshes[mesh].stand_in)] if mean else []
 
     models = of_thesis(run)
     shown = run.of_meshes([mesh.name for mesh in models]) if models else run
@@ -106,8 +103,8 @@ def windows_over_limit(run: Run) -> Drawing:
         raise ResultError(f"{run.file}: no solver of the MMP family, which counts the window limit")
 
     def measured(mesh: str, solver: str) -> list[Dot]:
-        sample = OVER_LIMIT.measured(run, mesh, solver)
-        return [Dot.of(geometric_mean([sample]))] if sample else []
+        mean = OVER_LIMIT.mean(run, mesh, solver)
+        return [Dot.of(mean)] if mean else []
 
     words = [
         "Windows propagated across a face over the windows that MMP leaves on the edges: a solver "
@@ -129,8 +126,8 @@ def wavefront_quality(run: Run) -> Drawing:
     """Figure 5.10. @raises ResultError when no solver has its wavefront recorded"""
 
     def measured(mesh: str, solver: str) -> list[Dot]:
-        sample = by_source(values(run, mesh, solver, SD))
-        return [Dot.of(median(sample))] if sample else []
+        median = median_of(run, mesh, solver, SD)
+        return [Dot.of(median)] if median else []
 
     words = [
         "Standard deviation of the distances of all windows on the wavefront, mean over samples at "
@@ -176,11 +173,11 @@ def accuracy(run: Run) -> Drawing:
     """@raises ResultError when no exact solver was verified"""
 
     def measured(mesh: str, solver: str) -> list[Dot]:
-        places = [
-            (max(error, FLOOR), not truth)
+        return [
+            Dot(place, place, place, hollow=not truth)
             for truth, error in sorted(largest_errors(run, mesh, solver).items())
+            for place in [max(error, FLOOR)]
         ]
-        return [Dot(place, place, place, hollow) for place, hollow in places]
 
     solvers = [s for s in measured_solvers(run) if run.solvers[s].exact]
     rows = mesh_rows(run, ERROR.label, solvers, measured)

@@ -15,13 +15,13 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import NullLocator
 
 from plots import style
-from plots.answers import error_text
-from plots.camera import Camera, Floats, framing
+from plots.camera import Camera, Floats
 from plots.dots import sentences
 from plots.drawing import Drawing
-from plots.measures import columns
+from plots.measures import ERROR, columns
+from plots.panels import COLUMNS, TALLEST, best_camera, in_rows
 from plots.recordings import Recording, recordings
-from plots.surface import best_axes, draw_surface
+from plots.surface import draw_surface, edges
 from plots.wavefronts import SOURCE, draw_source
 from results.reader import ResultError, Run
 
@@ -29,9 +29,6 @@ COLORS = colormaps["magma_r"]
 """The darker the larger, also in grey."""
 LEAST_SHOWN = 1e-6
 UNREACHED = (0.8, 0.84, 0.9)
-COLUMNS = 3
-TALLEST = 1.1
-"""Height of a panel in its widths."""
 LINE_INCHES = 0.16
 LONG = 28
 """Letters of a name that its panel is too narrow for in one line."""
@@ -61,7 +58,8 @@ def figure(run: Run) -> Drawing:
             f"{run.file}: no distances of inexact solvers; run --recordings auto keeps them"
         )
     maps = _chosen(run, recording)
-    camera = framing(_axes(recording), recording.surface.vertices)
+    surface = recording.surface
+    camera = best_camera(recording, surface.vertices[edges(surface.faces)])
     scale = _scale(maps)
     count = 2 if len(maps) in (2, 4) else min(len(maps), COLUMNS)
     rows = math.ceil(len(maps) / count)
@@ -69,16 +67,13 @@ def figure(run: Run) -> Drawing:
     inches = style.WIDTH / max(count, 2)
     lines = max(_title(one).count("\n") for one in maps) + 1
     picture = style.new_figure(1.1 + rows * (LINE_INCHES * lines + inches * height))
-    grid = picture.subplots(rows, count, squeeze=False)
-    panels = list(grid.flat)
-    for axes in panels[len(maps) :]:
-        axes.remove()
+    panels = in_rows(picture, len(maps), count)
     seen = [
         _draw(axes, recording, one, scale, camera.of_shape(height), inches)
-        for axes, one in zip(panels, maps, strict=False)
+        for axes, one in zip(panels, maps, strict=True)
     ]
     bar = picture.colorbar(
-        ScalarMappable(scale, COLORS), ax=panels[: len(maps)], location="bottom",
+        ScalarMappable(scale, COLORS), ax=panels, location="bottom",
         label="relative error of a distance", shrink=0.6, aspect=40, extend="min",
     )  # fmt: skip
     bar.ax.xaxis.set_minor_locator(NullLocator())
@@ -90,7 +85,7 @@ def figure(run: Run) -> Drawing:
             f"Relative errors of the distances from {recording.origin} of "
             f"{recording.mesh.label}, {recording.mesh.vertices:,} vertices, on one scale of "
             "colours; of a solver with several settings, the one whose largest error is nearest "
-            f"to {error_text(OF_INTEREST)}.",
+            f"to {ERROR.show(OF_INTEREST)}.",
             *(_where(recording, one) for one in maps),
             "" if any(seen) else "The source is hidden.",
         ),
@@ -121,7 +116,7 @@ def _scale(maps: Sequence[Map]) -> LogNorm:
 
 def _title(one: Map) -> str:
     name = one.solver if len(one.solver) <= LONG else one.solver.replace("?", "\n?", 1)
-    errors = f"largest {error_text(one.sizes.max())}, mean {error_text(one.sizes.mean())}"
+    errors = f"largest {ERROR.show(one.sizes.max())}, mean {ERROR.show(one.sizes.mean())}"
     return f"{style.plain(name)}\n{errors}"
 
 
@@ -136,14 +131,6 @@ def _errors(recording: Recording, solver: str) -> Floats:
     errors = np.full(len(exact), np.nan)
     errors[known] = got[known] / exact[known] - 1
     return errors
-
-
-def _axes(recording: Recording) -> Floats:
-    """From the side that shows most of the surface."""
-    surface = recording.surface
-    edges = np.sort(surface.faces[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
-    lines = surface.vertices[np.unique(edges, axis=0)]
-    return best_axes(recording.mesh, surface, lines, recording.vertices[0])
 
 
 def _draw(
@@ -167,7 +154,7 @@ def _where(recording: Recording, one: Map) -> str:
     near, far = (float(np.abs(one.errors[of]).mean()) for of in (order[:part], order[-part:]))
     short = 100 * np.count_nonzero(one.errors[reached] < -1e-12) / len(reached)
     return sentences(
-        f"{one.solver}: {error_text(near)} in the mean over the tenth of the vertices nearest to "
-        f"the source, {error_text(far)} over the farthest"
+        f"{one.solver}: {ERROR.show(near)} in the mean over the tenth of the vertices nearest to "
+        f"the source, {ERROR.show(far)} over the farthest"
         + (f", too short at {short:.3g}% of the vertices." if short else ", nowhere too short.")
     )

@@ -12,11 +12,9 @@ from plots.dots import sentences, reach
 from plots.models import ordered_meshes, titled
 from plots.drawing import Drawing
 from plots.measures import (
-    TIME, Measure, TimeUnit, columns, failure, measured_solvers, time_unit, values,
+    TIME, Measure, TimeUnit, columns, failure, measured_solvers, median_of, time_unit,
 )  # fmt: skip
-from results.pairs import by_source
 from results.reader import Mesh, ResultError, Run
-from results.statistics import median
 
 MODELS = 2
 PHASES = {
@@ -65,8 +63,8 @@ def split(run: Run, mesh: str, solver: str) -> Split | None:
     """Medians over sources; None when the solver has no phase times on the mesh."""
 
     def middle(measure: Measure) -> float | None:
-        sample = by_source(values(run, mesh, solver, measure))
-        return median(sample).value if sample else None
+        median = median_of(run, mesh, solver, measure)
+        return median.value if median else None
 
     time = middle(TIME)
     phases = {key: middle(phase_measure(key)) for key in PHASES}
@@ -145,7 +143,7 @@ def _caption(run: Run, drawn: dict[str, list[Split]]) -> str:
     shares = [one.overhead_share for found in drawn.values() for one in found]
     apart, absent = [], []
     for mesh, found in drawn.items():
-        not_drawn = [s for s in columns(run) if s in run.solvers and s not in [one.solver for one in found]]
+        not_drawn = [s for s in columns(run) if s not in [one.solver for one in found]]
         for solver in not_drawn:
             one = split(run, mesh, solver)
             if one and abs(one.together - 1) > APART:

@@ -13,11 +13,11 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import FixedFormatter, FixedLocator, NullLocator
 
 from plots import style
-from plots.answers import error_text, errors
+from plots.answers import errors
 from plots.dots import sentences, without_value
 from plots.drawing import Drawing
 from plots.logarithmic import logarithmic
-from plots.measures import ABSENT, EDGE_BASED, baseline, columns, count, time_unit
+from plots.measures import ABSENT, EDGE_BASED, ERROR, baseline, columns, count, time_unit
 from results import published
 from results.pairs import Time, by_source, each_of, further, ratios, times
 from results.published import Method
@@ -405,7 +405,7 @@ def _block(run: Run, mesh: Mesh, which: str) -> list[list[Cell]]:
         rows.append([
             Cell("" if rows else mesh.name, mesh.label),
             Cell("" if rows else count(mesh.vertices), mesh.vertices),
-            Cell(error_text(level) if level else "0", level),
+            Cell(ERROR.show(level) if level else "0", level),
             *cells,
         ])  # fmt: skip
     return rows

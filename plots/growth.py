@@ -16,11 +16,10 @@ from plots.dots import sentences
 from plots.drawing import Drawing
 from plots.logarithmic import logarithmic
 from plots.measures import (
-    PROPAGATIONS, TIME, Measure, TimeUnit, columns, count, time_unit, values,
+    PROPAGATIONS, TIME, Measure, TimeUnit, columns, count, median_of, time_unit,
 )  # fmt: skip
-from results.pairs import by_source
 from results.reader import Mesh, ResultError, Run
-from results.statistics import PowerLaw, median, power_law
+from results.statistics import power_law
 from results.table import Cell, Table
 
 LEAST_MESHES = 3
@@ -54,6 +53,14 @@ class Series:
     points: list[Point]
     """By their vertices."""
 
+    @property
+    def vertices(self) -> list[int]:
+        return [point.mesh.vertices for point in self.points]
+
+    @property
+    def times(self) -> list[float]:
+        return [point.time for point in self.points]
+
 
 def series(run: Run) -> list[Series]:
     """Of each surface by solver, and only where they are long enough for a fit.
@@ -61,8 +68,8 @@ def series(run: Run) -> list[Series]:
     @raises ResultError when no solver has such a series"""
 
     def middle(mesh: str, solver: str, measure: Measure) -> float:
-        sample = by_source(values(run, mesh, solver, measure))
-        return median(sample).value if sample else 0
+        median = median_of(run, mesh, solver, measure)
+        return median.value if median else 0
 
     surfaces: dict[str, list[Mesh]] = {}
     for mesh in sorted(run.meshes.values(), key=lambda mesh: mesh.vertices):
@@ -87,14 +94,10 @@ def series(run: Run) -> list[Series]:
     return found
 
 
-def fit(points: list[Point], what: list[float]) -> PowerLaw:
-    return power_law([point.mesh.vertices for point in points], what)
-
-
 def table(run: Run) -> Table:
     """@raises ResultError as series does"""
     found = series(run)
-    unit = time_unit([point.time for each in found for point in each.points])
+    unit = time_unit([time for each in found for time in each.times])
     return Table(
         name="table_growth",
         title="Growth: time and windows over vertices",
@@ -145,18 +148,16 @@ def _row(solver: str, point: Point, smallest: Point, unit: TimeUnit) -> list[Cel
 
 
 def _exponents(of: Series) -> list[Cell]:
-    points = of.points
-    first, last = points[0].mesh.vertices, points[-1].mesh.vertices
-    laws = [fit(points, [p.time for p in points]), fit(points, [p.windows for p in points])]
-    texts = [f"{law.exponent:.3f} [{law.low:.3f}, {law.high:.3f}]" for law in laws]
+    numbers = [len(of.points), of.vertices[0], of.vertices[-1]]
+    windows = [point.windows for point in of.points]
+    laws = [power_law(of.vertices, what) for what in (of.times, windows)]
     return [
         Cell(of.solver),
         Cell(of.surface),
-        Cell(str(len(points)), len(points)),
-        Cell(count(first), first),
-        Cell(count(last), last),
-        *(Cell(text, law.exponent, law.low, law.high) for text, law in zip(texts, laws)),
-    ]
+        *(Cell(count(number), number) for number in numbers),
+        *(Cell(f"{law.exponent:.3f} [{law.low:.3f}, {law.high:.3f}]", law.exponent, law.low, law.high)
+          for law in laws),
+    ]  # fmt: skip
 
 
 def figure(run: Run) -> Drawing:
@@ -168,27 +169,25 @@ def figure(run: Run) -> Drawing:
     panels = picture.subplots(1, len(surfaces), sharey=True, squeeze=False)[0]
     handles = []
     for each in found:
-        axes, look, points = panels[surfaces.index(each.surface)], styles[each.solver], each.points
-        vertices = [point.mesh.vertices for point in points]
-        law = fit(points, [point.time for point in points])
+        axes, look = panels[surfaces.index(each.surface)], styles[each.solver]
+        law = power_law(each.vertices, each.times)
         mark = {"color": look.color, "marker": look.marker, "markersize": 4.5}
-        axes.plot(vertices, [point.time for point in points], linestyle="", **mark)
-        ends = [min(vertices), max(vertices)]
+        axes.plot(each.vertices, each.times, linestyle="", **mark)
+        ends = [each.vertices[0], each.vertices[-1]]
         axes.plot(ends, [law.at(n) for n in ends], color=look.color, linestyle=look.line)
         label = f"$n^{{{law.exponent:.2f}}}$ [{law.low:.2f}, {law.high:.2f}]"
         on = f", {each.surface}" if len(surfaces) > 1 else ""
         label = f"{style.plain(each.solver)}{on}: {label}"
         handles.append(Line2D([], [], linestyle=look.line, label=label, **mark))
     for axes, name in zip(panels, surfaces, strict=True):
-        for axis in (axes.xaxis, axes.yaxis):
-            logarithmic(axis)
+        logarithmic(axes.xaxis, axes.yaxis)
         axes.set_xlabel("vertices $n$" + (f", {name}" if len(surfaces) > 1 else ""))
         axes.grid()
     panels[0].set_ylabel("CPU time of one solve (s)")
     style.legend_above(picture, handles, columns=2)
     meshes = {point.mesh.name for each in found for point in each.points}
     drawn = {each.solver for each in found}
-    short = [s for s in columns(run) if s in run.solvers and s not in drawn]
+    short = [s for s in columns(run) if s not in drawn]
     of = "one surface" if len(surfaces) == 1 else f"{len(surfaces)} surfaces"
     return Drawing(
         title="Time against vertices",

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
-
 from plots import check
-from plots.measures import ERROR, LIMIT_SOLVER, of_others, percent
+from plots.measures import LIMIT_SOLVER, errors_of, of_others, percent
 from plots.models import groups_of_thesis
 from plots.ratios import (
     MANY, fastest_exact, mean, number, over_each_mesh, over_meshes, time_over,
@@ -104,7 +102,7 @@ def _inexact(run: Run, base: str, ratios: dict[str, Floats]) -> str:
     found = [s for s in ratios if not run.solvers[s].exact]
     words = []
     for solver in sorted(found, key=lambda s: mean(ratios[s]))[:INEXACT]:
-        ratio, errors = mean(ratios[solver]), _errors(run, solver)
+        ratio, errors = mean(ratios[solver]), errors_of(run, solver)
         takes = f"1/{_short(1 / ratio)} of" if ratio < 1 else f"{_short(ratio)} times"
         parts = [f"{solver} takes {takes} the time of {base}", _prepared(run, base, solver, ratio)]
         if len(errors):
@@ -123,18 +121,12 @@ def _prepared(run: Run, base: str, solver: str, ratio: float) -> str:
     return f"{_short(whole)} times with its preparation" if whole > max(1, 2 * ratio) else ""
 
 
-def _errors(run: Run, solver: str) -> Floats:
-    cells = run.columns
-    errors = cells.numbers(ERROR.key)[cells.where("solver", solver) & cells.where("outcome", OK)]
-    return np.asarray(errors[~np.isnan(errors)])
-
-
 def _verified(run: Run) -> str:
     cells = run.columns
     ok = cells.where("outcome", OK)
     words = f"{_many(cells.cells(ok), 'answer')} verified"
     exact = [solver for solver in run.solvers if run.solvers[solver].exact]
-    worst = {solver: float(errors.max()) for solver in exact if len(errors := _errors(run, solver))}
+    worst = {solver: float(errors.max()) for solver in exact if len(errors := errors_of(run, solver))}
     if worst:
         solver = max(worst, key=lambda s: worst[s])
         words += f", worst relative error of an exact solver {worst[solver]:.1e} ({solver})"

@@ -23,11 +23,12 @@ GAP = 9.0
 """Points between two labels."""
 
 
-def logarithmic(axis: Axis) -> None:
-    axis.axes.set(**{f"{axis.axis_name}scale": "log"})
-    axis.set_major_locator(RoomyLocator())
-    axis.set_major_formatter(FuncFormatter(lambda value, _: _label(value)))
-    axis.set_minor_formatter(NullFormatter())
+def logarithmic(*these: Axis) -> None:
+    for axis in these:
+        axis.axes.set(**{f"{axis.axis_name}scale": "log"})
+        axis.set_major_locator(RoomyLocator())
+        axis.set_major_formatter(FuncFormatter(lambda value, _: _label(value)))
+        axis.set_minor_formatter(NullFormatter())
 
 
 def ratio_axis(axis: Axis) -> None:

@@ -70,26 +70,20 @@ def over_vertices(run: Run) -> Drawing:
     handles = []
     for solver in measured_solvers(run):
         seconds = found.by_mesh(solver)
-        at: list[float] = []
-        low: list[float] = []
-        middle: list[float] = []
-        high: list[float] = []
-        for one in range(BINS):
-            own = (place == one) & ~np.isnan(seconds)
-            if own.sum() >= LEAST:
-                at.append(float(np.exp(np.log(vertices[own]).mean())))
-                quantiles = np.quantile(seconds[own], (0.1, 0.5, 0.9))
-                for values, quantile in zip((low, middle, high), quantiles, strict=True):
-                    values.append(quantile)
-        if not at:
+        bins = [
+            (mean(vertices[own]), *np.quantile(seconds[own], (0.1, 0.5, 0.9)))
+            for one in range(BINS)
+            if (own := (place == one) & ~np.isnan(seconds)).sum() >= LEAST
+        ]
+        if not bins:
             continue
+        at, low, middle, high = zip(*bins, strict=True)
         look = styles[solver]
         axes.fill_between(at, low, high, color=look.color, alpha=0.12, linewidth=0)
         mark = {"color": look.color, "marker": look.marker, "markersize": 3.5, "linestyle": look.line}
         axes.plot(at, middle, **mark)
         handles.append(Line2D([], [], label=style.plain(solver), **mark))
-    for axis in (axes.xaxis, axes.yaxis):
-        logarithmic(axis)
+    logarithmic(axes.xaxis, axes.yaxis)
     axes.set_xlabel("vertices $n$")
     axes.set_ylabel("time of one solve (s)")
     axes.grid()

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
@@ -12,7 +11,7 @@ from plots import style
 from plots.dots import sentences
 from plots.drawing import Drawing
 from plots.logarithmic import logarithmic
-from plots.measures import columns, count, percent
+from plots.measures import ERROR, columns, count, percent
 from plots.ratios import fastest_exact, mean
 from results.reader import ResultError, Row, Run, Source
 from results.statistics import Estimate, median
@@ -83,7 +82,7 @@ def points(run: Run, solver: str, base: str) -> list[Point]:
         ratios = [seconds(a).value / seconds(b).value for a, b in zip(answers, bases, strict=True)]
         means = [error(rows, "mean_relative_error") for rows in answers]
         largest = max(error(rows, "max_relative_error") for rows in answers)
-        found.append(Point(size, mean(np.array(ratios)), largest, sum(means) / len(means)))
+        found.append(Point(size, mean(ratios), largest, sum(means) / len(means)))
     return found
 
 
@@ -100,13 +99,10 @@ def figure(run: Run) -> Drawing:
     looks = style.solver_styles(run.solvers)
     picture = style.new_figure(3.6 + 0.11 * len(found), width=9)
     panels = picture.subplots(1, 3 if inexact else 1, squeeze=False)[0]
-    lines = {solver: [(p.sources, p.time) for p in of] for solver, of in found.items()}
-    _draw(panels[0], f"time, over {style.plain(base)}'s from one source", looks, lines)
+    _draw(panels[0], f"time, over {style.plain(base)}'s from one source", looks, found, "time")
     if inexact:
-        means = {solver: [(p.sources, p.mean) for p in of] for solver, of in inexact.items()}
-        largest = {solver: [(p.sources, p.largest) for p in of] for solver, of in inexact.items()}
-        _draw(panels[1], "mean relative error", looks, means)
-        _draw(panels[2], "largest relative error", looks, largest)
+        _draw(panels[1], "mean relative error", looks, inexact, "mean")
+        _draw(panels[2], "largest relative error", looks, inexact, "largest")
     panels[len(panels) // 2].set_xlabel("sources of one query")
     handles = [
         Line2D([], [], label=style.plain(s), color=looks[s].color, linestyle=looks[s].line,
@@ -128,17 +124,17 @@ def figure(run: Run) -> Drawing:
 
 
 def _draw(
-    axes: Axes, label: str, looks: dict[str, style.SolverStyle],
-    lines: dict[str, list[tuple[int, float]]],
+    axes: Axes, label: str, looks: dict[str, style.SolverStyle], found: dict[str, list[Point]],
+    what: str,
 ) -> None:  # fmt: skip
-    for solver, line in lines.items():
-        drawn = [(x, y) for x, y in line if y > 0]
+    """@param what of Point"""
+    for solver, of in found.items():
+        drawn = [(p.sources, getattr(p, what)) for p in of if getattr(p, what) > 0]
         if drawn:
             look = looks[solver]
             axes.plot(*zip(*drawn, strict=True), color=look.color, linestyle=look.line,
                       marker=look.marker, markersize=4.5)  # fmt: skip
-    for axis in (axes.xaxis, axes.yaxis):
-        logarithmic(axis)
+    logarithmic(axes.xaxis, axes.yaxis)
     axes.set_title(label, fontsize=9.5)
     axes.grid()
 
@@ -188,7 +184,7 @@ def _numbers(rows: list[Row], bases: list[Row]) -> list[Cell]:
     if not rows:
         return [Cell("-")] * 3
     largest, means = error(rows, "max_relative_error"), error(rows, "mean_relative_error")
-    errors = [Cell(f"{largest:.1e}", largest), Cell(f"{means:.1e}", means)]
+    errors = [Cell(ERROR.show(largest), largest), Cell(ERROR.show(means), means)]
     if not bases:
         return [Cell("-"), *errors]
     ratio = seconds(rows).value / seconds(bases).value

@@ -6,10 +6,12 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from plots.declared import is_allowed, reasons
-from results.pairs import by_source
+from results.pairs import Floats, by_source
 from results.published import THESIS_SOLVERS, Published
-from results.reader import OK, Mesh, Row, Run, Source
+from results.reader import OK, Mesh, Row, Run, Solver, Source
 from results.statistics import Estimate, median
 from results.table import Cell, estimate_cell
 
@@ -52,6 +54,10 @@ def time_unit(seconds: Sequence[float]) -> TimeUnit:
 
 def interval(estimate: Estimate, show: Callable[[float], str]) -> str:
     return f"{show(estimate.value)} [{show(estimate.low)}, {show(estimate.high)}]"
+
+
+def interval_cell(estimate: Estimate, show: Callable[[float], str]) -> Cell:
+    return estimate_cell(estimate, interval(estimate, show))
 
 
 def count(value: float) -> str:
@@ -143,6 +149,11 @@ def baseline(run: Run, preferred: str) -> str:
     return preferred if preferred in exact or not exact else exact[0]
 
 
+def with_promise(solver: Solver) -> str:
+    """Its name; of one that is not exact, also what is known of its distances."""
+    return solver.name if solver.exact else f"{solver.name} ({solver.promise})"
+
+
 def percent(error: float) -> str:
     """A relative error: 110%, 6.1%, 0.027%, and below that 2e-06."""
     if error < 1e-4:
@@ -163,6 +174,19 @@ def values(run: Run, mesh: str, solver: str, measure: Measure) -> dict[tuple[Sou
         for row in run.cell(mesh, solver)
         if (value := row.number(measure.key)) is not None
     }
+
+
+def median_of(run: Run, mesh: str, solver: str, measure: Measure) -> Estimate | None:
+    """Over sources and repetitions; None where no row has the measure."""
+    sample = by_source(values(run, mesh, solver, measure))
+    return median(sample) if sample else None
+
+
+def errors_of(run: Run, solver: str) -> Floats:
+    """The largest relative error of each of its right answers."""
+    cells = run.columns
+    errors = cells.numbers(ERROR.key)[cells.where("solver", solver) & cells.where("outcome", OK)]
+    return np.asarray(errors[~np.isnan(errors)])
 
 
 def limit_solver(run: Run, mesh: str) -> str:
@@ -188,11 +212,10 @@ def failure(run: Run, mesh: str, solver: str) -> Cell | None:
 def our_cell(run: Run, mesh: str, solver: str, measure: Measure) -> Cell:
     """The measure over sources and repetitions, or why there is none."""
     failed = failure(run, mesh, solver)
-    sample = by_source(values(run, mesh, solver, measure))
-    if not sample:
+    estimate = median_of(run, mesh, solver, measure)
+    if estimate is None:
         return failed or Cell(ABSENT)
     note = failed.note if failed else partial_failure(run, mesh, solver)
-    estimate = median(sample)
     if measure.largest:
         return Cell(measure.show(estimate.most), estimate.most, note=note)
     shown = interval(estimate, measure.show) if measure.spread else measure.show(estimate.value)

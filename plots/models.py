@@ -42,6 +42,14 @@ def beside_thesis(run: Run, words: str) -> str:
     return words if of_thesis(run) else ""
 
 
+def agreement(run: Run, agrees: bool, more: str = "") -> str:
+    """The end of a sentence, beside the thesis; empty without its models.
+
+    @param more what follows "the thesis" """
+    verb = "agrees" if agrees else "does not agree"
+    return beside_thesis(run, f", which {verb} with the thesis{more}")
+
+
 def groups_of_thesis(run: Run) -> dict[str, list[Mesh]]:
     """Its own models, and stand-ins for them; either may be empty.
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections import Counter
 
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
@@ -16,7 +15,6 @@ from plots.logarithmic import ratio_axis
 from plots.measures import measured_solvers
 from plots.ratios import BELOW_1, BY_KEY, Ratio, fastest_exact, mean, number, over_each_mesh, time_over
 from results.reader import Mesh, ResultError, Run
-from results.statistics import geometric_mean
 
 KINDS = {"the thesis's model": "full", "stand-in for one": "none", "other mesh": "small"}
 """How the mark of a mesh is drawn, by what the mesh is to the thesis."""
@@ -82,9 +80,7 @@ def figure(run: Run) -> Drawing:
 def _means(run: Run, ratio: Ratio, solver: str) -> dict[str, float]:
     """By mesh."""
     return {
-        name: geometric_mean([sample]).value
-        for name in run.meshes
-        if (sample := ratio.measured(run, name, solver))
+        name: found.value for name in run.meshes if (found := ratio.mean(run, name, solver))
     }
 
 
@@ -105,7 +101,7 @@ def _draw(axes: Axes, run: Run, means: dict[str, dict[str, float]]) -> None:
         for name, ratio in by_mesh.items():
             axes.plot([ratio], [place], **_mark(kind(run.meshes[name]), styles[solver].color))
         if by_mesh:
-            middle = mean(np.array(list(by_mesh.values())))
+            middle = mean(list(by_mesh.values()))
             axes.plot([middle], [place], "|", color=style.INK, markersize=17, markeredgewidth=1.8)
             axes.annotate(
                 number(middle), (middle, place), (0, 10), textcoords="offset points", ha="center"

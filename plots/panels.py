@@ -34,22 +34,29 @@ def panels(
     @return the figure, with room for a legend above, and a sentence on sources that are hidden"""
     columns = len(found) if len(found) <= COLUMNS else math.ceil(len(found) / 2)
     rows = math.ceil(len(found) / columns)
-    cameras = [_camera(recording, lines(recording)) for recording in found]
+    cameras = [best_camera(recording, lines(recording)) for recording in found]
     height = min(max(camera.height / camera.width for camera in cameras), TALLEST)
     inches = style.WIDTH / columns
     picture = style.new_figure(LEGEND_INCHES + rows * (TITLE_INCHES + inches * height))
-    all_axes = list(picture.subplots(rows, columns, squeeze=False).flat)
-    for axes in all_axes[len(found) :]:
-        axes.remove()
     hidden = []
-    for axes, recording, camera in zip(all_axes, found, cameras, strict=False):
+    every = in_rows(picture, len(found), columns)
+    for axes, recording, camera in zip(every, found, cameras, strict=True):
         if not draw(axes, recording, camera.of_shape(height), inches):
             hidden.append(recording.mesh.name)
         axes.set_title(title(recording.mesh).replace(", ", "\n"), fontsize=9)
     return picture, f" The source is hidden on {', '.join(hidden)}." if hidden else ""
 
 
-def _camera(recording: Recording, lines: Floats) -> Camera:
+def in_rows(picture: Figure, count: int, columns: int) -> list[Axes]:
+    """So many axes, of which the last row may have fewer than the others."""
+    every = list(picture.subplots(math.ceil(count / columns), columns, squeeze=False).flat)
+    for axes in every[count:]:
+        axes.remove()
+    return every[:count]
+
+
+def best_camera(recording: Recording, lines: Floats) -> Camera:
+    """From the side that shows most of the lines (n, 2, 3); the whole model is in the picture."""
     surface = recording.surface
     axes = best_axes(recording.mesh, surface, lines, recording.vertices[0])
     return framing(axes, surface.vertices)

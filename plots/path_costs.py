@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,7 +12,7 @@ from plots import style
 from plots.dots import sentences as in_lines
 from plots.drawing import Drawing
 from plots.logarithmic import logarithmic
-from plots.measures import columns, count, percent
+from plots.measures import ERROR, columns, count, percent
 from plots.ratios import fastest_exact, mean, number
 from results.reader import ResultError, Row, Run, Source
 from results.table import BLANK, Cell, Table
@@ -84,25 +83,50 @@ def base_of(run: Run, found: dict[str, OfMeshes]) -> str:
     return base
 
 
-def over_base(of: OfMeshes, base: OfMeshes, cost: Callable[[Paths], float]) -> float | None:
-    """The geometric mean over meshes of the means over those sources that both have."""
+def over_base(of: OfMeshes, base: OfMeshes, paths: int) -> float | None:
+    """Of the costs of so many paths: the geometric mean over meshes of the means over those sources
+    that both have."""
     ratios = [
-        mean(np.array([cost(of[mesh][source]) / cost(base[mesh][source]) for source in both]))
+        mean([of[mesh][source].cost(paths) / base[mesh][source].cost(paths) for source in both])
         for mesh in of
         if (both := [source for source in of[mesh] if source in base.get(mesh, ())])
     ]
-    return mean(np.array(ratios)) if ratios else None
+    return mean(ratios) if ratios else None
+
+
+@dataclass(frozen=True)
+class Lengths:
+    """Of many paths."""
+
+    targets: int
+    mean_excess: float
+    """Of the paths that lead over the surface, as the largest."""
+    max_excess: float
+    shortest: float
+    """The share of all."""
+    off_surface: int
+    failed: int
+
+    @property
+    def share(self) -> str:
+        return percent(self.shortest) if self.shortest else "none"
 
 
 def _all(of: OfMeshes) -> list[Paths]:
     return [paths for each in of.values() for paths in each.values()]
 
 
-def _excess(of: list[Paths]) -> tuple[float, float]:
-    """Mean and largest of all paths that lead over the surface."""
+def _lengths(of: list[Paths]) -> Lengths:
+    targets, shortest, off_surface, failed = (
+        sum(getattr(paths, key) for paths in of)
+        for key in ("targets", "shortest", "off_surface", "failed")
+    )
     sound = [paths.targets - paths.off_surface - paths.failed for paths in of]
     total = sum(s * paths.mean_excess for s, paths in zip(sound, of, strict=True))
-    return total / max(1, sum(sound)), max(paths.max_excess for paths in of)
+    return Lengths(
+        targets, total / max(1, sum(sound)), max(paths.max_excess for paths in of),
+        shortest / max(1, targets), off_surface, failed,
+    )  # fmt: skip
 
 
 def table(run: Run) -> Table:
@@ -111,15 +135,15 @@ def table(run: Run) -> Table:
     base = base_of(run, found)
     rows = []
     for solver, of in found.items():
-        costs = [over_base(of, found[base], lambda paths, n=n: paths.cost(n)) for n in COUNTS]  # type: ignore[misc]
+        costs = [over_base(of, found[base], n) for n in COUNTS]
         rows.append([
             Cell(solver), *[BLANK if c is None else Cell(number(c), c) for c in costs],
-            *_lengths(_all(of)),
+            *_cells(_lengths(_all(of))),
         ])  # fmt: skip
     return Table(
         name="path_costs",
         title="Paths from one source",
-        header=["Solver", *[f"{n:,} {'path' if n == 1 else 'paths'} / {base}" for n in COUNTS], *LENGTHS],
+        header=["Solver", *[f"{n:,} {'path' if n == 1 else 'paths'} / {base}" for n in COUNTS], *HEADER],
         text_columns=1,
         rows=rows,
         remarks=[
@@ -130,7 +154,7 @@ def table(run: Run) -> Table:
     )
 
 
-LENGTHS = ["Mean excess", "Largest excess", "Shortest", "Off the surface", "Failed"]
+HEADER = ["Mean excess", "Largest excess", "Shortest", "Off the surface", "Failed"]
 REMARK = (
     "Excess: how much longer paths are than the exact distance, relatively. Shortest: the share that exceeds it by "
     f"less than {SHORTEST:g}. Off the surface: paths with a piece that lies on no face. Failed: the solver gave up, "
@@ -138,21 +162,12 @@ REMARK = (
 )
 
 
-def _share(of_all: float) -> str:
-    return percent(of_all) if of_all else "none"
-
-
-def _lengths(of: list[Paths]) -> list[Cell]:
-    targets = sum(paths.targets for paths in of)
-    share = sum(paths.shortest for paths in of) / max(1, targets)
-    average, largest = _excess(of)
-    lost = [sum(paths.off_surface for paths in of), sum(paths.failed for paths in of)]
-    if sum(lost) == targets:
-        return [BLANK, BLANK, BLANK, *[Cell(count(n), n) for n in lost]]
-    return [
-        Cell(f"{average:.1e}", average), Cell(f"{largest:.1e}", largest),
-        Cell(_share(share), share), *[Cell(count(n), n) for n in lost],
-    ]  # fmt: skip
+def _cells(of: Lengths) -> list[Cell]:
+    lost = [Cell(count(n), n) for n in (of.off_surface, of.failed)]
+    if of.off_surface + of.failed == of.targets:
+        return [BLANK, BLANK, BLANK, *lost]
+    excess = [Cell(ERROR.show(one), one) for one in (of.mean_excess, of.max_excess)]
+    return [*excess, Cell(of.share, of.shortest), *lost]
 
 
 def by_mesh(run: Run) -> Table:
@@ -168,12 +183,12 @@ def by_mesh(run: Run) -> Table:
             ]
             rows.append([
                 Cell(run.meshes[mesh].label), Cell(solver),
-                *[Cell(f"{time:.3g}", time) for time in times], *_lengths(of),
+                *[Cell(f"{time:.3g}", time) for time in times], *_cells(_lengths(of)),
             ])  # fmt: skip
     return Table(
         name="path_numbers",
         title="Paths from one source, by mesh",
-        header=["Mesh", "Solver", "One alone (ms)", "First (ms)", "Each further (ms)", *LENGTHS],
+        header=["Mesh", "Solver", "One alone (ms)", "First (ms)", "Each further (ms)", *HEADER],
         text_columns=2,
         rows=rows,
         remarks=[
@@ -187,7 +202,7 @@ def by_mesh(run: Run) -> Table:
 def break_even(of: OfMeshes, base: OfMeshes) -> int | None:
     """The least number of paths for which the base takes less time, if there is one up to MOST."""
     def dearer(paths: int) -> bool:
-        ratio = over_base(of, base, lambda one: one.cost(paths))
+        ratio = over_base(of, base, paths)
         return ratio is not None and ratio > 1
 
     if dearer(1) or not dearer(MOST):
@@ -204,25 +219,21 @@ def sentences(run: Run) -> list[str]:
     found = measured(run)
     base = base_of(run, found)
     said = []
-    right = [solver for solver, of in found.items() if all(p.shortest == p.targets for p in _all(of))]
+    lengths = {solver: _lengths(_all(of)) for solver, of in found.items()}
+    right = [solver for solver, of in lengths.items() if of.shortest == 1]
     if right:
         said.append(f"All paths of {', '.join(right)} are the shortest ones and lead over the surface.")
-    for solver, of in found.items():
-        every = _all(of)
-        targets = sum(paths.targets for paths in every)
+    for solver, of in lengths.items():
         if solver in right:
             continue
-        average, largest = _excess(every)
-        lost = [f"{sum(getattr(p, key) for p in every):,} {what}"
-                for key, what in (("off_surface", "leave the surface"), ("failed", "fail"))
-                if any(getattr(p, key) for p in every)]  # fmt: skip
-        share = sum(paths.shortest for paths in every) / targets
+        lost = [f"{n:,} {what}"
+                for n, what in ((of.off_surface, "leave the surface"), (of.failed, "fail")) if n]  # fmt: skip
         said.append(
-            f"Of {targets:,} paths of {solver}, {_share(share)} {'are' if share else 'is'} the shortest; they are "
-            f"{percent(average)} longer in the mean, and {percent(largest)} at most"
+            f"Of {of.targets:,} paths of {solver}, {of.share} {'are' if of.shortest else 'is'} the shortest; they are "
+            f"{percent(of.mean_excess)} longer in the mean, and {percent(of.max_excess)} at most"
             + (f"; {' and '.join(lost)}." if lost else ".")
         )
-        if (n := break_even(of, found[base])) is not None:
+        if (n := break_even(found[solver], found[base])) is not None:
             said.append(f"From {n:,} paths on {base} takes less time than {solver}.")
     return said
 
@@ -232,7 +243,8 @@ def figure(run: Run) -> Drawing:
     found = measured(run)
     base = base_of(run, found)
     looks = style.solver_styles(run.solvers)
-    longer = {solver: _all(of) for solver, of in found.items() if _excess(_all(of))[1] > SHORTEST}
+    lengths = {solver: _lengths(_all(of)) for solver, of in found.items()}
+    longer = {solver: of for solver, of in lengths.items() if of.max_excess > SHORTEST}
     picture = style.new_figure(max(3.4 + 0.11 * len(found), 2.4 + 0.3 * len(longer)), width=9)
     panels = picture.subplots(1, 2 if longer else 1, squeeze=False, width_ratios=[3, 2] if longer else None)[0]
     _draw_costs(panels[0], found, base, looks)
@@ -260,25 +272,23 @@ def _draw_costs(
 ) -> None:  # fmt: skip
     numbers = np.unique(np.geomspace(1, MOST, 60).round().astype(int)).tolist()
     for solver, of in found.items():
-        line = [over_base(of, found[base], lambda paths, n=n: paths.cost(n)) for n in numbers]  # type: ignore[misc]
+        line = [over_base(of, found[base], n) for n in numbers]
         if None not in line:
             axes.plot(numbers, line, color=looks[solver].color, linestyle=looks[solver].line)
-    for axis in (axes.xaxis, axes.yaxis):
-        logarithmic(axis)
+    logarithmic(axes.xaxis, axes.yaxis)
     axes.set_title(f"time, over {style.plain(base)}'s", fontsize=9.5)
     axes.set_xlabel("paths from one source")
     axes.grid()
 
 
-def _draw_lengths(axes: Axes, longer: dict[str, list[Paths]], looks: dict[str, style.SolverStyle]) -> None:
+def _draw_lengths(axes: Axes, longer: dict[str, Lengths], looks: dict[str, style.SolverStyle]) -> None:
     for place, (solver, of) in enumerate(longer.items()):
-        average, largest = _excess(of)
+        average, largest = of.mean_excess, of.max_excess
         color = looks[solver].color
         axes.plot([average, largest], [place, place], color=color, linewidth=0.8)
         axes.plot([average], [place], color=color, marker="o")
         axes.plot([largest], [place], color=color, marker="o", markerfacecolor="white")
-        share = sum(paths.shortest for paths in of) / max(1, sum(paths.targets for paths in of))
-        axes.annotate(f"shortest: {_share(share)}", (largest, place), xytext=(0, 7),
+        axes.annotate(f"shortest: {of.share}", (largest, place), xytext=(0, 7),
                       textcoords="offset points", ha="right", fontsize=8)  # fmt: skip
     axes.set_yticks(range(len(longer)), [style.plain(solver) for solver in longer])
     axes.set_ylim(len(longer) - 0.5, -0.6)

@@ -12,7 +12,7 @@ from plots.camera import Camera, Floats
 from plots.drawing import Drawing
 from plots.panels import MODELS, panels
 from plots.recordings import Recording, recordings
-from plots.surface import draw_lines, draw_surface
+from plots.surface import draw_lines, draw_surface, sides
 from plots.wavefronts import SOURCE, draw_points, draw_source
 from results.reader import ResultError, Run
 
@@ -73,10 +73,9 @@ def cells(run: Run) -> Drawing:
 
 def _borders(recording: Recording) -> Floats:
     """The edges between cells."""
-    faces = recording.surface.faces
-    edges = faces[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
-    owners = recording.cells.nearest[edges]
-    borders: Floats = recording.surface.vertices[edges[owners[:, 0] != owners[:, 1]]]
+    every = sides(recording.surface.faces)
+    owners = recording.cells.nearest[every]
+    borders: Floats = recording.surface.vertices[every[owners[:, 0] != owners[:, 1]]]
     return borders
 
 

@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
@@ -45,7 +44,7 @@ class Line:
 
     @property
     def mean(self) -> float:
-        return mean(np.array(self.ratios))
+        return mean(self.ratios)
 
 
 def figure(run: Run) -> Drawing:

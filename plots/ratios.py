@@ -5,13 +5,13 @@ geometric mean over its sources and repetitions.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from plots.measures import (
-    ABSENT, CREATED, EDGE_BASED, LIMIT, LIMIT_SOLVER, PEAK, PEAK_BYTES, PROPAGATIONS, REINSERTIONS,
+    ABSENT, COUNTING, CREATED, EDGE_BASED, LIMIT, LIMIT_SOLVER, PEAK, PEAK_BYTES, PROPAGATIONS, REINSERTIONS,
     SPACE, TIME, VALID, Measure, failure, limit_solver, measured_solvers, partial_failure,
     values,
 )  # fmt: skip
@@ -33,10 +33,6 @@ def plain(value: float) -> str:
 def number(value: float) -> str:
     """With three digits."""
     return f"{value:,.0f}" if value >= 100 else f"{value:#.3g}"
-
-
-def number_with_interval(estimate: Estimate) -> str:
-    return f"{number(estimate.value)} [{number(estimate.low)}, {number(estimate.high)}]"
 
 
 def _fewer(value: float) -> str:
@@ -86,12 +82,16 @@ class Ratio:
             return above / below
         return None
 
-    def cell(self, run: Run, mesh: str, solver: str) -> Cell:
-        """The mean over sources and repetitions, or why there is none."""
+    def mean(self, run: Run, mesh: str, solver: str) -> Estimate | None:
+        """The geometric one over sources and repetitions; None when nothing is measured."""
         sample = self.measured(run, mesh, solver)
-        if not sample:
+        return geometric_mean([sample]) if sample else None
+
+    def cell(self, run: Run, mesh: str, solver: str) -> Cell:
+        """The mean, or why there is none."""
+        estimate = self.mean(run, mesh, solver)
+        if estimate is None:
             return failure(run, mesh, solver) or Cell(ABSENT)
-        estimate = geometric_mean([sample])
         note = partial_failure(run, mesh, solver)
         return estimate_cell(estimate, self.interval(estimate), note)
 
@@ -109,7 +109,6 @@ def time_over(base: str) -> Ratio:
     return Ratio("speed-up", f"Time / {base}" if base else "Ratio", (RIVAL, TIME), (base, TIME))
 
 
-COUNTING = PROPAGATIONS.note
 BELOW_1 = (
     "Less than 1 is possible on a mesh with a boundary, as a flat grid has: windows on boundary "
     "edges count towards the limit, and have no face to be propagated across."
@@ -184,7 +183,8 @@ def over_each_mesh(run: Run, base: str) -> dict[str, Floats]:
     return {s: of[~np.isnan(of)] for s, of in by_solver.items() if not np.isnan(of).all()}
 
 
-def mean(ratios: Floats) -> float:
+def mean(ratios: Sequence[float] | Floats) -> float:
+    """The geometric one."""
     return float(np.exp(np.log(ratios).mean()))
 
 

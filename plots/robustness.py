@@ -6,25 +6,21 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from plots.answers import error_text
-from plots.measures import ABSENT, columns, time_unit
+from plots.measures import ABSENT, ERROR, columns, time_unit
 from plots.models import ordered_meshes
 from results.pairs import first
 from results.reader import Mesh, ResultError, Row, Run
 from results.table import Cell, Table
 
-RIGHT, OFF, WRONG, IMPRECISE, EXITS, REFUSED = (
-    "right", "off", "wrong", "imprecise", "exits", "refused",
-)  # fmt: skip
+RIGHT, OFF, WRONG, IMPRECISE = "right", "off", "wrong", "imprecise"
+EXITS, REFUSED = "exits", "refused"
 WORDS = [
     "crash", "hang", "out of memory", WRONG, IMPRECISE, EXITS, REFUSED, "unsupported", "skipped",
     OFF, RIGHT,
 ]
 """The worst first: of several outcomes of a case the first one is shown."""
-OF_OUTCOME = {
-    "crashed": "crash", "time-out": "hang", "out of memory": "out of memory",
-    "unsupported": "unsupported",
-}  # fmt: skip
+OF_OUTCOME = {"crashed": "crash", "time-out": "hang"}
+"""The others are called what they are."""
 MISSING = "missing"
 LEAST_WRONG = 1e-6
 """Largest relative error from which on an answer is wrong and not only imprecise."""
@@ -59,12 +55,11 @@ def matrix(run: Run) -> Table:
 
 def counts(run: Run) -> Table:
     """@raises ResultError when no mesh of the run stands for a report"""
-    cases = _cases(run)
-    words = {s: [_worst(run, mesh, s)[0] for mesh in cases] for s in columns(run)}
+    words = _words(run)
     found = [w for w in [*reversed(WORDS), MISSING] if any(w in of for of in words.values())]
     return Table(
         name="robustness_counts",
-        title=f"How often a solver is right, of {len(cases)} cases",
+        title=f"How often a solver is right, of {len(run.meshes)} cases",
         header=["Solver", "Promise", *(word.capitalize() for word in found)],
         text_columns=2,
         rows=[
@@ -77,13 +72,12 @@ def counts(run: Run) -> Table:
 
 def right(run: Run) -> dict[str, str]:
     """On how many cases each solver is right; "off on 22" of one that promises no bound."""
-    cases = _cases(run)
-    found = {}
-    for solver in columns(run):
-        words = [_worst(run, mesh, solver)[0] for mesh in cases]
-        unbounded = run.solvers[solver].exactness == "unbounded"
-        found[solver] = f"{OFF} on {words.count(OFF)}" if unbounded else str(words.count(RIGHT))
-    return found
+    return {
+        solver: f"{OFF} on {of.count(OFF)}"
+        if run.solvers[solver].exactness == "unbounded"
+        else str(of.count(RIGHT))
+        for solver, of in _words(run).items()
+    }
 
 
 def failures(run: Run) -> Table:
@@ -110,6 +104,12 @@ def _cases(run: Run) -> list[Mesh]:
     if not any(mesh.reports for mesh in run.meshes.values()):
         raise ResultError(f"{run.file}: no mesh stands for a report; run --corpus robustness")
     return ordered_meshes(run)
+
+
+def _words(run: Run) -> dict[str, list[str]]:
+    """By solver: the word of each case."""
+    cases = _cases(run)
+    return {s: [_worst(run, mesh, s)[0] for mesh in cases] for s in columns(run)}
 
 
 def _limit(run: Run) -> str:
@@ -140,7 +140,7 @@ def _word(run: Run, row: Row) -> str:
         return IMPRECISE if slight else WRONG
     if row.outcome == "error":
         return EXITS if re.fullmatch(r"exit code \d+", row.message) else REFUSED
-    return OF_OUTCOME.get(row.outcome, row.outcome)  # a skipped one follows a hang
+    return OF_OUTCOME.get(row.outcome, row.outcome)
 
 
 def _mismatches(rows: Sequence[Row]) -> int:
@@ -170,5 +170,5 @@ def _cell(run: Run, mesh: Mesh, solver: str) -> Cell:
     if word not in (WRONG, IMPRECISE, OFF):
         return Cell(word)
     mismatches = _mismatches(rows)
-    by_how_much = f"reach of {mismatches:,}" if mismatches else error_text(_error(rows))
+    by_how_much = f"reach of {mismatches:,}" if mismatches else ERROR.show(_error(rows))
     return Cell(f"{word}: {by_how_much}")

@@ -23,13 +23,14 @@ if __name__ == "__main__":
 
 from plots import check
 from plots.measures import (
-    EDGE_BASED, ERROR, PEAK_BYTES, PROPAGATIONS, baseline, failure, our_cell,
+    EDGE_BASED, ERROR, PEAK_BYTES, PROPAGATIONS, baseline, failure, interval_cell, our_cell,
+    with_promise,
 )  # fmt: skip
 from plots.ratios import time_over
 from plots.report import TEMPLATES, picture
 from results import pairs
 from results.reader import Mesh, ResultError, Run, Solver, Source, read_run
-from results.statistics import geometric_mean_of_ratios, median
+from results.statistics import Estimate, geometric_mean_of_ratios, median
 from results.table import (
     BLANK, Cell, Table, estimate_cell, four_digits, mark, without_constant_columns,
 )  # fmt: skip
@@ -134,10 +135,9 @@ def solver_page(solver: Solver) -> str:
 def row(entry: Entry, root: str) -> list[Cell]:
     """@param root from the page to the site's folder"""
     run, mesh, solver = entry.run, entry.mesh, entry.solver
-    promise = "" if solver.exact else f" ({solver.promise})"
     texts = [
         Cell(mesh.name, link=root + mesh_page(mesh)),
-        Cell(solver.name + promise, link=root + solver_page(solver)),
+        Cell(with_promise(solver), link=root + solver_page(solver)),
         Cell(entry.shown.label, link=root + entry.shown.raw),
         Cell(entry.processor),
         Cell(entry.shown.revision),
@@ -182,9 +182,8 @@ def runs_table(runs: Sequence[Shown]) -> Table:
     for one in runs:
         ours = one.run.ours
         failed = len(check.failures(one.run))
-        names = list(one.run.meshes)
-        meshes = ", ".join([*names[:FEW], *([f"and {len(names) - FEW} more"] if len(names) > FEW else [])])
-        corpus = meshes if ours["corpus"] == CHOSEN else ours["corpus"]
+        chosen = ours["corpus"] == CHOSEN
+        corpus = ", ".join(check.first(list(one.run.meshes), FEW)) if chosen else ours["corpus"]
         texts = [one.date, corpus, one.revision, ", ".join(one.run.processors), ours["compiler"]]
         rows.append(
             [
@@ -210,10 +209,7 @@ class Step:
     processor: str
     shared: int
     """Cells that both runs have."""
-    time: Cell
-    ratio: float
-    low: float
-    high: float
+    ratio: Estimate
 
 
 def history(of: Sequence[Entry]) -> list[Step]:
@@ -232,12 +228,7 @@ def history(of: Sequence[Entry]) -> list[Step]:
             shared = [(before, cells[cell]) for cell, before in first.items() if cell in cells]
             if not shared:
                 continue
-            ratio = geometric_mean_of_ratios(shared)
-            text = f"{ratio.value:.3f} [{ratio.low:.3f}, {ratio.high:.3f}]"
-            steps.append(
-                Step(runs[name], processor, len(shared), estimate_cell(ratio, text),
-                     ratio.value, ratio.low, ratio.high)
-            )  # fmt: skip
+            steps.append(Step(runs[name], processor, len(shared), geometric_mean_of_ratios(shared)))
     return steps
 
 
@@ -250,7 +241,7 @@ def history_table(steps: Sequence[Step]) -> Table:
             [
                 Cell(step.processor), Cell(step.shown.label, link=f"../{step.shown.raw}"),
                 Cell(step.shown.date), Cell(step.shown.revision), Cell(f"{step.shared:,}", step.shared),
-                step.time,
+                interval_cell(step.ratio, "{:.3f}".format),
             ]
             for step in steps
         ],
@@ -280,9 +271,9 @@ def history_figure(solver: str, steps: Sequence[Step]) -> Drawing | None:
         style.solver_styles(lines).values(), lines.items(), strict=True
     ):
         x = [names.index(step.shown.name) for step in of]
-        bars = [[step.ratio - step.low for step in of], [step.high - step.ratio for step in of]]
+        ratios = [step.ratio for step in of]
         axes.errorbar(
-            x, [step.ratio for step in of], yerr=bars, color=look.color, marker=look.marker,
+            x, [ratio.value for ratio in ratios], yerr=style.bars(ratios), color=look.color, marker=look.marker,
             capsize=3, label=style.plain(processor),
         )  # fmt: skip
     labels = {step.shown.name: f"{step.shown.revision}\n{step.shown.date}" for step in steps}
@@ -400,9 +391,7 @@ def every_frontier(runs: Sequence[Shown]) -> tuple[dict[str, Drawing], list[str]
 
 
 def facts_of(solver: Solver) -> dict[str, object]:
-    facts = {
-        "Family": solver.family, "Paper": solver.paper, "Answers": solver.promise,
-    }  # fmt: skip
+    facts = {"Family": solver.family, "Paper": solver.paper, "Answers": solver.promise}
     return {key: fact for key, fact in facts.items() if fact}
 
 
@@ -419,8 +408,6 @@ def frontiers(of: Sequence[Entry]) -> dict[str, Drawing]:
 
 def frontier(name: str, run: Run, of: Shown) -> dict[str, Drawing]:
     """One a processor. @raises ResultError where the run lacks the data"""
-    from dataclasses import replace
-
     from plots import catalogue
 
     drawn, left_out = catalogue.draw(run, ["frontier"])

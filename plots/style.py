@@ -10,7 +10,7 @@ Dollars in a drawn text mean mathematics: a name that enters one goes through `p
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -20,6 +20,8 @@ import matplotlib
 matplotlib.use("Agg")
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+
+from results.statistics import Estimate
 
 WIDTH = 6.3
 """Inches: the text of an A4 page."""
@@ -123,6 +125,11 @@ def published_mark(color: str, *, context: bool) -> dict[str, Any]:
         "markeredgecolor": color if context else INK,
         "markerfacecolor": "white" if context else color,
     }
+
+
+def bars(estimates: Sequence[Estimate]) -> list[list[float]]:
+    """Their intervals, as `errorbar` takes them."""
+    return [[one.value - one.low for one in estimates], [one.high - one.value for one in estimates]]
 
 
 def new_figure(height: float, width: float = WIDTH) -> Figure:

@@ -3,19 +3,20 @@ every mesh. All ratios of times are to the fastest exact solver."""
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from plots.measures import (
-    ABSENT, ERROR, PEAK_BYTES, PROPAGATIONS, TIME, columns, count, failure, our_cell,
-    partial_failure, time_unit, values,
+    ABSENT, ERROR, PEAK_BYTES, PROPAGATIONS, TIME, columns, count, errors_of, failure, median_of,
+    our_cell, partial_failure, time_unit, with_promise,
 )  # fmt: skip
 from plots.models import left_out, ordered_meshes, timed_elsewhere
 from plots.ratios import (
     MANY, Ratio, fastest_exact, mean, number, over_each_mesh, over_meshes, plain, time_over,
 )  # fmt: skip
-from results.pairs import Floats, by_source
+from results.pairs import Floats
 from results.reader import OK, Mesh, ResultError, Run
-from results.statistics import geometric_mean, median
 from results.table import BLANK, Cell, Table, estimate_cell
 
 ALL = "all meshes"
@@ -58,8 +59,7 @@ def overall(run: Run) -> Table:
 
 
 def _name(run: Run, solver: str) -> Cell:
-    promise = "" if run.solvers[solver].exact else f" ({run.solvers[solver].promise})"
-    return Cell(f"{solver}{promise}", solver)
+    return Cell(with_promise(run.solvers[solver]), solver)
 
 
 def _ratios(run: Run, base: str, solver: str, of: Floats | None) -> list[Cell]:
@@ -78,10 +78,8 @@ def _ratios(run: Run, base: str, solver: str, of: Floats | None) -> list[Cell]:
 def _counts(run: Run, solver: str) -> list[Cell]:
     cells = run.columns
     own, ok = cells.where("solver", solver), cells.where("outcome", OK)
-    errors = cells.numbers(ERROR.key)[own & ok]
-    known = errors[~np.isnan(errors)]
     counts = (cells.cells(own & ok), cells.cells(own & ~ok))
-    largest = float(known.max()) if len(known) else None
+    largest = max(errors_of(run, solver).tolist(), default=None)
     error = BLANK if largest is None else Cell(ERROR.show(largest), largest)
     return [*(Cell(f"{one:,}", one) for one in counts), error]
 
@@ -100,9 +98,8 @@ def by_mesh(run: Run) -> Table:
     means = [_mean(of[s], len(run.meshes)) if s in of else BLANK for s in solvers[1:]]
     rows = [[Cell(ALL), BLANK, BLANK, *means]] if len(run.meshes) > 1 else []
     for mesh in ordered_meshes(run):
-        seconds = by_source(values(run, mesh.name, base, TIME))
-        value = median(seconds).value if seconds else None
-        own = _missing(run, mesh, base) if value is None else Cell(_time(value), value)
+        time = median_of(run, mesh.name, base, TIME)
+        own = Cell(_time(time.value), time.value) if time else _missing(run, mesh, base)
         rows.append([
             Cell(mesh.label, mesh.name),
             Cell(count(mesh.vertices), mesh.vertices),
@@ -135,19 +132,17 @@ def _missing(run: Run, mesh: Mesh, solver: str) -> Cell:
 
 
 def _ratio(run: Run, mesh: Mesh, ratio: Ratio, solver: str) -> Cell:
-    sample = ratio.measured(run, mesh.name, solver)
-    times = by_source(values(run, mesh.name, solver, TIME))
-    if not times:
+    time = median_of(run, mesh.name, solver, TIME)
+    if time is None:
         return _missing(run, mesh, solver)
-    words = [_time(median(times).value), partial_failure(run, mesh.name, solver)]
-    if not sample:
-        return Cell(_time(median(times).value), title=words[1])
-    estimate = geometric_mean([sample])
-    words.insert(1, f"ratio {ratio.interval(estimate)}")
-    return Cell(
-        number(estimate.value), estimate.value, estimate.low, estimate.high,
-        title="; ".join(filter(None, words)),
-    )  # fmt: skip
+    shown, failed = _time(time.value), partial_failure(run, mesh.name, solver)
+    estimate = ratio.mean(run, mesh.name, solver)
+    if estimate is None:
+        return Cell(shown, title=failed)
+    words = [shown, f"ratio {ratio.interval(estimate)}", failed]
+    return replace(
+        estimate_cell(estimate, number(estimate.value)), title="; ".join(filter(None, words))
+    )
 
 
 def every(run: Run) -> Table:
@@ -170,12 +165,11 @@ def every(run: Run) -> Table:
 
 
 def _block(run: Run, mesh: Mesh, ratio: Ratio) -> list[list[Cell]]:
-    samples = {s: by_source(values(run, mesh.name, s, TIME)) for s in columns(run)}
-    times = {solver: median(sample) for solver, sample in samples.items() if sample}
+    solvers = columns(run)
+    times = {s: time for s in solvers if (time := median_of(run, mesh.name, s, TIME))}
     unit = time_unit([time.value for time in times.values()])
-    order = sorted(samples, key=lambda s: times[s].value if s in times else float("inf"))
     rows: list[list[Cell]] = []
-    for solver in order:
+    for solver in sorted(solvers, key=lambda s: times[s].value if s in times else np.inf):
         failed = failure(run, mesh.name, solver)
         if failed or solver not in times:
             cells = [failed or BLANK, BLANK, BLANK, BLANK, BLANK]

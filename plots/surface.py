@@ -70,6 +70,16 @@ class Surface:
         return np.where(agree[:, :, None], smooth, flat)
 
 
+def sides(faces: Integers) -> Integers:
+    """(3 m, 2): those of each face in turn, by their vertices."""
+    return faces[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
+
+
+def edges(faces: Integers) -> Integers:
+    """(n, 2): by their vertices, the lesser one first; each once."""
+    return np.unique(np.sort(sides(faces), axis=1), axis=0)
+
+
 def _unit(vectors: Floats) -> Floats:
     lengths = np.linalg.norm(vectors, axis=-1, keepdims=True)
     units: Floats = vectors / np.where(lengths > 0, lengths, 1)
@@ -123,7 +133,7 @@ def draw_surface(
 def draw_lines(axes: Axes, buffer: ZBuffer, segments: Floats, color: str, width: float) -> Floats:
     """Draws what is visible of segments (n, 2, 3) on the surface, which is returned.
     @param width in points"""
-    pieces, _ = buffer.visible_pieces(segments)
+    pieces = buffer.visible_pieces(segments)
     axes.add_collection(
         LineCollection(pieces, colors=color, linewidths=width, capstyle="round"), autolim=False
     )
@@ -158,7 +168,7 @@ def _seen(axes: Floats, surface: Surface, lines: Floats, source: int) -> float:
     camera = framing(axes, surface.vertices)
     width = max(1, round(TRIAL_PIXELS * camera.width / max(camera.width, camera.height)))
     buffer = z_buffer(surface.vertices, surface.faces, camera, width)
-    pieces, _ = buffer.visible_pieces(lines)
+    pieces = buffer.visible_pieces(lines)
     length = float(np.linalg.norm(pieces[:, 1] - pieces[:, 0], axis=1).sum())
     seen = buffer.visible(surface.vertices[[source]])[0]
     return length * (SOURCE_COUNTS if seen else 1)

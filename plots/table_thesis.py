@@ -8,7 +8,7 @@ from statistics import geometric_mean
 from plots.measures import COUNTING
 from plots.models import groups_of_thesis, relation
 from plots.ratios import BY_KEY, Ratio
-from results import published, statistics
+from results import published
 from results.published import THESIS_SOLVERS
 from results.reader import Mesh, ResultError, Run
 from results.table import BLANK, Cell, Table, without_empty_columns
@@ -30,14 +30,14 @@ def compare(run: Run, meshes: list[Mesh], ratio: Ratio) -> dict[str, Pair]:
     pairs = {}
     for solver in THESIS_SOLVERS:
         both = [
-            (statistics.geometric_mean([sample]).value, thesis)
+            (ours.value, thesis)
             for mesh in meshes
-            if (sample := ratio.measured(run, mesh.name, solver))
+            if (ours := ratio.mean(run, mesh.name, solver))
             and (thesis := ratio.published(str(mesh.thesis_model), solver)) is not None
         ]
         if both:
-            ours, thesis = map(geometric_mean, zip(*both, strict=True))
-            pairs[solver] = Pair(ours, thesis, len(both))
+            ours_of, thesis_of = zip(*both, strict=True)
+            pairs[solver] = Pair(geometric_mean(ours_of), geometric_mean(thesis_of), len(both))
     return pairs
 
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from plots.measures import ABSENT, PROPAGATIONS, TIME, count, values
+from plots.measures import (
+    ABSENT, PROPAGATIONS, TIME, Measure, count, interval_cell, median_of,
+)  # fmt: skip
 from plots.models import ordered_meshes
-from plots.ratios import Ratio, mean_cell, number_with_interval, over_meshes
-from results.pairs import by_source
+from plots.ratios import Ratio, mean_cell, number, over_meshes
 from results.reader import ResultError, Run
-from results.statistics import median
 from results.table import BLANK, Cell, Table, estimate_cell
 
 TWINS = [
@@ -26,10 +26,6 @@ ALL = "all meshes"
 
 def table(run: Run) -> Table:
     """@raises ResultError when the run has no two twins"""
-    pairs = [pair for pair in TWINS if set(pair) <= set(run.solvers)]
-    if not pairs:
-        codes = ", ".join(twin for _, twin in TWINS)
-        raise ResultError(f"{run.file}: no solver of ours beside a public code of its kind ({codes})")
     return Table(
         name="twins",
         title="Ours and the public codes of the same algorithm",
@@ -37,7 +33,7 @@ def table(run: Run) -> Table:
             "Ours", "Public code", "Mesh", "Time / ours", "Windows, ours", "Windows", "/ ours",
         ],
         text_columns=3,
-        rows=[row for ours, twin in pairs for row in _block(run, ours, twin)],
+        rows=[row for ours, twin in _pairs(run) for row in _block(run, ours, twin)],
         remarks=[
             "CPU time of a solve without preparation, the public code's over ours, paired by source "
             "and repetition: geometric means with 95% bootstrap intervals. Windows propagated, "
@@ -50,26 +46,41 @@ def overall(run: Run) -> Table:
     """A line for each two twins. @raises ResultError as table"""
     full = table(run)
     rows = []
-    for ours, twin in (pair for pair in TWINS if set(pair) <= set(run.solvers)):
-        ratios = (Ratio("", "", (twin, measure), (ours, measure)) for measure in (TIME, PROPAGATIONS))
-        means = [over_meshes(ratio, run, list(run.meshes), twin) for ratio in ratios]
-        right = len([mesh for mesh in run.meshes if Ratio("", "", (twin, TIME), (ours, TIME)).measured(run, mesh, twin)])
+    for ours, twin in _pairs(run):
+        time, windows = _ratios(ours, twin)
+        means = [over_meshes(ratio, run, list(run.meshes), twin) for ratio in (time, windows)]
+        right = sum(bool(time.measured(run, mesh, twin)) for mesh in run.meshes)
         rows.append([
             Cell(ours), Cell(twin),
-            *(estimate_cell(m.estimate, number_with_interval(m.estimate)) if m else Cell(ABSENT) for m in means),
+            *(interval_cell(m.estimate, number) if m else Cell(ABSENT) for m in means),
             Cell(f"{right} of {len(run.meshes)}"),
         ])  # fmt: skip
     header = ["Ours", "Public code", "Time / ours", "Windows / ours", "Meshes on which both are right"]
     return replace(full, name="twins_overall", header=header, text_columns=2, rows=rows)
 
 
+def _pairs(run: Run) -> list[tuple[str, str]]:
+    """@raises ResultError when there is none"""
+    if pairs := [pair for pair in TWINS if set(pair) <= set(run.solvers)]:
+        return pairs
+    codes = ", ".join(twin for _, twin in TWINS)
+    raise ResultError(f"{run.file}: no solver of ours beside a public code of its kind ({codes})")
+
+
+def _ratios(ours: str, twin: str) -> tuple[Ratio, Ratio]:
+    """Of times, and of windows."""
+
+    def of(measure: Measure) -> Ratio:
+        return Ratio("", "", (twin, measure), (ours, measure))
+
+    return of(TIME), of(PROPAGATIONS)
+
+
 def _block(run: Run, ours: str, twin: str) -> list[list[Cell]]:
-    time = Ratio("", "", (twin, TIME), (ours, TIME))
-    windows = Ratio("", "", (twin, PROPAGATIONS), (ours, PROPAGATIONS))
+    time, windows = _ratios(ours, twin)
     rows = []
     for mesh in ordered_meshes(run):
-        counts = (by_source(values(run, mesh.name, s, PROPAGATIONS)) for s in (ours, twin))
-        medians = [median(sample) if sample else None for sample in counts]
+        medians = [median_of(run, mesh.name, s, PROPAGATIONS) for s in (ours, twin)]
         rows.append([
             Cell(mesh.name),
             time.cell(run, mesh.name, twin),

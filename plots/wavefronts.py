@@ -13,15 +13,16 @@ from matplotlib.patches import Rectangle
 from scipy.ndimage import uniform_filter
 
 from plots import style
-from plots.camera import Camera, Floats, close_up, framing
+from plots.camera import Camera, Floats, close_up
 from plots.curves import title
 from plots.dots import sentences
 from plots.drawing import Drawing
 from plots.isolines import isoline, levels
 from plots.measures import EDGE_BASED
-from plots.models import beside_thesis, titled
+from plots.models import agreement, titled
 from plots.recordings import MOMENTS, Recording, recordings
-from plots.surface import best_axes, draw_lines, draw_surface
+from plots.panels import best_camera
+from plots.surface import draw_lines, draw_surface, edges
 from plots.zbuffer import NOTHING, ZBuffer
 from results.published import THESIS_SOLVERS
 from results.reader import ResultError, Run
@@ -139,8 +140,7 @@ def appendix(name: str) -> Callable[[Run], Drawing]:
 def _draw(recording: Recording, layers: Sequence[Lines], about: Floats) -> Pictures:
     """@param about the segments that the view shows, and the close-up a part of them"""
     mesh, surface = recording.mesh, recording.surface
-    axes = best_axes(mesh, surface, about, recording.vertices[0])
-    whole = framing(axes, surface.vertices)
+    whole = best_camera(recording, about)
     ratio = whole.width / whole.height
     tall = min(style.WIDTH / (1 + ratio), TALLEST)
     figure = style.new_figure(tall + 0.5)
@@ -149,8 +149,7 @@ def _draw(recording: Recording, layers: Sequence[Lines], about: Floats) -> Pictu
     near = _close_up(recording, buffer, about)
     near_buffer = draw_surface(right, surface, near, tall)
     drawn_faces = surface.faces[np.unique(near_buffer.face[near_buffer.face != NOTHING])]
-    edges = np.unique(np.sort(drawn_faces[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)), axis=0)
-    draw_lines(right, near_buffer, surface.vertices[edges], style.PALE, 0.25)
+    draw_lines(right, near_buffer, surface.vertices[edges(drawn_faces)], style.PALE, 0.25)
     for lines in layers:
         draw_lines(left, buffer, lines.segments, lines.color, lines.width / 2)
         draw_lines(right, near_buffer, lines.segments, lines.color, lines.width)
@@ -224,12 +223,11 @@ def _claim(run: Run, recording: Recording, moment: int, level: float) -> str:
     distance = recording.snapshot(EDGE_BASED, moment)["distance"]
     mean = distance.mean()
     far = np.percentile(np.abs(distance - mean), 95) / edge
-    agrees = "agrees with" if far <= NEAR else "does not agree with"
-    claim = f", which {agrees} the thesis's claim that the wavefront is an approximate isoline"
+    claim = agreement(run, far <= NEAR, "'s claim that the wavefront is an approximate isoline")
     return (
         f"Its level is {abs(level - mean) / edge:.2f} mean edge lengths from the mean distance of "
         f"the windows, and 95% of the windows are within {far:.2f} mean edge lengths of that "
-        f"mean{beside_thesis(run, claim)}."
+        f"mean{claim}."
     )
 
 

@@ -77,9 +77,9 @@ class ZBuffer:
         within: Floats = np.clip(_value(self.maps[2], face, x, y), farthest, nearest)
         return within
 
-    def visible_pieces(self, segments: Floats) -> tuple[Floats, Integers]:
+    def visible_pieces(self, segments: Floats) -> Floats:
         """What is visible of segments (n, 2, 3) on the surface: pieces (m, 2, 2) in camera
-        coordinates, and the segment that each is of."""
+        coordinates."""
         ends = self.to_pixels(segments.reshape(-1, 3)).reshape(-1, 2, 3)
         lengths = np.linalg.norm(ends[:, 1, :2] - ends[:, 0, :2], axis=1)
         steps = np.maximum(np.ceil(lengths / STEP), 1).astype(np.int64)
@@ -98,8 +98,8 @@ class ZBuffer:
         of = owner[starts]
         fractions = np.column_stack([begin[starts], (index[stops] + 1) / steps[of]])
         flat = self.camera.project(segments[of].reshape(-1, 3)).reshape(-1, 2, 3)[:, :, :2]
-        pieces = flat[:, :1] + fractions[:, :, None] * (flat[:, 1:] - flat[:, :1])
-        return pieces, of
+        pieces: Floats = flat[:, :1] + fractions[:, :, None] * (flat[:, 1:] - flat[:, :1])
+        return pieces
 
 
 def _value(function: Floats, face: Integers, x: Floats, y: Floats) -> Floats:

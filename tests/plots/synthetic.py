@@ -7,7 +7,7 @@ the solver's own.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -16,10 +16,11 @@ import numpy as np
 
 from plots.camera import Floats
 from plots.recordings import CURVE, FRAMES, MOMENTS, PATHS, SNAPSHOT
+from plots.surface import edges
 from plots.zbuffer import Integers
 from results.columns import Columns
 from results.published import THESIS_SOLVERS
-from results.reader import Run
+from results.reader import Mesh, Run, Solver, Source
 
 SAMPLES = 64
 SPREAD = {"mmp": 0.2, "ich": 0.25, "edge-based": 0.5, "fwp-mmp": 0.7, "fwp-ch": 0.8}
@@ -28,6 +29,44 @@ INEXACT, EXCESS = "dijkstra", 0.05
 
 Geometry = tuple[Floats, Integers]
 Data = dict[str, Any]
+Changed = Callable[[Callable[[Data], object]], Path]
+"""Of the fixture `changed`."""
+
+
+def solver(name: str, exactness: str = "exact", **more: Any) -> Solver:
+    return Solver(name, "F", "", exactness == "exact", False, "", exactness, **more)
+
+
+def mesh(name: str, vertices: int = 100) -> Mesh:
+    """One that is no model of the thesis."""
+    return Mesh(name, 64 * "0", vertices, 2 * vertices, 1.0, None, False)
+
+
+def row(of: str, on: str, source: Source = 0, **more: Any) -> Data:
+    """Of an answer to solver and mesh; a millisecond for each time that is not given."""
+    return {
+        "solver": of, "mesh": on, "source": source, "repetition_index": 0, "outcome": "ok",
+        "processor": "P", "cpu_time": 1.0, "real_time": 1.0, "prepare_time": 0.0, "threads": 1,
+    } | more  # fmt: skip
+
+
+def run_of(
+    solvers: Iterable[Solver], meshes: Iterable[Mesh], rows: Sequence[Data], **ours: Any
+) -> Run:
+    """With the solvers, meshes and sources that rows are of.
+
+    @param ours of the context"""
+    sources: dict[str, list[Source]] = {}
+    for one in rows:
+        known = sources.setdefault(one["mesh"], [])
+        known += [one["source"]] * (one["source"] not in known)
+    names = {one["solver"] for one in rows}
+    return Run(
+        Path("run.json"), {"geodesic_bench": {"plugins": []} | ours},
+        {each.name: each for each in meshes if each.name in sources},
+        {each.name: each for each in solvers if each.name in names},
+        sources, [], Columns.of(rows),
+    )  # fmt: skip
 
 
 def with_rows(run: Run, rows: Sequence[Data], **others: Any) -> Run:
@@ -108,12 +147,8 @@ def sphere(rings: int, segments: int, radius: float = 1.0) -> Geometry:
     return radius * vertices, np.concatenate(faces).astype(np.int64)
 
 
-def edges_of(faces: Integers) -> Integers:
-    return np.unique(np.sort(faces[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)), axis=0)
-
-
 def mean_edge_length(vertices: Floats, faces: Integers) -> float:
-    ends = vertices[edges_of(faces)]
+    ends = vertices[edges(faces)]
     return float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).mean())
 
 
@@ -158,11 +193,11 @@ def _record_solver(
     folder: Path, run_folder: Path, solver: str, faces: Integers, distances: Floats, edge: float
 ) -> str:
     folder.mkdir()
-    edges = edges_of(faces)
-    ends = np.sort(distances[edges], axis=1)
+    sides = edges(faces)
+    ends = np.sort(distances[sides], axis=1)
     sd = SPREAD[solver] * edge
     random = np.random.default_rng(THESIS_SOLVERS.index(solver))
-    moved = random.normal(0, sd, len(edges))
+    moved = random.normal(0, sd, len(sides))
     curve = np.zeros(SAMPLES, CURVE)
     ranked = np.sort(distances)
     for index in range(SAMPLES):
@@ -178,7 +213,7 @@ def _record_solver(
         level = ranked[int(share * len(distances))]
         on = (ends[:, 0] + moved < level) & (ends[:, 1] + moved >= level)
         snapshot = np.zeros(np.count_nonzero(on), SNAPSHOT)
-        snapshot["origin"], snapshot["head"] = edges[on].T
+        snapshot["origin"], snapshot["head"] = sides[on].T
         snapshot["end"] = 1
         snapshot["distance"] = ends[on, 0]
         if on.any():

@@ -25,8 +25,8 @@ def test_costs_are_means_over_the_sources_that_both_have_and_then_over_meshes() 
     base: OfMeshes = {"m": {0: paths(), 5: paths()}, "n": {3: paths(), 4: paths(first=9, alone=9)}}
     of: OfMeshes = {"m": {0: paths(first=2, alone=2), 5: paths(first=8, alone=8)},
           "n": {3: paths(first=16, alone=16), 6: paths(first=99, alone=99)}, "o": {0: paths()}}
-    assert path_costs.over_base(of, base, lambda one: one.cost(1)) == pytest.approx(8)
-    assert path_costs.over_base({"o": {0: paths()}}, base, lambda one: one.cost(1)) is None
+    assert path_costs.over_base(of, base, 1) == pytest.approx(8)
+    assert path_costs.over_base({"o": {0: paths()}}, base, 1) is None
 
 
 def test_the_base_takes_less_time_from_a_number_of_paths_on() -> None:
