@@ -7,6 +7,7 @@ import math
 import os
 import subprocess
 import sys
+from collections import defaultdict
 from collections.abc import Callable
 from dataclasses import replace
 from itertools import pairwise
@@ -83,17 +84,15 @@ def renamed(run: Run, meshes: dict[str, str], solvers: dict[str, str] | None = N
 
 def suited(name: str, run: Run) -> Run:
     """The run, as a series of one surface or with a heat method for the figure that needs one."""
-    if name == "break_even":
-        return with_inexact(run, "my-heat")
-    if name == "peers_overview":
-        return with_peers(run)
-    if name == "frontier":
-        return with_inexact(run, "my-heat", "steiner?points=7")
-    if name == "many_sources":
-        return with_sets(run)
-    if name == "paths_compared":
-        return with_paths(run)
-    return renamed(run, SERIES) if name == "time_over_vertices" else run
+    grown: dict[str, Callable[[Run], Run]] = {
+        "break_even": lambda run: with_inexact(run, "my-heat"),
+        "peers_overview": with_peers,
+        "frontier": lambda run: with_inexact(run, "my-heat", "steiner?points=7"),
+        "many_sources": with_sets,
+        "paths_compared": with_paths,
+        "time_over_vertices": lambda run: renamed(run, SERIES),
+    }
+    return grown[name](run) if name in grown else run
 
 
 PATHS = {
@@ -118,22 +117,12 @@ def with_sets(run: Run) -> Run:
     rows = [without_recordings(row) for row in data_of(run) if row["source"] == first[row["mesh"]]]
     of_sets = [row | {"source": "random:8"} for row in rows]
     sets = {"random:8": {"vertices": 8, "file": "sources/m.json"}}
+    of_any_mesh: dict[str, Any] = defaultdict(lambda: sets)
     return with_rows(
         run, rows + of_sets,
-        context=run.context | {"geodesic_bench": run.ours | {"source_sets": AnyMesh(sets)}},
+        context=run.context | {"geodesic_bench": run.ours | {"source_sets": of_any_mesh}},
         sources={mesh: [vertex, "random:8"] for mesh, vertex in first.items()},
     )  # fmt: skip
-
-
-class AnyMesh(dict[str, Any]):
-    """Of any mesh the same sets."""
-
-    def __init__(self, sets: dict[str, Any]) -> None:
-        super().__init__()
-        self._sets = sets
-
-    def __getitem__(self, mesh: str) -> dict[str, Any]:
-        return self._sets
 
 
 def with_peers(run: Run) -> Run:
@@ -348,20 +337,16 @@ def test_the_same_run_gives_the_same_bytes_in_any_process(run: Run, tmp_path: Pa
 def test_all_draws_what_it_can_and_says_what_it_leaves_out(golden_run: Run) -> None:
     drawn, why = catalogue.draw(golden_run)
     assert "phase_seconds" in why.pop("figure_5_9") and why.pop("figure_5_10")
-    for series in ("table_growth", "table_growth_exponents", "time_over_vertices"):
-        assert "of one surface" in why.pop(series)
-    for table in ("robustness", "robustness_counts", "robustness_failures"):
-        assert "run --corpus robustness" in why.pop(table)
-    for peers in ("twins", "twins_overall", "peers_overview"):
-        assert "public code" in why.pop(peers)
-    for heat in ("break_even", "break_even_numbers"):
-        assert "run --corpus break-even" in why.pop(heat)
-    for name in ("frontier", "which_to_take", "which_to_take_mean"):
-        assert "run --corpus frontier" in why.pop(name)
-    for sets in ("many_sources_errors", "many_sources_numbers", "many_sources"):
-        assert "run --source-sets" in why.pop(sets)
-    for of_paths in ("path_costs", "path_numbers", "paths_compared"):
-        assert "run --path-targets" in why.pop(of_paths)
+    for words, names in {
+        "of one surface": ["table_growth", "table_growth_exponents", "time_over_vertices"],
+        "run --corpus robustness": ["robustness", "robustness_counts", "robustness_failures"],
+        "public code": ["twins", "twins_overall", "peers_overview"],
+        "run --corpus break-even": ["break_even", "break_even_numbers"],
+        "run --corpus frontier": ["frontier", "which_to_take", "which_to_take_mean"],
+        "run --source-sets": ["many_sources_errors", "many_sources_numbers", "many_sources"],
+        "run --path-targets": ["path_costs", "path_numbers", "paths_compared"],
+    }.items():
+        assert all(words in why.pop(name) for name in names)
     assert list(why) == [
         "figure_5_7", "figure_5_8", "figure_5_10_curve", "figure_6_4", "paths", "cells", "error_map",
         *(f"figure_a_{number}" for number in range(1, 6)),
@@ -456,8 +441,6 @@ def test_the_split_is_shown_for_two_models_of_the_thesis_or_those_asked_for(run:
     ]  # fmt: skip
     drawn = figure_5_9.figure(run.of_meshes(["flat-grid"]))
     assert [axes.get_title("left")[:9] for axes in drawn.figure.axes] == ["flat-grid"]
-    with pytest.raises(ResultError, match="'dragon'"):
-        run.of_meshes(["dragon"])
 
 
 def test_a_solver_without_phases_is_named(run: Run) -> None:

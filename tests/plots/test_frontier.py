@@ -4,36 +4,25 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
-from synthetic import EXCESS, INEXACT, Data, data_of, with_rows
+import synthetic
+from synthetic import EXCESS, INEXACT, Data, data_of, mesh, solver, with_rows
 
 from plots import catalogue, error_map, frontier, report
 from plots.frontier import COSTS, ERRORS, Point
 from results import published
-from results.columns import Columns
-from results.reader import Mesh, ResultError, Run, Solver
+from results.reader import ResultError, Run, Solver
 from results.table import Cell, Table
 
 ONE, THOUSAND = "1 source", "each of 1,000 sources"
 LARGEST = ERRORS["largest relative error"]
-MESHES = {
-    name: Mesh(name, "", vertices, 2 * vertices, 1.0, None, False)
-    for name, vertices in [("large", 100_000), ("small", 1000)]
-}
-
-
-def solver(name: str, exactness: str = "unbounded", **more: Any) -> Solver:
-    exact = exactness == "exact"
-    return Solver(name, "F", "", exact, False, "", exactness, **more)
-
-
-EXACT = solver("edge-based", "exact")
-HEAT = solver("heat")
+MESHES = {"large": mesh("large", 100_000), "small": mesh("small", 1000)}
+EXACT = solver("edge-based")
+HEAT = solver("heat", "unbounded")
 STEINER = [
     solver(f"steiner?points={k}" if k != 3 else "steiner", "upper_bound", values={"points": k})
     for k in (7, 1, 3)
@@ -42,20 +31,12 @@ BOUNDED = solver("near", "bounded", error_bound=0.03)
 
 
 def row(of: Solver, time: float, largest: float = 0, mesh: str = "small", **more: float) -> Data:
-    numbers = {"cpu_time": time, "real_time": time, "prepare_time": 0.0, "threads": 1}
     errors = {"max_relative_error": largest, "mean_relative_error": largest / 10}
-    cell = {"solver": of.name, "mesh": mesh, "source": 0, "outcome": "ok", "processor": "P"}
-    return cell | numbers | errors | more
+    return synthetic.row(of.name, mesh, cpu_time=time, **errors | more)
 
 
-def run_of(solvers: list[Solver], rows: list[Data], plugins: list[str] | None = None) -> Run:
-    there = {each["mesh"] for each in rows}
-    meshes = {name: mesh for name, mesh in MESHES.items() if name in there}
-    context = {"geodesic_bench": {"plugins": [{"solvers": plugins or []}]}}
-    return Run(
-        Path("run.json"), context, meshes, {s.name: s for s in solvers},
-        {name: [0, 1] for name in meshes}, [], Columns.of(rows),
-    )  # fmt: skip
+def run_of(solvers: list[Solver], rows: list[Data], *plugins: str) -> Run:
+    return synthetic.run_of(solvers, MESHES.values(), rows, plugins=[{"solvers": plugins}])
 
 
 def sweep() -> Run:
@@ -66,7 +47,7 @@ def sweep() -> Run:
             row(EXACT, 10), row(STEINER[0], 30, 1e-3), row(STEINER[1], 2, 0.1),
             row(STEINER[2], 4, 0.04), row(HEAT, 1, 0.2, prepare_time=1000), row(BOUNDED, 5, 0.005),
         ],
-        plugins=["heat"],
+        "heat",
     )  # fmt: skip
 
 
@@ -100,8 +81,8 @@ def test_settings_of_one_solver_are_a_curve_in_the_order_of_their_parameter() ->
 
 
 def test_settings_that_differ_in_two_parameters_are_not_joined() -> None:
-    both = [solver(f"s?a={a}&b={b}", values={"a": a, "b": b}) for a, b in [(1, 1), (2, 2)]]
-    same = [solver(f"s?a={a}&b=5", values={"a": a, "b": 5}) for a in (2, 1)]
+    both = [solver(f"s?a={a}&b={b}", "unbounded", values={"a": a, "b": b}) for a, b in [(1, 1), (2, 2)]]
+    same = [solver(f"s?a={a}&b=5", "unbounded", values={"a": a, "b": 5}) for a in (2, 1)]
     for solvers, label in [(both, "s: 2 settings"), (same, "s?b=5: a 1, 2")]:
         run = run_of(solvers, [row(each, 1, 0.1) for each in solvers])
         (curve,) = frontier.curves(run, list(points(run).values()))
@@ -145,7 +126,7 @@ def test_points_are_where_they_were_measured_and_filled_where_the_error_is_bound
 
 def test_a_published_method_is_drawn_by_its_time_over_that_of_a_solver_of_the_run() -> None:
     (gsp,) = published.methods()
-    beside = solver(gsp.beside, "exact")
+    beside = solver(gsp.beside)
     rows = [
         row(of, time, error, mesh)
         for mesh in MESHES

@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from synthetic import of_solvers
+from synthetic import Changed, of_solvers
 
 from plots import check, headline, report, summary
 from plots.declared import reasons
 from plots.ratios import fastest_exact, mean, over_each_mesh, over_meshes, time_over
 from results.reader import Run, read_run
-
-Changed = Callable[[Callable[[dict[str, Any]], object]], Path]
 
 
 def with_times(factor: Callable[[dict[str, Any]], float]) -> Callable[[dict[str, Any]], None]:

@@ -9,11 +9,13 @@ from typing import Any
 
 import numpy as np
 import pytest
+import synthetic
+from synthetic import mesh, solver
 
 from plots import catalogue, many_sources
 from results.columns import Columns
 from results.pairs import all_times, paired, ratios
-from results.reader import Cell, Mesh, ResultError, Run, Solver
+from results.reader import Cell, ResultError, Run
 
 SIZES = {"random:8": 8, "random:64": 64, "boundary": 40}
 SOLVERS = {"e": "exact", "heat": "unbounded"}
@@ -31,20 +33,14 @@ def row(solver: str, mesh: str, source: int | str, time: float, error: float) ->
 def run_of(sources: list[int | str], folder: Path = Path()) -> Run:
     """On mesh m; `e` takes 1, 2, 3, ... ms from the sources in turn, `heat` half of it."""
     rows = [
-        row(solver, "m", source, (i + 1) / (1 if solver == "e" else 2), 0 if solver == "e" else 0.1)
+        row(name, "m", source, (i + 1) / (1 if name == "e" else 2), 0 if name == "e" else 0.1)
         for i, source in enumerate(sources)
-        for solver in SOLVERS
+        for name in SOLVERS
     ]
     sets = {s: {"vertices": n, "file": f"sources/{s}.json"} for s, n in SIZES.items() if s in sources}
-    return Run(
-        file=folder / "run.json",
-        context={"geodesic_bench": {"plugins": []} | ({"source_sets": {"m": sets}} if sets else {})},
-        meshes={"m": Mesh("m", "0" * 64, 100, 100, 1.0, None, False)},
-        solvers={s: Solver(s, "F", "", e == "exact", False, "", e) for s, e in SOLVERS.items()},
-        sources={"m": sources},
-        skipped=[],
-        columns=Columns.of(rows),
-    )
+    context = {"source_sets": {"m": sets}} if sets else {}
+    run = synthetic.run_of([solver(*each) for each in SOLVERS.items()], [mesh("m")], rows, **context)
+    return replace(run, file=folder / "run.json")
 
 
 def test_columns_keep_vertices_and_sets_apart() -> None:

@@ -5,13 +5,7 @@ from __future__ import annotations
 from synthetic import of_solvers
 
 from plots import overview
-from plots.ratios import time_over
 from results.reader import Run
-
-
-def test_a_solver_takes_its_own_time(golden_run: Run) -> None:
-    times = time_over("edge-based").measured(golden_run, "horse", "edge-based")
-    assert {ratio for source in times for ratio in source} == {1.0}
 
 
 def test_a_stand_in_is_marked_otherwise_than_a_model_of_the_thesis(golden_run: Run) -> None:

@@ -5,33 +5,27 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import pytest
-from synthetic import Data
+import synthetic
+from synthetic import Data, mesh, solver
 
 from plots import answers, break_even, peers_overview, robustness, twins
-from results.columns import Columns
-from results.reader import Mesh, ResultError, Run, Skip, Solver
+from results.reader import Mesh, ResultError, Run, Skip
 from results.table import Cell, Table
 
 SOLVERS = {
-    name: Solver(name, "F", "", exactness == "exact", False, "", exactness, 0.01)
+    name: solver(name, exactness, error_bound=0.01)
     for name, exactness in [
         ("edge-based", "exact"), ("vtp", "exact"), ("my-heat", "unbounded"), ("avtp", "bounded"),
     ]
 }  # fmt: skip
-MESHES = {
-    name: Mesh(name, "", vertices, 2 * vertices, 1.0, None, False)
-    for name, vertices in [("knot-1k", 1000), ("knot-100k", 100_000)]
-}
-NUMBERS = {"real_time": 1.0, "cpu_time": 1.0, "prepare_time": 1.0, "threads": 1}
+MESHES = {"knot-1k": mesh("knot-1k", 1000), "knot-100k": mesh("knot-100k", 100_000)}
 
 
-def row(solver: str, mesh: str = "knot-1k", source: int = 0, **numbers: float) -> Data:
-    cell = {"solver": solver, "mesh": mesh, "source": source, "repetition_index": 0, "outcome": "ok"}
-    return cell | {"reference": "brute force", "processor": "P"} | NUMBERS | numbers
+def row(of: str, on: str = "knot-1k", source: int = 0, **numbers: float) -> Data:
+    return synthetic.row(of, on, source, reference="brute force", **{"prepare_time": 1.0} | numbers)
 
 
 def failed(solver: str, mesh: str, outcome: str, source: int | str = 0, **data: Any) -> Data:
@@ -39,13 +33,9 @@ def failed(solver: str, mesh: str, outcome: str, source: int | str = 0, **data: 
     return cell | {"error_message": f"{outcome}, said {solver}"} | data
 
 
-def run_of(rows: list[Data], meshes: Mapping[str, Mesh] = MESHES, **more: Any) -> Run:
-    known = [name for name in SOLVERS if any(row["solver"] == name for row in rows)]
-    return Run(
-        Path("run.json"), {"geodesic_bench": {"time_limit": 10}}, dict(meshes),
-        {name: SOLVERS[name] for name in known},
-        {name: [0, 1] for name in meshes}, more.get("skipped", []), Columns.of(rows),
-    )  # fmt: skip
+def run_of(rows: list[Data], meshes: Mapping[str, Mesh] = MESHES) -> Run:
+    run = synthetic.run_of(SOLVERS.values(), (), rows, time_limit=10)
+    return replace(run, meshes=dict(meshes), sources={name: [0, 1] for name in meshes})
 
 
 def cells(table: Table, **where: str) -> dict[str, Cell]:

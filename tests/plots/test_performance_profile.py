@@ -2,36 +2,27 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import pytest
+import synthetic
+from synthetic import Data, mesh, solver
 
 from plots import performance_profile
-from results.columns import Columns
-from results.reader import Mesh, ResultError, Run, Solver
+from results.reader import ResultError, Run
 
 MESHES = [f"mesh-{i}" for i in range(4)]
 
 
-def row(solver: str, mesh: str, time: float, error: float = 0, **more: Any) -> dict[str, Any]:
-    numbers = {"cpu_time": time, "real_time": time, "prepare_time": 0.0, "threads": 1}
-    return {"solver": solver, "mesh": mesh, "source": 0, "outcome": "ok", "processor": "P",
-            "max_relative_error": error, "mean_relative_error": error} | numbers | more  # fmt: skip
+def row(of: str, on: str, time: float, error: float = 0, **more: Any) -> Data:
+    return synthetic.row(of, on, cpu_time=time, max_relative_error=error, **more)
 
 
-def run_of(rows: list[dict[str, Any]]) -> Run:
-    solvers = {r["solver"]: Solver(r["solver"], "F", "", True, False, "", "exact") for r in rows}
-    meshes = {
-        name: Mesh(name, "0" * 64, 10, 10, 1.0, None, False)
-        for name in {r["mesh"]: None for r in rows}
-    }
-    sources = {name: [0] for name in meshes}
-    context: dict[str, Any] = {"geodesic_bench": {"plugins": []}}
-    return Run(Path("run.json"), context, meshes, solvers, sources, [], Columns.of(rows))
+def run_of(rows: list[Data]) -> Run:
+    return synthetic.run_of(map(solver, ("a", "b", "exact", "near")), map(mesh, MESHES), rows)
 
 
-def profile_of(rows: list[dict[str, Any]], level: float) -> tuple[dict[str, list[float]], int]:
+def profile_of(rows: list[Data], level: float) -> tuple[dict[str, list[float]], int]:
     return performance_profile.factors(performance_profile.answers(run_of(rows)), level)
 
 

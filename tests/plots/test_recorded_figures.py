@@ -17,7 +17,6 @@ from synthetic import SPREAD, changed_rows, without_recordings
 
 from plots import catalogue, figure_6_4, isolines, paths, report, style, wavefronts
 from plots.catalogue import FIGURES
-from plots.drawing import Drawing
 from plots.recordings import recordings
 from plots.wavefronts import APPENDIX
 from results.published import THESIS_SOLVERS
@@ -25,18 +24,15 @@ from results.reader import ResultError, Run
 from results.table import Table
 
 NEEDS = {
-    "error_map": ["../vertices.npy", "../faces.npy", "distances.npy", "dijkstra/distances.npy"],
-    "figure_5_7": ["../vertices.npy", "distances.npy", "edge-based/snapshot-25.npy"],
-    "figure_5_8": ["distances.npy", "edge-based/curve.npy", "fwp-mmp/curve.npy", "ich/curve.npy"],
-    "figure_5_10_curve": ["mmp/curve.npy"],
-    "figure_6_4": ["../faces.npy", "distances.npy"],
-    "paths": ["../faces.npy", "path_points.npy"],
-    "cells": ["../vertices.npy", "cell_sources.npy"],
-} | {
-    name: ["../vertices.npy", "../faces.npy", f"{solver}/snapshot-50.npy"]
-    for name, solver in APPENDIX.items()
-}
-CASES = [(name, file) for name, files in NEEDS.items() for file in files]
+    "error_map": "dijkstra/distances.npy",
+    "figure_5_7": "edge-based/snapshot-25.npy",
+    "figure_5_8": "ich/curve.npy",
+    "figure_5_10_curve": "mmp/curve.npy",
+    "figure_6_4": "distances.npy",
+    "paths": "path_points.npy",
+    "cells": "cell_sources.npy",
+} | {name: f"{solver}/snapshot-50.npy" for name, solver in APPENDIX.items()}
+"""A file of each figure."""
 
 
 def all_inside(axes: Axes) -> bool:
@@ -45,10 +41,6 @@ def all_inside(axes: Axes) -> bool:
     (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
     low, high = points.min(axis=0), points.max(axis=0)
     return bool(left <= low[0] and high[0] <= right and bottom <= low[1] and high[1] <= top)
-
-
-def drawing_of(name: str, run: Run) -> Drawing:
-    return FIGURES[name](run)
 
 
 def own_recordings(run: Run) -> Path:
@@ -70,7 +62,7 @@ def colors(axes: Axes) -> set[str]:
     return {to_hex(color) for lines in axes.collections for color in lines.get_color()}
 
 
-@pytest.mark.parametrize(("name", "path"), CASES)
+@pytest.mark.parametrize(("name", "path"), NEEDS.items())
 def test_a_file_that_is_missing_or_truncated_is_named(name: str, path: str, run: Run) -> None:
     file = own_recordings(run) / path
     file.write_bytes(file.read_bytes()[:-40])
@@ -96,7 +88,7 @@ def test_windows_are_drawn_over_the_level_for_two_solvers_and_for_all(run: Run) 
         data["windows"] *= 3
 
     change_file(own_recordings(run) / "ich" / "curve.npy", many)
-    grid = drawing_of("figure_5_8", run).figure.axes
+    grid = FIGURES["figure_5_8"](run).figure.axes
     assert [len(axes.lines) for axes in grid] == [2, 5, 2, 4]
     assert all(map(all_inside, grid))
     (recording, *_) = recordings(run, "edge-based", "fwp-mmp")
@@ -124,13 +116,13 @@ def test_the_caption_says_who_has_fewer_windows(run: Run, factor: float, words: 
     folder = own_recordings(run)
     change_file(folder / "edge-based" / "curve.npy", scale)
     change_file(folder / "fwp-mmp" / "curve.npy", at_least_two)
-    caption = drawing_of("figure_5_8", run).caption
+    caption = FIGURES["figure_5_8"](run).caption
     assert words in caption
     assert ("which agrees with the thesis" in caption) == (factor < 1)
 
 
 def test_the_curve_of_the_spread_is_in_mean_edge_lengths(run: Run) -> None:
-    drawn = drawing_of("figure_5_10_curve", run)
+    drawn = FIGURES["figure_5_10_curve"](run)
     axes = drawn.figure.axes
     assert [len(one.lines) for one in axes] == [5, 4]
     assert all(map(all_inside, axes))
@@ -140,19 +132,19 @@ def test_the_curve_of_the_spread_is_in_mean_edge_lengths(run: Run) -> None:
 
 
 def test_the_caption_says_whether_mmp_and_ich_are_the_smoothest(run: Run) -> None:
-    assert "edge-based" in drawing_of("figure_5_10_curve", run).caption
-    assert drawing_of("figure_5_10_curve", run).caption.count("which agrees with the thesis") == 2
+    assert "edge-based" in FIGURES["figure_5_10_curve"](run).caption
+    assert FIGURES["figure_5_10_curve"](run).caption.count("which agrees with the thesis") == 2
 
     def rough(data: np.ndarray[Any, Any]) -> None:
         data["sd"] *= 10
 
     change_file(own_recordings(run) / "mmp" / "curve.npy", rough)
-    caption = drawing_of("figure_5_10_curve", run).caption
+    caption = FIGURES["figure_5_10_curve"](run).caption
     assert "from the smoothest: ich" in caption and "does not agree with the thesis" in caption
 
 
 def test_the_wavefront_is_drawn_over_the_isoline_of_its_distance(run: Run) -> None:
-    drawn = drawing_of("figure_5_7", run)
+    drawn = FIGURES["figure_5_7"](run)
     whole, near = drawn.figure.axes
     wanted = {style.ISOLINE.lower(), style.WAVEFRONT.lower()}
     assert colors(whole) == wanted and colors(near) == wanted | {style.PALE}
@@ -175,7 +167,7 @@ def test_the_caption_says_how_near_the_isoline_is(run: Run, spread: float, agree
     folder = own_recordings(run)
     for moment in (25, 50, 75):
         change_file(folder / "edge-based" / f"snapshot-{moment}.npy", scale)
-    caption = drawing_of("figure_5_7", run).caption
+    caption = FIGURES["figure_5_7"](run).caption
     assert ("which agrees with the thesis's claim" in caption) == agrees
 
 
@@ -192,7 +184,7 @@ def test_the_level_is_the_one_next_to_the_wavefront_s_mean(run: Run) -> None:
 def test_each_solver_s_wavefront_has_its_colour_and_its_spread(
     name: str, solver: str, run: Run
 ) -> None:
-    drawn = drawing_of(name, run)
+    drawn = FIGURES[name](run)
     color = style.solver_styles([solver])[solver].color.lower()
     whole, near = drawn.figure.axes
     assert colors(whole) == {color} and colors(near) == {color, style.PALE}
@@ -206,14 +198,14 @@ def test_each_solver_s_wavefront_has_its_colour_and_its_spread(
 
 def test_all_wavefronts_are_shown_from_one_side_with_one_close_up(run: Run) -> None:
     places = [
-        [(axes.get_xlim(), axes.get_ylim()) for axes in drawing_of(name, run).figure.axes]
+        [(axes.get_xlim(), axes.get_ylim()) for axes in FIGURES[name](run).figure.axes]
         for name in APPENDIX
     ]
     assert all(place == places[0] for place in places)
 
 
 def test_every_model_has_all_its_isolines(run: Run) -> None:
-    drawn = drawing_of("figure_6_4", run)
+    drawn = FIGURES["figure_6_4"](run)
     assert len(drawn.figure.axes) == 2
     count = isolines.STEPS - 1
     for axes in drawn.figure.axes:
@@ -226,7 +218,7 @@ def test_every_model_has_all_its_isolines(run: Run) -> None:
 
 
 def test_every_model_has_its_paths(run: Run) -> None:
-    drawn = drawing_of("paths", run)
+    drawn = FIGURES["paths"](run)
     assert len(drawn.figure.axes) == 2
     for axes in drawn.figure.axes:
         (lines,) = axes.collections
@@ -236,7 +228,7 @@ def test_every_model_has_its_paths(run: Run) -> None:
 
 def test_cells_have_a_colour_each_and_sharp_borders(run: Run) -> None:
     flat = next(one for one in recordings(run) if one.mesh.name == "flat-grid")
-    axes = drawing_of("cells", run).figure.axes[1]
+    axes = FIGURES["cells"](run).figure.axes[1]
     image = np.asarray(axes.images[0].get_array())
     seen = {tuple(color) for color in image.reshape(-1, 3).round(6)}
     assert len(seen) == 1 + len(flat.cells.sources), "a flat surface has one shade"

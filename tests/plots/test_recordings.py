@@ -12,7 +12,7 @@ import pytest
 from synthetic import Data, changed_rows, mean_edge_length, plane, record
 
 from plots.isolines import isoline, isolines, levels
-from plots.recordings import CURVE, Recording, recordings
+from plots.recordings import Recording, recordings
 from results.reader import Mesh, ResultError, Run
 
 SIDE = 21
@@ -199,7 +199,3 @@ def test_of_two_meshes_for_one_model_the_better_one_is_shown(golden_run: Run) ->
     run = replace(golden_run, meshes=twins)
     run = with_recordings(run, {"horse": ["mmp"], "rocker-arm": ["mmp"]})
     assert [one.mesh.name for one in recordings(run)] == ["horse"]
-
-
-def test_the_curve_has_the_documented_columns() -> None:
-    assert CURVE.names == ("reached", "windows", "least", "mean", "sd")

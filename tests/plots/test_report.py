@@ -4,19 +4,17 @@ from __future__ import annotations
 
 import re
 import shutil
-from collections.abc import Callable
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
 
 import pytest
+from synthetic import Changed
 
 from plots import report
 from plots.catalogue import EVERYTHING
 from results.reader import Run
 from results.table import Cell, Table
-
-Changed = Callable[[Callable[[dict[str, Any]], object]], Path]
 
 
 class Page(HTMLParser):
@@ -109,11 +107,6 @@ def test_the_same_run_gives_the_same_page(folder: Path) -> None:
     first = (folder / "report.html").read_bytes()
     report_of(folder)
     assert (folder / "report.html").read_bytes() == first
-
-
-def test_a_broken_run_ends_in_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert report.main([str(tmp_path / "none")]) == 1
-    assert len(capsys.readouterr().err.splitlines()) == 1
 
 
 def test_cells_carry_the_number_they_are_sorted_by_and_their_footnote(golden_run: Run) -> None:

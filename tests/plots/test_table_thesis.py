@@ -16,16 +16,6 @@ def texts(run: Run) -> dict[tuple[str, str], list[str]]:
     return {(str(row[0].value), row[1].text): [cell.text for cell in row[2:]] for row in rows}
 
 
-def test_models_and_stand_ins_are_apart_and_places_are_by_time(golden_run: Run) -> None:
-    rows = texts(golden_run)
-    assert rows["the thesis's models", "mmp"] == [
-        "4.96", "4.95", "4", "4", "1.52", "1.52", "-0.1%",
-    ]  # fmt: skip
-    assert rows["stand-ins", "mmp"][1] == "7.04"
-    remark = table_thesis.table(golden_run).remarks[0]
-    assert "horse (the thesis's horse), rocker-arm (stand-in for rocker arm)" in remark
-
-
 def change_numbers(run: Run, solver: str, key: str, factor: float) -> Run:
     return changed_rows(
         run,

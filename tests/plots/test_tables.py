@@ -11,12 +11,12 @@ import csv
 import re
 import subprocess
 import sys
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
+from synthetic import Changed
 
 from plots import summary, table_5_1, table_5_2, table_5_2_ratios, table_5_3
 from plots.catalogue import TABLES
@@ -24,20 +24,14 @@ from results import published
 from results.console import ROOT
 from results.reader import ResultError, Run, read_run
 from results.table import (
-    BLANK, FORMATS, Cell, Table, mark, to_csv, to_latex, to_markdown, to_tabular, to_text, write,
+    BLANK, FORMATS, Cell, Table, mark, to_csv, to_latex, to_markdown, to_tabular, to_text,
 )  # fmt: skip
-
-Changed = Callable[[Callable[[dict[str, Any]], object]], Path]
 
 ROCKER_ARM = "rocker-arm (stand-in for rocker arm)"
 NAMES = [
     "summary", "summary_by_mesh", "every_solver", "table_thesis", "table_5_1", "table_5_2",
     "table_5_2_ratios", "table_5_2_claims", "table_5_3",
 ]  # fmt: skip
-
-
-def tables_of(run: Run) -> list[Table]:
-    return [TABLES[name](run) for name in NAMES]
 
 
 def rows_of(table: Table, name: str) -> list[list[str]]:
@@ -70,21 +64,6 @@ def test_a_table_can_be_drawn_alone(
     assert {file.suffix for file in out.glob(f"{name}.*")} == set(FORMATS)
 
 
-def test_command_ends_with_one_line_for_a_broken_run(tmp_path: Path) -> None:
-    (tmp_path / "run.json").write_text("{")
-    command = [sys.executable, "-m", "plots", "--run", str(tmp_path)]
-    ended = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
-    assert ended.returncode == 1
-    assert len(ended.stderr.splitlines()) == 1 and str(tmp_path / "run.json") in ended.stderr
-
-
-def test_every_mesh_of_the_run_has_a_block_and_no_other_model(golden_run: Run) -> None:
-    for table in tables_of(golden_run):
-        if table.name in ("every_solver", "table_5_2"):
-            names = {row[0].value for row in table.rows}
-            assert names == {"horse", ROCKER_ARM, "flat-grid"}
-
-
 def test_a_run_that_has_nothing_to_do_with_the_thesis_does_not_show_it(golden_run: Run) -> None:
     run = golden_run.of_meshes(["flat-grid"])
     assert "published" not in to_markdown(table_5_2.table(run)).lower()
@@ -92,56 +71,11 @@ def test_a_run_that_has_nothing_to_do_with_the_thesis_does_not_show_it(golden_ru
         table_5_2_ratios.claims(run)
 
 
-def test_published_values_stand_under_ours(golden_run: Run) -> None:
-    table = table_5_2.table(golden_run)
-    assert cell_of(table, "horse", "Time (ms), published", "mmp").text == "3,696"
-    propagations = "Window propagations, published"
-    assert cell_of(table, "horse", propagations, "Window limit").text == "2,893,843"
-    assert cell_of(table, "horse", "Peak wavefront, published", "fwp-ch").value == 22296
-
-
 def test_out_of_memory_of_the_thesis_is_shown(changed: Changed) -> None:
     table = table_5_2.table(read_run(changed(paper_like)))
     terrain = "jacksboro-terrain (stand-in for cervino terrain)"
     cell = cell_of(table, terrain, "Time (s), published for cervino terrain", "mmp")
     assert cell.text == "out of memory"
-
-
-def test_stand_in_is_labelled(golden_run: Run) -> None:
-    table = table_5_2.table(golden_run)
-    labels = [row[0] for row in rows_of(table, ROCKER_ARM)]
-    assert labels[:2] == ["rocker-arm", "stand-in for rocker arm"]
-    assert "V: 10,044" in labels
-
-
-def test_stand_in_is_labelled_in_every_format_of_every_table_with_meshes(golden_run: Run) -> None:
-    tables = {table.name: table for table in tables_of(golden_run)}
-    for name in ["table_5_1", "table_5_2", "table_5_2_ratios"]:
-        for extension, render in FORMATS.items():
-            assert "stand-in for rocker arm" in render(tables[name]), name + extension
-
-
-def test_published_values_beside_a_stand_in_are_context(golden_run: Run) -> None:
-    table = table_5_2.table(golden_run)
-    published_time = "Time (ms), published for rocker arm"
-    assert cell_of(table, ROCKER_ARM, published_time, "mmp").text == "36,481"
-    ratios = table_5_2_ratios.ratios(golden_run)
-    origins = {(row[1].text, row[2].text) for row in ratios.rows}
-    assert ("rocker arm", "published, context only") in origins
-    assert ("horse", "published") in origins and ("rocker arm", "published") not in origins
-
-
-def test_stand_ins_are_no_part_of_the_means_over_the_thesis_s_models(golden_run: Run) -> None:
-    claims = table_5_2_ratios.claims(golden_run)
-    row = next(row for row in claims.rows if row[2].text == "mmp")
-    ours = dict(zip(claims.header, row, strict=True))
-    ratios = {
-        (row[1].text, row[2].text): row[table_5_2_ratios.ratios(golden_run).header.index("mmp")]
-        for row in table_5_2_ratios.ratios(golden_run).rows
-        if row[0].text == "Time / edge-based"
-    }
-    assert ours["Ours, the thesis's models"].value == ratios["horse", "ours"].value
-    assert ours["Ours, stand-ins"].value == ratios[ROCKER_ARM, "ours"].value
 
 
 def paper_like(data: dict[str, Any]) -> None:
@@ -191,32 +125,6 @@ def test_huge_counts_are_grouped_by_thousands(changed: Changed) -> None:
     assert "F: 3,145,728" in [row[0] for row in rows_of(table, terrain)]
     assert cell_of(table, terrain, "Window propagations", "edge-based").text == "3,271,799,000"
     assert re.fullmatch(r"\d,\d{3}\.\d+ .*", cell_of(table, terrain, "Time (s)", "mmp").text)
-
-
-def test_failed_cell_shows_its_outcome_and_message(golden_run: Run) -> None:
-    table = table_5_2.table(golden_run)
-    cell = cell_of(table, "flat-grid", "Time (\N{MICRO SIGN}s)", "fwp-ch")
-    assert cell.text == "wrong answer" and "vertex 17" in cell.note
-
-
-def test_cell_with_a_failed_source_says_so_beside_its_number(golden_run: Run) -> None:
-    table = table_5_2.table(golden_run)
-    cell = cell_of(table, ROCKER_ARM, "Time (ms)", "ich")
-    assert isinstance(cell.value, float)
-    assert "source 4711" in cell.note and "signal 11" in cell.note
-
-
-def test_missing_source_is_told(golden_run: Run) -> None:
-    table = table_5_2.table(golden_run)
-    assert "no rows for source 7" in cell_of(table, ROCKER_ARM, "Time (ms)", "fwp-mmp").note
-
-
-def test_skipped_and_unsupported_cells_say_why(golden_run: Run) -> None:
-    table = table_5_2.table(golden_run)
-    skipped = cell_of(table, "horse", "Time (ms)", "ch")
-    assert skipped.text == "skipped" and "at most 20000 vertices" in skipped.note
-    assert cell_of(table, ROCKER_ARM, "Time (ms)", "ch").text == "unsupported"
-    assert any("stanford-bunny was skipped" in remark for remark in table.remarks)
 
 
 def test_solver_that_was_not_run_has_no_column_and_another_gives_the_limit(
@@ -283,26 +191,6 @@ def test_ratios_are_paired_by_source_and_repetition(changed: Changed) -> None:
     assert row[table.header.index("mmp")].text == "5.000 [5.000, 5.000]"
 
 
-def test_ratios_of_the_thesis_are_those_of_its_table(golden_run: Run) -> None:
-    table = table_5_2_ratios.ratios(golden_run)
-    limit = [r for r in table.rows if r[0].text.startswith("Window propagations")]
-    row = next(r for r in limit if r[1].text == "horse" and r[2].text == "published")
-    assert [cell.text for cell in row[3:8]] == ["1.522", "1.515", "2.745", "2.752", "1.142"]
-
-
-def test_every_claim_has_the_thesis_and_ours_beside_it(golden_run: Run) -> None:
-    claims = table_5_2_ratios.claims(golden_run)
-    assert len(claims.rows) == sum(len(claim.solvers) for claim in published.claims())
-    for row in claims.rows:
-        assert re.search(r"\d", row[4].text) and re.search(r"\[.*\]", row[5].text), row
-
-
-def test_mean_tells_how_many_meshes_it_lacks(golden_run: Run) -> None:
-    claims = table_5_2_ratios.claims(golden_run)
-    row = next(r for r in claims.rows if r[2].text == "fwp-ch")
-    assert row[5].note == "" and row[9].note == "fwp-ch: a mean over 2 of 3 meshes."
-
-
 def test_unknown_model_of_the_thesis_is_an_error(changed: Changed) -> None:
     def change(data: dict[str, Any]) -> None:
         data["context"]["geodesic_bench"]["meshes"][0]["thesis_model"] = "cow"
@@ -336,24 +224,26 @@ def test_published_space_follows_the_rule_that_ours_follows() -> None:
                 assert float(windows) * 80e-6 == pytest.approx(space, abs=0.025), where
 
 
-def small_table() -> Table:
-    rows = [
+SMALL = Table(
+    "small", "A small table", ["Name", "Value"], 1,
+    [
         [Cell("a_b & 50%", "a"), Cell("1.5 [1, 2]", 1.5, 1.0, 2.0, note="first")],
         [Cell("", "a"), Cell("lost", note="second")],
-        [Cell("c", "c"), Cell("2", 2.0, note="first")],
+        [Cell("c|d", "c"), Cell("2", 2.0, note="first")],
         [Cell("d", "d"), BLANK],
-    ]
-    return Table("small", "A small table", ["Name", "Value"], 1, rows, ["A remark."])
+    ],
+    ["A $ remark."],
+)  # fmt: skip
 
 
 def test_notes_share_a_mark_when_equal() -> None:
-    text = to_markdown(small_table())
+    text = to_markdown(SMALL)
     assert "lost <sup>b</sup>" in text and "| 2 <sup>a</sup> |" in text
     assert text.count("first") == 1
 
 
 def test_csv_has_intervals_and_whole_notes() -> None:
-    parsed = list(csv.DictReader(to_csv(small_table()).splitlines()))
+    parsed = list(csv.DictReader(to_csv(SMALL).splitlines()))
     assert parsed[0] == {
         "Name": "a", "Value": "1.5", "Value, low": "1", "Value, high": "2", "notes": "first",
     }  # fmt: skip
@@ -361,7 +251,7 @@ def test_csv_has_intervals_and_whole_notes() -> None:
 
 
 def test_latex_is_escaped_and_ruled_between_groups() -> None:
-    text = to_latex(small_table())
+    text = to_latex(SMALL)
     assert r"a\_b \& 50\%" in text
     assert text.count(r"\midrule") == 2 + 2  # two heads, two changes of the first column
 
@@ -370,32 +260,21 @@ def test_marks_go_on_after_z() -> None:
     assert [mark(i) for i in (0, 25, 26, 51, 52)] == ["a", "z", "aa", "az", "ba"]
 
 
-def test_write_makes_the_folder_and_every_format(tmp_path: Path) -> None:
-    files = write(small_table(), tmp_path / "new" / "folder")
-    assert [file.suffix for file in files] == list(FORMATS)
-    assert all(file.stat().st_size for file in files)
-
-
-SMALL = Table(
-    "small", "Ratios", ["Solver", "Ratio"], 1,
-    [[Cell("a_b%"), Cell("1.5", note="one mesh")], [Cell("c|d"), Cell("10.25")]], ["A $ remark."],
-)  # fmt: skip
-
-
 def test_a_terminal_gets_aligned_columns() -> None:
     assert to_text(SMALL).splitlines() == [
-        "Ratios", "  Solver  Ratio", "  a_b%    1.5 a", "  c|d     10.25", "A $ remark.",
-        "a: one mesh",
+        "A small table", "  Name              Value", "  a_b & 50%  1.5 [1, 2] a",
+        "                   lost b", "  c|d                 2 a", "  d", "A $ remark.", "a: first",
+        "b: second",
     ]  # fmt: skip
 
 
 def test_a_table_without_a_title_has_no_heading() -> None:
     table = replace(SMALL, title="")
-    assert to_markdown(table).startswith("| Solver |") and to_text(table).startswith("  Solver")
+    assert to_markdown(table).startswith("| Name |") and to_text(table).startswith("  Name")
 
 
 def test_markdown_and_latex_are_escaped_and_control_characters_shown() -> None:
     assert r"c\|d" in to_markdown(SMALL) and r"A \$ remark." in to_markdown(SMALL)
-    assert r"a\_b\% & 1.5 \\" in to_tabular(SMALL)
+    assert r"a\_b \& 50\% & 1.5 [1, 2] \\" in to_tabular(SMALL)
     odd = replace(SMALL, rows=[[Cell("\x1b[2J"), Cell("1")]])
     assert "\x1b" not in to_text(odd) and r"\x1b[2J" in to_text(odd)
