@@ -132,6 +132,27 @@ def browser() -> Iterator[Any]:
     started.quit()
 
 
+@pytest.fixture
+def page(browser: Any, address: str) -> Iterator[Any]:
+    """What is at the module's address, opened; whatever a test did on it, the console must have stayed
+    empty."""
+    browser.get(address)
+    yield browser
+    assert browser.get_log("browser") == []
+
+
+@pytest.fixture
+def with_width(browser: Any) -> Iterator[Callable[[int], None]]:
+    """with_width(pixels) gives the browser such a screen: that of a phone where it is narrow."""
+
+    def resize(width: int) -> None:
+        metrics = {"width": width, "height": 800, "deviceScaleFactor": 1, "mobile": width < 500}
+        browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
+
+    yield resize
+    browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+
 @pytest.fixture(scope="session")
 def with_three() -> None:
     """three.js is there, or the test is skipped."""

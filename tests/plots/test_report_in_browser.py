@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -16,9 +16,6 @@ pytest.importorskip("selenium", reason="python3-selenium is not installed")
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
-PHONE = 360
-"""Pixels."""
-
 
 @pytest.fixture(scope="module")
 def address(tmp_path_factory: pytest.TempPathFactory) -> str:
@@ -26,14 +23,6 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> str:
     shutil.copy(Path(__file__).parent / "golden" / "run" / "run.json", folder)
     assert report.main([str(folder)]) == 0
     return (folder / "report.html").as_uri()
-
-
-@pytest.fixture
-def page(browser: Any, address: str) -> Iterator[Any]:
-    """The opened page; whatever a test did on it, the console must have stayed empty."""
-    browser.get(address)
-    yield browser
-    assert browser.get_log("browser") == []
 
 
 def column(page: Any, table: str, index: int) -> list[str]:
@@ -102,24 +91,20 @@ def test_every_picture_is_drawn(page: Any) -> None:
     assert len(widths) == 5 and min(widths) > 1000
 
 
-@pytest.mark.parametrize("width", [PHONE, 768, 1280])
-def test_nothing_reaches_over_the_edge_of_the_page(page: Any, width: int) -> None:
-    page.execute_cdp_cmd(
-        "Emulation.setDeviceMetricsOverride",
-        {"width": width, "height": 800, "deviceScaleFactor": 1, "mobile": width == PHONE},
+@pytest.mark.parametrize("width", [360, 768, 1280])
+def test_nothing_reaches_over_the_edge_of_the_page(
+    page: Any, with_width: Callable[[int], None], width: int
+) -> None:
+    with_width(width)
+    inner, scroll, outside = page.execute_script(
+        """const outside = [...document.querySelectorAll('body *')].filter(element =>
+             !element.closest('.scroll table, dialog')
+             && element.getBoundingClientRect().right > innerWidth + 1);
+           return [innerWidth, document.documentElement.scrollWidth,
+                   outside.map(element => element.outerHTML.slice(0, 80))]"""
     )
-    try:
-        inner, scroll, outside = page.execute_script(
-            """const outside = [...document.querySelectorAll('body *')].filter(element =>
-                 !element.closest('.scroll table, dialog')
-                 && element.getBoundingClientRect().right > innerWidth + 1);
-               return [innerWidth, document.documentElement.scrollWidth,
-                       outside.map(element => element.outerHTML.slice(0, 80))]"""
-        )
-        assert inner == width and scroll <= width
-        assert outside == []
-    finally:
-        page.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+    assert inner == width and scroll <= width
+    assert outside == []
 
 
 def test_the_table_of_results_is_as_wide_as_the_page(page: Any) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
@@ -127,11 +127,8 @@ def test_a_broken_file_is_one_line_and_an_exit_code(
 
 
 @pytest.fixture
-def page(browser: Any, pages: Path) -> Iterator[Any]:
-    """The first page, opened; whatever a test did, the console must have stayed empty."""
-    browser.get((pages / "index.html").as_uri())
-    yield browser
-    assert browser.get_log("browser") == []
+def address(pages: Path) -> str:
+    return (pages / "index.html").as_uri()
 
 
 def rows(page: Any) -> list[list[str]]:
@@ -184,15 +181,9 @@ def test_links_lead_to_pages_with_figures_that_open(page: Any, pages: Path) -> N
 
 
 @pytest.mark.parametrize("name", ["index.html", "solvers/edge-based.html"])
-def test_nothing_is_wider_than_a_phone(page: Any, pages: Path, name: str) -> None:
-    size = page.get_window_size()
-    try:
-        page.execute_cdp_cmd(
-            "Emulation.setDeviceMetricsOverride",
-            {"width": PHONE, "height": 740, "deviceScaleFactor": 2, "mobile": True},
-        )
-        page.get((pages / name).as_uri())
-        assert page.execute_script("return document.documentElement.scrollWidth") <= PHONE
-    finally:
-        page.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
-        page.set_window_size(size["width"], size["height"])
+def test_nothing_is_wider_than_a_phone(
+    page: Any, pages: Path, with_width: Callable[[int], None], name: str
+) -> None:
+    with_width(PHONE)
+    page.get((pages / name).as_uri())
+    assert page.execute_script("return document.documentElement.scrollWidth") <= PHONE

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import subprocess
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -58,14 +58,6 @@ def address(complete_run: Run, tmp_path_factory: pytest.TempPathFactory) -> str:
     words = [str(complete_run.file.parent), "--solvers", "mmp,edge-based", "--mesh", "flat-grid"]
     assert command.main([*words, "--out", str(file)]) == 0
     return file.as_uri()
-
-
-@pytest.fixture
-def page(browser: Any, address: str) -> Iterator[Any]:
-    """The opened page; whatever a test did on it, the console must have stayed empty."""
-    browser.get(address)
-    yield browser
-    assert browser.get_log("browser") == []
 
 
 def test_it_is_drawn_without_any_request(page: Any) -> None:
@@ -135,24 +127,22 @@ def test_choices_change_what_is_seen(page: Any) -> None:
 
 
 @pytest.mark.parametrize("width", [400, 1280])
-def test_nothing_overlaps_or_reaches_over_the_edge(page: Any, width: int) -> None:
-    metrics = {"width": width, "height": 800, "deviceScaleFactor": 1, "mobile": width < 500}
-    page.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
-    try:
-        assert (picture(page) < 0.95).any(axis=2).mean() > 0.03
-        boxes, scroll = page.execute_script(
-            """const all = '.panel h2, .panel p, .stage, .play > *, fieldset, #legend, .help, h1';
-               return [[...document.querySelectorAll(all)].map(element => {
-                 const {left, top, right, bottom} = element.getBoundingClientRect();
-                 return [left, top, right, bottom];
-               }), document.documentElement.scrollWidth]"""
-        )
-        assert scroll <= width and all(left >= 0 and right <= width for left, _, right, _ in boxes)
-        for i, (left, top, right, bottom) in enumerate(boxes):
-            for a, b, c, d in boxes[:i]:
-                assert right <= a + 1 or c <= left + 1 or bottom <= b + 1 or d <= top + 1
-    finally:
-        page.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+def test_nothing_overlaps_or_reaches_over_the_edge(
+    page: Any, with_width: Callable[[int], None], width: int
+) -> None:
+    with_width(width)
+    assert (picture(page) < 0.95).any(axis=2).mean() > 0.03
+    boxes, scroll = page.execute_script(
+        """const all = '.panel h2, .panel p, .stage, .play > *, fieldset, #legend, .help, h1';
+           return [[...document.querySelectorAll(all)].map(element => {
+             const {left, top, right, bottom} = element.getBoundingClientRect();
+             return [left, top, right, bottom];
+           }), document.documentElement.scrollWidth]"""
+    )
+    assert scroll <= width and all(left >= 0 and right <= width for left, _, right, _ in boxes)
+    for i, (left, top, right, bottom) in enumerate(boxes):
+        for a, b, c, d in boxes[:i]:
+            assert right <= a + 1 or c <= left + 1 or bottom <= b + 1 or d <= top + 1
 
 
 def test_100_000_faces_are_drawn_and_turned(browser: Any, tmp_path: Path) -> None:
