@@ -32,7 +32,7 @@ BOUNDED = solver("near", "bounded", error_bound=0.03)
 
 def row(of: Solver, time: float, largest: float = 0, mesh: str = "small", **more: float) -> Data:
     errors = {"max_relative_error": largest, "mean_relative_error": largest / 10}
-    return synthetic.row(of.name, mesh, cpu_time=time, **errors | more)
+    return synthetic.row(of.name, mesh, cpu_time=time) | errors | more
 
 
 def run_of(solvers: list[Solver], rows: list[Data], *plugins: str) -> Run:

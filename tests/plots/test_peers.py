@@ -25,7 +25,7 @@ MESHES = {"knot-1k": mesh("knot-1k", 1000), "knot-100k": mesh("knot-100k", 100_0
 
 
 def row(of: str, on: str = "knot-1k", source: int = 0, **numbers: float) -> Data:
-    return synthetic.row(of, on, source, reference="brute force", **{"prepare_time": 1.0} | numbers)
+    return synthetic.row(of, on, source, reference="brute force", prepare_time=1.0) | numbers
 
 
 def failed(solver: str, mesh: str, outcome: str, source: int | str = 0, **data: Any) -> Data:
