@@ -97,6 +97,10 @@ def test_ratios_are_in_the_order_of_the_run() -> None:
     assert paired(above, dict.fromkeys(reversed(above), 1.0)) == [[1.0], [2.0], [3.0], [4.0]]
 
 
+def test_a_time_of_zero_has_no_ratio() -> None:
+    assert paired({(0, 0): 0.0, (0, 1): 3.0, (1, 0): 4.0}, {(0, 0): 1.0, (0, 1): 0.0, (1, 0): 2.0}) == [[2.0]]
+
+
 def test_the_figure_shows_times_over_the_base_from_one_source() -> None:
     points = many_sources.points(run_of(SEVERAL), "heat", "e")
     assert [point.sources for point in points] == [1, 8, 64]

@@ -15,7 +15,7 @@ from results.statistics import (
 
 def test_median_counts_every_source_once() -> None:
     assert median([[1.0], [2.0, 2.0, 2.0, 2.0, 2.0], [9.0]]).value == 2.0
-    assert median([[1.0, 5.0, 3.0]]).value == 3.0
+    assert median([[1.0, 9.0, 3.0]]).value == 3.0
 
 
 def test_geometric_mean_of_reciprocals_is_reciprocal() -> None:
