@@ -55,13 +55,13 @@ TEST_F(RunTest, EveryRepetitionIsARowAndSolversAlternate) {
 }
 
 TEST_F(RunTest, ContextSaysHowToTrustAndRepeatIt) {
-  measure({"--solvers", "dijkstra", "--sources", "2", "--seed", "9"});
+  measure({"--solvers", "dijkstra", "--sources", "3", "--seed", "9"});
   const json context = run_context();
   EXPECT_EQ(context.at("schema_version"), 3);
   EXPECT_EQ(context.at("seed"), 9);
   EXPECT_EQ(context.at("repetitions"), 2);
   EXPECT_EQ(context.at("corpus"), "quick");
-  EXPECT_EQ(context.at("sources").at("tetrahedron").size(), 2u);
+  EXPECT_EQ(context.at("sources").at("tetrahedron").size(), 3u);
   EXPECT_EQ(context.at("sources").at("tetrahedron")[0], 0);
   for (const json& source : context.at("sources").at("hill")) EXPECT_NE(source, 0) << "isolated";
   const json hill = context.at("meshes")[0];

@@ -93,6 +93,7 @@ TEST(Row, IsReadAsItWasWritten) {
   row.repetition_index = 2;
   row.iterations = 7;
   row.cpu_time = 0.1;
+  row.real_time = 0.2;
   row.stolen_share = 0.25;
   row.counters.window_limit = 12;
   row.counters.strip_b = 1.5;
@@ -100,6 +101,8 @@ TEST(Row, IsReadAsItWasWritten) {
   row.reference = "t";
   const Json json = row;
   EXPECT_EQ(Json(json.get<Row>()), json);
+  EXPECT_EQ(json["cpu_time"], 0.1);
+  EXPECT_EQ(json["real_time"], 0.2);
   EXPECT_FALSE(json.contains("peak_wavefront")) << "absent where the solver has none";
 }
 

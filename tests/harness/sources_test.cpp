@@ -6,6 +6,7 @@
 #include <set>
 
 #include "harness/base/files.h"
+#include "meshes/generators/generators.h"
 #include "meshes/random.h"
 #include "tests/harness/expect_error.h"
 
@@ -117,6 +118,21 @@ TEST(SourceSets, OfAFileAreCalledLikeItAndHaveVerticesOfTheMesh) {
 TEST(SourceSets, OfNoFormAreRefusedWithTheForms) {
   for (const char* word : {"random", "random:", "random:0", "random:-1", "random:x", "edge", "8"}) {
     expect_error([&] { name_of_source_set(word); }, {word, "random:N", "boundary", "components"});
+  }
+}
+
+TEST(SpreadVertices, AreEqualStepsAlongTheSurfaceFromTheFirst) {
+  const Mesh mesh(generate("terrain", {{"columns", 9}, {"rows", 9}}), Numbering::along_surface);
+  ASSERT_FALSE(mesh.numbers().is_identity());
+  std::vector<double> distances(100, 1);
+  const Index unreached = mesh.numbers().external_vertex(99);
+  distances[unreached] = kInfinity;
+  const std::vector<Index> spread = spread_vertices(mesh, 50, 9, distances);
+  ASSERT_EQ(spread.size(), 9u);
+  EXPECT_EQ(spread[0], 50u);
+  for (std::size_t i = 0; i < spread.size(); ++i) {
+    const Index own = mesh.numbers().internal_vertex(50) + static_cast<Index>(11 * i);
+    EXPECT_EQ(spread[i], mesh.numbers().external_vertex(own % 99));
   }
 }
 

@@ -9,6 +9,7 @@
 #include "meshes/connectivity.h"
 #include "meshes/generators/generators.h"
 #include "meshes/oracles/random_meshes.h"
+#include "solvers/core/registry.h"
 #include "tests/message_of.h"
 #include "tests/paths/oracle_paths.h"
 
@@ -120,6 +121,16 @@ TEST(Paths, lead_between_points_in_faces_and_on_edges) {
   EXPECT_EQ(paths.to_target(1).points.size(), 2u);
   EXPECT_EQ(paths.to_target(2).points.size(), 1u);
   EXPECT_EQ(paths.nearest_sources(), (std::vector<Index>{kNone, kNone, kNone, 0}));
+}
+
+TEST(Paths, say_which_source_is_nearest_by_the_numbers_given) {
+  const Mesh mesh(rough_sphere(6, 2, 0.2), Numbering::along_surface);
+  const auto solver = make_solver("edge-based", mesh);
+  const Paths paths = solve_paths(*solver, mesh, {.sources = {{.at = 5}, {.at = 90}}});
+  const std::vector<Index> nearest = paths.nearest_sources();
+  EXPECT_EQ(nearest[5], 0);
+  EXPECT_EQ(nearest[90], 1);
+  for (Index v = 0; v < nearest.size(); ++v) EXPECT_EQ(paths.nearest_source(v), nearest[v]);
 }
 
 TEST(Paths, say_which_source_is_nearest) {
