@@ -173,11 +173,9 @@ def accuracy(run: Run) -> Drawing:
     """@raises ResultError when no exact solver was verified"""
 
     def measured(mesh: str, solver: str) -> list[Dot]:
-        return [
-            Dot(place, place, place, hollow=not truth)
-            for truth, error in sorted(largest_errors(run, mesh, solver).items())
-            for place in [max(error, FLOOR)]
-        ]
+        errors = sorted(largest_errors(run, mesh, solver).items())
+        places = [(max(error, FLOOR), not truth) for truth, error in errors]
+        return [Dot(place, place, place, hollow) for place, hollow in places]
 
     solvers = [s for s in measured_solvers(run) if run.solvers[s].exact]
     rows = mesh_rows(run, ERROR.label, solvers, measured)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from matplotlib.axes import Axes
@@ -99,10 +100,10 @@ def figure(run: Run) -> Drawing:
     looks = style.solver_styles(run.solvers)
     picture = style.new_figure(3.6 + 0.11 * len(found), width=9)
     panels = picture.subplots(1, 3 if inexact else 1, squeeze=False)[0]
-    _draw(panels[0], f"time, over {style.plain(base)}'s from one source", looks, found, "time")
+    _draw(panels[0], f"time, over {style.plain(base)}'s from one source", looks, found, lambda p: p.time)
     if inexact:
-        _draw(panels[1], "mean relative error", looks, inexact, "mean")
-        _draw(panels[2], "largest relative error", looks, inexact, "largest")
+        _draw(panels[1], "mean relative error", looks, inexact, lambda p: p.mean)
+        _draw(panels[2], "largest relative error", looks, inexact, lambda p: p.largest)
     panels[len(panels) // 2].set_xlabel("sources of one query")
     handles = [
         Line2D([], [], label=style.plain(s), color=looks[s].color, linestyle=looks[s].line,
@@ -125,11 +126,10 @@ def figure(run: Run) -> Drawing:
 
 def _draw(
     axes: Axes, label: str, looks: dict[str, style.SolverStyle], found: dict[str, list[Point]],
-    what: str,
+    value_of: Callable[[Point], float],
 ) -> None:  # fmt: skip
-    """@param what of Point"""
     for solver, of in found.items():
-        drawn = [(p.sources, getattr(p, what)) for p in of if getattr(p, what) > 0]
+        drawn = [(p.sources, value_of(p)) for p in of if value_of(p) > 0]
         if drawn:
             look = looks[solver]
             axes.plot(*zip(*drawn, strict=True), color=look.color, linestyle=look.line,

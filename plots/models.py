@@ -45,7 +45,7 @@ def beside_thesis(run: Run, words: str) -> str:
 def agreement(run: Run, agrees: bool, more: str = "") -> str:
     """The end of a sentence, beside the thesis; empty without its models.
 
-    @param more what follows "the thesis" """
+    @param more what follows these words"""
     verb = "agrees" if agrees else "does not agree"
     return beside_thesis(run, f", which {verb} with the thesis{more}")
 

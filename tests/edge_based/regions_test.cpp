@@ -124,6 +124,19 @@ TEST(RegionalWavefront, gives_the_same_bits_on_any_number_of_threads_whenever_th
   }
 }
 
+TEST(RegionalWavefront, gives_the_distances_of_the_serial_one_but_for_rounding) {
+  std::uint64_t seed = 0;
+  for (const Mesh& mesh : meshes()) {
+    const Query query = random_query(mesh, ++seed);
+    const auto serial = distances_by("edge-based", mesh, query);
+    const auto regional = distances_by("edge-based?threads=2&region-size=30", mesh, query);
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      if (serial[v] == regional[v]) continue;
+      ASSERT_NEAR(regional[v], serial[v], 1e-14 * serial[v]) << "vertex " << v;
+    }
+  }
+}
+
 TEST(RegionalWavefront, gives_the_bits_of_the_serial_one_where_a_query_ends_early) {
   const Mesh mesh(generate("terrain", {{"columns", 45}, {"rows", 45}}));
   Query query = random_query(mesh, 1);

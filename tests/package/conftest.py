@@ -41,11 +41,8 @@ def once(tmp_path_factory: pytest.TempPathFactory) -> Once:
 
 
 @pytest.fixture(scope="session")
-def installed(once: Once) -> Installed:
-    program = os.environ.get("GEODESIC_BENCH")
-    if program is None:
-        pytest.skip("GEODESIC_BENCH names no program; ./run_tests.sh sets it")
-    build = Path(program).resolve().parent
+def installed(once: Once, bench: Path) -> Installed:
+    build = bench.parent
     prefix = once("package", lambda folder: install(build, folder / "a prefix")) / "a prefix"
     return Installed.from_build(build, prefix)
 

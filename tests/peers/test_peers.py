@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 from pathlib import Path
 from typing import Any
 
@@ -18,11 +17,8 @@ FOLDERS = sorted(file.parent for file in ROOT.glob("peers/*/peer.json"))
 
 
 @pytest.fixture
-def world(tmp_path: Path) -> PeerWorld:
-    program = os.environ.get("GEODESIC_BENCH")
-    if program is None:
-        pytest.skip("GEODESIC_BENCH names no program; ./run_tests.sh sets it")
-    return PeerWorld(tmp_path, Path(program).resolve())
+def world(tmp_path: Path, bench: Path) -> PeerWorld:
+    return PeerWorld(tmp_path, bench)
 
 
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
