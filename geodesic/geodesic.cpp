@@ -16,8 +16,8 @@ void solve_points(std::string_view solver, const Mesh& mesh, const Query& query,
 
 }  // namespace
 
-Mesh read_mesh(const std::filesystem::path& path, const LoadOptions& options) {
-  return std::move(*build_mesh(path, options).mesh);
+SurfaceMesh read_mesh(const std::filesystem::path& path, const LoadOptions& options) {
+  return SurfaceMesh(std::move(*build_mesh(path, options).mesh));
 }
 
 std::span<const double> Field::distances() const {

@@ -1,6 +1,6 @@
 // Distances and shortest paths over a mesh, for programs that want nothing else:
 //
-//   const Mesh mesh = read_mesh("scan.ply");
+//   const SurfaceMesh mesh = read_mesh("scan.ply");
 //   DistanceSolver solver(mesh);
 //   const Field field = solver.from({0, point_in_face(mesh, 7, {.2, .3, .5})});
 //   const double distance = field[12];
@@ -19,16 +19,41 @@
 #include <utility>
 #include <vector>
 
+#include "meshes/connectivity.h"
 #include "meshes/load.h"
 #include "meshes/point_solver.h"
 #include "solvers/paths/paths.h"
 
 namespace geodesic {
 
-/// The mesh of a file, in the memory order that solvers are fast with. `build_mesh` returns the
-/// warnings as well.
+/// A mesh whose vertices and faces go by the numbers of its file. What solves on it takes it as a
+/// Mesh, whose own functions count by places in memory, another order, with which solvers are fast.
+class SurfaceMesh {
+ public:
+  /// @throws std::invalid_argument as Mesh
+  SurfaceMesh(std::span<const Vec3> positions, std::span<const Triangle> triangles)
+      : mesh_(positions, triangles, Numbering::along_surface) {}
+  explicit SurfaceMesh(Mesh mesh) : mesh_(std::move(mesh)) {}
+
+  Index vertex_count() const { return mesh_.vertex_count(); }
+  Index face_count() const { return mesh_.given_face_count(); }
+  /// Of a vertex, which is not checked.
+  const Vec3& position(Index vertex) const {
+    return mesh_.position(mesh_.numbers().internal_vertex(vertex));
+  }
+  /// Positions and triangles, copied.
+  TriangleSoup soup() const { return soup_of(mesh_); }
+
+  operator const Mesh&() const& { return mesh_; }  // NOLINT: it is one
+  operator const Mesh&() && = delete;
+
+ private:
+  Mesh mesh_;
+};
+
+/// The mesh of a file. `build_mesh` returns the warnings as well.
 /// @throws MeshError when the file cannot be read, or has errors and is not to be repaired
-Mesh read_mesh(const std::filesystem::path& path, const LoadOptions& options = {});
+SurfaceMesh read_mesh(const std::filesystem::path& path, const LoadOptions& options = {});
 
 struct FieldOptions {
   double limit = kInfinity;  ///< what is farther counts as unreachable

@@ -19,16 +19,15 @@ struct InFace {
   std::array<double, 3> weights;
 };
 
-// @param own in the mesh's internal numbers
-std::vector<InFace> faces_of(const Mesh& mesh, const SurfacePoint& own) {
+std::vector<InFace> faces_of(const Mesh& mesh, const InternalPoint& point) {
   std::vector<InFace> faces;
-  if (!own.is_vertex()) {
-    for (const SurfacePoint& image : in_every_face(mesh, own)) {
+  if (!point.is_vertex()) {
+    for (const InternalPoint& image : in_every_face(mesh, point)) {
       faces.push_back({image.face, image.weights});
     }
     return faces;
   }
-  for (const Index h : mesh.outgoing(own.vertex)) {
+  for (const Index h : mesh.outgoing(point.vertex)) {
     faces.push_back({h / 3, {}});
     faces.back().weights[h % 3] = 1;
   }
@@ -137,7 +136,8 @@ void PointSolver::correct_near_sources(const Query& query, std::span<double> dis
     if (source.at.is_vertex()) continue;
     for (const InFace& face : at) {
       for (const Index corner : mesh_.triangle(face.face)) {
-        correct(distances[mesh_.numbers().external_vertex(corner)], line(faces_of(mesh_, corner)));
+        correct(distances[mesh_.numbers().external_vertex(corner)],
+                line(faces_of(mesh_, InternalPoint(corner))));
       }
     }
   }

@@ -29,14 +29,14 @@ class GcMesh {
   geometrycentral::surface::Vertex vertex(Index own) const { return mesh_->vertex(numbers_[own]); }
 
   /// A path of geometry-central, from its source on.
-  std::vector<SurfacePoint> points(
+  std::vector<InternalPoint> points(
       const Mesh& own, const std::vector<geometrycentral::surface::SurfacePoint>& path) const {
     using geometrycentral::surface::SurfacePointType;
     std::vector<Index> by_number;
     for (Index v = 0; v < numbers_.size(); ++v)
       if (numbers_[v] != kNone) by_number.push_back(v);
     const auto number = [&](geometrycentral::surface::Vertex v) { return by_number[v.getIndex()]; };
-    std::vector<SurfacePoint> all;
+    std::vector<InternalPoint> all;
     for (const geometrycentral::surface::SurfacePoint& point : path) {
       if (point.type == SurfacePointType::Vertex) {
         all.emplace_back(number(point.vertex));
@@ -51,29 +51,29 @@ class GcMesh {
   }
 
   /// Those of the query that have faces.
-  std::vector<geometrycentral::surface::Vertex> sources(const Query& query) const {
+  std::vector<geometrycentral::surface::Vertex> sources(const InternalQuery& query) const {
     std::vector<geometrycentral::surface::Vertex> all;
-    for (const Source& source : query.sources)
+    for (const InternalSource& source : query.sources)
       if (numbers_[source.at.vertex] != kNone)
         all.push_back(mesh_->vertex(numbers_[source.at.vertex]));
     return all;
   }
 
   /// The targets that a query stops at, those in faces apart.
-  std::vector<geometrycentral::surface::Vertex> stops(const Query& query) const {
+  std::vector<geometrycentral::surface::Vertex> stops(const InternalQuery& query) const {
     std::vector<geometrycentral::surface::Vertex> all;
-    for (const SurfacePoint& target : query.targets)
+    for (const InternalPoint& target : query.targets)
       if (query.stop_at_targets && target.is_vertex()) all.push_back(vertex(target.vertex));
     return all.size() == query.targets.size() ? all : decltype(all){};
   }
 
   /// Answers a query with distances by vertex of geometry-central; those beyond 1e100 are
   /// unreachable.
-  void answer(const Query& query, const geometrycentral::surface::VertexData<double>& found,
+  void answer(const InternalQuery& query, const geometrycentral::surface::VertexData<double>& found,
               std::span<double> distances) const {
     peer::answer(distances, 1e100,
                  [&](Index v) { return numbers_[v] == kNone ? kInfinity : found[numbers_[v]]; });
-    for (const Source& source : query.sources)
+    for (const InternalSource& source : query.sources)
       if (numbers_[source.at.vertex] == kNone) distances[source.at.vertex] = 0;
   }
 

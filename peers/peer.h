@@ -46,13 +46,12 @@ std::vector<Number> corners(const Mesh& mesh) {
 }
 
 /// The point of the edge from a to b, so much of the way; an end of it where rounding goes beyond.
-/// @return in the mesh's internal numbers, as a and b
-inline SurfacePoint on_edge(const Mesh& mesh, Index a, Index b, double share) {
-  if (!(share > 0)) return a;
-  if (!(share < 1)) return b;
+inline InternalPoint on_edge(const Mesh& mesh, Index a, Index b, double share) {
+  if (!(share > 0)) return InternalPoint(a);
+  if (!(share < 1)) return InternalPoint(b);
   for (const Index h : mesh.outgoing(a)) {
     if (mesh.head(h) != b && mesh.apex(h) != b) continue;
-    SurfacePoint point;
+    InternalPoint point;
     point.face = h / 3;
     point.weights[h % 3] = 1 - share;
     point.weights[(mesh.head(h) == b ? Mesh::next(h) : Mesh::previous(h)) % 3] = share;

@@ -12,7 +12,7 @@ int main(int argument_count, char** arguments) try {
     std::fprintf(stderr, "Usage: distances MESH_FILE\n");
     return 1;
   }
-  const Mesh mesh = read_mesh(arguments[1]);
+  const SurfaceMesh mesh = read_mesh(arguments[1]);
   DistanceSolver solver(mesh);
   const Field field = solver.from({0});
   Index farthest = 0;

@@ -16,14 +16,15 @@ class MySolver final : public Solver {
       : Solver(mesh, description), front_(mesh.vertex_count()) {}
 
  private:
-  void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
+  void run(const InternalQuery& query, std::span<double> distances,
+           Recording* /*recording*/) override {
     const auto reach = [&](Index v, double d) {
       if (d < distances[v]) {
         distances[v] = d;
         front_.push_or_decrease(v, d);
       }
     };
-    for (const Source& source : query.sources) reach(source.at.vertex, source.distance);
+    for (const InternalSource& source : query.sources) reach(source.at.vertex, source.distance);
     while (!front_.empty() && front_.least_key() <= query.limit) {
       const Index v = front_.pop();
       for (const Index h : mesh().outgoing(v)) {

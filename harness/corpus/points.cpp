@@ -218,7 +218,8 @@ std::string written(const Mesh& mesh, const SurfacePoint& point) {
     append_text(text, point.vertex);
     return text;
   }
-  const Index under = edge_under(point);
+  const InternalPoint own = in_internal_numbers(mesh, point);
+  const Index under = edge_under(own);
   if (under == kNone) {
     append_text(text = "face:", point.face);
     char before = ':';
@@ -228,7 +229,7 @@ std::string written(const Mesh& mesh, const SurfacePoint& point) {
     }
     return text;
   }
-  const Triangle corners = mesh.triangle(mesh.numbers().internal_face(point.face));
+  const Triangle corners = mesh.triangle(own.face);
   const auto end = [&](Index k) {
     return std::pair(mesh.numbers().external_vertex(corners[k]), point.weights[k]);
   };

@@ -59,11 +59,11 @@ ExternalSolver::ExternalSolver(const Mesh& mesh, const Description& description,
   }
 }
 
-void ExternalSolver::run(const Query& query, std::span<double> distances,
+void ExternalSolver::run(const InternalQuery& query, std::span<double> distances,
                          Recording* /*recording*/) {
   const MeshNumbers& numbers = mesh().numbers();
   std::string sources;
-  for (const Source& source : query.sources) {
+  for (const InternalSource& source : query.sources) {
     if (!sources.empty()) sources += ',';
     sources += std::to_string(numbers.external_vertex(source.at.vertex));
   }

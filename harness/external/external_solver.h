@@ -34,7 +34,7 @@ class ExternalSolver final : public Solver {
     std::int64_t peak_bytes;
   };
 
-  void run(const Query& query, std::span<double> distances, Recording* recording) override;
+  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override;
   Process start(const std::string& sources) const;
   std::vector<double> read_distances() const;
   void note_times(const Process& process);

@@ -114,7 +114,8 @@ class Explanation {
   bool wrong(Index v) const { return check({&got_[v], 1}, {&right_[v], 1}).has_value(); }
 
   void explain_path(Index target) {
-    const auto path = shortest_path(mesh_, query_.sources, right_, target);
+    const auto path =
+        shortest_path(mesh_, in_internal_numbers(mesh_, query_).sources, right_, target);
     if (path.empty()) return;
     const std::vector<WindowsAlong> windows = windows_along(solver_, mesh_, query_, path);
     say("the path that should have got there:");

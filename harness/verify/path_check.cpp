@@ -21,17 +21,24 @@ constexpr Real kLastPlace = 2.2e-16L;
 /// Of coordinates in the plane, relative to the sides around them.
 constexpr Real kLaid = 4 * std::numeric_limits<Real>::epsilon();
 
-/// A path in the mesh's internal numbers.
-Path in_internal_numbers(const Mesh& mesh, Path path) {
-  for (PathPoint& point : path.points) {
-    point.at = geodesic::in_internal_numbers(mesh, point.at);
-    if (point.face != kNone) point.face = mesh.numbers().internal_face(point.face);
+/// A point of a path, and the face over which the path continues, by the mesh's internal numbers.
+struct Stop {
+  InternalPoint at;
+  Index face;
+};
+
+std::vector<Stop> stops_of(const Mesh& mesh, const Path& path) {
+  std::vector<Stop> stops;
+  for (const PathPoint& point : path.points) {
+    const bool goes_on = point.face != kNone;
+    stops.push_back({in_internal_numbers(mesh, point.at),
+                     goes_on ? mesh.numbers().internal_face(point.face) : kNone});
   }
-  return path;
+  return stops;
 }
 
 /// Barycentric, in a face that need not be the point's own; nothing when the point is not on it.
-std::optional<Weights> weights_on(const Mesh& mesh, Index face, const SurfacePoint& point) {
+std::optional<Weights> weights_on(const Mesh& mesh, Index face, const InternalPoint& point) {
   if (point.is_vertex()) {
     const Triangle corners = mesh.triangle(face);
     const auto corner = std::ranges::find(corners, point.vertex);
@@ -42,8 +49,8 @@ std::optional<Weights> weights_on(const Mesh& mesh, Index face, const SurfacePoi
   }
   if (point.face == face) return point.weights;
   if (edge_under(point) == kNone) return {};
-  const std::vector<SurfacePoint> images = in_every_face(mesh, point);
-  const auto image = std::ranges::find(images, face, &SurfacePoint::face);
+  const std::vector<InternalPoint> images = in_every_face(mesh, point);
+  const auto image = std::ranges::find(images, face, &InternalPoint::face);
   if (image == images.end()) return {};
   return image->weights;
 }
@@ -120,14 +127,13 @@ struct Stretch {
 class StraightCheck {
  public:
   StraightCheck(const Mesh& mesh, const Path& path, const Tolerance& tolerance)
-      : mesh_(mesh), path_(path), tolerance_(tolerance) {}
+      : mesh_(mesh), points_(stops_of(mesh, path)), length_(path.length()), tolerance_(tolerance) {}
 
   Finding run() {
-    const std::vector<PathPoint>& points = path_.points;
     std::optional<Stretch> before;
-    for (std::size_t i = 0; i + 1 < points.size();) {
+    for (std::size_t i = 0; i + 1 < points_.size();) {
       std::size_t end = i + 1;
-      while (end + 1 < points.size() && !points[end].at.is_vertex()) ++end;
+      while (end + 1 < points_.size() && !points_[end].at.is_vertex()) ++end;
       Stretch stretch;
       if (Finding finding = unfold(i, end, stretch)) return finding;
       if (before) {
@@ -142,14 +148,14 @@ class StraightCheck {
  private:
   Finding unfold(std::size_t first, std::size_t last, Stretch& stretch) const {
     std::vector<PlanePoint> line;
-    LaidFace laid = first_face(mesh_, path_.points[first].face);
+    LaidFace laid = first_face(mesh_, points_[first].face);
     const LaidFace start = laid;
     line.push_back(at(laid, first));
     Real longest = longest_side(laid), turned = 0;
     for (std::size_t i = first; i < last; ++i) {
-      const Index face = path_.points[i].face;
+      const Index face = points_[i].face;
       if (face != laid.face) {
-        const auto h = side_into(face, path_.points[i].at);
+        const auto h = side_into(face, points_[i].at);
         if (!h || mesh_.twin(*h) / 3 != laid.face) return wrong("jumps", i);
         laid = next_face(mesh_, *h, laid);
         longest = std::max(longest, longest_side(laid));
@@ -181,11 +187,11 @@ class StraightCheck {
   }
 
   PlanePoint at(const LaidFace& laid, std::size_t i) const {
-    return laid.at(*weights_on(mesh_, laid.face, path_.points[i].at));
+    return laid.at(*weights_on(mesh_, laid.face, points_[i].at));
   }
 
   /// The half-edge of a face on which a point lies.
-  std::optional<Index> side_into(Index face, const SurfacePoint& point) const {
+  std::optional<Index> side_into(Index face, const InternalPoint& point) const {
     const Index h = edge_under(point);
     if (h == kNone) return {};
     return h / 3 == face ? h : mesh_.twin(h);
@@ -193,7 +199,7 @@ class StraightCheck {
 
   Beam beam(const LaidFace& laid, std::size_t i, const PlanePoint& from,
             const PlanePoint& to) const {
-    const SurfacePoint& point = path_.points[i].at;
+    const InternalPoint& point = points_[i].at;
     Beam beam;
     for (Index h = 3 * laid.face; point.is_vertex() && h < 3 * laid.face + 3; ++h) {
       if (mesh_.origin(h) != point.vertex) continue;
@@ -211,7 +217,7 @@ class StraightCheck {
   }
 
   Finding check_vertex(std::size_t i, const Stretch& in, const Stretch& out) const {
-    const Index v = path_.points[i].at.vertex;
+    const Index v = points_[i].at.vertex;
     Real radius = kInfinity;  // the faces around v hold a disk of it
     for (const Index h : mesh_.outgoing(v)) {
       if (!(mesh_.half_edge(h).apex_y > 0) || !(mesh_.half_edge(h).length > 0)) return {};
@@ -224,14 +230,14 @@ class StraightCheck {
       // By the chord between two points of the path that are as near as the disk is wide.
       const Real near = std::min({a, b, radius}), half = std::sin(least / 2);
       const Real saved = 2 * near * (1 - half);
-      if (saved > allowed(path_.length())) {
+      if (saved > allowed(length_)) {
         return wrong(
             "has an angle of " + significant(static_cast<double>(least), 6) + " on one side", i);
       }
     }
     if (mesh_.is_pseudo_source(v)) return {};
     // So short a stretch has no direction: it may lead to a vertex next to a source and back.
-    if (std::min(a, b) <= allowed(path_.length())) return {};
+    if (std::min(a, b) <= allowed(length_)) return {};
     const Real pi = std::numbers::pi_v<Real>;
     const Real bend = std::min(std::abs(left - pi), std::abs(right - pi));
     // How far the vertex lies off the straight line between the stretches' other ends: as little as
@@ -259,7 +265,8 @@ class StraightCheck {
   }
 
   const Mesh& mesh_;
-  const Path& path_;
+  const std::vector<Stop> points_;
+  const double length_;
   const Tolerance& tolerance_;
 };
 
@@ -273,21 +280,22 @@ Finding check_path(const Mesh& mesh, const Query& query, const SurfacePoint& end
   if (path.points.front().at != source.at) return wrong("does not begin in its source");
   if (path.points.back().at != end) return wrong("does not end in its end");
   if (path.points.back().face != kNone) return wrong("goes on at its end");
-  const Path own = in_internal_numbers(mesh, path);
+  const std::vector<Stop> stops = stops_of(mesh, path);
   const double slack = tolerance.relative * std::max(distance, tolerance.least);
   Real travelled = 0;
-  for (std::size_t i = 0; i < own.points.size(); ++i) {
-    const PathPoint& point = own.points[i];
-    if (point.position != position_of(mesh, path.points[i].at)) return wrong("is elsewhere", i);
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    const PathPoint& point = path.points[i];
+    if (point.position != position_of(mesh, point.at)) return wrong("is elsewhere", i);
     if (!(std::abs(travelled - point.travelled) <= slack)) {
       return wrong("is not as long as it says", i);
     }
-    if (i + 1 == own.points.size()) break;
-    if (point.face >= mesh.given_face_count()) return wrong("leaves the surface", i);
-    const auto from = weights_on(mesh, point.face, point.at);
-    const auto to = weights_on(mesh, point.face, own.points[i + 1].at);
+    if (i + 1 == stops.size()) break;
+    const Index face = stops[i].face;
+    if (face >= mesh.given_face_count()) return wrong("leaves the surface", i);
+    const auto from = weights_on(mesh, face, stops[i].at);
+    const auto to = weights_on(mesh, face, stops[i + 1].at);
     if (!from || !to) return wrong("leaves its face", i);
-    travelled += length_between(mesh, point.face, *from, *to);
+    travelled += length_between(mesh, face, *from, *to);
   }
   const double length = static_cast<double>(travelled + source.distance);
   const double error = relative_error(length, distance, tolerance.least);
@@ -297,8 +305,7 @@ Finding check_path(const Mesh& mesh, const Query& query, const SurfacePoint& end
 }
 
 Finding check_straight(const Mesh& mesh, const Path& path, const Tolerance& tolerance) {
-  const Path own = in_internal_numbers(mesh, path);
-  return StraightCheck(mesh, own, tolerance).run();
+  return StraightCheck(mesh, path, tolerance).run();
 }
 
 }  // namespace geodesic::harness

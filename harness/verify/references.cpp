@@ -7,6 +7,7 @@
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"
+#include "meshes/connectivity.h"
 #include "meshes/generators/generators.h"
 
 namespace geodesic::harness {
@@ -111,18 +112,16 @@ namespace {
 // its time, and many solvers and properties ask about the same mesh.
 std::shared_ptr<const BruteForce> brute_force_on(const Mesh& mesh) {
   struct Known {
-    std::vector<Vec3> positions;
-    std::vector<Triangle> triangles;
+    TriangleSoup soup;
     bool crosses_non_manifold_edges;
     std::shared_ptr<const BruteForce> segments;
   };
   constexpr std::size_t kKept = 4;
   thread_local std::deque<Known> last;
-  Known asked{{}, {}, mesh.crosses_non_manifold_edges(), nullptr};
-  for (Index v = 0; v < mesh.vertex_count(); ++v) asked.positions.push_back(mesh.position(v));
-  for (Index f = 0; f < mesh.face_count(); ++f) asked.triangles.push_back(mesh.triangle(f));
+  Known asked{soup_of(mesh), mesh.crosses_non_manifold_edges(), nullptr};
   const auto same = std::ranges::find_if(last, [&](const Known& known) {
-    return known.positions == asked.positions && known.triangles == asked.triangles &&
+    return known.soup.positions == asked.soup.positions &&
+           known.soup.triangles == asked.soup.triangles &&
            known.crosses_non_manifold_edges == asked.crosses_non_manifold_edges;
   });
   if (same != last.end()) return same->segments;

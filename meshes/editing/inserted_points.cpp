@@ -115,7 +115,7 @@ class Inserter {
   };
   struct Inside {
     std::size_t point;
-    SurfacePoint own;
+    InternalPoint at;
   };
   // A face of the mesh that is not edited: its parts, and their corners in its plane, where its
   // longest side is 1: products of lengths stay within range.
@@ -133,7 +133,7 @@ class Inserter {
     return edited_.vertex_handle(corners_[external_face(h / 3)][h % 3]);
   }
 
-  Vec3 position_in(const SurfacePoint& own) const {
+  Vec3 position_in(const InternalPoint& own) const {
     Vec3 at{};
     const Triangle corners = mesh_.triangle(own.face);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -166,7 +166,7 @@ class Inserter {
       vertices_[i] = point.vertex;
       return;
     }
-    const SurfacePoint own = in_internal_numbers(mesh_, point);
+    const InternalPoint own = in_internal_numbers(mesh_, point);
     Index edge = kNone;
     for (Index h = 3 * own.face; h < 3 * own.face + 3; ++h) {
       const Point2 at = in_frame(mesh_, own, h);
@@ -242,7 +242,7 @@ class Inserter {
 
   void insert_in_face(Index face, const Inside& inside) {
     Plane& plane = plane_of(face);
-    const Point2 own = in_frame(mesh_, inside.own, 3 * face);
+    const Point2 own = in_frame(mesh_, inside.at, 3 * face);
     const Point2 at{own.x / plane.longest, own.y / plane.longest};
     const double place = place_ / plane.longest;
     const auto heights = [&](Part part) {
@@ -262,7 +262,7 @@ class Inserter {
     const std::array<double, 3> above = heights(part);
     const auto lowest = std::ranges::min_element(above) - above.begin();
     const auto side = *std::next(edited_.fh_range(part).begin(), lowest);
-    vertices_[inside.point] = add_number(position_in(inside.own));
+    vertices_[inside.point] = add_number(position_in(inside.at));
     const Vertex added = add_vertex(vertices_[inside.point]);
     plane.at[added] = at;
     const auto is_inner = [&] {

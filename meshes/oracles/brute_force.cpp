@@ -7,7 +7,8 @@
 namespace geodesic {
 namespace {
 
-using Graph = std::vector<std::vector<std::pair<Index, Real>>>;  // per vertex: neighbour, length
+// By external number of a vertex: neighbour, length.
+using Graph = std::vector<std::vector<std::pair<Index, Real>>>;
 
 std::vector<Real> shortest_chains(const Graph& graph, std::span<const Source> sources) {
   std::vector<Real> reached(graph.size(), kInfinity);
@@ -32,8 +33,10 @@ Graph edge_graph(const Mesh& mesh) {
   Graph graph(mesh.vertex_count());
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const Real length = straight_distance(mesh, mesh.origin(h), mesh.head(h));
-    graph[mesh.origin(h)].push_back({mesh.head(h), length});
-    graph[mesh.head(h)].push_back({mesh.origin(h), length});
+    const Index a = mesh.numbers().external_vertex(mesh.origin(h));
+    const Index b = mesh.numbers().external_vertex(mesh.head(h));
+    graph[a].push_back({b, length});
+    graph[b].push_back({a, length});
   }
   return graph;
 }
@@ -41,6 +44,7 @@ Graph edge_graph(const Mesh& mesh) {
 }  // namespace
 
 BruteForce::BruteForce(const Mesh& mesh) {
+  const MeshNumbers& numbers = mesh.numbers();
   const Graph edges = edge_graph(mesh);
   lines_ = edges;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
@@ -48,8 +52,8 @@ BruteForce::BruteForce(const Mesh& mesh) {
     for (const Real d : shortest_chains(edges, std::vector<Source>{{.at = v}})) {
       if (d < kInfinity) reach = std::max(reach, d);
     }
-    view_from(mesh, v, reach, [&](const Sight& sight) {
-      lines_[v].push_back({sight.vertex, sight.length});
+    view_from(mesh, numbers.internal_vertex(v), reach, [&](const Sight& sight) {
+      lines_[v].push_back({numbers.external_vertex(sight.vertex), sight.length});
     });
   }
 }

@@ -18,14 +18,14 @@ namespace geodesic {
 /// result is the shortest chain. Lengths are kept in `long double`.
 class BruteForce {
  public:
-  /// Finds the segments: all the work. The mesh must outlive this.
+  /// Finds the segments: all the work.
   explicit BruteForce(const Mesh& mesh);
 
   /// Distances to all vertices from the nearest source, +infinity where no path leads.
   std::vector<double> distances(std::span<const Source> sources) const;
 
  private:
-  std::vector<std::vector<std::pair<Index, Real>>> lines_;  // per vertex: to which, and its length
+  std::vector<std::vector<std::pair<Index, Real>>> lines_;  // by external number of a vertex
 };
 
 }  // namespace geodesic

@@ -81,10 +81,10 @@ class LastPiece {
 
 }  // namespace
 
-std::vector<StraightPiece> shortest_path(const Mesh& mesh, std::span<const Source> sources,
+std::vector<StraightPiece> shortest_path(const Mesh& mesh, std::span<const InternalSource> sources,
                                          std::span<const double> distances, Index target) {
   const auto starts_here = [&](Index v) {
-    return std::ranges::any_of(sources, [&](const Source& source) {
+    return std::ranges::any_of(sources, [&](const InternalSource& source) {
       return source.at.vertex == v && source.distance <= distances[v];
     });
   };

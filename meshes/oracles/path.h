@@ -24,11 +24,11 @@ struct StraightPiece {
 
 /// A shortest path from the nearest source to `target`, source first. It is straight but at
 /// vertices: pseudo-sources, or others that it runs through by chance.
-/// @param mesh whose internal numbering all vertices and half-edges go by
+/// Vertices and half-edges go by the mesh's internal numbers.
 /// @param distances of this query, exact
 /// @return empty when the target is a source that no other path reaches sooner, when it is
 ///         unreachable, and when the distances belong to no path (relative error above 1e-9)
-std::vector<StraightPiece> shortest_path(const Mesh& mesh, std::span<const Source> sources,
+std::vector<StraightPiece> shortest_path(const Mesh& mesh, std::span<const InternalSource> sources,
                                          std::span<const double> distances, Index target);
 
 }  // namespace geodesic

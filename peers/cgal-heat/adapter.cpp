@@ -40,14 +40,15 @@ class CgalHeat final : public Solver {
  private:
   using Vertex = Surface::Vertex_index;
 
-  void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
+  void run(const InternalQuery& query, std::span<double> distances,
+           Recording* /*recording*/) override {
     direct_ ? run_by(*direct_, query, distances) : run_by(*delaunay_, query, distances);
   }
 
   template <class Heat>
-  void run_by(Heat& heat, const Query& query, std::span<double> distances) {
+  void run_by(Heat& heat, const InternalQuery& query, std::span<double> distances) {
     heat.clear_sources();
-    for (const Source& source : query.sources) heat.add_source(Vertex(source.at.vertex));
+    for (const InternalSource& source : query.sources) heat.add_source(Vertex(source.at.vertex));
     auto found = surface_.add_property_map<Vertex, double>("v:distance", 0).first;
     heat.estimate_geodesic_distances(found);
     // CGAL begins with the largest number, and leaves it where it finds nothing less.

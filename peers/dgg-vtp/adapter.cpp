@@ -29,7 +29,7 @@ class DggVtp final : public Solver {
 
  private:
   // The authors' code clears its mesh itself.
-  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
     algorithm_->propagate(query.sources.front().at.vertex);
     peer::answer(distances, dgg_authors::GEODESIC_INF,
                  [&](Index v) { return mesh_.vertices()[v].geodesic_distance(); });

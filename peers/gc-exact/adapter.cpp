@@ -26,7 +26,7 @@ class GcExact final : public Solver {
         algorithm_(surface_.mesh(), surface_.geometry) {}
 
  private:
-  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
     const std::vector<authors::Vertex> sources = surface_.sources(query);
     authors::VertexData<double> found(surface_.mesh(), authors::GEODESIC_INF);
     if (!sources.empty()) {
@@ -37,9 +37,9 @@ class GcExact final : public Solver {
     surface_.answer(query, found, distances);
   }
 
-  std::vector<SurfacePoint> trace_path(const Query& /*query*/,
-                                       std::span<const double> /*distances*/,
-                                       Index vertex) override {
+  std::vector<InternalPoint> trace_path(const InternalQuery& /*query*/,
+                                        std::span<const double> /*distances*/,
+                                        Index vertex) override {
     std::vector<authors::SurfacePoint> path = algorithm_.traceBack(surface_.vertex(vertex));
     std::ranges::reverse(path);
     return surface_.points(mesh(), path);

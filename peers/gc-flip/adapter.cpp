@@ -31,7 +31,8 @@ class GcFlip final : public Solver {
 
  private:
   // Distances along edges: geometry-central has none of the paths that it shortens.
-  void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
+  void run(const InternalQuery& query, std::span<double> distances,
+           Recording* /*recording*/) override {
     authors::VertexData<double> found(surface_.mesh(), kInfinity);
     for (const authors::Vertex source : surface_.sources(query)) {
       for (const auto& [vertex, distance] :
@@ -42,11 +43,12 @@ class GcFlip final : public Solver {
     surface_.answer(query, found, distances);
   }
 
-  std::vector<SurfacePoint> trace_path(const Query& query, std::span<const double> /*distances*/,
-                                       Index vertex) override {
+  std::vector<InternalPoint> trace_path(const InternalQuery& query,
+                                        std::span<const double> /*distances*/,
+                                        Index vertex) override {
     if (query.sources.size() > 1) throw std::invalid_argument("gc-flip: one source only");
     const Index source = query.sources.front().at.vertex;
-    if (source == vertex) return {source};
+    if (source == vertex) return {InternalPoint(source)};
     network_.reinitializePath({authors::shortestEdgePath(surface_.geometry, surface_.vertex(source),
                                                          surface_.vertex(vertex))});
     network_.addAllWedgesToAngleQueue();

@@ -19,7 +19,8 @@ class GcHeat final : public Solver {
         heat_(surface_.geometry, description.real("time"), delaunay_) {}
 
  private:
-  void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
+  void run(const InternalQuery& query, std::span<double> distances,
+           Recording* /*recording*/) override {
     const std::vector<authors::Vertex> sources = surface_.sources(query);
     authors::VertexData<double> found(surface_.mesh(), kInfinity);
     if (!sources.empty()) found = heat_.computeDistance(sources);

@@ -24,12 +24,12 @@ class LibiglExact final : public Solver {
   }
 
  private:
-  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
     std::vector<authors::SurfacePoint> sources;
-    for (const Source& source : query.sources)
+    for (const InternalSource& source : query.sources)
       sources.emplace_back(&mesh_.vertices()[source.at.vertex]);
     std::vector<authors::SurfacePoint> stops;
-    for (const SurfacePoint& target : query.targets)
+    for (const InternalPoint& target : query.targets)
       if (query.stop_at_targets && target.is_vertex())
         stops.emplace_back(&mesh_.vertices()[target.vertex]);
     const bool all = stops.size() == query.targets.size();
@@ -43,20 +43,20 @@ class LibiglExact final : public Solver {
     peer::count<authors::Interval>(*algorithm_, recording);
   }
 
-  std::vector<SurfacePoint> trace_path(const Query& /*query*/,
-                                       std::span<const double> /*distances*/,
-                                       Index vertex) override {
+  std::vector<InternalPoint> trace_path(const InternalQuery& /*query*/,
+                                        std::span<const double> /*distances*/,
+                                        Index vertex) override {
     authors::SurfacePoint end(&mesh_.vertices()[vertex]);
     std::vector<authors::SurfacePoint> path;
     algorithm_->trace_back(end, path);
-    std::vector<SurfacePoint> points;
+    std::vector<InternalPoint> points;
     for (auto point = path.rbegin(); point != path.rend(); ++point) points.push_back(own(*point));
     return points;
   }
 
-  SurfacePoint own(authors::SurfacePoint& point) {
+  InternalPoint own(authors::SurfacePoint& point) {
     authors::MeshElementBase& element = *point.base_element();
-    if (point.type() == authors::VERTEX) return element.id();
+    if (point.type() == authors::VERTEX) return InternalPoint(element.id());
     if (point.type() != authors::EDGE)
       throw std::invalid_argument("a path has a point inside a face");
     authors::Vertex &a = *element.adjacent_vertices()[0], &b = *element.adjacent_vertices()[1];

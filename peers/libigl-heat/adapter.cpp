@@ -26,7 +26,8 @@ class LibiglHeat final : public Solver {
   }
 
  private:
-  void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
+  void run(const InternalQuery& query, std::span<double> distances,
+           Recording* /*recording*/) override {
     Eigen::VectorXi sources(query.sources.size());
     for (int i = 0; i < sources.size(); ++i)
       sources(i) = static_cast<int>(query.sources[i].at.vertex);

@@ -79,7 +79,7 @@ class Pvtp final : public Solver {
   }
 
  private:
-  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, threads_);
     algorithm_.propagate(query.sources.front().at.vertex);
     mesh_.answer(distances, recording);
@@ -105,7 +105,7 @@ class Avtp final : public Solver {
     algorithm_.emplace(authors_->get(), lambda_);
   }
 
-  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
     algorithm_->propagate(query.sources.front().at.vertex);
     authors_->answer(distances, recording);
   }

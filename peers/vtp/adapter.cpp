@@ -29,7 +29,7 @@ class Vtp final : public Solver {
     algorithm_.emplace(&*mesh_);
   }
 
-  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
     algorithm_->propagate(query.sources.front().at.vertex);
     peer::answer(distances, vtp_authors::GEODESIC_INF,
                  [&](Index v) { return mesh_->vertices()[v].geodesic_distance(); });

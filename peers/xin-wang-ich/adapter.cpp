@@ -26,9 +26,10 @@ class XinWangIch final : public Solver {
 
  private:
   // The state of a solve lies in an object of its own, which traces paths; the model is constant.
-  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
     std::set<int> sources;
-    for (const Source& source : query.sources) sources.insert(static_cast<int>(source.at.vertex));
+    for (const InternalSource& source : query.sources)
+      sources.insert(static_cast<int>(source.at.vertex));
     CICHWithFurtherPriorityQueue& algorithm = algorithm_.emplace(model_, sources);
     propagated_windows = 0;
     algorithm.Execute();
@@ -42,12 +43,12 @@ class XinWangIch final : public Solver {
     }
   }
 
-  std::vector<SurfacePoint> trace_path(const Query& /*query*/,
-                                       std::span<const double> /*distances*/,
-                                       Index vertex) override {
+  std::vector<InternalPoint> trace_path(const InternalQuery& /*query*/,
+                                        std::span<const double> /*distances*/,
+                                        Index vertex) override {
     std::vector<EdgePoint> path;
     algorithm_->FindSourceVertex(static_cast<int>(vertex), path);
-    std::vector<SurfacePoint> points;
+    std::vector<InternalPoint> points;
     for (auto point = path.rbegin(); point != path.rend(); ++point) {
       const auto index = static_cast<Index>(point->index);
       if (point->isVertex) {

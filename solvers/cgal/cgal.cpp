@@ -64,7 +64,7 @@ class Cgal final : public Solver {
 
   /// CGAL counts the corners of a face from the source of its half-edge. Faces have the same
   /// numbers in both.
-  Weights weights_of(const SurfacePoint& point) const {
+  Weights weights_of(const InternalPoint& point) const {
     Index h = 3 * point.face;
     while (vertex_[mesh().origin(h)] != surface_.source(surface_.halfedge(Face(point.face)))) ++h;
     Weights weights;
@@ -77,7 +77,7 @@ class Cgal final : public Solver {
 
   /// CGAL 5.5 takes the weights of an edge's ends the wrong way round for sources, and the right
   /// way for targets: then the source is not at distance 0 from itself.
-  void add_point(const SurfacePoint& source) {
+  void add_point(const InternalPoint& source) {
     const Face face(source.face);
     Weights weights = weights_of(source);
     paths_.add_source_point(face, weights);
@@ -92,8 +92,9 @@ class Cgal final : public Solver {
 
   // One source after the other: with several at once, CGAL 5.5 can follow a path beyond a boundary
   // edge, which its own assertions forbid.
-  void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
-    for (const Source& source : query.sources) {
+  void run(const InternalQuery& query, std::span<double> distances,
+           Recording* /*recording*/) override {
+    for (const InternalSource& source : query.sources) {
       if (source.at.is_vertex()) {
         distances[source.at.vertex] = std::min(distances[source.at.vertex], source.distance);
       }
@@ -102,7 +103,7 @@ class Cgal final : public Solver {
   }
 
   /// @return false at a vertex without faces
-  bool starts_from(const Source& source) {
+  bool starts_from(const InternalSource& source) {
     paths_.remove_all_source_points();
     if (!source.at.is_vertex()) {
       add_point(source.at);
@@ -114,7 +115,7 @@ class Cgal final : public Solver {
     return true;
   }
 
-  void reach_vertices(const Source& source, std::span<double> distances) {
+  void reach_vertices(const InternalSource& source, std::span<double> distances) {
     paths_.build_sequence_tree();
     for (Index v = 0; v < mesh().vertex_count(); ++v) {
       distances[v] = std::min(distances[v], distance_from(source, v));
@@ -122,7 +123,7 @@ class Cgal final : public Solver {
   }
 
   /// By the tree of this source; infinite where no path leads.
-  double distance_from(const Source& source, Index v) {
+  double distance_from(const InternalSource& source, Index v) {
     if (vertex_[v] == Surface::null_vertex()) return kInfinity;
     const double d = paths_.shortest_distance_to_source_points(vertex_[v]).first;
     return d < 0 ? kInfinity : source.distance + d / scale_;  // CGAL's "unreachable" is -1
@@ -131,7 +132,7 @@ class Cgal final : public Solver {
   /// The points of one of CGAL's paths, from its end on.
   struct Collector {
     const Cgal& cgal;
-    std::vector<SurfacePoint> points = {};
+    std::vector<InternalPoint> points = {};
 
     void operator()(Surface::Halfedge_index h, Kernel::FT share) {
       const Index from = cgal.own_[cgal.surface_.source(h)];
@@ -147,10 +148,10 @@ class Cgal final : public Solver {
   };
 
   // Of several sources, the tree left is that of the last one.
-  std::vector<SurfacePoint> trace_path(const Query& query, std::span<const double> distances,
-                                       Index vertex) override {
-    for (const Source& source : query.sources) {
-      if (source.at == SurfacePoint(vertex)) return {vertex};
+  std::vector<InternalPoint> trace_path(const InternalQuery& query,
+                                        std::span<const double> distances, Index vertex) override {
+    for (const InternalSource& source : query.sources) {
+      if (source.at == InternalPoint(vertex)) return {InternalPoint(vertex)};
       if (query.sources.size() > 1 && starts_from(source)) paths_.build_sequence_tree();
       if (distance_from(source, vertex) > distances[vertex]) continue;
       Collector path{*this};

@@ -40,13 +40,13 @@ class ChenHan final : public Solver {
 
  private:
   /// A recorded solve; defined in recorded.h, as the next one.
-  static void solve_recorded(const Mesh& mesh, const Query& query, std::span<double> distances,
-                             Recording& recording);
+  static void solve_recorded(const Mesh& mesh, const InternalQuery& query,
+                             std::span<double> distances, Recording& recording);
   /// As a timed solve, with windows that carry the length of their strip.
-  static void solve_dropping_long_strips(const Mesh& mesh, const Query& query,
+  static void solve_dropping_long_strips(const Mesh& mesh, const InternalQuery& query,
                                          std::span<double> distances);
 
-  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
     if (recording != nullptr) return solve_recorded(mesh(), query, distances, *recording);
     solve_within_bound(distances, [&](bool drops_long_strips) {
       if (drops_long_strips) return solve_dropping_long_strips(mesh(), query, distances);

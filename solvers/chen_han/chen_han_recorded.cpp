@@ -3,15 +3,17 @@
 
 namespace geodesic::chen_han {
 
-template void ChenHan<Ch>::solve_recorded(const Mesh&, const Query&, std::span<double>, Recording&);
-template void ChenHan<Ch>::solve_dropping_long_strips(const Mesh&, const Query&, std::span<double>);
-template void ChenHan<Ich>::solve_recorded(const Mesh&, const Query&, std::span<double>,
+template void ChenHan<Ch>::solve_recorded(const Mesh&, const InternalQuery&, std::span<double>,
+                                          Recording&);
+template void ChenHan<Ch>::solve_dropping_long_strips(const Mesh&, const InternalQuery&,
+                                                      std::span<double>);
+template void ChenHan<Ich>::solve_recorded(const Mesh&, const InternalQuery&, std::span<double>,
                                            Recording&);
-template void ChenHan<Ich>::solve_dropping_long_strips(const Mesh&, const Query&,
+template void ChenHan<Ich>::solve_dropping_long_strips(const Mesh&, const InternalQuery&,
                                                        std::span<double>);
-template void ChenHan<FwpCh>::solve_recorded(const Mesh&, const Query&, std::span<double>,
+template void ChenHan<FwpCh>::solve_recorded(const Mesh&, const InternalQuery&, std::span<double>,
                                              Recording&);
-template void ChenHan<FwpCh>::solve_dropping_long_strips(const Mesh&, const Query&,
+template void ChenHan<FwpCh>::solve_dropping_long_strips(const Mesh&, const InternalQuery&,
                                                          std::span<double>);
 
 }  // namespace geodesic::chen_han

@@ -71,7 +71,7 @@ class Propagation {
         corners_(mesh.half_edge_count()),
         unreliable_(find_unreliable_vertices(mesh)) {}
 
-  void run(const Query& query, std::span<double> distances) {
+  void run(const InternalQuery& query, std::span<double> distances) {
     const auto timed = recorder_.enter(Phase::propagation);
     start(query, distances);
     do {
@@ -121,7 +121,7 @@ class Propagation {
     queue_.push(key, pool_.add(w));
   }
 
-  void start(const Query& query, std::span<double> distances) {
+  void start(const InternalQuery& query, std::span<double> distances) {
     distances_ = distances;
     if (!std::ranges::all_of(query.sources, is_at_vertex)) make_room_for_roots(query);
     limit_ = query.limit;
@@ -133,8 +133,8 @@ class Propagation {
     if (stops_) keep_sorted(queue_);
     pipeline_.clear();
     corners_.clear();
-    if constexpr (Recorder::kRecords) progress_.start(mesh_, query.source_vertices(mesh_));
-    for (const Source& source : query.sources) {
+    if constexpr (Recorder::kRecords) progress_.start(mesh_, source_vertices(mesh_, query));
+    for (const InternalSource& source : query.sources) {
       if (!is_at_vertex(source)) continue;
       start_at(source.at.vertex, source.distance, {kNone, source.at.vertex, {0, 0}});
     }
@@ -143,7 +143,7 @@ class Propagation {
     }
   }
 
-  static bool is_at_vertex(const Source& source) { return source.at.is_vertex(); }
+  static bool is_at_vertex(const InternalSource& source) { return source.at.is_vertex(); }
 
   /// v sends windows everywhere.
   void start_at(Index v, double distance, LastSegment last_segment) {
@@ -155,14 +155,14 @@ class Propagation {
 
   /// Gives roots that are no vertices an entry each behind the distances of vertices, so that
   /// nothing has to tell them apart.
-  [[gnu::cold, gnu::noinline]] void make_room_for_roots(const Query& query) {
+  [[gnu::cold, gnu::noinline]] void make_room_for_roots(const InternalQuery& query) {
     with_roots_.assign(mesh_.vertex_count(), kInfinity);
-    for (const Source& source : query.sources) with_roots_.push_back(source.distance);
+    for (const InternalSource& source : query.sources) with_roots_.push_back(source.distance);
     distances_ = with_roots_;
   }
 
   /// Starts from the next source that is no vertex. @return false when none is left
-  [[gnu::cold, gnu::noinline]] bool spread_next(const Query& query) {
+  [[gnu::cold, gnu::noinline]] bool spread_next(const InternalQuery& query) {
     const Index count = static_cast<Index>(query.sources.size());
     while (next_source_ < count && is_at_vertex(query.sources[next_source_])) ++next_source_;
     if (next_source_ == count) return false;
@@ -176,7 +176,7 @@ class Propagation {
   }
 
   /// Starts from a source that is no vertex.
-  [[gnu::cold, gnu::noinline]] void spread(const Source& source, Index root) {
+  [[gnu::cold, gnu::noinline]] void spread(const InternalSource& source, Index root) {
     const auto reach_corner = [&](Index h, const Point2& from, double rest, bool is_next)
         __attribute__((cold)) {
       const FaceFrame face = face_frame(mesh_, h);

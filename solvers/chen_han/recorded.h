@@ -6,7 +6,7 @@
 namespace geodesic::chen_han {
 
 template <class Policy>
-void ChenHan<Policy>::solve_recorded(const Mesh& mesh, const Query& query,
+void ChenHan<Policy>::solve_recorded(const Mesh& mesh, const InternalQuery& query,
                                      std::span<double> distances, Recording& recording) {
   solve_recording(mesh, query, distances, recording, [&](auto recorder) {
     using Recorder = decltype(recorder);
@@ -16,7 +16,7 @@ void ChenHan<Policy>::solve_recorded(const Mesh& mesh, const Query& query,
 }
 
 template <class Policy>
-void ChenHan<Policy>::solve_dropping_long_strips(const Mesh& mesh, const Query& query,
+void ChenHan<Policy>::solve_dropping_long_strips(const Mesh& mesh, const InternalQuery& query,
                                                  std::span<double> distances) {
   Propagation<Policy, StripDepth, NoRecorder>(mesh).run(query, distances);
 }

@@ -11,7 +11,7 @@ namespace geodesic {
 /// The version of what a solver sees: all of solvers/core. Raised when a solver that was compiled
 /// before a change would no longer work after it: when a member or a virtual function is added,
 /// moved or removed, or means something else. Plug-ins of other versions are refused.
-inline constexpr int kContract = 8;
+inline constexpr int kContract = 9;
 
 /// The contract that this file is compiled against: "contract 2 (C++ ABI 1017/1, sizes 32 280
 /// ...)".

@@ -8,18 +8,18 @@
 
 namespace geodesic {
 
-LastSegments::LastSegments(const Mesh& mesh, const Query& query)
+LastSegments::LastSegments(const Mesh& mesh, const InternalQuery& query)
     : mesh_(mesh),
       query_(query),
       last_segments_(mesh.vertex_count()),
       targets_(query.targets.size()) {
-  for (const Source& source : query.sources) {
+  for (const InternalSource& source : query.sources) {
     if (source.at.is_vertex()) last_segments_[source.at.vertex].root = source.at.vertex;
   }
   for (Index i = 0; i < query.targets.size(); ++i) {
-    const SurfacePoint& target = query.targets[i];
+    const InternalPoint& target = query.targets[i];
     if (target.is_vertex()) continue;
-    for (const SurfacePoint& image : in_every_face(mesh, target)) places_.push_back({i, image});
+    for (const InternalPoint& image : in_every_face(mesh, target)) places_.push_back({i, image});
   }
   if (places_.empty()) return;
   std::ranges::stable_sort(places_, {}, [](const Place& p) { return p.point.face; });
@@ -41,7 +41,7 @@ void LastSegments::offer(Index target, double distance, const LastSegment& last_
 void LastSegments::finish(std::span<const double> distances, Recording& recording) {
   for (const Place& place : places_) finish_place(place, distances);
   for (Index i = 0; i < targets_.size(); ++i) {
-    const SurfacePoint& target = query_.targets[i];
+    const InternalPoint& target = query_.targets[i];
     if (target.is_vertex()) targets_[i] = {distances[target.vertex], last_segments_[target.vertex]};
     if (targets_[i].distance > query_.limit) targets_[i] = {};
   }
@@ -61,9 +61,9 @@ void LastSegments::finish_place(const Place& place, std::span<const double> dist
     offer(place.target, distance, {h, corner, {0, 0}});
   }
   for (Index i = 0; i < query_.sources.size(); ++i) {
-    const Source& source = query_.sources[i];
+    const InternalSource& source = query_.sources[i];
     if (source.at.is_vertex()) continue;
-    for (const SurfacePoint& from : in_every_face(mesh_, source.at)) {
+    for (const InternalPoint& from : in_every_face(mesh_, source.at)) {
       if (from.face != face) continue;
       // From the nearest corner: next to it, coordinates have all digits of the weights.
       const auto& weights = place.point.weights;

@@ -9,10 +9,10 @@
 
 namespace geodesic {
 
-/// For one solve of one query, both in the mesh's internal numbers.
+/// For one solve of one query.
 class LastSegments {
  public:
-  LastSegments(const Mesh& mesh, const Query& query);
+  LastSegments(const Mesh& mesh, const InternalQuery& query);
 
   /// As PathRecorder's (recorders.h).
   void arrived(Index v, const LastSegment& last_segment) { last_segments_[v] = last_segment; }
@@ -32,16 +32,16 @@ class LastSegments {
   /// A target that is no vertex, for each face it lies in.
   struct Place {
     Index target;
-    SurfacePoint point;
+    InternalPoint point;
   };
 
-  void add_place(Index target, const SurfacePoint& point);
+  void add_place(Index target, const InternalPoint& point);
   void cross(Index h, const Window& w, Index root, Index place);
   void offer(Index target, double distance, const LastSegment& last_segment);
   void finish_place(const Place& place, std::span<const double> distances);
 
   const Mesh& mesh_;
-  const Query& query_;
+  const InternalQuery& query_;
   std::vector<LastSegment> last_segments_;
   std::vector<AtTarget> targets_;
   std::vector<Place> places_;        // by face

@@ -15,8 +15,13 @@ enum class Numbering {
   along_surface,  ///< large meshes are solved faster, small ones no slower
 };
 
-/// Translates between two numberings of a mesh: the given one, which sources, distances and files
-/// have, and the mesh's own, which is that of every function of Mesh and of what solvers record.
+/// Whose numbers vertices and faces go by.
+enum class Numbers {
+  external,  ///< those that the mesh was given them by: of files, queries, distances and paths
+  internal   ///< their places in the mesh's memory: of every function of Mesh, and in solvers
+};
+
+/// Translates between the two numberings of a mesh.
 /// The corners of a face keep their order.
 class MeshNumbers {
  public:

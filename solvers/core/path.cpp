@@ -6,7 +6,7 @@
 namespace geodesic {
 namespace {
 
-bool lies_on(const Mesh& mesh, Index face, const SurfacePoint& point) {
+bool lies_on(const Mesh& mesh, Index face, const InternalPoint& point) {
   if (point.is_vertex()) return std::ranges::count(mesh.triangle(face), point.vertex) > 0;
   if (point.face == face) return true;
   const Index under = edge_under(point);
@@ -14,7 +14,7 @@ bool lies_on(const Mesh& mesh, Index face, const SurfacePoint& point) {
 }
 
 /// A face that both points lie on; kNone when there is none.
-Index face_of(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
+Index face_of(const Mesh& mesh, const InternalPoint& a, const InternalPoint& b) {
   if (a.is_vertex()) {
     const auto faces = mesh.outgoing(a.vertex);
     const auto shared =
@@ -28,12 +28,13 @@ Index face_of(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
 
 }  // namespace
 
-Path path_through(const Mesh& mesh, const Query& query, std::span<const SurfacePoint> points) {
-  const auto source = std::ranges::find(query.sources, points.front(), &Source::at);
+Path path_through(const Mesh& mesh, const InternalQuery& query,
+                  std::span<const InternalPoint> points) {
+  const auto source = std::ranges::find(query.sources, points.front(), &InternalSource::at);
   Path path{.source = static_cast<Index>(source - query.sources.begin()), .points = {}};
   for (std::size_t i = 0; i < points.size(); ++i) {
     PathPoint point{.at = in_external_numbers(mesh, points[i]),
-                    .position = position_of_internal(mesh, points[i])};
+                    .position = position_of(mesh, points[i])};
     if (i > 0) {
       PathPoint& before = path.points.back();
       const Index face = face_of(mesh, points[i - 1], points[i]);

@@ -30,8 +30,8 @@ struct Path {
 };
 
 /// The path that is straight between these points.
-/// @param query in the mesh's internal numbers, as the points
 /// @param points at least one; the path's source is that of the query in the first one
-Path path_through(const Mesh& mesh, const Query& query, std::span<const SurfacePoint> points);
+Path path_through(const Mesh& mesh, const InternalQuery& query,
+                  std::span<const InternalPoint> points);
 
 }  // namespace geodesic

@@ -4,18 +4,29 @@
 
 namespace geodesic {
 
-std::vector<Index> Query::source_vertices(const Mesh& mesh) const {
+InternalQuery in_internal_numbers(const Mesh& mesh, const Query& query) {
+  InternalQuery own{.sources = {}, .limit = query.limit, .stop_at_targets = query.stop_at_targets};
+  for (const auto& [at, distance] : query.sources) {
+    own.sources.push_back({in_internal_numbers(mesh, at), distance});
+  }
+  for (const SurfacePoint& target : query.targets) {
+    own.targets.push_back(in_internal_numbers(mesh, target));
+  }
+  return own;
+}
+
+std::vector<Index> source_vertices(const Mesh& mesh, const InternalQuery& query) {
   std::vector<Index> vertices;
-  for (const Source& source : sources) {
+  for (const InternalSource& source : query.sources) {
     vertices.push_back(source.at.is_vertex() ? source.at.vertex : mesh.origin(3 * source.at.face));
   }
   return vertices;
 }
 
-StopRule::StopRule(const Mesh& mesh, const Query& query, std::span<const double> distances)
+StopRule::StopRule(const Mesh& mesh, const InternalQuery& query, std::span<const double> distances)
     : limit_(query.limit), stops_(query.stop_at_targets), distances_(distances) {
   if (!stops_) return;
-  for (const SurfacePoint& target : query.targets) {
+  for (const InternalPoint& target : query.targets) {
     if (target.is_vertex()) {
       bounds_.push_back({{target.vertex, target.vertex, target.vertex}, {}});
       continue;

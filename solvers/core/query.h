@@ -10,25 +10,34 @@
 namespace geodesic {
 
 /// A point that distances are measured from.
-struct Source {
-  SurfacePoint at;
+template <Numbers numbers>
+struct SourceIn {
+  PointIn<numbers> at;
   double distance = 0;  ///< initial distance at the source, >= 0, finite
 };
+using Source = SourceIn<Numbers::external>;
+using InternalSource = SourceIn<Numbers::internal>;
 
 /// A problem: the distances from the nearest of some sources.
-struct Query {
-  std::vector<Source> sources;  ///< at least one; the result is the least over them
-  double limit = kInfinity;     ///< vertices farther than this are reported as unreachable
+template <Numbers numbers>
+struct QueryIn {
+  std::vector<SourceIn<numbers>> sources;  ///< at least one; the result is the least over them
+  double limit = kInfinity;  ///< vertices farther than this are reported as unreachable
   /// Points whose distances and paths are wanted (RecordingKind::paths).
-  std::vector<SurfacePoint> targets = {};
+  std::vector<PointIn<numbers>> targets = {};
   /// Vertices farther than the farthest target are reported as unreachable too. Unless paths are
   /// recorded, a target in a face counts as far as the way to it over a corner.
   bool stop_at_targets = false;
-
-  /// A vertex of the component of each source: the source itself, or a corner of its face.
-  /// @param mesh in whose internal numbers the query is
-  std::vector<Index> source_vertices(const Mesh& mesh) const;
 };
+using Query = QueryIn<Numbers::external>;
+using InternalQuery = QueryIn<Numbers::internal>;
+
+/// The same query by the mesh's internal numbers: as solvers get it.
+/// @param query whose points are without defects
+InternalQuery in_internal_numbers(const Mesh& mesh, const Query& query);
+
+/// A vertex of the component of each source: the source itself, or a corner of its face.
+std::vector<Index> source_vertices(const Mesh& mesh, const InternalQuery& query);
 
 /// Tells a solver when the vertices that a query asks for have their distances.
 ///
@@ -37,9 +46,8 @@ struct Query {
 class StopRule {
  public:
   StopRule() = default;
-  /// @param query in the mesh's internal numbers
   /// @param distances those that the solver changes
-  StopRule(const Mesh& mesh, const Query& query, std::span<const double> distances);
+  StopRule(const Mesh& mesh, const InternalQuery& query, std::span<const double> distances);
 
   /// True when a wavefront whose least key is `key` has nothing left to find. Keys of successive
   /// calls do not fall but by rounding; a solver whose wavefront is not sorted asks with the least

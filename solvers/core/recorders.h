@@ -213,8 +213,8 @@ struct PathRecorder : NoRecorder {
 /// Calls `solve` with the recorder that `recording.kind` needs.
 /// @param distances those that `solve` fills
 template <class Solve>
-void solve_recording(const Mesh& mesh, const Query& query, std::span<const double> distances,
-                     Recording& recording, Solve&& solve) {
+void solve_recording(const Mesh& mesh, const InternalQuery& query,
+                     std::span<const double> distances, Recording& recording, Solve&& solve) {
   if (recording.kind == RecordingKind::paths) {
     LastSegments segments(mesh, query);
     solve(PathRecorder(segments));

@@ -53,12 +53,6 @@ void check_query(const Query& query, const Mesh& mesh, const Description& solver
   }
 }
 
-Query in_internal_numbers(const Mesh& mesh, Query query) {
-  for (Source& source : query.sources) source.at = in_internal_numbers(mesh, source.at);
-  for (SurfacePoint& target : query.targets) target = in_internal_numbers(mesh, target);
-  return query;
-}
-
 }  // namespace
 
 double Description::real(std::string_view parameter) const {
@@ -100,18 +94,17 @@ void Solver::solve(const Query& query, std::span<double> distances, Recording* r
   }
   renew();
   used_ = true;
-  if (mesh_.numbers().is_identity()) {
-    run_to_end(query, distances, recording);
-    return;
-  }
+  const InternalQuery own = in_internal_numbers(mesh_, query);
+  if (mesh_.numbers().is_identity()) return run_to_end(own, distances, recording);
   in_mesh_order_.resize(distances.size());
-  run_to_end(in_internal_numbers(mesh_, query), in_mesh_order_, recording);
+  run_to_end(own, in_mesh_order_, recording);
   for (Index v = 0; v < distances.size(); ++v) {
     distances[mesh_.numbers().external_vertex(v)] = in_mesh_order_[v];
   }
 }
 
-void Solver::run_to_end(const Query& query, std::span<double> distances, Recording* recording) {
+void Solver::run_to_end(const InternalQuery& query, std::span<double> distances,
+                        Recording* recording) {
   std::ranges::fill(distances, kInfinity);
   run(query, distances, recording);
   double farthest = StopRule(mesh_, query, distances).farthest();
@@ -133,15 +126,15 @@ Path Solver::trace(const Query& query, std::span<const double> distances, Index 
     refuse(description_, "no path leads to vertex " + std::to_string(vertex));
   }
   const bool renumbered = !mesh_.numbers().is_identity();
-  const Query own = in_internal_numbers(mesh_, query);
+  const InternalQuery own = in_internal_numbers(mesh_, query);
   return path_through(mesh_, own,
                       trace_path(own, renumbered ? in_mesh_order_ : distances,
                                  mesh_.numbers().internal_vertex(vertex)));
 }
 
-std::vector<SurfacePoint> Solver::trace_path(const Query& /*query*/,
-                                             std::span<const double> /*distances*/,
-                                             Index /*vertex*/) {
+std::vector<InternalPoint> Solver::trace_path(const InternalQuery& /*query*/,
+                                              std::span<const double> /*distances*/,
+                                              Index /*vertex*/) {
   return {};
 }
 

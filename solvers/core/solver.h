@@ -122,23 +122,23 @@ class Solver {
   const Mesh& mesh() const { return mesh_; }
 
  private:
-  /// As `solve` in the mesh's internal numbering, with the query already checked and `distances`
+  /// As `solve` in the mesh's internal numbers, with the query already checked and `distances`
   /// filled with +infinity. May leave distances above the limit or the farthest target's; they are
   /// cleared afterwards. Whoever does not end there (StopRule) only takes longer.
-  virtual void run(const Query& query, std::span<double> distances, Recording* recording) = 0;
+  virtual void run(const InternalQuery& query, std::span<double> distances,
+                   Recording* recording) = 0;
 
-  /// As `trace`: the points of the path, from a source on, in the mesh's internal numbering. A
+  /// As `trace`: the points of the path, from a source on, in the mesh's internal numbers. A
   /// straight line joins each with the next one.
   /// @param vertex one that has a distance
-  virtual std::vector<SurfacePoint> trace_path(const Query& query,
-                                               std::span<const double> distances, Index vertex);
+  virtual std::vector<InternalPoint> trace_path(const InternalQuery& query,
+                                                std::span<const double> distances, Index vertex);
 
   /// Drops what is left of the last query: of public codes that keep it in their mesh.
   virtual void renew_state() {}
 
-  /// `run` from fresh distances, without what lies beyond the limit; all in the mesh's internal
-  /// numbers.
-  void run_to_end(const Query& query, std::span<double> distances, Recording* recording);
+  /// `run` from fresh distances, without what lies beyond the limit.
+  void run_to_end(const InternalQuery& query, std::span<double> distances, Recording* recording);
 
   const Mesh& mesh_;
   const Description& description_;

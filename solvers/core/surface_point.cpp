@@ -15,8 +15,6 @@ std::string not_in_mesh(const char* kind, Index number, Index count, const char*
          std::to_string(count) + " " + kinds;
 }
 
-Index internal_face(const Mesh& mesh, Index given) { return mesh.numbers().internal_face(given); }
-
 }  // namespace
 
 SurfacePoint point_in_face(const Mesh& mesh, Index face, const std::array<double, 3>& weights) {
@@ -35,7 +33,7 @@ SurfacePoint point_in_face(const Mesh& mesh, Index face, const std::array<double
   for (std::size_t k = 0; k < 3; ++k) {
     point.weights[k] = weights[k] / largest / sum;
     if (point.weights[k] == 1) {
-      return mesh.numbers().external_vertex(mesh.triangle(internal_face(mesh, face))[k]);
+      return mesh.numbers().external_vertex(mesh.triangle(mesh.numbers().internal_face(face))[k]);
     }
   }
   return point;
@@ -61,18 +59,18 @@ SurfacePoint point_on_edge(const Mesh& mesh, Index a, Index b, double share) {
                               std::to_string(b));
 }
 
-Vec3 position_of_internal(const Mesh& mesh, const SurfacePoint& own) {
-  if (own.is_vertex()) return mesh.position(own.vertex);
-  const Triangle corners = mesh.triangle(own.face);
+Vec3 position_of(const Mesh& mesh, const InternalPoint& point) {
+  if (point.is_vertex()) return mesh.position(point.vertex);
+  const Triangle corners = mesh.triangle(point.face);
   Vec3 position{};
   for (std::size_t k = 0; k < 3; ++k) {
-    position = add(position, scale(own.weights[k], mesh.position(corners[k])));
+    position = add(position, scale(point.weights[k], mesh.position(corners[k])));
   }
   return position;
 }
 
 Vec3 position_of(const Mesh& mesh, const SurfacePoint& point) {
-  return position_of_internal(mesh, in_internal_numbers(mesh, point));
+  return position_of(mesh, in_internal_numbers(mesh, point));
 }
 
 std::string defect_of(const Mesh& mesh, const SurfacePoint& point) {
@@ -94,29 +92,27 @@ std::string defect_of(const Mesh& mesh, const SurfacePoint& point) {
          " must not be negative, must have the sum 1, and at most one may be 0";
 }
 
-SurfacePoint in_internal_numbers(const Mesh& mesh, SurfacePoint given) {
-  if (given.is_vertex()) {
-    given.vertex = mesh.numbers().internal_vertex(given.vertex);
-  } else {
-    given.face = internal_face(mesh, given.face);
-  }
-  return given;
+InternalPoint in_internal_numbers(const Mesh& mesh, const SurfacePoint& point) {
+  if (point.is_vertex()) return InternalPoint(mesh.numbers().internal_vertex(point.vertex));
+  InternalPoint own;
+  own.face = mesh.numbers().internal_face(point.face);
+  own.weights = point.weights;
+  return own;
 }
 
-SurfacePoint in_external_numbers(const Mesh& mesh, SurfacePoint own) {
-  if (own.is_vertex()) {
-    own.vertex = mesh.numbers().external_vertex(own.vertex);
-  } else {
-    own.face = mesh.numbers().external_face(own.face);
-  }
-  return own;
+SurfacePoint in_external_numbers(const Mesh& mesh, const InternalPoint& point) {
+  if (point.is_vertex()) return mesh.numbers().external_vertex(point.vertex);
+  SurfacePoint given;
+  given.face = mesh.numbers().external_face(point.face);
+  given.weights = point.weights;
+  return given;
 }
 
 namespace {
 
 /// Of the points of an edge, the one with these weights of the edge's ends.
-SurfacePoint on_half_edge(Index h, double at_origin, double at_head) {
-  SurfacePoint point;
+InternalPoint on_half_edge(Index h, double at_origin, double at_head) {
+  InternalPoint point;
   point.face = h / 3;
   point.weights[h % 3] = at_origin;
   point.weights[Mesh::next(h) % 3] = at_head;
@@ -124,7 +120,7 @@ SurfacePoint on_half_edge(Index h, double at_origin, double at_head) {
 }
 
 /// The same point in the other image of its face.
-SurfacePoint mirrored(const Mesh& mesh, SurfacePoint point) {
+InternalPoint mirrored(const Mesh& mesh, InternalPoint point) {
   point.face = mesh.mirrored(3 * point.face) / 3;
   std::swap(point.weights[1], point.weights[2]);
   return point;
@@ -132,8 +128,8 @@ SurfacePoint mirrored(const Mesh& mesh, SurfacePoint point) {
 
 }  // namespace
 
-std::vector<SurfacePoint> in_every_face(const Mesh& mesh, const SurfacePoint& point) {
-  std::vector<SurfacePoint> images = {point};
+std::vector<InternalPoint> in_every_face(const Mesh& mesh, const InternalPoint& point) {
+  std::vector<InternalPoint> images = {point};
   const Index under = edge_under(point);
   if (under != kNone) {
     const double at_origin = point.weights[under % 3];
@@ -148,7 +144,7 @@ std::vector<SurfacePoint> in_every_face(const Mesh& mesh, const SurfacePoint& po
   return images;
 }
 
-SurfacePoint in_given_face(const Mesh& mesh, const SurfacePoint& point) {
+InternalPoint in_given_face(const Mesh& mesh, const InternalPoint& point) {
   const bool is_image = !point.is_vertex() && point.face >= mesh.given_face_count();
   return is_image ? mirrored(mesh, point) : point;
 }

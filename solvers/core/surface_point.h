@@ -11,21 +11,26 @@
 
 namespace geodesic {
 
-/// A vertex, or a point of a face, its edges included. Vertices and faces go by the numbers that
-/// the mesh was given them by, unless a function says that they are the mesh's own.
-struct SurfacePoint {
+/// A vertex, or a point of a face, its edges included. Points of either numbering have a type of
+/// their own, so that a function of one does not take the other.
+template <Numbers numbers>
+struct PointIn {
   Index vertex = kNone;  ///< kNone: the point lies in a face
   Index face = kNone;    ///< kNone at a vertex
   /// Barycentric, of the corners of `face` in the order of its triangle: none negative, sum 1, at
   /// most one of them 0 (the point then lies on the edge opposite to that corner).
   std::array<double, 3> weights = {};
 
-  SurfacePoint() = default;
-  SurfacePoint(Index at_vertex) : vertex(at_vertex) {}  // NOLINT: a vertex is a surface point
+  PointIn() = default;
+  /// A number alone is an external one. An internal one is named as such.
+  explicit(numbers == Numbers::internal) PointIn(Index at_vertex)  // NOLINT: is a surface point
+      : vertex(at_vertex) {}
 
   bool is_vertex() const { return vertex != kNone; }
-  bool operator==(const SurfacePoint&) const = default;
+  bool operator==(const PointIn&) const = default;
 };
+using SurfacePoint = PointIn<Numbers::external>;
+using InternalPoint = PointIn<Numbers::internal>;
 
 /// The point of a face with these weights, which are divided by their sum; a vertex where two of
 /// them are 0.
@@ -40,27 +45,30 @@ SurfacePoint point_on_edge(const Mesh& mesh, Index a, Index b, double share);
 /// In space, in the mesh's unit of length.
 Vec3 position_of(const Mesh& mesh, const SurfacePoint& point);
 
-/// The same of a point in the mesh's internal numbers.
-Vec3 position_of_internal(const Mesh& mesh, const SurfacePoint& own);
+/// The same of a point by internal numbers.
+Vec3 position_of(const Mesh& mesh, const PointIn<Numbers::internal>& point);
 
 /// What is wrong with a point of this mesh: "vertex 9 is not in the mesh of 8 vertices"; empty when
 /// nothing is. Every query is checked by it.
 std::string defect_of(const Mesh& mesh, const SurfacePoint& point);
 
-/// The same point with the mesh's internal numbers, which the functions below take; and back.
-SurfacePoint in_internal_numbers(const Mesh& mesh, SurfacePoint given);
-SurfacePoint in_external_numbers(const Mesh& mesh, SurfacePoint own);
+/// The same point by its other numbers.
+/// @param point without a defect
+InternalPoint in_internal_numbers(const Mesh& mesh, const SurfacePoint& point);
+
+/// The same, the other way.
+SurfacePoint in_external_numbers(const Mesh& mesh, const InternalPoint& point);
 
 /// A point of the face of half-edge h, in the frame of h: y >= 0.
 /// @param point not a vertex, and of that face
-inline Point2 in_frame(const Mesh& mesh, const SurfacePoint& point, Index h) {
+inline Point2 in_frame(const Mesh& mesh, const InternalPoint& point, Index h) {
   const HalfEdge& e = mesh.half_edge(h);
   const double head = point.weights[(h + 1) % 3], apex = point.weights[(h + 2) % 3];
   return {head * e.length + apex * e.apex_x, apex * e.apex_y};
 }
 
 /// The half-edge of the point's face on which it lies, kNone inside the face.
-inline Index edge_under(const SurfacePoint& point) {
+inline Index edge_under(const InternalPoint& point) {
   for (Index k = 0; k < 3; ++k) {
     if (point.weights[k] == 0) return 3 * point.face + (k + 1) % 3;
   }
@@ -80,10 +88,10 @@ inline bool is_next_to_apex(const HalfEdge& e, double distance) {
 /// it too, and where paths cross non-manifold edges, in all faces of the edge and in their mirror
 /// images.
 /// @param point not a vertex
-std::vector<SurfacePoint> in_every_face(const Mesh& mesh, const SurfacePoint& point);
+std::vector<InternalPoint> in_every_face(const Mesh& mesh, const InternalPoint& point);
 
 /// The point of a mirror image in the face itself; any other point as it is.
-SurfacePoint in_given_face(const Mesh& mesh, const SurfacePoint& point);
+InternalPoint in_given_face(const Mesh& mesh, const InternalPoint& point);
 
 /// Follows all straight lines that leave a point of a face through its corners and sides.
 /// @param in_face not a vertex
@@ -94,7 +102,7 @@ SurfacePoint in_given_face(const Mesh& mesh, const SurfacePoint& point);
 ///        lines pass all of it. The point in the frame of the twin of h: y <= 0, and off the side
 ///        as an apex is (apex_from_beyond). The twin may not exist.
 template <class Reach, class Cross>
-void spread_in_face(const Mesh& mesh, const SurfacePoint& in_face, const Reach& reach,
+void spread_in_face(const Mesh& mesh, const InternalPoint& in_face, const Reach& reach,
                     const Cross& cross) {
   const Index under = edge_under(in_face);
   for (Index h = 3 * in_face.face; h < 3 * in_face.face + 3; ++h) {
@@ -108,9 +116,9 @@ void spread_in_face(const Mesh& mesh, const SurfacePoint& in_face, const Reach& 
 
 /// The same in every face that the point lies in.
 template <class Reach, class Cross>
-void spread_from(const Mesh& mesh, const SurfacePoint& point, const Reach& reach,
+void spread_from(const Mesh& mesh, const InternalPoint& point, const Reach& reach,
                  const Cross& cross) {
-  for (const SurfacePoint& in_face : in_every_face(mesh, point)) {
+  for (const InternalPoint& in_face : in_every_face(mesh, point)) {
     spread_in_face(mesh, in_face, reach, cross);
   }
 }

@@ -30,14 +30,15 @@ Dijkstra::Dijkstra(const Mesh& mesh, const Description& description)
     : Solver(mesh, description),
       front_(mesh.vertex_count(), kBucketWidth * mesh.mean_edge_length()) {}
 
-void Dijkstra::run(const Query& query, std::span<double> distances, Recording* /*recording*/) {
+void Dijkstra::run(const InternalQuery& query, std::span<double> distances,
+                   Recording* /*recording*/) {
   const auto reach = [&](Index v, double d) {
     if (d < distances[v]) {
       distances[v] = d;
       front_.push_or_decrease(v, d);
     }
   };
-  for (const Source& source : query.sources) reach(source.at.vertex, source.distance);
+  for (const InternalSource& source : query.sources) reach(source.at.vertex, source.distance);
   StopRule stop_rule(mesh(), query, distances);
   while (!front_.empty() && !stop_rule.is_over(front_.least_key())) {
     const Index v = front_.pop();
@@ -48,10 +49,10 @@ void Dijkstra::run(const Query& query, std::span<double> distances, Recording* /
   front_.clear();
 }
 
-std::vector<SurfacePoint> Dijkstra::trace_path(const Query& query,
-                                               std::span<const double> distances, Index vertex) {
+std::vector<InternalPoint> Dijkstra::trace_path(const InternalQuery& query,
+                                                std::span<const double> distances, Index vertex) {
   const auto begins_at = [&](Index v) {
-    return std::ranges::any_of(query.sources, [&](const Source& source) {
+    return std::ranges::any_of(query.sources, [&](const InternalSource& source) {
       return source.at.vertex == v && source.distance == distances[v];
     });
   };
@@ -77,7 +78,7 @@ std::vector<SurfacePoint> Dijkstra::trace_path(const Query& query,
     }
     if (!waiting.empty()) v = waiting.back();
   }
-  std::vector<SurfacePoint> points = {v};
+  std::vector<InternalPoint> points = {InternalPoint(v)};
   while (v != vertex) points.emplace_back(v = after.at(v));
   return points;
 }

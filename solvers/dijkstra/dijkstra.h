@@ -19,11 +19,11 @@ class Dijkstra : public Solver {
  protected:
   /// Along edges, from the end back: a neighbour comes before a vertex if it is as far as that one
   /// less their edge, to the last bit.
-  std::vector<SurfacePoint> trace_path(const Query& query, std::span<const double> distances,
-                                       Index vertex) override;
+  std::vector<InternalPoint> trace_path(const InternalQuery& query,
+                                        std::span<const double> distances, Index vertex) override;
 
  private:
-  void run(const Query& query, std::span<double> distances, Recording* recording) override;
+  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override;
 
   VertexCalendar front_;
 };

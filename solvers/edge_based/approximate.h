@@ -43,14 +43,15 @@ class Approximate final : public Solver {
                              recorder);
   }
 
-  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
     if (exact_ != nullptr) return exact_->run(query, distances, recording);
     if (recording == nullptr) return timed_->run(query, distances);
     solve_recorded(query, distances, *recording);
   }
 
   /// A recorded solve, compiled apart (core/recorders.h).
-  void solve_recorded(const Query& query, std::span<double> distances, Recording& recording) const;
+  void solve_recorded(const InternalQuery& query, std::span<double> distances,
+                      Recording& recording) const;
 
   double tolerance_;
   std::unique_ptr<EdgeBased<ByDistance>> exact_;

@@ -38,7 +38,7 @@ class EdgeBased final : public Solver {
 
   InstructionSet instruction_set() const override { return instruction_set_; }
 
-  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
     solve_within_bound(distances, [&](bool drops_long_strips) {
       const Carried carried = carried_by(recording, drops_long_strips);
       const bool ends_early = query.stop_at_targets || query.limit < kInfinity;
@@ -83,7 +83,8 @@ class EdgeBased final : public Solver {
 
   /// A recorded solve; defined in recorded.h.
   static void solve_recorded(const Mesh& mesh, InstructionSet set, Carried carried,
-                             const Query& query, std::span<double> distances, Recording& recording);
+                             const InternalQuery& query, std::span<double> distances,
+                             Recording& recording);
 
   InstructionSet instruction_set_;
   std::unique_ptr<Serial> serial_;

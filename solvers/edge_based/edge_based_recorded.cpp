@@ -6,9 +6,10 @@
 namespace geodesic::edge_based {
 
 template void EdgeBased<ByDistance>::solve_recorded(const Mesh&, InstructionSet, Carried,
-                                                    const Query&, std::span<double>, Recording&);
+                                                    const InternalQuery&, std::span<double>,
+                                                    Recording&);
 
-void Approximate::solve_recorded(const Query& query, std::span<double> distances,
+void Approximate::solve_recorded(const InternalQuery& query, std::span<double> distances,
                                  Recording& recording) const {
   solve_recording(mesh(), query, distances, recording,
                   [&](const auto& recorder) { make_wavefront(recorder).run(query, distances); });

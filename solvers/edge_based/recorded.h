@@ -7,7 +7,7 @@ namespace geodesic::edge_based {
 
 template <class Order>
 void EdgeBased<Order>::solve_recorded(const Mesh& mesh, InstructionSet set, Carried carried,
-                                      const Query& query, std::span<double> distances,
+                                      const InternalQuery& query, std::span<double> distances,
                                       Recording& recording) {
   solve_recording(mesh, query, distances, recording, [&](const auto& recorder) {
     make_wavefront(mesh, set, carried, recorder).run(query, distances);

@@ -265,7 +265,8 @@ RegionalWavefront::RegionalWavefront(const Mesh& mesh, InstructionSet set, unsig
 
 RegionalWavefront::~RegionalWavefront() = default;
 
-void RegionalWavefront::run(const Query& query, std::span<double> distances, TurnTimes* times) {
+void RegionalWavefront::run(const InternalQuery& query, std::span<double> distances,
+                            TurnTimes* times) {
   using Clock = std::chrono::steady_clock;
   Steps& steps = *steps_;
   const auto plan = [&] {
@@ -273,7 +274,7 @@ void RegionalWavefront::run(const Query& query, std::span<double> distances, Tur
     if (times != nullptr) times->emplace_back();
   };
   const auto begin = [&] {
-    for (const Source& source : query.sources) begin_at(source);
+    for (const InternalSource& source : query.sources) begin_at(source);
     for (Index r = 0; r < regions_.size(); ++r) steps[r].least_key = at_work_[r]->least_key();
     plan();
   };
@@ -303,28 +304,28 @@ void RegionalWavefront::run(const Query& query, std::span<double> distances, Tur
   });
 }
 
-void RegionalWavefront::begin_at(const Source& source) {
+void RegionalWavefront::begin_at(const InternalSource& source) {
   if (source.at.is_vertex()) {
     regions_.for_each_copy(source.at.vertex, [&](const InRegion& copy) {
       at_work_[copy.region]->wavefront().begin_at(copy.number, source.distance);
     });
     return;
   }
-  const auto in_region = [&](const SurfacePoint& in_face) {
-    SurfacePoint there = in_face;
+  const auto in_region = [&](const InternalPoint& in_face) {
+    InternalPoint there = in_face;
     there.face = regions_.face(in_face.face).number;
     return there;
   };
-  const auto region_of = [&](const SurfacePoint& in_face) -> auto& {
+  const auto region_of = [&](const InternalPoint& in_face) -> auto& {
     return at_work_[regions_.face(in_face.face).region]->wavefront();
   };
-  const std::vector<SurfacePoint> faces = in_every_face(mesh_, source.at);
+  const std::vector<InternalPoint> faces = in_every_face(mesh_, source.at);
   bool at_corner = false;
-  for (const SurfacePoint& f : faces) {
+  for (const InternalPoint& f : faces) {
     at_corner |= region_of(f).reach_corners_from(in_region(f), source.distance, kNone);
   }
   if (at_corner) return;
-  for (const SurfacePoint& f : faces) {
+  for (const InternalPoint& f : faces) {
     region_of(f).cross_sides_from(in_region(f), source.distance, kNone);
   }
 }

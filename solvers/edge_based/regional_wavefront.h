@@ -44,13 +44,13 @@ class RegionalWavefront {
 
   /// As Solver::run.
   /// @param times filled where given; of one thread only
-  void run(const Query& query, std::span<double> distances, TurnTimes* times = nullptr);
+  void run(const InternalQuery& query, std::span<double> distances, TurnTimes* times = nullptr);
 
  private:
   class Steps;
   class RegionAtWork;
 
-  void begin_at(const Source& source);
+  void begin_at(const InternalSource& source);
 
   const Mesh& mesh_;
   Regions regions_;

@@ -50,12 +50,12 @@ class Wavefront {
         always_emits_(mesh.vertex_count()) {}
 
   /// As Solver::run.
-  void run(const Query& query, std::span<double> distances) {
+  void run(const InternalQuery& query, std::span<double> distances) {
     const auto timed = recorder_.enter(Phase::propagation);
     start(distances);
     if constexpr (Recorder::kRecords) {
       recorder_.recording.window_bytes = sizeof(Window);
-      progress_.start(mesh_, query.source_vertices(mesh_));
+      progress_.start(mesh_, source_vertices(mesh_, query));
     }
     for (Index i = 0; i < query.sources.size(); ++i) begin_at(query.sources[i], i);
     StopRule stop_rule(mesh_, query, distances_);
@@ -97,8 +97,8 @@ class Wavefront {
   /// only the corner's.
   /// @param root as in LastSegment
   /// @return whether the point is at a corner
-  [[gnu::cold, gnu::noinline]] bool reach_corners_from(const SurfacePoint& in_face, double distance,
-                                                       Index root) {
+  [[gnu::cold, gnu::noinline]] bool reach_corners_from(const InternalPoint& in_face,
+                                                       double distance, Index root) {
     bool at_corner = false;
     spread_in_face(
         mesh_, in_face,
@@ -111,7 +111,7 @@ class Wavefront {
         [](Index, const Point2&) {});
     return at_corner;
   }
-  [[gnu::cold, gnu::noinline]] void cross_sides_from(const SurfacePoint& in_face, double distance,
+  [[gnu::cold, gnu::noinline]] void cross_sides_from(const InternalPoint& in_face, double distance,
                                                      Index root) {
     spread_in_face(
         mesh_, in_face, [](Index, const Point2&, double, bool) {},
@@ -176,15 +176,15 @@ class Wavefront {
 
  private:
   /// @param number of the source in the query
-  void begin_at(const Source& source, Index number) {
+  void begin_at(const InternalSource& source, Index number) {
     if (source.at.is_vertex()) return begin_at(source.at.vertex, source.distance);
     const Index root = mesh_.vertex_count() + number;
     bool at_corner = false;
-    for (const SurfacePoint& in_face : in_every_face(mesh_, source.at)) {
+    for (const InternalPoint& in_face : in_every_face(mesh_, source.at)) {
       at_corner |= reach_corners_from(in_face, source.distance, root);
     }
     if (at_corner) return;
-    for (const SurfacePoint& in_face : in_every_face(mesh_, source.at)) {
+    for (const InternalPoint& in_face : in_every_face(mesh_, source.at)) {
       cross_sides_from(in_face, source.distance, root);
     }
   }

@@ -33,10 +33,10 @@ class Mmp final : public Solver {
 
  private:
   /// A recorded solve; defined in recorded.h.
-  static void solve_recorded(const Mesh& mesh, const Query& query, std::span<double> distances,
-                             Recording& recording);
+  static void solve_recorded(const Mesh& mesh, const InternalQuery& query,
+                             std::span<double> distances, Recording& recording);
 
-  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
     if (recording != nullptr && recording->kind != RecordingKind::windows) {
       return solve_recorded(mesh(), query, distances, *recording);
     }

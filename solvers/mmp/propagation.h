@@ -39,7 +39,7 @@ class Propagation {
   Propagation& operator=(const Propagation&) = delete;
 
   /// @param keep what becomes of windows that the wavefront has passed
-  void run(const Query& query, std::span<double> distances, Keep keep = Keep::wavefront) {
+  void run(const InternalQuery& query, std::span<double> distances, Keep keep = Keep::wavefront) {
     const auto timed = recorder_.enter(Phase::propagation);
     start(query, distances);
     while (!wavefront_.empty()) {
@@ -79,18 +79,18 @@ class Propagation {
     Depth depth;
   };
 
-  void start(const Query& query, std::span<double> distances) {
+  void start(const InternalQuery& query, std::span<double> distances) {
     distances_ = distances;
     emitted_.assign(distances.size(), kInfinity);
     wavefront_.start(query.limit);
     budget_.start();
-    if constexpr (Recorder::kRecords) progress_.start(mesh_, query.source_vertices(mesh_));
+    if constexpr (Recorder::kRecords) progress_.start(mesh_, source_vertices(mesh_, query));
     stops_ = query.stop_at_targets;
     if (stops_) wavefront_.keep_sorted();
     stop_rule_ = StopRule(mesh_, query, distances_);
     roots_.clear();
     Index beyond_vertices = mesh_.vertex_count();
-    for (const Source& source : query.sources) {
+    for (const InternalSource& source : query.sources) {
       const Index root = beyond_vertices++;
       if (source.at.is_vertex()) {
         start_at(source.at.vertex, source.distance, {kNone, source.at.vertex, {0, 0}});
@@ -110,7 +110,7 @@ class Propagation {
 
   /// Starts from a source that is no vertex: its windows wait on the sides of its face or faces,
   /// and lie along the edge that it is on.
-  [[gnu::cold, gnu::noinline]] void spread(const Source& source, Index root) {
+  [[gnu::cold, gnu::noinline]] void spread(const InternalSource& source, Index root) {
     const double d = source.distance;
     const Index number = add_source(d, root);
     const auto reach_corner = [&](Index h, const Point2& from, double rest, bool is_next)

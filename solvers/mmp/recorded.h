@@ -6,8 +6,8 @@
 namespace geodesic::mmp {
 
 template <class Policy>
-void Mmp<Policy>::solve_recorded(const Mesh& mesh, const Query& query, std::span<double> distances,
-                                 Recording& recording) {
+void Mmp<Policy>::solve_recorded(const Mesh& mesh, const InternalQuery& query,
+                                 std::span<double> distances, Recording& recording) {
   solve_recording(mesh, query, distances, recording, [&](auto recorder) {
     if constexpr (recorder.kRecords) {
       recording.reinsertions = 0;

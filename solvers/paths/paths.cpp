@@ -32,21 +32,19 @@ struct Direction {
 constexpr const char* kRoundabout =
     "the paths that the solver remembers come from no source; please report this mesh and query";
 
-/// @param own in the mesh's internal numbers
-std::string name_of(const Mesh& mesh, const SurfacePoint& own) {
+std::string name_of(const Mesh& mesh, const InternalPoint& own) {
   const MeshNumbers& numbers = mesh.numbers();
   if (own.is_vertex()) return "vertex " + std::to_string(numbers.external_vertex(own.vertex));
   return "the point in face " + std::to_string(numbers.external_face(own.face));
 }
 
-[[noreturn]] void refuse_path(const Mesh& mesh, const SurfacePoint& own) {
+[[noreturn]] void refuse_path(const Mesh& mesh, const InternalPoint& own) {
   throw std::invalid_argument("no path leads to " + name_of(mesh, own));
 }
 
 }  // namespace
 
-/// One path, from its end back to its source. Everything is in the mesh's internal numbers but what
-/// it gives.
+/// One path, from its end back to its source.
 ///
 /// A straight piece is followed with its root in view: where the line enters a face, the direction
 /// of the root decides by which side it leaves, and the root is unfolded into the next face. Errors
@@ -65,7 +63,7 @@ class Paths::Trace {
 
   /// A path that is not as long as its end is far is none, and is not given. One whose lines misled
   /// it, over needles and faces without area, is looked for by distances.
-  Path run(const SurfacePoint& end, double distance, const LastSegment& last_segment) {
+  Path run(const InternalPoint& end, double distance, const LastSegment& last_segment) {
     const auto off = [&](const Path& path) {
       const double length = path.length() + of_.query_.sources[path.source].distance;
       return std::abs(length - distance);
@@ -85,7 +83,7 @@ class Paths::Trace {
   }
 
  private:
-  Path trace(const SurfacePoint& end, double distance, const LastSegment& last_segment) {
+  Path trace(const InternalPoint& end, double distance, const LastSegment& last_segment) {
     points_.clear();
     passed_.clear();
     add(end, kNone, 0);
@@ -94,7 +92,7 @@ class Paths::Trace {
       if (bends > mesh_.vertex_count()) lost(piece);
       const Index root = follow(piece);
       if (root >= mesh_.vertex_count()) return from_source(root - mesh_.vertex_count());
-      piece = piece_to(SurfacePoint(root), of_.distance(root), of_.last_segments_[root]);
+      piece = piece_to(InternalPoint(root), of_.distance(root), of_.last_segments_[root]);
     }
     const auto source = of_.source_at_.find(piece.root);
     if (source == of_.source_at_.end()) lost(piece);
@@ -103,13 +101,13 @@ class Paths::Trace {
 
   /// A straight piece. Points are in the frame of a half-edge of the face that it ends in.
   struct Piece {
-    SurfacePoint end;
+    InternalPoint end;
     double distance;  ///< at the end
     Index half_edge;
     Index root;  ///< as in LastSegment
     Point2 from;
-    Point2 at = {0, 0};                         ///< the end
-    std::span<const SurfacePoint> source = {};  ///< images of the root that is no vertex
+    Point2 at = {0, 0};                          ///< the end
+    std::span<const InternalPoint> source = {};  ///< images of the root that is no vertex
     double length = 0;
     double side = 0;  ///< length of the half-edge
 
@@ -137,7 +135,7 @@ class Paths::Trace {
   struct Fork {
     Way way;
     std::size_t points;
-    SurfacePoint last;
+    InternalPoint last;
     double strayed;
   };
 
@@ -149,7 +147,7 @@ class Paths::Trace {
   /// Of a face, by one of its half-edges: that itself, the one before it, the one after it.
   enum class Side : std::uint8_t { own, left, right };
 
-  Piece piece_to(const SurfacePoint& end, double distance, const LastSegment& last_segment) const {
+  Piece piece_to(const InternalPoint& end, double distance, const LastSegment& last_segment) const {
     Piece piece{end, distance, last_segment.half_edge, last_segment.root, last_segment.from};
     if (begins_at_end(piece) || is_unknown(piece)) return piece;
     const Index vertices = mesh_.vertex_count();
@@ -163,8 +161,8 @@ class Paths::Trace {
     } else {
       const Index face = piece.half_edge / 3;
       if (end.face != face) {
-        const std::vector<SurfacePoint> images = in_every_face(mesh_, end);
-        const auto image = std::ranges::find(images, face, &SurfacePoint::face);
+        const std::vector<InternalPoint> images = in_every_face(mesh_, end);
+        const auto image = std::ranges::find(images, face, &InternalPoint::face);
         if (image == images.end()) lost(piece);
         piece.end = *image;
       }
@@ -193,7 +191,7 @@ class Paths::Trace {
   Index follow(const Piece& piece) {
     if (!trusts_lines_ || is_unknown(piece)) return search(piece);
     const auto before = points_.size();
-    const SurfacePoint last = last_;
+    const InternalPoint last = last_;
     const Index root = walk(piece);
     // A target's path may lead through a corner of its face, as straight as the window beside it.
     const bool begins = root >= mesh_.vertex_count() || of_.may_bend(root);
@@ -208,7 +206,7 @@ class Paths::Trace {
     const Search::Piece found = Search(of_, piece.end, piece.distance, passed_).run();
     const double slack = kPathWrong * (piece.distance + mesh_.mean_edge_length());
     if (!(found.distance <= piece.distance + slack)) lost(piece);
-    for (const Search::End& end : found.ends) add(SurfacePoint(end.vertex), end.face, 0);
+    for (const Search::End& end : found.ends) add(InternalPoint(end.vertex), end.face, 0);
     for (const Search::Crossing& c : found.crossings) add_crossing(c.side, c.x, c.step);
     add(found.at, found.half_edge / 3, found.rest);
     // Vertices in one place are as far: the path must not come back.
@@ -236,7 +234,7 @@ class Paths::Trace {
       const double along = to_root.along(to), across = to_root.across(to);
       if (is_through(along, across, piece.length, slack)) {
         const double rest = to_end(piece, head);
-        if (turns(piece, v, rest)) return add(SurfacePoint(v), h / 3, rest);
+        if (turns(piece, v, rest)) return add(InternalPoint(v), h / 3, rest);
         if (rest < nearest) line = leave_through_end(piece, head, slack);
         nearest = std::min(nearest, rest);
       }
@@ -285,7 +283,7 @@ class Paths::Trace {
     if (is_through(along, across, left_to_go, slack)) {
       const double rest = norm(to_apex);
       if (turns(piece, apex, way.travelled + rest)) {
-        return {Step::ended, add(SurfacePoint(apex), in / 3, rest)};
+        return {Step::ended, add(InternalPoint(apex), in / 3, rest)};
       }
       way.line = leave_through_apex(in, line, across > 0, slack);
     } else {
@@ -431,7 +429,7 @@ class Paths::Trace {
       if (mesh_.head(h) == piece.root) return Point2{e.length, 0};
       return std::nullopt;
     }
-    for (const SurfacePoint& source : piece.source) {
+    for (const InternalPoint& source : piece.source) {
       if (source.face == h / 3) return in_frame(mesh_, source, h);
     }
     return std::nullopt;
@@ -445,7 +443,7 @@ class Paths::Trace {
     const double off = norm(minus(aim, at));
     if (!(off <= piece.part(kPathStray))) return kNone;
     double rest = norm(minus(at, here));
-    SurfacePoint root(piece.root);
+    InternalPoint root(piece.root);
     if (piece.root >= mesh_.vertex_count()) {
       root = piece.source.front();
     } else {
@@ -471,7 +469,7 @@ class Paths::Trace {
   void add_crossing(Index h, double x, double step) {
     const double length = mesh_.half_edge(h).length;
     const double at_origin = length > 0 ? x / length : 0, at_head = 1 - at_origin;
-    SurfacePoint point;
+    InternalPoint point;
     if (std::min(at_origin, at_head) <= kWeightSum) {  // rounding leaves no other
       point.vertex = at_head > at_origin ? mesh_.head(h) : mesh_.origin(h);
     } else {
@@ -485,13 +483,13 @@ class Paths::Trace {
   /// Adds the next point towards the source, unless it is the one added last.
   /// @param face it shares with the point before it
   /// @return the vertex it is
-  Index add(const SurfacePoint& image, Index face, double step) {
-    const SurfacePoint own = in_given_face(mesh_, image);
+  Index add(const InternalPoint& image, Index face, double step) {
+    const InternalPoint own = in_given_face(mesh_, image);
     if (!points_.empty() && own == last_) return own.vertex;
     last_ = own;
     PathPoint point;
     point.at = in_external_numbers(mesh_, own);
-    point.position = position_of_internal(mesh_, own);
+    point.position = position_of(mesh_, own);
     point.travelled = step;
     if (face != kNone) point.face = mesh_.numbers().external_face(face % mesh_.given_face_count());
     points_.push_back(point);
@@ -510,7 +508,7 @@ class Paths::Trace {
 
   [[noreturn]] void lost(const Piece& piece) const {
     const bool vertex = piece.root < mesh_.vertex_count();
-    const std::string root = vertex                ? name_of(mesh_, SurfacePoint(piece.root))
+    const std::string root = vertex                ? name_of(mesh_, InternalPoint(piece.root))
                              : piece.root == kNone ? "nothing"
                                                    : "a source in a face";
     throw std::runtime_error("the solver remembers a path to " + name_of(mesh_, piece.end) +
@@ -521,16 +519,17 @@ class Paths::Trace {
   const Paths& of_;
   const Mesh& mesh_;
   std::vector<PathPoint> points_;  // from the end; `travelled` is from the point before
-  SurfacePoint last_;              // in the mesh's internal numbers
-  std::vector<Index> passed_;      // vertices in the place of the last one
-  std::vector<Fork> forks_;        // of the line that is followed
-  bool trusts_lines_ = true;       // false: pieces are looked for by distances alone
-  double strayed_ = 0;             // how far the last line ran beside its faces
+  InternalPoint last_;
+  std::vector<Index> passed_;  // vertices in the place of the last one
+  std::vector<Fork> forks_;    // of the line that is followed
+  bool trusts_lines_ = true;   // false: pieces are looked for by distances alone
+  double strayed_ = 0;         // how far the last line ran beside its faces
 };
 
-Paths::Paths(const Mesh& mesh, Query query, std::vector<double> distances, Recording recording)
+Paths::Paths(const Mesh& mesh, const Query& query, std::vector<double> distances,
+             Recording recording)
     : mesh_(mesh),
-      query_(std::move(query)),
+      query_(in_internal_numbers(mesh, query)),
       distances_(std::move(distances)),
       last_segments_(std::move(recording.last_segments)),
       targets_(std::move(recording.targets)) {
@@ -539,14 +538,12 @@ Paths::Paths(const Mesh& mesh, Query query, std::vector<double> distances, Recor
       distances_.size() != vertices || targets_.size() != query_.targets.size()) {
     throw std::invalid_argument("paths need a recording of paths, of this mesh and query");
   }
-  for (SurfacePoint& target : query_.targets) target = in_internal_numbers(mesh, target);
   if (query_.stop_at_targets)
     farthest_ = std::ranges::max(targets_, {}, &AtTarget::distance).distance;
   farthest_ = std::min(farthest_, query_.limit);
   source_images_.resize(query_.sources.size());
   for (Index i = 0; i < query_.sources.size(); ++i) {
-    Source& source = query_.sources[i];
-    source.at = in_internal_numbers(mesh, source.at);
+    const InternalSource& source = query_.sources[i];
     if (!source.at.is_vertex()) {
       source_images_[i] = in_every_face(mesh, source.at);
       continue;
@@ -573,18 +570,18 @@ double Paths::distance_at(const SurfacePoint& point) const {
 
 // A search takes the longer the looser its bound. What is found within a bound is the distance,
 // which lies between those over the corners, there and back.
-double Paths::distance_in_face(const SurfacePoint& own) const {
+double Paths::distance_in_face(const InternalPoint& point) const {
   double most = farthest_, least = 0;
   const auto reach = [&](Index h, const Point2&, double length, bool) {
     const double corner = distance(mesh_.apex(h));
     most = std::min(most, corner + length);
     if (corner < kInfinity) least = std::max(least, corner - length);
   };
-  spread_from(mesh_, own, reach, [](Index, const Point2&) {});
+  spread_from(mesh_, point, reach, [](Index, const Point2&) {});
   if (most == kInfinity) return kInfinity;
   for (double share = 1.0 / 16; share <= 1; share *= 2) {
     const double bound = share == 1 ? most : least + share * (most - least);
-    const double found = Search(*this, own, bound, {}).run().distance;
+    const double found = Search(*this, point, bound, {}).run().distance;
     if (found <= bound) return found;
   }
   return most < farthest_ ? most : kInfinity;
@@ -593,20 +590,20 @@ double Paths::distance_in_face(const SurfacePoint& own) const {
 Path Paths::to_point(const SurfacePoint& point) const {
   if (point.is_vertex()) return to_vertex(point.vertex);
   const double distance = distance_at(point);
-  const SurfacePoint own = in_internal_numbers(mesh_, point);
+  const InternalPoint own = in_internal_numbers(mesh_, point);
   if (distance == kInfinity) refuse_path(mesh_, own);
   return Trace(*this).run(own, distance, {});
 }
 
 Path Paths::to_vertex(Index v) const {
-  const Index own = internal_vertex(v);
+  const InternalPoint own(internal_vertex(v));
   if (distances_[v] == kInfinity) refuse_path(mesh_, own);
-  return Trace(*this).run(SurfacePoint(own), distances_[v], last_segments_[own]);
+  return Trace(*this).run(own, distances_[v], last_segments_[own.vertex]);
 }
 
 Path Paths::to_target(std::size_t i) const {
   const AtTarget& target = targets_.at(i);
-  const SurfacePoint& own = query_.targets[i];
+  const InternalPoint& own = query_.targets[i];
   if (target.distance == kInfinity) refuse_path(mesh_, own);
   return Trace(*this).run(own, target.distance, target.last_segment);
 }

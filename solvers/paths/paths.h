@@ -24,7 +24,7 @@ class Paths {
   /// @param distances of the solve, one a vertex
   /// @param recording of the solve, with RecordingKind::paths
   /// @throws std::invalid_argument when the recording is none of paths, or of another query or mesh
-  Paths(const Mesh& mesh, Query query, std::vector<double> distances, Recording recording);
+  Paths(const Mesh& mesh, const Query& query, std::vector<double> distances, Recording recording);
 
   /// Those of all vertices, as of Solver::solve.
   const std::vector<double>& distances() const { return distances_; }
@@ -56,24 +56,24 @@ class Paths {
   class Search;
   class Trace;
 
-  /// Below, all is in the mesh's internal numbers.
+  // Below, vertices and half-edges go by the mesh's internal numbers.
   double distance(Index v) const { return distances_[mesh_.numbers().external_vertex(v)]; }
   Index internal_vertex(Index given) const;
-  /// @param own not a vertex
-  double distance_in_face(const SurfacePoint& own) const;
+  /// @param point not a vertex
+  double distance_in_face(const InternalPoint& point) const;
   /// Whether a path may end a straight piece at v: pseudo-sources, and the query's own.
   bool may_bend(Index v) const;
   /// The source of the path to v, when that is straight.
   std::optional<Index> source_here(Index v) const;
 
   const Mesh& mesh_;
-  Query query_;
+  InternalQuery query_;
   std::vector<double> distances_;  // by external number
   std::vector<LastSegment> last_segments_;
   std::vector<AtTarget> targets_;
   double farthest_ = kInfinity;                 // vertices farther than this have no distance
   std::unordered_map<Index, Index> source_at_;  // of vertices: the earliest
-  std::vector<std::vector<SurfacePoint>> source_images_;  // by source; none of vertices
+  std::vector<std::vector<InternalPoint>> source_images_;  // by source; none of vertices
 };
 
 /// Solves a query for its distances and paths.

@@ -54,7 +54,7 @@ double rounding(const Point2& eye, double length) { return kPathThrough * (norm(
 
 }  // namespace
 
-Paths::Search::Search(const Paths& of, const SurfacePoint& end, double distance,
+Paths::Search::Search(const Paths& of, const InternalPoint& end, double distance,
                       std::span<const Index> passed)
     : of_(of),
       mesh_(of.mesh_),
@@ -82,7 +82,7 @@ void Paths::Search::look_around() {
     ends_.push_back({end_.vertex, kNone, kNone});
     for (Index i = 0; i < ends_.size(); ++i) start_at_vertex(i);
   } else {
-    for (const SurfacePoint& end : in_every_face(mesh_, end_)) {
+    for (const InternalPoint& end : in_every_face(mesh_, end_)) {
       const Index under = edge_under(end);
       for (Index h = 3 * end.face; h < 3 * end.face + 3; ++h) {
         start(h, in_frame(mesh_, end, h), under, kNone);
@@ -215,13 +215,13 @@ void Paths::Search::consider_vertex(Index v, const Point2& place, const Point2& 
   if (is_end(v) && (end_.vertex == v || !of_.source_at_.contains(v))) return;
   if (std::ranges::find(passed_, v) != passed_.end()) return;
   root.root = v;
-  root.at = SurfacePoint(v);
+  root.at = InternalPoint(v);
   consider(root, before, place, eye);
 }
 
 void Paths::Search::consider_sources(const Point2& eye, Root root) {
   for (Index i = 0; i < of_.source_images_.size(); ++i) {
-    for (const SurfacePoint& source : of_.source_images_[i]) {
+    for (const InternalPoint& source : of_.source_images_[i]) {
       if (source.face != root.half_edge / 3) continue;
       const Point2 place = in_frame(mesh_, source, root.half_edge);
       if (root.view != kNone && !shows(views_[root.view], place)) continue;

@@ -38,7 +38,7 @@ class Paths::Search {
   /// A piece from its root to the end.
   struct Piece {
     Index root = kNone;                    ///< as in LastSegment; kNone: there is none
-    SurfacePoint at = {};                  ///< the root, in the mesh's internal numbers
+    InternalPoint at = {};                 ///< the root
     Index half_edge = kNone;               ///< of the face that has the root and the last crossing
     double distance = kInfinity;           ///< of the end, by this piece
     double before = kInfinity;             ///< of the root
@@ -47,10 +47,9 @@ class Paths::Search {
     std::vector<Crossing> crossings = {};  ///< from there
   };
 
-  /// @param end in the mesh's internal numbers
   /// @param distance at the end, or above it; finite
   /// @param passed vertices that the piece must not begin in
-  Search(const Paths& of, const SurfacePoint& end, double distance, std::span<const Index> passed);
+  Search(const Paths& of, const InternalPoint& end, double distance, std::span<const Index> passed);
 
   /// The piece by which the end is nearest. Of equally short ones, that with the farthest root.
   Piece run();
@@ -70,7 +69,7 @@ class Paths::Search {
   /// What a piece begins in: a vertex or a source.
   struct Root {
     Index root = kNone;
-    SurfacePoint at = {};
+    InternalPoint at = {};
     Point2 place = {0, 0};  ///< in the frame of `half_edge`
     Index half_edge = kNone;
     Index view = kNone;  ///< the last on the way; kNone: in a face of the end
@@ -99,7 +98,7 @@ class Paths::Search {
 
   const Paths& of_;
   const Mesh& mesh_;
-  SurfacePoint end_;
+  InternalPoint end_;
   double distance_;
   double tie_;        ///< paths that differ by less are equally short
   double slack_ = 0;  ///< by which distances may rule a view out wrongly

@@ -59,10 +59,11 @@ class VirtualSource final : public Solver {
     Window window;
   };
 
-  void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
+  void run(const InternalQuery& query, std::span<double> distances,
+           Recording* /*recording*/) override {
     distances_ = distances;
     source_.resize(query.sources.size() > 1 ? mesh().vertex_count() : 0);
-    for (const Source& source : query.sources) {
+    for (const InternalSource& source : query.sources) {
       const Wave wave = {source.distance, source.at.vertex};
       reach(source.at.vertex, source.distance, wave);
       follow_lines(source.at.vertex, wave);

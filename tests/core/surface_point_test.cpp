@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 
 #include "meshes/oracles/random_meshes.h"
 #include "meshes/random.h"
@@ -62,7 +63,7 @@ TEST(SurfacePoint, that_is_not_on_the_mesh_is_refused_with_the_reason) {
   EXPECT_NE(defect_of(mesh, SurfacePoint()), "");
 }
 
-/// Points inside faces and on edges, in the numbers that a mesh was given.
+/// Points inside faces and on edges.
 std::vector<SurfacePoint> random_points(const Mesh& mesh, int count) {
   Random random(7);
   std::vector<SurfacePoint> points;
@@ -75,6 +76,14 @@ std::vector<SurfacePoint> random_points(const Mesh& mesh, int count) {
   return points;
 }
 
+// A point of one numbering is never taken for one of the other; a number alone is an external one.
+static_assert(!std::is_convertible_v<SurfacePoint, InternalPoint> &&
+              !std::is_convertible_v<InternalPoint, SurfacePoint> &&
+              std::is_convertible_v<Index, SurfacePoint> &&
+              !std::is_convertible_v<Index, InternalPoint>);
+static_assert(!std::is_convertible_v<Query, InternalQuery> &&
+              !std::is_convertible_v<InternalQuery, Query>);
+
 TEST(SurfacePoint, keeps_its_position_when_the_mesh_numbers_its_faces_anew) {
   const TriangleSoup soup = rough_sphere(1, 2, 0.3);
   const Mesh given(soup), renumbered(soup, Numbering::along_surface);
@@ -85,7 +94,8 @@ TEST(SurfacePoint, keeps_its_position_when_the_mesh_numbers_its_faces_anew) {
 
 TEST(SurfacePoint, spreads_to_every_corner_and_side_of_its_faces_at_their_distances_in_space) {
   const Mesh mesh(rough_terrain(3, 6, 5, 0.5));
-  for (const SurfacePoint& point : random_points(mesh, 40)) {
+  for (const SurfacePoint& given : random_points(mesh, 40)) {
+    const InternalPoint point = in_internal_numbers(mesh, given);
     const Vec3 at = position_of(mesh, point);
     int corners = 0, sides = 0;
     spread_from(
@@ -114,14 +124,15 @@ TEST(SurfacePoint, spreads_to_every_corner_and_side_of_its_faces_at_their_distan
 
 TEST(SurfacePoint, beyond_its_edge_is_at_the_same_place) {
   const Mesh mesh(rough_sphere(1, 2, 0.3));
-  for (const SurfacePoint& point : random_points(mesh, 40)) {
-    const std::vector<SurfacePoint> images = in_every_face(mesh, point);
+  for (const SurfacePoint& given : random_points(mesh, 40)) {
+    const InternalPoint point = in_internal_numbers(mesh, given);
+    const std::vector<InternalPoint> images = in_every_face(mesh, point);
     EXPECT_EQ(images.front(), point);
     ASSERT_EQ(images.size(), edge_under(point) == kNone ? 1u : 2u);
     if (images.size() == 1) continue;
-    const SurfacePoint& beyond = images[1];
+    const InternalPoint& beyond = images[1];
     EXPECT_LT(space_between(position_of(mesh, point), position_of(mesh, beyond)), 1e-15);
-    EXPECT_EQ(defect_of(mesh, beyond), "");
+    EXPECT_EQ(defect_of(mesh, in_external_numbers(mesh, beyond)), "");
   }
 }
 

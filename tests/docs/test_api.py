@@ -30,7 +30,7 @@ def test_every_header_is_documented_without_a_warning(tmp_path: Path) -> None:
     assert (ended.returncode, ended.stderr) == (0, "")
     classes = (tmp_path / "html" / "annotated.html").read_text("utf-8")
     described = dict(re.findall(r'>(\w+)</a></td><td class="desc">([^<]*)', classes))
-    for name in ["Solver", "Query", "Mesh", "Recording", "Description", "Window"]:
+    for name in ["Solver", "QueryIn", "Mesh", "Recording", "Description", "Window"]:
         assert described[name], f"{name} has no brief description"
     contract = (tmp_path / "html" / "solver_8h.html").read_text("utf-8")
     assert "The contract between solvers and their users" in contract

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "meshes/oracles/random_meshes.h"
@@ -17,12 +18,12 @@ namespace {
 const TriangleSoup kSphere = rough_sphere(6, 2, 0.2);
 
 /// A file of its own for each test, which may run at the same time as others.
-Mesh read_sphere() {
+SurfaceMesh read_sphere() {
   const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
   const auto file = std::filesystem::path(testing::TempDir()) / ("geodesic_test_" + test + ".obj");
   const std::string bytes = mesh_bytes(kSphere, file);
   std::ofstream(file, std::ios::binary) << bytes;
-  Mesh mesh = read_mesh(file);
+  SurfaceMesh mesh = read_mesh(file);
   std::filesystem::remove(file);
   return mesh;
 }
@@ -40,9 +41,25 @@ std::string refusal(const std::function<void()>& call) {
   return "";
 }
 
+TEST(SurfaceMesh, has_the_numbers_of_its_file_while_solvers_have_their_own) {
+  const SurfaceMesh mesh = read_sphere();
+  const Mesh& of_solvers = mesh;
+  ASSERT_EQ(mesh.vertex_count(), kSphere.positions.size());
+  EXPECT_EQ(mesh.face_count(), kSphere.triangles.size());
+  EXPECT_EQ(mesh.soup().triangles, kSphere.triangles);
+  int elsewhere = 0;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    EXPECT_EQ(mesh.position(v), kSphere.positions[v]);
+    EXPECT_EQ(position_of(mesh, v), kSphere.positions[v]);
+    elsewhere += of_solvers.position(v) != kSphere.positions[v];
+  }
+  EXPECT_GT(elsewhere, 0);
+  // A mesh that is gone would leave solvers and fields without theirs.
+  EXPECT_FALSE((std::is_convertible_v<SurfaceMesh, const Mesh&>));
+}
+
 TEST(DistanceSolver, gives_the_bits_of_a_timed_solve_on_the_file_in_the_fast_numbering) {
-  const Mesh mesh = read_sphere();
-  EXPECT_FALSE(mesh.numbers().is_identity());
+  const SurfaceMesh mesh = read_sphere();
   for (const std::string name : {"edge-based", "mmp", "dijkstra"}) {
     std::vector<double> expected(mesh.vertex_count());
     make_solver(name, mesh)->solve({.sources = {{5}, {17}}, .limit = 1.5}, expected);
@@ -53,7 +70,7 @@ TEST(DistanceSolver, gives_the_bits_of_a_timed_solve_on_the_file_in_the_fast_num
 }
 
 TEST(DistanceSolver, takes_initial_distances) {
-  const Mesh mesh = read_sphere();
+  const SurfaceMesh mesh = read_sphere();
   DistanceSolver solver(mesh);
   const Field field = solver.from(std::vector<Source>{{.at = 5, .distance = 0.25}, {.at = 17}});
   EXPECT_EQ(field[17], 0);
@@ -62,7 +79,7 @@ TEST(DistanceSolver, takes_initial_distances) {
 }
 
 TEST(Field, has_the_numbers_of_the_file) {
-  const Mesh mesh = read_sphere();
+  const SurfaceMesh mesh = read_sphere();
   const Vec3 middle = position_of(mesh, point_in_face(mesh, 7, {1, 1, 1}));
   const auto [a, b, c] = kSphere.triangles[7];
   for (std::size_t k = 0; k < 3; ++k) {
@@ -76,7 +93,7 @@ TEST(Field, has_the_numbers_of_the_file) {
 }
 
 TEST(Field, leads_to_vertices_and_points_by_paths_as_long_as_they_are_far) {
-  const Mesh mesh = read_sphere();
+  const SurfaceMesh mesh = read_sphere();
   const SurfacePoint source = point_in_face(mesh, 7, {.2, .3, .5});
   const Field field = DistanceSolver(mesh).from({0, source});
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
@@ -94,7 +111,7 @@ TEST(Field, leads_to_vertices_and_points_by_paths_as_long_as_they_are_far) {
 }
 
 TEST(Field, is_as_far_at_points_as_a_solve_from_there_says) {
-  const Mesh mesh = read_sphere();
+  const SurfaceMesh mesh = read_sphere();
   const auto [a, b, c] = kSphere.triangles[100];
   const SurfacePoint point = point_on_edge(mesh, a, b, .25);
   const std::vector<double> expected = all(DistanceSolver(mesh).from({point}));
@@ -105,7 +122,7 @@ TEST(Field, is_as_far_at_points_as_a_solve_from_there_says) {
 
 // Points become vertices: the graph of edges has none in faces.
 TEST(Field, is_asked_of_any_points_by_solvers_that_know_vertices_only) {
-  const Mesh mesh = read_sphere();
+  const SurfaceMesh mesh = read_sphere();
   const SurfacePoint point = point_in_face(mesh, 7, {.2, .3, .5});
   const Index corner = kSphere.triangles[7][0];
   const double line = norm(subtract(position_of(mesh, point), kSphere.positions[corner]));
@@ -115,7 +132,7 @@ TEST(Field, is_asked_of_any_points_by_solvers_that_know_vertices_only) {
 }
 
 TEST(Field, outlives_its_solver_and_is_copied) {
-  const Mesh mesh = read_sphere();
+  const SurfaceMesh mesh = read_sphere();
   Field field = DistanceSolver(mesh).from({0});
   const Field copy = field;
   field = DistanceSolver(mesh).from({1});
@@ -124,7 +141,7 @@ TEST(Field, outlives_its_solver_and_is_copied) {
 }
 
 TEST(Field, has_no_paths_beyond_the_limit) {
-  const Mesh mesh = read_sphere();
+  const SurfaceMesh mesh = read_sphere();
   const Field field = DistanceSolver(mesh).from({0}, {.limit = 1e-9});
   EXPECT_EQ(field[50], kInfinity);
   EXPECT_EQ(field.nearest_source(50), kNone);
@@ -138,7 +155,7 @@ TEST(Field, has_no_paths_beyond_the_limit) {
 }
 
 TEST(DistanceSolver, says_in_one_line_what_it_cannot_do) {
-  const Mesh mesh = read_sphere();
+  const SurfaceMesh mesh = read_sphere();
   DistanceSolver solver(mesh), dijkstra(mesh, "dijkstra");
   const Field field = solver.from({0}), without_paths = dijkstra.from({0});
   const std::string many = std::to_string(mesh.vertex_count());

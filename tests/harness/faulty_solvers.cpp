@@ -31,11 +31,10 @@ const Description& sound_solver() {
   throw std::logic_error("no exact solver is registered");
 }
 
-// In the mesh's internal numbering, as `run` has it; `solve` speaks of the numbers given.
 struct Asked {
   const Description& description;
   const Mesh& mesh;
-  const Query& query;
+  const InternalQuery& query;
   std::span<double> distances;
   Recording* recording;
   int solves;                      // before, since the object was made or renewed
@@ -45,14 +44,15 @@ struct Asked {
   // Of the last vertex of the file; far above rounding and far below what a plot shows.
   void spoil() const { distances[last_vertex()] *= 1 + 1e-9; }
 
-  void solve_soundly(Query same) const {
+  void solve_soundly(const InternalQuery& same) const {
     const MeshNumbers& numbers = mesh.numbers();
-    for (Source& source : same.sources) {
-      source.at.vertex = numbers.external_vertex(source.at.vertex);
+    Query given{.sources = {}, .limit = same.limit};
+    for (const InternalSource& source : same.sources) {
+      given.sources.push_back({in_external_numbers(mesh, source.at), source.distance});
     }
-    std::vector<double> given(distances.size());
-    make_solver(sound_solver().name, mesh)->solve(same, given);
-    for (Index v = 0; v < given.size(); ++v) distances[v] = given[numbers.external_vertex(v)];
+    std::vector<double> sound(distances.size());
+    make_solver(sound_solver().name, mesh)->solve(given, sound);
+    for (Index v = 0; v < sound.size(); ++v) distances[v] = sound[numbers.external_vertex(v)];
   }
 };
 
@@ -64,7 +64,7 @@ class Faulty final : public Solver {
       : Solver(mesh, description), description_(description), fault_(fault), answers_(answers) {}
 
  private:
-  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
     sources_.insert(query.sources.front().at.vertex);
     const Asked asked{description_, mesh(), query, distances, recording, solves_++, sources_};
     if (answers_) asked.solve_soundly(query);

@@ -56,10 +56,11 @@ void expect_a_strip(const Mesh& mesh, const StraightPiece& piece) {
 }
 
 /// @return pieces of all paths
-int expect_paths(const Mesh& mesh, const std::vector<Source>& sources,
+int expect_paths(const Mesh& mesh, const std::vector<InternalSource>& sources,
                  const std::vector<double>& distances) {
   const auto is_source = [&](Index v) {
-    return std::ranges::any_of(sources, [v](const Source& each) { return each.at.vertex == v; });
+    return std::ranges::any_of(sources,
+                               [v](const InternalSource& each) { return each.at.vertex == v; });
   };
   int pieces = 0;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
@@ -95,7 +96,7 @@ TEST(ShortestPath, is_as_long_as_the_closed_form_says) {
     SCOPED_TRACE(generator);
     const TriangleSoup soup = generate(generator, parameters);
     const auto distances = known_distances(generator, parameters, soup, 1).value();
-    expect_paths(Mesh(soup), {{.at = 1}}, distances);
+    expect_paths(Mesh(soup), {{.at = InternalPoint(1)}}, distances);
   }
 }
 
@@ -103,8 +104,9 @@ TEST(ShortestPath, bends_at_pseudo_sources_only) {
   for (const auto& [name, soup] : random_meshes()) {
     SCOPED_TRACE(name);
     const Mesh mesh(soup);
-    const std::vector<Source> sources{{0, 0.5}, {mesh.vertex_count() / 2, 0}};
-    const auto distances = BruteForce(mesh).distances(sources);
+    const Query query{.sources = {{0, 0.5}, {mesh.vertex_count() / 2, 0}}};
+    const auto distances = BruteForce(mesh).distances(query.sources);
+    const auto sources = in_internal_numbers(mesh, query).sources;
     EXPECT_GT(expect_paths(mesh, sources, distances), static_cast<int>(mesh.vertex_count()) / 2);
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
       const auto path = shortest_path(mesh, sources, distances, v);
@@ -117,8 +119,8 @@ TEST(ShortestPath, bends_at_pseudo_sources_only) {
 
 TEST(ShortestPath, does_not_exist_to_a_source_to_another_component_or_for_wrong_distances) {
   const Mesh mesh(side_by_side(rough_sphere(1, 1, 0.2), rough_terrain(2, 3, 3, 1)));
-  const std::vector<Source> sources{{.at = 3}};
-  std::vector<double> distances = BruteForce(mesh).distances(sources);
+  const std::vector<InternalSource> sources{{.at = InternalPoint(3)}};
+  std::vector<double> distances = BruteForce(mesh).distances(std::vector<Source>{{.at = 3}});
   EXPECT_TRUE(shortest_path(mesh, sources, distances, 3).empty());
   EXPECT_TRUE(shortest_path(mesh, sources, distances, 45).empty());
   EXPECT_FALSE(shortest_path(mesh, sources, distances, 20).empty());

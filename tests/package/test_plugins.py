@@ -31,7 +31,7 @@ SOURCES = {
 }
 CHANGED_HEADERS = {
     "other-contract": ("contract.h", r"kContract = (\d+);", r"kContract = 1000 + \1;"),
-    "other-sizes": ("query.h", r"struct Query {", "struct Query {\n  double added = 0;"),
+    "other-sizes": ("query.h", r"struct QueryIn {", "struct QueryIn {\n  double added = 0;"),
 }
 
 

@@ -32,7 +32,7 @@ inline Paths oracle_paths(const Mesh& mesh, const Query& query) {
   Recording recording;
   recording.kind = RecordingKind::paths;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    const auto path = shortest_path(mesh, query.sources, distances, v);
+    const auto path = shortest_path(mesh, in_internal_numbers(mesh, query).sources, distances, v);
     recording.last_segments.push_back(path.empty() ? LastSegment{kNone, v, {0, 0}}
                                                    : arrival_of(mesh, path.back()));
   }

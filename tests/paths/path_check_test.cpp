@@ -72,7 +72,7 @@ TEST_F(PathCheck, finds_wrong_lengths) {
 TEST_F(PathCheck, finds_a_line_that_is_not_straight) {
   Path path = right_;
   SurfacePoint& at = path.points[middle_].at;
-  const Index h = edge_under(at);
+  const Index h = edge_under(in_internal_numbers(mesh_, at));
   at.weights[h % 3] += 1e-9;
   at.weights[Mesh::next(h) % 3] -= 1e-9;
   const Finding finding = check_straight(mesh_, path);

@@ -68,7 +68,7 @@ TEST(Paths, are_those_of_the_numbers_given_however_a_mesh_numbers_itself) {
   const MeshNumbers& numbers = renumbered.numbers();
   Recording recording;
   recording.kind = RecordingKind::paths;
-  const Query own{.sources = {{.at = numbers.internal_vertex(5)}}};
+  const InternalQuery own = in_internal_numbers(renumbered, query);
   for (Index v = 0; v < renumbered.vertex_count(); ++v) {
     std::vector<double> distances;
     for (Index u = 0; u < renumbered.vertex_count(); ++u) {
@@ -97,7 +97,8 @@ TEST(Paths, lead_between_points_in_faces_and_on_edges) {
   const SurfacePoint middle = point_on_edge(mesh, 0, 2, 0.5);
   const Query query{.sources = {{below, 2}}, .targets = {above, middle, below, 3}};
   const Index root = mesh.vertex_count(), diagonal = 3;  // of face 1, from 0 to 2
-  const Point2 from_0 = in_frame(mesh, below, 2);        // in the frame of its twin
+  // In the frame of its twin.
+  const Point2 from_0 = in_frame(mesh, in_internal_numbers(mesh, below), 2);
   const Point2 from = {mesh.half_edge(diagonal).length - from_0.x, -from_0.y};
   const auto straight = [&](const SurfacePoint& end) {
     const Vec3 line = subtract(position_of(mesh, end), position_of(mesh, below));

@@ -51,7 +51,7 @@ class Fake final : public Solver {
   Fake(const Mesh& mesh, const Description& description) : Solver(mesh, description) {}
 
  private:
-  void run(const Query& query, std::span<double> distances, Recording*) override {
+  void run(const InternalQuery& query, std::span<double> distances, Recording*) override {
     behave();
     const Index source = query.sources.front().at.vertex;
     for (Index v = 0; v < distances.size(); ++v) {

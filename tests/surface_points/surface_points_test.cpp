@@ -211,9 +211,10 @@ TEST_P(SurfacePoints, arrive_from_roots_that_are_as_much_nearer_as_the_line_is_l
       SCOPED_TRACE("target " + std::to_string(t));
       const auto& [distance, last_segment] = answer.recording.targets[t];
       if (query.targets[t].is_vertex() || last_segment.root == kNone) continue;
-      const std::vector<SurfacePoint> images = in_every_face(mesh, query.targets[t]);
+      const std::vector<InternalPoint> images =
+          in_every_face(mesh, in_internal_numbers(mesh, query.targets[t]));
       const auto in_face =
-          std::ranges::find(images, last_segment.half_edge / 3, &SurfacePoint::face);
+          std::ranges::find(images, last_segment.half_edge / 3, &InternalPoint::face);
       ASSERT_NE(in_face, images.end());
       expect_length(last_segment, in_frame(mesh, *in_face, last_segment.half_edge), distance);
     }

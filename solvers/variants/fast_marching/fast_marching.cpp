@@ -51,11 +51,12 @@ class FastMarching final : public Solver {
         accepted_(mesh.vertex_count()) {}
 
  private:
-  void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
+  void run(const InternalQuery& query, std::span<double> distances,
+           Recording* /*recording*/) override {
     distances_ = distances;
     std::ranges::fill(accepted_, std::uint8_t{0});
     front_.clear();
-    for (const Source& source : query.sources) reach(source.at.vertex, source.distance);
+    for (const InternalSource& source : query.sources) reach(source.at.vertex, source.distance);
     while (!front_.empty() && front_.least_key() <= query.limit) {
       const Index v = front_.pop();
       accepted_[v] = 1;

@@ -29,13 +29,13 @@ bool is_convex(double angle) { return angle < std::numbers::pi - kStraight; }
 class EdgePath {
  public:
   /// @param vertices neighbours of each other in turn, each there once
-  EdgePath(IntrinsicMesh& mesh, const std::vector<SurfacePoint>& vertices,
+  EdgePath(IntrinsicMesh& mesh, const std::vector<InternalPoint>& vertices,
            std::vector<bool>& on_path)
       : mesh_(mesh), on_path_(on_path) {
     for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
       edges_.push_back(mesh_.between(vertices[i].vertex, vertices[i + 1].vertex));
     }
-    for (const SurfacePoint& point : vertices) on_path_[point.vertex] = true;
+    for (const InternalPoint& point : vertices) on_path_[point.vertex] = true;
   }
 
   ~EdgePath() {
@@ -158,9 +158,9 @@ class FlipOut final : public Dijkstra {
       : Dijkstra(mesh, description), intrinsic_(mesh), on_path_(mesh.vertex_count()) {}
 
  private:
-  std::vector<SurfacePoint> trace_path(const Query& query, std::span<const double> distances,
-                                       Index vertex) override {
-    std::vector<SurfacePoint> points = Dijkstra::trace_path(query, distances, vertex);
+  std::vector<InternalPoint> trace_path(const InternalQuery& query,
+                                        std::span<const double> distances, Index vertex) override {
+    std::vector<InternalPoint> points = Dijkstra::trace_path(query, distances, vertex);
     if (points.size() < 3) return points;
     intrinsic_.reset();
     EdgePath path(intrinsic_, points, on_path_);

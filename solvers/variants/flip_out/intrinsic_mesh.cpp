@@ -21,12 +21,14 @@ struct Laid {
 };
 
 /// A vertex where rounding leaves no other.
-SurfacePoint point_on(const Mesh& mesh, Index h, double from_origin) {
-  SurfacePoint point;
+InternalPoint point_on(const Mesh& mesh, Index h, double from_origin) {
+  InternalPoint point;
   point.face = h / 3;
   const double at_head = from_origin / mesh.half_edge(h).length;
-  if (!(at_head > 0)) return mesh.origin(h);
-  if (!(1 - at_head > 0 && 1 - at_head < 1)) return at_head < 0.5 ? mesh.origin(h) : mesh.head(h);
+  if (!(at_head > 0)) return InternalPoint(mesh.origin(h));
+  if (!(1 - at_head > 0 && 1 - at_head < 1)) {
+    return InternalPoint(at_head < 0.5 ? mesh.origin(h) : mesh.head(h));
+  }
   point.weights[Mesh::next(h) % 3] = at_head;
   point.weights[h % 3] = 1 - at_head;
   return point;
@@ -125,7 +127,7 @@ void IntrinsicMesh::reset() {
   direction_.clear();
 }
 
-void IntrinsicMesh::trace(Index h, std::vector<SurfacePoint>& points) const {
+void IntrinsicMesh::trace(Index h, std::vector<InternalPoint>& points) const {
   const Index end = head(h);
   const auto flipped = direction_.find(h);
   if (flipped == direction_.end()) {

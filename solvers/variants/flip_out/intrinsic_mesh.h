@@ -46,7 +46,7 @@ class IntrinsicMesh {
 
   /// Adds the points at which a half-edge's line crosses edges of the mesh, and its head.
   /// @throws std::runtime_error when rounding has led the line astray
-  void trace(Index h, std::vector<SurfacePoint>& points) const;
+  void trace(Index h, std::vector<InternalPoint>& points) const;
 
  private:
   /// Within the angle of a face of the mesh at a vertex, counter-clockwise from its half-edge.

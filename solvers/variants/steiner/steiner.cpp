@@ -75,10 +75,11 @@ class Steiner final : public Solver {
         distances_(nodes_.count()) {}
 
  private:
-  void run(const Query& query, std::span<double> distances, Recording* /*recording*/) override {
+  void run(const InternalQuery& query, std::span<double> distances,
+           Recording* /*recording*/) override {
     std::ranges::fill(distances_, kInfinity);
     front_.clear();
-    for (const Source& source : query.sources) reach(source.at.vertex, source.distance);
+    for (const InternalSource& source : query.sources) reach(source.at.vertex, source.distance);
     while (!front_.empty() && front_.least_key() <= query.limit) {
       const Index node = front_.pop();
       if (nodes_.is_vertex(node)) {

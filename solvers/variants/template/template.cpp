@@ -34,7 +34,7 @@ class Unfolding final : public Solver {
     Window window;
   };
 
-  void run(const Query& query, std::span<double> distances, Recording* recording) override {
+  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
     distances_ = distances;
     sources_.clear();
     windows_.clear();
@@ -46,7 +46,7 @@ class Unfolding final : public Solver {
       start(query.sources[i], mesh().vertex_count() + i);
     while (!sources_.empty() || !windows_.empty()) {
       if (!sources_.empty()) {
-        const Source source = sources_.front();
+        const InternalSource source = sources_.front();
         sources_.pop_front();
         if (!(distances_[source.at.vertex] < source.distance)) send_out(source);
       } else {
@@ -62,7 +62,7 @@ class Unfolding final : public Solver {
 
   /// From a source: at a vertex, or from a point of a face to its corners and through its sides.
   /// @param root of a source that is no vertex
-  void start(const Source& source, Index root) {
+  void start(const InternalSource& source, Index root) {
     if (source.at.is_vertex()) {
       const Index v = source.at.vertex;
       return reach(v, source.distance, {kNone, v, {0, 0}}, true);
@@ -84,11 +84,11 @@ class Unfolding final : public Solver {
     // Where rounding alone makes a path shorter, the one that is known goes on to count.
     if (paths_ && distance < distances_[v] * (1 - kPathMargin)) paths_->arrived(v, last_segment);
     distances_[v] = distance;
-    if (sends_out || mesh().is_pseudo_source(v)) sources_.push_back({v, distance});
+    if (sends_out || mesh().is_pseudo_source(v)) sources_.push_back({InternalPoint(v), distance});
   }
 
   /// Follows the edges at a (pseudo-)source, and sends a window over the far edge of each face.
-  void send_out(const Source& source) {
+  void send_out(const InternalSource& source) {
     const Index v = source.at.vertex;
     for (const Index h : mesh().outgoing(v)) {
       const Index far = Mesh::next(h), into = Mesh::previous(h);
@@ -147,9 +147,9 @@ class Unfolding final : public Solver {
 
   WindowBudget budget_;
   std::span<double> distances_;
-  std::deque<Source> sources_;         // that have not sent out windows of their distance yet
-  std::deque<Waiting> windows_;        // that have not crossed a face yet
-  std::optional<LastSegments> paths_;  // how paths arrive, where the solve is asked for them
+  std::deque<InternalSource> sources_;  // that have not sent out windows of their distance yet
+  std::deque<Waiting> windows_;         // that have not crossed a face yet
+  std::optional<LastSegments> paths_;   // how paths arrive, where the solve is asked for them
 };
 
 const RegisterSolver<Unfolding> registered{{
