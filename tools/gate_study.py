@@ -36,6 +36,7 @@ from gate.verdict import Verdict  # noqa: E402
 SOLVERS = ("ich", "fwp-mmp", "mmp")
 MESHES = (*levels.CALLGRIND_MESHES, "needles")
 COUNTED_SOLVERS = ("mmp",)
+COUNTED_MESHES = ("tiny-terrain",)
 """Of level 2: Callgrind takes seconds a row, and the fault is in every solver."""
 TIMED_SOLVERS = ("ich",)
 TIMED_MESHES = ("icosphere", "needles", "growth-10k")
@@ -108,11 +109,14 @@ class Study:
 
     def _options(self, chosen: tuple[int, ...]) -> check.Options:
         timed = 4 in chosen
-        solvers = TIMED_SOLVERS if timed else COUNTED_SOLVERS if 2 in chosen else SOLVERS
+        solvers, meshes = SOLVERS, MESHES
+        if timed:
+            solvers, meshes = TIMED_SOLVERS, TIMED_MESHES
+        elif 2 in chosen:
+            solvers, meshes = COUNTED_SOLVERS, COUNTED_MESHES
         return check.Options(
-            self._folder, chosen, budget=self._budget, solvers=solvers,
-            meshes=TIMED_MESHES if timed else MESHES,
-        )  # fmt: skip
+            self._folder, chosen, budget=self._budget, solvers=solvers, meshes=meshes
+        )
 
     def run(self, fault: Fault) -> Verdict:
         faulty = self._programs / "tests" / "geodesic-bench-faulty"
