@@ -139,8 +139,9 @@ std::string read_bytes(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) throw MeshError(path.string() + ": no such file; check the path");
-  if (!fs::is_regular_file(status))
+  if (!fs::is_regular_file(status)) {
     throw MeshError(path.string() + ": not a regular file; name a mesh file");
+  }
   std::ifstream stream(path, std::ios::binary | std::ios::ate);
   if (!stream) throw MeshError(path.string() + ": cannot be opened: " + std::strerror(errno));
   std::string bytes(static_cast<std::size_t>(stream.tellg()), '\0');

@@ -56,8 +56,9 @@ struct Nearest {
 }  // namespace
 
 NearestPoint nearest_point(const Mesh& mesh, const Vec3& place) {
-  if (!is_finite(place))
+  if (!is_finite(place)) {
     throw std::invalid_argument("a place in space must have finite coordinates");
+  }
   Nearest nearest;
   for (Index f = 0; f < mesh.given_face_count(); ++f) {
     Corners corners;

@@ -45,6 +45,7 @@ void ask_for_large_pages(void* block, std::size_t bytes) {
   constexpr std::uintptr_t kPage = 4096;
   const std::uintptr_t begin = (reinterpret_cast<std::uintptr_t>(block) + kPage - 1) & ~(kPage - 1);
   const std::uintptr_t end = (reinterpret_cast<std::uintptr_t>(block) + bytes) & ~(kPage - 1);
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): rounded to pages
   madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
 }
 
@@ -56,10 +57,12 @@ void* allocate(std::size_t bytes, std::size_t alignment) {
                       ? std::malloc(bytes)
                       : std::aligned_alloc(alignment, (bytes + alignment - 1) & ~(alignment - 1));
     if (block != nullptr) {
-      if (metering) [[unlikely]]
+      if (metering) [[unlikely]] {
         count_allocation(block, bytes);
-      if (large_pages && bytes >= kLargeBlock) [[unlikely]]
+      }
+      if (large_pages && bytes >= kLargeBlock) [[unlikely]] {
         ask_for_large_pages(block, bytes);
+      }
       return block;
     }
     const std::new_handler handler = std::get_new_handler();
@@ -70,8 +73,9 @@ void* allocate(std::size_t bytes, std::size_t alignment) {
 
 // @param asked 0 where it is not known
 void release(void* block, std::size_t asked = 0) noexcept {
-  if (metering && block != nullptr) [[unlikely]]
+  if (metering && block != nullptr) [[unlikely]] {
     live.fetch_sub(counted(block, asked), std::memory_order_relaxed);
+  }
   std::free(block);
 }
 

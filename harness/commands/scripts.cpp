@@ -57,7 +57,7 @@ fs::path find_python() {
   if (const char* path = std::getenv("PATH")) folders += std::string(":") + path;
   std::istringstream list(folders);
   for (std::string folder; std::getline(list, folder, ':');) {
-    const fs::path python = fs::path(folder) / "python3";
+    fs::path python = fs::path(folder) / "python3";
     if (has_packages(python)) return python;
   }
   throw HarnessError(

@@ -112,8 +112,9 @@ void run_solve(const SolveFlags& flags) {
   std::vector<MeshEntry> entries;
   for (const std::string& mesh : flags.meshes) entries.push_back(find_mesh(mesh, flags.manifest));
   const LargePages large_pages;
-  if (entries.size() > 1 || !flags.output_folder.empty())
+  if (entries.size() > 1 || !flags.output_folder.empty()) {
     return solve_many(flags, solver, points, entries);
+  }
   const Json json = solve_mesh(flags, solver, points, entries.front(), flags.output);
   (flags.output == kStandardOutput ? std::cerr : std::cout) << json.dump(2) << std::endl;
 }

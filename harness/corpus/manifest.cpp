@@ -195,6 +195,7 @@ std::vector<std::string> names_below(const fs::path& folder,
   std::map<std::string, int> count;
   for (const std::string& file : files) ++count[name(file, false)];
   std::vector<std::string> names;
+  names.reserve(files.size());
   for (const std::string& file : files) names.push_back(name(file, count[name(file, false)] > 1));
   return names;
 }
@@ -216,7 +217,7 @@ MeshEntry find_mesh(const std::string& file_or_name, const fs::path& manifest) {
   const bool is_known =
       std::ranges::find(known.meshes(), file_or_name, &MeshEntry::name) != known.meshes().end();
   if (!is_known && file.has_extension()) throw cannot_open();
-  const MeshEntry entry = known.mesh(file_or_name);
+  MeshEntry entry = known.mesh(file_or_name);
   if (!entry.available()) throw HarnessError(how_to_get(entry));
   return entry;
 }

@@ -31,6 +31,7 @@ void store(std::span<const double> values, char* at) {
 void give_back(char* begin, std::size_t bytes) {
   static const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
   const auto at = reinterpret_cast<std::uintptr_t>(begin), first = at & ~(page - 1);
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): rounded to pages
   madvise(reinterpret_cast<void*>(first), at + bytes - first, MADV_DONTNEED);
 }
 

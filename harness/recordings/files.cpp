@@ -97,8 +97,9 @@ void write_surface(const fs::path& folder, const TriangleSoup& soup) {
   if (!fs::exists(vertices)) {
     write_bytes(vertices, npy_bytes<float>(flattened<float>(soup.positions), 3));
   }
-  if (!fs::exists(faces))
+  if (!fs::exists(faces)) {
     write_bytes(faces, npy_bytes<std::uint32_t>(flattened<std::uint32_t>(soup.triangles), 3));
+  }
 }
 
 void write_vertex_distances(const fs::path& folder, std::span<const double> distances) {

@@ -18,7 +18,7 @@ namespace {
 fs::path make_run_folder(const std::optional<fs::path>& path, const std::string& name) {
   std::string time = utc_now();
   std::erase_if(time, [](char c) { return c == '-' || c == ':'; });
-  const fs::path folder = path.value_or(results_folder() / "runs" / (time + "-" + name));
+  fs::path folder = path.value_or(results_folder() / "runs" / (time + "-" + name));
   make_folder(folder);
   return folder;
 }

@@ -144,8 +144,9 @@ Json shard_context(const SavedRequest& saved, const Plan& plan) {
   for (std::size_t i = 0; i < plan.whole_run.size(); ++i) {
     if (here.contains(plan.whole_run[i].name)) places[plan.whole_run[i].name] = i;
   }
-  for (const PlannedMesh& mesh : plan.meshes)
+  for (const PlannedMesh& mesh : plan.meshes) {
     sources[mesh.entry.name] = names_in_json(mesh.run_sources);
+  }
   return {{"index", saved.request.shard->index},
           {"of", saved.request.shard->of},
           {"suite", sha256_of_json(suite)},

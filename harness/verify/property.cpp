@@ -62,7 +62,7 @@ std::string without_numbers(const std::string& text) {
 // With the role of the vertex on this mesh.
 std::string kind_of(const Violation& violation, const Mesh& mesh) {
   if (violation.kind.empty()) return without_numbers(violation.what);
-  const std::string kind = without_numbers(violation.kind);
+  std::string kind = without_numbers(violation.kind);
   if (violation.vertex >= mesh.vertex_count()) return kind;
   return kind + ", at: " + role_of(violation.vertex, mesh, violation.query);
 }

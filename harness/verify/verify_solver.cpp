@@ -61,8 +61,9 @@ std::vector<MeshEntry> meshes_of(const VerifyRequest& request) {
   if (!request.corpus.empty()) {
     entries = Manifest(request.manifest, dataset_cache()).corpus(request.corpus);
   }
-  for (const std::string& mesh : request.meshes)
+  for (const std::string& mesh : request.meshes) {
     entries.push_back(find_mesh(mesh, request.manifest));
+  }
   return entries;
 }
 
@@ -99,8 +100,9 @@ class Verification {
     for (const FailedProperty& failed : failed_) report_.show(check_, failed);
     summarise();
     const int failures = count_.failed;
-    if (failures == 0 && count_.not_known > 0)
+    if (failures == 0 && count_.not_known > 0) {
       throw HarnessError(std::to_string(count_.not_known) + " not known, as listed above");
+    }
     return failures == 0;
   }
 

@@ -117,8 +117,9 @@ double TextReader::to_number(std::string_view word, std::string_view what) const
       fail("the " + std::string(what) + " " + in_quotes(word) + " is beyond the range of numbers");
     }
   }
-  if (error != std::errc())
+  if (error != std::errc()) {
     fail("the " + std::string(what) + " " + in_quotes(word) + " is not a number, such as 0.5");
+  }
   return value;
 }
 

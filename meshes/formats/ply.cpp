@@ -273,7 +273,7 @@ class Values {
 class BodyParser {
  public:
   BodyParser(Values values, MeshFile& file, Polygons& polygons)
-      : values_(std::move(values)), file_(file), polygons_(polygons) {}
+      : values_(values), file_(file), polygons_(polygons) {}
 
   void parse(const std::vector<Element>& elements) {
     for (const Element& element : elements) {

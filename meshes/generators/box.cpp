@@ -27,11 +27,12 @@ class BoxSurface {
   template <typename Visit>
   void for_each_point(Visit visit) const {
     const auto [a, b, c] = size_;
-    for (Index z = 0; z <= c; ++z)
+    for (Index z = 0; z <= c; ++z) {
       for (Index y = 0; y <= b; ++y) {
         const bool inside = 0 < z && z < c && 0 < y && y < b;
         for (Index x = 0; x <= a; x += inside ? a : 1) visit(std::array<Index, 3>{x, y, z});
       }
+    }
   }
 
   const std::array<Index, 3>& size() const { return size_; }
@@ -63,8 +64,9 @@ void add_side(TriangleSoup& soup, const BoxSurface& box, std::size_t axis, bool 
     point[v] = id / sheet.vertex_columns();
     return box.vertex(point);
   };
-  for (const Triangle& face : sheet_faces(sheet))
+  for (const Triangle& face : sheet_faces(sheet)) {
     soup.triangles.push_back({vertex_of(face[0]), vertex_of(face[1]), vertex_of(face[2])});
+  }
 }
 
 TriangleSoup make_box(const CheckedParameters& parameters) {
@@ -75,9 +77,11 @@ TriangleSoup make_box(const CheckedParameters& parameters) {
   box.for_each_point([&](const std::array<Index, 3>& point) {
     soup.positions.push_back({point[0] * spacing, point[1] * spacing, point[2] * spacing});
   });
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (const bool positive : {false, true})
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const bool positive : {false, true}) {
       add_side(soup, box, axis, positive, diagonal_of(parameters));
+    }
+  }
   return soup;
 }
 
@@ -123,7 +127,7 @@ struct Unfolding {
 class Unfolder {
  public:
   Unfolder(const Vec3& size, const Vec3& source) : size_(size) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
       for (const bool far : {false, true}) {
         const Side side = {axis, far};
         if (!lies_on(source, side)) continue;
@@ -132,6 +136,7 @@ class Unfolder {
         steps[(axis + 2) % 3] = {0, 1};
         visit({side, source, {}, steps});
       }
+    }
   }
 
   Real least_distance(const Vec3& target) const {
@@ -151,10 +156,13 @@ class Unfolder {
   void visit(const Layout& here) {
     unfoldings_.push_back({here, gates_});
     entered_[here.side.number()] = true;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      for (const bool far : {false, true})
-        if (axis != here.side.axis && !entered_[2 * axis + (far ? 1 : 0)])
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (const bool far : {false, true}) {
+        if (axis != here.side.axis && !entered_[2 * axis + (far ? 1 : 0)]) {
           cross_into({axis, far}, here);
+        }
+      }
+    }
     entered_[here.side.number()] = false;
   }
 

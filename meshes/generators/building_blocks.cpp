@@ -66,9 +66,10 @@ Sheet sheet_of(const CheckedParameters& parameters, std::string_view columns,
 }
 
 void check_face_count(double faces) {
-  if (3 * faces >= static_cast<double>(kNone))
+  if (3 * faces >= static_cast<double>(kNone)) {
     throw std::invalid_argument("mesh of " + ParameterValue(faces).text() +
                                 " faces is too large, at most 1431655764 can be numbered");
+  }
 }
 
 std::vector<Triangle> sheet_faces(const Sheet& sheet, const CellFilter& keeps) {
@@ -102,8 +103,9 @@ void drop_isolated_vertices(TriangleSoup& soup) {
     renumbered[v] = kept++;
   }
   soup.positions.resize(kept);
-  for (Triangle& face : soup.triangles)
+  for (Triangle& face : soup.triangles) {
     for (Index& v : face) v = renumbered[v];
+  }
 }
 
 ParameterDescription input_parameter() {

@@ -29,24 +29,30 @@ TriangleSoup sector_fan(const std::vector<Vec3>& directions, Index rings) {
   check_face_count(1.0 * sectors * rings * rings);
   TriangleSoup soup;
   soup.positions.push_back({0, 0, 0});
-  for (Index r = 1; r <= rings; ++r)
-    for (Index i = 0; i < sectors; ++i)
+  for (Index r = 1; r <= rings; ++r) {
+    for (Index i = 0; i < sectors; ++i) {
       for (Index k = 0; k < r; ++k) {
         Vec3 point;
-        for (std::size_t axis = 0; axis < 3; ++axis)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
           point[axis] =
               ((r - k) * directions[i][axis] + k * directions[(i + 1) % sectors][axis]) / rings;
+        }
         soup.positions.push_back(point);
       }
-  for (Index r = 1; r <= rings; ++r)
-    for (Index i = 0; i < sectors; ++i)
+    }
+  }
+  for (Index r = 1; r <= rings; ++r) {
+    for (Index i = 0; i < sectors; ++i) {
       for (Index k = 0; k < r; ++k) {
         const Index inner = fan_vertex(sectors, r - 1, i, k);
         const Index outer = fan_vertex(sectors, r, i, k + 1);
         soup.triangles.push_back({inner, fan_vertex(sectors, r, i, k), outer});
-        if (k + 1 < r)
+        if (k + 1 < r) {
           soup.triangles.push_back({inner, outer, fan_vertex(sectors, r - 1, i, k + 1)});
+        }
       }
+    }
+  }
   return soup;
 }
 
@@ -78,11 +84,12 @@ TriangleSoup make_cone(const CheckedParameters& parameters) {
 TriangleSoup make_saddle(const CheckedParameters& parameters) {
   const Index sectors = parameters.integer("sectors");
   const double angle = parameters.real("sector-angle");
-  if (sectors % 2 != 0 || sectors * angle <= 360)
+  if (sectors % 2 != 0 || sectors * angle <= 360) {
     throw std::invalid_argument(
         "saddle-cone: sectors must be even and sectors x sector-angle "
         "above 360 degrees; " +
         ParameterValue(sectors).text() + " x " + ParameterValue(angle).text() + " is not");
+  }
   return sector_fan(ring_of_directions(sectors, angle / 360, true), parameters.integer("rings"));
 }
 

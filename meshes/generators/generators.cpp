@@ -59,11 +59,13 @@ std::optional<std::vector<double>> known_distances(std::string_view name,
   if (family.known_distances == nullptr) return std::nullopt;
   const CheckedParameters checked(name, family.description.parameters, parameters);
   const TriangleSoup made = family.make(checked).soup;
-  if (soup.positions != made.positions || soup.triangles != made.triangles)
+  if (soup.positions != made.positions || soup.triangles != made.triangles) {
     throw std::invalid_argument("the mesh is not what " + std::string(name) +
                                 " makes with these parameters: its distances are not known");
-  if (source >= soup.positions.size())
+  }
+  if (source >= soup.positions.size()) {
     throw std::invalid_argument("source vertex " + std::to_string(source) + " is not in the mesh");
+  }
   return family.known_distances(checked, soup, source);
 }
 

@@ -65,14 +65,16 @@ std::vector<double> involute_distances(const CheckedParameters& parameters,
                                        const TriangleSoup& soup, Index source) {
   const auto corners = static_cast<int>(parameters.integer("corners")), columns = corners + 1;
   const auto at = [&](int column, bool rim) -> PlanePoint {
-    const Vec3& p = soup.positions[static_cast<std::size_t>(column + (rim ? columns : 0))];
+    const int v = column + (rim ? columns : 0);
+    const Vec3& p = soup.positions[static_cast<std::size_t>(v)];
     return {p[0], p[1]};
   };
   const int own = static_cast<int>(source) % columns;
   const PlanePoint from = at(own, static_cast<int>(source) >= columns);
   std::vector<Real> reached(soup.positions.size());
   const auto reach = [&](int column, bool rim, Real length) {
-    reached[static_cast<std::size_t>(column + (rim ? columns : 0))] = length;
+    const int v = column + (rim ? columns : 0);
+    reached[static_cast<std::size_t>(v)] = length;
   };
   for (const bool rim : {false, true}) reach(own, rim, distance(from, at(own, rim)));
   for (const int side : {1, -1}) {

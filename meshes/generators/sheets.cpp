@@ -32,7 +32,7 @@ TriangleSoup make_capped_grid(const CheckedParameters& parameters) {
   const double height = parameters.real("cap");
   TriangleSoup soup = make_sheet(sheet, [](Index i, Index j) { return Vec3{1.0 * i, 1.0 * j, 0}; });
   const Index width = sheet.vertex_columns();
-  for (Index j = 1; j < sheet.rows; ++j)
+  for (Index j = 1; j < sheet.rows; ++j) {
     for (Index i = 0; i < sheet.columns; ++i) {
       const Index a = j * width + i, b = a + 1, cap = static_cast<Index>(soup.positions.size());
       soup.positions.push_back({i + 0.5, j + height, 0});
@@ -42,6 +42,7 @@ TriangleSoup make_capped_grid(const CheckedParameters& parameters) {
       soup.triangles.push_back({cap, b, apex});
       soup.triangles.push_back({a, b, cap});
     }
+  }
   return soup;
 }
 
@@ -78,13 +79,17 @@ class Hole {
   /// Distances of the corners from `source`: straight, or onwards along the hole's sides.
   std::array<Real, 4> corner_distances(const PlanePoint& source) const {
     std::array<Real, 4> reached;
-    for (std::size_t c = 0; c < 4; ++c)
+    for (std::size_t c = 0; c < 4; ++c) {
       reached[c] = blocks(source, corners_[c]) ? kInfinity : distance(source, corners_[c]);
-    for (int round = 0; round < 3; ++round)
-      for (std::size_t c = 0; c < 4; ++c)
-        for (const std::size_t next : {(c + 1) % 4, (c + 3) % 4})
+    }
+    for (int round = 0; round < 3; ++round) {
+      for (std::size_t c = 0; c < 4; ++c) {
+        for (const std::size_t next : {(c + 1) % 4, (c + 3) % 4}) {
           reached[next] =
               std::min(reached[next], reached[c] + distance(corners_[c], corners_[next]));
+        }
+      }
+    }
     return reached;
   }
 
@@ -104,9 +109,11 @@ std::vector<double> square_with_hole_distances(const CheckedParameters& paramete
   return distances_to_all(soup, [&](Index v) {
     const PlanePoint to = seen_from_above(soup.positions[v]);
     Real least = hole.blocks(from, to) ? kInfinity : distance(from, to);
-    for (std::size_t c = 0; c < 4; ++c)
-      if (!hole.blocks(hole.corners()[c], to))
+    for (std::size_t c = 0; c < 4; ++c) {
+      if (!hole.blocks(hole.corners()[c], to)) {
         least = std::min(least, corners[c] + distance(hole.corners()[c], to));
+      }
+    }
     return least;
   });
 }

@@ -41,8 +41,9 @@ class Octave {
   /// The lattice's values between row `row` (t = 0) and the next (t = 1).
   void blend_rows(std::uint64_t row, double t) {
     blended_.resize(static_cast<std::size_t>(frequency_) + 2);
-    for (std::size_t k = 0; k < blended_.size(); ++k)
+    for (std::size_t k = 0; k < blended_.size(); ++k) {
       blended_[k] = mix(value(k, row), value(k, row + 1), t);
+    }
   }
 
   double value(std::uint64_t column, std::uint64_t row) const {

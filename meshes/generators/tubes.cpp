@@ -105,8 +105,9 @@ class Knot {
     constexpr Index kSteps = 16;  // of the trapezoid rule a station
     const double steps = 1.0 * count * kSteps;
     std::vector<double> length = {0};
-    for (Index k = 0; k < count * kSteps; ++k)
+    for (Index k = 0; k < count * kSteps; ++k) {
       length.push_back(length.back() + (speed(k / steps) + speed((k + 1) / steps)) / 2);
+    }
     std::vector<Station> result;
     std::size_t k = 0;
     for (Index i = 0; i < count; ++i) {
@@ -142,10 +143,11 @@ double whole_twist(const std::vector<Station>& stations) {
 
 TriangleSoup make_torus_knot(const CheckedParameters& parameters) {
   const Index p = parameters.integer("p"), q = parameters.integer("q");
-  if (std::gcd(p, q) != 1)
+  if (std::gcd(p, q) != 1) {
     throw std::invalid_argument("torus-knot: p and q must have no common divisor; " +
                                 ParameterValue(p).text() + " and " + ParameterValue(q).text() +
                                 " have");
+  }
   Sheet sheet = sheet_of(parameters, "rings", "sides");
   sheet.columns_wrap = sheet.rows_wrap = true;
   const std::vector<Station> stations = Knot(p, q).stations(sheet.columns);

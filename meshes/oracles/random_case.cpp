@@ -260,6 +260,7 @@ struct Change {
   TriangleSoup (*make)(TriangleSoup soup, const Scene& s);
 };
 
+// NOLINTBEGIN(performance-unnecessary-value-param): one type of function for all
 constexpr Change kChanges[] = {
     {"noise", false,
      [](TriangleSoup soup, const Scene& s) {
@@ -310,14 +311,16 @@ constexpr Change kChanges[] = {
        return with_flat_caps(std::move(soup), s.seed(), one_in);
      }},
 };
+// NOLINTEND(performance-unnecessary-value-param)
 
 void apply_changes(RandomCase& made, const Scene& s) {
   for (std::uint32_t left = s.random.below(4); left > 0; --left) {
     const Change& change = kChanges[s.random.below(std::size(kChanges))];
     if (made.soup.triangles.empty()) return;
     if (change.makes_larger &&
-        static_cast<double>(made.soup.triangles.size()) > kManyFaces * s.size)
+        static_cast<double>(made.soup.triangles.size()) > kManyFaces * s.size) {
       continue;
+    }
     TriangleSoup changed;
     try {
       changed = change.make(made.soup, s);

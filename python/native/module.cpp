@@ -100,7 +100,7 @@ std::vector<std::array<T, 3>> rows_of(const Array<T>& array) {
 template <class T>
 py::array view_of(const std::vector<std::array<T, 3>>& rows, const py::object& owner) {
   const std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(rows.size()), 3};
-  const py::array_t<T> view(shape, reinterpret_cast<const T*>(rows.data()), owner);
+  py::array_t<T> view(shape, reinterpret_cast<const T*>(rows.data()), owner);
   view.attr("flags").attr("writeable") = false;
   return view;
 }
@@ -423,7 +423,7 @@ void define_matrices(py::module_& module) {
 
 PYBIND11_MODULE(_native, module) {
   module.attr("__version__") = GEODESIC_VERSION;
-  py::register_exception_translator([](std::exception_ptr error) {
+  py::register_exception_translator([](const std::exception_ptr error) {  // NOLINT: pybind11's type
     try {
       if (error) std::rethrow_exception(error);
     } catch (const MeshError& mesh_error) {

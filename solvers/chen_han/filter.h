@@ -31,7 +31,7 @@ struct PassedFace {
 };
 
 struct XinWangFilter {
-  static constexpr bool filters = true;
+  static constexpr bool kFilters = true;
 
   // Inlined by force: whether it is would depend on what else is in the file.
   [[gnu::always_inline]] static bool is_useless(const Window& w, Entry entry,
@@ -46,7 +46,7 @@ struct XinWangFilter {
 /// Chen-Han as published in 1990. Nothing ends a window but the length of its strip: a shortest
 /// path crosses no face twice.
 struct NoFilter {
-  static constexpr bool filters = false;
+  static constexpr bool kFilters = false;
 };
 
 }  // namespace geodesic::chen_han

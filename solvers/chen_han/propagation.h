@@ -51,7 +51,7 @@ struct StoredWindow : Window {
 /// What windows carry of their strip's length. Where none are filtered, nothing else ends a solve
 /// on some meshes.
 template <class Policy, class Recorder>
-using DepthOf = std::conditional_t<Policy::Filter::filters, typename Recorder::Depth, StripDepth>;
+using DepthOf = std::conditional_t<Policy::Filter::kFilters, typename Recorder::Depth, StripDepth>;
 
 /// The state of the solves of one solver, one after the other.
 /// @tparam Policy as in chen_han.h
@@ -90,12 +90,13 @@ class Propagation {
   /// A source that is no vertex does not part the windows that pass it, which one angle, one split
   /// presupposes (corners.h). Its windows own no corner therefore; where nothing but owners bounds
   /// the work, such sources start one after the other.
-  static constexpr bool kOneByOne = !Filter::filters;
+  static constexpr bool kOneByOne = !Filter::kFilters;
 
   void propagate_all() {
     while (!queue_.empty()) {
-      if (stops_ && is_over()) [[unlikely]]
+      if (stops_ && is_over()) [[unlikely]] {
         break;
+      }
       const Stored w = pop();
       budget_.spend(1);
       prefetch_ahead();
@@ -335,7 +336,7 @@ class Propagation {
   /// False for a corner whose claims cannot be trusted, and for roots that are no vertices. Without
   /// a filter only claims bound the work.
   bool has_owner(Index h, Index root) const {
-    if constexpr (!Filter::filters) return true;
+    if constexpr (!Filter::kFilters) return true;
     return root < vertex_count_ && !(unreliable_[mesh_.origin(h)] | unreliable_[mesh_.head(h)] |
                                      unreliable_[mesh_.apex(h)]);
   }
@@ -364,7 +365,7 @@ class Propagation {
                    e.twin,
                    parent.root,
                    parent.depth.next()};
-    if constexpr (Filter::filters) {
+    if constexpr (Filter::kFilters) {
       const auto timed = recorder_.enter(Phase::trimming);
       if (Filter::is_useless(w, entry, passed_face(across, third, third_vertex))) return;
     }

@@ -41,8 +41,8 @@ bool is_acceptable(const ParameterDescription& parameter, const std::string& tex
       return std::ranges::all_of(split_at_commas(text), is_choice);
     default:
       const std::optional<double> number = finite_number_in(text);
-      if (!number || (parameter.kind == ParameterKind::integer && *number != std::floor(*number)))
-        return false;
+      if (!number) return false;
+      if (parameter.kind == ParameterKind::integer && *number != std::floor(*number)) return false;
       return parameter.least <= *number && *number <= parameter.greatest;
   }
 }
@@ -67,8 +67,9 @@ std::string ParameterValue::shortest_text(double number) {
 
 std::string ParameterDescription::range() const {
   if (kind == ParameterKind::file) return "a file";
-  if (kind == ParameterKind::words)
+  if (kind == ParameterKind::words) {
     return "one or more of " + join(choices) + ", separated by commas";
+  }
   if (kind == ParameterKind::choice) return "one of " + join(choices);
   return (kind == ParameterKind::integer ? "an integer from " : "a number from ") +
          ParameterValue(least).text() + " to " + ParameterValue(greatest).text();
@@ -94,10 +95,11 @@ ParameterDescription real_parameter(std::string name, double default_value, doub
 
 ParameterDescription choice_parameter(std::string name, std::vector<std::string> choices,
                                       std::string description) {
+  std::string first = choices.front();
   return {.name = std::move(name),
           .description = std::move(description),
           .kind = ParameterKind::choice,
-          .default_value = choices.front(),
+          .default_value = std::move(first),
           .choices = std::move(choices)};
 }
 
@@ -125,12 +127,14 @@ CheckedParameters::CheckedParameters(std::string_view owner,
   std::vector<std::string> names;
   for (const ParameterDescription& parameter : descriptions) {
     const auto found = given.find(parameter.name);
-    if (found == given.end() && parameter.is_required())
+    if (found == given.end() && parameter.is_required()) {
       refuse("needs --" + parameter.name + ", " + parameter.description);
+    }
     const std::string& text =
         (found == given.end() ? parameter.default_value : found->second).text();
-    if (!is_acceptable(parameter, text))
+    if (!is_acceptable(parameter, text)) {
       refuse("parameter " + parameter.name + " is '" + text + "'; it must be " + parameter.range());
+    }
     texts_.emplace(parameter.name,
                    parameter.is_number() ? ParameterValue(*finite_number_in(text)).text() : text);
     names.push_back(parameter.name);

@@ -29,9 +29,9 @@ constinit Registrations* collected = nullptr;  // by collect_registrations, whil
 // are: solvers refer to them.
 class Configured {
  public:
-  const Description& keep(Description description) {
+  const Description& keep(const Description& description) {
     const std::lock_guard lock(mutex_);
-    return by_name_.try_emplace(description.name, std::move(description)).first->second;
+    return by_name_.try_emplace(description.name, description).first->second;
   }
 
  private:
@@ -151,8 +151,8 @@ const Description* find_solver(std::string_view name) {
   if (at == entries().end()) return nullptr;
   const Description& solver = at->second.description;
   if (name == solver.name) return &solver;
-  Description described = configure(solver, values_in(solver, name));
-  return described.values.empty() ? &solver : &configured().keep(std::move(described));
+  const Description described = configure(solver, values_in(solver, name));
+  return described.values.empty() ? &solver : &configured().keep(described);
 }
 
 const Description& solver_named(std::string_view name) {

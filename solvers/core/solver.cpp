@@ -119,8 +119,9 @@ void Solver::run_to_end(const InternalQuery& query, std::span<double> distances,
 }
 
 Path Solver::trace(const Query& query, std::span<const double> distances, Index vertex) {
-  if (!description_.abilities.traces)
+  if (!description_.abilities.traces) {
     refuse(description_, "has no means of its own to trace paths");
+  }
   check_point(vertex, "target ", mesh_, description_);
   if (!(distances[vertex] < kInfinity)) {
     refuse(description_, "no path leads to vertex " + std::to_string(vertex));

@@ -16,6 +16,8 @@ using Mask = std::int64_t __attribute__((vector_size(16)));  // lanes of 0 or -1
 
 inline constexpr std::size_t kLanes = 2;
 
+// NOLINTBEGIN(readability-identifier-naming): highway's names
+
 inline Vec Set(Tag, double x) { return Vec{x, x}; }
 inline Vec Zero(Tag) { return Vec{0, 0}; }
 inline Vec Add(Vec a, Vec b) { return a + b; }
@@ -51,5 +53,7 @@ inline Vec LoadU(Tag, const double* p) {
 inline void StoreU(Vec v, Tag, double* p) { __builtin_memcpy(p, &v, sizeof v); }
 inline Vec Load(Tag t, const double* p) { return LoadU(t, p); }
 inline void Store(Vec v, Tag t, double* p) { StoreU(v, t, p); }
+
+// NOLINTEND(readability-identifier-naming)
 
 }  // namespace geodesic::edge_based::plain

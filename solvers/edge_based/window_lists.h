@@ -55,8 +55,8 @@ struct alignas(32) Segment {
   Index self;
   Place place;  // at which it came to its list
 
-  double* array(unsigned field) { return reinterpret_cast<double*>(this + 1) + field * room; }
-  const double* array(unsigned field) const {
+  double* array(std::size_t field) { return reinterpret_cast<double*>(this + 1) + field * room; }
+  const double* array(std::size_t field) const {
     return reinterpret_cast<const double*>(this + 1) + field * room;
   }
 

@@ -538,8 +538,9 @@ Paths::Paths(const Mesh& mesh, const Query& query, std::vector<double> distances
       distances_.size() != vertices || targets_.size() != query_.targets.size()) {
     throw std::invalid_argument("paths need a recording of paths, of this mesh and query");
   }
-  if (query_.stop_at_targets)
+  if (query_.stop_at_targets) {
     farthest_ = std::ranges::max(targets_, {}, &AtTarget::distance).distance;
+  }
   farthest_ = std::min(farthest_, query_.limit);
   source_images_.resize(query_.sources.size());
   for (Index i = 0; i < query_.sources.size(); ++i) {

@@ -76,8 +76,9 @@ BENCHMARK(trim_overlapping_pair);
 
 const bool added = [] {
   for (const InstructionSet set : kInstructionSets) {
-    if (compiled_for(set) == set && why_unavailable(set).empty())
+    if (compiled_for(set) == set && why_unavailable(set).empty()) {
       add(std::string(name_of(set)), set);
+    }
   }
   return true;
 }();

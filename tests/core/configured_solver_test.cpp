@@ -112,7 +112,7 @@ TEST(ConfiguredSolver, refuses_what_it_does_not_understand_in_one_line_that_says
   };
   for (const auto& [name, words] : refused) {
     const std::string message =
-        message_of<std::invalid_argument>([&] { make_solver(name, one_triangle()); });
+        message_of<std::invalid_argument>([&asked = name] { make_solver(asked, one_triangle()); });
     for (const char* word : words) EXPECT_NE(message.find(word), std::string::npos) << message;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   }

@@ -10,7 +10,8 @@ namespace {
 Mesh strip(Index vertices) {
   TriangleSoup soup;
   for (Index v = 0; v < vertices; ++v) {
-    soup.positions.push_back({static_cast<double>(v / 2), static_cast<double>(v % 2), 0});
+    const Index column = v / 2;
+    soup.positions.push_back({static_cast<double>(column), static_cast<double>(v % 2), 0});
   }
   for (Index v = 0; v + 2 < vertices; ++v) {
     soup.triangles.push_back(v % 2 == 0 ? Triangle{v, v + 2, v + 1} : Triangle{v, v + 1, v + 2});

@@ -70,4 +70,4 @@ void run_with_fault(const Run& run, const geodesic::Description& solver,
 // A macro is not expanded again inside of itself: the inner `run` is the solver's.
 #define run(query, distances, recording) \
   run_with_fault([&] { run(query, distances, recording); }, description_, distances, recording)
-#include "solvers/core/solver.cpp"
+#include "solvers/core/solver.cpp"  // NOLINT(bugprone-suspicious-include)

@@ -252,7 +252,7 @@ TEST_F(Clean, SplitsTwoTubesThatTouchAlongAnEdge) {
 }
 
 TEST_F(Clean, CutsASurfaceOfOneSide) {
-  constexpr Index n = 20;
+  const Index n = 20;
   const TriangleSoup soup = band(n, true);
   ASSERT_FALSE(summarize(soup).orientable);
   const TriangleSoup result = cleaned(soup);

@@ -24,8 +24,9 @@ inline std::string off_text(const TriangleSoup& soup) {
     std::snprintf(line, sizeof line, "%.17g %.17g %.17g\n", x, y, z);
     text += line;
   }
-  for (const auto& [a, b, c] : soup.triangles)
+  for (const auto& [a, b, c] : soup.triangles) {
     text += "3 " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c) + "\n";
+  }
   return text;
 }
 

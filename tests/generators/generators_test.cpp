@@ -24,7 +24,9 @@ struct Expected {
   std::uint64_t hash;
 };
 
-void PrintTo(const Expected& expected, std::ostream* out) { *out << expected.generator; }
+void PrintTo(const Expected& expected, std::ostream* out) {  // NOLINT: GoogleTest's name
+  *out << expected.generator;
+}
 
 class Generated : public ::testing::TestWithParam<Expected> {};
 

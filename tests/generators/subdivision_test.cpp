@@ -239,8 +239,8 @@ TEST_F(Derived, DecimateHasExactlyTheVerticesAskedAndTheSameTopology) {
 TEST_F(Derived, DecimateRefusesNumbersOfVerticesThatItCannotReach) {
   for (const auto& [vertices, expected] :
        {std::pair(4u, "cannot have fewer"), {2049u, "has 2048"}}) {
-    const std::string message = message_of<std::invalid_argument>([&] {
-      made("decimate", generate("torus"), {{"vertices", vertices}});
+    const std::string message = message_of<std::invalid_argument>([this, wanted = vertices] {
+      made("decimate", generate("torus"), {{"vertices", wanted}});
     });
     EXPECT_NE(message.find(expected), std::string::npos) << message;
   }

@@ -20,9 +20,11 @@ TEST_F(Transform, ChangesNothingByDefault) { expect_same(transformed(saddle_, {}
 TEST_F(Transform, ScalesFirstAndShiftsThen) {
   const TriangleSoup soup = transformed(saddle_, {{"scale", 0.5}, {"shift", 1024}});
   EXPECT_EQ(soup.triangles, saddle_.triangles);
-  for (std::size_t v = 0; v < soup.positions.size(); ++v)
-    for (std::size_t k = 0; k < 3; ++k)
+  for (std::size_t v = 0; v < soup.positions.size(); ++v) {
+    for (std::size_t k = 0; k < 3; ++k) {
       EXPECT_EQ(soup.positions[v][k], 0.5 * saddle_.positions[v][k] + 1024);
+    }
+  }
 }
 
 TEST_F(Transform, WithoutItsFirstFaceASaddleLiesOnTheBoundary) {
@@ -47,8 +49,9 @@ TEST_F(Transform, APinchedMeshHangsTogetherAtOneVertex) {
   EXPECT_EQ(soup.triangles.size(), 2 * saddle_.triangles.size());
   EXPECT_EQ(summarize(soup).components, 1u);
   EXPECT_FALSE(find_defects(soup).has_errors());
-  for (std::size_t v = 1; v < vertices; ++v)
+  for (std::size_t v = 1; v < vertices; ++v) {
     EXPECT_EQ(soup.positions[vertices - 1 + v], scale(-1, saddle_.positions[v]));
+  }
 }
 
 TEST_F(Transform, CopiesLieApartAndIsolatedVerticesComeLast) {

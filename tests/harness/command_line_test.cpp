@@ -191,7 +191,7 @@ TEST_F(CommandLine, DistancesAtTargetsAreThoseOfThePointsWhateverTheSolverTakes)
                       "--target", "1,edge:0-1:0.75", "--target", "at:9,0,0"});
     ASSERT_EQ(output.code, 0) << output.err;
     const nlohmann::json printed = nlohmann::json::parse(output.out);
-    const nlohmann::json targets = printed.at("targets");
+    const nlohmann::json& targets = printed.at("targets");
     EXPECT_EQ(targets[0].at("point"), 1);
     EXPECT_NEAR(targets[0].at("distance").get<double>(), 0.75, 1e-15);
     EXPECT_NEAR(targets[1].at("distance").get<double>(), 0.5, 1e-15);

@@ -42,8 +42,9 @@ TEST(Sources, HaveABoundaryVertexSecond) {
   // A disc: vertex 0 and vertex 1 inside, a ring of 60 around them.
   TriangleSoup soup;
   soup.positions.resize(62);
-  for (Index v = 2; v < 62; ++v)
+  for (Index v = 2; v < 62; ++v) {
     soup.triangles.push_back({v < 32 ? 0u : 1u, v, v == 61 ? 2 : v + 1});
+  }
   soup.triangles.push_back({0, 32, 1});
   soup.triangles.push_back({0, 1, 2});
   for (std::uint64_t seed = 0; seed < 20; ++seed) {

@@ -38,8 +38,10 @@ class VerifyCommand : public ProgramTest {
   static std::size_t faces_of(const std::filesystem::path& file) {
     const std::string obj = '\n' + read(file);
     std::size_t faces = 0;
-    for (std::size_t at = obj.find("\nf "); at != std::string::npos; at = obj.find("\nf ", at + 1))
+    for (std::size_t at = obj.find("\nf "); at != std::string::npos;
+         at = obj.find("\nf ", at + 1)) {
       ++faces;
+    }
     return faces;
   }
 };

@@ -101,7 +101,7 @@ TEST(Hostile, CountsThatTheFileCannotHoldAreRefusedWithoutMemoryForThem) {
   for (const Sample& sample : samples) {
     expect_refusal(sample.bytes, sample.name, sample.name + ", ");
   }
-  EXPECT_LT(peak_kilobytes(), before + 32 * 1024);
+  EXPECT_LT(peak_kilobytes(), before + 32'768);
 }
 
 TEST(Hostile, OtherFilesAreOfTheWrongFormat) {

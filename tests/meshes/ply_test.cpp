@@ -121,8 +121,9 @@ TEST(Ply, ReadsStripsInEveryEncodingBesideFaces) {
     std::string bytes = strip_header(format, 1, "uchar short");
     bytes.replace(bytes.find("end_header"), 0,
                   "element face 1\nproperty list uchar uchar vertex_index\n");
-    for (const int c : {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 2, 0, 0})
+    for (const int c : {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 2, 0, 0}) {
       bytes += bytes_of(static_cast<float>(c), order);
+    }
     bytes += '\5';
     for (const int v : {0, 1, 2, -1, -1}) bytes += bytes_of(static_cast<std::int16_t>(v), order);
     bytes += std::string("\3\2\1\3", 4);

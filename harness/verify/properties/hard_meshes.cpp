@@ -302,7 +302,8 @@ TriangleSoup cells_of_terrain(Index cells, Keep keep) {
   std::vector<Triangle> kept;
   for (Index cell = 0; cell < cells * cells; ++cell) {
     if (!keep(cell % cells, cell / cells)) continue;
-    kept.insert(kept.end(), {soup.triangles[2 * cell], soup.triangles[2 * cell + 1]});
+    const Index first = 2 * cell;
+    kept.insert(kept.end(), {soup.triangles[first], soup.triangles[first + 1]});
   }
   soup.triangles = std::move(kept);
   return soup;
@@ -328,7 +329,7 @@ Cases separate_triangles() {
   }
   const Index last = 3 * kTriangles - 2;
   return {{"triangles", soup, {from({4, last})}, [=](const Query&) {
-             std::vector<double> distances(3 * kTriangles, kInfinity);
+             std::vector<double> distances(std::size_t{3} * kTriangles, kInfinity);
              for (const Index source : {Index{4}, last}) {
                distances[source - 1] = 3;
                distances[source] = 0;

@@ -40,10 +40,12 @@ class Unfolding final : public Solver {
     windows_.clear();
     budget_.start();
     paths_.reset();
-    if (recording != nullptr && recording->kind == RecordingKind::paths)
+    if (recording != nullptr && recording->kind == RecordingKind::paths) {
       paths_.emplace(mesh(), query);
-    for (Index i = 0; i < query.sources.size(); ++i)
+    }
+    for (Index i = 0; i < query.sources.size(); ++i) {
       start(query.sources[i], mesh().vertex_count() + i);
+    }
     while (!sources_.empty() || !windows_.empty()) {
       if (!sources_.empty()) {
         const InternalSource source = sources_.front();
