@@ -125,10 +125,12 @@ class View {
       const Interval length = length_of(apex.x, apex.y);
       add(mesh_.apex(h), in_line || is_seen(apex) ? length : from_below(length));
     }
-    if (is_right)
+    if (is_right) {
       leave(Mesh::previous(h), left, apex, l, in_line || is_positive(left_of_r) ? apex : r);
-    if (is_left)
+    }
+    if (is_left) {
       leave(Mesh::next(h), apex, right, in_line || is_positive(right_of_l) ? apex : l, r);
+    }
     crossed_.pop_back();
     entered(h) = false;
   }

@@ -151,7 +151,8 @@ class VerifyDistances : public ::testing::Test {
 
   VerifyDistances() {
     for (Index v = 0; v < kSide * kSide; ++v) {
-      const double x = v % kSide, y = v / kSide;
+      const Index column = v % kSide, row = v / kSide;
+      const double x = column, y = row;
       exact_.push_back(std::hypot(x, y));
       // Edges lie along the axes and the rising diagonal.
       along_edges_.push_back(std::max(x, y) - std::min(x, y) + std::sqrt(2) * std::min(x, y));

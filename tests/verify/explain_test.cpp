@@ -29,7 +29,7 @@ class Explain : public ::testing::Test {
                 "\n");
   }
 
-  std::vector<double> off_at(std::vector<Index> vertices) const {
+  std::vector<double> off_at(const std::vector<Index>& vertices) const {
     std::vector<double> got = right_;
     for (const Index v : vertices) got.at(v) *= 1 + 1e-6;
     return got;
