@@ -26,8 +26,8 @@
 
 namespace geodesic {
 
-/// A mesh whose vertices and faces go by the numbers of its file. What solves on it takes it as a
-/// Mesh, whose own functions count by places in memory, another order, with which solvers are fast.
+/// A mesh whose vertices and faces go by the numbers of its file. Solvers take it as a Mesh. The
+/// functions of Mesh go by internal numbers: the order in memory with which solvers are fast.
 class SurfaceMesh {
  public:
   /// @throws std::invalid_argument as Mesh

@@ -1,10 +1,21 @@
-// Brute force where its own digits are short.
+// Brute force: by whose numbers it answers, and where its own digits are short.
 #include <gtest/gtest.h>
 
 #include "meshes/oracles/brute_force.h"
+#include "meshes/oracles/random_meshes.h"
 
 namespace geodesic {
 namespace {
+
+TEST(BruteForce, answers_by_the_numbers_given_however_a_mesh_numbers_itself) {
+  const TriangleSoup soup = rough_sphere(6, 2, 0.2);
+  const Mesh renumbered(soup, Numbering::along_surface);
+  ASSERT_FALSE(renumbered.numbers().is_identity());
+  const std::vector<Source> sources{{.at = 5}, {.at = 17, .distance = 0.25}};
+  const std::vector<double> expected = BruteForce(Mesh(soup)).distances(sources);
+  const std::vector<double> got = BruteForce(renumbered).distances(sources);
+  for (Index v = 0; v < expected.size(); ++v) EXPECT_NEAR(got[v], expected[v], 1e-15) << v;
+}
 
 // Two needles in one plane that share their short side, through whose middle the way from tip to
 // tip leads.
