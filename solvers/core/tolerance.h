@@ -148,4 +148,14 @@ inline constexpr double kPathSearch = 1e-12;
 /// A source that its own solver gives a distance above this, in edge lengths, was put elsewhere.
 inline constexpr double kElsewhere = 1e-12;
 
+/// A path of flipped edges is straight at an angle of pi less this. The rest would make it shorter
+/// by its square, by less than rounding; and lines of flipped edges stay clear of vertices by as
+/// much.
+inline constexpr double kFlipStraight = 1e-8;
+
+/// A line of such an edge that is traced ends in its vertex when it misses it by less than this,
+/// relative to its length: far more than rounding, far less than the distance of two vertices on
+/// one line.
+inline constexpr double kFlipEndReach = 1e-6;
+
 }  // namespace geodesic

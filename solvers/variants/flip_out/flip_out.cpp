@@ -13,17 +13,14 @@
 #include <vector>
 
 #include "solvers/core/registry.h"
+#include "solvers/core/tolerance.h"
 #include "solvers/dijkstra/dijkstra.h"
 #include "solvers/variants/flip_out/intrinsic_mesh.h"
 
 namespace geodesic::flip_out {
 namespace {
 
-/// A path is straight at an angle of pi less this. The rest would make it shorter by its square, by
-/// less than rounding; and lines of flipped edges stay clear of vertices by as much.
-constexpr double kStraight = 1e-8;
-
-bool is_convex(double angle) { return angle < std::numbers::pi - kStraight; }
+bool is_convex(double angle) { return angle < std::numbers::pi - kFlipStraight; }
 
 /// A path of edges over a triangulation that it changes.
 class EdgePath {

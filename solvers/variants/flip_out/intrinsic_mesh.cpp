@@ -3,12 +3,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "solvers/core/tolerance.h"
+
 namespace geodesic::flip_out {
 namespace {
-
-/// A line that is traced ends in its vertex when it misses it by less than this, relative to its
-/// length: far more than rounding, far less than the distance of two vertices on one line.
-constexpr double kEndReach = 1e-6;
 
 Point2 apex_of(const Mesh& mesh, Index h) {
   return {mesh.half_edge(h).apex_x, mesh.half_edge(h).apex_y};
@@ -134,7 +132,7 @@ void IntrinsicMesh::trace(Index h, std::vector<InternalPoint>& points) const {
     points.emplace_back(end);
     return;
   }
-  const double reach = kEndReach * frame_[h].length;
+  const double reach = kFlipEndReach * frame_[h].length;
   const auto ends_at = [&](Index vertex, Point2 at, Point2 aim) {
     return vertex == end && norm(Point2{at.x - aim.x, at.y - aim.y}) <= reach;
   };
