@@ -64,8 +64,8 @@ inline constexpr double kWindowWidth = 1e-14;
 inline constexpr double kPathMargin = 1e-14;
 
 /// The same for a distance that is far shorter than the edges whose frames its window came through,
-/// relative to the longest edge: see coordinate_rounding (window_predicates.h). 13 units in the last
-/// place, and less than what such distances are exact to, 1e-12 of a 256th of that edge.
+/// relative to the longest edge: see coordinate_rounding (window_predicates.h). 13 units in the
+/// last place, and less than what such distances are exact to, 1e-12 of a 256th of that edge.
 inline constexpr double kCoordinateRounding = 3e-15;
 
 /// A source is next to an edge when it is nearer than this times the rounding of coordinates: then

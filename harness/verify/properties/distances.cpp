@@ -168,7 +168,9 @@ std::vector<Property> closed_form_properties() {
        "on a cylinder distances are those of the unrolled strip, the shorter way round", cylinders},
       {"plate-around-an-arc-has-paths-that-bend-at-its-corners",
        "around a convex arc distances are those of a string pulled taut",
-       [] { return cases_of(closed_form_case("involute", {{"corners", 24}})); }},
+       [] {
+         return cases_of(closed_form_case("involute", {{"corners", 24}}));
+       }},
       {"square-with-hole-paths-bend-at-the-corners-of-the-hole",
        "around a hole paths bend at its corners: boundary vertices are pseudo-sources",
        squares_with_holes},
