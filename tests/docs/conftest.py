@@ -50,6 +50,7 @@ def checkout(tmp_path: Path) -> Checkout:
         "GEODESIC_BENCH": str(program),
         "GEODESIC_BUILD": str(BENCH.resolve().parent),
         "GEODESIC_PYTHON": sys.executable,
+        "CXXFLAGS": "-Wall -Wextra -Wpedantic -Werror",
     }
     inherited = {k: v for k, v in os.environ.items() if k != "GEODESIC_DATASETS_MIRROR"}
     return Checkout(folder, inherited | own)

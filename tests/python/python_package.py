@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -45,3 +46,18 @@ def rough_ground(side: int) -> Arrays:
     corner = np.arange(side * side).reshape(side, side)[:-1, :-1].reshape(-1, 1)
     lower, upper = corner + [0, side, side + 1], corner + [0, side + 1, 1]
     return np.stack([x, y, height], axis=1), np.concatenate([lower, upper])
+
+
+def make_source_distribution(folder: Path) -> Path:
+    """In the folder, from a copy of what it is made of: making it writes beside its sources."""
+    source = folder / "source"
+    unwanted = shutil.ignore_patterns("__pycache__", "runs", "ranks", "baseline", "*.egg-info")
+    for name in ("cmake", "geodesic", "meshes", "python", "results", "solvers"):
+        shutil.copytree(ROOT / name, source / name, ignore=unwanted)
+    for name in ("CITATION.cff", "CMakeLists.txt", "LICENSE", "MANIFEST.in", "README.md",
+                 "pyproject.toml", "setup.py"):  # fmt: skip
+        shutil.copy(ROOT / name, source)
+    make = "import sys; from setuptools.build_meta import build_sdist; build_sdist(sys.argv[1])"
+    subprocess.run([sys.executable, "-c", make, folder], cwd=source, check=True, capture_output=True)
+    (sdist,) = folder.glob("*.tar.gz")
+    return sdist
