@@ -34,11 +34,11 @@ take_word() {
   take_preset "$@"
 }
 
-# Both runners run, whatever the first one finds.
+# Both runners run, whatever the first one finds. Tests of programs wait half of their time for them.
 run_tests() {
   local failed=0
   rm -rf "$logs/ctest.xml" "$logs/pytest.xml" "$root/build/$preset/tests/reports"
-  (cd "$root" && logged ctest --preset "$preset" --parallel "$(processors)" \
+  (cd "$root" && logged ctest --preset "$preset" --parallel "$((2 * $(processors)))" \
     --output-junit "$logs/ctest.xml") || failed=1
   (cd "$root" && GEODESIC_BENCH="$root/build/$preset/geodesic-bench" \
     logged "$python" -m pytest -q tests --numprocesses "$(processors)" \

@@ -183,8 +183,7 @@ def cut_texts(figure: Figure) -> list[str]:
 
 
 def touching_labels(figure: Figure) -> list[tuple[str, str]]:
-    """Neighbours among the labels that are drawn on an axis with less than a pixel between them."""
-    figure.canvas.draw()
+    """Neighbours among the labels on an axis of a drawn figure, with less than a pixel between them."""
     renderer = figure.canvas.get_renderer()
     hidden = beyond_the_axis(figure)
     found = []
@@ -272,6 +271,10 @@ def test_a_figure_says_what_it_shows(drawn: tuple[str, Drawing]) -> None:
 
 @pytest.mark.parametrize("name", FIGURES)
 class TestEveryFigure:
+    @pytest.fixture
+    def run(self, complete_run: Run) -> Run:
+        return complete_run
+
     def test_many_solvers_and_long_names_still_fit(self, name: str, run: Run) -> None:
         long = "a-model-with-a-long-name-of-forty-letters"
         suitable = renamed(suited(name, run), {})
@@ -359,7 +362,9 @@ def test_all_draws_what_it_can_and_says_what_it_leaves_out(golden_run: Run) -> N
 def test_labels_of_a_wide_range_do_not_touch(name: str, run: Run) -> None:
     far = with_number(run, "ch", "flat-grid", "cpu_time", 1e5)
     far = with_number(far, "ch", "flat-grid", "window_propagations", 1e6)
-    assert touching_labels(figure_of(name, far)) == []
+    figure = figure_of(name, far)
+    figure.canvas.draw()
+    assert touching_labels(figure) == []
 
 
 @pytest.mark.parametrize("inches", [0.7, 1.5, 6])
@@ -372,6 +377,7 @@ def test_a_logarithmic_axis_has_labels_as_far_as_there_is_room(
     axes.plot([low, high], [low, high])
     for axis in (axes.xaxis, axes.yaxis):
         logarithmic(axis)
+    figure.canvas.draw()
     assert touching_labels(figure) == []
     for axis in (axes.xaxis, axes.yaxis):
         shown = set(axis.get_ticklabels()) - beyond_the_axis(figure)
