@@ -3,7 +3,6 @@
 #include <regex.h>
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <set>
 
@@ -12,32 +11,26 @@
 namespace geodesic::harness {
 namespace {
 
-bool matches(const std::string& text, const std::string& pattern) {
-  regex_t compiled;
-  regcomp(&compiled, pattern.c_str(), REG_EXTENDED | REG_NOSUB);
-  const bool found = regexec(&compiled, text.c_str(), 0, nullptr, 0) == 0;
-  regfree(&compiled);
-  return found;
-}
+// A POSIX extended expression. Compiling it takes longer than any text of ours to match.
+class Pattern {
+ public:
+  explicit Pattern(const std::string& pattern) {
+    regcomp(&compiled_, pattern.c_str(), REG_EXTENDED | REG_NOSUB);
+  }
+  Pattern(const Pattern&) = delete;
+  Pattern& operator=(const Pattern&) = delete;
+  ~Pattern() { regfree(&compiled_); }
 
-// Whether the keywords hold that concern a value as a whole.
-bool fits(const Json& value, const Json& schema) {
-  const auto is_value = [&](const Json& each) { return value == each; };
-  const auto is_type = [&](const Json& type) {
-    return type == value.type_name() || (type == "integer" && value.is_number_integer());
-  };
-  const std::map<std::string, std::function<bool(const Json&)>> keywords{
-      {"const", is_value},
-      {"enum", [&](const Json& values) { return std::ranges::any_of(values, is_value); }},
-      {"maximum", [&](const Json& most) { return !value.is_number() || value <= most; }},
-      {"minimum", [&](const Json& least) { return !value.is_number() || value >= least; }},
-      {"pattern", [&](const Json& p) { return !value.is_string() || matches(value, p); }},
-      {"type", [&](const Json& type) {
-         return type.is_array() ? std::ranges::any_of(type, is_type) : is_type(type);
-       }}};
-  return std::ranges::all_of(keywords, [&](const auto& each) {
-    return !schema.contains(each.first) || each.second(schema[each.first]);
-  });
+  bool matches(const std::string& text) const {
+    return regexec(&compiled_, text.c_str(), 0, nullptr, 0) == 0;
+  }
+
+ private:
+  regex_t compiled_{};
+};
+
+bool is_type(const Json& value, const Json& type) {
+  return type == value.type_name() || (type == "integer" && value.is_number_integer());
 }
 
 // Null where the schema does not have it.
@@ -87,6 +80,26 @@ class Checker {
   }
 
  private:
+  // Whether the keywords hold that concern a value as a whole.
+  bool fits(const Json& value, const Json& schema) const {
+    return std::ranges::all_of(schema.items(), [&](const auto& keyword) {
+      return fits(value, keyword.key(), keyword.value());
+    });
+  }
+
+  bool fits(const Json& value, const std::string& keyword, const Json& said) const {
+    if (keyword == "const") return value == said;
+    if (keyword == "enum") return std::ranges::find(said, value) != said.end();
+    if (keyword == "maximum") return !value.is_number() || value <= said;
+    if (keyword == "minimum") return !value.is_number() || value >= said;
+    if (keyword == "pattern" && value.is_string()) {
+      return patterns_.try_emplace(said, said.get<std::string>()).first->second.matches(value);
+    }
+    if (keyword != "type") return true;
+    if (!said.is_array()) return is_type(value, said);
+    return std::ranges::any_of(said, [&](const Json& type) { return is_type(value, type); });
+  }
+
   bool holds(const Json& value, const Json& schema) const {
     try {
       check(value, schema);
@@ -150,6 +163,7 @@ class Checker {
   }
 
   const Json& root_;
+  mutable std::map<std::string, Pattern> patterns_ = {};
 };
 
 }  // namespace
