@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
@@ -52,8 +52,9 @@ class Handler(BaseHTTPRequestHandler):
         if partial:
             self.send_header("Content-Range", f"bytes {begin}-{len(data) - 1}/{len(data)}")
         self.end_headers()
-        self.wfile.write(body[: self.site.cut_after])
-        self.wfile.flush()
+        with suppress(ConnectionError):  # of a client that wants no more
+            self.wfile.write(body[: self.site.cut_after])
+            self.wfile.flush()
         if self.site.stalls:
             self.site.done.wait(30)
 
