@@ -27,10 +27,10 @@ class Progress:
         self._terminal = terminal
 
     @contextmanager
-    def download(self, label: str, total: int | None, done: int) -> Iterator[Callable[[int], None]]:
+    def download(self, label: str, total: int | None, done: int) -> Iterator[Callable[[int], object]]:
         """A bar of bytes; the caller says how many more there are."""
         with self._bar(desc=label, total=total, initial=done, unit="B", unit_scale=True) as bar:
-            yield lambda count: bar.update(count) and None
+            yield bar.update
 
     @contextmanager
     def working(self, label: str) -> Iterator[None]:
@@ -38,6 +38,6 @@ class Progress:
         with self._bar(desc=f"{label} ...", bar_format="{desc}"):
             yield
 
-    def _bar(self, **options: Any) -> tqdm.tqdm:
+    def _bar(self, **options: Any) -> tqdm.tqdm[Any]:
         terminal = self._terminal
         return tqdm.tqdm(**options, leave=False, file=terminal, disable=not terminal.isatty())
