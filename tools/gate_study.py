@@ -33,8 +33,8 @@ from gate.findings import GOOD, REGRESSION, WRONG_ANSWER, Weight  # noqa: E402
 from gate.program import NotCountableError, Program  # noqa: E402
 from gate.verdict import Verdict  # noqa: E402
 
-SOLVERS = ("ich", "fwp-mmp", "mmp")
-MESHES = (*levels.CALLGRIND_MESHES, "needles")
+SOLVERS: tuple[str, ...] = ("ich", "fwp-mmp", "mmp")
+MESHES: tuple[str, ...] = (*levels.CALLGRIND_MESHES, "needles")
 COUNTED_SOLVERS = ("mmp",)
 COUNTED_MESHES = ("tiny-terrain",)
 """Of level 2: Callgrind takes seconds a row, and the fault is in every solver."""

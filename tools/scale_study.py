@@ -65,8 +65,9 @@ class Scale:
     def first_shard(self) -> Data:
         """What a real shard of these meshes says; of a tetrahedron, whose cells are quick."""
         small = self.folder / "small"
-        words = ["run", "--folder", small, "--solvers", SOLVERS, "--sources", "1", "--repetitions",
-                 "1", "--min-time", "0.0001", "--recordings", "none", "--shard", "1/1"]  # fmt: skip
+        words: list[str | Path] = ["run", "--folder", small, "--solvers", SOLVERS, "--sources", "1",
+                                   "--repetitions", "1", "--min-time", "0.0001",
+                                   "--recordings", "none", "--shard", "1/1"]  # fmt: skip
         small.mkdir()
         (small / "one.obj").write_text(TETRAHEDRON)
         command = [self.bench, *words, "--out", self.folder / "real"]
@@ -132,7 +133,7 @@ def main() -> int:
     bench = Path(os.environ.get("GEODESIC_BENCH", "build/release/geodesic-bench")).resolve()
     if not bench.is_file():
         parser.error(f"there is no program {bench}: GEODESIC_BENCH names one")
-    folder = (wish.keep or Path(tempfile.mkdtemp(prefix="geodesic-scale-"))).absolute()
+    folder: Path = (wish.keep or Path(tempfile.mkdtemp(prefix="geodesic-scale-"))).absolute()
     folder.mkdir(exist_ok=True)
     scale = Scale(bench, folder, wish.meshes, wish.shards)
     scale.make_meshes()
