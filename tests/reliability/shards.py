@@ -19,10 +19,10 @@ class Sharded:
         self.bench, self.folder = bench, folder
         self.meshes = two_meshes(bench, folder)
 
-    def words(self, *more: str) -> list[str]:
+    def words(self, *more: str, min_time: str = "0.0001") -> list[str]:
         return ["--meshes", self.meshes, "--solvers", "edge-based,ich,dijkstra", "--sources", "3",
                 "--source-sets", "random:4,boundary",  # a box has no boundary
-                "--repetitions", "2", "--min-time", "0.0001", *more]  # fmt: skip
+                "--repetitions", "2", "--min-time", min_time, *more]  # fmt: skip
 
     def bench_says(self, *words: object) -> Ended:
         command = [str(self.bench), *map(str, words)]

@@ -104,9 +104,9 @@ def test_one_command_submits_follows_merges_checks_and_draws(world: World) -> No
     )  # fmt: skip
     assert ended.returncode == 0, ended.stdout + ended.stderr
     out = world.folder / "one"
-    for words in ("submitted as geodesic-one", "9 of 9 shards done", "NOT MEASURED: unfit",
-                  "18 verified, 0 failed", "report.html"):  # fmt: skip
-        assert words in ended.stdout
+    for said in ("submitted as geodesic-one", "9 of 9 shards done", "NOT MEASURED: unfit",
+                 "18 verified, 0 failed", "report.html"):  # fmt: skip
+        assert said in ended.stdout
     assert (out / "report.html").is_file()
     words = ["run", *options, "--out", "one-whole"]
     assert world.sharded.bench_says(*words).returncode == 0
