@@ -8,13 +8,14 @@ It lies beside the program as `<program>.json`: {"solvers": {name: facts}}, wher
 import json
 import sys
 from pathlib import Path
+from typing import Any
 
 SOLVER = ["family", "paper", "independent_oracle", "remarks"]
 MESH = {"vertices": 9, "faces": 9, "mean_edge_length": 1.0, "thesis_model": None, "stand_in": False,
         "sha256": "00"}  # fmt: skip
 
 
-def world_of(program: str) -> dict[str, object]:
+def world_of(program: str) -> Any:
     return json.loads(Path(f"{program}.json").read_text())
 
 
@@ -25,7 +26,7 @@ def value_of(name: str, absent: str = "") -> str:
     return sys.argv[sys.argv.index(name) + 1] if name in sys.argv else absent
 
 
-def row(world, solver: str, mesh: str, pair: int = 0) -> dict[str, object]:
+def row(world: Any, solver: str, mesh: str, pair: int = 0) -> dict[str, Any]:
     facts = world["solvers"][solver]
     common = {"solver": solver, "mesh": mesh, "source": 0, "repetition_index": pair}
     if facts.get("outcome", "ok") != "ok":
@@ -43,7 +44,7 @@ def row(world, solver: str, mesh: str, pair: int = 0) -> dict[str, object]:
     }
 
 
-def rows() -> list[dict[str, object]]:
+def rows() -> list[dict[str, Any]]:
     solvers = value_of("--solvers").split(",")
     programs = [word for word in sys.argv if word.startswith(("base=", "head="))]
     if not programs:

@@ -84,8 +84,8 @@ def of_programs(ratio: float, spread: float = 0.02, seed: int = 0, pairs: int = 
             of = 100 * seed + 10 * index + (name == "head")
             for repetition, ms in enumerate(times(factor, spread, of, pairs)):
                 rows.append(row("mmp", mesh, repetition, ms, program=name))
-    build = {"path": "p", "sha256": 64 * "0", "revision": "unknown", "modified": False,
-             "compiler": "GNU", "compiler_flags": "-O3", "build_type": "Release"}  # fmt: skip
+    build: Data = {"path": "p", "sha256": 64 * "0", "revision": "unknown", "modified": False,
+                   "compiler": "GNU", "compiler_flags": "-O3", "build_type": "Release"}  # fmt: skip
     programs = [{"name": name, **build} for name in ("base", "head")]
     return file_of(rows, ["mmp"], interleaved=True, programs=programs)
 

@@ -12,7 +12,7 @@ import pytest
 from gate import check_result
 from results import checksum, merge
 from results.columns import Columns
-from results.reader import read_run
+from results.reader import Cell, read_run
 
 ROOT = Path(__file__).resolve().parents[2]
 GOLDEN = ROOT / "tests" / "plots" / "golden" / "run" / "run.json"
@@ -151,8 +151,8 @@ def test_counters_far_from_those_of_this_revision_are_found(
     result: Data, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, check: Check
 ) -> None:
     row = rows_of(result, "mmp")[0]
-    cell = check_result.Cell("mmp", row["mesh"], row["source"])
+    cell = Cell("mmp", row["mesh"], row["source"])
     known = {cell: {"window_propagations": 3 * row["window_propagations"]}}
-    monkeypatch.setattr(check_result.baseline, "read", lambda _: known)
+    monkeypatch.setattr("gate.baseline.read", lambda _: known)
     code, said = check(write(tmp_path / "run.json", result))
     assert code == 1 and "; this revision counts " in said

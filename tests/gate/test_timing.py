@@ -18,6 +18,7 @@ from results.statistics import Decision
 from gate import check, timing
 from gate.cells import Measured
 from gate.findings import GOOD, NOT_RESOLVED, REGRESSION, GateError, Weight
+from gate.program import Verified
 from gate.timing import PAIRS, Timing, timed_cells
 from gate.verdict import Verdict, as_text, judge
 
@@ -163,9 +164,11 @@ def test_noise_that_hides_the_margin_is_not_resolved(world: World) -> None:
     def noisy(one: dict[str, Any]) -> None:
         one["switches"] = 900.0
 
-    slow = [50.0, 80.0, 50.0, 60.0, 50.0]
-    verdict = world.gate(lambda head: (noisy(head), fact("mmp", "cpu_ms", slow)(head)),
-                         noisy, levels=(4,), budget=0.0)  # fmt: skip
+    def noisy_and_slow(head: dict[str, Any]) -> None:
+        noisy(head)
+        fact("mmp", "cpu_ms", [50.0, 80.0, 50.0, 60.0, 50.0])(head)
+
+    verdict = world.gate(noisy_and_slow, noisy, levels=(4,), budget=0.0)
     assert verdict.word == "NOT RESOLVED" and verdict.exit_code == GOOD
     assert "15 pairs, 15 disturbed" in first(verdict)
 
@@ -173,7 +176,7 @@ def test_noise_that_hides_the_margin_is_not_resolved(world: World) -> None:
 def test_a_program_that_fails_when_it_is_timed_is_an_error(
     world: World, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("gate.check.verify", lambda program, options: check.Verified(
+    monkeypatch.setattr("gate.check.verify", lambda program, options: Verified(
         {}, {A: Measured(A, [of(A, 20)])}))  # fmt: skip
     with pytest.raises(GateError, match="mmp/cube/src:0: the head failed when timed: crashed"):
         world.gate(fact("mmp", "outcome", "crashed"), levels=(4,))
