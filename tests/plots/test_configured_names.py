@@ -40,10 +40,10 @@ def run(changed: Changed) -> Run:
 
 def test_the_name_is_in_every_table_of_all_solvers_in_every_format(run: Run) -> None:
     drawn, _ = draw(run)
-    tables = [table for table in drawn.values() if isinstance(table, Table)]
-    named = [table for table in tables if NAME in FORMATS[".md"](table)]
+    tables = {name: table for name, table in drawn.items() if isinstance(table, Table)}
+    named = [table for table in tables.values() if NAME in FORMATS[".md"](table)]
     assert {"summary", "table_5_2", "table_5_3"} <= {table.name for table in named}
-    assert f"{NAME} (within 0.01)" in FORMATS[".md"](drawn["summary"])
+    assert f"{NAME} (within 0.01)" in FORMATS[".md"](tables["summary"])
     for table in named:
         assert IN_LATEX in FORMATS[".tex"](table), table.name
         cells = [cell for line in csv.reader(FORMATS[".csv"](table).splitlines()) for cell in line]

@@ -13,6 +13,7 @@ import synthetic
 from synthetic import EXCESS, INEXACT, Data, data_of, mesh, solver, with_rows
 
 from plots import catalogue, error_map, frontier, report
+from plots.drawing import Drawing
 from plots.frontier import COSTS, ERRORS, Point
 from results import published
 from results.reader import ResultError, Run, Solver
@@ -157,7 +158,8 @@ def test_each_mesh_of_a_run_of_several_has_a_page_of_its_own() -> None:
     drawn, _ = catalogue.draw(both, ["frontier"])
     assert list(drawn) == ["frontier", "frontier_of_large", "frontier_of_small"]
     assert {catalogue.base_name(name) for name in drawn} == {"frontier"}
-    texts = [text.get_text() for text in drawn["frontier"].figure.texts]
+    assert isinstance(of_all := drawn["frontier"], Drawing)
+    texts = [text.get_text() for text in of_all.figure.texts]
     assert texts == ["time of an answer / edge-based"]
     assert list(catalogue.draw(run, ["frontier"])[0]) == ["frontier"]
 
@@ -174,7 +176,7 @@ def test_a_run_of_one_inexact_setting_is_no_frontier() -> None:
 
 def choices(table: Table) -> dict[float, list[Cell]]:
     """By level: the solvers for 1, 10 and 1,000 sources."""
-    return {float(line[2].value): line[3::2] for line in table.rows}
+    return {float(str(line[2].value)): line[3::2] for line in table.rows}
 
 
 def test_the_fastest_that_keeps_the_level_is_taken() -> None:

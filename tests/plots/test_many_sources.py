@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -15,14 +16,14 @@ from synthetic import mesh, solver
 from plots import catalogue, many_sources
 from results.columns import Columns
 from results.pairs import all_times, paired, ratios
-from results.reader import Cell, ResultError, Run
+from results.reader import Cell, ResultError, Run, Source
 
 SIZES = {"random:8": 8, "random:64": 64, "boundary": 40}
 SOLVERS = {"e": "exact", "heat": "unbounded"}
-SEVERAL = [0, *SIZES]
+SEVERAL: list[Source] = [0, *SIZES]
 
 
-def row(solver: str, mesh: str, source: int | str, time: float, error: float) -> dict[str, Any]:
+def row(solver: str, mesh: str, source: Source, time: float, error: float) -> dict[str, Any]:
     name = f"{solver}/{mesh}/src:{source}"
     return {"name": name, "run_name": name, "run_type": "iteration", "time_unit": "ms",
             "solver": solver, "mesh": mesh, "source": source, "outcome": "ok", "processor": "P",
@@ -30,7 +31,7 @@ def row(solver: str, mesh: str, source: int | str, time: float, error: float) ->
             "max_relative_error": 2 * error, "mean_relative_error": error}  # fmt: skip
 
 
-def run_of(sources: list[int | str], folder: Path = Path()) -> Run:
+def run_of(sources: Sequence[Source], folder: Path = Path()) -> Run:
     """On mesh m; `e` takes 1, 2, 3, ... ms from the sources in turn, `heat` half of it."""
     rows = [
         row(name, "m", source, (i + 1) / (1 if name == "e" else 2), 0 if name == "e" else 0.1)
@@ -44,9 +45,10 @@ def run_of(sources: list[int | str], folder: Path = Path()) -> Run:
 
 
 def test_columns_keep_vertices_and_sets_apart() -> None:
-    rows = [row("e", "m", source, 1, 0) for source in (7, "boundary", 0, "random:8", "boundary")]
+    sources: list[Source] = [7, "boundary", 0, "random:8", "boundary"]
+    rows = [row("e", "m", source, 1, 0) for source in sources]
     columns = Columns.of(rows)
-    assert [columns.source(i) for i in range(5)] == [7, "boundary", 0, "random:8", "boundary"]
+    assert [columns.source(i) for i in range(5)] == sources
     assert columns.cells(columns.has("solver")) == 4
     assert [columns.data(i) for i in range(5)] == rows
     again = Columns.together([columns.take(np.array([3, 2])), columns])
@@ -60,7 +62,7 @@ def test_a_source_is_a_vertex_or_a_name(source: Any) -> None:
 
 
 def test_columns_are_stored_with_their_sets(tmp_path: Path) -> None:
-    columns = Columns.of([row("e", "m", source, 1, 0) for source in (7, "boundary")])
+    columns = Columns.of([row("e", "m", 7, 1, 0), row("e", "m", "boundary", 1, 0)])
     columns.save(tmp_path / "rows.npz")
     assert Columns.load(tmp_path / "rows.npz", 2, columns.texts).source(1) == "boundary"
     with pytest.raises(ResultError, match="a set that run.json does not have"):
@@ -68,8 +70,9 @@ def test_columns_are_stored_with_their_sets(tmp_path: Path) -> None:
 
 
 def test_cells_are_in_order_with_sets_last() -> None:
-    cells = [Cell("e", "m", source) for source in ("random:8", 10, "boundary", 9)]
-    assert [cell.source for cell in sorted(cells)] == [9, 10, "boundary", "random:8"]
+    sources: list[Source] = ["random:8", 10, "boundary", 9]
+    cells = sorted(Cell("e", "m", source) for source in sources)
+    assert [cell.source for cell in cells] == [9, 10, "boundary", "random:8"]
 
 
 def test_a_run_knows_the_vertices_of_a_set(tmp_path: Path) -> None:

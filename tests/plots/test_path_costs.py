@@ -30,7 +30,7 @@ def test_costs_are_means_over_the_sources_that_both_have_and_then_over_meshes() 
 
 
 def test_the_base_takes_less_time_from_a_number_of_paths_on() -> None:
-    base = {"m": {0: paths(alone=100, first=100, further=0)}}
+    base: OfMeshes = {"m": {0: paths(alone=100, first=100, further=0)}}
     assert path_costs.break_even({"m": {0: paths(alone=11, first=11, further=1)}}, base) == 91
     assert path_costs.break_even({"m": {0: paths(alone=11, first=11, further=0.001)}}, base) is None
     assert path_costs.break_even({"m": {0: paths(alone=200, first=200, further=9)}}, base) is None

@@ -110,7 +110,7 @@ def test_rows_of_two_runs_are_told_apart_and_what_is_alike_stands_above(tmp_path
 
 
 def entries_of(pages: Path, solver: str) -> list[site.Entry]:
-    runs = site.shown(site.read_run(file) for file in pages.glob("runs/*/run.json"))
+    runs = site.shown(read_run(file) for file in pages.glob("runs/*/run.json"))
     return [entry for entry in site.entries(runs) if entry.solver.name == solver]
 
 
