@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 from python_package import BENCH, Arrays, rough_ground, solve
 
 gb = pytest.importorskip("geodesic_bench")
@@ -39,7 +40,7 @@ def test_of_several_meshes_each_that_can_be_solved_is_written(
         shutil.copy(file, tmp_path / name)
     (tmp_path / "broken.obj").write_text("no mesh")
     files = ["first.obj", "broken.obj", "last.obj"]
-    command = [BENCH, "solve", *files, "--source", "7", "--output-dir", "distances"]
+    command: list[str | Path] = [BENCH, "solve", *files, "--source", "7", "--output-dir", "distances"]
     run = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
     assert run.returncode == 1
     assert "broken: " in run.stderr and "1 of 3 meshes" in run.stderr
@@ -61,7 +62,7 @@ def test_files_of_any_suffix_have_the_same_distances(
         return output
 
     np.testing.assert_array_equal(np.load(solved("d.npy")), expected)
-    csv = np.genfromtxt(solved("--nearest-source", "d.csv"), delimiter=",", names=True)
+    csv: NDArray[Any] = np.genfromtxt(solved("--nearest-source", "d.csv"), delimiter=",", names=True)
     table = np.load(solved("--nearest-source", "table.npy"))
     for name, values in {"distance": expected, "source": nearest}.items():
         np.testing.assert_array_equal(csv[name], values)
@@ -175,7 +176,7 @@ def test_arrays_of_any_type_order_and_flag_give_the_same_bits_and_are_not_writte
         lambda array: array.tolist(),
     ]
 
-    def disguised(array: np.ndarray, types: list[str]) -> Any:
+    def disguised(array: NDArray[Any], types: list[str]) -> Any:
         array = array.astype(chance.choice(types))
         for form in forms:
             if chance.random() < 0.3:

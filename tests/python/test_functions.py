@@ -19,7 +19,8 @@ Solve = Callable[[Any], Any]
 
 
 def exact(vertices: Any, faces: Any) -> Solve:
-    return gb.Mesh(vertices, faces).distances
+    solve: Solve = gb.Mesh(vertices, faces).distances
+    return solve
 
 
 def zeros(vertices: Any, faces: Any) -> Solve:

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tarfile
 from pathlib import Path
+from typing import Any
 
 import pytest
 from python_package import BENCH, ROOT, make_source_distribution
@@ -53,7 +54,7 @@ def test_the_version_is_that_of_the_project() -> None:
     assert f"project(GeodesicBench VERSION {gb.__version__} " in (ROOT / "CMakeLists.txt").read_text()
 
 
-def bench_run(out: Path, **options: object) -> gb.Results:
+def bench_run(out: Path, **options: object) -> Any:
     return gb.run(out, executable=BENCH, repetitions=2, min_time=0.001, sources=1, **options)
 
 

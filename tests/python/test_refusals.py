@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 import subprocess
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -97,7 +98,7 @@ def test_queries_that_have_no_answer_are_refused(query: dict[str, Any], sentence
 
 def test_any_numbers_in_arrays_of_any_shape_are_answered_or_refused(ground: Arrays) -> None:
     chance = random.Random(4)
-    values = [0, 1, 2, 5, 143, 144, -1, 2**31, 2**32 - 1, 2**32, 2**63, 2**64, 0.5, 1e300, 1e-300]
+    values: list[Any] = [0, 1, 2, 5, 143, 144, -1, 2**31, 2**32 - 1, 2**32, 2**63, 2**64, 0.5, 1e300, 1e-300]
     values += [float("nan"), float("inf"), -0.0, True, None, "1", 1j]
     mesh = gb.Mesh(*ground)
 
@@ -111,7 +112,7 @@ def test_any_numbers_in_arrays_of_any_shape_are_answered_or_refused(ground: Arra
 
     answered = 0
     for _ in range(3000):
-        question = chance.choice([
+        question: Callable[[], object] = chance.choice([
             lambda: gb.Mesh(anything(), anything()),
             lambda: gb.Mesh(ground[0], anything()),
             lambda: mesh.distances(anything(), initial=anything()),
@@ -140,7 +141,7 @@ def test_a_file_is_refused_with_the_sentence_of_the_program(
     """But for the option, by its name in Python."""
     file = tmp_path / name
     file.write_text(text)
-    solve = [BENCH, "solve", file, "--solver", "mmp", "--source", "0"]
+    solve: list[str | Path] = [BENCH, "solve", file, "--solver", "mmp", "--source", "0"]
     said = subprocess.run(solve, capture_output=True, text=True, check=False).stderr
     with pytest.raises(ValueError) as refused:
         gb.read_mesh(file)

@@ -26,7 +26,7 @@ def test_any_two_sheets_of_an_edge_are_a_plane(solver: str) -> None:
     np.testing.assert_allclose(mesh.distances(2, solver=solver), expected, rtol=1e-15)
     path = mesh.path(2, 7, solver=solver)
     assert path.length == pytest.approx(far, rel=1e-15)
-    through = [[1, 0, 0], [1 / 3, 1 / 3, 0], [0, 0.5, 0], [0, 1, 1]]
+    through = [[1.0, 0, 0], [1 / 3, 1 / 3, 0], [0, 0.5, 0], [0.0, 1, 1]]
     np.testing.assert_allclose(path.points, through, atol=1e-15)
 
 

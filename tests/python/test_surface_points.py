@@ -38,10 +38,10 @@ def test_a_matrix_between_points_is_the_bits_of_the_program(
     asked = (file, "--solver", solver, "--source", written(POINTS))
     columns = [(7, (0.1, 0.1, 0.8)), 140, (3, (0.2, 0.3, 0.5))]
     for name, more, matrix in (
-        ("all.npy", [], mesh.distance_matrix(POINTS, solver=solver)),
+        ("all.npy", (), mesh.distance_matrix(POINTS, solver=solver)),
         (
             "some.npy",
-            ["--target", written(columns), "--float32"],
+            ("--target", written(columns), "--float32"),
             mesh.distance_matrix(POINTS, columns, threads=2, dtype="float32", solver=solver),
         ),
     ):
@@ -72,9 +72,8 @@ def test_nearest_sources_and_paths_are_those_of_the_program(file: Path, tmp_path
     asked = (file, "--solver", "edge-based", "--source")
     solve(*asked, written(POINTS), "--nearest-source", "--output", output, "--limit", 7)
     distances, nearest = mesh.distances(POINTS, limit=7, return_nearest=True)
-    expected = np.loadtxt(output)
     assert {-1, 0, 1, 2, 3, 4} == set(nearest.tolist())
-    np.testing.assert_array_equal(np.stack([distances, nearest], axis=1), expected)
+    np.testing.assert_array_equal(np.stack([distances, nearest], axis=1), np.loadtxt(output))
 
     for target in [POINTS[4], 140]:
         solve(*asked, written([POINTS[1]]), "--target", written([target]), "--stop-at-targets",
