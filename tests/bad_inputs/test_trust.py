@@ -179,7 +179,7 @@ def test_an_interrupted_verify_leaves_nothing_behind(
 
 
 def test_an_interrupted_verify_of_random_meshes_says_what_it_has_checked() -> None:
-    words = [BENCH, "verify", "--solver", "edge-based", "--random", "1000000"]
+    words: list[str | Path] = [BENCH, "verify", "--solver", "edge-based", "--random", "1000000"]
     with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
         time.sleep(2)
         process.send_signal(signal.SIGTERM)

@@ -20,7 +20,7 @@ def test_every_case_is_right(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     cases = COMMITTED["corpora"]["robustness"]
     assert fetch.main([*cases, "--cache", str(tmp_path), "--bench", str(BENCH)]) == 0
     monkeypatch.setenv("GEODESIC_DATASETS", str(tmp_path))
-    command = [BENCH, "run", SUITE, "--solvers", ",".join(SOLVERS), "--sources", "2"]
+    command: list[str | Path] = [BENCH, "run", SUITE, "--solvers", ",".join(SOLVERS), "--sources", "2"]
     out = tmp_path / "run"
     ended = subprocess.run([*command, "--out", out], capture_output=True, text=True)
     assert ended.returncode == 0, ended.stderr

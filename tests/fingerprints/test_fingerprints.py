@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from results import fingerprints
 
@@ -32,7 +33,7 @@ def program(tmp_path: Path) -> Path:
     return tmp_path / "program.py"
 
 
-def are_right(program: Path, distances: np.ndarray, digits: int = 17) -> bool:
+def are_right(program: Path, distances: NDArray[np.float64], digits: int = 17) -> bool:
     file = program.parent / "distances.txt"
     file.write_text("".join(f"{d:.{digits}g}\n" for d in distances))
     ended = subprocess.run(

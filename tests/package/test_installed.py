@@ -113,12 +113,12 @@ def test_library_reads_meshes_and_solves_in_threads(
     assert [source for source, _, _ in lines] == sources
     assert lines[0] == lines[2]
     assert [float(distance) for _, _, distance in lines[:2]] == pytest.approx([FAR_CORNER] * 2)
-    for words in ([cube, "8"], [tmp_path / "none.obj", "0"]):
+    for mesh, source in ((cube, "8"), (tmp_path / "none.obj", "0")):
         refused = subprocess.run(
-            [library / "many_sources", *words], capture_output=True, text=True, check=False
+            [library / "many_sources", mesh, source], capture_output=True, text=True, check=False
         )
         assert refused.returncode == 1
-        assert str(words[-1] if words[0] is cube else words[0]) in refused.stderr
+        assert (source if mesh is cube else str(mesh)) in refused.stderr
 
 
 def test_library_takes_a_mesh_of_openmesh_and_gives_distances_back_to_it(

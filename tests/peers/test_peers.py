@@ -21,7 +21,7 @@ def world(tmp_path: Path, bench: Path) -> PeerWorld:
     return PeerWorld(tmp_path, bench)
 
 
-@pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
+@pytest.mark.parametrize("folder", FOLDERS, ids=[folder.name for folder in FOLDERS])
 def test_the_description_keeps_its_schema_and_the_folder_has_an_adapter(folder: Path) -> None:
     SCHEMA.check_schema(SCHEMA.schema)
     SCHEMA.validate(json.loads((folder / "peer.json").read_text("utf-8")))

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 BENCH = Path(os.environ.get("GEODESIC_BENCH", "build/release/geodesic-bench")).resolve()
 
@@ -20,7 +21,7 @@ def hill(tmp_path_factory: pytest.TempPathFactory) -> Path:
     if not BENCH.exists():
         pytest.skip(f"no program at {BENCH}")
     file = tmp_path_factory.mktemp("hill") / "hill.obj"
-    command = [BENCH, "generate", "terrain", "--columns=12", "--rows=9", "-o", file]
+    command: list[str | Path] = [BENCH, "generate", "terrain", "--columns=12", "--rows=9", "-o", file]
     subprocess.run(command, check=True, capture_output=True)
     return file
 
@@ -30,7 +31,7 @@ def solve(mesh: Path, *words: object) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, cwd=mesh.parent, capture_output=True, text=True, timeout=300)
 
 
-def single(mesh: Path, source: str) -> np.ndarray:
+def single(mesh: Path, source: str) -> NDArray[np.float64]:
     ended = solve(mesh, "--source", source, "--output", "d.txt")
     assert ended.returncode == 0, ended.stderr
     return np.loadtxt(mesh.parent / "d.txt")
@@ -78,7 +79,7 @@ def test_a_limit_leaves_infinity_beyond_it(hill: Path, precision: list[str]) -> 
 @pytest.mark.parametrize("words", [["m.npy"], ["m.npy", "--limit", "0.2"]])
 def test_an_interrupted_matrix_is_gone_on_with(words: list[str], tmp_path: Path) -> None:
     grid = tmp_path / "grid.obj"  # of seconds: the signal comes before the end
-    command = [BENCH, "generate", "terrain", "--columns=40", "--rows=40", "-o", grid]
+    command: list[str | Path] = [BENCH, "generate", "terrain", "--columns=40", "--rows=40", "-o", grid]
     subprocess.run(command, check=True, capture_output=True)
     sources = ",".join(map(str, range(150)))
     asked = ("--source", sources, "--matrix", *words)
