@@ -41,8 +41,8 @@ format() {
 # Every folder by itself: files of different folders of tests have the same names.
 types() {
   local folder status=0
-  for folder in results plots datasets gate benchmarks tests/*/; do
-    compgen -G "$folder/*.py" >/dev/null || continue
+  for folder in results plots datasets gate peers python tools view tests/*/; do
+    [[ -n $(git ls-files "$folder/*.py") ]] || continue
     "$python" -m mypy "$folder" || status=1
   done
   return $status
