@@ -10,6 +10,7 @@ source "$root/tools/common.sh"
 presets=(ci debug release)
 preset=ci
 install=yes
+tests=run_tests
 
 usage() {
   cat <<EOF
@@ -20,6 +21,7 @@ Builds everything and runs every test: C++ with CTest, Python with pytest.
 Options:
   --preset NAME   ci (default: optimised, warnings are errors), debug (address and
                   undefined-behaviour sanitizers; slow) or release
+  --nightly       in place of these, only the tests that take too long for every change
   --no-install    never install a package: print the line that would, and stop
   --help          this text
 
@@ -30,8 +32,11 @@ EOF
 }
 
 take_word() {
-  [[ $1 == --preset ]] || unknown_option "$1"
-  take_preset "$@"
+  case $1 in
+    --preset) take_preset "$@" ;;
+    --nightly) tests=run_nightly ;;
+    *) unknown_option "$1" ;;
+  esac
 }
 
 # Both runners run, whatever the first one finds. Tests of programs wait half of their time for them.
@@ -40,10 +45,17 @@ run_tests() {
   rm -rf "$logs/ctest.xml" "$logs/pytest.xml" "$root/build/$preset/tests/reports"
   (cd "$root" && logged ctest --preset "$preset" --parallel "$((2 * $(processors)))" \
     --output-junit "$logs/ctest.xml") || failed=1
-  (cd "$root" && GEODESIC_BENCH="$root/build/$preset/geodesic-bench" \
-    logged "$python" -m pytest -q tests --numprocesses "$(processors)" \
-    --junitxml "$logs/pytest.xml") || failed=1
+  run_pytest --junitxml "$logs/pytest.xml" || failed=1
   return $failed
+}
+
+run_nightly() {
+  run_pytest -m nightly
+}
+
+run_pytest() {
+  (cd "$root" && GEODESIC_BENCH="$root/build/$preset/geodesic-bench" \
+    logged "$python" -m pytest -q tests --numprocesses "$(processors)" "$@")
 }
 
 parse_options "$@"
@@ -51,4 +63,4 @@ start_log run_tests
 set_up "$install" python build test
 build_preset "$preset"
 want_three
-run_tests
+"$tests"

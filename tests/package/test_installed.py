@@ -129,6 +129,7 @@ def test_library_takes_a_mesh_of_openmesh_and_gives_distances_back_to_it(
     assert distances == pytest.approx([0, 1, 2**0.5, 1, 1, 2**0.5, FAR_CORNER, 2**0.5], rel=1e-12)
 
 
+@pytest.mark.nightly
 def test_headers_compile_alone_and_need_the_standard_library_only(
     installed: Installed, tmp_path: Path
 ) -> None:

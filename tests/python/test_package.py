@@ -1,13 +1,16 @@
-"""The package: what it says of itself, and what is in its source distribution."""
+"""The package: what it says of itself, and that its source distribution builds without a checkout."""
 
 from __future__ import annotations
 
 import ast
 import doctest
 import importlib
+import os
+import re
 import subprocess
 import sys
 import tarfile
+import zipfile
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +18,15 @@ import pytest
 from python_package import BENCH, ROOT, make_source_distribution
 
 gb = pytest.importorskip("geodesic_bench")
+
+FROM_WHEEL = """
+import geodesic_bench as gb
+from geodesic_bench.results import reader
+assert reader.SCHEMA.exists()
+mesh = gb.Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+print(gb.__file__, *{mesh.distances([1], solver=name)[2] for name in gb.solvers()})
+"""
+OF_EVERY_SYSTEM = {"libstdc++", "libgcc_s", "libm", "libc", "ld-linux-x86-64", "ld-linux-aarch64"}
 
 
 @pytest.mark.parametrize("module", ["geodesic_bench", "geodesic_bench.mesh"])
@@ -94,6 +106,43 @@ def test_the_source_distribution_has_what_a_build_reads_and_nothing_built(tmp_pa
         files = {str(f.relative_to(ROOT)) for f in (ROOT / folder).rglob("*.*") if "__pycache__" not in f.parts}
         assert files and files - names == set()
     assert not [name for name in names if name.endswith((".so", ".pyc"))]
+
+
+def found_in_the_system(wheel: Path, folder: Path) -> set[str]:
+    """The libraries, without ".so" and version, that the module of the wheel loads from elsewhere."""
+    zipfile.ZipFile(wheel).extractall(folder)
+    (module,) = folder.glob("geodesic_bench/_native*.so")
+    said = subprocess.run(["ldd", module], capture_output=True, text=True, check=True).stdout
+    found = [Path(word) for word in re.findall(r"(?:=> |^\s+)(/\S+)", said, re.MULTILINE)]
+    assert {file.name for file in module.parent.glob("lib*.so")} <= {file.name for file in found}
+    return {file.name.split(".so")[0] for file in found if file.parent != module.parent}
+
+
+@pytest.mark.nightly
+def test_the_source_distribution_builds_and_installs_without_a_network(tmp_path: Path) -> None:
+    isolated = tmp_path / "environment"
+
+    def run(*command: str | Path, **more: str) -> str:
+        ended = subprocess.run(
+            command, cwd=tmp_path, env=os.environ | more, text=True, check=False,
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        )  # fmt: skip
+        assert ended.returncode == 0, ended.stdout
+        return ended.stdout
+
+    sdist = make_source_distribution(tmp_path)
+    run(sys.executable, "-m", "venv", "--system-site-packages", isolated)
+    pip = (isolated / "bin" / "pip", "wheel", "--no-build-isolation", "--no-index", "--no-deps")
+    run(*pip, "--wheel-dir", tmp_path, sdist)
+    (wheel,) = tmp_path.glob("*.whl")
+    assert wheel.stat().st_size < 5e6
+    packed = zipfile.ZipFile(wheel).namelist()
+    assert {"geodesic_bench/py.typed", "geodesic_bench/_native.pyi"} < set(packed)
+    assert found_in_the_system(wheel, tmp_path / "unpacked") <= OF_EVERY_SYSTEM
+
+    run(isolated / "bin" / "pip", "install", "--no-index", "--no-deps", wheel)
+    said = run(isolated / "bin" / "python", "-c", FROM_WHEEL, PYTHONPATH="")
+    assert said == f"{next(isolated.glob('lib/*/site-packages'))}/geodesic_bench/__init__.py 5.0\n"
 
 
 def test_the_library_of_the_package_has_no_solver_under_the_gpl() -> None:
