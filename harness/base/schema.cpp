@@ -82,11 +82,13 @@ class Checker {
  private:
   // Whether the keywords hold that concern a value as a whole.
   bool fits(const Json& value, const Json& schema) const {
-    return std::ranges::all_of(schema.items(), [&](const auto& keyword) {
-      return fits(value, keyword.key(), keyword.value());
-    });
+    for (const auto& [keyword, said] : schema.items()) {
+      if (!fits(value, keyword, said)) return false;
+    }
+    return true;
   }
 
+  // @param said what the schema has for the keyword
   bool fits(const Json& value, const std::string& keyword, const Json& said) const {
     if (keyword == "const") return value == said;
     if (keyword == "enum") return std::ranges::find(said, value) != said.end();
