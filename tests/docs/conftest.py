@@ -9,9 +9,11 @@ from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.with_name("package"))]
 
-from pages import ROOT, Checkout, copy_checkout  # noqa: E402  (needs the path above)
+from installed import WARNINGS  # noqa: E402  (needs the path above)
+from pages import ROOT, Checkout, copy_checkout  # noqa: E402
 
 BENCH = Path(os.environ.get("GEODESIC_BENCH") or ROOT / "build" / "release" / "geodesic-bench")
 
@@ -50,7 +52,7 @@ def checkout(tmp_path: Path) -> Checkout:
         "GEODESIC_BENCH": str(program),
         "GEODESIC_BUILD": str(BENCH.resolve().parent),
         "GEODESIC_PYTHON": sys.executable,
-        "CXXFLAGS": "-Wall -Wextra -Wpedantic -Werror",
+        "CXXFLAGS": WARNINGS,
     }
     inherited = {k: v for k, v in os.environ.items() if k != "GEODESIC_DATASETS_MIRROR"}
     return Checkout(folder, inherited | own)

@@ -13,7 +13,6 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-COPIED = ["solvers", "tools"]
 STARTS = ["template", "edge-based", "mmp", "chen-han"]
 LONG = "a-variant-with-the-longest-name2"
 NAMES = {start: f"my-{start}" for start in STARTS}
@@ -41,9 +40,8 @@ def checkout(tmp_path_factory: pytest.TempPathFactory) -> Path:
     of three files, and nothing else changes."""
     copy = tmp_path_factory.mktemp("new_solver") / "a path with spaces"
     copy.mkdir()
-    for file in ["new_solver.sh"]:
-        shutil.copy(ROOT / file, copy)
-    for name in COPIED:
+    shutil.copy(ROOT / "new_solver.sh", copy)
+    for name in ["solvers", "tools"]:
         shutil.copytree(ROOT / name, copy / name)
     before = sums(copy)
     for start, name in NAMES.items():

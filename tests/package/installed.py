@@ -9,7 +9,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-WARNINGS = "-Wall -Wextra -Wpedantic -Werror"
+WARNINGS = "-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Werror"
+"""For projects outside the tree, as the tree itself has them."""
 
 
 def cmake(*words: str | Path) -> None:

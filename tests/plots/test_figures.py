@@ -273,6 +273,7 @@ def test_a_figure_says_what_it_shows(drawn: tuple[str, Drawing]) -> None:
 class TestEveryFigure:
     @pytest.fixture
     def run(self, complete_run: Run) -> Run:
+        """Not to be changed."""
         return complete_run
 
     def test_many_solvers_and_long_names_still_fit(self, name: str, run: Run) -> None:
