@@ -242,7 +242,7 @@ step_check() {
   local accepted=(--allow-skipped)
   # What a public code fails at is a result of the comparison.
   if [[ -n $peers ]]; then accepted+=(--others-may-fail); fi
-  PYTHONPATH=${PYTHONPATH:+$PYTHONPATH:}$root logged "$python" -m plots.check "${accepted[@]}" "$out" ||
+  PYTHONPATH=${PYTHONPATH:+$PYTHONPATH:}$root logged "$python" -m gate.check_run "${accepted[@]}" "$out" ||
     check_failed=yes
 }
 

@@ -15,7 +15,7 @@ from results import console
 if __name__ == "__main__":
     console.prepare("check_performance.sh")  # before imports that may fail
 
-from gate import check
+from gate import revisions
 from gate.builds import Tree, build, tree_of
 from gate.findings import GateError
 from gate.program import Program
@@ -40,7 +40,7 @@ def _number(accepts: Callable[[float], bool], what: str) -> Callable[[str], floa
 
 
 def _levels(text: str) -> tuple[int, ...]:
-    known = {str(level): level for level in check.ALL_LEVELS}
+    known = {str(level): level for level in revisions.ALL_LEVELS}
     chosen = set(text.split(","))
     if not chosen <= known.keys():
         raise argparse.ArgumentTypeError(f"'{text}': levels are 0, 1, 2, 3 and 4, as in 0,1,2")
@@ -54,9 +54,9 @@ def parse(words: Sequence[str] | None) -> argparse.Namespace:
     parser = console.Parser(__doc__)
     parser.add_argument("base", nargs="?")
     parser.add_argument("head", nargs="?")
-    parser.add_argument("--levels", type=_levels, default=check.ALL_LEVELS)
-    parser.add_argument("--margin", type=margin, default=check.MARGIN)
-    parser.add_argument("--budget", type=seconds, default=check.BUDGET)
+    parser.add_argument("--levels", type=_levels, default=revisions.ALL_LEVELS)
+    parser.add_argument("--margin", type=margin, default=revisions.MARGIN)
+    parser.add_argument("--budget", type=seconds, default=revisions.BUDGET)
     parser.add_argument("--solvers", default="")
     parser.add_argument("--out", type=Path)
     parser.add_argument("--strict", action="store_true")
@@ -77,14 +77,14 @@ def parse(words: Sequence[str] | None) -> argparse.Namespace:
     return options
 
 
-def _ready(trees: list[Tree], chosen: check.Options) -> list[Program]:
+def _ready(trees: list[Tree], chosen: revisions.Options) -> list[Program]:
     """Built programs with the meshes of the suite."""
-    check.say(f"building {' and '.join(tree.label for tree in trees)}")
+    revisions.say(f"building {' and '.join(tree.label for tree in trees)}")
     build(trees, chosen.solvers, chosen.out)
     cache = GATE / "meshes"
     manifest = ROOT / "datasets" / "manifest.json"
     programs = [Program(tree.name, tree.label, tree.program, cache, manifest) for tree in trees]
-    fetch = [sys.executable, str(ROOT / "datasets" / "fetch.py"), "--corpus", check.CORPUS]
+    fetch = [sys.executable, str(ROOT / "datasets" / "fetch.py"), "--corpus", revisions.CORPUS]
     fetch += ["--cache", str(cache), "--bench", str(programs[-1].path)]
     ended = subprocess.run(fetch, capture_output=True, text=True)
     if ended.returncode != 0:
@@ -96,22 +96,22 @@ def _ready(trees: list[Tree], chosen: check.Options) -> list[Program]:
 def judge(options: argparse.Namespace, out: Path) -> int:
     """The exit code."""
     solvers = tuple(name for name in options.solvers.split(",") if name)
-    chosen = check.Options(out, options.levels, options.margin, options.budget, solvers,
+    chosen = revisions.Options(out, options.levels, options.margin, options.budget, solvers,
                            strict=options.strict, noise_file=NOISE)  # fmt: skip
     if options.update_baseline:
         [program] = _ready([tree_of(ROOT, "head", None)], chosen)
-        print("\n".join(check.update_baseline(program, ROOT, options.reason.strip(), chosen)))
+        print("\n".join(revisions.update_baseline(program, ROOT, options.reason.strip(), chosen)))
         return 0
     if options.a_a:
         [program] = _ready([tree_of(ROOT, "head", options.base)], chosen)
-        verdict = check.against_itself(program, int(options.a_a), chosen)
+        verdict = revisions.against_itself(program, int(options.a_a), chosen)
     else:
         head_tree = tree_of(ROOT, "head", options.head)
         base, head = _ready([tree_of(ROOT, "base", options.base), head_tree], chosen)
-        verdict = check.check(base, head, head_tree.folder, chosen)
+        verdict = revisions.compare(base, head, head_tree.folder, chosen)
     print(as_text(verdict), end="")
     write(verdict, out)
-    check.say(f"Report: {out}/verdict.md and verdict.json")
+    revisions.say(f"Report: {out}/verdict.md and verdict.json")
     return verdict.exit_code
 
 

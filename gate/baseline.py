@@ -13,7 +13,7 @@ from pathlib import Path
 
 from results.reader import Cell, Source
 
-from gate.cells import COUNTERS, Number
+from gate.measured import COUNTERS, Number
 from gate.findings import ERROR, GateError, LevelResult, Weight
 from gate.program import Verified
 

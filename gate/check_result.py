@@ -19,10 +19,9 @@ if __name__ == "__main__":
     console.prepare("geodesic-bench check-result")  # before imports that may fail
 
 from gate import baseline
-from gate.cells import Measured
+from gate.measured import Measured
 from gate.findings import GateError
-from plots import check
-from results import checksum
+from results import checksum, outcomes
 from results.console import ROOT
 from results.reader import Cell, ResultError, Row, Run, read_run
 
@@ -50,7 +49,7 @@ def problems(run: Run, counters: baseline.Counters, manifest: Mapping[str, Mappi
     yield from _sums(run)
     yield from _origin(run)
     yield from _meshes(run, manifest)
-    yield from [*check.missing(run), *check.parts_missing(run)]
+    yield from [*outcomes.missing(run), *outcomes.parts_missing(run)]
     for row in run.rows:
         if row.ok:
             yield from (f"{row.cell}, repetition {row.repetition}: {why}" for why in _row(run, row))
@@ -145,12 +144,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
             found = list(problems(run, counters, manifest))
         except (ResultError, OSError) as error:
             found, run = [str(error).removeprefix(f"{file}: ")], None
-        for line in check.first(found):
+        for line in outcomes.first(found):
             console.say(f"FAILED: {file}: {line}")
         if found or run is None:
             failed += 1
             continue
-        console.say(f"{file}: cells: {check.verified(run)} verified, {len({row.cell for row in run.without_a_time})} "
+        console.say(f"{file}: cells: {outcomes.verified(run)} verified, {len({row.cell for row in run.without_a_time})} "
                     f"without a time; {run.ours['revision'][:10]}, {', '.join(run.processors)}, "
                     f"{run.ours['started'][:10]}")  # fmt: skip
     return 1 if failed else 0

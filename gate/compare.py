@@ -21,7 +21,7 @@ from results import console
 if __name__ == "__main__":
     console.prepare("geodesic-bench compare")  # before imports that may fail
 
-from gate.cells import COUNTERS, MEMORY, MEMORY_FLOOR, WRONG, Measured, Number, measured, programs
+from gate.measured import COUNTERS, MEMORY, MEMORY_FLOOR, WRONG, Measured, Number, measured, programs
 from gate.findings import REGRESSION, WRONG_ANSWER, GateError
 from results.console import complain
 from results.pairs import interleaved

@@ -19,7 +19,7 @@ if __name__ == "__main__":
 from results.console import Parser, complain
 from results.reader import ResultError, Run, read_run
 
-from gate.cells import COUNTERS, MEMORY, Measured, measured, programs
+from gate.measured import COUNTERS, MEMORY, Measured, measured, programs
 
 CSV_COLUMNS = [
     "name", "solver", "mesh", "source", "outcome", "error_message", "repetition_index",

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, field
 from enum import IntEnum
 
-from gate.cells import Number
+from gate.measured import Number
 
 GOOD = 0
 ERROR = 1

@@ -11,7 +11,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 from results.reader import Cell
 
-from gate.cells import MEMORY, MEMORY_FLOOR, UNSUPPORTED, WRONG, Measured, Number
+from gate.measured import MEMORY, MEMORY_FLOOR, UNSUPPORTED, WRONG, Measured, Number
 from gate.findings import REGRESSION, WRONG_ANSWER, LevelResult, Weight
 from gate.program import NotCountableError, Program, Verified
 

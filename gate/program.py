@@ -17,7 +17,7 @@ from typing import Any
 from results.pairs import Pairs, interleaved
 from results.reader import Cell, ResultError, Run, read_file
 
-from gate.cells import Measured, measured
+from gate.measured import Measured, measured
 from gate.findings import GateError
 
 MIN_SECONDS = 0.05

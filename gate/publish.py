@@ -22,8 +22,7 @@ if __name__ == "__main__":
 
 from gate import check_result
 from gate.findings import GateError
-from plots import check
-from results import checksum
+from results import checksum, outcomes
 from results.reader import ResultError, Run, newest_run, read_run
 
 ABSOLUTE = re.compile(r"""(?<![\w.:/~-])/(?:[^\s'",;:=()/]+/)*([^\s'",;:=()/]*)""")
@@ -126,7 +125,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             trial = Path(scratch) / "run.json"
             trial.write_text(text, encoding="utf-8")
             found = list(check_result.problems(read_run(trial), *check_result.known()))
-        for line in check.first(found):
+        for line in outcomes.first(found):
             console.say(f"FAILED: {line}")
         if found:
             return 1

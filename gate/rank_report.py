@@ -11,7 +11,7 @@ from results.table import (
     Table, escape_latex, escape_markdown, four_digits, text_cells, to_markdown, to_tabular,
 )  # fmt: skip
 
-from gate.cells import MEMORY
+from gate.measured import MEMORY
 from gate.ranking import ERROR, WINDOWS, OnMesh, Ranking, Ratio, Standing
 
 NOTHING = "-"

@@ -20,7 +20,7 @@ from results.statistics import (
     median_interval,
 )
 
-from gate.cells import MEMORY, WRONG, Measured, measured
+from gate.measured import MEMORY, WRONG, Measured, measured
 from gate.findings import GateError
 
 WINDOWS = "window_propagations"

@@ -20,7 +20,7 @@ from results.reader import Cell
 from results.statistics import Decision, Estimate, decide, geometric_mean_of_medians
 from results.table import four_digits
 
-from gate.cells import Measured
+from gate.measured import Measured
 from gate.findings import REGRESSION, GateError, LevelResult, Weight
 
 PAIRS = 15

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from plots import check
-from plots.measures import LIMIT_SOLVER, errors_of, of_others, percent
+from plots.measures import LIMIT_SOLVER, errors_of, percent
 from plots.models import groups_of_thesis
 from plots.ratios import (
     MANY, fastest_exact, mean, number, over_each_mesh, over_meshes, time_over,
 )  # fmt: skip
 from plots.table_thesis import SPEED, WINDOWS, Pair, compare
+from results import outcomes
 from results.pairs import Floats, first, ratios
 from results.reader import CLOSED_FORM, OK, ResultError, Run
 from results.statistics import geometric_mean
@@ -62,7 +62,7 @@ def _speed(run: Run, base: str, ratios: dict[str, Floats]) -> str:
 
 
 def _public(run: Run, base: str, ratios: dict[str, Floats]) -> str:
-    others = of_others(run)
+    others = run.of_others
     exact = [s for s in ratios if s in others and run.solvers[s].exact]
     if not exact or base in others or not run.solvers[base].exact:
         return ""
@@ -139,7 +139,7 @@ def _many(count: int, what: str) -> str:
 
 
 def _lacking(run: Run) -> str:
-    failed = len(check.failures(run))
+    failed = len(outcomes.failures(run))
     words = [f"{_many(failed, 'answer')} failed or missing"] if failed else []
     if run.not_measured:
         words.append(f"not measured: {_named([skip.mesh for skip in run.not_measured])}")

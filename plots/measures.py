@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from plots.declared import is_allowed, reasons
+from results import outcomes
 from results.pairs import Floats, by_source
 from results.published import THESIS_SOLVERS, Published
 from results.reader import OK, Mesh, Row, Run, Solver, Source
@@ -161,12 +161,6 @@ def percent(error: float) -> str:
     return f"{100 * error:,.0f}%" if error >= 1 else f"{100 * error:.2g}%"
 
 
-def of_others(run: Run) -> set[str]:
-    """Public codes: solvers of plug-ins, and oracles that share no code with ours."""
-    plugins = run.of_plugins
-    return {n for n, solver in run.solvers.items() if solver.base in plugins or solver.independent_oracle}
-
-
 def values(run: Run, mesh: str, solver: str, measure: Measure) -> dict[tuple[Source, int], float]:
     """The measure by (source, repetition), in the label's unit, where the row has it."""
     return {
@@ -201,11 +195,11 @@ def failure(run: Run, mesh: str, solver: str) -> Cell | None:
     if any(row.ok for row in rows):
         return None
     skip = run.skip(mesh, solver)
-    if rows and not is_allowed(run, rows[0]):
+    if rows and not outcomes.is_allowed(run, rows[0]):
         return Cell(rows[0].outcome, note=_failed(rows))
     if rows or (skip and skip.solver):
         outcome = rows[0].outcome if rows else "skipped"
-        return Cell(outcome, note=reasons(run)[solver, outcome])
+        return Cell(outcome, note=outcomes.reasons(run)[solver, outcome])
     return Cell("skipped", note=f"{mesh}: {skip.why}") if skip else Cell("missing")
 
 

@@ -16,7 +16,7 @@ from plots.answers import errors
 from plots.dots import sentences
 from plots.drawing import Drawing
 from plots.logarithmic import ratio_axis
-from plots.measures import columns, of_others, percent
+from plots.measures import columns, percent
 from plots.ratios import fastest_exact, mean, number
 from results import pairs
 from results.console import ROOT
@@ -49,7 +49,7 @@ class Line:
 
 def figure(run: Run) -> Drawing:
     """@raises ResultError when the run has no public code with a time"""
-    public = of_others(run)
+    public = run.of_others
     if not public:
         raise ResultError(f"{run.file}: no public code: ./run_all.sh --peers all measures them")
     base = fastest_exact(run)

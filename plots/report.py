@@ -16,8 +16,8 @@ if __name__ == "__main__":
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from plots import check, headline
-from plots.declared import reasons
+from plots import headline
+from results import outcomes
 from results.reader import ResultError, Run, read_run, run_folder
 from results.table import Table, mark
 
@@ -71,11 +71,11 @@ def page(
         tables=tables,
         first={name: one for name, one in pictures.items() if name in FIRST},
         pictures={name: one for name, one in pictures.items() if name not in FIRST},
-        checked=check.checked_against_truth(run).capitalize(),
-        failed=check.first(check.failures(run)),
-        errors=check.largest_errors(run),
-        without_a_time=list(reasons(run).values()),
-        skipped=check.first(check.skipped(run)),
+        checked=outcomes.checked_against_truth(run).capitalize(),
+        failed=outcomes.first(outcomes.failures(run)),
+        errors=outcomes.largest_errors(run),
+        without_a_time=list(outcomes.reasons(run).values()),
+        skipped=outcomes.first(outcomes.skipped(run)),
         machine=_machine(run),
         commands={
             "The run itself, that is run.json and cells/": run.ours["command"],

@@ -21,14 +21,13 @@ from results import console
 if __name__ == "__main__":
     console.prepare("geodesic-bench site")  # before imports that may fail
 
-from plots import check
 from plots.measures import (
     EDGE_BASED, ERROR, PEAK_BYTES, PROPAGATIONS, baseline, failure, interval_cell, our_cell,
     with_promise,
 )  # fmt: skip
 from plots.ratios import time_over
 from plots.report import TEMPLATES, picture
-from results import pairs
+from results import outcomes, pairs
 from results.reader import Mesh, ResultError, Run, Solver, Source, read_run
 from results.statistics import Estimate, geometric_mean_of_ratios, median
 from results.table import (
@@ -181,16 +180,16 @@ def runs_table(runs: Sequence[Shown]) -> Table:
     rows = []
     for one in runs:
         ours = one.run.ours
-        failed = len(check.failures(one.run))
+        failed = len(outcomes.failures(one.run))
         chosen = ours["corpus"] == CHOSEN
-        corpus = ", ".join(check.first(list(one.run.meshes), FEW)) if chosen else ours["corpus"]
+        corpus = ", ".join(outcomes.first(list(one.run.meshes), FEW)) if chosen else ours["corpus"]
         texts = [one.date, corpus, one.revision, ", ".join(one.run.processors), ours["compiler"]]
         rows.append(
             [
                 Cell(one.label, link=one.raw),
                 *(Cell(text) for text in texts),
                 *(Cell(f"{n:,}", n) for n in (len(one.run.meshes), len(one.run.solvers))),
-                *(Cell(f"{n:,}", n) for n in (check.verified(one.run), failed)),
+                *(Cell(f"{n:,}", n) for n in (outcomes.verified(one.run), failed)),
             ]
         )
     return Table(

@@ -281,6 +281,12 @@ class Run:
         plugins = self.context.get("geodesic_bench", {}).get("plugins", [])
         return {solver for plugin in plugins for solver in plugin["solvers"]}
 
+    @cached_property
+    def of_others(self) -> set[str]:
+        """Public codes: solvers of plug-ins, and oracles that share no code with ours."""
+        plugins = self.of_plugins
+        return {name for name, solver in self.solvers.items() if solver.base in plugins or solver.independent_oracle}
+
     @property
     def interleaved(self) -> bool:
         """Whether rows of one mesh, source and repetition are neighbours in time."""

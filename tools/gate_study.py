@@ -28,7 +28,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
-from gate import baseline, check, levels  # noqa: E402  (needs the path above)
+from gate import baseline, levels, revisions  # noqa: E402  (needs the path above)
 from gate.findings import GOOD, REGRESSION, WRONG_ANSWER, Weight  # noqa: E402
 from gate.program import NotCountableError, Program  # noqa: E402
 from gate.verdict import Verdict  # noqa: E402
@@ -90,7 +90,7 @@ A_A = Fault("a-a", "the base itself", (4,), None, GOOD)
 class Study:
     """Programs, meshes and a baseline in a folder of its own."""
 
-    def __init__(self, programs: Path, folder: Path, budget: float = check.BUDGET) -> None:
+    def __init__(self, programs: Path, folder: Path, budget: float = revisions.BUDGET) -> None:
         self._programs, self._folder, self._budget = programs, folder, budget
         self._meshes = folder / "meshes"
         self._base = self._program("base", programs / "geodesic-bench")
@@ -99,7 +99,7 @@ class Study:
             [*fetch, "--cache", str(self._meshes), "--bench", str(self._base.path)],
             check=True, stdout=subprocess.DEVNULL,
         )  # fmt: skip
-        self.base_run = check.verify(self._base, self._options((0,)))
+        self.base_run = revisions.verify(self._base, self._options((0,)))
         file = folder / baseline.FOLDER / baseline.FILE
         file.parent.mkdir(parents=True)
         file.write_text(baseline.as_csv(baseline.counters_of(self.base_run)))
@@ -107,14 +107,14 @@ class Study:
     def _program(self, name: str, path: Path) -> Program:
         return Program(name, path.name, path, self._meshes, ROOT / "datasets" / "manifest.json")
 
-    def _options(self, chosen: tuple[int, ...]) -> check.Options:
+    def _options(self, chosen: tuple[int, ...]) -> revisions.Options:
         timed = 4 in chosen
         solvers, meshes = SOLVERS, MESHES
         if timed:
             solvers, meshes = TIMED_SOLVERS, TIMED_MESHES
         elif 2 in chosen:
             solvers, meshes = COUNTED_SOLVERS, COUNTED_MESHES
-        return check.Options(
+        return revisions.Options(
             self._folder, chosen, budget=self._budget, solvers=solvers, meshes=meshes
         )
 
@@ -123,7 +123,7 @@ class Study:
         os.environ["GEODESIC_FAULT"] = fault.kind
         os.environ["GEODESIC_FAULT_AMOUNT"] = str(self._amount(fault))
         head = self._program("head", self._base.path if fault is A_A else faulty)
-        return check.check(self._base, head, self._folder, self._options(fault.levels))
+        return revisions.compare(self._base, head, self._folder, self._options(fault.levels))
 
     def _amount(self, fault: Fault) -> int:
         """Per cent of time, 5% of the instructions of mmp on tiny-terrain, or 10% of its memory on
@@ -219,8 +219,8 @@ def parse() -> argparse.Namespace:
     parser.add_argument("--a-a", type=int, default=40, help="runs without a fault (default: 40)")
     parser.add_argument("--only", default=",".join(names), help=f"some of {', '.join(names)}")
     parser.add_argument(
-        "--budget", type=float, default=check.BUDGET, metavar="SECONDS",
-        help=f"of level 4 for sessions beyond the first (default: {check.BUDGET:g})",
+        "--budget", type=float, default=revisions.BUDGET, metavar="SECONDS",
+        help=f"of level 4 for sessions beyond the first (default: {revisions.BUDGET:g})",
     )  # fmt: skip
     return parser.parse_args()
 

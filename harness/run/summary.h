@@ -1,4 +1,4 @@
-// What a run ends with: what failed, and its exit code. Results are judged by plots/check.py.
+// What a run ends with: what failed, and its exit code. Results are judged by results/outcomes.py.
 #pragma once
 
 #include <string>

@@ -80,7 +80,7 @@ CASES = [
     full_stream("geodesic-bench solve --help", *STREAM),
     full_stream(f"{MEASURE} --out run", *STREAM, lines=3),
     full_stream(f"geodesic-bench export --to csv '{RUN}'", "geodesic-bench export: cannot write", FULL),
-    full_stream(f"check.py '{RUN}'", "geodesic-bench check: cannot write", FULL),
+    full_stream(f"check_run.py '{RUN}'", "geodesic-bench check: cannot write", FULL),
     full_stream(f"plots table_5_1 --run '{RUN}' --out t", "plots: cannot write", FULL),
     full_stream("fetch.py --help", "fetch.py: cannot write", FULL),
     full_stream("new_solver.sh --help", "write error", FULL),
@@ -98,7 +98,7 @@ CASES = [
          ["run_all.sh: missing: ", "cmake", "Install with:", "sudo apt-get install"], lines=3,
          given="cp -r $CHECKOUT checkout; mkdir few; for tool in bash cat date dirname grep head id"
          " mkdir sed tail tee; do ln -s $(command -v $tool) few; done"),
-    Case("check.py: no jsonschema", f"without jsonschema check.py '{RUN}'",
+    Case("check_run.py: no jsonschema", f"without jsonschema check_run.py '{RUN}'",
          ["geodesic-bench check: No module named 'jsonschema'", "python3-jsonschema", NO_PYTHON_MODULES]),
     Case("plots overview: no matplotlib", f"without matplotlib plots overview --run '{RUN}'",
          ["plots: No module named 'matplotlib'", "python3-matplotlib", NO_PYTHON_MODULES]),

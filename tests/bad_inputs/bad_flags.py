@@ -149,7 +149,7 @@ CASES = [
     flag("fetch.py --corpsu tiny", "unrecognized arguments: --corpsu", "see fetch.py --help"),
     flag("fetch.py --corpus tinny", "fetch.py: no corpus named 'tinny'; there are: break-even"),
     flag(r"fetch.py $'\e[31mred'", r"fetch.py: no mesh named '\x1b[31mred'; there are: beetle-alt"),
-    flag("check.py --runs", "geodesic-bench check: unrecognized arguments: --runs; see "
+    flag("check_run.py --runs", "geodesic-bench check: unrecognized arguments: --runs; see "
          "geodesic-bench check --help"),
     flag("plots table_5_1 --run nowhere", "plots: nowhere: no such folder; ./run_all.sh run"),
     flag("report.py a b", "geodesic-bench report: unrecognized arguments: b"),

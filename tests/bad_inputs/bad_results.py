@@ -64,7 +64,7 @@ def refused() -> Iterator[Case]:
             begins = " ".join(command.split()[:2])
             yield Case(f"{command}: {what}", command, [f"{begins}: ", "run.json", SAYS[what]],
                        files=files)  # fmt: skip
-        yield Case(f"check.py: {what}", "check.py .", ["geodesic-bench check: ", "run.json", SAYS[what]],
+        yield Case(f"check_run.py: {what}", "check_run.py .", ["geodesic-bench check: ", "run.json", SAYS[what]],
                    files=files)  # fmt: skip
 
 
@@ -83,12 +83,12 @@ CASES = [
          ["is another file in b"], files={"b": OTHER_MESH}),
     Case("geodesic-bench compare: a run that was interrupted", "geodesic-bench compare . .",
          ["run.json: no such file; was the run interrupted?"]),
-    Case("check.py: a run that was interrupted", "check.py .",
+    Case("check_run.py: a run that was interrupted", "check_run.py .",
          ["run.json: no such file; was the run interrupted?"]),
-    Case("check.py: a row of an unknown mesh", "check.py .",
+    Case("check_run.py: a row of an unknown mesh", "check_run.py .",
          ["benchmarks[0].mesh: 'dale' is not among the context's meshes"],
          files={"run.json": UNKNOWN_MESH}),
-    Case("check.py: NaN", "check.py .", ["benchmarks[0].cpu_time: nan is not a finite"],
+    Case("check_run.py: NaN", "check_run.py .", ["benchmarks[0].cpu_time: nan is not a finite"],
          files={"run.json": NOT_A_NUMBER}),
     Case("plots table_5_1: cut", "plots table_5_1 --run .", ["run.json: not JSON, perhaps truncated"],
          files={"run.json": FILES["cut"]}),

@@ -14,7 +14,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 from shell import ANSWERS, BENCH, HERE, ROOT, SYSTEM_PATH, Bash, Ended  # noqa: E402  (needs the path above)
 
 SCRIPTS = ["run_all.sh", "run_tests.sh", "check_performance.sh", "new_solver.sh"]
-MODULES = {"plots": "plots", "check.py": "plots.check", "report.py": "plots.report"}
+MODULES = {"plots": "plots", "check_run.py": "gate.check_run", "report.py": "plots.report"}
 """Commands of Python packages, by the name that their messages begin with."""
 HILL = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
 SECONDS = 300

@@ -72,7 +72,7 @@ def test_any_name_of_a_file_or_folder_will_do(name: str, bash: Bash, tmp_path: P
     assert ended.returncode == 0, ended
     assert (folder / "d.txt").read_bytes() == (here / "plain.txt").read_bytes()
     run = f"geodesic-bench run --meshes {quoted} --solvers mmp --sources 1 --min-time 0.00001"
-    for command in (f"{run} --repetitions 1 --out {out}", f"check.py {out}",
+    for command in (f"{run} --repetitions 1 --out {out}", f"check_run.py {out}",
                     f"plots table_5_2 --run {out}", f"geodesic-bench export --to csv {out}"):  # fmt: skip
         ended = bash(f"{environment} {command}")
         assert ended.returncode == 0, ended
@@ -103,7 +103,7 @@ def test_escape_sequences_of_a_run_do_not_reach_the_terminal(bash: Bash, tmp_pat
     text = golden_run_with(r"\u001b[2J\u0007")
     (tmp_path / "here" / "run.json").write_text(text, encoding="utf-8")
     for command in (
-        "check.py .",
+        "check_run.py .",
         "plots table_5_2 --run .",
         "geodesic-bench compare . .",
         "geodesic-bench export --to csv .",
@@ -115,7 +115,7 @@ def test_escape_sequences_of_a_run_do_not_reach_the_terminal(bash: Bash, tmp_pat
 
 
 def test_a_reader_that_leaves_early_ends_a_command_silently(bash: Bash) -> None:
-    for command in ("geodesic-bench generate --list", f"check.py '{GOLDEN.parent}'"):
+    for command in ("geodesic-bench generate --list", f"check_run.py '{GOLDEN.parent}'"):
         ended = bash(f"{command} | head -n 1")
         assert (len(ended.stdout.splitlines()), ended.stderr) == (1, ""), ended
 

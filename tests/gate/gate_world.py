@@ -9,7 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from gate import baseline, check
+from gate import baseline, revisions
 from gate.program import Program
 from gate.verdict import Verdict
 
@@ -43,11 +43,11 @@ def unchanged(_: dict[str, Any]) -> None:
 
 
 class World:
-    """gate(head=change, ...) judges a changed head against a base; keywords are check.Options."""
+    """gate(head=change, ...) judges a changed head against a base; keywords are revisions.Options."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
-        self.options = check.Options(out=folder / "out", levels=(0, 1, 3))
+        self.options = revisions.Options(out=folder / "out", levels=(0, 1, 3))
         self.keep_baseline()
 
     def program(self, name: str, change: Change = unchanged) -> Program:
@@ -61,11 +61,11 @@ class World:
 
     def keep_baseline(self, change: Change = unchanged) -> None:
         program = self.program("baseline", change)
-        run = check.verify(program, replace(self.options, out=self.folder / "for-the-baseline"))
+        run = revisions.verify(program, replace(self.options, out=self.folder / "for-the-baseline"))
         file = self.folder / baseline.FOLDER / baseline.FILE
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(baseline.as_csv(baseline.counters_of(run)))
 
     def gate(self, head: Change = unchanged, base: Change = unchanged, **options: Any) -> Verdict:
         programs = self.program("base", base), self.program("head", head)
-        return check.check(*programs, self.folder, replace(self.options, **options))
+        return revisions.compare(*programs, self.folder, replace(self.options, **options))

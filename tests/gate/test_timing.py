@@ -15,8 +15,8 @@ from results.pairs import Pairs, interleaved
 from results.reader import Cell, Row
 from results.statistics import Decision
 
-from gate import check, timing
-from gate.cells import Measured
+from gate import revisions, timing
+from gate.measured import Measured
 from gate.findings import GOOD, NOT_RESOLVED, REGRESSION, GateError, Weight
 from gate.program import Verified
 from gate.timing import PAIRS, Timing, timed_cells
@@ -176,7 +176,7 @@ def test_noise_that_hides_the_margin_is_not_resolved(world: World) -> None:
 def test_a_program_that_fails_when_it_is_timed_is_an_error(
     world: World, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("gate.check.verify", lambda program, options: Verified(
+    monkeypatch.setattr("gate.revisions.verify", lambda program, options: Verified(
         {}, {A: Measured(A, [of(A, 20)])}))  # fmt: skip
     with pytest.raises(GateError, match="mmp/cube/src:0: the head failed when timed: crashed"):
         world.gate(fact("mmp", "outcome", "crashed"), levels=(4,))
@@ -187,7 +187,7 @@ def test_a_build_against_itself_reports_its_noise_and_keeps_it(
 ) -> None:
     kept = tmp_path / "noise.json"
     options = replace(world.options, noise_file=kept)
-    verdict = check.against_itself(world.program("head"), 2, options)
+    verdict = revisions.against_itself(world.program("head"), 2, options)
     assert verdict.exit_code == GOOD and verdict.levels[0].compared == 4
     assert verdict.levels[0].table[0][2:] == ["0.0%", "1.000 to 1.000", "1.000 to 1.000", "0 of 2"]
     noise = {str(A): timing.noise(made(1, 0.04, 5, 1000))}

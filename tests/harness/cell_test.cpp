@@ -433,11 +433,11 @@ TEST_F(RunTest, WrongAnswersKeepTheSizesOfTheirErrors) {
 }
 
 TEST_F(RunTest, SolversAreJudgedByWhatTheyPromiseWithTheParametersOfTheirNames) {
-  const Output run = run_suite(
-      kFaultyProgram, {"--solvers",
-                       "bounded?off=0.05,0.2,bounded?bound=0.50&off=0.2,upper?off=2.0,-0.25,"
-                       "unbounded?threads=3&off=-0.5",
-                       "--meshes", "tetrahedron", "--sources", "1"});
+  const std::string solvers =
+      "bounded?off=0.05,0.2,bounded?bound=0.50&off=0.2,upper?off=2.0,-0.25,"
+      "unbounded?threads=3&off=-0.5";
+  const Output run = run_suite(kFaultyProgram,
+                               {"--solvers", solvers, "--meshes", "tetrahedron", "--sources", "1"});
   EXPECT_EQ(run.code, 2) << run.err;
   const std::map<std::string, std::pair<std::string, double>> expected{
       {"bounded?off=0.05", {"ok", 0.05}},          {"bounded?off=0.2", {"wrong answer", 0.2}},

@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from plots import catalogue, check
+from plots import catalogue
 from plots.ratios import MANY, over_each_mesh
-from results import merge
+from results import merge, outcomes
 from results.columns import Columns
 from results.reader import ResultError, Run, read_run, run_of
 
@@ -37,8 +37,8 @@ def test_a_run_in_columns_is_the_run_in_json(stored: Path, golden_run: Run) -> N
     drawn, left_out = catalogue.draw(run, list(catalogue.TABLES))
     expected, others = catalogue.draw(golden_run, list(catalogue.TABLES))
     assert drawn == expected and left_out.keys() == others.keys()
-    assert check.failures(run) == check.failures(golden_run)
-    assert check.largest_errors(run) == check.largest_errors(golden_run)
+    assert outcomes.failures(run) == outcomes.failures(golden_run)
+    assert outcomes.largest_errors(run) == outcomes.largest_errors(golden_run)
 
 
 def arrays(change: Change) -> Callable[[Path], None]:

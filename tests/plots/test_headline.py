@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 from synthetic import Changed, of_solvers
 
-from plots import check, headline, report, summary
-from plots.declared import reasons
+from gate import check_run
+from plots import headline, report, summary
 from plots.ratios import fastest_exact, mean, over_each_mesh, over_meshes, time_over
+from results import outcomes
 from results.reader import Run, read_run
 
 
@@ -149,7 +150,7 @@ def test_the_thesis_is_agreed_with_or_not_as_the_times_have_it(
 def test_terminal_and_report_have_the_same_sentences_and_numbers(
     golden_run: Run, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    check.main([str(golden_run.file.parent)])
+    check_run.main([str(golden_run.file.parent)])
     printed = capsys.readouterr().out
     page = report.page(golden_run, {"summary_by_mesh": summary.by_mesh(golden_run)}, {}, Path())
     for sentence in headline.sentences(golden_run):
@@ -173,7 +174,7 @@ def test_the_cells_that_a_solver_declares_to_be_beyond_it_have_one_line(changed:
                 row.update(outcome="unsupported", error_occurred=True, error_message="too large")
 
     run = read_run(changed(change))
-    assert reasons(run)["ch", "unsupported"] == (
+    assert outcomes.reasons(run)["ch", "unsupported"] == (
         "ch: unsupported, as declared, on 2 meshes, 3 cells (rocker-arm, flat-grid): too large"
     )
     assert sum("ch: unsupported" in note for note in summary.every(run).notes()) == 1

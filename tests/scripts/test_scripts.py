@@ -28,7 +28,7 @@ def checkout(tmp_path: Path) -> Path:
     for name in [*SCRIPTS, "new_solver.sh"]:
         (copy / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, copy / name)
-    for folder in ["tools", "plots", "results/published"]:
+    for folder in ["tools", "gate", "plots", "results/published"]:
         shutil.copytree(ROOT / folder, copy / folder, dirs_exist_ok=True)
     for file in [ROOT / "results" / "run.schema.json", *(ROOT / "results").glob("*.py")]:
         shutil.copy(file, copy / "results")

@@ -48,7 +48,7 @@ def say(line: str) -> None:
     print(line, file=sys.stderr, flush=True)
 
 
-def check(base: Program, head: Program, baseline_tree: Path, options: Options) -> Verdict:
+def compare(base: Program, head: Program, baseline_tree: Path, options: Options) -> Verdict:
     """@raises GateError when the programs cannot be compared"""
     say("levels 0, 1 and 3: verifying and counting")
     with ThreadPoolExecutor() as pool:  # both at once: nothing is timed here

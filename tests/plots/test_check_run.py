@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from synthetic import Changed
 
-from plots import check
+from gate import check_run
 
 
 def keep_only_good(data: dict[str, Any]) -> None:
@@ -22,7 +22,7 @@ def keep_only_good(data: dict[str, Any]) -> None:
 def test_failed_and_missing_cells_fail_and_are_listed(
     golden_folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert check.main([str(golden_folder)]) == 1
+    assert check_run.main([str(golden_folder)]) == 1
     printed = capsys.readouterr().out
     assert "FAILED: ich/rocker-arm/src:4711: crashed" in printed
     assert "FAILED: fwp-ch/flat-grid/src:0: wrong answer" in printed
@@ -33,7 +33,7 @@ def test_failed_and_missing_cells_fail_and_are_listed(
 
 
 def test_verified_run_passes(changed: Changed, capsys: pytest.CaptureFixture[str]) -> None:
-    assert check.main([str(changed(keep_only_good))]) == 0
+    assert check_run.main([str(changed(keep_only_good))]) == 0
     assert capsys.readouterr().out.splitlines()[-1] == "cells: 12 verified, 0 failed"
 
 
@@ -46,7 +46,7 @@ def test_a_mesh_that_was_skipped_fails_unless_allowed(
         data["context"]["geodesic_bench"]["skipped"].append(skip)
 
     run = str(changed(change))
-    assert [check.main([run, *more]) for more in [list[str](), ["--allow-skipped"]]] == [1, 0]
+    assert [check_run.main([run, *more]) for more in [list[str](), ["--allow-skipped"]]] == [1, 0]
     printed = capsys.readouterr().out
     assert "NOT MEASURED: bunny: not in the dataset cache" in printed
     assert "without a time: ch: skipped on horse: ch is for meshes of at most 20000 vertices" in printed
@@ -67,7 +67,7 @@ def test_what_a_solver_of_others_fails_at_may_be_a_finding(
         row.update(outcome="crashed", error_occurred=True, error_message="signal 11")
 
     run = str(changed(change))
-    assert [check.main([run, *more]) for more in [list[str](), ["--others-may-fail"]]] == [1, 0]
+    assert [check_run.main([run, *more]) for more in [list[str](), ["--others-may-fail"]]] == [1, 0]
     failed, found = (
         [line.split(": ")[0] for line in capsys.readouterr().out.splitlines() if "crashed" in line]
     )
@@ -83,7 +83,7 @@ def test_nothing_verified_is_a_failure(changed: Changed) -> None:
         ours["meshes"] = [m for m in ours["meshes"] if m["name"] == "rocker-arm"]
         ours["sources"] = {"rocker-arm": [rows[0]["source"]]}
 
-    assert check.main([str(changed(change))]) == 1
+    assert check_run.main([str(changed(change))]) == 1
 
 
 def test_cells_checked_against_truth_are_counted_and_largest_errors_told(
@@ -96,7 +96,7 @@ def test_cells_checked_against_truth_are_counted_and_largest_errors_told(
                 row["reference"] = "closed-form"
                 row["max_relative_error"] = 2e-16 / (1 + row["repetition_index"])
 
-    assert check.main([str(changed(change)), "--long"]) == 0
+    assert check_run.main([str(changed(change)), "--long"]) == 0
     printed = capsys.readouterr().out
     assert "checked against a closed form: 2 cells (horse)" in printed
     assert "ich: 2.0e-16 against closed-form (horse, source 31415)" in printed

@@ -1,4 +1,4 @@
-"""The cells of a run: what compare, rank and the gate judge by."""
+"""What a run measured of each cell: what compare, rank and the gate judge by."""
 
 from __future__ import annotations
 

@@ -1,33 +1,61 @@
-"""A short summary of a run, and a check that every cell is there and verified. Exit code 1 and a list
-of what is not.
-
-Listed without being a failure: a solver that does not support a mesh, an outcome that the suite
-expects, and a solver that was skipped on a mesh for a stated reason. A mesh that was skipped whole is
-a failure, unless --allow-skipped is given. With --others-may-fail, failures of the solvers of plug-ins
-and of oracles are listed as findings, and are no failures of the run.
-"""
+"""What of a run has no verified answer: cells that failed or are missing, and cells without a time that
+are no failures, since a solver declares, a suite expects or the run states it."""
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Sequence
-from dataclasses import replace
-
-from results import console
-from results.console import printable
-
-if __name__ == "__main__":
-    console.prepare("geodesic-bench check")  # before imports that may fail
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from plots.declared import ALLOWED, allowed, reasons
-from plots.measures import of_others
-from results.reader import CLOSED_FORM, OK, ResultError, Row, Run, newest_run, read_run
-from results.table import to_text
+from .columns import OK
+from .reader import CLOSED_FORM, Row, Run, Source
+
+ALLOWED = ("unsupported", "skipped")
+FEW = 4
+"""Meshes that are named; more are counted."""
 
 MANY = 100
 """Lines of a kind: of more, the first are listed."""
+
+
+def is_allowed(run: Run, row: Row) -> bool:
+    """@param row one without a time"""
+    expected: dict[str, str] = run.ours.get("expected", {})
+    return row.outcome in ALLOWED or row.outcome == expected.get(f"{row.solver}/{row.mesh}")
+
+
+def allowed(run: Run) -> list[Row]:
+    """Rows without a time that are no failures."""
+    return [row for row in run.without_a_time if is_allowed(run, row)]
+
+
+def reasons(run: Run) -> dict[tuple[str, str], str]:
+    """A line for each solver and outcome: on which meshes, and the first of the reasons."""
+    cells: dict[tuple[str, str], dict[tuple[str, Source], str]] = {}
+    for solver, outcome, mesh, source, why in _cells(run):
+        cells.setdefault((solver, outcome), {}).setdefault((mesh, source), why)
+    words = {"unsupported": "unsupported, as declared,", "skipped": "skipped"}
+    return {
+        (solver, outcome): f"{solver}: {words.get(outcome, f'{outcome}, as expected,')} on "
+        f"{_named(list(dict.fromkeys(mesh for mesh, _ in of)), len(of))}: {next(iter(of.values()))}"
+        for (solver, outcome), of in cells.items()
+    }
+
+
+def _cells(run: Run) -> Iterator[tuple[str, str, str, Source, str]]:
+    for skip in run.skipped:
+        if skip.solver is not None:
+            for source in run.sources.get(skip.mesh, []):
+                yield skip.solver, "skipped", skip.mesh, source, skip.why
+    for row in allowed(run):
+        yield row.solver, row.outcome, row.mesh, row.source, row.message
+
+
+def _named(meshes: list[str], cells: int) -> str:
+    if len(meshes) == 1:
+        return meshes[0]
+    named = ", ".join(meshes[:FEW]) + (", ..." if len(meshes) > FEW else "")
+    return f"{len(meshes):,} meshes, {cells:,} cells ({named})"
 
 
 def line(row: Row) -> str:
@@ -36,9 +64,8 @@ def line(row: Row) -> str:
 
 def findings(run: Run) -> list[Row]:
     """Failed rows of solvers of others: of plug-ins, and oracles that share no code with ours."""
-    others = of_others(run)
     failed = [row for row in run.without_a_time if row.outcome not in ALLOWED]
-    return [row for row in failed if row.solver in others]
+    return [row for row in failed if row.solver in run.of_others]
 
 
 def failures(run: Run, harmless: Sequence[Row] = ()) -> list[str]:
@@ -110,60 +137,3 @@ def first(lines: Sequence[str], many: int = MANY) -> list[str]:
     """A list that can be read: of more than so many lines the first, and how many follow."""
     more = len(lines) - many
     return [*lines[:many], f"and {more} more"] if more > 0 else list(lines)
-
-
-def main(arguments: Sequence[str] | None = None) -> int:
-    parser = console.run_parser(
-        __doc__,
-        "geodesic-bench check",
-        "geodesic-bench check results/runs/mine --allow-skipped",
-    )
-    parser.add_argument(
-        "--allow-skipped", action="store_true", help="accept meshes that were skipped whole"
-    )
-    parser.add_argument(
-        "--others-may-fail", action="store_true",
-        help="list the failures of plug-ins' solvers and of oracles, and accept them",
-    )  # fmt: skip
-    parser.add_argument(
-        "--long", action="store_true", help="every solver on every mesh, and where errors are largest"
-    )
-    options = parser.parse_args(arguments)
-    from plots import headline, summary  # which import this module
-
-    try:
-        run = read_run(options.run or newest_run())
-    except ResultError as error:
-        return console.complain(error)
-    if len(run.columns.texts.get("program", ())) < 2:  # the gate compares programs
-        for sentence in headline.sentences(run):
-            print(printable(sentence))
-        print("", to_text(replace(summary.overall(run), remarks=[])), sep="\n")
-    if options.long:
-        print(to_text(summary.every(run.of_single_sources)))
-        for largest in largest_errors(run):
-            print(f"largest relative error: {largest}")
-    else:
-        print(f"Every solver on every mesh: geodesic-bench check --long {run.file.parent}")
-    for words in first(skipped(run)):
-        print(f"NOT MEASURED: {words}")
-    for words in reasons(run).values():
-        print(f"without a time: {words}")
-    found = findings(run) if options.others_may_fail else []
-    for words in first([line(row) for row in found]):
-        print(f"FOUND: {words}")
-    failed = failures(run, found)
-    for failure in first(failed):
-        print(f"FAILED: {failure}")
-    passed = verified(run)
-    print(checked_against_truth(run))
-    if run.shard:
-        print(f"shard {run.shard['index']}/{run.shard['of']} of a run: merge joins them")
-    lacking = len(run.not_measured)
-    meshes = f"; meshes not measured: {lacking}" if lacking else ""
-    print(f"cells: {passed} verified, {len(failed)} failed{meshes}")
-    return 1 if failed or not passed or (lacking and not options.allow_skipped) else 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
