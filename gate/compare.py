@@ -28,7 +28,7 @@ from results.pairs import interleaved
 from results.reader import Cell, ResultError, Run, read_run
 from results.statistics import Decision, Estimate, decide, rank_test
 from results.statistics import geometric_mean_of_medians, geometric_mean_of_ratios
-from results.table import Table, four_digits, markdown_page, text_cells, text_page
+from results.table import Table, four_digits, markdown_page, text_fields, text_page
 
 SIGNIFICANCE = 0.01
 """Of the rank test for a cell of two separate runs."""
@@ -278,7 +278,7 @@ def tables(comparison: Comparison) -> list[Table]:
     columns = ["cell", "counters", "old ms", "new ms", "new/old", "memory new/old"]
     cells = [_row(change) for change in comparison.cells]
     found = [(heading, 1, means), (columns, 2, cells)]
-    return [Table("", "", head, n, [*map(text_cells, rows)]) for head, n, rows in found if rows]
+    return [Table("", "", head, n, [*map(text_fields, rows)]) for head, n, rows in found if rows]
 
 
 def _row(change: Change) -> list[str]:

@@ -8,7 +8,7 @@ from typing import Any
 
 from results.reader import Run
 from results.table import (
-    Table, escape_latex, escape_markdown, four_digits, text_cells, to_markdown, to_tabular,
+    Table, escape_latex, escape_markdown, four_digits, text_fields, to_markdown, to_tabular,
 )  # fmt: skip
 
 from gate.measured import MEMORY
@@ -93,7 +93,7 @@ def _overall(ranking: Ranking) -> Table:
         ])  # fmt: skip
     header = ["solver", "rank", "time", "95% interval", "windows", "memory", "largest error",
               "right on"]  # fmt: skip
-    return Table("", "", header, 1, [text_cells(row) for row in rows])
+    return Table("", "", header, 1, [text_fields(row) for row in rows])
 
 
 def _of_mesh(ranking: Ranking, run: Run, mesh: str) -> Table:
@@ -102,7 +102,7 @@ def _of_mesh(ranking: Ranking, run: Run, mesh: str) -> Table:
     title = f"{mesh}, {run.meshes[mesh].vertices} vertices, {sources}"
     header = ["solver", "ms", "time", "95% interval", "range", "windows", "peak MB",
               "largest error"]  # fmt: skip
-    rows = [text_cells(_mesh_row(ranking, one, mesh)) for one in ranking.standings]
+    rows = [text_fields(_mesh_row(ranking, one, mesh)) for one in ranking.standings]
     return Table("", title, header, 1, rows)
 
 
@@ -159,7 +159,7 @@ def as_latex(ranking: Ranking, run: Run) -> str:
     for mesh in ranking.measurements.meshes:
         found = [one.on(mesh) for one in others]
         times = [_with_interval(on.time) if on else NOTHING for on in found]
-        rows.append(text_cells([mesh, str(run.meshes[mesh].vertices), *times]))
+        rows.append(text_fields([mesh, str(run.meshes[mesh].vertices), *times]))
     by_mesh = Table("", "", ["mesh", "vertices", *(one.solver for one in others)], 1, rows)
     figure = (
         f"Time of each solver over that of {name}: medians of pairs on every mesh with their 95%"

@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass
 from itertools import groupby
 from pathlib import Path
 
-from results.table import Table, markdown_page, text_cells, text_page
+from results.table import Table, markdown_page, text_fields, text_page
 
 from gate.findings import ERROR, GOOD, NOT_RESOLVED, REGRESSION, WRONG_ANSWER
 from gate.findings import Finding, GateError, LevelResult, Weight
@@ -94,7 +94,7 @@ def _table(level: LevelResult) -> Table:
     """The title alone for a level without rows to show."""
     title = f"Level {level.level}. {level.title}: {level.result}"
     heading = level.heading if level.table else []
-    return Table("", title, heading, 1, [text_cells(row) for row in level.table])
+    return Table("", title, heading, 1, [text_fields(row) for row in level.table])
 
 
 def as_json(verdict: Verdict) -> str:

@@ -4,7 +4,7 @@ further one, memory and errors."""
 from __future__ import annotations
 
 from plots.measures import (
-    ABSENT, EDGE_BASED, ERROR, PEAK_BYTES, RESIDENT, baseline, columns, failure, interval_cell, our_cell,
+    ABSENT, EDGE_BASED, ERROR, PEAK_BYTES, RESIDENT, baseline, columns, failure, interval_field, our_field,
     partial_failure, time_unit,
 )  # fmt: skip
 from plots.models import ordered_meshes
@@ -12,7 +12,7 @@ from plots.ratios import plain
 from results.pairs import Time, by_source, first, further, ratios, times
 from results.reader import Mesh, Run
 from results.statistics import geometric_mean, median
-from results.table import BLANK, Cell, Table, estimate_cell
+from results.table import BLANK, Field, Table, estimate_field
 
 
 def errors(run: Run, mesh: str, solver: str, key: str) -> list[float]:
@@ -44,17 +44,17 @@ def table(run: Run) -> Table:
     )
 
 
-def _block(run: Run, mesh: Mesh, base: str) -> list[list[Cell]]:
+def _block(run: Run, mesh: Mesh, base: str) -> list[list[Field]]:
     firsts = {s: times(run, mesh.name, s, first) for s in columns(run)}
     middle = {s: median(by_source(of)).value for s, of in firsts.items() if of}
     order = sorted(firsts, key=lambda s: middle.get(s, float("inf")))
     return [
-        [Cell("" if index else mesh.name, mesh.label), *_row(run, mesh.name, solver, base)]
+        [Field("" if index else mesh.name, mesh.label), *_row(run, mesh.name, solver, base)]
         for index, solver in enumerate(order)
     ]
 
 
-def _row(run: Run, mesh: str, solver: str, base: str) -> list[Cell]:
+def _row(run: Run, mesh: str, solver: str, base: str) -> list[Field]:
     note = partial_failure(run, mesh, solver)
     failed = failure(run, mesh, solver)
     if failed:
@@ -63,31 +63,31 @@ def _row(run: Run, mesh: str, solver: str, base: str) -> list[Cell]:
         costs = [
             *_time(run, mesh, solver, base, first),
             *_time(run, mesh, solver, base, further),
-            our_cell(run, mesh, solver, PEAK_BYTES),
-            our_cell(run, mesh, solver, RESIDENT),
+            our_field(run, mesh, solver, PEAK_BYTES),
+            our_field(run, mesh, solver, RESIDENT),
         ]
     largest = errors(run, mesh, solver, "max_relative_error")
     mean = errors(run, mesh, solver, "mean_relative_error")
     return [
-        Cell(solver),
-        Cell(run.solvers[solver].promise),
-        failed or Cell("ok", note=note),
+        Field(solver),
+        Field(run.solvers[solver].promise),
+        failed or Field("ok", note=note),
         *costs,
-        _error(max(largest)) if largest else Cell(ABSENT),
-        _error(median([mean]).value) if mean else Cell(ABSENT),
+        _error(max(largest)) if largest else Field(ABSENT),
+        _error(median([mean]).value) if mean else Field(ABSENT),
     ]
 
 
-def _time(run: Run, mesh: str, solver: str, base: str, time: Time) -> list[Cell]:
+def _time(run: Run, mesh: str, solver: str, base: str, time: Time) -> list[Field]:
     """The time, and its ratio to that of the base."""
     estimate = median(by_source(times(run, mesh, solver, time)))
     shown = time_unit([estimate.value]).text(estimate.value)
     pairs = ratios(run, mesh, solver, base, time)
     if not pairs:
-        return [estimate_cell(estimate, shown), Cell(ABSENT)]
+        return [estimate_field(estimate, shown), Field(ABSENT)]
     ratio = geometric_mean([pairs])
-    return [estimate_cell(estimate, shown), interval_cell(ratio, plain)]
+    return [estimate_field(estimate, shown), interval_field(ratio, plain)]
 
 
-def _error(error: float) -> Cell:
-    return Cell(ERROR.show(error), error)
+def _error(error: float) -> Field:
+    return Field(ERROR.show(error), error)

@@ -16,12 +16,12 @@ from plots.drawing import Drawing
 from plots.growth import surface
 from plots.logarithmic import logarithmic
 from plots.measures import (
-    EDGE_BASED, ERROR, baseline, columns, count, interval_cell, percent, time_unit,
+    EDGE_BASED, ERROR, baseline, columns, count, interval_field, percent, time_unit,
 )  # fmt: skip
 from results.pairs import by_source, further, preparation, times
 from results.reader import Mesh, ResultError, Run, Source
 from results.statistics import Estimate, median
-from results.table import Cell, Table
+from results.table import Field, Table
 
 LEAST_MESHES = 2
 
@@ -118,22 +118,22 @@ def table(run: Run) -> Table:
     )
 
 
-def _row(heat: str, point: Point) -> list[Cell]:
-    def seconds(value: float) -> Cell:
-        return Cell(time_unit([value]).text(value), value)
+def _row(heat: str, point: Point) -> list[Field]:
+    def seconds(value: float) -> Field:
+        return Field(time_unit([value]).text(value), value)
 
-    def error(value: float) -> Cell:
-        return Cell(ERROR.show(value), value) if math.isfinite(value) else Cell("not known")
+    def error(value: float) -> Field:
+        return Field(ERROR.show(value), value) if math.isfinite(value) else Field("not known")
 
     return [
-        Cell(heat),
-        Cell(point.mesh.name),
-        Cell(count(point.mesh.vertices), point.mesh.vertices),
+        Field(heat),
+        Field(point.mesh.name),
+        Field(count(point.mesh.vertices), point.mesh.vertices),
         *map(seconds, point.preparations),
         *map(seconds, point.furthers),
-        interval_cell(point.sources, _sources)
+        interval_field(point.sources, _sources)
         if math.isfinite(point.sources.value)
-        else Cell("never"),
+        else Field("never"),
         error(point.mean_error),
         error(point.largest_error),
     ]

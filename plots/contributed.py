@@ -24,7 +24,7 @@ from results import pairs
 from results.console import ROOT
 from results.reader import ResultError, Run, read_run
 from results.statistics import geometric_mean
-from results.table import BLANK, Cell, Table, estimate_cell, to_markdown
+from results.table import BLANK, Field, Table, estimate_field, to_markdown
 
 FOLDER = ROOT / "results" / "contributed"
 PAGE, README, PEERS = ROOT / "docs" / "results.md", ROOT / "README.md", ROOT / "docs" / "peers.md"
@@ -75,21 +75,21 @@ def beside_public_codes(standard: Run, hard: Run) -> Table:
         name="beside_public_codes", title="", text_columns=2,
         header=["Solver", "Code", f"Time of a first answer / {BASE}", "Meshes",
                 "Largest relative error", f"Right on, of {len(hard.meshes)} hard meshes"],
-        rows=[[Cell(solver), Cell(whose), *_numbers(standard, solver), Cell(right[solver])]
+        rows=[[Field(solver), Field(whose), *_numbers(standard, solver), Field(right[solver])]
               for solver, whose in SHOWN.items() if solver in columns(standard) and solver in right],
     )  # fmt: skip
 
 
-def _numbers(run: Run, solver: str) -> list[Cell]:
+def _numbers(run: Run, solver: str) -> list[Field]:
     samples = [one for mesh in run.meshes if (one := pairs.ratios(run, mesh, solver, BASE, pairs.first))]
     if not samples:
-        return [BLANK, Cell("0"), BLANK]
+        return [BLANK, Field("0"), BLANK]
     mean = geometric_mean(samples)
     text = number(mean.value)
     if solver != BASE:
         text = interval(mean, number)
     largest = float(max(errors_of(run, solver)))
-    return [estimate_cell(mean, text), Cell(f"{len(samples)} of {len(run.meshes)}"), Cell(_error(largest))]
+    return [estimate_field(mean, text), Field(f"{len(samples)} of {len(run.meshes)}"), Field(_error(largest))]
 
 
 def _error(largest: float) -> str:

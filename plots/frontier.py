@@ -23,7 +23,7 @@ from results.pairs import Time, by_source, each_of, further, ratios, times
 from results.published import Method
 from results.reader import Mesh, ResultError, Run, Solver
 from results.statistics import Estimate, geometric_mean, median
-from results.table import Cell, Table, estimate_cell
+from results.table import Field, Table, estimate_field
 
 COSTS: dict[str, Time] = {
     "1 source": each_of(1),
@@ -396,30 +396,30 @@ def _choices(run: Run, name: str, which: str) -> Table:
     )
 
 
-def _block(run: Run, mesh: Mesh, which: str) -> list[list[Cell]]:
+def _block(run: Run, mesh: Mesh, which: str) -> list[list[Field]]:
     points = measured(run, mesh.name)
-    rows: list[list[Cell]] = []
+    rows: list[list[Field]] = []
     for level in LEVELS:
         keep = [p for p in points if p.solver.exact or (level and getattr(p, which) <= level)]
-        cells = [cell for n in SOURCES for cell in _choice(run, mesh.name, keep, n, level)]
+        fields = [field for n in SOURCES for field in _choice(run, mesh.name, keep, n, level)]
         rows.append([
-            Cell("" if rows else mesh.name, mesh.label),
-            Cell("" if rows else count(mesh.vertices), mesh.vertices),
-            Cell(ERROR.show(level) if level else "0", level),
-            *cells,
+            Field("" if rows else mesh.name, mesh.label),
+            Field("" if rows else count(mesh.vertices), mesh.vertices),
+            Field(ERROR.show(level) if level else "0", level),
+            *fields,
         ])  # fmt: skip
     return rows
 
 
 def _choice(
     run: Run, mesh: str, keep: Sequence[Point], sources: int, level: float
-) -> tuple[Cell, Cell]:
+) -> tuple[Field, Field]:
     """The fastest and its time, with a footnote where it does not promise the level, or where
     others may be as fast."""
     cost = each_of(sources)
     found = {p.solver.name: median(by_source(times(run, mesh, p.solver.name, cost))) for p in keep}
     if not found:
-        return Cell("none"), Cell(ABSENT)
+        return Field("none"), Field(ABSENT)
     best = min(found, key=lambda name: found[name].value)
     rivals = [name for name in found if name != best and _as_fast(run, mesh, name, best, cost)]
     about = run.solvers[best]
@@ -429,7 +429,7 @@ def _choice(
         f"Not resolved from {', '.join(rivals)}." if rivals else "",
     )
     value = found[best]
-    return Cell(best, note=note), estimate_cell(value, time_unit([value.value]).text(value.value))
+    return Field(best, note=note), estimate_field(value, time_unit([value.value]).text(value.value))
 
 
 def _as_fast(run: Run, mesh: str, rival: str, best: str, cost: Time) -> bool:

@@ -20,7 +20,7 @@ from plots.measures import (
 )  # fmt: skip
 from results.reader import Mesh, ResultError, Run
 from results.statistics import power_law
-from results.table import Cell, Table
+from results.table import Field, Table
 
 LEAST_MESHES = 3
 LEAST_SPAN = 4
@@ -133,29 +133,29 @@ def exponents(run: Run) -> Table:
     )
 
 
-def _row(solver: str, point: Point, smallest: Point, unit: TimeUnit) -> list[Cell]:
+def _row(solver: str, point: Point, smallest: Point, unit: TimeUnit) -> list[Field]:
     each = point.nanoseconds_a_window
     share = each / smallest.nanoseconds_a_window
     return [
-        Cell(solver),
-        Cell(point.mesh.label),
-        Cell(count(point.mesh.vertices), point.mesh.vertices),
-        Cell(unit.show(unit.scale * point.time), unit.scale * point.time),
-        Cell(count(point.windows), point.windows),
-        Cell(f"{each:.1f}", each),
-        Cell(f"{share:.2f}", share),
+        Field(solver),
+        Field(point.mesh.label),
+        Field(count(point.mesh.vertices), point.mesh.vertices),
+        Field(unit.show(unit.scale * point.time), unit.scale * point.time),
+        Field(count(point.windows), point.windows),
+        Field(f"{each:.1f}", each),
+        Field(f"{share:.2f}", share),
     ]
 
 
-def _exponents(of: Series) -> list[Cell]:
+def _exponents(of: Series) -> list[Field]:
     numbers = [len(of.points), of.vertices[0], of.vertices[-1]]
     windows = [point.windows for point in of.points]
     laws = [power_law(of.vertices, what) for what in (of.times, windows)]
     return [
-        Cell(of.solver),
-        Cell(of.surface),
-        *(Cell(count(number), number) for number in numbers),
-        *(Cell(f"{law.exponent:.3f} [{law.low:.3f}, {law.high:.3f}]", law.exponent, law.low, law.high)
+        Field(of.solver),
+        Field(of.surface),
+        *(Field(count(number), number) for number in numbers),
+        *(Field(f"{law.exponent:.3f} [{law.low:.3f}, {law.high:.3f}]", law.exponent, law.low, law.high)
           for law in laws),
     ]  # fmt: skip
 

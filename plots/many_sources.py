@@ -16,7 +16,7 @@ from plots.measures import ERROR, columns, count, percent
 from plots.ratios import fastest_exact, mean
 from results.reader import ResultError, Row, Run, Source
 from results.statistics import Estimate, median
-from results.table import BLANK, Cell, Table
+from results.table import BLANK, Field, Table
 
 RANDOM = "random:"
 """Sets of so many vertices, the same number on every mesh."""
@@ -150,7 +150,7 @@ def errors(run: Run) -> Table:
         title="Mean errors from many sources in one query",
         header=["Sources", *found],
         text_columns=0,
-        rows=[[Cell(count(size), size), *(Cell(percent(of[size]), of[size]) if size in of else BLANK for of in found.values())]
+        rows=[[Field(count(size), size), *(Field(percent(of[size]), of[size]) if size in of else BLANK for of in found.values())]
               for size in sizes_of_all],
         remarks=["The mean over the meshes of the mean relative error of a vertex."],
     )  # fmt: skip
@@ -164,9 +164,9 @@ def table(run: Run) -> Table:
         for source in run.sources[mesh]:
             bases = answers_of(run, mesh, base, source)
             for solver in columns(run):
-                cells = [Cell(run.meshes[mesh].label), Cell(str(source)),
-                         Cell(count(size := run.set_size(mesh, source)), size), Cell(solver)]  # fmt: skip
-                rows.append(cells + _numbers(answers_of(run, mesh, solver, source), bases))
+                fields = [Field(run.meshes[mesh].label), Field(str(source)),
+                         Field(count(size := run.set_size(mesh, source)), size), Field(solver)]  # fmt: skip
+                rows.append(fields + _numbers(answers_of(run, mesh, solver, source), bases))
     return Table(
         name="many_sources_numbers",
         title="Many sources in one query",
@@ -180,12 +180,12 @@ def table(run: Run) -> Table:
     )
 
 
-def _numbers(rows: list[Row], bases: list[Row]) -> list[Cell]:
+def _numbers(rows: list[Row], bases: list[Row]) -> list[Field]:
     if not rows:
-        return [Cell("-")] * 3
+        return [Field("-")] * 3
     largest, means = error(rows, "max_relative_error"), error(rows, "mean_relative_error")
-    errors = [Cell(ERROR.show(largest), largest), Cell(ERROR.show(means), means)]
+    errors = [Field(ERROR.show(largest), largest), Field(ERROR.show(means), means)]
     if not bases:
-        return [Cell("-"), *errors]
+        return [Field("-"), *errors]
     ratio = seconds(rows).value / seconds(bases).value
-    return [Cell(f"{ratio:.3g}", ratio), *errors]
+    return [Field(f"{ratio:.3g}", ratio), *errors]

@@ -13,7 +13,7 @@ from results.pairs import Floats, by_source
 from results.published import THESIS_SOLVERS, Published
 from results.reader import OK, Mesh, Row, Run, Solver, Source
 from results.statistics import Estimate, median
-from results.table import Cell, estimate_cell
+from results.table import Field, estimate_field
 
 EDGE_BASED = "edge-based"
 LIMIT_SOLVER = "mmp"
@@ -56,8 +56,8 @@ def interval(estimate: Estimate, show: Callable[[float], str]) -> str:
     return f"{show(estimate.value)} [{show(estimate.low)}, {show(estimate.high)}]"
 
 
-def interval_cell(estimate: Estimate, show: Callable[[float], str]) -> Cell:
-    return estimate_cell(estimate, interval(estimate, show))
+def interval_field(estimate: Estimate, show: Callable[[float], str]) -> Field:
+    return estimate_field(estimate, interval(estimate, show))
 
 
 def count(value: float) -> str:
@@ -189,42 +189,42 @@ def limit_solver(run: Run, mesh: str) -> str:
     return next(counted, LIMIT_SOLVER)
 
 
-def failure(run: Run, mesh: str, solver: str) -> Cell | None:
+def failure(run: Run, mesh: str, solver: str) -> Field | None:
     """What to show instead of numbers when no source of the cell is ok."""
     rows = run.cell(mesh, solver)
     if any(row.ok for row in rows):
         return None
     skip = run.skip(mesh, solver)
     if rows and not outcomes.is_allowed(run, rows[0]):
-        return Cell(rows[0].outcome, note=_failed(rows))
+        return Field(rows[0].outcome, note=_failed(rows))
     if rows or (skip and skip.solver):
         outcome = rows[0].outcome if rows else "skipped"
-        return Cell(outcome, note=outcomes.reasons(run)[solver, outcome])
-    return Cell("skipped", note=f"{mesh}: {skip.why}") if skip else Cell("missing")
+        return Field(outcome, note=outcomes.reasons(run)[solver, outcome])
+    return Field("skipped", note=f"{mesh}: {skip.why}") if skip else Field("missing")
 
 
-def our_cell(run: Run, mesh: str, solver: str, measure: Measure) -> Cell:
+def our_field(run: Run, mesh: str, solver: str, measure: Measure) -> Field:
     """The measure over sources and repetitions, or why there is none."""
     failed = failure(run, mesh, solver)
     estimate = median_of(run, mesh, solver, measure)
     if estimate is None:
-        return failed or Cell(ABSENT)
+        return failed or Field(ABSENT)
     note = failed.note if failed else partial_failure(run, mesh, solver)
     if measure.largest:
-        return Cell(measure.show(estimate.most), estimate.most, note=note)
+        return Field(measure.show(estimate.most), estimate.most, note=note)
     shown = interval(estimate, measure.show) if measure.spread else measure.show(estimate.value)
-    return estimate_cell(estimate, shown, note)
+    return estimate_field(estimate, shown, note)
 
 
-def published_cell(value: Published, measure: Measure) -> Cell:
+def published_field(value: Published, measure: Measure) -> Field:
     """A value of the thesis in the measure's unit; times with the digits that it prints."""
     if value is None:
-        return Cell(ABSENT)
+        return Field(ABSENT)
     if isinstance(value, str):
-        return Cell(value)
+        return Field(value)
     number = measure.published_scale * value
     is_time = measure.published == TIME.published
-    return Cell(f"{number:,.10g}" if is_time else measure.show(number), number)
+    return Field(f"{number:,.10g}" if is_time else measure.show(number), number)
 
 
 def partial_failure(run: Run, mesh: str, solver: str) -> str:

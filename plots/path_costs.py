@@ -15,7 +15,7 @@ from plots.logarithmic import logarithmic
 from plots.measures import ERROR, columns, count, percent
 from plots.ratios import fastest_exact, mean, number
 from results.reader import ResultError, Row, Run, Source
-from results.table import BLANK, Cell, Table
+from results.table import BLANK, Field, Table
 
 COUNTS = (1, 10, 100, 1000)
 """Numbers of paths that the table has the costs of."""
@@ -137,8 +137,8 @@ def table(run: Run) -> Table:
     for solver, of in found.items():
         costs = [over_base(of, found[base], n) for n in COUNTS]
         rows.append([
-            Cell(solver), *[BLANK if c is None else Cell(number(c), c) for c in costs],
-            *_cells(_lengths(_all(of))),
+            Field(solver), *[BLANK if c is None else Field(number(c), c) for c in costs],
+            *_fields(_lengths(_all(of))),
         ])  # fmt: skip
     return Table(
         name="path_costs",
@@ -162,12 +162,12 @@ REMARK = (
 )
 
 
-def _cells(of: Lengths) -> list[Cell]:
-    lost = [Cell(count(n), n) for n in (of.off_surface, of.failed)]
+def _fields(of: Lengths) -> list[Field]:
+    lost = [Field(count(n), n) for n in (of.off_surface, of.failed)]
     if of.off_surface + of.failed == of.targets:
         return [BLANK, BLANK, BLANK, *lost]
-    excess = [Cell(ERROR.show(one), one) for one in (of.mean_excess, of.max_excess)]
-    return [*excess, Cell(of.share, of.shortest), *lost]
+    excess = [Field(ERROR.show(one), one) for one in (of.mean_excess, of.max_excess)]
+    return [*excess, Field(of.share, of.shortest), *lost]
 
 
 def by_mesh(run: Run) -> Table:
@@ -182,8 +182,8 @@ def by_mesh(run: Run) -> Table:
                 for key in ("alone_time", "first_time", "further_time")
             ]
             rows.append([
-                Cell(run.meshes[mesh].label), Cell(solver),
-                *[Cell(f"{time:.3g}", time) for time in times], *_cells(_lengths(of)),
+                Field(run.meshes[mesh].label), Field(solver),
+                *[Field(f"{time:.3g}", time) for time in times], *_fields(_lengths(of)),
             ])  # fmt: skip
     return Table(
         name="path_numbers",

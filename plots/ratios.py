@@ -19,7 +19,7 @@ from results import published
 from results.pairs import Floats, all_times, paired
 from results.reader import Run
 from results.statistics import Estimate, Sample, geometric_mean
-from results.table import Cell, estimate_cell
+from results.table import Field, estimate_field
 
 RIVAL = "the solver in the column"
 MANY = 100
@@ -87,13 +87,13 @@ class Ratio:
         sample = self.measured(run, mesh, solver)
         return geometric_mean([sample]) if sample else None
 
-    def cell(self, run: Run, mesh: str, solver: str) -> Cell:
+    def field(self, run: Run, mesh: str, solver: str) -> Field:
         """The mean, or why there is none."""
         estimate = self.mean(run, mesh, solver)
         if estimate is None:
-            return failure(run, mesh, solver) or Cell(ABSENT)
+            return failure(run, mesh, solver) or Field(ABSENT)
         note = partial_failure(run, mesh, solver)
-        return estimate_cell(estimate, self.interval(estimate), note)
+        return estimate_field(estimate, self.interval(estimate), note)
 
     def interval(self, estimate: Estimate) -> str:
         ends = sorted([estimate.low, estimate.high], reverse=self.falling)
@@ -168,9 +168,9 @@ def over_meshes(ratio: Ratio, run: Run, meshes: list[str], solver: str) -> Mean 
     return Mean(geometric_mean(samples), coverage)
 
 
-def mean_cell(ratio: Ratio, mean: Mean, solver: str) -> Cell:
+def mean_field(ratio: Ratio, mean: Mean, solver: str) -> Field:
     note = f"{solver}: a mean over {mean.coverage}." if mean.coverage else ""
-    return estimate_cell(mean.estimate, ratio.interval(mean.estimate), note)
+    return estimate_field(mean.estimate, ratio.interval(mean.estimate), note)
 
 
 def over_each_mesh(run: Run, base: str) -> dict[str, Floats]:

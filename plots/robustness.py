@@ -10,7 +10,7 @@ from plots.measures import ABSENT, ERROR, columns, time_unit
 from plots.models import ordered_meshes
 from results.pairs import first
 from results.reader import Mesh, ResultError, Row, Run
-from results.table import Cell, Table
+from results.table import Field, Table
 
 RIGHT, OFF, WRONG, IMPRECISE = "right", "off", "wrong", "imprecise"
 EXITS, REFUSED = "exits", "refused"
@@ -36,7 +36,7 @@ def matrix(run: Run) -> Table:
         header=["Case", "Reported of", *solvers],
         text_columns=2 + len(solvers),
         rows=[
-            [_case(mesh), _reports(mesh), *(_cell(run, mesh, s) for s in solvers)]
+            [_case(mesh), _reports(mesh), *(_field(run, mesh, s) for s in solvers)]
             for mesh in cases
         ],
         remarks=[
@@ -63,8 +63,8 @@ def counts(run: Run) -> Table:
         header=["Solver", "Promise", *(word.capitalize() for word in found)],
         text_columns=2,
         rows=[
-            [Cell(s), Cell(run.solvers[s].promise),
-             *(Cell(str(of.count(word)), of.count(word)) for word in found)]
+            [Field(s), Field(run.solvers[s].promise),
+             *(Field(str(of.count(word)), of.count(word)) for word in found)]
             for s, of in words.items()
         ],
     )  # fmt: skip
@@ -83,8 +83,8 @@ def right(run: Run) -> dict[str, str]:
 def failures(run: Run) -> Table:
     """@raises ResultError when no mesh of the run stands for a report, or all is right"""
     rows = [
-        [Cell(row.mesh), Cell(row.solver), Cell(str(row.source)), Cell(_word(run, row)),
-         Cell(row.message)]
+        [Field(row.mesh), Field(row.solver), Field(str(row.source)), Field(_word(run, row)),
+         Field(row.message)]
         for mesh in _cases(run)
         for row in run.rows
         if row.mesh == mesh.name and not row.ok and row.outcome not in ("unsupported", "skipped")
@@ -121,15 +121,15 @@ def _limit(run: Run) -> str:
     )
 
 
-def _case(mesh: Mesh) -> Cell:
+def _case(mesh: Mesh) -> Field:
     addresses = f" ({', '.join(mesh.reports)})" if mesh.reports else ""
-    return Cell(mesh.name, note=f"{mesh.name}: {mesh.why}{addresses}.")
+    return Field(mesh.name, note=f"{mesh.name}: {mesh.why}{addresses}.")
 
 
-def _reports(mesh: Mesh) -> Cell:
+def _reports(mesh: Mesh) -> Field:
     """libigl 2554 of https://github.com/libigl/libigl/issues/2554"""
     short = (re.sub(r".*/([^/]+)/issues/(\d+)", r"\1 \2", report) for report in mesh.reports)
-    return Cell(", ".join(short) or ABSENT)
+    return Field(", ".join(short) or ABSENT)
 
 
 def _word(run: Run, row: Row) -> str:
@@ -165,10 +165,10 @@ def _worst(run: Run, mesh: Mesh, solver: str) -> tuple[str, list[Row]]:
     return worst, [row for row, word in zip(rows, words, strict=True) if word == worst]
 
 
-def _cell(run: Run, mesh: Mesh, solver: str) -> Cell:
+def _field(run: Run, mesh: Mesh, solver: str) -> Field:
     word, rows = _worst(run, mesh, solver)
     if word not in (WRONG, IMPRECISE, OFF):
-        return Cell(word)
+        return Field(word)
     mismatches = _mismatches(rows)
     by_how_much = f"reach of {mismatches:,}" if mismatches else ERROR.show(_error(rows))
-    return Cell(f"{word}: {by_how_much}")
+    return Field(f"{word}: {by_how_much}")

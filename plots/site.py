@@ -22,7 +22,7 @@ if __name__ == "__main__":
     console.prepare("geodesic-bench site")  # before imports that may fail
 
 from plots.measures import (
-    EDGE_BASED, ERROR, PEAK_BYTES, PROPAGATIONS, baseline, failure, interval_cell, our_cell,
+    EDGE_BASED, ERROR, PEAK_BYTES, PROPAGATIONS, baseline, failure, interval_field, our_field,
     with_promise,
 )  # fmt: skip
 from plots.ratios import time_over
@@ -31,7 +31,7 @@ from results import outcomes, pairs
 from results.reader import Mesh, ResultError, Run, Solver, Source, read_run
 from results.statistics import Estimate, geometric_mean_of_ratios, median
 from results.table import (
-    BLANK, Cell, Table, estimate_cell, four_digits, mark, without_constant_columns,
+    BLANK, Field, Table, estimate_field, four_digits, mark, without_constant_columns,
 )  # fmt: skip
 
 if TYPE_CHECKING:
@@ -131,34 +131,34 @@ def solver_page(solver: Solver) -> str:
     return f"solvers/{quote(quote(solver.name, safe=''))}.html"
 
 
-def row(entry: Entry, root: str) -> list[Cell]:
+def row(entry: Entry, root: str) -> list[Field]:
     """@param root from the page to the site's folder"""
     run, mesh, solver = entry.run, entry.mesh, entry.solver
     texts = [
-        Cell(mesh.name, link=root + mesh_page(mesh)),
-        Cell(with_promise(solver), link=root + solver_page(solver)),
-        Cell(entry.shown.label, link=root + entry.shown.raw),
-        Cell(entry.processor),
-        Cell(entry.shown.revision),
-        Cell(entry.shown.date),
+        Field(mesh.name, link=root + mesh_page(mesh)),
+        Field(with_promise(solver), link=root + solver_page(solver)),
+        Field(entry.shown.label, link=root + entry.shown.raw),
+        Field(entry.processor),
+        Field(entry.shown.revision),
+        Field(entry.shown.date),
     ]
     sources = len(run.sources.get(mesh.name, []))
-    sizes = [Cell(f"{n:,}", n) for n in (mesh.vertices, sources)]
+    sizes = [Field(f"{n:,}", n) for n in (mesh.vertices, sources)]
     times = pairs.by_source(pairs.times(run, mesh.name, solver.name))
     if not times:
         return [*texts, failure(run, mesh.name, solver.name) or BLANK, *[BLANK] * 5, *sizes]
     time = median(times)
-    ratio = time_over(baseline(run, EDGE_BASED)).cell(run, mesh.name, solver.name)
-    measured = [our_cell(run, mesh.name, solver.name, m) for m in (ERROR, PROPAGATIONS, PEAK_BYTES)]
-    return [*texts, estimate_cell(time, four_digits(1e3 * time.value)), ratio, _over_dijkstra(entry), *measured, *sizes]
+    ratio = time_over(baseline(run, EDGE_BASED)).field(run, mesh.name, solver.name)
+    measured = [our_field(run, mesh.name, solver.name, m) for m in (ERROR, PROPAGATIONS, PEAK_BYTES)]
+    return [*texts, estimate_field(time, four_digits(1e3 * time.value)), ratio, _over_dijkstra(entry), *measured, *sizes]
 
 
-def _over_dijkstra(entry: Entry) -> Cell:
+def _over_dijkstra(entry: Entry) -> Field:
     """Short, with the interval where it is pointed at."""
     if DIJKSTRA not in entry.run.solvers:
         return BLANK
-    cell = time_over(DIJKSTRA).cell(entry.run, entry.mesh.name, entry.solver.name)
-    return replace(cell, text=cell.text.split(" [")[0], title=cell.text)
+    field = time_over(DIJKSTRA).field(entry.run, entry.mesh.name, entry.solver.name)
+    return replace(field, text=field.text.split(" [")[0], title=field.text)
 
 
 def results(name: str, title: str, of: Sequence[Entry], root: str) -> Table:
@@ -186,10 +186,10 @@ def runs_table(runs: Sequence[Shown]) -> Table:
         texts = [one.date, corpus, one.revision, ", ".join(one.run.processors), ours["compiler"]]
         rows.append(
             [
-                Cell(one.label, link=one.raw),
-                *(Cell(text) for text in texts),
-                *(Cell(f"{n:,}", n) for n in (len(one.run.meshes), len(one.run.solvers))),
-                *(Cell(f"{n:,}", n) for n in (outcomes.verified(one.run), failed)),
+                Field(one.label, link=one.raw),
+                *(Field(text) for text in texts),
+                *(Field(f"{n:,}", n) for n in (len(one.run.meshes), len(one.run.solvers))),
+                *(Field(f"{n:,}", n) for n in (outcomes.verified(one.run), failed)),
             ]
         )
     return Table(
@@ -238,9 +238,9 @@ def history_table(steps: Sequence[Step]) -> Table:
         text_columns=4,
         rows=[
             [
-                Cell(step.processor), Cell(step.shown.label, link=f"../{step.shown.raw}"),
-                Cell(step.shown.date), Cell(step.shown.revision), Cell(f"{step.shared:,}", step.shared),
-                interval_cell(step.ratio, "{:.3f}".format),
+                Field(step.processor), Field(step.shown.label, link=f"../{step.shown.raw}"),
+                Field(step.shown.date), Field(step.shown.revision), Field(f"{step.shared:,}", step.shared),
+                interval_field(step.ratio, "{:.3f}".format),
             ]
             for step in steps
         ],

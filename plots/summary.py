@@ -9,7 +9,7 @@ import numpy as np
 
 from plots.measures import (
     ABSENT, ERROR, PEAK_BYTES, PROPAGATIONS, TIME, columns, count, errors_of, failure, median_of,
-    our_cell, partial_failure, time_unit, with_promise,
+    our_field, partial_failure, time_unit, with_promise,
 )  # fmt: skip
 from plots.models import left_out, ordered_meshes, timed_elsewhere
 from plots.ratios import (
@@ -17,7 +17,7 @@ from plots.ratios import (
 )  # fmt: skip
 from results.pairs import Floats
 from results.reader import OK, Mesh, ResultError, Run
-from results.table import BLANK, Cell, Table, estimate_cell
+from results.table import BLANK, Field, Table, estimate_field
 
 ALL = "all meshes"
 QUANTILES = (0.05, 0.25, 0.5, 0.75, 0.95)
@@ -58,30 +58,30 @@ def overall(run: Run) -> Table:
     )  # fmt: skip
 
 
-def _name(run: Run, solver: str) -> Cell:
-    return Cell(with_promise(run.solvers[solver]), solver)
+def _name(run: Run, solver: str) -> Field:
+    return Field(with_promise(run.solvers[solver]), solver)
 
 
-def _ratios(run: Run, base: str, solver: str, of: Floats | None) -> list[Cell]:
+def _ratios(run: Run, base: str, solver: str, of: Floats | None) -> list[Field]:
     few = len(run.meshes) <= MANY
     if of is None:
-        return [BLANK, Cell("0", 0), *[BLANK] * (2 if few else len(QUANTILES))]
+        return [BLANK, Field("0", 0), *[BLANK] * (2 if few else len(QUANTILES))]
     ratio, value = time_over(base), mean(of)
     interval = over_meshes(ratio, run, list(run.meshes), solver) if few else None
-    first = Cell(plain(value), value)
+    first = Field(plain(value), value)
     if interval and solver != base:
-        first = estimate_cell(interval.estimate, ratio.interval(interval.estimate))
+        first = estimate_field(interval.estimate, ratio.interval(interval.estimate))
     spread = np.quantile(of, (0, 1) if few else QUANTILES)
-    return [first, Cell(f"{len(of):,}", len(of)), *(Cell(plain(v), float(v)) for v in spread)]
+    return [first, Field(f"{len(of):,}", len(of)), *(Field(plain(v), float(v)) for v in spread)]
 
 
-def _counts(run: Run, solver: str) -> list[Cell]:
+def _counts(run: Run, solver: str) -> list[Field]:
     cells = run.columns
     own, ok = cells.where("solver", solver), cells.where("outcome", OK)
     counts = (cells.cells(own & ok), cells.cells(own & ~ok))
     largest = max(errors_of(run, solver).tolist(), default=None)
-    error = BLANK if largest is None else Cell(ERROR.show(largest), largest)
-    return [*(Cell(f"{one:,}", one) for one in counts), error]
+    error = BLANK if largest is None else Field(ERROR.show(largest), largest)
+    return [*(Field(f"{one:,}", one) for one in counts), error]
 
 
 def by_mesh(run: Run) -> Table:
@@ -96,13 +96,13 @@ def by_mesh(run: Run) -> Table:
 
     solvers = sorted(columns(run), key=place)
     means = [_mean(of[s], len(run.meshes)) if s in of else BLANK for s in solvers[1:]]
-    rows = [[Cell(ALL), BLANK, BLANK, *means]] if len(run.meshes) > 1 else []
+    rows = [[Field(ALL), BLANK, BLANK, *means]] if len(run.meshes) > 1 else []
     for mesh in ordered_meshes(run):
         time = median_of(run, mesh.name, base, TIME)
-        own = Cell(_time(time.value), time.value) if time else _missing(run, mesh, base)
+        own = Field(_time(time.value), time.value) if time else _missing(run, mesh, base)
         rows.append([
-            Cell(mesh.label, mesh.name),
-            Cell(count(mesh.vertices), mesh.vertices),
+            Field(mesh.label, mesh.name),
+            Field(count(mesh.vertices), mesh.vertices),
             own,
             *(_ratio(run, mesh, time_over(base), solver) for solver in solvers[1:]),
         ])  # fmt: skip
@@ -116,32 +116,32 @@ def by_mesh(run: Run) -> Table:
     )
 
 
-def _mean(ratios: Floats, meshes: int) -> Cell:
+def _mean(ratios: Floats, meshes: int) -> Field:
     few = f" (on {len(ratios)})" if len(ratios) < meshes else ""
-    return Cell(number(mean(ratios)) + few, mean(ratios))
+    return Field(number(mean(ratios)) + few, mean(ratios))
 
 
 def _time(seconds: float) -> str:
     return time_unit([seconds]).text(seconds)
 
 
-def _missing(run: Run, mesh: Mesh, solver: str) -> Cell:
-    failed = failure(run, mesh.name, solver) or Cell(ABSENT)
+def _missing(run: Run, mesh: Mesh, solver: str) -> Field:
+    failed = failure(run, mesh.name, solver) or Field(ABSENT)
     declared = failed.text in ("unsupported", "skipped")
-    return Cell(ABSENT if declared else failed.text, title=failed.note)
+    return Field(ABSENT if declared else failed.text, title=failed.note)
 
 
-def _ratio(run: Run, mesh: Mesh, ratio: Ratio, solver: str) -> Cell:
+def _ratio(run: Run, mesh: Mesh, ratio: Ratio, solver: str) -> Field:
     time = median_of(run, mesh.name, solver, TIME)
     if time is None:
         return _missing(run, mesh, solver)
     shown, failed = _time(time.value), partial_failure(run, mesh.name, solver)
     estimate = ratio.mean(run, mesh.name, solver)
     if estimate is None:
-        return Cell(shown, title=failed)
+        return Field(shown, title=failed)
     words = [shown, f"ratio {ratio.interval(estimate)}", failed]
     return replace(
-        estimate_cell(estimate, number(estimate.value)), title="; ".join(filter(None, words))
+        estimate_field(estimate, number(estimate.value)), title="; ".join(filter(None, words))
     )
 
 
@@ -164,21 +164,21 @@ def every(run: Run) -> Table:
     )
 
 
-def _block(run: Run, mesh: Mesh, ratio: Ratio) -> list[list[Cell]]:
+def _block(run: Run, mesh: Mesh, ratio: Ratio) -> list[list[Field]]:
     solvers = columns(run)
     times = {s: time for s in solvers if (time := median_of(run, mesh.name, s, TIME))}
     unit = time_unit([time.value for time in times.values()])
-    rows: list[list[Cell]] = []
+    rows: list[list[Field]] = []
     for solver in sorted(solvers, key=lambda s: times[s].value if s in times else np.inf):
         failed = failure(run, mesh.name, solver)
         if failed or solver not in times:
-            cells = [failed or BLANK, BLANK, BLANK, BLANK, BLANK]
+            fields = [failed or BLANK, BLANK, BLANK, BLANK, BLANK]
         else:
             note = partial_failure(run, mesh.name, solver)
-            cells = [
-                estimate_cell(times[solver], unit.text(times[solver].value), note),
-                ratio.cell(run, mesh.name, solver),
-                *(our_cell(run, mesh.name, solver, m) for m in (PROPAGATIONS, PEAK_BYTES, ERROR)),
+            fields = [
+                estimate_field(times[solver], unit.text(times[solver].value), note),
+                ratio.field(run, mesh.name, solver),
+                *(our_field(run, mesh.name, solver, m) for m in (PROPAGATIONS, PEAK_BYTES, ERROR)),
             ]
-        rows.append([Cell("" if rows else mesh.name, mesh.label), _name(run, solver), *cells])
+        rows.append([Field("" if rows else mesh.name, mesh.label), _name(run, solver), *fields])
     return rows

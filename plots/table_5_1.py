@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from plots.measures import EDGE_BASED, Measure, count, our_cell
+from plots.measures import EDGE_BASED, Measure, count, our_field
 from plots.models import left_out, of_thesis, ordered_meshes, relation, titled
 from results import published
 from results.reader import Mesh, ResultError, Run
-from results.table import BLANK, Cell, Table, without_empty_columns
+from results.table import BLANK, Field, Table, without_empty_columns
 
 DEPTH = Measure("strip_depth", "log_b n", count, spread=True)
 BASE = Measure("strip_b", "b", lambda value: f"{value:.4f}", spread=True)
@@ -38,15 +38,15 @@ def table(run: Run) -> Table:
     ))  # fmt: skip
 
 
-def _row(run: Run, mesh: Mesh) -> list[Cell]:
-    ours = [our_cell(run, mesh.name, EDGE_BASED, measure) for measure in (DEPTH, BASE)]
-    size = Cell(count(mesh.vertices), mesh.vertices)
-    return [Cell(mesh.name), Cell(relation(mesh)), size, *ours, *_published(mesh.thesis_model)]
+def _row(run: Run, mesh: Mesh) -> list[Field]:
+    ours = [our_field(run, mesh.name, EDGE_BASED, measure) for measure in (DEPTH, BASE)]
+    size = Field(count(mesh.vertices), mesh.vertices)
+    return [Field(mesh.name), Field(relation(mesh)), size, *ours, *_published(mesh.thesis_model)]
 
 
-def _published(model: str | None) -> list[Cell]:
+def _published(model: str | None) -> list[Field]:
     if model is None:
         return [BLANK, BLANK, BLANK]
     row = published.table_5_1(model)
     n, depth, b = row["vertices"], row["log_b_n"], row["b"]
-    return [Cell(count(n), n), Cell(count(depth), depth), Cell(BASE.show(b), b)]
+    return [Field(count(n), n), Field(count(depth), depth), Field(BASE.show(b), b)]

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from plots.measures import (
     LIMIT, LIMIT_SOLVER, PROPAGATIONS, Measure, columns, count, limit_solver, measures_of,
-    our_cell, published_cell,
+    our_field, published_field,
 )  # fmt: skip
 from plots.models import left_out, of_thesis, ordered_meshes, relation, titled
 from results import published
 from results.reader import Mesh, Run
-from results.table import BLANK, Cell, Table, without_empty_columns
+from results.table import BLANK, Field, Table, without_empty_columns
 
 OURS = (
     "Ours: medians over sources and repetitions; times are CPU times of one solve without "
@@ -38,7 +38,7 @@ def table(run: Run) -> Table:
     ))  # fmt: skip
 
 
-def _block(run: Run, mesh: Mesh) -> list[list[Cell]]:
+def _block(run: Run, mesh: Mesh) -> list[list[Field]]:
     """All rows of one mesh, with its name and size down the first column."""
     rows = []
     for measure in measures_of(run, mesh):
@@ -48,23 +48,23 @@ def _block(run: Run, mesh: Mesh) -> list[list[Cell]]:
             rows.append(_published_row(run, mesh.thesis_model, measure, of))
     size = [f"V: {count(mesh.vertices)}", f"F: {count(mesh.faces)}"]
     labels = [line for line in [mesh.name, relation(mesh), *size] if line] + [""] * len(rows)
-    return [[Cell(label, mesh.label), *row] for label, row in zip(labels, rows, strict=False)]
+    return [[Field(label, mesh.label), *row] for label, row in zip(labels, rows, strict=False)]
 
 
-def _our_row(run: Run, mesh: str, measure: Measure) -> list[Cell]:
+def _our_row(run: Run, mesh: str, measure: Measure) -> list[Field]:
     limit = BLANK
     if measure is PROPAGATIONS and (solver := limit_solver(run, mesh)) in run.solvers:
-        limit = our_cell(run, mesh, solver, LIMIT)
-    cells = [our_cell(run, mesh, solver, measure) for solver in columns(run)]
-    return [Cell(measure.label, note=measure.note), *cells, limit]
+        limit = our_field(run, mesh, solver, LIMIT)
+    fields = [our_field(run, mesh, solver, measure) for solver in columns(run)]
+    return [Field(measure.label, note=measure.note), *fields, limit]
 
 
-def _published_row(run: Run, model: str, measure: Measure, of: str) -> list[Cell]:
+def _published_row(run: Run, model: str, measure: Measure, of: str) -> list[Field]:
     """@param of what the numbers were measured on, when that is not the mesh above"""
 
-    def cell(solver: str, what: Measure) -> Cell:
-        return published_cell(published.measure(model, str(what.published), solver), what)
+    def field(solver: str, what: Measure) -> Field:
+        return published_field(published.measure(model, str(what.published), solver), what)
 
-    limit = cell(LIMIT_SOLVER, LIMIT) if measure is PROPAGATIONS else BLANK
-    cells = [cell(solver, measure) for solver in columns(run)]
-    return [Cell(f"{measure.label}, published{of}"), *cells, limit]
+    limit = field(LIMIT_SOLVER, LIMIT) if measure is PROPAGATIONS else BLANK
+    fields = [field(solver, measure) for solver in columns(run)]
+    return [Field(f"{measure.label}, published{of}"), *fields, limit]

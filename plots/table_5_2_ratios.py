@@ -7,11 +7,11 @@ from statistics import geometric_mean
 
 from plots.measures import ABSENT, columns, failure
 from plots.models import groups_of_thesis, left_out, of_thesis, ordered_meshes
-from plots.ratios import BY_KEY, RATIOS, Ratio, mean_cell, over_meshes
+from plots.ratios import BY_KEY, RATIOS, Ratio, mean_field, over_meshes
 from results import published
 from results.published import Claim
 from results.reader import Mesh, Run
-from results.table import BLANK, Cell, Table
+from results.table import BLANK, Field, Table
 
 OURS = (
     "Ours: geometric means of ratios paired by source and repetition, with 95% bootstrap intervals "
@@ -39,28 +39,28 @@ def ratios(run: Run) -> Table:
     )
 
 
-def _our_row(run: Run, mesh: Mesh, ratio: Ratio) -> list[Cell]:
-    cells = [ratio.cell(run, mesh.name, solver) for solver in columns(run)]
-    return [Cell(ratio.label, note=ratio.note), Cell(mesh.label), Cell("ours"), *cells]
+def _our_row(run: Run, mesh: Mesh, ratio: Ratio) -> list[Field]:
+    fields = [ratio.field(run, mesh.name, solver) for solver in columns(run)]
+    return [Field(ratio.label, note=ratio.note), Field(mesh.label), Field("ours"), *fields]
 
 
-def _published_rows(run: Run, mesh: Mesh, ratio: Ratio) -> list[list[Cell]]:
+def _published_rows(run: Run, mesh: Mesh, ratio: Ratio) -> list[list[Field]]:
     """One, under the last of the meshes that are or stand for the model; none if not published."""
     if mesh.thesis_model is None:
         return []
     values = [ratio.published(mesh.thesis_model, solver) for solver in columns(run)]
     if all(value is None for value in values):
         return []
-    cells = [Cell(ABSENT) if v is None else Cell(ratio.show(v), v) for v in values]
+    fields = [Field(ABSENT) if v is None else Field(ratio.show(v), v) for v in values]
     source = "published, context only" if mesh.stand_in else "published"
-    return [[Cell(ratio.label, note=ratio.note), Cell(mesh.thesis_model), Cell(source), *cells]]
+    return [[Field(ratio.label, note=ratio.note), Field(mesh.thesis_model), Field(source), *fields]]
 
 
-def _mean_row(run: Run, ratio: Ratio) -> list[Cell]:
+def _mean_row(run: Run, ratio: Ratio) -> list[Field]:
     means = {s: over_meshes(ratio, run, list(run.meshes), s) for s in columns(run)}
-    cells = [mean_cell(ratio, mean, s) if mean else Cell(ABSENT) for s, mean in means.items()]
-    label = Cell(ratio.label, note=ratio.note)
-    return [label, Cell("all meshes"), Cell("ours, geometric mean"), *cells]
+    fields = [mean_field(ratio, mean, s) if mean else Field(ABSENT) for s, mean in means.items()]
+    label = Field(ratio.label, note=ratio.note)
+    return [label, Field("all meshes"), Field("ours, geometric mean"), *fields]
 
 
 def claims(run: Run) -> Table:
@@ -95,38 +95,38 @@ def claims(run: Run) -> Table:
     )  # fmt: skip
 
 
-def _claim_rows(run: Run, claim: Claim, groups: list[list[str]]) -> list[list[Cell]]:
+def _claim_rows(run: Run, claim: Claim, groups: list[list[str]]) -> list[list[Field]]:
     ratio = BY_KEY[claim.ratio]
-    rows: list[list[Cell]] = []
+    rows: list[list[Field]] = []
     for solver in [solver for solver in claim.solvers if solver in run.solvers]:
         words = f"{claim.claim} ({claim.where})"
         rows.append(
             [
-                Cell("" if rows else words, words),
-                Cell(ratio.label, note=ratio.note),
-                Cell(solver),
-                Cell(claim.value),
+                Field("" if rows else words, words),
+                Field(ratio.label, note=ratio.note),
+                Field(solver),
+                Field(claim.value),
                 _published_mean(ratio, solver),
-                *(cell for meshes in groups for cell in _our_mean(run, ratio, solver, meshes)),
+                *(field for meshes in groups for field in _our_mean(run, ratio, solver, meshes)),
             ]
         )
     return rows
 
 
-def _published_mean(ratio: Ratio, solver: str) -> Cell:
+def _published_mean(ratio: Ratio, solver: str) -> Field:
     values = [ratio.published(model, solver) for model in published.models()]
     known = [value for value in values if value is not None]
     if not known:
-        return Cell(ABSENT)
+        return Field(ABSENT)
     mean = geometric_mean(known)
-    return Cell(f"{ratio.show(mean)} ({ratio.range(min(known), max(known))})", mean)
+    return Field(f"{ratio.show(mean)} ({ratio.range(min(known), max(known))})", mean)
 
 
-def _our_mean(run: Run, ratio: Ratio, solver: str, meshes: list[str]) -> list[Cell]:
+def _our_mean(run: Run, ratio: Ratio, solver: str, meshes: list[str]) -> list[Field]:
     """And its range; or the solver's failure on the first mesh, or that there is no such mesh."""
     mean = over_meshes(ratio, run, meshes, solver)
     if mean is None:
-        failed = failure(run, meshes[0], solver) if meshes else Cell("no such mesh")
-        return [failed or Cell(ABSENT), BLANK]
+        failed = failure(run, meshes[0], solver) if meshes else Field("no such mesh")
+        return [failed or Field(ABSENT), BLANK]
     reach = ratio.range(mean.estimate.least, mean.estimate.most)
-    return [mean_cell(ratio, mean, solver), Cell(reach)]
+    return [mean_field(ratio, mean, solver), Field(reach)]

@@ -8,7 +8,7 @@ from plots.measures import ABSENT, columns
 from plots.models import titled
 from results import published
 from results.reader import Run, Solver
-from results.table import Cell, Table
+from results.table import Field, Table
 
 HEADER = [
     "Solver", "Family", "Distances", "Data structure", "Time", "Space", "Propagation",
@@ -31,32 +31,32 @@ def table(run: Run) -> Table:
     )
 
 
-def _row(solver: Solver) -> list[Cell]:
+def _row(solver: Solver) -> list[Field]:
     return [
-        Cell(solver.name, solver.name), Cell(solver.family), Cell(solver.promise),
-        *_published(solver.name), Cell(solver.paper), Cell(solver.remarks),
+        Field(solver.name, solver.name), Field(solver.family), Field(solver.promise),
+        *_published(solver.name), Field(solver.paper), Field(solver.remarks),
     ]  # fmt: skip
 
 
-def _published(name: str) -> list[Cell]:
+def _published(name: str) -> list[Field]:
     row = published.table_5_3().get(name)
     if row is None:
-        return [Cell(ABSENT)] * 5
+        return [Field(ABSENT)] * 5
     return [
-        Cell(row["data_structure"]),
+        Field(row["data_structure"]),
         _complexity(row["time_complexity"]),
         _complexity(row["space_complexity"]),
-        Cell(row["propagation"]),
+        Field(row["propagation"]),
         _yes_or_no(row["spatial_order"]),
     ]
 
 
-def _yes_or_no(value: bool) -> Cell:
-    return Cell("yes" if value else "no")
+def _yes_or_no(value: bool) -> Field:
+    return Field("yes" if value else "no")
 
 
-def _complexity(text: str) -> Cell:
+def _complexity(text: str) -> Field:
     """O(n^2 log n) is mathematics in LaTeX; any other text stays text."""
     if not re.fullmatch(r"O\([\w^+ ]+\)", text):
-        return Cell(text)
-    return Cell(text, latex=f"${text.replace('log', chr(92) + 'log')}$")
+        return Field(text)
+    return Field(text, latex=f"${text.replace('log', chr(92) + 'log')}$")

@@ -11,7 +11,7 @@ from plots.ratios import BY_KEY, Ratio
 from results import published
 from results.published import THESIS_SOLVERS
 from results.reader import Mesh, ResultError, Run
-from results.table import BLANK, Cell, Table, without_empty_columns
+from results.table import BLANK, Field, Table, without_empty_columns
 
 SPEED, WINDOWS = BY_KEY["speed-up"], BY_KEY["propagations over the limit"]
 
@@ -69,26 +69,26 @@ def table(run: Run) -> Table:
     ))  # fmt: skip
 
 
-def _rows(run: Run, group: str, meshes: list[Mesh]) -> list[list[Cell]]:
+def _rows(run: Run, group: str, meshes: list[Mesh]) -> list[list[Field]]:
     speed, windows = compare(run, meshes, SPEED), compare(run, meshes, WINDOWS)
-    rows: list[list[Cell]] = []
+    rows: list[list[Field]] = []
     for solver in [one for one in THESIS_SOLVERS if one in speed or one in windows]:
         fewest = min(pairs[solver].models for pairs in (speed, windows) if solver in pairs)
         note = f"{solver}: on {fewest} of {len(meshes)} models." if fewest < len(meshes) else ""
-        cells = [Cell("" if rows else group, group), Cell(solver, note=note)]
-        cells += _means(speed.get(solver))
+        fields = [Field("" if rows else group, group), Field(solver, note=note)]
+        fields += _means(speed.get(solver))
         for side in ("ours", "thesis"):
             order = sorted(speed, key=lambda one: float(getattr(speed[one], side)))
             place = order.index(solver) + 1 if solver in speed else None
-            cells.append(BLANK if place is None else Cell(str(place), place))
-        cells += _means(windows.get(solver))
+            fields.append(BLANK if place is None else Field(str(place), place))
+        fields += _means(windows.get(solver))
         change = windows[solver].ours / windows[solver].thesis - 1 if solver in windows else None
-        cells.append(BLANK if change is None else Cell(f"{change:+.1%}", change))
-        rows.append(cells)
+        fields.append(BLANK if change is None else Field(f"{change:+.1%}", change))
+        rows.append(fields)
     return rows
 
 
-def _means(pair: Pair | None) -> list[Cell]:
+def _means(pair: Pair | None) -> list[Field]:
     if pair is None:
         return [BLANK, BLANK]
-    return [Cell(f"{mean:.2f}", mean) for mean in (pair.ours, pair.thesis)]
+    return [Field(f"{mean:.2f}", mean) for mean in (pair.ours, pair.thesis)]

@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 from plots.measures import (
-    ABSENT, PROPAGATIONS, TIME, Measure, count, interval_cell, median_of,
+    ABSENT, PROPAGATIONS, TIME, Measure, count, interval_field, median_of,
 )  # fmt: skip
 from plots.models import ordered_meshes
-from plots.ratios import Ratio, mean_cell, number, over_meshes
+from plots.ratios import Ratio, mean_field, number, over_meshes
 from results.reader import ResultError, Run
-from results.table import BLANK, Cell, Table, estimate_cell
+from results.table import BLANK, Field, Table, estimate_field
 
 TWINS = [
     ("mmp", "libigl-exact"),
@@ -51,9 +51,9 @@ def overall(run: Run) -> Table:
         means = [over_meshes(ratio, run, list(run.meshes), twin) for ratio in (time, windows)]
         right = sum(bool(time.measured(run, mesh, twin)) for mesh in run.meshes)
         rows.append([
-            Cell(ours), Cell(twin),
-            *(interval_cell(m.estimate, number) if m else Cell(ABSENT) for m in means),
-            Cell(f"{right} of {len(run.meshes)}"),
+            Field(ours), Field(twin),
+            *(interval_field(m.estimate, number) if m else Field(ABSENT) for m in means),
+            Field(f"{right} of {len(run.meshes)}"),
         ])  # fmt: skip
     header = ["Ours", "Public code", "Time / ours", "Windows / ours", "Meshes on which both are right"]
     return replace(full, name="twins_overall", header=header, text_columns=2, rows=rows)
@@ -76,21 +76,21 @@ def _ratios(ours: str, twin: str) -> tuple[Ratio, Ratio]:
     return of(TIME), of(PROPAGATIONS)
 
 
-def _block(run: Run, ours: str, twin: str) -> list[list[Cell]]:
+def _block(run: Run, ours: str, twin: str) -> list[list[Field]]:
     time, windows = _ratios(ours, twin)
     rows = []
     for mesh in ordered_meshes(run):
         medians = [median_of(run, mesh.name, s, PROPAGATIONS) for s in (ours, twin)]
         rows.append([
-            Cell(mesh.name),
-            time.cell(run, mesh.name, twin),
-            *(estimate_cell(m, count(m.value)) if m else Cell(ABSENT) for m in medians),
-            windows.cell(run, mesh.name, twin) if all(medians) else Cell(ABSENT),
+            Field(mesh.name),
+            time.field(run, mesh.name, twin),
+            *(estimate_field(m, count(m.value)) if m else Field(ABSENT) for m in medians),
+            windows.field(run, mesh.name, twin) if all(medians) else Field(ABSENT),
         ])  # fmt: skip
     mean = over_meshes(time, run, list(run.meshes), twin)
     if mean and len(run.meshes) > 1:
-        rows.append([Cell(ALL), mean_cell(time, mean, twin), BLANK, BLANK, BLANK])
+        rows.append([Field(ALL), mean_field(time, mean, twin), BLANK, BLANK, BLANK])
     return [
-        [Cell("" if i else ours, f"{ours} {twin}"), Cell("" if i else twin), *row]
+        [Field("" if i else ours, f"{ours} {twin}"), Field("" if i else twin), *row]
         for i, row in enumerate(rows)
     ]

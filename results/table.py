@@ -16,7 +16,7 @@ from .statistics import Estimate
 
 
 @dataclass(frozen=True)
-class Cell:
+class Field:
     text: str
     """As printed; each format escapes it."""
     value: float | int | str | None = None
@@ -30,10 +30,10 @@ class Cell:
     link: str = ""
     """On a page: the address of what the text names."""
     title: str = ""
-    """On a page: shown while the cell is pointed at."""
+    """On a page: shown while the field is pointed at."""
 
 
-BLANK = Cell("")
+BLANK = Field("")
 
 
 def four_digits(value: float) -> str:
@@ -42,12 +42,12 @@ def four_digits(value: float) -> str:
     return f"{value:.{max(0, digits)}f}"
 
 
-def estimate_cell(estimate: Estimate, text: str, note: str = "") -> Cell:
-    return Cell(text, estimate.value, estimate.low, estimate.high, note)
+def estimate_field(estimate: Estimate, text: str, note: str = "") -> Field:
+    return Field(text, estimate.value, estimate.low, estimate.high, note)
 
 
-def text_cells(texts: Iterable[str]) -> list[Cell]:
-    return [Cell(text) for text in texts]
+def text_fields(texts: Iterable[str]) -> list[Field]:
+    return [Field(text) for text in texts]
 
 
 @dataclass(frozen=True)
@@ -60,25 +60,25 @@ class Table:
     """Empty for a title alone."""
     text_columns: int
     """How many columns from the left are texts; the others are numbers, aligned to the right."""
-    rows: list[list[Cell]]
+    rows: list[list[Field]]
     remarks: list[str] = field(default_factory=list)
     """Sentences under the table."""
 
     def notes(self) -> list[str]:
-        """The footnotes in the order in which their cells come."""
-        return list(dict.fromkeys(cell.note for row in self.rows for cell in row if cell.note))
+        """The footnotes in the order in which their fields come."""
+        return list(dict.fromkeys(field.note for row in self.rows for field in row if field.note))
 
     def has_titles(self) -> bool:
-        return any(cell.title for row in self.rows for cell in row)
+        return any(field.title for row in self.rows for field in row)
 
 
 def without_empty_columns(table: Table) -> Table:
-    """Without the columns in which no cell has a text."""
+    """Without the columns in which no field has a text."""
     return _with(table, [i for i in _columns(table) if any(row[i].text for row in table.rows)])
 
 
 def without_constant_columns(table: Table, kept: int) -> Table:
-    """Without the columns, apart from the first `kept`, in which all cells have one text; a remark says
+    """Without the columns, apart from the first `kept`, in which all fields have one text; a remark says
     them. A table of one row stays."""
     constant = {
         table.header[i]: table.rows[0][i].text
@@ -110,9 +110,9 @@ def mark(index: int) -> str:
 def to_markdown(table: Table) -> str:
     notes = table.notes()
 
-    def shown(cell: Cell) -> str:
-        text = escape_markdown(cell.text)
-        return f"{text} <sup>{mark(notes.index(cell.note))}</sup>" if cell.note else text
+    def shown(field: Field) -> str:
+        text = escape_markdown(field.text)
+        return f"{text} <sup>{mark(notes.index(field.note))}</sup>" if field.note else text
 
     lines = [f"## {escape_markdown(table.title)}", ""] if table.title else []
     if not table.header:
@@ -121,7 +121,7 @@ def to_markdown(table: Table) -> str:
     lines.append(
         _markdown_row([":--" if i < table.text_columns else "--:" for i in _columns(table)])
     )
-    lines += [_markdown_row([shown(cell) for cell in row]) for row in table.rows]
+    lines += [_markdown_row([shown(field) for field in row]) for row in table.rows]
     lines += ["", *(f"{escape_markdown(remark)}\n" for remark in table.remarks)]
     lines += [
         f"<sup>{mark(index)}</sup> {escape_markdown(note)}\n" for index, note in enumerate(notes)
@@ -133,10 +133,10 @@ def to_text(table: Table) -> str:
     """For a terminal: aligned columns, indented by two spaces under the title."""
     notes = table.notes()
 
-    def shown(cell: Cell) -> str:
-        return f"{cell.text} {mark(notes.index(cell.note))}" if cell.note else cell.text
+    def shown(field: Field) -> str:
+        return f"{field.text} {mark(notes.index(field.note))}" if field.note else field.text
 
-    rows = [table.header, *([shown(cell) for cell in row] for row in table.rows)]
+    rows = [table.header, *([shown(field) for field in row] for row in table.rows)]
     widths = [max(len(row[i]) for row in rows) for i in _columns(table)]
     lines = [table.title] if table.title else []
     for row in rows if table.header else []:
@@ -174,9 +174,9 @@ def to_csv(table: Table) -> str:
     writer.writerow([*header, "notes"])
     for row in table.rows:
         line: list[object] = []
-        for cell, interval in zip(row, with_interval, strict=True):
-            line.append(cell.text if cell.value is None else _number(cell.value))
-            line += [_number(cell.low), _number(cell.high)] if interval else []
+        for field, interval in zip(row, with_interval, strict=True):
+            line.append(field.text if field.value is None else _number(field.value))
+            line += [_number(field.low), _number(field.high)] if interval else []
         writer.writerow([*line, " ".join(dict.fromkeys(c.note for c in row if c.note))])
     return text.getvalue()
 
@@ -185,9 +185,9 @@ def to_latex(table: Table) -> str:
     """A longtable to be \\input; a rule separates rows whose first columns' values differ."""
     notes = table.notes()
 
-    def shown(cell: Cell) -> str:
-        text = escape_latex(cell.text) if cell.latex is None else cell.latex
-        return f"{text}\\textsuperscript{{{mark(notes.index(cell.note))}}}" if cell.note else text
+    def shown(field: Field) -> str:
+        text = escape_latex(field.text) if field.latex is None else field.latex
+        return f"{text}\\textsuperscript{{{mark(notes.index(field.note))}}}" if field.note else text
 
     lines = [
         r"% needs \usepackage{booktabs,longtable}",
@@ -213,7 +213,7 @@ def to_latex(table: Table) -> str:
 
 def to_tabular(table: Table) -> str:
     """The rows alone as a LaTeX tabular, to be put into a table of one's own."""
-    lines = [" & ".join(escape_latex(cell.text) for cell in row) + r" \\" for row in table.rows]
+    lines = [" & ".join(escape_latex(field.text) for field in row) + r" \\" for row in table.rows]
     return "\n".join([
         r"% needs \usepackage{booktabs}", rf"\begin{{tabular}}{{{_alignment(table)}}}", r"\toprule",
         _latex_head(table), r"\midrule", *lines, r"\bottomrule", r"\end{tabular}", "",
@@ -275,8 +275,8 @@ def escape_markdown(text: str) -> str:
     return re.sub(r"[\\|`*<$]", r"\\\g<0>", text)
 
 
-def _markdown_row(cells: list[str]) -> str:
-    return f"| {' | '.join(cells)} |"
+def _markdown_row(fields: list[str]) -> str:
+    return f"| {' | '.join(fields)} |"
 
 
 def _number(value: float | int | str | None) -> object:

@@ -90,7 +90,7 @@ TEST(Off, BinaryIsReadWithWhateverItsHeaderAnnounces) {
   for (const auto& [header, extras] :
        {std::pair{"NOFF", std::size_t{3}}, {"COFF", 4}, {"STOFF", 2}, {"STCNOFF", 9}}) {
     std::string bytes = binary_off(header + std::string(" BINARY\n"));
-    const std::size_t first = bytes.size() - 4 * (4 * 3 + 4 * 5) + 12;
+    const std::size_t first = bytes.size() - sizeof(float) * (4 * 3 + 4 * 5) + 12;
     for (std::size_t i = 4; i-- > 0;) bytes.insert(first + 12 * i, 4 * extras, '?');
     EXPECT_EQ(parse_mesh(bytes, "test.off").soup.positions, tetrahedron().positions) << header;
   }

@@ -12,7 +12,7 @@ import pytest
 from synthetic import Changed
 
 from plots.catalogue import draw
-from plots.measures import ERROR, TIME, our_cell
+from plots.measures import ERROR, TIME, our_field
 from plots.style import solver_styles
 from results.reader import SCHEMA, Run, read_run
 from results.table import FORMATS, Table
@@ -58,8 +58,8 @@ def test_a_wrong_answer_has_no_time_and_shows_its_error(changed: Changed) -> Non
                 row["max_relative_error"] = 0.017
 
     run = read_run(changed(make_wrong))
-    assert our_cell(run, "horse", "mmp", TIME).text == "wrong answer"
-    error = our_cell(run, "horse", "mmp", ERROR)
+    assert our_field(run, "horse", "mmp", TIME).text == "wrong answer"
+    error = our_field(run, "horse", "mmp", ERROR)
     assert error.text == "1.7e-02" and "wrong" in error.note
 
 

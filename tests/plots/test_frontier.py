@@ -17,7 +17,7 @@ from plots.drawing import Drawing
 from plots.frontier import COSTS, ERRORS, Point
 from results import published
 from results.reader import ResultError, Run, Solver
-from results.table import Cell, Table
+from results.table import Field, Table
 
 ONE, THOUSAND = "1 source", "each of 1,000 sources"
 LARGEST = ERRORS["largest relative error"]
@@ -174,7 +174,7 @@ def test_a_run_of_one_inexact_setting_is_no_frontier() -> None:
 # ---- which one to take
 
 
-def choices(table: Table) -> dict[float, list[Cell]]:
+def choices(table: Table) -> dict[float, list[Field]]:
     """By level: the solvers for 1, 10 and 1,000 sources."""
     return {float(str(line[2].value)): line[3::2] for line in table.rows}
 

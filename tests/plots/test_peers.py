@@ -13,7 +13,7 @@ from synthetic import Data, mesh, solver
 
 from plots import answers, break_even, peers_overview, robustness, twins
 from results.reader import Mesh, ResultError, Run, Skip
-from results.table import Cell, Table
+from results.table import Field, Table
 
 SOLVERS = {
     name: solver(name, exactness, error_bound=0.01)
@@ -38,7 +38,7 @@ def run_of(rows: list[Data], meshes: Mapping[str, Mesh] = MESHES) -> Run:
     return replace(run, meshes=dict(meshes), sources={name: [0, 1] for name in meshes})
 
 
-def cells(table: Table, **where: str) -> dict[str, Cell]:
+def cells(table: Table, **where: str) -> dict[str, Field]:
     """The first row with these texts, by the header."""
     for line in table.rows:
         named = dict(zip(table.header, line, strict=True))
@@ -47,7 +47,7 @@ def cells(table: Table, **where: str) -> dict[str, Cell]:
     raise AssertionError(f"no row with {where} in {table.name}")
 
 
-def of_solver(table: Table, solver: str) -> dict[str, Cell]:
+def of_solver(table: Table, solver: str) -> dict[str, Field]:
     return cells(table, Solver=solver)
 
 

@@ -14,7 +14,7 @@ from synthetic import Changed
 from plots import report
 from plots.catalogue import EVERYTHING
 from results.reader import Run
-from results.table import Cell, Table
+from results.table import Field, Table
 
 
 class Page(HTMLParser):
@@ -112,8 +112,8 @@ def test_the_same_run_gives_the_same_page(folder: Path) -> None:
 def test_cells_carry_the_number_they_are_sorted_by_and_their_footnote(golden_run: Run) -> None:
     table = Table(
         "t", "T", ["Model", "Time"], 1,
-        [[Cell("10 vertices", "horse"), Cell("1,234", 1234, note="why")],
-         [Cell("knot"), Cell("crashed")]],
+        [[Field("10 vertices", "horse"), Field("1,234", 1234, note="why")],
+         [Field("knot"), Field("crashed")]],
     )  # fmt: skip
     page = Page(report.page(golden_run, {"t": table}, {}, Path()))
     cells = [attributes for tag, attributes in page.tags if tag == "td"]

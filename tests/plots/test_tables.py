@@ -24,7 +24,7 @@ from results import published
 from results.console import ROOT
 from results.reader import ResultError, Run, read_run
 from results.table import (
-    BLANK, FORMATS, Cell, Table, mark, to_csv, to_latex, to_markdown, to_tabular, to_text,
+    BLANK, FORMATS, Field, Table, mark, to_csv, to_latex, to_markdown, to_tabular, to_text,
 )  # fmt: skip
 
 ROCKER_ARM = "rocker-arm (stand-in for rocker arm)"
@@ -39,7 +39,7 @@ def rows_of(table: Table, name: str) -> list[list[str]]:
     return [[c.text for c in row] for row in table.rows if name in (row[0].value, row[0].text)]
 
 
-def cell_of(table: Table, name: str, measure: str, column: str) -> Cell:
+def cell_of(table: Table, name: str, measure: str, column: str) -> Field:
     for row in table.rows:
         if row[0].value == name and row[1].text == measure:
             return row[table.header.index(column)]
@@ -227,10 +227,10 @@ def test_published_space_follows_the_rule_that_ours_follows() -> None:
 SMALL = Table(
     "small", "A small table", ["Name", "Value"], 1,
     [
-        [Cell("a_b & 50%", "a"), Cell("1.5 [1, 2]", 1.5, 1.0, 2.0, note="first")],
-        [Cell("", "a"), Cell("lost", note="second")],
-        [Cell("c|d", "c"), Cell("2", 2.0, note="first")],
-        [Cell("d", "d"), BLANK],
+        [Field("a_b & 50%", "a"), Field("1.5 [1, 2]", 1.5, 1.0, 2.0, note="first")],
+        [Field("", "a"), Field("lost", note="second")],
+        [Field("c|d", "c"), Field("2", 2.0, note="first")],
+        [Field("d", "d"), BLANK],
     ],
     ["A $ remark."],
 )  # fmt: skip
@@ -276,5 +276,5 @@ def test_a_table_without_a_title_has_no_heading() -> None:
 def test_markdown_and_latex_are_escaped_and_control_characters_shown() -> None:
     assert r"c\|d" in to_markdown(SMALL) and r"A \$ remark." in to_markdown(SMALL)
     assert r"a\_b \& 50\% & 1.5 [1, 2] \\" in to_tabular(SMALL)
-    odd = replace(SMALL, rows=[[Cell("\x1b[2J"), Cell("1")]])
+    odd = replace(SMALL, rows=[[Field("\x1b[2J"), Field("1")]])
     assert "\x1b" not in to_text(odd) and r"\x1b[2J" in to_text(odd)
