@@ -69,8 +69,8 @@ def published(run: Run, licences: Mapping[str, str]) -> str:
 def _without_folders(command: str, folders: set[str]) -> str:
     """Of each path its last name; `folders` gets the others."""
 
-    def name(found: re.Match[str]) -> str:
-        path = found[0]
+    def name(match: re.Match[str]) -> str:
+        path = match[0]
         if not path.startswith("/"):
             return path
         folders.add(f"{Path(path).parent}/")

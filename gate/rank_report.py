@@ -106,31 +106,31 @@ def _of_mesh(ranking: Ranking, run: Run, mesh: str) -> Table:
     return Table("", title, header, 1, rows)
 
 
-def _mesh_row(ranking: Ranking, one: Standing, mesh: str) -> list[str]:
+def _mesh_row(ranking: Ranking, standing: Standing, mesh: str) -> list[str]:
     measurements = ranking.measurements
-    failed = measurements.failure(one.solver, mesh)
+    failed = measurements.failure(standing.solver, mesh)
     if failed is not None:
-        return [one.solver, failed.outcome, *[NOTHING] * 6]
+        return [standing.solver, failed.outcome, *[NOTHING] * 6]
 
     def typical(key: str, unit: float, digits: int) -> str:
-        values = measurements.numbers(one.solver, mesh, key)
+        values = measurements.numbers(standing.solver, mesh, key)
         return f"{statistics.median(values) / unit:.{digits}f}" if values else NOTHING
 
-    times = [time for cell in measurements.of(one.solver, mesh) for time in cell.times]
-    on = one.on(mesh)
+    times = [time for cell in measurements.of(standing.solver, mesh) for time in cell.times]
+    on = standing.on(mesh)
     milliseconds = on.milliseconds if on else statistics.median(times)
     return [
-        one.solver, four_digits(milliseconds), *_ratios(on),
+        standing.solver, four_digits(milliseconds), *_ratios(on),
         typical(WINDOWS, 1, 0), typical(MEMORY, 1e6, 2),
-        _error(max(measurements.numbers(one.solver, mesh, ERROR), default=None)),
+        _error(max(measurements.numbers(standing.solver, mesh, ERROR), default=None)),
     ]  # fmt: skip
 
 
-def _ratios(on: OnMesh | None) -> list[str]:
-    if on is None:
+def _ratios(on_mesh: OnMesh | None) -> list[str]:
+    if on_mesh is None:
         return [NOTHING] * 3
-    spread = f"{_number(min(on.ratios))} to {_number(max(on.ratios))}"
-    return [_median(on.time), _interval(on.time), spread if len(on.ratios) > 1 else NOTHING]
+    spread = f"{_number(min(on_mesh.ratios))} to {_number(max(on_mesh.ratios))}"
+    return [_median(on_mesh.time), _interval(on_mesh.time), spread if len(on_mesh.ratios) > 1 else NOTHING]
 
 
 def summary(ranking: Ranking) -> str:
@@ -196,12 +196,12 @@ def as_json(ranking: Ranking) -> str:
     return json.dumps(data, indent=1) + "\n"
 
 
-def _standing(one: Standing) -> dict[str, Any]:
-    def mesh(on: OnMesh) -> dict[str, Any]:
-        return {"mesh": on.mesh, "time": _time(on.time), "least": min(on.ratios),
-                "most": max(on.ratios), "windows": on.windows, "memory": on.memory}  # fmt: skip
+def _standing(standing: Standing) -> dict[str, Any]:
+    def mesh(on_mesh: OnMesh) -> dict[str, Any]:
+        return {"mesh": on_mesh.mesh, "time": _time(on_mesh.time), "least": min(on_mesh.ratios),
+                "most": max(on_mesh.ratios), "windows": on_mesh.windows, "memory": on_mesh.memory}  # fmt: skip
 
-    return vars(one) | {"time": _time(one.time), "meshes": [mesh(on) for on in one.meshes]}
+    return vars(standing) | {"time": _time(standing.time), "meshes": [mesh(on) for on in standing.meshes]}
 
 
 def _time(time: Ratio | None) -> dict[str, Any] | None:

@@ -78,8 +78,8 @@ def _point(run: Run, mesh: Mesh, heat: str, exact: str) -> Point | None:
         for pair in sorted(pairs)
     }
 
-    def middle(of: list[dict[tuple[Source, int], float]]) -> tuple[float, float]:
-        heat_time, exact_time = (median(by_source(each)).value for each in of)
+    def middle(times: list[dict[tuple[Source, int], float]]) -> tuple[float, float]:
+        heat_time, exact_time = (median(by_source(each)).value for each in times)
         return heat_time, exact_time
 
     mean = errors(run, mesh.name, heat, "mean_relative_error")

@@ -110,9 +110,9 @@ def progress_and_sd(recording: Recording, solver: str) -> tuple[Floats, Floats]:
     return curve["reached"] / mesh.vertices, curve["sd"] / mesh.mean_edge_length
 
 
-def _solvers(run: Run, found: Sequence[Recording]) -> list[str]:
+def _solvers(run: Run, recorded: Sequence[Recording]) -> list[str]:
     """All that were recorded, in the order of the tables."""
-    return [solver for solver in columns(run) if any(solver in one.solvers for one in found)]
+    return [solver for solver in columns(run) if any(solver in one.solvers for one in recorded)]
 
 
 def _draw(

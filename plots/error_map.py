@@ -114,14 +114,14 @@ def _scale(maps: Sequence[Map]) -> LogNorm:
     return LogNorm(low, max(10 * low, *(float(one.sizes.max()) for one in maps)), clip=True)
 
 
-def _title(one: Map) -> str:
-    name = one.solver if len(one.solver) <= LONG else one.solver.replace("?", "\n?", 1)
-    errors = f"largest {ERROR.show(one.sizes.max())}, mean {ERROR.show(one.sizes.mean())}"
+def _title(error_map: Map) -> str:
+    name = error_map.solver if len(error_map.solver) <= LONG else error_map.solver.replace("?", "\n?", 1)
+    errors = f"largest {ERROR.show(error_map.sizes.max())}, mean {ERROR.show(error_map.sizes.mean())}"
     return f"{style.plain(name)}\n{errors}"
 
 
-def _nearer(one: Map, other: Map) -> bool:
-    far, farther = (abs(math.log(max(m.sizes.max(), 1e-17) / OF_INTEREST)) for m in (one, other))
+def _nearer(first: Map, other: Map) -> bool:
+    far, farther = (abs(math.log(max(m.sizes.max(), 1e-17) / OF_INTEREST)) for m in (first, other))
     return far < farther
 
 
@@ -146,15 +146,15 @@ def _draw(
     return draw_source(axes, buffer, recording)
 
 
-def _where(recording: Recording, one: Map) -> str:
+def _where(recording: Recording, error_map: Map) -> str:
     """The mean error near to the source and far from it, and how often distances are too short."""
-    reached = np.flatnonzero(np.isfinite(one.errors))
+    reached = np.flatnonzero(np.isfinite(error_map.errors))
     order = reached[np.argsort(recording.distances[reached], kind="stable")]
     part = max(1, len(order) // TENTH)
-    near, far = (float(np.abs(one.errors[of]).mean()) for of in (order[:part], order[-part:]))
-    short = 100 * np.count_nonzero(one.errors[reached] < -1e-12) / len(reached)
+    near, far = (float(np.abs(error_map.errors[of]).mean()) for of in (order[:part], order[-part:]))
+    short = 100 * np.count_nonzero(error_map.errors[reached] < -1e-12) / len(reached)
     return sentences(
-        f"{one.solver}: {ERROR.show(near)} in the mean over the tenth of the vertices nearest to "
+        f"{error_map.solver}: {ERROR.show(near)} in the mean over the tenth of the vertices nearest to "
         f"the source, {ERROR.show(far)} over the farthest"
         + (f", too short at {short:.3g}% of the vertices." if short else ", nowhere too short.")
     )

@@ -118,9 +118,9 @@ def figure(run: Run) -> Drawing:
     )
 
 
-def _draw(axes: Axes, mesh: Mesh, found: list[Split], unit: TimeUnit) -> None:
-    longest = unit.scale * max(one.time for one in found)
-    for place, one in enumerate(found):
+def _draw(axes: Axes, mesh: Mesh, splits: list[Split], unit: TimeUnit) -> None:
+    longest = unit.scale * max(one.time for one in splits)
+    for place, one in enumerate(splits):
         left = 0.0
         for (_, color, hatch), time in one.parts():
             width = unit.scale * time
@@ -131,8 +131,8 @@ def _draw(axes: Axes, mesh: Mesh, found: list[Split], unit: TimeUnit) -> None:
             left += width
         words = unit.text(one.time)
         axes.text(left + 0.01 * longest, place, words, va="center", fontsize=9)
-    axes.set_yticks(range(len(found)), [style.plain(one.solver) for one in found])
-    axes.set_ylim(len(found) - 0.45, -0.55)
+    axes.set_yticks(range(len(splits)), [style.plain(one.solver) for one in splits])
+    axes.set_ylim(len(splits) - 0.45, -0.55)
     axes.set_xlim(0, 1.14 * longest)
     axes.tick_params(axis="y", length=0)
     axes.grid(axis="x")

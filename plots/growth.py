@@ -147,13 +147,13 @@ def _row(solver: str, point: Point, smallest: Point, unit: TimeUnit) -> list[Fie
     ]
 
 
-def _exponents(of: Series) -> list[Field]:
-    numbers = [len(of.points), of.vertices[0], of.vertices[-1]]
-    windows = [point.windows for point in of.points]
-    laws = [power_law(of.vertices, what) for what in (of.times, windows)]
+def _exponents(series: Series) -> list[Field]:
+    numbers = [len(series.points), series.vertices[0], series.vertices[-1]]
+    windows = [point.windows for point in series.points]
+    laws = [power_law(series.vertices, what) for what in (series.times, windows)]
     return [
-        Field(of.solver),
-        Field(of.surface),
+        Field(series.solver),
+        Field(series.surface),
         *(Field(count(number), number) for number in numbers),
         *(Field(f"{law.exponent:.3f} [{law.low:.3f}, {law.high:.3f}]", law.exponent, law.low, law.high)
           for law in laws),

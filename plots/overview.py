@@ -84,14 +84,14 @@ def _means(run: Run, ratio: Ratio, solver: str) -> dict[str, float]:
     }
 
 
-def _mark(of: str, color: str) -> dict[str, object]:
-    small = KINDS[of] == "small"
+def _mark(kind_of_mesh: str, color: str) -> dict[str, object]:
+    small = KINDS[kind_of_mesh] == "small"
     return {
         "marker": "o",
         "linestyle": "",
         "color": color,
         "markersize": 2.5 if small else 5.5,
-        "markerfacecolor": "white" if KINDS[of] == "none" else color,
+        "markerfacecolor": "white" if KINDS[kind_of_mesh] == "none" else color,
     }
 
 

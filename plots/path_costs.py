@@ -45,8 +45,8 @@ class Paths:
         return min(paths * self.alone_time, self.first_time + (paths - 1) * self.further_time)
 
 
-OfMeshes = dict[str, dict[Source, Paths]]
-"""Of a solver, by mesh and source."""
+ByMesh = dict[str, dict[Source, Paths]]
+"""Of a solver, by source too."""
 
 
 def paths_of(row: Row) -> Paths | None:
@@ -57,9 +57,9 @@ def paths_of(row: Row) -> Paths | None:
     return Paths(**{key: value or 0 for key, value in found.items()})  # type: ignore[arg-type]
 
 
-def measured(run: Run) -> dict[str, OfMeshes]:
+def measured(run: Run) -> dict[str, ByMesh]:
     """By solver. @raises ResultError for a run without paths"""
-    by_solver: dict[str, OfMeshes] = {}
+    by_solver: dict[str, ByMesh] = {}
     for solver in columns(run):
         for mesh in run.meshes:
             found: dict[Source, Paths] = {}
@@ -73,23 +73,23 @@ def measured(run: Run) -> dict[str, OfMeshes]:
     return by_solver
 
 
-def base_of(run: Run, found: dict[str, OfMeshes]) -> str:
+def base_of(run: Run, by_solver: dict[str, ByMesh]) -> str:
     """What costs are compared with: the fastest exact solver of those with paths.
 
     @raises ResultError when there is none"""
-    base = fastest_exact(run, but=[solver for solver in columns(run) if solver not in found])
-    if base not in found or not run.solvers[base].exact:
+    base = fastest_exact(run, but=[solver for solver in columns(run) if solver not in by_solver])
+    if base not in by_solver or not run.solvers[base].exact:
         raise ResultError(f"{run.file}: no exact solver has paths")
     return base
 
 
-def over_base(of: OfMeshes, base: OfMeshes, paths: int) -> float | None:
+def over_base(own: ByMesh, base: ByMesh, paths: int) -> float | None:
     """Of the costs of so many paths: the geometric mean over meshes of the means over those sources
     that both have."""
     ratios = [
-        mean([of[mesh][source].cost(paths) / base[mesh][source].cost(paths) for source in both])
-        for mesh in of
-        if (both := [source for source in of[mesh] if source in base.get(mesh, ())])
+        mean([own[mesh][source].cost(paths) / base[mesh][source].cost(paths) for source in both])
+        for mesh in own
+        if (both := [source for source in own[mesh] if source in base.get(mesh, ())])
     ]
     return mean(ratios) if ratios else None
 
@@ -112,33 +112,33 @@ class Lengths:
         return percent(self.shortest) if self.shortest else "none"
 
 
-def _all(of: OfMeshes) -> list[Paths]:
-    return [paths for each in of.values() for paths in each.values()]
+def _all(costs: ByMesh) -> list[Paths]:
+    return [paths for each in costs.values() for paths in each.values()]
 
 
-def _lengths(of: list[Paths]) -> Lengths:
+def _lengths(many: list[Paths]) -> Lengths:
     targets, shortest, off_surface, failed = (
-        sum(getattr(paths, key) for paths in of)
+        sum(getattr(paths, key) for paths in many)
         for key in ("targets", "shortest", "off_surface", "failed")
     )
-    sound = [paths.targets - paths.off_surface - paths.failed for paths in of]
-    total = sum(s * paths.mean_excess for s, paths in zip(sound, of, strict=True))
+    sound = [paths.targets - paths.off_surface - paths.failed for paths in many]
+    total = sum(s * paths.mean_excess for s, paths in zip(sound, many, strict=True))
     return Lengths(
-        targets, total / max(1, sum(sound)), max(paths.max_excess for paths in of),
+        targets, total / max(1, sum(sound)), max(paths.max_excess for paths in many),
         shortest / max(1, targets), off_surface, failed,
     )  # fmt: skip
 
 
 def table(run: Run) -> Table:
     """Every solver over all meshes. @raises ResultError as base_of"""
-    found = measured(run)
-    base = base_of(run, found)
+    by_solver = measured(run)
+    base = base_of(run, by_solver)
     rows = []
-    for solver, of in found.items():
-        costs = [over_base(of, found[base], n) for n in COUNTS]
+    for solver, costs_of_solver in by_solver.items():
+        costs = [over_base(costs_of_solver, by_solver[base], n) for n in COUNTS]
         rows.append([
             Field(solver), *[BLANK if c is None else Field(number(c), c) for c in costs],
-            *_fields(_lengths(_all(of))),
+            *_fields(_lengths(_all(costs_of_solver))),
         ])  # fmt: skip
     return Table(
         name="path_costs",
@@ -162,28 +162,28 @@ REMARK = (
 )
 
 
-def _fields(of: Lengths) -> list[Field]:
-    lost = [Field(count(n), n) for n in (of.off_surface, of.failed)]
-    if of.off_surface + of.failed == of.targets:
+def _fields(lengths: Lengths) -> list[Field]:
+    lost = [Field(count(n), n) for n in (lengths.off_surface, lengths.failed)]
+    if lengths.off_surface + lengths.failed == lengths.targets:
         return [BLANK, BLANK, BLANK, *lost]
-    excess = [Field(ERROR.show(one), one) for one in (of.mean_excess, of.max_excess)]
-    return [*excess, Field(of.share, of.shortest), *lost]
+    excess = [Field(ERROR.show(one), one) for one in (lengths.mean_excess, lengths.max_excess)]
+    return [*excess, Field(lengths.share, lengths.shortest), *lost]
 
 
 def by_mesh(run: Run) -> Table:
     """Every solver on every mesh. @raises ResultError as measured"""
-    found = measured(run)
+    by_solver = measured(run)
     rows = []
     for mesh in run.meshes:
-        for solver in (solver for solver in found if mesh in found[solver]):
-            of = list(found[solver][mesh].values())
+        for solver in (solver for solver in by_solver if mesh in by_solver[solver]):
+            by_source = list(by_solver[solver][mesh].values())
             times = [
-                float(np.mean([getattr(paths, key) for paths in of]))
+                float(np.mean([getattr(paths, key) for paths in by_source]))
                 for key in ("alone_time", "first_time", "further_time")
             ]
             rows.append([
                 Field(run.meshes[mesh].label), Field(solver),
-                *[Field(f"{time:.3g}", time) for time in times], *_fields(_lengths(of)),
+                *[Field(f"{time:.3g}", time) for time in times], *_fields(_lengths(by_source)),
             ])  # fmt: skip
     return Table(
         name="path_numbers",
@@ -199,10 +199,10 @@ def by_mesh(run: Run) -> Table:
     )
 
 
-def break_even(of: OfMeshes, base: OfMeshes) -> int | None:
+def break_even(costs: ByMesh, base: ByMesh) -> int | None:
     """The least number of paths for which the base takes less time, if there is one up to MOST."""
     def dearer(paths: int) -> bool:
-        ratio = over_base(of, base, paths)
+        ratio = over_base(costs, base, paths)
         return ratio is not None and ratio > 1
 
     if dearer(1) or not dearer(MOST):
@@ -268,7 +268,7 @@ def figure(run: Run) -> Drawing:
 
 
 def _draw_costs(
-    axes: Axes, found: dict[str, OfMeshes], base: str, looks: dict[str, style.SolverStyle]
+    axes: Axes, found: dict[str, ByMesh], base: str, looks: dict[str, style.SolverStyle]
 ) -> None:  # fmt: skip
     numbers = np.unique(np.geomspace(1, MOST, 60).round().astype(int)).tolist()
     for solver, of in found.items():

@@ -40,18 +40,18 @@ def answers(run: Run) -> Answers:
                 if row.number("cpu_time") is not None and (seconds := first(row)) > 0:
                     error = row.number(ERROR.key) or 0.0
                     rows.setdefault(row.source, []).append((seconds, error))
-            for source, of in rows.items():
-                times, errors = zip(*of, strict=True)
+            for source, answered in rows.items():
+                times, errors = zip(*answered, strict=True)
                 found.setdefault(solver, {})[mesh, source] = (median(times), max(errors))
     return found
 
 
-def factors(of: Answers, level: float) -> tuple[dict[str, list[float]], int]:
+def factors(found: Answers, level: float) -> tuple[dict[str, list[float]], int]:
     """Of the answers that keep the level, by solver, in rising order: their times over those of
     the fastest one. And the number of questions that have such an answer."""
     kept = {
         solver: {question: seconds for question, (seconds, error) in by.items() if error <= level}
-        for solver, by in of.items()
+        for solver, by in found.items()
     }
     fastest: dict[Question, float] = {}
     for by in kept.values():

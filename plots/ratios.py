@@ -61,10 +61,10 @@ class Ratio:
         return paired(above, below)
 
     @staticmethod
-    def _solver(run: Run, mesh: str, of: str, measure: Measure, rival: str) -> str:
+    def _solver(run: Run, mesh: str, named: str, measure: Measure, rival: str) -> str:
         if measure is LIMIT:
             return limit_solver(run, mesh)
-        return rival if of == RIVAL else of
+        return rival if named == RIVAL else named
 
     def is_of(self, run: Run) -> bool:
         """Whether the run has the solvers that the ratio is about, or a value of it."""

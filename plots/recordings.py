@@ -225,9 +225,9 @@ def recordings(run: Run, *solvers: str) -> list[Recording]:
     return list(best.values())
 
 
-def _merit(one: Recording) -> tuple[bool, int, bool, int]:
-    of_thesis = sum(solver in one.solvers for solver in THESIS_SOLVERS)
-    mesh = one.mesh
+def _merit(recording: Recording) -> tuple[bool, int, bool, int]:
+    of_thesis = sum(solver in recording.solvers for solver in THESIS_SOLVERS)
+    mesh = recording.mesh
     return mesh.thesis_model is not None, of_thesis, not mesh.stand_in, mesh.vertices
 
 

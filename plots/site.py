@@ -117,9 +117,9 @@ def entries(runs: Sequence[Shown]) -> list[Entry]:
     return found
 
 
-def newest_first(of: Sequence[Entry]) -> list[Entry]:
-    runs = list(dict.fromkeys(entry.shown.name for entry in of))
-    return sorted(of, key=lambda entry: -runs.index(entry.shown.name))
+def newest_first(entries: Sequence[Entry]) -> list[Entry]:
+    runs = list(dict.fromkeys(entry.shown.name for entry in entries))
+    return sorted(entries, key=lambda entry: -runs.index(entry.shown.name))
 
 
 def mesh_page(mesh: Mesh) -> str:
@@ -161,10 +161,10 @@ def _over_dijkstra(entry: Entry) -> Field:
     return replace(field, text=field.text.split(" [")[0], title=field.text)
 
 
-def results(name: str, title: str, of: Sequence[Entry], root: str) -> Table:
+def results(name: str, title: str, entries: Sequence[Entry], root: str) -> Table:
     return without_constant_columns(Table(
         name=name, title=title, header=COLUMNS, text_columns=TEXTS,
-        rows=[row(entry, root) for entry in of],
+        rows=[row(entry, root) for entry in entries],
         remarks=[
             "CPU time of one solve without preparation, window propagations, measured peak memory of "
             "the solver: medians over sources and repetitions. The base of a run's ratios is "
@@ -211,11 +211,11 @@ class Step:
     ratio: Estimate
 
 
-def history(of: Sequence[Entry]) -> list[Step]:
-    """@param of one solver, the oldest run first"""
+def history(entries: Sequence[Entry]) -> list[Step]:
+    """@param entries of one solver, the oldest run first"""
     times: dict[str, dict[str, dict[tuple[str, Source], list[float]]]] = {}
-    runs = {entry.shown.name: entry.shown for entry in of}
-    for entry in of:
+    runs = {entry.shown.name: entry.shown for entry in entries}
+    for entry in entries:
         cells = times.setdefault(entry.processor, {}).setdefault(entry.shown.name, {})
         measured = pairs.times(entry.run, entry.mesh.name, entry.solver.name)
         for (source, _), time in measured.items():
@@ -394,10 +394,10 @@ def facts_of(solver: Solver) -> dict[str, object]:
     return {key: fact for key, fact in facts.items() if fact}
 
 
-def frontiers(of: Sequence[Entry]) -> dict[str, Drawing]:
+def frontiers(entries: Sequence[Entry]) -> dict[str, Drawing]:
     """Of one mesh, from the newest run that has a figure."""
-    for one in dict.fromkeys(entry.shown.name for entry in reversed(of)):
-        entry = next(entry for entry in of if entry.shown.name == one)
+    for newest in dict.fromkeys(entry.shown.name for entry in reversed(entries)):
+        entry = next(entry for entry in entries if entry.shown.name == newest)
         try:
             return frontier("frontier", entry.shown.run.of_meshes([entry.mesh.name]), entry.shown)
         except ResultError:
@@ -405,13 +405,13 @@ def frontiers(of: Sequence[Entry]) -> dict[str, Drawing]:
     return {}
 
 
-def frontier(name: str, run: Run, of: Shown) -> dict[str, Drawing]:
+def frontier(name: str, run: Run, shown: Shown) -> dict[str, Drawing]:
     """One a processor. @raises ResultError where the run lacks the data"""
     from plots import catalogue
 
     drawn, left_out = catalogue.draw(run, ["frontier"])
     found = {
-        f"{name}_{number}": replace(one, title=f"{one.title}; {of.label}")
+        f"{name}_{number}": replace(one, title=f"{one.title}; {shown.label}")
         for number, (part, one) in enumerate(drawn.items(), 1)
         if catalogue.OF not in part
     }

@@ -62,17 +62,17 @@ def _name(run: Run, solver: str) -> Field:
     return Field(with_promise(run.solvers[solver]), solver)
 
 
-def _ratios(run: Run, base: str, solver: str, of: Floats | None) -> list[Field]:
+def _ratios(run: Run, base: str, solver: str, ratios: Floats | None) -> list[Field]:
     few = len(run.meshes) <= MANY
-    if of is None:
+    if ratios is None:
         return [BLANK, Field("0", 0), *[BLANK] * (2 if few else len(QUANTILES))]
-    ratio, value = time_over(base), mean(of)
+    ratio, value = time_over(base), mean(ratios)
     interval = over_meshes(ratio, run, list(run.meshes), solver) if few else None
     first = Field(plain(value), value)
     if interval and solver != base:
         first = estimate_field(interval.estimate, ratio.interval(interval.estimate))
-    spread = np.quantile(of, (0, 1) if few else QUANTILES)
-    return [first, Field(f"{len(of):,}", len(of)), *(Field(plain(v), float(v)) for v in spread)]
+    spread = np.quantile(ratios, (0, 1) if few else QUANTILES)
+    return [first, Field(f"{len(ratios):,}", len(ratios)), *(Field(plain(v), float(v)) for v in spread)]
 
 
 def _counts(run: Run, solver: str) -> list[Field]:

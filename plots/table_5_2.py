@@ -44,8 +44,8 @@ def _block(run: Run, mesh: Mesh) -> list[list[Field]]:
     for measure in measures_of(run, mesh):
         rows.append(_our_row(run, mesh.name, measure))
         if mesh.thesis_model is not None and measure.published is not None:
-            of = f" for {mesh.thesis_model}" if mesh.stand_in else ""
-            rows.append(_published_row(run, mesh.thesis_model, measure, of))
+            for_model = f" for {mesh.thesis_model}" if mesh.stand_in else ""
+            rows.append(_published_row(run, mesh.thesis_model, measure, for_model))
     size = [f"V: {count(mesh.vertices)}", f"F: {count(mesh.faces)}"]
     labels = [line for line in [mesh.name, relation(mesh), *size] if line] + [""] * len(rows)
     return [[Field(label, mesh.label), *row] for label, row in zip(labels, rows, strict=False)]
@@ -59,12 +59,12 @@ def _our_row(run: Run, mesh: str, measure: Measure) -> list[Field]:
     return [Field(measure.label, note=measure.note), *fields, limit]
 
 
-def _published_row(run: Run, model: str, measure: Measure, of: str) -> list[Field]:
-    """@param of what the numbers were measured on, when that is not the mesh above"""
+def _published_row(run: Run, model: str, measure: Measure, for_model: str) -> list[Field]:
+    """@param for_model " for lucy" where the mesh above is a stand-in, or empty"""
 
     def field(solver: str, what: Measure) -> Field:
         return published_field(published.measure(model, str(what.published), solver), what)
 
     limit = field(LIMIT_SOLVER, LIMIT) if measure is PROPAGATIONS else BLANK
     fields = [field(solver, measure) for solver in columns(run)]
-    return [Field(f"{measure.label}, published{of}"), *fields, limit]
+    return [Field(f"{measure.label}, published{for_model}"), *fields, limit]

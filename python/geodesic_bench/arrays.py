@@ -168,11 +168,11 @@ def _integers(values: ArrayLike, what: str) -> NDArray[Any]:
     return array
 
 
-def _array(values: ArrayLike, what: str, of: str) -> NDArray[Any]:
+def _array(values: ArrayLike, what: str, kind: str) -> NDArray[Any]:
     try:
         return np.asarray(values)
     except (ValueError, TypeError):  # rows of different lengths
-        raise ValueError(f"{what} must be an array of {of}") from None
+        raise ValueError(f"{what} must be an array of {kind}") from None
 
 
 def _rows_of_three(array: NDArray[Any], what: str) -> NDArray[Any]:

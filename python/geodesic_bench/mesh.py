@@ -462,14 +462,14 @@ def solvers() -> dict[str, _native.Solver]:
     return {solver.name: solver for solver in _native.solvers()}
 
 
-def _configured(solver: str, parameters: dict[str, float | str], of: Callable[..., Any]) -> str:
+def _configured(solver: str, parameters: dict[str, float | str], method: Callable[..., Any]) -> str:
     """The solver's name with values of its parameters: "avtp?lambda=32".
 
-    @param of the method that was given them: a name that no parameter has may mean its argument"""
+    @param method the one that was given them: a name that no parameter has may mean its argument"""
     if not isinstance(solver, str):
         raise ValueError(f"solver must be a name of solvers(), not {solver!r}")
     if parameters and (known := solvers().get(solver.split("?")[0])):
-        names = [name for name in inspect.signature(of).parameters if name != "parameters"]
+        names = [name for name in inspect.signature(method).parameters if name != "parameters"]
         names += known.parameters
         for key in parameters.keys() - set(names):
             if (meant := OF_OTHER_PACKAGES.get(key)) in names:

@@ -7,7 +7,7 @@ from synthetic import changed_rows
 from test_figures import LONGER, PATHS, with_paths
 
 from plots import path_costs
-from plots.path_costs import OfMeshes, Paths
+from plots.path_costs import ByMesh, Paths
 from results.reader import ResultError, Run
 
 
@@ -22,15 +22,15 @@ def test_paths_cost_a_query_each_or_one_solve_for_all_as_takes_less() -> None:
 
 
 def test_costs_are_means_over_the_sources_that_both_have_and_then_over_meshes() -> None:
-    base: OfMeshes = {"m": {0: paths(), 5: paths()}, "n": {3: paths(), 4: paths(first=9, alone=9)}}
-    of: OfMeshes = {"m": {0: paths(first=2, alone=2), 5: paths(first=8, alone=8)},
+    base: ByMesh = {"m": {0: paths(), 5: paths()}, "n": {3: paths(), 4: paths(first=9, alone=9)}}
+    of: ByMesh = {"m": {0: paths(first=2, alone=2), 5: paths(first=8, alone=8)},
           "n": {3: paths(first=16, alone=16), 6: paths(first=99, alone=99)}, "o": {0: paths()}}
     assert path_costs.over_base(of, base, 1) == pytest.approx(8)
     assert path_costs.over_base({"o": {0: paths()}}, base, 1) is None
 
 
 def test_the_base_takes_less_time_from_a_number_of_paths_on() -> None:
-    base: OfMeshes = {"m": {0: paths(alone=100, first=100, further=0)}}
+    base: ByMesh = {"m": {0: paths(alone=100, first=100, further=0)}}
     assert path_costs.break_even({"m": {0: paths(alone=11, first=11, further=1)}}, base) == 91
     assert path_costs.break_even({"m": {0: paths(alone=11, first=11, further=0.001)}}, base) is None
     assert path_costs.break_even({"m": {0: paths(alone=200, first=200, further=9)}}, base) is None
