@@ -1,5 +1,5 @@
-"""What an answer costs: of every solver on every mesh the time of its first answer and of each
-further one, memory and errors."""
+"""Cost of answers: for every solver on every mesh the time of the first answer and of each further
+one, memory and errors."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from results.table import BLANK, Field, Table, estimate_field
 
 
 def errors(run: Run, mesh: str, solver: str, key: str) -> list[float]:
-    """Of right and wrong answers, one a row that has it."""
+    """Returns the error `key` of each row that has it, for right and wrong answers."""
     found = (row.number(key) for row in run.cell(mesh, solver))
     return [error for error in found if error is not None]
 
@@ -79,7 +79,7 @@ def _row(run: Run, mesh: str, solver: str, base: str) -> list[Field]:
 
 
 def _time(run: Run, mesh: str, solver: str, base: str, time: Time) -> list[Field]:
-    """The time, and its ratio to that of the base."""
+    """Returns the fields of the solver's time and of its ratio to the base's time."""
     estimate = median(by_source(times(run, mesh, solver, time)))
     shown = time_unit([estimate.value]).text(estimate.value)
     pairs = ratios(run, mesh, solver, base, time)

@@ -1,5 +1,5 @@
-"""From how many sources on a heat method, which factorises a matrix first, is faster than the exact
-solver; and what its answers are worth."""
+"""Number of sources from which a heat method, which first factorises a matrix, is faster than the
+exact solver; and the errors of its answers."""
 
 from __future__ import annotations
 
@@ -28,21 +28,21 @@ LEAST_MESHES = 2
 
 @dataclass(frozen=True)
 class Point:
-    """A heat method and the exact solver on one mesh; medians over sources and repetitions."""
+    """Medians over sources and repetitions of a heat method and the exact solver on one mesh."""
 
     mesh: Mesh
     preparations: tuple[float, float]
-    """Seconds, of the heat method and of the exact solver."""
+    """Times of the heat method and of the exact solver in seconds; so are `furthers`."""
     furthers: tuple[float, float]
     sources: Estimate
-    """From so many on the heat method takes less time in all; infinite where it never does."""
+    """Number of sources from which the heat method takes less total time; infinite if it never does."""
     mean_error: float
     largest_error: float
 
 
 def break_even(preparations: tuple[float, float], furthers: tuple[float, float]) -> float:
-    """The number of sources n with preparation + n times further the same for both; at least 0,
-    infinite when a further answer of the first takes longer than one of the second.
+    """Returns the number of sources n for which preparation + n * further is equal for both solvers:
+    at least 0, and infinite if a further answer of the heat method is not faster.
 
     @param preparations, furthers of the heat method and of the exact solver, in one unit"""
     saved = furthers[1] - furthers[0]
@@ -50,9 +50,8 @@ def break_even(preparations: tuple[float, float], furthers: tuple[float, float])
 
 
 def series(run: Run) -> tuple[str, dict[str, list[Point]]]:
-    """The exact solver, and by heat method the meshes that both have answered, by vertices.
-
-    @raises ResultError when no heat method has two such meshes"""
+    """Returns the exact solver and, by heat method, the points of the meshes that both solvers answered,
+    sorted by vertices. @raises ResultError if no heat method has two such meshes"""
     exact = baseline(run, EDGE_BASED)
     meshes = sorted(run.meshes.values(), key=lambda mesh: mesh.vertices)
     heats = [solver for solver in columns(run) if run.solvers[solver].base.endswith("heat")]
@@ -98,7 +97,7 @@ def _over(sample: list[list[float]]) -> Estimate:
 
 
 def table(run: Run) -> Table:
-    """@raises ResultError as series does"""
+    """@raises ResultError for the reasons of series()"""
     exact, found = series(run)
     return Table(
         name="break_even_numbers",
@@ -144,7 +143,7 @@ def _sources(value: float) -> str:
 
 
 def figure(run: Run) -> Drawing:
-    """@raises ResultError as series does"""
+    """@raises ResultError for the reasons of series()"""
     exact, found = series(run)
     styles = style.solver_styles(run.solvers)
     picture = style.new_figure(3.4)
@@ -153,7 +152,7 @@ def figure(run: Run) -> Drawing:
     for heat, points in found.items():
         look = styles[heat]
         line = {"color": look.color, "marker": look.marker, "markersize": 4.5}
-        # What lies between meshes of different surfaces is not known.
+        # No line joins meshes of different surfaces: values between them are not known.
         joined = look.line if len(surfaces) == 1 else ""
         _draw_sources(left, points, line, joined)
         for key, fill, dashes in [("mean_error", look.color, joined),
@@ -164,7 +163,7 @@ def figure(run: Run) -> Drawing:
     shown = [p.sources.value for points in found.values() for p in points]
     finite = [value for value in shown if 0 < value < math.inf]
     if finite:
-        left.set_ylim(min([0.9, *finite]) / 1.1, 2 * max(finite))  # one source is always in sight
+        left.set_ylim(min([0.9, *finite]) / 1.1, 2 * max(finite))  # the axis always contains one source
     for axes, label in [(left, f"break-even with {style.plain(exact)} (sources)"),
                         (right, "relative error")]:  # fmt: skip
         axes.set_xlabel("vertices $n$")
@@ -206,7 +205,7 @@ def _draw_sources(axes: Axes, points: list[Point], line: dict[str, object], dash
 
 
 def _sentence(heat: str, exact: str, points: list[Point]) -> str:
-    """What the first and the last mesh show."""
+    """Returns a sentence on the break-even on the smallest and on the largest mesh."""
     words = [
         f"{_many(point.sources.value)} at {count(point.mesh.vertices)} vertices"
         for point in (points[0], points[-1])

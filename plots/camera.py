@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 
 MARGIN = 0.02
-"""Of a picture's larger side, left free around the model."""
+"""Share of a picture's larger side that is left free around the model."""
 
 
 @dataclass(frozen=True)
@@ -21,16 +21,16 @@ class Camera:
     axes: Floats
     """Three unit vectors as rows: right, up, towards the viewer."""
     center: tuple[float, float]
-    """Of the picture, in camera coordinates."""
+    """Centre of the picture in camera coordinates."""
     width: float
     height: float
-    """Of the picture, in the mesh's unit of length."""
+    """Width and height of the picture in the mesh's unit of length."""
 
     def project(self, points: Floats) -> Floats:
         return points @ self.axes.T
 
     def of_shape(self, height: float) -> Camera:
-        """The same camera on a larger picture whose height over width is `height`."""
+        """Returns this camera with a picture enlarged so that its height over its width is `height`."""
         width = max(self.width, self.height / height)
         return replace(self, width=width, height=height * width)
 
@@ -42,7 +42,7 @@ class Camera:
 
 
 def looking(up: int, azimuth: float, elevation: float) -> Floats:
-    """The axes of a camera `azimuth` degrees around the axis `up` (0 is x, 1 y, 2 z) and
+    """Returns the axes of a camera `azimuth` degrees around the axis `up` (0 is x, 1 y, 2 z) and
     `elevation` degrees, less than 90, above the horizon."""
     turn, rise = np.radians([azimuth, elevation])
     upwards, north, east = np.roll(np.eye(3), -up, axis=0)
@@ -54,7 +54,7 @@ def looking(up: int, azimuth: float, elevation: float) -> Floats:
 
 
 def framing(axes: Floats, points: Floats) -> Camera:
-    """The camera that shows all the points."""
+    """Returns the camera with these axes whose picture contains all points."""
     flat = points @ axes[:2].T
     low, high = flat.min(axis=0), flat.max(axis=0)
     middle, size = (low + high) / 2, high - low
@@ -63,6 +63,6 @@ def framing(axes: Floats, points: Floats) -> Camera:
 
 
 def close_up(axes: Floats, point: Floats, width: float) -> Camera:
-    """A square around a point."""
+    """Returns a camera whose picture is a square around a point."""
     x, y, _ = axes @ point
     return Camera(axes, (float(x), float(y)), width, width)

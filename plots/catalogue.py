@@ -1,4 +1,4 @@
-"""The list of all tables and figures, and drawing them from a run."""
+"""All tables and figures by name, and the functions that draw them from a run."""
 
 from __future__ import annotations
 
@@ -68,13 +68,12 @@ FIGURES: dict[str, Callable[[Run], Drawing]] = {
     "error_map": error_map.figure,
     **{name: wavefronts.appendix(name) for name in wavefronts.APPENDIX},
 }
-"""In the order in which the report shows them; the functions raise ResultError when the run lacks
-the data."""
+"""Figures in the order of the report. A function raises ResultError if the run lacks the data."""
 
 BY_MESH = {"frontier"}
-"""Those that are drawn for each mesh of a run of several, too."""
+"""Figures that are also drawn for each mesh of a run with several meshes."""
 OF = "_of_"
-"""Between a name and that of one of several meshes, as in the name of a file."""
+"""Separates a figure's name from the name of a mesh, also in file names."""
 
 EVERYTHING: dict[str, Callable[[Run], Table | Drawing]] = {**TABLES, **FIGURES}
 NEUTRAL = {
@@ -84,24 +83,24 @@ NEUTRAL = {
     "figure_5_10_curve": "wavefront_quality_over_progress", "figure_6_4": "isolines",
     **{name: f"wavefront_{solver.replace('-', '_')}" for name, solver in wavefronts.APPENDIX.items()},
 }  # fmt: skip
-"""What is called by its number in the thesis, in a run without a mesh of the thesis."""
+"""Names for a run without a mesh of the thesis, by the names that contain a number of the thesis."""
 NUMBERED = {neutral: name for name, neutral in NEUTRAL.items()}
 WITH_SECONDS = {
     "summary_by_mesh", "every_solver", "table_thesis", "table_5_2", "table_growth",
     "table_growth_exponents", "answers", "break_even_numbers", "figure_5_9", "time_over_vertices",
     "break_even", "frontier", "which_to_take", "which_to_take_mean", "path_numbers",
 }  # fmt: skip
-"""Those that show times. Of a run on several processors they are drawn for each processor by itself;
-the others show counts, errors, and ratios of times that one processor measured on one source."""
+"""Tables and figures that show times. In a run on several processors, each processor has its own. The
+others show counts, errors, and ratios of times that one processor measured on one source."""
 ON = "_on_processor_"
-"""Between a name and the number, from 1, of one of several processors."""
+"""Separates a name from the number, from 1, of one of several processors."""
 
 
 OF_SETS = {
     "summary", "accuracy", "many_sources", "many_sources_errors", "many_sources_numbers", "robustness", "robustness_counts",
     "robustness_failures",
 }  # fmt: skip
-"""Those that show sets of sources; the others show single vertices, where the run has any."""
+"""Tables and figures that show sets of sources. The others show single vertices, if the run has any."""
 
 OF_MANY: dict[str, Callable[[Run], Table | Drawing]] = {
     "summary": summary.overall,
@@ -109,12 +108,12 @@ OF_MANY: dict[str, Callable[[Run], Table | Drawing]] = {
     "overview": many.overview,
     "time_over_vertices": many.over_vertices,
 }
-"""What is drawn, in place of EVERYTHING, of a run of more than `MANY` meshes."""
+"""Tables and figures that replace EVERYTHING for a run of more than `MANY` meshes."""
 OF_MANY_WITH_SECONDS = {"time_over_vertices"}
 
 
 def base_name(name: str) -> str:
-    """As in EVERYTHING, or NEUTRAL."""
+    """Returns the name in EVERYTHING or NEUTRAL, without processor and mesh."""
     return name.split(ON)[0].split(OF)[0]
 
 
@@ -124,7 +123,7 @@ def _neutral(name: str) -> str:
 
 
 def _parts(run: Run, name: str) -> dict[str, tuple[Run, str]]:
-    """What is drawn of a name: by its name the run to draw, and what to add to the title."""
+    """Returns the drawings of a name: by full name, the run to draw and the text to append to the title."""
     parts = {name: run}
     if name in BY_MESH and len(run.meshes) > 1:
         parts |= {f"{name}{OF}{quote(m, safe='')}": run.of_meshes([m]) for m in run.meshes}
@@ -141,10 +140,10 @@ def _parts(run: Run, name: str) -> dict[str, tuple[Run, str]]:
 
 
 def draw(run: Run, names: Sequence[str] = ()) -> tuple[dict[str, Table | Drawing], dict[str, str]]:
-    """What the run has the data for; and why not, of what it has not. Both by name, which of a
-    figure for one of the meshes is "frontier_of_horse".
+    """Returns the tables and figures for which the run has the data, and the reasons for those left out.
+    Both are by name; a figure of one mesh has a name like "frontier_of_horse".
 
-    @param names of EVERYTHING, or as NEUTRAL calls them; empty: all of it
+    @param names keys of EVERYTHING, or the names in NEUTRAL; empty: all
     @raises ResultError for a run of several programs"""
     if len(run.columns.texts.get("program", ())) > 1:
         raise ResultError(f"{run.file}: a run of several programs; the gate compares them")
@@ -181,7 +180,7 @@ def draw(run: Run, names: Sequence[str] = ()) -> tuple[dict[str, Table | Drawing
 
 
 def write(name: str, drawn: Table | Drawing, run_folder: Path, out: Path | None = None) -> None:
-    """Writes it in every format and prints the file's name."""
+    """Writes the table or figure in every format and prints the name of the first file."""
     if isinstance(drawn, Table):
         file, *others = table.write(drawn, out or run_folder / "tables")
     else:

@@ -1,5 +1,5 @@
-"""docs/results.md with its pictures, and tables of other pages, from the newest results of each
-corpus in results/contributed/: what the project says of itself was measured, and is written by
+"""Writes docs/results.md with its pictures, and the tables of other pages, from the newest results of
+each corpus in results/contributed/: what the project states about itself is measured. The command is
 
     /usr/bin/python3 -m plots.contributed
 """
@@ -29,7 +29,7 @@ from results.table import BLANK, Field, Table, estimate_field, to_markdown
 FOLDER = ROOT / "results" / "contributed"
 PAGE, README, PEERS = ROOT / "docs" / "results.md", ROOT / "README.md", ROOT / "docs" / "peers.md"
 RESULTS = {README: "docs/results.md", PEERS: "results.md"}
-"""The page of all results, as other pages link it."""
+"""Link to the page of all results, by the page that contains the link."""
 STANDARD, ROBUSTNESS, FRONTIER = "standard", "robustness", "frontier"
 SETS, PATHS = "source-sets", "paths"
 PICTURES: dict[str, list[str]] = {
@@ -42,10 +42,10 @@ PICTURES: dict[str, list[str]] = {
 """Figures by corpus, in the order of the page; each is docs/NAME.png."""
 TABLES: dict[str, Callable[[Run], Table]] = {PATHS: path_costs.table, ROBUSTNESS: robustness.counts}
 WORDS: dict[str, Callable[[Run], list[str]]] = {PATHS: path_costs.sentences, ROBUSTNESS: lambda run: []}
-"""In place of the summary, and of its sentences."""
+"""Table and sentences that replace the summary and the headline, by corpus."""
 BASE = "edge-based"
 PERCENT = 1e-4
-"""An error from which on it is written in percent."""
+"""Least relative error that is written in percent."""
 SHOWN = {
     BASE: "this project",
     "vtp": "VTP, by its authors",
@@ -54,13 +54,13 @@ SHOWN = {
     "cgal": "CGAL",
     "gc-heat": "geometry-central, heat method",
 }
-"""Lines of README's table, and whose each is."""
+"""Solvers of README's table, with the name of the code."""
 MARK = "<!-- Made by /usr/bin/python3 -m plots.contributed: {} -->\n"
 END = "<!-- End -->"
 
 
 def newest() -> dict[str, Run]:
-    """By corpus. @raises ResultError"""
+    """Returns the newest run of each corpus. @raises ResultError if a corpus has no run"""
     runs = sorted((read_run(file) for file in FOLDER.glob("*.json")), key=lambda run: str(run.ours["started"]))
     found = {str(run.ours["corpus"]): run for run in runs}
     if lacking := [corpus for corpus in PICTURES if corpus not in found]:
@@ -69,7 +69,7 @@ def newest() -> dict[str, Run]:
 
 
 def beside_public_codes(standard: Run, hard: Run) -> Table:
-    """README's table: a line a code."""
+    """Returns README's table, with one row per code."""
     right = robustness.right(hard)
     return Table(
         name="beside_public_codes", title="", text_columns=2,
@@ -97,7 +97,7 @@ def _error(largest: float) -> str:
 
 
 def tables(runs: Mapping[str, Run]) -> dict[Path, list[tuple[Table, Run]]]:
-    """What stands between the marks of other pages, by its name, and the run that it is of."""
+    """Returns, by page, the tables between the marks of that page, each with its run."""
     standard, sets = runs[STANDARD], runs[SETS]
     return {
         README: [(beside_public_codes(standard, runs[ROBUSTNESS]), standard)],
@@ -106,7 +106,7 @@ def tables(runs: Mapping[str, Run]) -> dict[Path, list[tuple[Table, Run]]]:
 
 
 def with_tables(page: Path, made: Sequence[tuple[Table, Run]]) -> str:
-    """Its text with these tables. @raises ResultError without the marks of one"""
+    """Returns the page's text with these tables. @raises ResultError if the marks of one are missing"""
     text = page.read_text("utf-8")
     for table, run in made:
         mark = MARK.format(table.name)
@@ -120,7 +120,7 @@ def with_tables(page: Path, made: Sequence[tuple[Table, Run]]) -> str:
 
 
 def page(runs: Mapping[str, Run], captions: Mapping[str, tuple[str, str]]) -> str:
-    """docs/results.md.
+    """Returns the text of docs/results.md.
 
     @param captions title and caption of each figure"""
     parts = [
@@ -147,7 +147,7 @@ def _file(name: str) -> Path:
 
 
 def drawings(runs: Mapping[str, Run]) -> dict[str, Drawing]:
-    """The figures by name. @raises ResultError"""
+    """Returns the figures by name. @raises ResultError if a run lacks the data"""
     return {name: catalogue.FIGURES[name](runs[corpus]) for corpus, names in PICTURES.items() for name in names}
 
 

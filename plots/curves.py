@@ -1,4 +1,4 @@
-"""The wavefront over progress: Figure 5.8 (how many windows), and 5.10's curve (how far apart)."""
+"""The wavefront over progress: Figure 5.8 (number of windows) and the curve of 5.10 (their spread)."""
 
 from __future__ import annotations
 
@@ -20,19 +20,20 @@ from results.reader import Mesh, Run
 
 RIVAL = "fwp-mmp"
 SMOOTHEST = {"mmp", "ich"}
-"""By the thesis."""
+"""Solvers with the smoothest wavefronts according to the thesis."""
 MODELS = 2
 BETWEEN_MARKS = 8
-"""Samples; solvers have their marks at different ones, so that marks do not cover each other."""
+"""Samples from one mark of a curve to the next. Each solver starts at another sample, so that marks
+do not cover each other."""
 
 THICKEST, THINNEST = 2.6, 0.9
-"""Points: of the curve that is drawn first, and of the last; one under another shows beside it."""
+"""Widths of the first and the last curve in points. A curve is visible beside a thinner one above it."""
 
 Curve = Callable[[Recording, str], tuple[Floats, Floats]]
 
 
 def windows(run: Run) -> Drawing:
-    """Figure 5.8; without the thesis's two solvers only with all that were recorded.
+    """Draws Figure 5.8. Without the thesis's two solvers it has only the panels of all recorded solvers.
 
     @raises ResultError without recordings"""
     pair = [RIVAL, EDGE_BASED]
@@ -71,7 +72,7 @@ def windows(run: Run) -> Drawing:
 
 
 def spread(run: Run) -> Drawing:
-    """Figure 5.10 over progress. @raises ResultError without recordings"""
+    """Draws the quantity of Figure 5.10 over progress. @raises ResultError without recordings"""
     found = recordings(run)[:MODELS]
     figure = style.new_figure(3.2)
     panels = figure.subplots(1, len(found), squeeze=False)[0]
@@ -98,20 +99,20 @@ def title(mesh: Mesh) -> str:
 
 
 def levels_and_windows(recording: Recording, solver: str) -> tuple[Floats, Floats]:
-    """In the order of the levels, which are shares of the greatest distance."""
+    """Returns the levels, as rising shares of the greatest distance, and the numbers of windows."""
     curve = recording.curve(solver)
     order = np.argsort(curve["mean"], kind="stable")
     return curve["mean"][order] / recording.greatest, curve["windows"][order].astype(float)
 
 
 def progress_and_sd(recording: Recording, solver: str) -> tuple[Floats, Floats]:
-    """Shares of the vertices, mean edge lengths."""
+    """Returns the shares of vertices reached, and the standard deviations in mean edge lengths."""
     curve, mesh = recording.curve(solver), recording.mesh
     return curve["reached"] / mesh.vertices, curve["sd"] / mesh.mean_edge_length
 
 
 def _solvers(run: Run, recorded: Sequence[Recording]) -> list[str]:
-    """All that were recorded, in the order of the tables."""
+    """Returns all recorded solvers in the order of the tables."""
     return [solver for solver in columns(run) if any(solver in one.solvers for one in recorded)]
 
 
@@ -138,7 +139,7 @@ def _draw(
 
 
 def _legend(axes: Sequence[Axes]) -> None:
-    """One over the figure, of everything that the axes show."""
+    """Draws one legend above the figure for all lines of the axes."""
     known = {line.get_label(): line for one in reversed(axes) for line in one.lines}
     style.legend_above(axes[0].figure, list(known.values()))
 

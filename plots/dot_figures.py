@@ -25,7 +25,7 @@ SD = Measure("wavefront_sd_edges", "wavefront SD (mean edge lengths)", lambda va
 BOUND = 1e-12
 """Largest relative error of an exact solver on a clean mesh."""
 FLOOR = 1e-17
-"""Where distances without any error are drawn: a logarithmic axis has no 0."""
+"""Position of errors of 0: a logarithmic axis has no 0."""
 
 
 def speedup(run: Run) -> Drawing:
@@ -88,7 +88,7 @@ def estimates(
     published_of: Callable[[str, str], float | None] = lambda model, solver: None,
     left: float = 0,
 ) -> Drawing:
-    """The drawing of one estimate for each mesh and solver."""
+    """Draws one estimate for each mesh and solver."""
     solvers = measured_solvers(run)
     rows = mesh_rows(run, label, solvers, measured, published_of)
     figure = draw_rows(rows, label, styles_of(run), left=left)
@@ -98,7 +98,7 @@ def estimates(
 
 
 def windows_over_limit(run: Run) -> Drawing:
-    """@raises ResultError when no solver counts windows, or none keeps them all"""
+    """@raises ResultError if no solver counts window propagations, or none counts the window limit"""
     if not run.columns.has(LIMIT.key).any():
         raise ResultError(f"{run.file}: no solver of the MMP family, which counts the window limit")
 
@@ -123,7 +123,7 @@ def windows_over_limit(run: Run) -> Drawing:
 
 
 def wavefront_quality(run: Run) -> Drawing:
-    """Figure 5.10. @raises ResultError when no solver has its wavefront recorded"""
+    """Draws Figure 5.10. @raises ResultError if no solver's wavefront was recorded"""
 
     def measured(mesh: str, solver: str) -> list[Dot]:
         median = median_of(run, mesh, solver, SD)
@@ -139,11 +139,11 @@ def wavefront_quality(run: Run) -> Drawing:
 
 
 LEAST_ALIKE, ALIKE = 3, 1.01
-"""So many solvers, whose errors are within such a factor of one another."""
+"""Least number of solvers with equal errors, and largest factor between errors that count as equal."""
 
 
 def largest_errors(run: Run, mesh: str, solver: str) -> dict[bool, float]:
-    """By whether the reference is the truth: the largest error over sources and repetitions."""
+    """Returns the largest error over sources and repetitions, by whether the reference is the truth."""
     errors: dict[bool, float] = {}
     for row in run.cell(mesh, solver):
         if (error := row.number(ERROR.key)) is not None:
@@ -153,8 +153,8 @@ def largest_errors(run: Run, mesh: str, solver: str) -> dict[bool, float]:
 
 
 def of_the_reference(run: Run, solvers: Sequence[str]) -> dict[str, list[str]]:
-    """By reference, the meshes on which so many of the solvers differ from it by the same amount that
-    the difference is its own."""
+    """Returns, by reference, the meshes on which so many solvers differ from it by the same amount that
+    the difference is an error of the reference."""
     found: dict[str, list[str]] = {}
     for mesh in run.meshes:
         errors: dict[str, dict[str, float]] = {}
@@ -185,7 +185,7 @@ def accuracy(run: Run) -> Drawing:
     )
     axes = figure.axes[0]
     logarithmic(axes.xaxis)
-    # Errors beyond the bound are numbers at the right edge, clear of the line.
+    # Errors above the bound are numbers at the right edge; the axis leaves space between them and the line.
     wrong = any(dot.value > BOUND for row in rows for dots in row.dots.values() for dot in dots)
     axes.set_xlim(left=FLOOR / 2, right=max(axes.get_xlim()[1], (300 if wrong else 4) * BOUND))
     axes.axvline(BOUND, color=style.INK, linewidth=1, linestyle=(0, (4, 2)))

@@ -1,4 +1,4 @@
-"""Rows of dots: a row for each mesh or mean, and in it a dot for each solver with its interval."""
+"""Rows of dots: a row for each mesh or mean, with a dot and its interval for each solver."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ DOT_INCHES, NUMBER_INCHES = 0.07, 0.125
 ROW_INCHES, SPREAD = 0.36, 0.8
 """Least height of a row, and the share of it over which its solvers are spread."""
 WIDE = 20.0
-"""Values that differ by more need a logarithmic axis."""
+"""Values that differ by a larger factor need a logarithmic axis."""
 FEW = 3
-"""Number of meshes that a caption names; more are counted."""
+"""Largest number of meshes that a caption names; more are counted."""
 NEAR = 1.3
-"""A published mark less than this factor above a dot has the dot's number on its other side."""
+"""If a published value is less than this factor above a dot, the dot's number is right of its mark."""
 BEYOND = 2.5
-"""Values above this multiple of the largest of the thesis's solvers are written at the edge."""
+"""Values above this multiple of the largest value of the thesis's solvers are numbers at the edge."""
 AT_THE_EDGE = "A number with an arrow is a value far beyond the axis."
 
 
@@ -43,9 +43,9 @@ class Dot:
     high: float
     hollow: bool = False
     range: tuple[float, float] | None = None
-    """The range of what was measured, a thinner line than the interval."""
+    """Least and greatest measured value, drawn as a thinner line than the interval."""
     note: str = ""
-    """Beside the number."""
+    """Text after the number."""
 
     @staticmethod
     def of(estimate: Estimate, *, hollow: bool = False, note: str = "") -> Dot:
@@ -56,13 +56,13 @@ class Dot:
 class Row:
     label: str
     dots: Mapping[str, Sequence[Dot]]
-    """By solver."""
+    """Dots by solver."""
     published: Mapping[str, float] = field(default_factory=dict)
-    """By solver."""
+    """Published values by solver."""
     context: bool = False
-    """Of a stand-in: what is published is context only."""
+    """Whether the mesh is a stand-in, so that published values are context only."""
     mean: bool = False
-    """Not of one mesh; the first such row has a line above it."""
+    """Whether the row is a mean over meshes. The first such row has a line above it."""
 
 
 def two_lines(mesh: Mesh) -> str:
@@ -71,7 +71,7 @@ def two_lines(mesh: Mesh) -> str:
 
 
 def styles_of(run: Run) -> dict[str, SolverStyle]:
-    """In the order in which solvers are drawn."""
+    """Returns the styles of the solvers in the order in which they are drawn."""
     styles = style.solver_styles(run.solvers)
     return {solver: styles[solver] for solver in columns(run)}
 
@@ -83,11 +83,11 @@ def mesh_rows(
     measured: Callable[[str, str], Sequence[Dot]],
     published: Callable[[str, str], float | None] = lambda model, solver: None,
 ) -> list[Row]:
-    """A row for each mesh that has a dot.
+    """Returns a row for each mesh that has a dot.
 
-    @param measured by mesh and solver
-    @param published by the thesis's model and solver
-    @raises ResultError when there is not one dot"""
+    @param measured returns the dots of a mesh and a solver
+    @param published returns the value of a model of the thesis and a solver
+    @raises ResultError if there is no dot"""
     rows = []
     for mesh in ordered_meshes(run):
         dots = {s: found for s in solvers if (found := measured(mesh.name, s))}
@@ -111,13 +111,13 @@ def draw_rows(
     numbers: bool = False,
     in_sight: float = 0,
 ) -> Figure:
-    """@param rows at least one, with a dot in each
+    """@param rows at least one; each has a dot
     @param label of the axis
     @param styles in the order in which the solvers are drawn
     @param marks further entries of the legend
-    @param left where a linear axis begins, unless a value is below
+    @param left begin of a linear axis, unless a value is smaller
     @param numbers whether each value is written beside its dot
-    @param in_sight every value up to it is drawn in its place"""
+    @param in_sight every value up to this one is drawn on the axis and not at the edge"""
     drawn = [solver for solver in styles if any(solver in row.dots for row in rows)]
     pitch = NUMBER_INCHES if numbers else DOT_INCHES
     row_inches = max(ROW_INCHES * min(1, width / style.WIDTH * 1.05), pitch * (len(drawn) + 1))
@@ -163,8 +163,8 @@ def hollow_mark(label: str) -> Line2D:
 
 
 def _limit(rows: Sequence[Row]) -> float:
-    """The largest value that is drawn in its place: a solver that is not of the thesis and far
-    beyond its solvers would squeeze them together. Infinity when none of them is there."""
+    """Returns the largest value that is drawn on the axis; a far larger value of another solver would
+    squeeze the thesis's solvers together. Infinite without a solver of the thesis."""
     return reach({
         s: [dot.value for row in rows for dot in row.dots.get(s, [])] for s in THESIS_SOLVERS
     })  # fmt: skip
@@ -172,7 +172,7 @@ def _limit(rows: Sequence[Row]) -> float:
 
 def reach(values: Mapping[str, Sequence[float]]) -> float:
     """@param values by solver
-    @return the largest value that a figure of them has to show"""
+    @return the largest value that a figure shows on its axis; infinite without a solver of the thesis"""
     of_thesis = [value for s in THESIS_SOLVERS for value in values.get(s, [])]
     return BEYOND * max(of_thesis) if of_thesis else math.inf
 
@@ -208,7 +208,7 @@ def _solver_mark(solver: str, look: SolverStyle) -> Line2D:
 
 
 def _published_marks(contexts: set[bool]) -> list[Line2D]:
-    """Entries of the legend for the published numbers there are: of models, of stand-ins."""
+    """Returns legend entries for the published numbers of models and those beside stand-ins."""
     words = {False: "published", True: "published, a stand-in measured"}
     return [
         Line2D([], [], label=words[context], **style.published_mark(style.PALE, context=context))
@@ -217,7 +217,7 @@ def _published_marks(contexts: set[bool]) -> list[Line2D]:
 
 
 def _scale(axes: Axes, values: list[float], left: float) -> None:
-    """A horizontal axis for the values: logarithmic for wide ranges, else from `left` on."""
+    """Makes the horizontal axis logarithmic for a wide range of values; else it begins at `left`."""
     least = min((value for value in values if value > 0), default=0)
     if least and max(values) > WIDE * least:
         logarithmic(axes.xaxis)
@@ -226,7 +226,7 @@ def _scale(axes: Axes, values: list[float], left: float) -> None:
 
 
 def without_value(run: Run, solvers: Sequence[str]) -> str:
-    """A sentence about every cell that failed, by solver and outcome; empty when there is none."""
+    """Returns a sentence that lists the failed cells by solver and outcome; empty without any."""
     causes: dict[tuple[str, str], list[str]] = {}
     for mesh in ordered_meshes(run):
         for solver in solvers:

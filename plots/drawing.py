@@ -1,4 +1,4 @@
-"""A figure of a run: its picture, and in words what it shows; PDF to print, PNG for screens."""
+"""A figure of a run with its caption, as PDF for print and as PNG for screens."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where on the surface the error of each approximate solver sits."""
+"""Errors of each approximate solver on the surface of a mesh."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ from plots.wavefronts import SOURCE, draw_source
 from results.reader import ResultError, Run
 
 COLORS = colormaps["magma_r"]
-"""The darker the larger, also in grey."""
+"""Larger errors are darker, also in a grey print."""
 LEAST_SHOWN = 1e-6
 UNREACHED = (0.8, 0.84, 0.9)
 LINE_INCHES = 0.16
 LONG = 28
-"""Letters of a name that its panel is too narrow for in one line."""
+"""Largest number of letters of a name that has one line above its panel."""
 OF_INTEREST = 1e-2
-"""Of the settings of one solver the map shows the one whose largest error is nearest to this."""
+"""The map shows that setting of a solver whose largest error is nearest to this."""
 TENTH = 10
 
 
@@ -41,8 +41,8 @@ TENTH = 10
 class Map:
     solver: str
     errors: Floats
-    """Relative, by vertex, negative where a distance is too short; not a number where no path leads
-    or the distance is 0."""
+    """Relative errors by vertex, negative where a distance is too short; NaN at unreached vertices and
+    where the distance is 0."""
 
     @property
     def sizes(self) -> Floats:
@@ -51,7 +51,7 @@ class Map:
 
 
 def figure(run: Run) -> Drawing:
-    """@raises ResultError without recordings of inexact solvers beside an exact one"""
+    """@raises ResultError without recordings of both an exact and an inexact solver"""
     recording = next((one for one in recordings(run) if one.inexact), None)
     if recording is None:
         raise ResultError(
@@ -94,7 +94,7 @@ def figure(run: Run) -> Drawing:
 
 
 def _chosen(run: Run, recording: Recording) -> list[Map]:
-    """One a solver, in the order of the run's tables."""
+    """Returns one map per solver, in the order of the run's tables."""
     found: dict[str, Map] = {}
     for solver in (s for s in columns(run) if s in recording.inexact):
         one = Map(solver, _errors(recording, solver))
@@ -107,8 +107,8 @@ def _chosen(run: Run, recording: Recording) -> list[Map]:
 
 
 def _scale(maps: Sequence[Map]) -> LogNorm:
-    """One of all maps, so that they can be compared: from the decade of the least mean error to the
-    largest error. Smaller errors look like the smallest."""
+    """Returns one scale for all maps, so that they can be compared: from the decade of the least mean
+    error to the largest error. Smaller errors have the colour of its lower end."""
     least = max(min(float(one.sizes.mean()) for one in maps), LEAST_SHOWN)
     low = 10.0 ** math.floor(math.log10(least))
     return LogNorm(low, max(10 * low, *(float(one.sizes.max()) for one in maps)), clip=True)
@@ -136,7 +136,7 @@ def _errors(recording: Recording, solver: str) -> Floats:
 def _draw(
     axes: Axes, recording: Recording, one: Map, scale: LogNorm, camera: Camera, inches: float
 ) -> bool:
-    """Returns whether the source is seen."""
+    """Returns whether the source is visible."""
     colors = np.full((len(one.errors), 3), UNREACHED)
     known = np.isfinite(one.errors)
     colors[known] = COLORS(scale(np.abs(one.errors[known])))[:, :3]
@@ -147,7 +147,7 @@ def _draw(
 
 
 def _where(recording: Recording, error_map: Map) -> str:
-    """The mean error near to the source and far from it, and how often distances are too short."""
+    """Returns the mean errors near the source and far from it, and the share of too short distances."""
     reached = np.flatnonzero(np.isfinite(error_map.errors))
     order = reached[np.argsort(recording.distances[reached], kind="stable")]
     part = max(1, len(order) // TENTH)

@@ -22,10 +22,10 @@ PHASES = {
     "trimming": ("window trimming", "#F0E442", "////"),
     "queue": ("queue maintenance", "#CC79A7", "...."),
 }
-"""By the key in a row's `phase_seconds`: name, colour, hatch."""
+"""Name, colour and hatch of each phase, by its key in a row's `phase_seconds`."""
 ABSENT = "no phase times, or far beyond the others"
 APART = 0.1
-"""A bar whose phases together differ by more than this from the timed solve is not drawn."""
+"""A bar is not drawn if the sum of its phases differs by more than this share from the timed solve."""
 REST = ("rest", "white", "")
 OVERHEAD = "timer_overhead"
 
@@ -36,7 +36,7 @@ def phase_measure(key: str) -> Measure:
 
 @dataclass(frozen=True)
 class Split:
-    """Seconds of one solver on one mesh: of a timed solve, and of the phases of another."""
+    """Times of one solver on one mesh in seconds: of a timed solve, and of the phases of another solve."""
 
     solver: str
     time: float
@@ -45,12 +45,12 @@ class Split:
 
     @property
     def together(self) -> float:
-        """Of the phases, over the timed solve."""
+        """Sum of the phases over the time of the timed solve."""
         return sum(self.phases.values()) / self.time
 
     @property
     def overhead_share(self) -> float:
-        """Of the solve with timers."""
+        """Share of the timers in the solve with timers."""
         return self.overhead / (self.overhead + sum(self.phases.values()))
 
     def parts(self) -> list[tuple[tuple[str, str, str], float]]:
@@ -60,7 +60,7 @@ class Split:
 
 
 def split(run: Run, mesh: str, solver: str) -> Split | None:
-    """Medians over sources; None when the solver has no phase times on the mesh."""
+    """Returns medians over sources, or None if the solver has no phase times on the mesh."""
 
     def middle(measure: Measure) -> float | None:
         median = median_of(run, mesh, solver, measure)
@@ -75,7 +75,7 @@ def split(run: Run, mesh: str, solver: str) -> Split | None:
 
 
 def splits(run: Run, mesh: str) -> list[Split]:
-    """Those whose phases add up to the timed solve, but for those far beyond the thesis's."""
+    """Returns the splits whose phases add up to the timed solve, without those far slower than the thesis's."""
     splits_of = (split(run, mesh, solver) for solver in measured_solvers(run))
     found = [one for one in splits_of if one and abs(one.together - 1) <= APART]
     limit = reach({one.solver: [one.time] for one in found})
@@ -83,7 +83,7 @@ def splits(run: Run, mesh: str) -> list[Split]:
 
 
 def chosen_meshes(run: Run) -> list[Mesh]:
-    """The largest on which the most solvers have phase times, the thesis's models first."""
+    """Returns MODELS meshes: the thesis's models first, then by number of splits, then by size."""
 
     def merit(mesh: Mesh) -> tuple[bool, int, int]:
         return mesh.thesis_model is not None, len(splits(run, mesh.name)), mesh.vertices
@@ -93,7 +93,7 @@ def chosen_meshes(run: Run) -> list[Mesh]:
 
 
 def figure(run: Run) -> Drawing:
-    """@raises ResultError when there are no phase times"""
+    """@raises ResultError if there are no phase times"""
     chosen = chosen_meshes(run)
     if not chosen:
         raise ResultError(f"{run.file}: no verified cell has phase_seconds that add up to its time")

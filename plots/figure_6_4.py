@@ -20,10 +20,10 @@ from plots.wavefronts import SOURCE, draw_source
 from results.reader import Run
 
 THICK = 5
-"""Each line of this number is thick, as on a map."""
+"""A line whose number is a multiple of this is thick, as on a map."""
 COLORS = colormaps["viridis"]
 BRIGHTEST = 0.72
-"""Part of the colour map in use: brighter colours cannot be read on the surface."""
+"""Used share of the colour map: brighter colours are not legible on the surface."""
 
 
 def figure(run: Run) -> Drawing:

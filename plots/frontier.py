@@ -1,5 +1,5 @@
-"""The frontier: what accuracy costs. Time against error of every solver and setting, on each mesh
-and over all of them, and which one to take."""
+"""The frontier of time against error: figures of every solver and setting, on one mesh or over all
+meshes, and tables of the fastest solver for each error."""
 
 from __future__ import annotations
 
@@ -32,13 +32,13 @@ COSTS: dict[str, Time] = {
     "each of 1,000 sources": each_of(1000),
     "each further source": further,
 }
-"""The time of an answer: of the only one, of each of many, and of one more."""
+"""Times of an answer: of a single one, of each of many, and of a further one."""
 LEVELS = (0.0, 1e-4, 1e-3, 1e-2, 5e-2)
-"""Of the tables."""
+"""Errors in the tables."""
 SOURCES = (1, 10, 1000)
-"""Of the tables."""
+"""Numbers of sources in the tables."""
 LEAST_INEXACT = 2
-"""Solvers or settings: with fewer there is no frontier to see."""
+"""Least number of inexact solvers or settings that make a frontier."""
 ROW_INCHES = 1.62
 MOST_TICKS = 6
 FRONT = {"color": "#b8b8b8", "linewidth": 3.0, "solid_joinstyle": "miter", "zorder": 1}
@@ -53,10 +53,10 @@ class Point:
 
     solver: Solver
     costs: dict[str, Estimate]
-    """By COSTS."""
+    """Times, or ratios to the base's times, by the keys of COSTS."""
     largest: float
     mean: float
-    """Relative errors; 0 of exact solvers."""
+    """Largest and mean relative error; 0 for exact solvers."""
 
 
 @dataclass(frozen=True)
@@ -66,16 +66,16 @@ class Curve:
     label: str
     points: list[Point]
     joined: bool
-    """In the order of the one parameter that differs."""
+    """Whether a line joins the points, in the order of the only parameter that differs."""
 
 
 @dataclass(frozen=True)
 class PublishedPoint:
-    """Of a method that cannot be run here (results/published.py)."""
+    """A point of a method that cannot be run here (results/published.py)."""
 
     method: Method
     time: float
-    """Over the base: its published ratio to another solver, times that solver's measured one."""
+    """Ratio to the base's time: the published ratio to another solver, times that solver's measured ratio."""
 
 
 Error = Callable[[Point], float]
@@ -86,8 +86,8 @@ ERRORS: dict[str, Error] = {
 
 
 def measured(run: Run, mesh: str) -> list[Point]:
-    """What has a time on the mesh, and errors unless it is exact: medians over sources and
-    repetitions, the largest of the largest errors, and the median of the mean ones."""
+    """Returns the points of the solvers that have times on the mesh and, if inexact, errors. Times are medians
+    over sources and repetitions. Errors are the largest of the largest, and the median of the mean ones."""
     points = []
     for solver in columns(run):
         costs = {name: times(run, mesh, solver, cost) for name, cost in COSTS.items()}
@@ -109,8 +109,8 @@ def _errors(run: Run, mesh: str, solver: Solver) -> tuple[float, float] | None:
 
 
 def over_meshes(run: Run, meshes: Sequence[Mesh], base: str) -> list[Point]:
-    """Those that all the meshes have a point of: geometric means of the ratios to the base, paired
-    by source and repetition, the largest of the largest errors, and the mean of the mean ones."""
+    """Returns the points of the solvers measured on every mesh. Times are geometric means of ratios to the base,
+    paired by source and repetition. Errors are the largest of the largest, and the mean of the mean ones."""
     found = [{point.solver.name: point for point in measured(run, mesh.name)} for mesh in meshes]
     points = []
     for solver in (s for s in columns(run) if all(s in of for of in found)):
@@ -132,7 +132,7 @@ def over_meshes(run: Run, meshes: Sequence[Mesh], base: str) -> list[Point]:
 
 
 def front(points: Iterable[Point], cost: str, error: Error) -> list[Point]:
-    """Those than which no other is both as exact and faster, the most exact first."""
+    """Returns the points that have no other point as exact and faster, the most exact first."""
     kept: list[Point] = []
     for point in sorted(points, key=lambda p: (error(p), p.costs[cost].value)):
         if not kept or point.costs[cost].value < kept[-1].costs[cost].value:
@@ -141,7 +141,7 @@ def front(points: Iterable[Point], cost: str, error: Error) -> list[Point]:
 
 
 def curves(run: Run, points: Sequence[Point]) -> list[Curve]:
-    """In the order of the points."""
+    """Groups the points by solver, in the order of the points."""
     found = []
     for base in dict.fromkeys(point.solver.base for point in points):
         of = [point for point in points if point.solver.base == base]
@@ -166,14 +166,14 @@ def curves(run: Run, points: Sequence[Point]) -> list[Curve]:
 
 
 def _without(name: str, parameter: str) -> str:
-    """The solver's name without the value of a parameter."""
+    """Returns the solver's name without a parameter and its value."""
     base, _, values = name.partition("?")
     others = [each for each in values.split("&") if each and not each.startswith(f"{parameter}=")]
     return "?".join([base, "&".join(others)]) if others else base
 
 
 def published_points(points: Iterable[Point]) -> list[PublishedPoint]:
-    """Those beside a solver that has a point over the base."""
+    """Returns the points of the published methods whose solver for comparison has a point."""
     by_name = {point.solver.name: point.costs["1 source"].value for point in points}
     return [
         PublishedPoint(method, by_name[method.beside] * method.time_s / method.beside_time_s)
@@ -187,10 +187,10 @@ def bounded(solver: Solver) -> bool:
 
 
 def figure(run: Run) -> Drawing:
-    """Of a run of one mesh its times, of several the ratios over all of them.
+    """Draws the times of a run of one mesh, or the ratios over all meshes of a run of several.
 
-    @raises ResultError without two inexact solvers or settings that have a time, or of several
-            meshes without two on which all of these have one"""
+    @raises ResultError if fewer than two inexact solvers or settings have a time; in a run of several meshes
+            also if the base has times on fewer than two, or fewer than two solvers have times on all of these"""
     _require_inexact(run)
     return _of_one(run, *run.meshes.values()) if len(run.meshes) == 1 else _of_several(run)
 
@@ -348,7 +348,7 @@ def _panel(
 
 
 def _error_axis(axes: Axes, values: Sequence[float]) -> float:
-    """A logarithmic axis of errors with a place for 0 at its left, which is returned."""
+    """Makes a logarithmic axis of errors with a place for 0 at its left, and returns this place."""
     positive = [value for value in values if value > 0] or [1.0]
     least = math.floor(math.log10(min(positive)))
     most = max(math.ceil(math.log10(max(positive))), least + 1)
@@ -367,12 +367,12 @@ def _error_axis(axes: Axes, values: Sequence[float]) -> float:
 
 
 def which_to_take(run: Run) -> Table:
-    """By the largest error. @raises ResultError without two inexact solvers that have a time"""
+    """Returns the fastest solvers by largest error. @raises ResultError without two timed inexact solvers"""
     return _choices(run, "which_to_take", "largest")
 
 
 def which_to_take_mean(run: Run) -> Table:
-    """By the mean error. @raises ResultError as which_to_take does"""
+    """Returns the fastest solvers by mean error. @raises ResultError for the reasons of which_to_take()"""
     return _choices(run, "which_to_take_mean", "mean")
 
 
@@ -414,8 +414,8 @@ def _block(run: Run, mesh: Mesh, which: str) -> list[list[Field]]:
 def _choice(
     run: Run, mesh: str, keep: Sequence[Point], sources: int, level: float
 ) -> tuple[Field, Field]:
-    """The fastest and its time, with a footnote where it does not promise the level, or where
-    others may be as fast."""
+    """Returns the fastest solver and its time. A footnote says if the solver does not promise the level,
+    and which others may be as fast."""
     cost = each_of(sources)
     found = {p.solver.name: median(by_source(times(run, mesh, p.solver.name, cost))) for p in keep}
     if not found:
@@ -433,6 +433,6 @@ def _choice(
 
 
 def _as_fast(run: Run, mesh: str, rival: str, best: str, cost: Time) -> bool:
-    """Whether the interval of the ratio of their times reaches 1."""
+    """Returns whether the interval of the ratio of the two times reaches 1."""
     pairs = ratios(run, mesh, rival, best, cost)
     return bool(pairs) and geometric_mean([pairs]).low <= 1

@@ -1,7 +1,7 @@
-"""How time and windows grow with the number of vertices: per mesh, fitted exponents, and drawn.
+"""Growth of time and windows with the number of vertices: tables by mesh and of exponents, a figure.
 
-Fits are made where the meshes are a series: at least three sizes of one surface. Meshes of
-different surfaces differ in time at one size as well, and a line through them means little.
+Exponents are fitted to series of meshes: at least three sizes of one surface. Times on different
+surfaces differ even at the same size, so a line through them means little.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from results.table import Field, Table
 
 LEAST_MESHES = 3
 LEAST_SPAN = 4
-"""Of the largest mesh over the smallest, in vertices: less shows no growth."""
+"""Least ratio of the vertices of the largest and the smallest mesh: a smaller one shows no growth."""
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,7 @@ class Point:
 
 
 def surface(mesh: Mesh) -> str:
-    """The name up to its first number: meshes of one series are named alike, with their sizes."""
+    """Returns the name up to its first number. Names of meshes of one series differ in their size only."""
     return re.split(r"(?<=\D)\d", mesh.name)[0]
 
 
@@ -51,7 +51,7 @@ class Series:
     solver: str
     surface: str
     points: list[Point]
-    """By their vertices."""
+    """Sorted by vertices."""
 
     @property
     def vertices(self) -> list[int]:
@@ -63,9 +63,9 @@ class Series:
 
 
 def series(run: Run) -> list[Series]:
-    """Of each surface by solver, and only where they are long enough for a fit.
+    """Returns the series of each surface and solver that are long enough for a fit.
 
-    @raises ResultError when no solver has such a series"""
+    @raises ResultError if no solver has such a series"""
 
     def middle(mesh: str, solver: str, measure: Measure) -> float:
         median = median_of(run, mesh, solver, measure)
@@ -95,7 +95,7 @@ def series(run: Run) -> list[Series]:
 
 
 def table(run: Run) -> Table:
-    """@raises ResultError as series does"""
+    """@raises ResultError for the reasons of series()"""
     found = series(run)
     unit = time_unit([time for each in found for time in each.times])
     return Table(
@@ -118,7 +118,7 @@ def table(run: Run) -> Table:
 
 
 def exponents(run: Run) -> Table:
-    """@raises ResultError as series does"""
+    """@raises ResultError for the reasons of series()"""
     return Table(
         name="table_growth_exponents",
         title="Growth: fitted exponents",
@@ -161,7 +161,7 @@ def _exponents(series: Series) -> list[Field]:
 
 
 def figure(run: Run) -> Drawing:
-    """Time against vertices, both logarithmic, a panel a surface. @raises ResultError as series does"""
+    """Draws a panel of time against vertices per surface. @raises ResultError for the reasons of series()"""
     found = series(run)
     surfaces = list(dict.fromkeys(each.surface for each in found))
     styles = style.solver_styles(run.solvers)

@@ -1,4 +1,4 @@
-"""What a reader wants to know first: a few sentences, all computed from the run."""
+"""The main results of a run in a few sentences, all computed from the run."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from results.reader import CLOSED_FORM, OK, ResultError, Run
 from results.statistics import geometric_mean
 
 INEXACT = 2
-"""So many solvers that are not exact have a sentence, the fastest."""
+"""Largest number of inexact solvers that are named, the fastest first."""
 FEW = 4
-"""Meshes or solvers that are named; more are counted."""
+"""Largest number of meshes that a list names; the others are counted."""
 
 
 def sentences(run: Run) -> list[str]:
@@ -74,7 +74,7 @@ def _public(run: Run, base: str, ratios: dict[str, Floats]) -> str:
 
 
 def _resolved(run: Run, base: str, other: str) -> bool:
-    """Whether the interval of the ratio excludes 1; many meshes have none."""
+    """Returns whether the interval of the ratio excludes 1; True without an interval, as for many meshes."""
     if len(run.meshes) > MANY:
         return True
     found = over_meshes(time_over(base), run, list(run.meshes), other)
@@ -82,7 +82,7 @@ def _resolved(run: Run, base: str, other: str) -> bool:
 
 
 def _share(ratios: Floats) -> str:
-    """Of the base's time in that of a solver with these ratios."""
+    """Returns the base's time as a share or a multiple of the time of a solver with these ratios."""
     ratio = mean(ratios)
     return f"1/{_short(ratio)} of the time" if ratio >= 1 else f"{_short(1 / ratio)} times the time"
 
@@ -112,7 +112,7 @@ def _inexact(run: Run, base: str, ratios: dict[str, Floats]) -> str:
 
 
 def _prepared(run: Run, base: str, solver: str, ratio: float) -> str:
-    """The same of a first answer, where preparation makes a difference."""
+    """Returns the ratio of first answers in words; empty if preparation makes little difference."""
     if len(run.meshes) > MANY:
         return ""
     pairs = [ratios(run, mesh, solver, base, first) for mesh in run.meshes]
@@ -153,7 +153,7 @@ def _named(names: list[str]) -> str:
 
 
 def _thesis(run: Run) -> str:
-    """Of its own models where one is measured, else of stand-ins."""
+    """Compares the run with the thesis: on its own models if one is measured, else on stand-ins."""
     try:
         groups = groups_of_thesis(run)
     except ResultError:

@@ -1,7 +1,7 @@
-"""Isolines of the distance field: from the vertices' distances, straight across each face.
+"""Isolines of the distance field, from the vertices' distances: one straight segment per face.
 
-Between vertices the distance is taken to be linear. An isoline of the geodesic distance consists of
-arcs of circles and has corners where paths of two kinds meet: those are cut within the face.
+The distance is interpolated linearly between vertices. An exact isoline consists of arcs of circles
+and has corners where paths of two kinds meet; a segment cuts off the corners inside its face.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from plots.camera import Floats
 from plots.recordings import Recording
 
 STEPS = 40
-"""Equal ones of the greatest distance, with a level between every two."""
+"""Number of equal steps up to the greatest distance, with a level between every two steps."""
 
 
 def levels(recording: Recording) -> Floats:
@@ -20,7 +20,7 @@ def levels(recording: Recording) -> Floats:
 
 
 def isoline(recording: Recording, level: float) -> Floats:
-    """Segments (n, 2, 3): one in each face that the level crosses and whose corners are reached."""
+    """Returns segments (n, 2, 3), one in each face that the level crosses and whose corners are reached."""
     surface, distances = recording.surface, recording.distances
     values = distances[surface.faces]
     above = values >= level
@@ -39,5 +39,5 @@ def isoline(recording: Recording, level: float) -> Floats:
 
 
 def isolines(recording: Recording) -> list[Floats]:
-    """By level."""
+    """Returns the isolines of all levels."""
     return [isoline(recording, level) for level in levels(recording)]

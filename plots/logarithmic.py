@@ -1,4 +1,4 @@
-"""Logarithmic axes: as many ticks as there is room for, labelled with plain numbers."""
+"""Logarithmic axes with as many ticks as fit, labelled with plain numbers."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from matplotlib.ticker import (
 from plots import style
 
 NARROW = 4.0
-"""Between ends whose ratio is less, ticks have equal distances: 1, 2, 5 would be too few."""
+"""If the ratio of an axis's ends is smaller, its ticks have equal distances: 1, 2, 5 would be too few."""
 MOST = 6
-"""Of these."""
+"""Largest number of such ticks."""
 GAP = 9.0
-"""Points between two labels."""
+"""Least distance between two labels in points."""
 
 
 def logarithmic(*these: Axis) -> None:
@@ -32,7 +32,7 @@ def logarithmic(*these: Axis) -> None:
 
 
 def ratio_axis(axis: Axis) -> None:
-    """A logarithmic horizontal axis of ratios with a line at 1, which is always shown."""
+    """Makes a horizontal axis of ratios logarithmic, with a line at 1, which the axis always contains."""
     logarithmic(axis)
     axis.axes.autoscale(axis="x")
     low, high = axis.get_view_interval()
@@ -48,7 +48,7 @@ def _label(value: float) -> str:
 
 
 class RoomyLocator(Locator):  # type: ignore[misc]  # matplotlib has no types
-    """The most ticks whose labels do not touch."""
+    """Places the largest number of ticks whose labels do not touch."""
 
     def __call__(self) -> Sequence[float]:
         return self.tick_values(*sorted(self.axis.get_view_interval()))
@@ -70,7 +70,7 @@ class RoomyLocator(Locator):  # type: ignore[misc]  # matplotlib has no types
 
 
 def _choices(low: float, high: float) -> Iterator[Sequence[float]]:
-    """From many ticks to few."""
+    """Yields positions of ticks, from many ticks to few."""
     if high < NARROW * low:
         for most in range(MOST, 1, -1):
             yield MaxNLocator(most, steps=[1, 2, 5, 10]).tick_values(low, high)
@@ -82,6 +82,6 @@ def _choices(low: float, high: float) -> Iterator[Sequence[float]]:
 
 @cache
 def _size(text: str) -> tuple[float, float]:
-    """In points, as a label of a tick."""
+    """Returns the width and the height of a tick's label in points."""
     box = TextPath((0, 0), text, size=rcParams["xtick.labelsize"]).get_extents()
     return float(box.width), float(box.height)

@@ -1,4 +1,4 @@
-"""Figures of many meshes: how these spread, where a mark for each would not be read."""
+"""Figures of many meshes: they show the spread over meshes, since a mark for each would be illegible."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from results.pairs import all_times
 from results.reader import ResultError, Run
 
 BINS = 24
-"""Of the meshes by their vertices, on a logarithmic axis."""
+"""Number of bins of meshes by vertices, on a logarithmic axis."""
 LEAST = 3
-"""Meshes of a bin."""
+"""Least number of meshes in a bin."""
 
 
 def overview(run: Run) -> Drawing:
-    """How each solver's ratio of time spreads over meshes. @raises ResultError as table does"""
+    """Draws the spread of time ratios over meshes. @raises ResultError if no two solvers have a time"""
     base = fastest_exact(run)
     of = {solver: values for solver, values in over_each_mesh(run, base).items() if solver != base}
     if not of:
@@ -57,7 +57,7 @@ def overview(run: Run) -> Drawing:
 
 
 def over_vertices(run: Run) -> Drawing:
-    """Times by the meshes' sizes. @raises ResultError when nothing has a time"""
+    """Draws times by size of the meshes. @raises ResultError if no solver has a time"""
     found = all_times(run)
     vertices = np.array([run.meshes[mesh].vertices for mesh in found.meshes], float)
     if not len(vertices):

@@ -19,24 +19,24 @@ from results.statistics import Estimate, median
 from results.table import BLANK, Field, Table
 
 RANDOM = "random:"
-"""Sets of so many vertices, the same number on every mesh."""
+"""Prefix of sets of random vertices, which have the same size on every mesh."""
 
 
 @dataclass(frozen=True)
 class Point:
-    """A solver's answers from so many sources, over the meshes."""
+    """Answers of a solver from one number of sources, over the meshes."""
 
     sources: int
     time: float
-    """Over that of the base from one source: the geometric mean."""
+    """Geometric mean of the ratios to the base's time from one source."""
     largest: float
-    """Relative errors: the largest, and the mean of the mean ones."""
+    """Largest relative error; `mean` is the mean of the mean relative errors."""
     mean: float
 
 
 def sizes(run: Run) -> dict[str, dict[int, Source]]:
-    """By mesh: the sources that are drawn, by the number of their vertices. The first vertex stands
-    for one."""
+    """Returns the sources to draw, by mesh and number of vertices. Of several sources with one number, the
+    first is taken."""
     found: dict[str, dict[int, Source]] = {}
     for mesh, sources in run.sources.items():
         by_size: dict[int, Source] = {}
@@ -62,7 +62,7 @@ def error(rows: list[Row], key: str) -> float:
 
 
 def base_of(run: Run) -> str:
-    """The solver that the others are compared with: the fastest exact one, where there is any.
+    """Returns the solver that the others are compared with: the fastest exact one, if there is one.
 
     @raises ResultError for a run without sets of sources"""
     if "source_sets" not in run.ours:
@@ -71,7 +71,7 @@ def base_of(run: Run) -> str:
 
 
 def points(run: Run, solver: str, base: str) -> list[Point]:
-    """Only the numbers of sources at which the solver has an answer on every mesh that has them."""
+    """Returns points for the numbers of sources that the solver answers on every mesh that has them."""
     by_mesh = sizes(run)
     found = []
     for size in sorted({size for sets in by_mesh.values() for size in sets}):
@@ -88,7 +88,7 @@ def points(run: Run, solver: str, base: str) -> list[Point]:
 
 
 def figure(run: Run) -> Drawing:
-    """@raises ResultError as base_of, and for a run of fewer than two numbers of sources"""
+    """@raises ResultError for the reasons of base_of(), and if there are no two numbers of sources"""
     base = base_of(run)
     found = {solver: points(run, solver, base) for solver in columns(run)}
     if max(map(len, found.values())) < 2:
@@ -140,7 +140,7 @@ def _draw(
 
 
 def errors(run: Run) -> Table:
-    """Mean errors by the number of sources. @raises ResultError as base_of"""
+    """Returns mean errors by number of sources. @raises ResultError for the reasons of base_of()"""
     base = base_of(run)
     found = {solver: {p.sources: p.mean for p in points(run, solver, base)}
              for solver in columns(run) if not run.solvers[solver].exact}  # fmt: skip
@@ -157,7 +157,7 @@ def errors(run: Run) -> Table:
 
 
 def table(run: Run) -> Table:
-    """Every set on every mesh. @raises ResultError as base_of"""
+    """Returns a row per mesh, source and solver. @raises ResultError for the reasons of base_of()"""
     base = base_of(run)
     rows = []
     for mesh in run.meshes:

@@ -1,4 +1,4 @@
-"""What Table 5.2 measures, and how one solver fared on one mesh."""
+"""The measures of Table 5.2, and their values or the failure of one solver on one mesh."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ LIMIT_SOLVER = "mmp"
 """The window limit is the number of windows that this solver leaves on the edges."""
 
 ABSENT = "\N{EM DASH}"
-"""Shown where a solver has no such number, or the thesis prints none."""
+"""Text of a field for which the solver or the thesis has no number."""
 
 
 @dataclass(frozen=True)
@@ -29,7 +29,7 @@ class TimeUnit:
 
     name: str
     scale: float
-    """Of it in a second."""
+    """Number of these units in a second."""
     decimals: int
 
     def show(self, value: float) -> str:
@@ -41,8 +41,8 @@ class TimeUnit:
 
 
 def time_unit(seconds: Sequence[float]) -> TimeUnit:
-    """The largest unit in which the least of the times is at least 0.1, or in which the next one
-    would make the greatest six digits long; the least has three significant digits."""
+    """Returns the largest unit in which the least time is at least 0.1, or the greatest at least 100, so
+    that the next unit would make it six digits long. The least time has three significant digits."""
     times = [time for time in seconds if time > 0] or [1.0]
     least, greatest = min(times), max(times)
     units = {"s": 1.0, "ms": 1e3, "\N{MICRO SIGN}s": 1e6}
@@ -71,19 +71,19 @@ def megabytes(value: float) -> str:
 @dataclass(frozen=True)
 class Measure:
     key: str
-    """Of the number in a result row."""
+    """Key of the number in a result row."""
     label: str
     show: Callable[[float], str]
     published: str | None = None
-    """Of the measure in the thesis's Table 5.2."""
+    """Key of the measure in the thesis's Table 5.2; None: not in the table."""
     published_scale: float = 1
-    """From the thesis's unit to the label's."""
+    """Factor from the thesis's unit to the label's."""
     scale: float = 1
-    """From the row's unit to the label's."""
+    """Factor from the row's unit to the label's."""
     spread: bool = False
     """Whether the interval is printed; CSV always has it."""
     largest: bool = False
-    """Whether the largest value is shown, and not the median."""
+    """Whether the largest value is shown instead of the median."""
     note: str = ""
 
 
@@ -116,7 +116,7 @@ COUNTS = [
 
 
 def measures_of(run: Run, mesh: Mesh) -> list[Measure]:
-    """The rows of Table 5.2 for a mesh; times in a unit chosen for it."""
+    """Returns the rows of Table 5.2 for a mesh; times are in a unit chosen for the mesh."""
     times = [v for s in columns(run) for v in values(run, mesh.name, s, TIME).values()]
     unit = time_unit(times)
     in_unit = [
@@ -130,27 +130,27 @@ def measures_of(run: Run, mesh: Mesh) -> list[Measure]:
 
 
 def columns(run: Run) -> list[str]:
-    """The run's solvers: the thesis's in its order, then the others."""
+    """Returns the run's solvers: those of the thesis in its order, then the others."""
     first = [name for name in THESIS_SOLVERS if name in run.solvers]
     return first + [name for name in run.solvers if name not in first]
 
 
 def measured_solvers(run: Run) -> list[str]:
-    """The columns that the run has at least one verified cell of."""
+    """Returns the solvers of columns() with at least one verified cell."""
     cells = run.columns
     verified = {name for (name,) in cells.take(cells.where("outcome", OK)).by_texts("solver")}
     return [solver for solver in columns(run) if solver in verified]
 
 
 def baseline(run: Run, preferred: str) -> str:
-    """The solver that the others' times are compared with: the preferred one where it has a
-    verified cell, else the first exact one that has."""
+    """Returns the solver that times are compared with: the first exact one with a verified cell, but the
+    preferred one if it is such a solver, or if there is none."""
     exact = [solver for solver in measured_solvers(run) if run.solvers[solver].exact]
     return preferred if preferred in exact or not exact else exact[0]
 
 
 def with_promise(solver: Solver) -> str:
-    """Its name; of one that is not exact, also what is known of its distances."""
+    """Returns the solver's name and, if it is not exact, its promise about the distances."""
     return solver.name if solver.exact else f"{solver.name} ({solver.promise})"
 
 
@@ -162,7 +162,7 @@ def percent(error: float) -> str:
 
 
 def values(run: Run, mesh: str, solver: str, measure: Measure) -> dict[tuple[Source, int], float]:
-    """The measure by (source, repetition), in the label's unit, where the row has it."""
+    """Returns the measure of the rows that have it, in the label's unit, by (source, repetition)."""
     return {
         (row.source, row.repetition): measure.scale * (row.time if measure.key == TIME.key else value)
         for row in run.cell(mesh, solver)
@@ -171,26 +171,26 @@ def values(run: Run, mesh: str, solver: str, measure: Measure) -> dict[tuple[Sou
 
 
 def median_of(run: Run, mesh: str, solver: str, measure: Measure) -> Estimate | None:
-    """Over sources and repetitions; None where no row has the measure."""
+    """Returns the median over sources and repetitions, or None if no row has the measure."""
     sample = by_source(values(run, mesh, solver, measure))
     return median(sample) if sample else None
 
 
 def errors_of(run: Run, solver: str) -> Floats:
-    """The largest relative error of each of its right answers."""
+    """Returns the largest relative error of each right answer of the solver."""
     cells = run.columns
     errors = cells.numbers(ERROR.key)[cells.where("solver", solver) & cells.where("outcome", OK)]
     return np.asarray(errors[~np.isnan(errors)])
 
 
 def limit_solver(run: Run, mesh: str) -> str:
-    """Whose window limit is taken: that of MMP, or of another solver that counts it."""
+    """Returns the solver whose window limit is used: MMP or, without its limit, another one that counts it."""
     counted = (s for s in [LIMIT_SOLVER, *run.solvers] if values(run, mesh, s, LIMIT))
     return next(counted, LIMIT_SOLVER)
 
 
 def failure(run: Run, mesh: str, solver: str) -> Field | None:
-    """What to show instead of numbers when no source of the cell is ok."""
+    """Returns the field to show instead of numbers if no source of the cell is ok, else None."""
     rows = run.cell(mesh, solver)
     if any(row.ok for row in rows):
         return None
@@ -204,7 +204,7 @@ def failure(run: Run, mesh: str, solver: str) -> Field | None:
 
 
 def our_field(run: Run, mesh: str, solver: str, measure: Measure) -> Field:
-    """The measure over sources and repetitions, or why there is none."""
+    """Returns the measure over sources and repetitions, or the reason why there is none."""
     failed = failure(run, mesh, solver)
     estimate = median_of(run, mesh, solver, measure)
     if estimate is None:
@@ -217,7 +217,7 @@ def our_field(run: Run, mesh: str, solver: str, measure: Measure) -> Field:
 
 
 def published_field(value: Published, measure: Measure) -> Field:
-    """A value of the thesis in the measure's unit; times with the digits that it prints."""
+    """Returns a value of the thesis in the measure's unit; a time has the digits that the thesis prints."""
     if value is None:
         return Field(ABSENT)
     if isinstance(value, str):
@@ -228,7 +228,7 @@ def published_field(value: Published, measure: Measure) -> Field:
 
 
 def partial_failure(run: Run, mesh: str, solver: str) -> str:
-    """A footnote when some sources of the cell are missing or not ok."""
+    """Returns a footnote if some sources of the cell are missing or not ok; else empty."""
     rows = run.cell(mesh, solver)
     failed = [row for row in rows if not row.ok]
     if failed:
@@ -240,7 +240,7 @@ def partial_failure(run: Run, mesh: str, solver: str) -> str:
 
 
 def _failed(rows: list[Row]) -> str:
-    """Every distinct message once, with the sources it came from."""
+    """Returns every distinct message once, with its sources."""
     causes: dict[str, list[Source]] = {}
     for row in rows:
         causes.setdefault(f"{row.outcome}: {row.message}", []).append(row.source)

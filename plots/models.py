@@ -1,4 +1,4 @@
-"""The meshes of a run in the thesis's order, and how they relate to its models."""
+"""The meshes of a run in the thesis's order, and their relation to its models."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from results.reader import Mesh, ResultError, Run
 
 
 def ordered_meshes(run: Run) -> list[Mesh]:
-    """The thesis's models and what stands for them in its order, then the others.
+    """Returns the thesis's models and their stand-ins in its order, then the other meshes.
 
     @raises ResultError when a mesh claims to be a model that the thesis does not have"""
     for mesh in run.meshes.values():
@@ -20,40 +20,40 @@ def ordered_meshes(run: Run) -> list[Mesh]:
 
 
 def relation(mesh: Mesh) -> str:
-    """How the mesh and the thesis's model relate, in words; empty when there is no model."""
+    """Returns the relation of the mesh to the thesis's model in words; empty without a model."""
     if mesh.thesis_model is None:
         return ""
     return ("stand-in for " if mesh.stand_in else "the thesis's ") + mesh.thesis_model
 
 
 def of_thesis(run: Run) -> list[Mesh]:
-    """The meshes that are or stand for a model of the thesis."""
+    """Returns the meshes that are or stand for a model of the thesis."""
     return [mesh for mesh in ordered_meshes(run) if mesh.thesis_model]
 
 
 def titled(run: Run, number: str, words: str) -> str:
-    """"Figure 5.9: statistics of running time"; "Statistics of running time" where no mesh of the
-    run is or stands for a model of the thesis."""
+    """Returns a title such as "Figure 5.9: statistics of running time", or "Statistics of running time" if
+    no mesh of the run is or stands for a model of the thesis."""
     return f"{number}: {words}" if of_thesis(run) else words[0].upper() + words[1:]
 
 
 def beside_thesis(run: Run, words: str) -> str:
-    """The words, where a mesh of the run is or stands for a model of the thesis."""
+    """Returns the words if a mesh of the run is or stands for a model of the thesis; else empty."""
     return words if of_thesis(run) else ""
 
 
 def agreement(run: Run, agrees: bool, more: str = "") -> str:
-    """The end of a sentence, beside the thesis; empty without its models.
+    """Returns the end of a sentence on agreement with the thesis; empty without its models.
 
-    @param more what follows these words"""
+    @param more words that follow"""
     verb = "agrees" if agrees else "does not agree"
     return beside_thesis(run, f", which {verb} with the thesis{more}")
 
 
 def groups_of_thesis(run: Run) -> dict[str, list[Mesh]]:
-    """Its own models, and stand-ins for them; either may be empty.
+    """Returns the thesis's models and the stand-ins for them; one of the two groups may be empty.
 
-    @raises ResultError when both are"""
+    @raises ResultError if both are empty"""
     measured = of_thesis(run)
     if not measured:
         raise ResultError(f"{run.file}: no mesh is or stands for a model of the thesis")
@@ -64,12 +64,12 @@ def groups_of_thesis(run: Run) -> dict[str, list[Mesh]]:
 
 
 def left_out(run: Run) -> list[str]:
-    """A sentence for each mesh of the corpus that the run skipped whole."""
+    """Returns a sentence for each mesh of the corpus that the run skipped for all solvers."""
     return [f"{skip.mesh} was skipped: {_short(skip.why)}" for skip in run.not_measured]
 
 
 def timed_elsewhere(run: Run) -> list[str]:
-    """A sentence for each way in which external solvers are timed (docs/external-solvers.md)."""
+    """Returns a sentence for each way of timing external solvers (docs/external-solvers.md)."""
     ways = {
         "reported": "as they report them",
         "process less reading": "those of a process, less those of one that only reads the mesh",
@@ -84,5 +84,5 @@ def timed_elsewhere(run: Run) -> list[str]:
 
 
 def _short(why: str) -> str:
-    """Without the file, and without the first of each defect: what no reader of a table looks up."""
+    """Returns the reason without the file and the first example of each defect, which a table does not need."""
     return re.sub(r" \(first: (?:[^()]|\([^()]*\))*\)", "", re.sub(r"^\S*/\S*: ", "", why))

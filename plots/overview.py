@@ -1,4 +1,4 @@
-"""One picture of a run: each solver's time over that of the edge-based one, and its windows."""
+"""One picture of a run: each exact solver's time over that of the fastest one, and its windows."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from plots.ratios import BELOW_1, BY_KEY, Ratio, fastest_exact, mean, number, ov
 from results.reader import Mesh, ResultError, Run
 
 KINDS = {"the thesis's model": "full", "stand-in for one": "none", "other mesh": "small"}
-"""How the mark of a mesh is drawn, by what the mesh is to the thesis."""
+"""Kind of a mesh's mark, by the relation of the mesh to the thesis."""
 
 
 def kind(mesh: Mesh) -> str:
@@ -78,7 +78,7 @@ def figure(run: Run) -> Drawing:
 
 
 def _means(run: Run, ratio: Ratio, solver: str) -> dict[str, float]:
-    """By mesh."""
+    """Returns the mean ratio of each mesh that has one."""
     return {
         name: found.value for name in run.meshes if (found := ratio.mean(run, name, solver))
     }

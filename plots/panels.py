@@ -16,21 +16,21 @@ from plots.surface import best_axes
 
 MODELS = 6
 COLUMNS = 3
-"""In one row; more models take two."""
+"""Largest number of panels in one row; more models take two rows."""
 TITLE_INCHES = 0.6
 LEGEND_INCHES = 0.3
 TALLEST = 1.1
-"""Height of a panel in its widths."""
+"""Largest height of a panel over its width."""
 
 Draw = Callable[[Axes, Recording, Camera, float], bool]
-"""Fills the axes, which are so many inches wide; whether the source is seen."""
+"""Fills the axes, whose width is given in inches; returns whether the source is visible."""
 
 
 def panels(
     found: Sequence[Recording], lines: Callable[[Recording], Floats], draw: Draw
 ) -> tuple[Figure, str]:
     """@param found at most MODELS
-    @param lines segments (n, 2, 3) that each model's view shows as much of as it can
+    @param lines segments (n, 2, 3); each model is seen from the side that shows most of them
     @return the figure, with room for a legend above, and a sentence on sources that are hidden"""
     columns = len(found) if len(found) <= COLUMNS else math.ceil(len(found) / 2)
     rows = math.ceil(len(found) / columns)
@@ -48,7 +48,7 @@ def panels(
 
 
 def in_rows(picture: Figure, count: int, columns: int) -> list[Axes]:
-    """So many axes, of which the last row may have fewer than the others."""
+    """Returns `count` axes in rows; the last row may have fewer than the others."""
     every = list(picture.subplots(math.ceil(count / columns), columns, squeeze=False).flat)
     for axes in every[count:]:
         axes.remove()
@@ -56,7 +56,7 @@ def in_rows(picture: Figure, count: int, columns: int) -> list[Axes]:
 
 
 def best_camera(recording: Recording, lines: Floats) -> Camera:
-    """From the side that shows most of the lines (n, 2, 3); the whole model is in the picture."""
+    """Returns a camera on the side that shows most of the lines (n, 2, 3), with the whole model in view."""
     surface = recording.surface
     axes = best_axes(recording.mesh, surface, lines, recording.vertices[0])
     return framing(axes, surface.vertices)

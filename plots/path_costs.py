@@ -1,4 +1,4 @@
-"""Paths from one source: what they cost, and how much longer they are than the shortest ones."""
+"""Paths from one source: their costs, and their excess over the shortest paths."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ from results.reader import ResultError, Row, Run, Source
 from results.table import BLANK, Field, Table
 
 COUNTS = (1, 10, 100, 1000)
-"""Numbers of paths that the table has the costs of."""
+"""Numbers of paths whose costs are in the table."""
 MOST = 10_000
-"""Paths that the figure goes to."""
+"""Largest number of paths in the figure."""
 SHORTEST = 1e-9
-"""As in the schema: a path that exceeds the exact distance by less, relatively, is the shortest."""
+"""Relative excess over the exact distance below which a path is the shortest, as in the schema."""
 
 
 @dataclass(frozen=True)
 class Paths:
-    """What `paths` of a row holds; times in milliseconds."""
+    """The numbers in `paths` of a row; times are in milliseconds."""
 
     targets: int
     alone_time: float
@@ -40,17 +40,17 @@ class Paths:
     failed: int
 
     def cost(self, paths: int) -> float:
-        """Of so many paths from one source, without preparation: by a query for each, or by one
-        solve for all of them, as takes less."""
+        """Returns the time of so many paths from one source, without preparation: by a query for each
+        path or by one solve for all, whichever takes less."""
         return min(paths * self.alone_time, self.first_time + (paths - 1) * self.further_time)
 
 
 ByMesh = dict[str, dict[Source, Paths]]
-"""Of a solver, by source too."""
+"""Paths of a solver, by mesh and source."""
 
 
 def paths_of(row: Row) -> Paths | None:
-    """What the row says of paths, if it does."""
+    """Returns the row's numbers on paths, or None if it has none."""
     found = {key: row.number(f"paths.{key}") for key in Paths.__annotations__}
     if found["targets"] is None:
         return None
@@ -58,12 +58,12 @@ def paths_of(row: Row) -> Paths | None:
 
 
 def measured(run: Run) -> dict[str, ByMesh]:
-    """By solver. @raises ResultError for a run without paths"""
+    """Returns the paths of each solver. @raises ResultError for a run without paths"""
     by_solver: dict[str, ByMesh] = {}
     for solver in columns(run):
         for mesh in run.meshes:
             found: dict[Source, Paths] = {}
-            for row in run.cell(mesh, solver):  # repetitions of a cell have the same, or the first one has it
+            for row in run.cell(mesh, solver):  # only the first repetition has paths, or all have the same
                 if (paths := paths_of(row)) is not None:
                     found.setdefault(row.source, paths)
             if found:
@@ -74,9 +74,9 @@ def measured(run: Run) -> dict[str, ByMesh]:
 
 
 def base_of(run: Run, by_solver: dict[str, ByMesh]) -> str:
-    """What costs are compared with: the fastest exact solver of those with paths.
+    """Returns the solver that costs are compared with: the fastest exact one with paths.
 
-    @raises ResultError when there is none"""
+    @raises ResultError if there is none"""
     base = fastest_exact(run, but=[solver for solver in columns(run) if solver not in by_solver])
     if base not in by_solver or not run.solvers[base].exact:
         raise ResultError(f"{run.file}: no exact solver has paths")
@@ -84,8 +84,8 @@ def base_of(run: Run, by_solver: dict[str, ByMesh]) -> str:
 
 
 def over_base(own: ByMesh, base: ByMesh, paths: int) -> float | None:
-    """Of the costs of so many paths: the geometric mean over meshes of the means over those sources
-    that both have."""
+    """Returns the ratio of the costs of so many paths: the geometric mean over meshes of the means over
+    the sources that both solvers have; None if there are none."""
     ratios = [
         mean([own[mesh][source].cost(paths) / base[mesh][source].cost(paths) for source in both])
         for mesh in own
@@ -96,14 +96,14 @@ def over_base(own: ByMesh, base: ByMesh, paths: int) -> float | None:
 
 @dataclass(frozen=True)
 class Lengths:
-    """Of many paths."""
+    """Numbers on the lengths of many paths."""
 
     targets: int
     mean_excess: float
-    """Of the paths that lead over the surface, as the largest."""
+    """Mean over the paths that lead over the surface; `max_excess` is their largest."""
     max_excess: float
     shortest: float
-    """The share of all."""
+    """Share of the shortest paths among all."""
     off_surface: int
     failed: int
 
@@ -130,7 +130,7 @@ def _lengths(many: list[Paths]) -> Lengths:
 
 
 def table(run: Run) -> Table:
-    """Every solver over all meshes. @raises ResultError as base_of"""
+    """Returns a row per solver, over all meshes. @raises ResultError for the reasons of base_of()"""
     by_solver = measured(run)
     base = base_of(run, by_solver)
     rows = []
@@ -171,7 +171,7 @@ def _fields(lengths: Lengths) -> list[Field]:
 
 
 def by_mesh(run: Run) -> Table:
-    """Every solver on every mesh. @raises ResultError as measured"""
+    """Returns a row per mesh and solver. @raises ResultError for the reasons of measured()"""
     by_solver = measured(run)
     rows = []
     for mesh in run.meshes:
@@ -200,7 +200,8 @@ def by_mesh(run: Run) -> Table:
 
 
 def break_even(costs: ByMesh, base: ByMesh) -> int | None:
-    """The least number of paths for which the base takes less time, if there is one up to MOST."""
+    """Returns the number of paths, at most MOST, from which the base takes less time; None if there is none,
+    or if the base takes less time for one path too."""
     def dearer(paths: int) -> bool:
         ratio = over_base(costs, base, paths)
         return ratio is not None and ratio > 1
@@ -215,7 +216,7 @@ def break_even(costs: ByMesh, base: ByMesh) -> int | None:
 
 
 def sentences(run: Run) -> list[str]:
-    """What paths cost and how long they are, in words. @raises ResultError as base_of"""
+    """Returns sentences on costs and lengths of paths. @raises ResultError for the reasons of base_of()"""
     found = measured(run)
     base = base_of(run, found)
     said = []
@@ -239,7 +240,7 @@ def sentences(run: Run) -> list[str]:
 
 
 def figure(run: Run) -> Drawing:
-    """@raises ResultError as base_of"""
+    """@raises ResultError for the reasons of base_of()"""
     found = measured(run)
     base = base_of(run, found)
     looks = style.solver_styles(run.solvers)

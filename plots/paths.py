@@ -1,4 +1,4 @@
-"""Exact shortest paths from a source, and the Voronoi cells of several, on several models."""
+"""Exact shortest paths from one source, and Voronoi cells of several sources, on several models."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ PATH = "#b3261e"
 CELLS = (
     "#8ec6ea", "#f2b179", "#7fd0b5", "#e6a6c9", "#f0e27a", "#b9b4e4", "#c2c9a0", "#e88f86",
 )  # fmt: skip
-"""Of the cells in turn: pale colours of Okabe and Ito's hues, under which shading is seen."""
+"""Colours of the cells in turn: Okabe and Ito's hues, so pale that shading stays visible."""
 OF_NO_CELL = "#d9dadd"
 
 
@@ -72,7 +72,7 @@ def cells(run: Run) -> Drawing:
 
 
 def _borders(recording: Recording) -> Floats:
-    """The edges between cells."""
+    """Returns the edges between cells."""
     every = sides(recording.surface.faces)
     owners = recording.cells.nearest[every]
     borders: Floats = recording.surface.vertices[every[owners[:, 0] != owners[:, 1]]]

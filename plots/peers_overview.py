@@ -1,5 +1,5 @@
-"""Our exact solvers beside the public codes of the field, on one picture: what a first answer costs
-of each, and what it is worth."""
+"""Figure of our exact solvers and the public codes of the field: the time of a first answer of each
+solver, and what is known of its distances."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ from results.statistics import geometric_mean, median
 
 OURS, EXACT, OTHER = "of this project", "public code, exact or within 1e-6", "public code, approximate"
 GROUPS = {OURS: "#000000", EXACT: "#0072B2", OTHER: "#D55E00"}
-"""Their colours."""
+"""Colours of the groups."""
 NEARLY = 1e-6
-"""A bound that is not drawn as an approximation."""
+"""Largest error bound of a solver that is grouped with the exact ones."""
 KEPT = ("--meshes", "--sources", "--repetitions")
-"""Options of a run that its command is told with."""
+"""Options that the printed command of a run includes."""
 CHARACTERS = 110
-"""Of a line of the footer."""
+"""Largest length of a line of the footer."""
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,7 @@ class Line:
     solver: str
     group: str
     ratios: list[float]
-    """One a mesh."""
+    """Ratios to the base's time, one per mesh."""
     worth: str
 
     @property
@@ -48,14 +48,14 @@ class Line:
 
 
 def figure(run: Run) -> Drawing:
-    """@raises ResultError when the run has no public code with a time"""
+    """@raises ResultError if the run has no public code with a time"""
     public = run.of_others
     if not public:
         raise ResultError(f"{run.file}: no public code: ./run_all.sh --peers all measures them")
     base = fastest_exact(run)
     lines = [_line(run, solver, base, public) for solver in columns(run)
              if solver in public or run.solvers[solver].exact]  # fmt: skip
-    # Of ours, without those that are limited to a few small meshes.
+    # Our own solvers that are limited to a few small meshes are left out.
     least = len(run.meshes) / 2
     shown = sorted(
         (line for line in lines if line.ratios and (line.solver in public or len(line.ratios) >= least)),
@@ -131,7 +131,7 @@ def _draw(run: Run, lines: Sequence[Line], base: str) -> Figure:
 
 
 def footer(run: Run) -> str:
-    """When, on what, and how it was measured."""
+    """Returns the date, the processors, the number of meshes and the command of the run."""
     ours = run.ours
     count = len(run.meshes)
     return (
@@ -141,7 +141,7 @@ def footer(run: Run) -> str:
 
 
 def command(run: Run) -> str:
-    """The line that measures the same, from the root of a checkout with the meshes."""
+    """Returns the command that measures the same in the root of a checkout with the meshes."""
     files = [Path(plugin["file"]) for plugin in run.ours.get("plugins", []) if "file" in plugin]
     names = list(dict.fromkeys(file.parent.name for file in files))
     known = {file.parent.name for file in (ROOT / "peers").glob("*/peer.json")}

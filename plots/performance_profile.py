@@ -1,5 +1,5 @@
 """Performance profiles (Dolan, More 2002, "Benchmarking optimization software with performance
-profiles"): for each solver the share of questions that it answers within a factor of the fastest."""
+profiles"): the share of questions that each solver answers within a factor of the fastest time."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ from results.pairs import first
 from results.reader import ResultError, Run, Source
 
 LEVELS = {"largest error at most 1e-6": 1e-6, "at most 1%": 1e-2, "any error": np.inf}
-"""Of the panels: a solver has answered a question when its largest relative error is at most that."""
+"""Levels of the panels: an answer counts if its largest relative error is at most the level."""
 LEAST_QUESTIONS = 4
 MOST_FACTOR = 1000.0
 MARKS = 5
-"""About as many on a line."""
+"""Approximate number of marks on a line."""
 
 Question = tuple[str, Source]
 """A mesh and a source."""
 Answers = dict[str, dict[Question, tuple[float, float]]]
-"""By solver and question: the seconds of a first answer, and its largest relative error."""
+"""Seconds of a first answer and its largest relative error, by solver and question."""
 
 
 def answers(run: Run) -> Answers:
@@ -47,8 +47,8 @@ def answers(run: Run) -> Answers:
 
 
 def factors(found: Answers, level: float) -> tuple[dict[str, list[float]], int]:
-    """Of the answers that keep the level, by solver, in rising order: their times over those of
-    the fastest one. And the number of questions that have such an answer."""
+    """Returns, by solver and in rising order, the times of the answers that keep the level over those of
+    the fastest solver, and the number of questions that have such an answer."""
     kept = {
         solver: {question: seconds for question, (seconds, error) in by.items() if error <= level}
         for solver, by in found.items()
@@ -65,7 +65,7 @@ def factors(found: Answers, level: float) -> tuple[dict[str, list[float]], int]:
 
 
 def figure(run: Run) -> Drawing:
-    """@raises ResultError for a run of few questions, or of one solver"""
+    """@raises ResultError for a run of fewer than LEAST_QUESTIONS questions, or of one solver"""
     found = answers(run)
     questions = {question for by in found.values() for question in by}
     if len(found) < 2 or len(questions) < LEAST_QUESTIONS:

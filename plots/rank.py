@@ -1,4 +1,4 @@
-"""The figure of a ranking: each solver's time relative to the candidate's, by mesh and mean.
+"""The figure of a ranking: each solver's time over the candidate's, by mesh and on average.
 
 The data come from gate/rank.py; this module only draws them.
 """
@@ -16,20 +16,19 @@ from plots.logarithmic import ratio_axis
 from results.reader import ResultError
 
 WIDTH = 3.35
-"""Inches: a column of a page with two."""
+"""Width of a column of a two-column page in inches."""
 MEAN = "geometric mean"
 
 
 def draw(
     candidate: str, meshes: Mapping[str, Mapping[str, Dot]], means: Mapping[str, Dot]
 ) -> Figure:
-    """Dots are times of a solver over those of the candidate, hollow where the measurement does not
-    decide which of the two is faster.
+    """Draws the times of each solver over those of the candidate. A dot is hollow if the measurement
+    does not decide which of the two is faster.
 
-    @param meshes the rows, by mesh: the dots by solver, without the candidate's own
-    @param means the geometric means over meshes, by solver; a row of its own where there are
-           several meshes
-    @raises ResultError when there is no dot"""
+    @param meshes dots of the rows, by mesh and solver, without the candidate's own
+    @param means geometric means over meshes, by solver; drawn as a row if there are several meshes
+    @raises ResultError if there is no dot"""
     rows = [_row(style.plain(mesh), dots) for mesh, dots in meshes.items() if dots]
     solvers = list(dict.fromkeys(solver for row in rows for solver in row.dots))
     if not solvers:

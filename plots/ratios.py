@@ -1,6 +1,6 @@
-"""Ratios for terminal and pages, and those that the thesis's text mentions, from our rows and from its
-Table 5.2. Both numbers of a ratio are of one pair (results/pairs.py); a mesh counts once, by the
-geometric mean over its sources and repetitions.
+"""Ratios for the terminal and the pages, and those that the thesis's text mentions, from our rows and
+from its Table 5.2. Both numbers of a ratio belong to one pair (results/pairs.py). A mesh counts once,
+by the geometric mean over its sources and repetitions.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from results.table import Field, estimate_field
 
 RIVAL = "the solver in the column"
 MANY = 100
-"""Meshes: with more, a run is summed up and no mesh has a line of its own."""
+"""Largest number of meshes of a run for which each mesh has its own row; larger runs are summarised."""
 
 
 def plain(value: float) -> str:
@@ -31,7 +31,7 @@ def plain(value: float) -> str:
 
 
 def number(value: float) -> str:
-    """With three digits."""
+    """Returns the value with three significant digits; from 100 on rounded to an integer."""
     return f"{value:,.0f}" if value >= 100 else f"{value:#.3g}"
 
 
@@ -41,7 +41,7 @@ def _fewer(value: float) -> str:
 
 @dataclass(frozen=True)
 class Ratio:
-    """above.measure / below.measure; a solver of RIVAL is the one in question."""
+    """A ratio of two measures, above / below. The solver RIVAL stands for the one passed to a method."""
 
     key: str
     label: str
@@ -50,10 +50,10 @@ class Ratio:
     show: Callable[[float], str] = plain
     note: str = ""
     falling: bool = False
-    """Whether what is shown falls as the ratio rises."""
+    """Whether the shown value falls as the ratio rises."""
 
     def measured(self, run: Run, mesh: str, solver: str) -> Sample:
-        """Paired ratios by source; empty when one of the two is not there or 0."""
+        """Returns the paired ratios by source; empty if one of the two values is missing or 0."""
         above, below = (
             values(run, mesh, self._solver(run, mesh, of, measure, solver), measure)
             for of, measure in (self.above, self.below)
@@ -67,7 +67,7 @@ class Ratio:
         return rival if named == RIVAL else named
 
     def is_of(self, run: Run) -> bool:
-        """Whether the run has the solvers that the ratio is about, or a value of it."""
+        """Returns whether the run has the solvers that the ratio names, or a value of the ratio."""
         solvers = {of for of, _ in (self.above, self.below)} - {RIVAL}
         return solvers <= set(run.solvers) or any(
             self.measured(run, mesh, solver) for mesh in run.meshes for solver in run.solvers
@@ -83,12 +83,12 @@ class Ratio:
         return None
 
     def mean(self, run: Run, mesh: str, solver: str) -> Estimate | None:
-        """The geometric one over sources and repetitions; None when nothing is measured."""
+        """Returns the geometric mean over sources and repetitions, or None if nothing is measured."""
         sample = self.measured(run, mesh, solver)
         return geometric_mean([sample]) if sample else None
 
     def field(self, run: Run, mesh: str, solver: str) -> Field:
-        """The mean, or why there is none."""
+        """Returns the mean, or the reason why there is none."""
         estimate = self.mean(run, mesh, solver)
         if estimate is None:
             return failure(run, mesh, solver) or Field(ABSENT)
@@ -105,7 +105,7 @@ class Ratio:
 
 
 def time_over(base: str) -> Ratio:
-    """@param base a solver, or nothing where none has a time"""
+    """@param base a solver; empty if no solver has a time"""
     return Ratio("speed-up", f"Time / {base}" if base else "Ratio", (RIVAL, TIME), (base, TIME))
 
 
@@ -151,15 +151,15 @@ BY_KEY = {ratio.key: ratio for ratio in RATIOS}
 
 @dataclass(frozen=True)
 class Mean:
-    """A geometric mean over those meshes of several that have the ratio."""
+    """Geometric mean over the meshes that have the ratio."""
 
     estimate: Estimate
     coverage: str
-    """As in "2 of 3 meshes"; empty when all of them have it."""
+    """For example "2 of 3 meshes"; empty if all meshes have the ratio."""
 
 
 def over_meshes(ratio: Ratio, run: Run, meshes: list[str], solver: str) -> Mean | None:
-    """None when no mesh has the ratio."""
+    """Returns the mean, or None if no mesh has the ratio."""
     samples = [sample for mesh in meshes if (sample := ratio.measured(run, mesh, solver))]
     if not samples:
         return None
@@ -174,8 +174,8 @@ def mean_field(ratio: Ratio, mean: Mean, solver: str) -> Field:
 
 
 def over_each_mesh(run: Run, base: str) -> dict[str, Floats]:
-    """By solver: of every mesh that has both, the time over that of the base. `over_meshes` gives
-    their mean too, with its interval, for which a large run has too many meshes."""
+    """Returns, by solver, the ratio to the base's time of every mesh that has both times. `over_meshes`
+    also computes the interval of their mean, but a large run has too many meshes for it."""
     found = all_times(run)
     if base not in found.solvers:
         return {}
@@ -184,16 +184,16 @@ def over_each_mesh(run: Run, base: str) -> dict[str, Floats]:
 
 
 def mean(ratios: Sequence[float] | Floats) -> float:
-    """The geometric one."""
+    """Returns the geometric mean."""
     return float(np.exp(np.log(ratios).mean()))
 
 
 def fastest_exact(run: Run, but: Collection[str] = ()) -> str:
-    """What times are compared with: the exact solver with the least mean of times, each over that
-    of a solver of most meshes, on the meshes that both have. One with less than half as many meshes
-    is left out. Without an exact one with a time: the same of the others, if there is one.
+    """Returns the solver that times are compared with: the exact solver with the least geometric mean of
+    time ratios to the solver with the most meshes, on the meshes that both have. Solvers with less than
+    half as many meshes are left out. Without an exact solver, the others are compared; empty without any.
 
-    @param but solvers that are not asked about"""
+    @param but solvers to leave out"""
     measured = [solver for solver in measured_solvers(run) if solver not in but]
     exact = [solver for solver in measured if run.solvers[solver].exact]
     found = all_times(run)

@@ -1,7 +1,7 @@
-"""The one reader of a run's recordings: surfaces, distances, wavefronts and their curves.
+"""Reads a run's recordings: surfaces, distances, wavefronts and their curves.
 
-The files are described by results/README.md. Whatever is wrong with one ends in a ResultError of
-one line that names it.
+results/README.md describes the files. For any fault in a file, a ResultError with a message of one
+line names the file.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ MOMENTS = (25, 50, 75)
 FRAMES = 64
 """Equal steps of progress at which `run --frames` records the wavefront."""
 NONE = 0xFFFFFFFF
-"""In a file of numbers of samples or sources."""
+"""Stands for no sample or no source in files of their numbers."""
 
 CURVE = np.dtype(
     [("reached", "<u4"), ("windows", "<u8"), ("least", "<f8"), ("mean", "<f8"), ("sd", "<f8")]
@@ -38,31 +38,31 @@ SNAPSHOT = np.dtype(
 PATHS = np.dtype([("target", "<u4"), ("first", "<u4")])
 
 Table = NDArray[Any]
-"""Of one of the structures above."""
+"""An array of one of the structures above."""
 
 
 @dataclass(frozen=True)
 class Cells:
     sources: Integers
-    """Vertices."""
+    """Source vertices."""
     nearest: Integers
-    """By vertex, a place in `sources`; their number where no path leads."""
+    """Index of the nearest source in `sources`, by vertex; len(sources) for unreached vertices."""
 
 
 @dataclass(frozen=True)
 class Recording:
-    """Of one source on one mesh; files are read at the first access."""
+    """The recording of one source on one mesh. A file is read at the first access."""
 
     mesh: Mesh
     source: Source
     vertices: list[int]
-    """The source, or those of the set."""
+    """The source vertex, or the vertices of the set of sources."""
     folder: Path
     """RUN/recordings/<mesh>/src<source>"""
     solvers: dict[str, Path]
-    """Folders in it of the exact ones, which have their wavefront there."""
+    """Folders of the exact solvers in `folder`; they contain wavefronts."""
     inexact: dict[str, Path] = field(default_factory=dict)
-    """Folders in it of the others, which have their distances there."""
+    """Folders of the other solvers in `folder`; they contain distances."""
 
     @property
     def origin(self) -> str:
@@ -80,7 +80,7 @@ class Recording:
 
     @cached_property
     def distances(self) -> Floats:
-        """By vertex; infinite where no path leads."""
+        """Exact distances by vertex; infinite for unreached vertices."""
         file = self.folder / "distances.npy"
         distances = self._distances(file)
         _require(distances.min() >= 0, file, "a distance is negative")
@@ -89,7 +89,7 @@ class Recording:
         return distances
 
     def inexact_distances(self, solver: str) -> Floats:
-        """By vertex, as the solver gave them: those of heat methods may be negative."""
+        """Returns the solver's distances by vertex. Heat methods may give negative ones."""
         return self._distances(self.inexact[solver] / "distances.npy")
 
     def _distances(self, file: Path) -> Floats:
@@ -99,7 +99,7 @@ class Recording:
 
     @property
     def greatest(self) -> float:
-        """Distance of a vertex that is reached."""
+        """Greatest distance of a reached vertex."""
         return float(self.distances[np.isfinite(self.distances)].max())
 
     @property
@@ -108,7 +108,7 @@ class Recording:
 
     @cached_property
     def paths(self) -> list[Floats]:
-        """From the source to vertices all over the mesh, each as segments (n, 2, 3)."""
+        """Paths from the source to vertices all over the mesh, each as segments (n, 2, 3)."""
         points = _floats(self.folder / "path_points.npy", "<f4", (None, 3))
         file = self.folder / "path_pieces.npy"
         pieces = _load(file, PATHS, (None,))
@@ -126,7 +126,7 @@ class Recording:
 
     @cached_property
     def cells(self) -> Cells:
-        """Of several sources, this one among them."""
+        """Voronoi cells of several sources, among them this recording's source."""
         file = self.folder / "cell_sources.npy"
         sources = _load(file, np.dtype("<u4"), (None,)).astype(np.int64)
         _require(int(sources.max()) < self.mesh.vertices, file, "a source does not exist")
@@ -137,7 +137,7 @@ class Recording:
         return Cells(sources, np.minimum(nearest, len(sources)))
 
     def curve(self, solver: str) -> Table:
-        """Of CURVE: the wavefront at equal steps of progress."""
+        """Returns the wavefront at equal steps of progress, as a CURVE array."""
         file = self.solvers[solver] / "curve.npy"
         curve = _load(file, CURVE, (None,))
         numbers = np.column_stack([curve[name] for name in ("least", "mean", "sd")])
@@ -147,26 +147,26 @@ class Recording:
         return curve
 
     def snapshot(self, solver: str, moment: int) -> Table:
-        """Of SNAPSHOT: the windows on the wavefront. @param moment one of MOMENTS"""
+        """Returns the windows on the wavefront as a SNAPSHOT array. @param moment one of MOMENTS"""
         return self._windows(self.solvers[solver] / f"snapshot-{moment}.npy")
 
     def has_frames(self, solver: str) -> bool:
         return (self.solvers[solver] / "reached_by.npy").exists()
 
     def frames(self, solver: str) -> list[Table]:
-        """Of SNAPSHOT: the windows on the wavefront when 1, 2, ... FRAMES of FRAMES equal parts of
-        the reachable vertices had a distance; none where the wavefront was empty."""
+        """Returns SNAPSHOT arrays of the windows on the wavefront when 1, 2, ... FRAMES of FRAMES equal
+        parts of the reachable vertices had a distance. An array is empty if the wavefront was empty."""
         files = [self.solvers[solver] / f"frame-{i + 1}.npy" for i in range(FRAMES)]
         return [self._windows(file) if file.exists() else np.empty(0, SNAPSHOT) for file in files]
 
     def samples_of_frames(self, solver: str) -> Integers:
-        """The row of the curve that each frame shows; its length for a frame after the last."""
+        """Returns the index in the curve of each frame; the curve's length for frames after its end."""
         reachable = int(np.isfinite(self.distances).sum())
         reached = self.curve(solver)["reached"].astype(np.int64)
         return np.searchsorted(FRAMES * reached, reachable * np.arange(1, FRAMES + 1))
 
     def first_frames(self, solver: str) -> Integers:
-        """By vertex: the first frame, from 0, in which it has a distance; FRAMES where none."""
+        """Returns, by vertex, the first frame, from 0, in which it has a distance; FRAMES without one."""
         file = self.solvers[solver] / "reached_by.npy"
         samples = _load(file, np.dtype("<u4"), (self.mesh.vertices,)).astype(np.int64)
         count = len(self.curve(solver))
@@ -186,7 +186,7 @@ class Recording:
         return windows
 
     def wavefront(self, solver: str, moment: int) -> Floats:
-        """The windows of a snapshot as segments (n, 2, 3)."""
+        """Returns the windows of a snapshot as segments (n, 2, 3)."""
         windows = self.snapshot(solver, moment)
         origin = self.surface.vertices[windows["origin"]]
         along = self.surface.vertices[windows["head"]] - origin
@@ -195,11 +195,11 @@ class Recording:
 
 
 def recordings(run: Run, *solvers: str) -> list[Recording]:
-    """One a mesh, of its first recorded source: the best for the thesis's figures first, and of
-    several meshes for one of its models only the best.
+    """Returns one recording per mesh, of its first recorded source, the best for the thesis's figures
+    first. If several meshes are or stand for one model of the thesis, only the best is returned.
 
-    @param solvers, exact ones, that must have been recorded
-    @raises ResultError when there is none"""
+    @param solvers exact solvers that must have been recorded
+    @raises ResultError if there is no such recording"""
     if missing := set(solvers) - set(run.solvers):
         raise ResultError(f"{run.file}: no {' and no '.join(sorted(missing))} in this run")
     found: dict[str, Recording] = {}
@@ -238,7 +238,7 @@ def _floats(file: Path, kind: str, shape: Sequence[int | None]) -> Floats:
 
 
 def _load(file: Path, kind: np.dtype[Any], shape: Sequence[int | None]) -> Table:
-    """@param shape None stands for any number but 0"""
+    """@param shape expected shape; None stands for any number except 0"""
     try:
         data: Table = np.load(file, allow_pickle=False)
     except FileNotFoundError:

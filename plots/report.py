@@ -31,18 +31,18 @@ TEMPLATES = Environment(
 CSS_DPI = 96
 SECTION_OF = {"summary_by_mesh": "results", "table_thesis": "thesis", "every_solver": "long",
               "summary": "long"}  # fmt: skip
-"""Of a table; the others are in "tables"."""
+"""Section of a table; other tables are in "tables"."""
 FIRST = ("peers_overview", "overview")
-"""The pictures that stand before all others."""
+"""Figures that come before all others."""
 FEW = 4
-"""As many meshes are named in the title, more are counted."""
+"""Largest number of meshes that the title names; the others are counted."""
 
 
 def page(
     run: Run, drawn: Mapping[str, Table | Drawing], left_out: Mapping[str, str], figures: Path
 ) -> str:
-    """@param figures the folder that the figures' PNG files are in"""
-    from plots.catalogue import base_name  # drawn by it, so it has been imported
+    """@param figures folder of the figures' PNG files"""
+    from plots.catalogue import base_name  # it drew the figures, so it is imported already
 
     places = SECTION_OF | ({} if "summary_by_mesh" in map(base_name, drawn) else {"summary": "results"})
     tables: dict[str, dict[str, Table]] = {}
@@ -91,7 +91,7 @@ def page(
 
 
 def picture(drawing: Drawing, png: Path) -> dict[str, Any]:
-    """For one_figure of parts.html."""
+    """Returns the data of a figure for the macro one_figure of parts.html."""
     width, height = (round(CSS_DPI * inches) for inches in drawing.figure.get_size_inches())
     return {
         "title": drawing.title, "caption": drawing.caption, "width": width, "height": height,
@@ -107,7 +107,7 @@ def _title(run: Run) -> str:
 
 
 def _folder(run: Run) -> str:
-    """As an argument of a command in the checkout's root."""
+    """Returns the run's folder as an argument of a command in the root of the checkout."""
     folder, root = run.file.parent.resolve(), console.ROOT
     return shlex.quote(str(folder.relative_to(root) if folder.is_relative_to(root) else folder))
 
@@ -158,7 +158,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         __doc__, "geodesic-bench report", "geodesic-bench report results/runs/mine"
     )
     options = parser.parse_args(arguments)
-    from plots.catalogue import draw, write  # after --help, since matplotlib takes its time
+    from plots.catalogue import draw, write  # after --help, since matplotlib is slow to import
 
     try:
         folder = run_folder(options.run)

@@ -1,5 +1,5 @@
-"""Who is right on which case: a matrix of solvers by the meshes on which users of other codes
-report failures, how often each is right, and what happened where one is not."""
+"""Outcomes of all solvers on the meshes for which users of other codes report failures: a matrix, the
+number of right answers of each solver, and the failures."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ WORDS = [
     "crash", "hang", "out of memory", WRONG, IMPRECISE, EXITS, REFUSED, "unsupported", "skipped",
     OFF, RIGHT,
 ]
-"""The worst first: of several outcomes of a case the first one is shown."""
+"""From worst to best: of several outcomes of a case, the worst is shown."""
 OF_OUTCOME = {"crashed": "crash", "time-out": "hang"}
-"""The others are called what they are."""
+"""Words for outcomes; other outcomes are their own words."""
 MISSING = "missing"
 LEAST_WRONG = 1e-6
-"""Largest relative error from which on an answer is wrong and not only imprecise."""
+"""An answer whose largest relative error is smaller is imprecise and not wrong."""
 
 
 def matrix(run: Run) -> Table:
-    """@raises ResultError when no mesh of the run stands for a report"""
+    """@raises ResultError if no mesh of the run stands for a report"""
     cases = _cases(run)
     solvers = columns(run)
     return Table(
@@ -54,7 +54,7 @@ def matrix(run: Run) -> Table:
 
 
 def counts(run: Run) -> Table:
-    """@raises ResultError when no mesh of the run stands for a report"""
+    """@raises ResultError if no mesh of the run stands for a report"""
     words = _words(run)
     found = [w for w in [*reversed(WORDS), MISSING] if any(w in of for of in words.values())]
     return Table(
@@ -71,7 +71,7 @@ def counts(run: Run) -> Table:
 
 
 def right(run: Run) -> dict[str, str]:
-    """On how many cases each solver is right; "off on 22" of one that promises no bound."""
+    """Returns, by solver, the number of right cases; for a solver without a bound a text like "off on 22"."""
     return {
         solver: f"{OFF} on {of.count(OFF)}"
         if run.solvers[solver].exactness == "unbounded"
@@ -81,7 +81,7 @@ def right(run: Run) -> dict[str, str]:
 
 
 def failures(run: Run) -> Table:
-    """@raises ResultError when no mesh of the run stands for a report, or all is right"""
+    """@raises ResultError if no mesh of the run stands for a report, or no solver fails"""
     rows = [
         [Field(row.mesh), Field(row.solver), Field(str(row.source)), Field(_word(run, row)),
          Field(row.message)]
@@ -107,13 +107,13 @@ def _cases(run: Run) -> list[Mesh]:
 
 
 def _words(run: Run) -> dict[str, list[str]]:
-    """By solver: the word of each case."""
+    """Returns, by solver, the word of each case."""
     cases = _cases(run)
     return {s: [_worst(run, mesh, s)[0] for mesh in cases] for s in columns(run)}
 
 
 def _limit(run: Run) -> str:
-    """Why a hang is one."""
+    """Returns the definition of a hang, with the time of the slowest answer."""
     seconds = max((first(row) for row in run.rows if row.ok), default=0)
     return (
         f"Hang: no answer within {run.ours['time_limit']:g} s; the slowest of all answers took "
@@ -127,7 +127,7 @@ def _case(mesh: Mesh) -> Field:
 
 
 def _reports(mesh: Mesh) -> Field:
-    """libigl 2554 of https://github.com/libigl/libigl/issues/2554"""
+    """Returns short names: "libigl 2554" for https://github.com/libigl/libigl/issues/2554"""
     short = (re.sub(r".*/([^/]+)/issues/(\d+)", r"\1 \2", report) for report in mesh.reports)
     return Field(", ".join(short) or ABSENT)
 
@@ -152,8 +152,8 @@ def _error(rows: Sequence[Row]) -> float:
 
 
 def _worst(run: Run, mesh: Mesh, solver: str) -> tuple[str, list[Row]]:
-    """The worst word of a case, and the rows that it is of. A solver that supports single sources
-    only is judged by these."""
+    """Returns the worst word of a case and the rows with this word. A solver that supports only single
+    sources is judged by those."""
     rows = run.cell(mesh.name, solver)
     if not rows:
         return "skipped" if run.skip(mesh.name, solver) else MISSING, []

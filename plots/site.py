@@ -44,25 +44,25 @@ COLUMNS = [
     "Time / dijkstra", "Largest error", "Windows", "Memory (MB)", "Vertices", "Sources",
 ]  # fmt: skip
 TEXTS, KEPT = 6, 3
-"""Columns of texts; those that stay although all rows have the same."""
+"""Number of columns of texts; number of columns that stay even if all their rows are equal."""
 
 
 DIJKSTRA = "dijkstra"
-"""What times of several machines are multiples of."""
+"""Solver whose times are the unit for comparisons between machines."""
 CHOSEN, FEW = "chosen", 4
-"""The corpus of a run of --meshes, of which so many are named."""
+"""Corpus of a run with --meshes; number of its meshes that are named."""
 
 
 @dataclass(frozen=True)
 class Shown:
-    """A run, as pages show it."""
+    """A run and the texts that the pages show for it."""
 
     run: Run
     name: str
-    """Of its folder below runs/."""
+    """Name of its folder below runs/."""
 
     label: str
-    """What users call it: the name of its folder or, where it has another one, of its file."""
+    """Name for users: that of the run's folder or, if its file is not run.json, of the file."""
 
     @property
     def raw(self) -> str:
@@ -79,18 +79,18 @@ class Shown:
 
 @dataclass(frozen=True)
 class Entry:
-    """A solver on a mesh, in a run, on one processor."""
+    """Results of a solver on a mesh, in a run, on one processor."""
 
     shown: Shown
     run: Run
-    """What that processor measured of it."""
+    """The part of the run that this processor measured."""
     processor: str
     mesh: Mesh
     solver: Solver
 
 
 def shown(runs: Iterable[Run]) -> list[Shown]:
-    """The oldest first."""
+    """Gives each run a name and a label, and returns them, the oldest first."""
     named: list[Shown] = []
     for run in sorted(runs, key=lambda one: str(one.ours["started"])):
         name = str(run.ours["started"]).replace(":", "").replace("-", "")
@@ -123,7 +123,7 @@ def newest_first(entries: Sequence[Entry]) -> list[Entry]:
 
 
 def mesh_page(mesh: Mesh) -> str:
-    """Meshes of one name that are different files have a page each."""
+    """Returns the page of a mesh. Different files with the same mesh name have separate pages."""
     return f"meshes/{quote(quote(mesh.name, safe=''))}-{mesh.sha256[:8]}.html"
 
 
@@ -132,7 +132,7 @@ def solver_page(solver: Solver) -> str:
 
 
 def row(entry: Entry, root: str) -> list[Field]:
-    """@param root from the page to the site's folder"""
+    """@param root path from the page to the site's folder"""
     run, mesh, solver = entry.run, entry.mesh, entry.solver
     texts = [
         Field(mesh.name, link=root + mesh_page(mesh)),
@@ -154,7 +154,7 @@ def row(entry: Entry, root: str) -> list[Field]:
 
 
 def _over_dijkstra(entry: Entry) -> Field:
-    """Short, with the interval where it is pointed at."""
+    """Returns the ratio to Dijkstra's time, with its interval in the title that a pointer shows."""
     if DIJKSTRA not in entry.run.solvers:
         return BLANK
     field = time_over(DIJKSTRA).field(entry.run, entry.mesh.name, entry.solver.name)
@@ -202,7 +202,7 @@ def runs_table(runs: Sequence[Shown]) -> Table:
 
 @dataclass(frozen=True)
 class Step:
-    """How a solver's times in a run compare with those of the first run on the same processor."""
+    """Ratio of a solver's times in a run to those in the first run on the same processor."""
 
     shown: Shown
     processor: str
@@ -253,7 +253,7 @@ def history_table(steps: Sequence[Step]) -> Table:
 
 
 def history_figure(solver: str, steps: Sequence[Step]) -> Drawing | None:
-    """None where no processor has two runs."""
+    """Returns a figure of the steps, or None if no processor has two runs."""
     from plots import style
     from plots.drawing import Drawing
 
@@ -291,10 +291,10 @@ def history_figure(solver: str, steps: Sequence[Step]) -> Drawing | None:
 
 
 class Site:
-    """The pages in a folder."""
+    """Writes pages into a folder."""
 
     def __init__(self, folder: Path, pages: Mapping[str, str]) -> None:
-        """@param pages that every page links to: their titles by file"""
+        """@param pages titles, by file, of the pages that every page links to"""
         self.folder = folder
         self.pages = pages
 
@@ -302,7 +302,7 @@ class Site:
         self, file: str, title: str, summary: Sequence[str], tables: Sequence[Table] = (),
         facts: Mapping[str, object] | None = None, drawings: Mapping[str, Drawing] | None = None,
     ) -> None:  # fmt: skip
-        """@param file relative to the site's folder, as a link has it"""
+        """@param file relative to the site's folder, quoted as in a link"""
         from plots import style
 
         path = self.folder / unquote(file)
@@ -378,7 +378,7 @@ def write_site(runs: Sequence[Shown], folder: Path) -> None:
 
 
 def every_frontier(runs: Sequence[Shown]) -> tuple[dict[str, Drawing], list[str]]:
-    """Of the newest run first; and why another run has none."""
+    """Returns the frontiers of all runs, the newest first, and the reasons why other runs have none."""
     found: dict[str, Drawing] = {}
     without: list[str] = []
     for number, one in enumerate(reversed(runs), 1):
@@ -395,7 +395,7 @@ def facts_of(solver: Solver) -> dict[str, object]:
 
 
 def frontiers(entries: Sequence[Entry]) -> dict[str, Drawing]:
-    """Of one mesh, from the newest run that has a figure."""
+    """Returns the frontiers of one mesh from the newest run that has one; empty without one."""
     for newest in dict.fromkeys(entry.shown.name for entry in reversed(entries)):
         entry = next(entry for entry in entries if entry.shown.name == newest)
         try:
@@ -406,7 +406,7 @@ def frontiers(entries: Sequence[Entry]) -> dict[str, Drawing]:
 
 
 def frontier(name: str, run: Run, shown: Shown) -> dict[str, Drawing]:
-    """One a processor. @raises ResultError where the run lacks the data"""
+    """Returns a figure per processor. @raises ResultError if the run lacks the data"""
     from plots import catalogue
 
     drawn, left_out = catalogue.draw(run, ["frontier"])

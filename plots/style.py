@@ -1,11 +1,11 @@
-"""How every figure looks: page width, type, and a colour, mark and line for each solver.
+"""Style of all figures: page width, type, and a colour, mark and line for each solver.
 
-Importing it sets matplotlib's defaults. Colours are those of Okabe and Ito, which colour-blind
-readers can distinguish. They follow the families: blue is MMP, orange Chen-Han, black edge-based;
-the variant with a bucket queue is the lighter one. Mark and line repeat the colour's meaning for
-prints in grey.
+Importing this module sets matplotlib's defaults. Colours are those of Okabe and Ito, which
+colour-blind readers can distinguish. They follow the families: blue is MMP, orange Chen-Han, black
+edge-based; the variant with a bucket queue is lighter. Marks and lines distinguish the solvers in
+grey prints too.
 
-Dollars in a drawn text mean mathematics: a name that enters one goes through `plain` first.
+matplotlib reads text between dollars as mathematics: `plain` prepares a name for a drawn text.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ from matplotlib.figure import Figure
 from results.statistics import Estimate
 
 WIDTH = 6.3
-"""Inches: the text of an A4 page."""
+"""Width of the text of an A4 page in inches."""
 DPI = 200
 
 INK, PALE, GRID = "#222222", "#767676", "#dddddd"
 ISOLINE, WAVEFRONT = "#EE442F", "#08407F"
-"""Red and blue as in the thesis; in grey the isoline is the lighter one."""
+"""Red and blue as in the thesis; in a grey print the isoline is lighter."""
 
 matplotlib.rcParams.update(
     {
@@ -87,17 +87,17 @@ _SPARE = [
     SolverStyle("#661100", "8", (0, (7, 1, 1, 1))),
     SolverStyle("#6699CC", "H", (0, (1, 1, 4, 1))),
 ]
-"""For all other solvers, in the order of the run; further settings of one come after all of them."""
+"""Styles of the other solvers in the order of the run. Further settings of a solver come last."""
 
 
 def plain(name: str) -> str:
-    """A name as part of a drawn text."""
+    """Returns a name as part of a drawn text, with its dollars escaped."""
     return name.replace("$", r"\$")
 
 
 def solver_styles(solvers: Iterable[str]) -> dict[str, SolverStyle]:
-    """A style for each solver: its own, or the next spare one. What the first setting of a solver
-    has does not depend on how many settings there are."""
+    """Returns a style for each solver: its own, or the next spare one. The style of a solver's first
+    setting does not depend on the number of settings."""
     names = list(solvers)
     others = [name for name in names if name not in _FIXED]
     first = set({name.split("?")[0]: name for name in reversed(others)}.values())
@@ -107,7 +107,7 @@ def solver_styles(solvers: Iterable[str]) -> dict[str, SolverStyle]:
 
 
 def _spare(number: int) -> SolverStyle:
-    """After the last colour the first again, with another mark."""
+    """Returns a spare style. After the last colour, the colours start again with other marks."""
     count = len(_SPARE)
     style = _SPARE[number % count]
     return replace(style, marker=_SPARE[(number + number // count) % count].marker)
@@ -116,11 +116,11 @@ def _spare(number: int) -> SolverStyle:
 PUBLISHED: dict[str, Any] = {
     "marker": "d", "markersize": 7.5, "linestyle": "", "markeredgewidth": 0.9, "zorder": 2.5,
 }  # fmt: skip
-"""The mark of a number that the thesis prints, behind ours: no other mark is a thin diamond."""
+"""Mark of a number that the thesis prints, drawn behind ours. No other mark is a thin diamond."""
 
 
 def published_mark(color: str, *, context: bool) -> dict[str, Any]:
-    """@param context a stand-in was measured here, so that the number is context only: hollow"""
+    """@param context whether a stand-in was measured: the number is context only, and the mark hollow"""
     return PUBLISHED | {
         "markeredgecolor": color if context else INK,
         "markerfacecolor": "white" if context else color,
@@ -128,19 +128,19 @@ def published_mark(color: str, *, context: bool) -> dict[str, Any]:
 
 
 def bars(estimates: Sequence[Estimate]) -> list[list[float]]:
-    """Their intervals, as `errorbar` takes them."""
+    """Returns the lengths of the intervals below and above the values, as `errorbar` expects them."""
     return [[one.value - one.low for one in estimates], [one.high - one.value for one in estimates]]
 
 
 def new_figure(height: float, width: float = WIDTH) -> Figure:
-    """Inches. Not registered with pyplot, so that it is freed with its last reference."""
+    """Returns a figure of a size in inches. pyplot does not hold it, so its last reference frees it."""
     figure = Figure(figsize=(width, height), layout="constrained")
     FigureCanvasAgg(figure)
     return figure
 
 
 def legend_above(figure: Figure, handles: list[Any], columns: int = 5) -> None:
-    """A legend above all axes, in fewer columns where so many would be too wide."""
+    """Draws a legend above all axes, with fewer columns if it would be too wide."""
     renderer = figure.canvas.get_renderer()
     for count in range(min(columns, len(handles)), 0, -1):
         legend = figure.legend(
@@ -155,7 +155,7 @@ def legend_above(figure: Figure, handles: list[Any], columns: int = 5) -> None:
 
 
 def save(figure: Figure, file: Path) -> None:
-    """PDF or PNG by the extension; the same figure always gives the same bytes."""
+    """Writes PDF or PNG, by the file's extension. The same figure always gives the same bytes."""
     undated = {
         ".pdf": {"CreationDate": None, "Creator": None, "Producer": None},
         ".png": {"Software": None},

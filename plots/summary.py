@@ -1,5 +1,5 @@
-"""The results of a run in three tables: a line a solver, ratios mesh by mesh, and every solver on
-every mesh. All ratios of times are to the fastest exact solver."""
+"""The results of a run in three tables: a row per solver, ratios by mesh, and every solver on every
+mesh. All ratios of times are to the fastest exact solver."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from results.table import BLANK, Field, Table, estimate_field
 
 ALL = "all meshes"
 QUANTILES = (0.05, 0.25, 0.5, 0.75, 0.95)
-"""Shown of many meshes; of fewer, the least and the greatest."""
+"""Quantiles for many meshes; for fewer, the least and the greatest ratio are shown."""
 PAIRED = (
     "Ratios of times are paired by mesh, source and repetition; a mean is geometric, over the meshes "
     "that have both times, each of which counts once."
@@ -29,7 +29,7 @@ PAIRED = (
 
 
 def overall(run: Run) -> Table:
-    """A line a solver, the fastest first."""
+    """Returns a table with a row per solver, the fastest first."""
     base = fastest_exact(run)
     of = over_each_mesh(run, base)
     few = len(run.meshes) <= MANY
@@ -85,7 +85,7 @@ def _counts(run: Run, solver: str) -> list[Field]:
 
 
 def by_mesh(run: Run) -> Table:
-    """Meshes x solvers. @raises ResultError when no solver has a time"""
+    """Returns a table of meshes by solvers. @raises ResultError if no solver has a time"""
     base = fastest_exact(run)
     if not base:
         raise ResultError(f"{run.file}: no verified time")
@@ -146,7 +146,7 @@ def _ratio(run: Run, mesh: Mesh, ratio: Ratio, solver: str) -> Field:
 
 
 def every(run: Run) -> Table:
-    """A line for each solver on each mesh, the fastest first."""
+    """Returns a table with a row for each solver on each mesh, the fastest first."""
     ratio = time_over(fastest_exact(run))
     return Table(
         name="every_solver",

@@ -1,5 +1,5 @@
-"""A triangle mesh and its picture: shaded smoothly, as an image below vector lines, and from the
-side that shows most of these lines."""
+"""A triangle mesh and its picture: a smoothly shaded image below vector lines, seen from the side that
+shows most of these lines."""
 
 from __future__ import annotations
 
@@ -17,24 +17,24 @@ from results.reader import Mesh
 PIXELS_PER_INCH = 400
 """Twice the resolution of a saved figure, which smooths the outline."""
 CREASE = np.cos(np.radians(40))
-"""Faces that turn away further than this from their neighbours are not shaded smoothly."""
+"""Least cosine between the normals of a face and a vertex for which the corner is shaded smoothly."""
 LIGHT = np.array([-0.45, 0.55, 0.7]) / np.linalg.norm([-0.45, 0.55, 0.7])
-"""Towards the light, in camera coordinates."""
+"""Unit vector towards the light, in camera coordinates."""
 DARK, BRIGHT = np.array([0.50, 0.52, 0.56]), np.array([0.97, 0.965, 0.95])
-"""Colours of a face that turns away from the light, and of one that looks into it."""
+"""Colours of a face that is turned away from the light, and of one that is turned towards it."""
 UNDER_COLORS = 0.4
-"""How much less the shade darkens a coloured surface than a grey one: colours stay readable."""
+"""Share of a surface's colour that the shade does not darken, so that colours stay readable."""
 UPRIGHT = {"horse": 2}
-"""Axis that points up in the file, by thesis's model; y in most others."""
+"""Axis that points up in the file, by model of the thesis; for other models it is y."""
 FLAT = 0.35
 """A mesh whose height z is less than this share of its width and depth is a landscape."""
 ELEVATION, ABOVE_A_LANDSCAPE = 18.0, 50.0
-"""Degrees."""
+"""Elevation of the camera over most models, and over a landscape, in degrees."""
 AZIMUTHS = np.arange(20.0, 360.0, 30.0)
-"""Degrees; none looks along an axis, where models lose their depth."""
+"""Azimuths of the camera in degrees. None is along an axis, where models seem to have no depth."""
 TRIAL_PIXELS = 160
 SOURCE_COUNTS = 2.0
-"""So many times more must be seen of the lines from where the source is hidden."""
+"""Factor by which a view that hides the source must show more of the lines than one that shows it."""
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class Surface:
 
     @cached_property
     def face_normals(self) -> Floats:
-        """Unit vectors; 0 of a face without area."""
+        """Unit normals of the faces; 0 for a face without area."""
         return _unit(self._area_vectors)
 
     @cached_property
@@ -57,7 +57,7 @@ class Surface:
 
     @cached_property
     def corner_normals(self) -> Floats:
-        """(m, 3, 3): those of the vertices, but of the face itself beside a crease."""
+        """Normals of the corners (m, 3, 3): those of the vertices or, beside a crease, of the face."""
         sums = np.zeros_like(self.vertices)
         for i in range(3):
             for axis in range(3):
@@ -71,12 +71,12 @@ class Surface:
 
 
 def sides(faces: Integers) -> Integers:
-    """(3 m, 2): those of each face in turn, by their vertices."""
+    """Returns the sides of each face in turn, as pairs of vertices (3 m, 2)."""
     return faces[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
 
 
 def edges(faces: Integers) -> Integers:
-    """(n, 2): by their vertices, the lesser one first; each once."""
+    """Returns each edge once, as pairs of vertices (n, 2) with the lesser one first."""
     return np.unique(np.sort(sides(faces), axis=1), axis=0)
 
 
@@ -89,10 +89,10 @@ def _unit(vectors: Floats) -> Floats:
 def shade(
     surface: Surface, buffer: ZBuffer, colors: Floats | None = None, *, blend: bool = True
 ) -> Floats:
-    """The picture (height, width, 3), row 0 lowest, white where there is no surface.
-    @param colors of the vertices (n, 3), which are shaded instead of a grey surface
-    @param blend whether they are mixed within a face, or divide it: each point has that of the
-           corner with the greatest barycentric coordinate"""
+    """Returns the picture (height, width, 3), row 0 lowest, white where there is no surface.
+    @param colors of the vertices (n, 3); None: the surface is grey
+    @param blend whether colours are interpolated within a face; if not, each point has the colour of
+           the corner with the greatest barycentric coordinate"""
     image = np.ones((*buffer.face.shape, 3))
     y, x = np.nonzero(buffer.face != NOTHING)
     face = buffer.face[y, x]
@@ -115,10 +115,9 @@ def draw_surface(
     axes: Axes, surface: Surface, camera: Camera, inches: float, colors: Floats | None = None,
     *, blend: bool = True,
 ) -> ZBuffer:  # fmt: skip
-    """Fills the axes with the surface, and gives what decides which lines on it are hidden.
-    @param inches about as wide as the axes will be
-    @param colors of the vertices (n, 3); without them the surface is grey
-    @param blend as of `shade`"""
+    """Fills the axes with the surface. Returns the depth buffer, which tells which lines are hidden.
+    @param inches approximate width of the axes
+    @param colors, blend as in shade()"""
     buffer = z_buffer(
         surface.vertices, surface.faces, camera, max(1, round(inches * PIXELS_PER_INCH))
     )
@@ -131,7 +130,7 @@ def draw_surface(
 
 
 def draw_lines(axes: Axes, buffer: ZBuffer, segments: Floats, color: str, width: float) -> Floats:
-    """Draws what is visible of segments (n, 2, 3) on the surface, which is returned.
+    """Draws and returns the visible pieces of segments (n, 2, 3) on the surface.
     @param width in points"""
     pieces = buffer.visible_pieces(segments)
     axes.add_collection(
@@ -143,9 +142,9 @@ def draw_lines(axes: Axes, buffer: ZBuffer, segments: Floats, color: str, width:
 def best_axes(
     mesh: Mesh, surface: Surface, lines: Floats, source: int, up: int | None = None
 ) -> Floats:
-    """The axes of the camera that sees most of the lines (n, 2, 3), and if possible the source.
+    """Returns the axes of the camera that shows most of the lines (n, 2, 3) and, if possible, the source.
 
-    @param up the axis that points up, by default as `upwards` has it"""
+    @param up axis that points up; None: that of upwards()"""
     if up is None:
         up = upwards(mesh, surface)
     elevation = ABOVE_A_LANDSCAPE if _is_landscape(surface) else ELEVATION
@@ -154,7 +153,7 @@ def best_axes(
 
 
 def upwards(mesh: Mesh, surface: Surface) -> int:
-    """The axis that points up: 0 is x, 1 y, 2 z."""
+    """Returns the axis that points up: 0 is x, 1 y, 2 z."""
     return 2 if _is_landscape(surface) else UPRIGHT.get(mesh.thesis_model or "", 1)
 
 
@@ -164,7 +163,7 @@ def _is_landscape(surface: Surface) -> bool:
 
 
 def _seen(axes: Floats, surface: Surface, lines: Floats, source: int) -> float:
-    """Length of the lines as it appears, with something for the source."""
+    """Returns the visible length of the lines, times SOURCE_COUNTS if the source is visible."""
     camera = framing(axes, surface.vertices)
     width = max(1, round(TRIAL_PIXELS * camera.width / max(camera.width, camera.height)))
     buffer = z_buffer(surface.vertices, surface.faces, camera, width)

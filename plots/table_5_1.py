@@ -22,7 +22,7 @@ PUBLISHED = (
 
 
 def table(run: Run) -> Table:
-    """@raises ResultError when the edge-based solver was not run"""
+    """@raises ResultError if the edge-based solver was not run"""
     if EDGE_BASED not in run.solvers:
         raise ResultError(f"{run.file}: no {EDGE_BASED}, whose window tree this table measures")
     return without_empty_columns(Table(

@@ -39,7 +39,7 @@ def table(run: Run) -> Table:
 
 
 def _block(run: Run, mesh: Mesh) -> list[list[Field]]:
-    """All rows of one mesh, with its name and size down the first column."""
+    """Returns all rows of one mesh. Its name and sizes fill the first column from the top."""
     rows = []
     for measure in measures_of(run, mesh):
         rows.append(_our_row(run, mesh.name, measure))
@@ -60,7 +60,7 @@ def _our_row(run: Run, mesh: str, measure: Measure) -> list[Field]:
 
 
 def _published_row(run: Run, model: str, measure: Measure, for_model: str) -> list[Field]:
-    """@param for_model " for lucy" where the mesh above is a stand-in, or empty"""
+    """@param for_model for example " for lucy" if the mesh is a stand-in; else empty"""
 
     def field(solver: str, what: Measure) -> Field:
         return published_field(published.measure(model, str(what.published), solver), what)

@@ -1,4 +1,4 @@
-"""What the thesis's text claims from Table 5.2: its ratios mesh by mesh, and claim by claim."""
+"""Ratios that the thesis's text claims from Table 5.2: by mesh, and by claim."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def _our_row(run: Run, mesh: Mesh, ratio: Ratio) -> list[Field]:
 
 
 def _published_rows(run: Run, mesh: Mesh, ratio: Ratio) -> list[list[Field]]:
-    """One, under the last of the meshes that are or stand for the model; none if not published."""
+    """Returns one row, for below the last mesh that is or stands for the model; none if not published."""
     if mesh.thesis_model is None:
         return []
     values = [ratio.published(mesh.thesis_model, solver) for solver in columns(run)]
@@ -64,7 +64,7 @@ def _mean_row(run: Run, ratio: Ratio) -> list[Field]:
 
 
 def claims(run: Run) -> Table:
-    """@raises ResultError when no mesh has to do with the thesis"""
+    """@raises ResultError if no mesh is or stands for a model of the thesis"""
     models = groups_of_thesis(run)
     groups = {words: [mesh.name for mesh in meshes] for words, meshes in models.items()}
     groups["all meshes"] = list(run.meshes)
@@ -123,7 +123,7 @@ def _published_mean(ratio: Ratio, solver: str) -> Field:
 
 
 def _our_mean(run: Run, ratio: Ratio, solver: str, meshes: list[str]) -> list[Field]:
-    """And its range; or the solver's failure on the first mesh, or that there is no such mesh."""
+    """Returns the mean and its range; or the solver's failure on the first mesh, or "no such mesh"."""
     mean = over_meshes(ratio, run, meshes, solver)
     if mean is None:
         failed = failure(run, meshes[0], solver) if meshes else Field("no such mesh")

@@ -1,4 +1,4 @@
-"""Table 5.3: what the solvers of the run say of themselves, and what the thesis says of its own."""
+"""Table 5.3: descriptions of the run's solvers, and what the thesis prints about its own."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def _yes_or_no(value: bool) -> Field:
 
 
 def _complexity(text: str) -> Field:
-    """O(n^2 log n) is mathematics in LaTeX; any other text stays text."""
+    """Returns a field with a complexity such as O(n^2 log n) as mathematics in LaTeX, other text as text."""
     if not re.fullmatch(r"O\([\w^+ ]+\)", text):
         return Field(text)
     return Field(text, latex=f"${text.replace('log', chr(92) + 'log')}$")

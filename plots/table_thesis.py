@@ -1,4 +1,4 @@
-"""The run beside the thesis's Table 5.2, in means: time, order of the solvers, windows."""
+"""Means of the run beside those of the thesis's Table 5.2: time, order of the solvers, windows."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ SPEED, WINDOWS = BY_KEY["speed-up"], BY_KEY["propagations over the limit"]
 
 @dataclass(frozen=True)
 class Pair:
-    """Geometric means over the models for which both numbers are there."""
+    """Geometric means over the models that have both numbers."""
 
     ours: float
     thesis: float
@@ -26,7 +26,7 @@ class Pair:
 
 
 def compare(run: Run, meshes: list[Mesh], ratio: Ratio) -> dict[str, Pair]:
-    """By solver, for those that have the ratio here and in the thesis on some model."""
+    """Returns the pairs of the solvers that have the ratio here and in the thesis on at least one model."""
     pairs = {}
     for solver in THESIS_SOLVERS:
         both = [
@@ -42,7 +42,7 @@ def compare(run: Run, meshes: list[Mesh], ratio: Ratio) -> dict[str, Pair]:
 
 
 def table(run: Run) -> Table:
-    """@raises ResultError when no mesh has to do with the thesis, or no cell can be compared"""
+    """@raises ResultError if no mesh is or stands for a model of the thesis, or no cell can be compared"""
     groups = groups_of_thesis(run)
     rows = [row for words, meshes in groups.items() for row in _rows(run, words, meshes)]
     if not rows:

@@ -1,4 +1,4 @@
-"""How fair our rivals are: our implementation of an algorithm against its public ones."""
+"""Twins: our implementation of an algorithm and a public code of the same algorithm."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ TWINS = [
     ("ich", "cgal"),
     ("edge-based", "vtp"),
 ]
-"""Ours, and a code of others for the same algorithm: that of Kirsanov for MMP (libigl, and
-geometry-central with its repairs), of its authors and of CGAL for ICH, of its authors for VTP."""
+"""Our solver, and a public code of its algorithm: for MMP Kirsanov's code (in libigl, and with repairs
+in geometry-central), for ICH those of its authors and of CGAL, for VTP that of its authors."""
 ALL = "all meshes"
 
 
 def table(run: Run) -> Table:
-    """@raises ResultError when the run has no two twins"""
+    """@raises ResultError if the run has no pair of twins"""
     return Table(
         name="twins",
         title="Ours and the public codes of the same algorithm",
@@ -43,7 +43,7 @@ def table(run: Run) -> Table:
 
 
 def overall(run: Run) -> Table:
-    """A line for each two twins. @raises ResultError as table"""
+    """Returns a row per pair of twins. @raises ResultError for the reasons of table()"""
     full = table(run)
     rows = []
     for ours, twin in _pairs(run):
@@ -60,7 +60,7 @@ def overall(run: Run) -> Table:
 
 
 def _pairs(run: Run) -> list[tuple[str, str]]:
-    """@raises ResultError when there is none"""
+    """Returns the run's pairs of twins. @raises ResultError if there is none"""
     if pairs := [pair for pair in TWINS if set(pair) <= set(run.solvers)]:
         return pairs
     codes = ", ".join(twin for _, twin in TWINS)
@@ -68,7 +68,7 @@ def _pairs(run: Run) -> list[tuple[str, str]]:
 
 
 def _ratios(ours: str, twin: str) -> tuple[Ratio, Ratio]:
-    """Of times, and of windows."""
+    """Returns the ratios of times and of windows."""
 
     def of(measure: Measure) -> Ratio:
         return Ratio("", "", (twin, measure), (ours, measure))

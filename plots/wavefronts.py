@@ -28,15 +28,15 @@ from results.published import THESIS_SOLVERS
 from results.reader import ResultError, Run
 
 NEAR = 2
-"""Mean edge lengths: where 95% of the windows are within, the wavefront follows the isoline."""
+"""Mean edge lengths. If 95% of the windows are so near to the mean, the wavefront follows the isoline."""
 MOMENT = 50
-"""Per cent of the vertices reached, in the appendix."""
+"""Per cent of the vertices reached, in the figures of the appendix."""
 CLOSE_UP_EDGES = 24
 """Width of the close-up in mean edge lengths."""
 CLOSE_UP_SHARE = 0.4
-"""It is no wider than this share of the model."""
+"""Largest width of the close-up, as a share of the smaller side of the whole picture."""
 TALLEST = 3.6
-"""Inches."""
+"""Largest height of the pictures in inches."""
 SOURCE = {
     "marker": "o", "markersize": 5.5, "markerfacecolor": "white", "markeredgecolor": style.INK,
     "markeredgewidth": 1.2, "linestyle": "",
@@ -57,7 +57,7 @@ class Lines:
 class Pictures:
     figure: Figure
     close_up: float
-    """Its width in mean edge lengths."""
+    """Width of the close-up in mean edge lengths."""
     source_is_seen: bool
 
     @property
@@ -77,7 +77,7 @@ APPENDIX = {
 
 
 def wavefront_and_isoline(run: Run) -> Drawing:
-    """Figure 5.7. @raises ResultError without recordings of edge-based"""
+    """Draws Figure 5.7. @raises ResultError without recordings of edge-based"""
     recording = recordings(run, EDGE_BASED)[0]
     moment, level = _moment(recording)
     wavefront = recording.wavefront(EDGE_BASED, moment)
@@ -103,8 +103,8 @@ def wavefront_and_isoline(run: Run) -> Drawing:
 
 
 def appendix(name: str) -> Callable[[Run], Drawing]:
-    """@param name in APPENDIX
-    @return the function that draws it, which raises ResultError without the solver's recordings"""
+    """@param name a key of APPENDIX
+    @return a function that draws the figure; it raises ResultError without the solver's recordings"""
     solver = APPENDIX[name]
     number = name[-1]
 
@@ -138,7 +138,7 @@ def appendix(name: str) -> Callable[[Run], Drawing]:
 
 
 def _draw(recording: Recording, layers: Sequence[Lines], about: Floats) -> Pictures:
-    """@param about the segments that the view shows, and the close-up a part of them"""
+    """@param about segments that the view shows; the close-up shows a part of them"""
     mesh, surface = recording.mesh, recording.surface
     whole = best_camera(recording, about)
     ratio = whole.width / whole.height
@@ -164,21 +164,21 @@ def _draw(recording: Recording, layers: Sequence[Lines], about: Floats) -> Pictu
 
 
 def draw_source(axes: Axes, buffer: ZBuffer, recording: Recording) -> bool:
-    """Marks the source where it is not hidden. @return whether it is shown"""
+    """Marks the source if it is not hidden. @return whether it is shown"""
     return draw_points(axes, buffer, recording.surface.vertices[recording.vertices]) > 0
 
 
 def draw_points(axes: Axes, buffer: ZBuffer, points: Floats) -> int:
-    """Marks sources at points (n, 3) that are not hidden. @return how many are shown"""
+    """Marks sources at points (n, 3) that are not hidden. @return the number of marks"""
     seen = points[buffer.visible(points)]
-    if len(seen):  # matplotlib takes the place of a line without points for the figure's corner
+    if len(seen):  # matplotlib places a line without points in the figure's corner
         x, y, _ = buffer.camera.project(seen).T
         axes.plot(x, y, **SOURCE, clip_on=False, zorder=5)
     return len(seen)
 
 
 def _close_up(recording: Recording, buffer: ZBuffer, about: Floats) -> Camera:
-    """Where the lines cross what faces the viewer most, over the whole width of the close-up."""
+    """Returns the close-up on that point of the lines around which the surface most faces the viewer."""
     whole = buffer.camera
     width = min(
         CLOSE_UP_EDGES * recording.mesh.mean_edge_length,
@@ -208,7 +208,7 @@ def _outline(axes: Axes, camera: Camera) -> None:
 
 
 def _moment(recording: Recording) -> tuple[int, float]:
-    """The moment whose mean distance is nearest to the level of an isoline, and that level."""
+    """Returns the moment whose mean distance is nearest to the level of an isoline, and this level."""
     steps = levels(recording)
     means = {
         moment: float(recording.snapshot(EDGE_BASED, moment)["distance"].mean())

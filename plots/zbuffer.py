@@ -1,7 +1,7 @@
-"""Hidden surfaces and hidden lines: a depth buffer over the triangles of a surface.
+"""A depth buffer over the triangles of a surface, to hide surfaces and lines.
 
-Every pixel knows the nearest face through its centre. Points are compared with the plane of that
-face and not with a depth at pixel centres, so that a line drawn on a steep face does not vanish.
+Every pixel stores the nearest face at its centre. Points are compared with the plane of this face
+and not with the depth at the pixel's centre, so that a line on a steep face does not vanish.
 """
 
 from __future__ import annotations
@@ -17,17 +17,17 @@ from plots.camera import Camera, Floats
 Integers = NDArray[np.int64]
 
 CHUNK = 1 << 21
-"""Pairs of face and pixel that are looked at together; bounds the memory."""
+"""Approximate number of pairs of face and pixel in a chunk; bounds the memory."""
 NOTHING = -1
-"""The face of a pixel without a face."""
+"""Marks a pixel without a face."""
 TOLERANCE = 2.0
-"""Pixels: a point at most so far behind a face lies on it."""
+"""Largest distance in pixels behind a face at which a point still lies on the face."""
 EDGE_ON = 1e-9
 """Square pixels; a face that appears smaller than this is seen edge-on."""
 SEAM = 1e-6
-"""Of a face's size by which it is enlarged, so that no pixel is lost between two faces."""
+"""Share of its size by which a face is enlarged, so that no pixel is lost between two faces."""
 STEP = 2.0
-"""Pixels: lines are hidden or shown in pieces of at most this length."""
+"""Largest length in pixels of the pieces of a line that are hidden or shown."""
 
 
 @dataclass(frozen=True)
@@ -36,10 +36,10 @@ class ZBuffer:
     pixel: float
     """Side of a pixel in the mesh's unit of length."""
     depths: Floats
-    """(2, faces): of each face's farthest and nearest corner, in pixels too."""
+    """(2, faces): depths of each face's farthest and nearest corner, in pixels."""
     maps: Floats
-    """(3, 3, faces): the weights of a face's first and second corner, and its plane's depth, each
-    as a + b x + c y of pixels from the left lower corner."""
+    """(3, 3, faces): the weights of a face's first and second corner, and the depth of its plane, each as
+    a, b, c of a + b x + c y with x, y in pixels from the lower left corner."""
     face: Integers
     """(height, width): the nearest face at each pixel's centre, or NOTHING; row 0 is lowest."""
 
@@ -49,7 +49,7 @@ class ZBuffer:
         return pixels
 
     def visible(self, points: Floats) -> NDArray[np.bool_]:
-        """Whether points on the surface are inside the picture and no face is before them."""
+        """Returns whether each point on the surface is inside the picture and not hidden by a face."""
         at = self.to_pixels(points)
         height, width = self.face.shape
         inside = (at[:, 0] >= 0) & (at[:, 0] < width) & (at[:, 1] >= 0) & (at[:, 1] < height)
@@ -67,19 +67,18 @@ class ZBuffer:
         return shown
 
     def weights(self, face: Integers, x: Floats, y: Floats) -> Floats:
-        """Barycentric coordinates (n, 3) of places, in pixels, in faces."""
+        """Returns the barycentric coordinates (n, 3) in faces of points (x, y) in pixels."""
         first, second = (_value(self.maps[i], face, x, y) for i in range(2))
         return np.column_stack([first, second, 1 - first - second])
 
     def _depth(self, face: Integers, x: Floats, y: Floats) -> Floats:
-        """Of the faces' planes at these places, limited to the depths of the face itself."""
+        """Returns the depths of the faces' planes at (x, y), limited to the depths of the faces."""
         farthest, nearest = self.depths[:, face]
         within: Floats = np.clip(_value(self.maps[2], face, x, y), farthest, nearest)
         return within
 
     def visible_pieces(self, segments: Floats) -> Floats:
-        """What is visible of segments (n, 2, 3) on the surface: pieces (m, 2, 2) in camera
-        coordinates."""
+        """Returns the visible pieces (m, 2, 2), in camera coordinates, of segments (n, 2, 3) on the surface."""
         ends = self.to_pixels(segments.reshape(-1, 3)).reshape(-1, 2, 3)
         lengths = np.linalg.norm(ends[:, 1, :2] - ends[:, 0, :2], axis=1)
         steps = np.maximum(np.ceil(lengths / STEP), 1).astype(np.int64)
@@ -103,14 +102,14 @@ class ZBuffer:
 
 
 def _value(function: Floats, face: Integers, x: Floats, y: Floats) -> Floats:
-    """@param function (3, faces), of `ZBuffer.maps`"""
+    """@param function (3, faces), one of `ZBuffer.maps`"""
     a, b, c = (one[face] for one in function)
     value: Floats = a + b * x + c * y
     return value
 
 
 def _maps(corners: Floats) -> Floats:
-    """For `ZBuffer.maps`. A face that is seen edge-on has negative weights, so no pixel."""
+    """Returns `ZBuffer.maps`. A face seen edge-on gets a negative weight, so that it has no pixel."""
     (ax, ay, az), (bx, by, bz), (cx, cy, cz) = (corners[:, i].T for i in range(3))
     area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
     flat = np.abs(area) < EDGE_ON
@@ -124,7 +123,7 @@ def _maps(corners: Floats) -> Floats:
 
 
 def expand(counts: Integers) -> tuple[Integers, Integers]:
-    """[2, 3] as the owners [0, 0, 1, 1, 1] and the indices [0, 1, 0, 1, 2]."""
+    """Returns owners and indices: for [2, 3], [0, 0, 1, 1, 1] and [0, 1, 0, 1, 2]."""
     owner = np.repeat(np.arange(len(counts)), counts)
     return owner, np.arange(len(owner)) - np.repeat(np.cumsum(counts) - counts, counts)
 
@@ -156,7 +155,7 @@ def z_buffer(vertices: Floats, faces: Integers, camera: Camera, width: int) -> Z
 def _pixels_in_boxes(
     corners: Floats, shape: tuple[int, int]
 ) -> Iterator[tuple[Integers, Integers, Integers]]:
-    """Faces, x and y of the pixels whose centres lie in the box around the face, in chunks."""
+    """Yields, in chunks, face, x and y of the pixels whose centres lie in the box around the face."""
     flat = corners[:, :, :2]
     limit = np.array(shape[::-1])
     low = np.clip(np.ceil(flat.min(axis=1) - 0.5), 0, limit).astype(np.int64)
