@@ -21,7 +21,7 @@
 namespace geodesic::harness {
 namespace {
 
-// Exit codes of cells and references beside 0 and 1; 2 is the program's own for a wrong answer.
+// Exit codes of cells and references, in addition to 0 and 1. The program uses 2 for wrong answers.
 constexpr int kOutOfMemory = 3;
 constexpr int kCannotWrite = 4;
 
@@ -33,7 +33,7 @@ void note(const RelativeErrors& errors, Row& row) {
   row.unreachable_mismatches = errors.unreachable_mismatches;
 }
 
-// Both kinds of specification have them.
+// The sources of a CellSpec or a ReferenceSpec.
 template <class Spec>
 SourceSet sources_of(const Spec& spec) {
   SourceSet sources = single_source(spec.source);
@@ -41,7 +41,7 @@ SourceSet sources_of(const Spec& spec) {
   return sources;
 }
 
-// Of the last solve. The program cannot be asked for more.
+// The times of the last solve. An external program gives no other data.
 void note(const ExternalSolver::Times& times, Row& row) {
   row.timed = times.of;
   row.prepare_time = 1e3 * times.prepare;
@@ -66,21 +66,21 @@ class Measurement {
     row_.source = spec.source_set.empty() ? sources_.name : spec.source_set;
   }
 
-  /// @param mesh_ms what building the mesh took
+  /// @param mesh_ms milliseconds that building the mesh took
   std::vector<Row> run(double mesh_ms);
 
  private:
-  // Why the distances are wrong; empty when they are right. Times solves only of the latter, and
-  // fills in the row.
+  // Returns why the distances are wrong; empty when they are right. Times solves and fills in the
+  // row only in that case.
   std::string measure();
-  // Of the CPU, and of the wall where several threads share the work.
+  // CPU time, or real time if several threads share the work.
   double seconds(const Stopwatch& watch) const;
   void time(Solver& solver);
   std::string verify_warm_up(Solver& solver);
   std::string verify_after_others(Solver& solver);
   Verdict judge(std::span<const double> distances) const;
-  // Why the distances of another solve cannot be right, when those of the first one are.
-  // @param which a sentence that says it of a solver whose solves are all the same
+  // Returns why the last distances are wrong, if those of the first solve are right.
+  // @param which message if the solver is deterministic
   std::string verify_again(const std::string& which);
   void count();
   void measure_paths();
@@ -93,10 +93,10 @@ class Measurement {
   const SourceSet sources_;
   const Query query_;
   std::vector<double> verified_;  // distances of the warm-up solve
-  std::vector<double> solved_;    // of the solve that came last
+  std::vector<double> solved_;    // distances of the last solve
   std::vector<Repetition> repetitions_;
-  Row row_;     // what all repetitions have in common
-  Row failed_;  // what is known when the distances are not right
+  Row row_;     // the values that all repetitions share
+  Row failed_;  // the row to write when the distances are wrong
 };
 
 Verdict Measurement::judge(std::span<const double> distances) const {
@@ -127,7 +127,7 @@ std::string Measurement::verify_again(const std::string& which) {
   return solver_.deterministic ? which : error;
 }
 
-// What an object has solved before must not show in an answer.
+// Earlier solves of an object must not change its answers.
 std::string Measurement::verify_after_others(Solver& solver) {
   const auto solve = [&](const Query& query) {
     if (solver_.needs_renewal) solver.renew();
@@ -156,8 +156,8 @@ void Measurement::count() {
   row_.unreachable_vertices = unreachable_vertices(solved_);
 }
 
-// Between two vertices only: a code that solves from one source after the other may have forgotten
-// all but the last.
+// Paths from a single source only: a code that solves from one source after the other may keep only
+// the data of the last one.
 void Measurement::measure_paths() {
   const Abilities& can = solver_.abilities;
   if (spec_.path_targets == 0 || !spec_.source_set.empty() || !(can.paths || can.traces)) return;
@@ -166,9 +166,9 @@ void Measurement::measure_paths() {
                                       read_distances(spec_.reference_file, mesh_.vertex_count()));
 }
 
-// What figures show of the cell: the wavefront of a solver that has one, and the distances, which
-// of an exact solver are those of the source and of an inexact one its own. A full disk costs no
-// time that was measured.
+// Writes the data for figures: the wavefront, if the solver has one, and the distances. All exact
+// solvers of a source share the distances; an inexact solver has its own. After an error, such as a
+// full disk, the measured times are kept.
 void Measurement::record() {
   const bool has_wavefront = row_.counters.wavefront_sd.has_value();
   const bool exact = solver_.exactness == Exactness::exact;
@@ -188,7 +188,7 @@ void Measurement::record() {
   }
 }
 
-// By the first solver of the source that remembers paths.
+// Written by the first solver of the source that supports paths.
 void Measurement::record_paths(const std::filesystem::path& folder) {
   if (!has_paths(folder)) {
     std::vector<double> distances = verified_;
@@ -207,7 +207,7 @@ double Measurement::seconds(const Stopwatch& watch) const {
   return row_.threads > 1 ? watch.real_seconds() : watch.cpu_seconds();
 }
 
-// Of one solve, with the verified object.
+// Times solves by the verified object.
 void Measurement::time(Solver& solver) {
   double renewing = 0;
   int renewals = 0;

@@ -22,18 +22,18 @@ struct CellSpec {
   std::string mesh;                 ///< name
   std::string mesh_file;            ///< path
   Index source = 0;                 ///< vertex
-  std::string source_set = {};      ///< in place of it: the name of a set
-  std::string sources_file = {};    ///< with its vertices
+  std::string source_set = {};      ///< name of a set that replaces `source`
+  std::string sources_file = {};    ///< file with the vertices of the set
   std::string reference = {};       ///< the solver that the distances are compared with
-  std::string reference_file = {};  ///< its distances (verify/references.h)
+  std::string reference_file = {};  ///< file with its distances (verify/references.h)
   std::string output = {};          ///< the file to write: {"benchmarks": rows}
   std::string run_folder = {};
-  bool counted = true;    ///< solve some more, for counters, memory and phases
-  bool pictured = false;  ///< leave recordings in the run folder; only of counted cells
-  bool frames = false;    ///< a pictured cell: the wavefront at every step of progress
-  int other_queries = 0;  ///< solve from so many other vertices, then from the source again
-  int path_targets = 0;   ///< a counted cell: measure paths to so many, of solvers that have them
-  std::string vectors;    ///< corpus/solvers.h
+  bool counted = true;    ///< make more solves, for counters, memory and phases
+  bool pictured = false;  ///< write recordings to the run folder; only in counted cells
+  bool frames = false;    ///< record the wavefront at every step; only in pictured cells
+  int other_queries = 0;  ///< number of solves from other vertices, before another from the source
+  int path_targets = 0;   ///< targets to measure paths to, in counted cells of solvers with paths
+  std::string vectors;    ///< name of the instruction set (corpus/solvers.h)
   std::vector<std::string> benchmark_flags = {};
   bool repair = false;  ///< repair the mesh first
 };
@@ -41,28 +41,28 @@ GEODESIC_JSON_MEMBERS(CellSpec, solver, mesh, mesh_file, source, source_set, sou
                       reference, reference_file, output, run_folder, counted, pictured, frames,
                       other_queries, path_targets, vectors, benchmark_flags, repair)
 
-/// Distances to verify others by.
+/// A solve whose distances verify other solvers.
 struct ReferenceSpec {
   std::string solver;
   std::string mesh_file;
   Index source = 0;               ///< vertex
-  std::string sources_file = {};  ///< in place of it: several
+  std::string sources_file = {};  ///< file with several vertices that replace `source`
   std::string output;             ///< distance file to write
   bool repair = false;            ///< repair the mesh first
 };
 GEODESIC_JSON_MEMBERS(ReferenceSpec, solver, mesh_file, source, sources_file, output, repair)
 
-/// Prepares the solver, verifies a warm-up solve, asks for other sources and again, times solves
-/// and, in a counted cell, records more on new solver objects; then writes the rows, after the
-/// recordings of a pictured cell. Distances that are wrong, or that differ between these solves,
-/// make one row with the error and no time.
-/// @throws what the reader, the solver or the disk throws; the run makes an error row of it
+/// Prepares the solver, verifies a warm-up solve, solves from other sources and again from this
+/// one, times solves and, in a counted cell, records more with new solver objects. Then it writes
+/// the recordings of a pictured cell, and the rows. If distances are wrong or differ between these
+/// solves, the only row has the error and no time.
+/// @throws the exceptions of mesh reader, solver and disk; the run writes an error row for them
 void run_cell(const CellSpec& spec);
 
 /// Solves once and writes the distances. @throws as run_cell
 void run_reference(const ReferenceSpec& spec);
 
-/// Does the work of such a process. What it throws becomes a line on standard error and an exit
+/// Does the work of such a process. Turns an exception into a line on standard error and an exit
 /// code for failure_of.
 int exit_code_of(const std::function<void()>& work);
 
@@ -73,7 +73,7 @@ struct Failure {
 
 /// Why such a process failed.
 /// @param limits of the process
-/// @throws CannotWrite when that was its reason: later cells could not write either
+/// @throws CannotWrite when the process could not write: later cells could not write either
 Failure failure_of(const Ended& ended, const ProcessLimits& limits);
 
 }  // namespace geodesic::harness

@@ -7,16 +7,16 @@
 
 namespace geodesic::harness {
 
-/// Locked for other processes during its lifetime. The system releases the lock however the process
-/// ends; file systems without locks do not protect the folder.
+/// A run folder, locked for other processes during the object's lifetime. The system releases the
+/// lock however the process ends. File systems without locks do not protect the folder.
 class RunFolder {
  public:
   /// A new folder for results: `path` or `results/runs/<UTC time>-<name>` of the checkout.
-  /// @throws HarnessError when it cannot be made, another process has it, or it holds results
-  ///         already: those never change
+  /// @throws HarnessError when it cannot be made, another process has locked it, or it holds
+  ///         results already, which never change
   RunFolder(const std::optional<std::filesystem::path>& path, const std::string& name);
-  /// One that an earlier process made.
-  /// @throws HarnessError when there is no such folder, or another process has it
+  /// A folder that an earlier process made.
+  /// @throws HarnessError when there is no such folder, or another process has locked it
   explicit RunFolder(const std::filesystem::path& path);
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;

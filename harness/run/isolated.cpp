@@ -8,7 +8,7 @@ namespace geodesic::harness {
 namespace fs = std::filesystem;
 namespace {
 
-// Which of several repetitions a row is, and of which program.
+// Sets the repetition and the program of a row.
 void label(Row& row, const Cell& cell) {
   if (cell.repetition >= 0) {
     row.repetitions = cell.repetitions;

@@ -1,4 +1,4 @@
-// A cell's rows, measured in a process of its own, whatever happens to that process.
+// Measures the rows of a cell in a separate process, whatever happens to that process.
 #pragma once
 
 #include <functional>
@@ -14,10 +14,10 @@ namespace geodesic::harness {
 /// The limits of the suite on the process of a cell.
 ProcessLimits limits_of(const Suite& suite);
 
-/// Finds the distances to verify the cell by and runs its process. A wrong answer by an independent
-/// oracle is measured again by another reference where that differs from the oracle. Where the
-/// solver cannot do the mesh, nothing verifies it, or the process fails, the row says so.
-/// @param spec complete but for the reference
+/// Finds the reference for the cell and runs its process. If an independent oracle calls the answer
+/// wrong and another reference differs from the oracle, the cell is measured again with that one.
+/// An unsupported mesh, a missing reference or a failed process becomes a row with the reason.
+/// @param spec complete except for the reference
 /// @param waiting called about once a second while the cell's process runs
 /// @return at least one row
 /// @throws CannotWrite when the process cannot write
@@ -25,7 +25,7 @@ ProcessLimits limits_of(const Suite& suite);
 std::vector<Row> measure_cell(const Cell& cell, const CellSpec& spec, References& references,
                               const ProcessLimits& limits, const std::function<void()>& waiting);
 
-/// The row of a cell that has no time.
+/// The row of a cell without a time.
 Row failed_row(const Cell& cell, const Failure& failure);
 
 }  // namespace geodesic::harness

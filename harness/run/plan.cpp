@@ -64,7 +64,7 @@ void check_no_repetition(const std::vector<MeshEntry>& meshes) {
   }
 }
 
-// Leaves out what has none of the cells.
+// Removes the solvers and meshes that have none of the cells.
 void restrict_to(const std::vector<std::string>& cells, std::vector<const Description*>& solvers,
                  std::vector<MeshEntry>& meshes) {
   const auto none = [&](const auto& holds) { return std::ranges::none_of(cells, holds); };
@@ -78,7 +78,7 @@ void restrict_to(const std::vector<std::string>& cells, std::vector<const Descri
   });
 }
 
-// Single vertices, which the manifest names or else the seed chooses, and then sets.
+// Single vertices, named by the manifest or else chosen by the seed, and then source sets.
 std::vector<SourceSet> sources_of(const MeshEntry& entry, const TriangleSoup& soup,
                                   const Suite& suite) {
   std::vector<Index> vertices = entry.sources;
@@ -144,8 +144,8 @@ std::vector<ShardedMesh> sharded(const std::vector<MeshEntry>& entries, const Su
   return meshes;
 }
 
-// Of the mesh that was added last, if it is the named one. Small meshes have fewer sources than
-// were asked for; one that has none of the places is left out.
+// Keeps only the sources at these places in the last mesh, if that is the named one. Small meshes
+// have fewer sources than requested; a mesh without any of the places is removed.
 void keep_sources(const std::vector<int>& places, const std::string& name, Plan& plan) {
   if (plan.meshes.empty() || plan.meshes.back().entry.name != name) return;
   PlannedMesh& mesh = plan.meshes.back();

@@ -14,11 +14,11 @@ namespace {
 constexpr const char* kTetrahedron =
     "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
 
-// Only what every revision understands.
+// Uses only options that every revision has.
 Json result_of_small_run(const ProgramFile& program, const fs::path& folder) {
   const fs::path out = folder / program.name, result = out / "run.json";
   if (!fs::exists(result)) {
-    fs::remove_all(out);  // of a run that was interrupted
+    fs::remove_all(out);  // left by an interrupted run
     const fs::path mesh = folder / "tetrahedron.off", suite = folder / "suite.json";
     write_bytes(mesh, kTetrahedron);
     write_json(suite, {{"meshes", {fs::absolute(mesh).string()}},

@@ -9,12 +9,12 @@
 
 namespace geodesic::harness {
 
-/// @throws HarnessError for a single program, two of one name, a name that no file can have, and a
-///         file that is not there
+/// @throws HarnessError for a single program, two programs of the same name, a name that no file
+///         can have, or a missing file
 void check_programs(const std::vector<ProgramFile>& programs);
 
-/// Lets each program measure a tetrahedron, for what its result file says of it.
-/// @param folder of the run; each program leaves `programs/<name>/` in it
+/// Runs each program on a tetrahedron, to read the facts about the program in its result file.
+/// @param folder of the run; each program writes `programs/<name>/` in it
 /// @throws HarnessError when a program cannot do that
 std::vector<MeasuredProgram> measured_programs(const std::vector<ProgramFile>& programs,
                                                const std::filesystem::path& folder);

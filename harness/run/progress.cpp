@@ -17,7 +17,7 @@ constexpr double kProcessSeconds = 0.1;
 constexpr double kFastestSeconds = 0.1;  // a solve of relative time 1 on 50,000 vertices
 constexpr double kUnknownRelativeTime = 10;
 constexpr double kGrowth = 1.3;       // exponent of the vertex count: 1.1 to 1.5 by solver
-constexpr double kSearchShare = 0.5;  // of min_time: to find the number of iterations
+constexpr double kSearchShare = 0.5;  // of min_time, for finding the number of iterations
 constexpr double kMachineWeight = 1, kSolverWeight = 0.5;  // of priors, in expected seconds
 
 double expected_solve_seconds(const Description& solver, Index vertices) {
@@ -36,7 +36,7 @@ Forecast::Forecast(const std::vector<Cell>& cells, const Suite& suite,
     if (cell.unsupported() != nullptr) continue;
     const double solve = expected_solve_seconds(*cell.solver, cell.mesh->vertices);
     const int repetitions = cell.repetition < 0 ? suite.repetitions : 1;
-    // The warm-up, and with counters and phases four more.
+    // The warm-up solve, and four more for counters and phases.
     expected.solves = solve * (cell.is_first_repetition() ? 5 : 1);
     expected.fixed = kProcessSeconds;
     if (solve < suite.min_time) {

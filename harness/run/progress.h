@@ -1,5 +1,5 @@
-// A line on standard error for every cell, with an estimate of the time left; in between, what a
-// long cell is doing and for how long.
+// Writes a line on standard error for every cell, with an estimate of the time left. Shows the
+// current work of a long cell and its time so far.
 #pragma once
 
 #include <map>
@@ -22,14 +22,14 @@ class Forecast {
            const std::vector<const Description*>& solvers);
 
   void measured(std::size_t cell, double seconds);
-  /// Of this cell and those after it.
+  /// Seconds for this cell and the cells after it.
   double seconds_left(std::size_t first) const;
 
  private:
   struct Expected {
-    double fixed = 0;                        // seconds, whatever the solver
+    double fixed = 0;                        // seconds that do not depend on the solver
     double solves = 0;                       // seconds at the assumed speed
-    const Description* reference = nullptr;  // null: has been computed, or is a closed form
+    const Description* reference = nullptr;  // null: already computed, or a closed form
     double reference_solve = 0;              // seconds at the assumed speed
   };
   struct Pace {
@@ -48,16 +48,16 @@ class Progress {
   /// @param cells must outlive it
   Progress(const std::vector<Cell>& cells, const Suite& suite);
 
-  /// To be called about once a second while the next cell is worked on. On a terminal one line is
-  /// kept up to date; elsewhere (a log) a line is written every minute.
-  /// @param work what is being done: "reference by mmp"
+  /// Must be called about once a second during the next cell. Updates one line on a terminal, and
+  /// writes a line every minute elsewhere (a log).
+  /// @param work current work: "reference by mmp"
   void working(const std::string& work);
 
-  /// The next cell, in the order of the constructor's, is not measured.
+  /// Skips the next cell, in the order of the constructor's cells.
   void leave_out() { ++done_; }
 
   /// The next cell has ended.
-  /// @param result its outcome, and its time or what went wrong
+  /// @param result its outcome, and its time or the error
   void ended(const std::string& result);
 
  private:

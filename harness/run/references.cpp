@@ -16,8 +16,8 @@
 namespace geodesic::harness {
 namespace {
 
-// By kClosedForm or kBruteForce. Empty when the distances were written; otherwise why not, which is
-// also printed: the mesh is then not the one that the manifest describes.
+// Writes distances by kClosedForm or kBruteForce. Returns why they could not be written; empty when
+// they were. The reason is also printed: the mesh is not the one that the manifest describes.
 std::string write_known(const std::string& by, const Cell& cell, bool repair,
                         const std::filesystem::path& file) {
   try {

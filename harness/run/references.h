@@ -1,5 +1,5 @@
-// Reference distances, computed once a run and kept in the run folder: by a closed form, by brute
-// force, or by a solver in a process of its own.
+// Reference distances, computed once per run and kept in the run folder. They come from a closed
+// form, brute force, or a solver in a separate process.
 #pragma once
 
 #include <filesystem>
@@ -16,37 +16,37 @@
 namespace geodesic::harness {
 
 struct Reference {
-  std::string solver;  ///< or kClosedForm, kBruteForce
+  std::string solver;  ///< name of a solver, kClosedForm or kBruteForce
   std::filesystem::path file;
 };
 
 class References {
  public:
-  /// @param folder exists, in the run folder
-  /// @param request names the solver that others are verified by, and the limits; outlives this
+  /// @param folder an existing folder in the run folder
+  /// @param request names the reference and has the limits; must outlive this object
   /// @param waiting called about once a second while a solver computes a reference, with its name;
   ///        never by two threads at once
   References(std::filesystem::path folder, const RunRequest& request,
              std::function<void(const std::string& solver)> waiting)
       : folder_(std::move(folder)), request_(request), waiting_(std::move(waiting)) {}
 
-  /// Distances to verify this cell by: from the solver that the suite names, the closed form of the
-  /// mesh, brute force where the suite names it and the mesh is small enough, or the best ranked
-  /// solver (verify/references.h) that supports the mesh and succeeds.
-  /// @throws HarnessError saying why each candidate gave none
+  /// The reference for this cell: the solver that the suite names, the closed form of the mesh,
+  /// brute force if the suite names it and the mesh is small enough, or the best ranked solver
+  /// (verify/references.h) that supports the mesh and succeeds.
+  /// @throws HarnessError with the reason why each candidate failed
   Reference find(const Cell& cell) { return find(cell, /*oracles=*/true); }
 
-  /// The best one that is no independent oracle, where that differs from the given reference, which
-  /// is then named on standard error; nothing where both agree or there is none.
+  /// The best reference that is no independent oracle, if it differs from `oracle`. The difference
+  /// is reported on standard error. Nothing when both agree or there is no other reference.
   std::optional<Reference> find_other_than(const Reference& oracle, const Cell& cell);
 
-  /// Computes what `find` will need for these cells, for as many sources at a time as there are
-  /// threads. Failures are left to `find`.
+  /// Computes the references that `find` will need for these cells. Each thread computes those of
+  /// one source at a time. `find` reports failures.
   void compute_ahead(std::span<const Cell> cells, unsigned threads);
 
  private:
   Reference find(const Cell& cell, bool oracles);
-  // Empty when it was computed; otherwise why not.
+  // Returns why the distances could not be computed; empty when they were.
   const std::string& compute(const Cell& cell, const std::string& solver,
                              const std::filesystem::path& file);
   std::string solve(const Cell& cell, const std::string& solver, const std::filesystem::path& file);
@@ -54,8 +54,8 @@ class References {
   std::filesystem::path folder_;
   const RunRequest& request_;
   std::function<void(const std::string&)> waiting_;
-  std::mutex mutex_;  // of the map, not of its values: those are of one source, thus of one thread
-  std::map<std::string, std::string> tried_;  // by file name: what `compute` returned
+  std::mutex mutex_;  // guards the map; each of its values is for one source, used by one thread
+  std::map<std::string, std::string> tried_;  // results of `compute`, by file name
 };
 
 }  // namespace geodesic::harness

@@ -7,7 +7,7 @@
 namespace geodesic::harness {
 namespace {
 
-constexpr std::array<std::string_view, 3> kRecordings{"none", "auto", "all"};  // as the enum
+constexpr std::array<std::string_view, 3> kRecordings{"none", "auto", "all"};  // in enum order
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// What a run is asked to do: the command `run` fills it in, request.json keeps it (resume.h).
+// The options of a run. The command `run` fills them in; request.json stores them (resume.h).
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace geodesic::harness {
 
-/// Which cells leave recordings for figures.
+/// The cells that write recordings for figures.
 enum class Recordings {
   none,
   automatic,  ///< the first source of each mesh of 1,000 to 250,000 vertices
@@ -37,23 +37,23 @@ struct RunRequest {
   Recordings recordings = Recordings::automatic;
   bool frames = false;  ///< recordings hold the wavefront at every step
   bool repair = false;  ///< repair meshes with defects
-  /// The meshes of the suite are files below this one. Any may be unfit: what cannot be solved is
-  /// skipped, and no failure.
+  /// Folder with the mesh files of the suite. Files whose meshes cannot be solved are skipped,
+  /// without a failure.
   std::optional<std::filesystem::path> folder = {};
-  bool interleave = false;                 ///< every repetition a process of its own (Plan::cells)
+  bool interleave = false;                 ///< run every repetition in a separate process
   std::vector<ProgramFile> programs = {};  ///< measured in place of this one; none, or two or more
-  std::vector<std::string> cells = {};     ///< names of rows: only these; empty: all
+  std::vector<std::string> cells = {};     ///< names of the rows to measure; empty: all
   std::optional<Shard> shard = {};         ///< only this part of the run
 
-  // What follows does not change the results.
+  // The members below do not change the results.
   std::optional<std::filesystem::path> out = {};  ///< default: `results/runs/<UTC time>-<corpus>`
-  unsigned threads = 1;      ///< reference distances computed at a time; nothing is timed meanwhile
+  unsigned threads = 1;      ///< references computed at a time; no cell is timed meanwhile
   std::string command = {};  ///< the command line, for the record
   std::optional<std::filesystem::path> resume = {};  ///< folder of the run to resume
-  bool accept_changes = false;                       ///< resume though the request has changed
+  bool accept_changes = false;                       ///< resume even if the request has changed
 };
 
-// The members that decide about the results.
+// The members that affect the results.
 GEODESIC_JSON_MEMBERS(RunRequest, suite, manifest, recordings, frames, benchmark_flags, repair,
                       folder, interleave, programs, cells, shard)
 

@@ -18,8 +18,8 @@ namespace {
 constexpr int kVersion = 4;  // of request.json
 constexpr const char* kFile = "request.json";
 
-// A revision does not include later changes, so the files that hold the code are part of it. A run
-// may go on on another processor (Row::processor).
+// Includes hashes of the binaries, because a revision does not cover later changes. Excludes the
+// processor: a run may be resumed on another one (Row::processor).
 Json program_identity() {
   Json program = program_context();
   program.erase("processor");
@@ -53,10 +53,10 @@ Json identity(const RunRequest& request, const Plan& plan) {
           {"meshes", std::move(meshes)}};
 }
 
-// With keys that are found quickly.
+// JSON whose keys are found quickly.
 using Sorted = nlohmann::json;
 
-// All values of an identity by their paths; those of a mesh by its name.
+// All values of an identity by their paths. Meshes have their names in the paths.
 Sorted values_of(const Json& identity) {
   Sorted sorted = identity;
   Sorted by_name = Sorted::object();
@@ -88,7 +88,7 @@ std::vector<std::string> differences(const Json& before, const Json& now) {
   return all;
 }
 
-// @throws std::exception saying what is wrong with them
+// The rows of the cell's file. @throws std::exception with the reason when they are not valid
 std::vector<Row> sound_rows(const Cell& cell, const CellSpec& spec) {
   std::vector<Row> rows = read_rows(spec.output);
   for (const Row& row : rows) {
@@ -128,7 +128,7 @@ SavedRequest identify(const RunRequest& request, const Plan& plan) {
   return saved;
 }
 
-// Paths differ between machines that hold the same files, and so does the memory that there is.
+// Leaves out paths and the memory limit, which differ between machines with the same files.
 Json shard_context(const SavedRequest& saved, const Plan& plan) {
   Json program = saved.identity.at("program"), suite = saved.identity.at("options");
   for (Json& plugin : program["plugins"]) plugin.erase("file");

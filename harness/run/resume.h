@@ -1,4 +1,4 @@
-// What an interrupted run left, and whether a run may continue it.
+// The files of an interrupted run, and the check whether the run may be resumed.
 #pragma once
 
 #include <filesystem>
@@ -15,32 +15,32 @@ namespace geodesic::harness {
 /// request.json of a run folder.
 struct SavedRequest {
   RunRequest request;
-  Json identity;                     ///< what decides about the results, when last started
-  std::string started;               ///< as utc_now has it
+  Json identity;                     ///< all that affects the results, at the last start
+  std::string started;               ///< in the format of utc_now
   std::vector<std::string> changes;  ///< accepted since then
 };
 
-/// The request with the program, the solvers and the meshes. One that resumes a run keeps the
-/// command and the start of that run.
-/// @throws HarnessError when the run to resume had another identity, unless that is accepted, which
-///         is then said on standard error
+/// The request with the identity of the program, the solvers and the meshes. A request that resumes
+/// a run keeps the command and the start of that run.
+/// @throws HarnessError when the run to resume had another identity and the request does not accept
+///         changes; accepted changes are listed on standard error
 SavedRequest identify(const RunRequest& request, const Plan& plan);
 
-/// What a shard's result file says of the run that it is a part of (results/README.md).
+/// The data about the whole run in the result file of a shard (results/README.md).
 Json shard_context(const SavedRequest& saved, const Plan& plan);
 
 /// Writes request.json.
 void save_request(const SavedRequest& saved, const std::filesystem::path& folder);
 
-/// Reads request.json. @throws HarnessError when there is none, or it is not what was written
+/// Reads request.json. @throws HarnessError when the file is missing or invalid
 SavedRequest saved_request(const std::filesystem::path& folder);
 
 /// Removes unfinished files of processes that were killed.
 void remove_parts_of_files(const std::filesystem::path& folder);
 
-/// The rows of the cell's result file, with their processor; nothing where there is none. A file
-/// that is damaged or belongs to another cell, or whose recordings are missing, is named on
-/// standard error and removed.
+/// The rows of the cell's result file, with their processor; nothing when there is no file. A file
+/// that is damaged, belongs to another cell or lacks its recordings is reported on standard error
+/// and removed.
 std::optional<std::vector<Row>> kept_rows(const Cell& cell, const CellSpec& spec);
 
 }  // namespace geodesic::harness

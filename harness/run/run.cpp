@@ -46,7 +46,7 @@ class Run {
   /// Writes run.json.
   void assemble() const;
   RunResult conclude() const;
-  /// Says what is saved, and the command that does the rest.
+  /// Prints the number of saved cells and the command that measures the others.
   void explain_resuming() const;
 
  private:
@@ -69,7 +69,7 @@ class Run {
   std::map<std::size_t, std::vector<Row>> kept_;  // by cell
   std::size_t measured_ = 0, ok_ = 0;             // cells
   std::vector<Row> rows_;                         // of all cells so far
-  // The first source that took all its memory or time, and what that was.
+  // The outcome and source of the first cell that exceeded its memory or time limit.
   std::map<std::tuple<const MeasuredProgram*, const Description*, const PlannedMesh*>, std::string>
       exhausted_;
   std::set<std::pair<const MeasuredProgram*, std::string>> failed_;  // names of cells
@@ -102,7 +102,7 @@ CellSpec Run::spec_of(const Cell& cell) const {
   spec.benchmark_flags = {
       "--benchmark_repetitions=" + std::to_string(alone ? 1 : suite.repetitions),
       "--benchmark_min_time=" + Json(suite.min_time).dump()};
-  // Google Benchmark takes the last of several.
+  // Google Benchmark uses the last of repeated flags.
   spec.benchmark_flags.insert(spec.benchmark_flags.end(), request_.benchmark_flags.begin(),
                               request_.benchmark_flags.end());
   return spec;
@@ -131,7 +131,7 @@ void Run::keep_measured_cells() {
 }
 
 // All solvers of a mesh and source are measured on one processor, so that their times can be
-// compared: what another one left unfinished is measured again.
+// compared. If another processor measured only some of them, all are measured again.
 void Run::drop_parts_of_other_processors() {
   const auto is_of_another = [&](std::size_t cell) {
     const auto kept = kept_.find(cell);
@@ -163,7 +163,7 @@ std::vector<Row> Run::measure(const Cell& cell, const CellSpec& spec) {
                       [this] { progress_.working("measuring"); });
 }
 
-// Other repetitions would fail as well, and other sources of the mesh take all memory or time.
+// Other repetitions would fail as well, and other sources of the mesh would exceed the same limit.
 void Run::note_failure(const Cell& cell, const Row& row) {
   if (row.ok()) {
     ++ok_;
@@ -176,8 +176,8 @@ void Run::note_failure(const Cell& cell, const Row& row) {
   }
 }
 
-// Those of the mesh whose first cell this is. Without threads they are computed when they are
-// needed, so that a run shows its first time sooner.
+// Computes the references of the mesh whose first cell this is. With one thread, they are computed
+// when they are needed, so that a run shows its first time sooner.
 void Run::compute_references(std::size_t first) {
   const PlannedMesh* mesh = cells_[first].mesh;
   if (request_.threads == 1 || (first > 0 && cells_[first - 1].mesh == mesh)) return;
@@ -254,7 +254,7 @@ RunResult Run::conclude() const {
   return result;
 }
 
-// Results go by name: beside others' such a mesh would be taken for the manifest's.
+// Warns of files with the name of another mesh in the manifest: results identify meshes by name.
 void warn_of_names(const Plan& plan, const fs::path& manifest) {
   const auto is_file = [](const PlannedMesh& mesh) { return mesh.entry.kind == "file"; };
   if (std::ranges::none_of(plan.meshes, is_file) || !fs::exists(manifest)) return;
@@ -280,7 +280,7 @@ void write_source_sets(const Plan& plan, const fs::path& folder) {
   }
 }
 
-// Of the folder, after the time. Shards may start in the same second.
+// Name of the run folder, after the time. Shards may start in the same second.
 std::string default_name(const RunRequest& request) {
   const std::string& corpus = request.suite.corpus;
   if (!request.shard) return corpus;

@@ -16,7 +16,7 @@ std::uint64_t cube_root(std::uint64_t n) {
   return root;
 }
 
-// Of a solve, up to a factor; at least 1, so that meshes of no size are dealt out evenly.
+// Cost of a solve, up to a factor. At least 1, so that meshes of size 0 are assigned evenly.
 std::uint64_t cost_of(const ShardedMesh& mesh) {
   return std::max<std::uint64_t>(mesh.bytes * cube_root(mesh.bytes), 1);
 }
@@ -48,7 +48,7 @@ std::vector<std::vector<int>> sources_of_shard(std::span<const ShardedMesh> mesh
   }
   std::ranges::stable_sort(pairs, std::ranges::greater(),
                            [](const auto& pair) { return std::get<0>(pair); });
-  using Load = std::pair<std::uint64_t, int>;  // of a shard so far, and its index
+  using Load = std::pair<std::uint64_t, int>;  // cost of a shard so far, and its index
   std::priority_queue<Load, std::vector<Load>, std::greater<>> least;
   for (int index = 1; index <= shard.of; ++index) least.emplace(0, index);
   std::vector<std::vector<int>> ours(meshes.size());

@@ -38,7 +38,7 @@ double median(std::vector<double> values) {
   return (*middle + *std::max_element(values.begin(), middle)) / 2;
 }
 
-// With zeros up to so many significant digits: 2.500, 25.00.
+// The number with `digits` significant digits, including zeros at the end: 2.500, 25.00.
 std::string fixed_digits(double x, int digits) {
   const int before_point = x < 1 ? 1 : static_cast<int>(std::log10(x)) + 1;
   std::ostringstream text;

@@ -31,7 +31,7 @@ std::string direction(double got, double expected) {
   return got > expected ? "too long" : "too short";
 }
 
-// By how much a distance breaks the relation, relative as relative_error; 0 or less: it does not.
+// Relative error by which a distance breaks the relation; 0 or less when the relation holds.
 double excess(double got, double expected, Relation relation, double least) {
   const double error = relative_error(got, expected, least);
   if (std::isnan(error)) return kInfinity;
@@ -137,7 +137,7 @@ Finding check_promise(const Promise& promise, const Query& query, std::span<cons
   if (promise.exactness == Exactness::exact || query.limit == kInfinity) {
     return check_distances(query, got, expected, relation, tolerance);
   }
-  // Of an inexact distance and the right one, one may lie beyond the limit: it counts as the limit.
+  // If only one of the two distances lies beyond the limit, it counts as the limit.
   std::vector<double> theirs(got.begin(), got.end()), right(expected.begin(), expected.end());
   for (std::size_t v = 0; v < std::min(theirs.size(), right.size()); ++v) {
     if (std::isinf(theirs[v]) == std::isinf(right[v])) continue;
@@ -153,7 +153,7 @@ Finding check_edges(const Mesh& mesh, const Query& query, std::span<const double
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const double a = distances[mesh.numbers().external_vertex(mesh.origin(h))];
     const double b = distances[mesh.numbers().external_vertex(mesh.head(h))];
-    if (a == b) continue;  // infinite, perhaps
+    if (a == b) continue;  // both may be infinite
     double excess =
         (std::abs(a - b) - mesh.half_edge(h).length) / std::max({a, b, tolerance.least});
     if (std::isnan(excess)) excess = kInfinity;  // one is infinite or not a number
@@ -202,7 +202,7 @@ RelativeErrors relative_errors(std::span<const double> got, std::span<const doub
   errors.max = *std::ranges::max_element(sizes);
   if (errors.max == 0) return errors;
   const auto count = static_cast<double>(sizes.size());
-  double sum = 0, squares = 0;  // by the largest: some codes write the largest number for infinity
+  double sum = 0, squares = 0;  // scaled: some codes write the largest double for infinity
   for (const double size : sizes) {
     sum += size / errors.max;
     squares += size / errors.max * (size / errors.max);

@@ -1,5 +1,5 @@
-// Whether distances are right: compared with others, and held against bounds that every shortest
-// path obeys. Runs, properties and `solve --check` judge by these functions alone.
+// Checks of distances against other distances and against bounds that hold for every shortest path.
+// Runs, properties and `solve --check` use only these functions.
 #pragma once
 
 #include <cstdint>
@@ -12,113 +12,113 @@
 
 namespace geodesic::harness {
 
-/// What "exact" means throughout: the largest relative error of a distance.
+/// Largest relative error of a distance that counts as exact.
 inline constexpr double kExactTolerance = 1e-12;
 
-/// How far a distance may be off.
+/// Largest allowed error of a distance.
 struct Tolerance {
   double relative = kExactTolerance;
-  /// Errors of shorter distances are relative to this one, in units of length.
+  /// Errors of distances shorter than `least` are relative to `least`, in units of length.
   double least = 0;
 };
 
-/// What is wrong with a solver's answer.
+/// An error in a solver's answer.
 struct Violation {
   std::string what;  ///< one line
-  /// What stays the same when this happens on another mesh: "asked again, too long". Empty: `what`
+  /// Text that is the same for this error on another mesh: "asked again, too long". Empty: `what`
   /// without its numbers.
   std::string kind = {};
-  Query query = {};              ///< that was answered wrongly; empty when no single one was
-  std::vector<double> got = {};  ///< its distances in the order given; empty when there are none
-  Index vertex = kNone;          ///< that is nearest to the sources of those with a wrong distance
+  Query query = {};              ///< with the wrong answer; empty when no single query has one
+  std::vector<double> got = {};  ///< distances for the query, by given numbers; may be empty
+  Index vertex = kNone;          ///< the wrong vertex that is nearest to the sources
 };
 
-/// Nothing when all is well.
+/// Result of a check: a violation, or nothing when the check succeeds.
 using Finding = std::optional<Violation>;
 
-/// The violation with its circumstances in front: "times 1024: 3 of 12 distances ..."
+/// Puts the circumstances in front of a violation: "times 1024: 3 of 12 distances ..."
 Finding in(const std::string& circumstances, Finding finding);
 
 /// How distances must relate to expected ones.
 enum class Relation {
   equal,          ///< up to the tolerance, infinite in the same places
-  same_bits,      ///< whatever the tolerance
+  same_bits,      ///< the tolerance is ignored
   upper_bound,    ///< not less, infinite and 0 in the same places
   at_least,       ///< not less
   at_most,        ///< not more
-  same_reach,     ///< infinite and 0 in the same places, otherwise anything: heat methods give
-                  ///< negative ones
-  same_infinity,  ///< infinite in the same places: they give each of several sources another
-                  ///< distance than 0
+  same_reach,     ///< infinite and 0 in the same places, any value elsewhere: heat methods give
+                  ///< negative distances
+  same_infinity,  ///< infinite in the same places: with several sources, heat methods give them
+                  ///< distances other than 0
 };
 
-/// (got - expected) / expected, or / `least` where that is more; 0 when they are equal. Infinite,
-/// with its sign, when one of them is infinite or the divisor is 0; not a number when one is not.
+/// (got - expected) / max(expected, least); 0 when both distances are equal. Infinite, with a sign,
+/// when one distance is infinite or the divisor is 0; NaN when one distance is NaN.
 double relative_error(double got, double expected, double least = 0);
 
-/// Every distance relates to the expected one as it must. The message names the wrong vertex with
-/// the least expected distance, where it went wrong first, and the largest error.
-/// @param query that the distances answer, one a vertex; so in all checks
+/// Checks that every distance has the relation to the expected one. The message names the wrong
+/// vertex with the least expected distance, where the error began, and the largest error.
+/// @param query the query that the distances answer, one per vertex; likewise in all checks
 Finding check_distances(const Query& query, std::span<const double> got,
                         std::span<const double> expected, Relation relation = Relation::equal,
                         const Tolerance& tolerance = {});
 
-/// What a solver promises of its distances.
+/// Accuracy that a solver promises for its distances.
 struct Promise {
   Exactness exactness = Exactness::exact;
-  double bound = 0;  ///< relative error of a bounded one
+  double bound = 0;  ///< largest relative error of a bounded solver
 
   static Promise of(const Description& solver);
 };
 
-/// Distances keep the promise: exact ones equal the expected ones, bounded ones differ by no more
-/// than the bound, upper bounds are not below them, and unbounded ones reach the same vertices.
-/// Where an inexact distance and the right one lie on different sides of the query's limit, the one
-/// beyond it counts as the limit. Runs, properties and explanations judge a solver by this.
-/// @param tolerance of rounding, beside a bound
+/// Checks that distances keep the promise: exact ones equal the expected distances, bounded ones
+/// differ by at most the bound, upper bounds are not below, and unbounded ones reach the same
+/// vertices. If an inexact distance and the right one lie on different sides of the query's limit,
+/// the one beyond the limit counts as the limit. Runs, properties and explanations use this check.
+/// @param tolerance for rounding, in addition to a bound
 Finding check_promise(const Promise& promise, const Query& query, std::span<const double> got,
                       std::span<const double> expected, Tolerance tolerance = {});
 
-/// |d(u) - d(v)| <= |uv| along every edge, up to the tolerance, relative to the larger distance.
-/// The message names the vertex that exceeds it by most.
+/// Checks that |d(u) - d(v)| <= |uv| for every edge, up to the tolerance, relative to the larger
+/// distance. The message names the vertex with the largest excess.
 Finding check_edges(const Mesh& mesh, const Query& query, std::span<const double> distances,
                     const Tolerance& tolerance = {});
 
-/// Through space from the nearest source to every vertex, in the order given: no path is shorter.
+/// Lengths of the straight lines from the nearest source to the vertices, by their given numbers.
 std::vector<double> straight_lines(const Mesh& mesh, const Query& query);
 std::vector<double> straight_lines(const TriangleSoup& soup, const Query& query);
 
-/// Distances that others are compared with, one a vertex.
+/// Distances to compare others with, one per vertex.
 struct NamedDistances {
   std::string by;  ///< a solver, or another source of distances (references.h)
   std::span<const double> values;
 };
 
-/// Sizes of relative errors, over the vertices that both reach and whose right distance is not 0
-/// unless the distance is 0 too.
+/// Absolute relative errors over the vertices that both distances reach. A vertex with an expected
+/// distance of 0 counts only if the other distance is 0 too.
 struct RelativeErrors {
   double max = 0, mean = 0, rms = 0;
   double p99 = 0;  ///< the least error that 99% of the vertices do not exceed
-  std::uint64_t unreachable_mismatches = 0;  ///< vertices that one reaches and the other does not,
-                                             ///< or whose distance is not a number
+  std::uint64_t unreachable_mismatches = 0;  ///< vertices that only one of the two reaches, or
+                                             ///< whose distance is not a number
 };
 
 RelativeErrors relative_errors(std::span<const double> got, std::span<const double> expected);
 
 struct Verdict {
   std::string error = {};      ///< empty when the distances are right; otherwise one line
-  RelativeErrors errors = {};  ///< against the reference, right or wrong
+  RelativeErrors errors = {};  ///< against the reference, also when the distances are right
 };
 
-/// The checks of a solver's distances before they are timed, until one fails:
+/// Checks a solver's distances before solves are timed, until one of these checks fails:
 /// - the promise, against the reference;
-/// - the straight line: no vertex is nearer than its distance in space to the nearest source;
-/// - the edge graph: an exact or bounded distance is at most that along edges;
-/// - the edges: exact distances of neighbours differ by no more than their edge is long.
-/// All with the tolerance of exact distances, and for a bounded solver with its bound. An unbounded
-/// one promises nothing of lines and edges.
+/// - the straight line: no distance is less than the straight line to the nearest source;
+/// - the edge graph: an exact or bounded distance is at most the distance along edges;
+/// - the edges: exact distances of neighbours differ by at most the length of their edge.
+/// All checks use kExactTolerance, plus the bound of a bounded solver. Only the first check applies
+/// to an unbounded solver.
 /// @param query without a limit
-/// @param edge_graph from a solver of upper bounds; may be absent
+/// @param edge_graph distances by a solver of upper bounds; may be absent
 Verdict verify_distances(const Mesh& mesh, const Query& query, const Promise& promise,
                          std::span<const double> distances, const NamedDistances& reference,
                          const std::optional<NamedDistances>& edge_graph);

@@ -10,11 +10,11 @@
 namespace geodesic::harness {
 namespace {
 
-// Enough to tell windows apart; distances get all digits.
+// Enough digits to tell windows apart. Wrong distances are printed with all digits.
 std::string rounded(double x) { return significant(x, 12); }
 
-// A window that contains a crossing, in the frame of the half-edge that the path enters, and the
-// crossing's distance through it.
+// A window that contains an edge crossing, in the frame of the half-edge that the path enters, and
+// the distance of the crossing by this window.
 struct WindowThere {
   Window window;
   double distance;
@@ -24,7 +24,7 @@ std::optional<WindowThere> nearest_window(const Mesh& mesh, const FinalWindows& 
                                           const EdgeCrossing& crossing) {
   const Index h = crossing.half_edge, own = std::min(h, mesh.twin(h));
   const double length = mesh.half_edge(h).length;
-  const double slack = 1e-9 * length;  // of the ends of windows, as they are rounded
+  const double slack = 1e-9 * length;  // for rounded ends of windows
   std::vector<Window> windows;
   windows_on(own, windows);
   std::optional<WindowThere> best;
@@ -37,7 +37,7 @@ std::optional<WindowThere> nearest_window(const Mesh& mesh, const FinalWindows& 
   return best;
 }
 
-// Where a path crosses edges: the windows of a solver that hands them over.
+// The windows of one solver at the edge crossings of a path.
 struct WindowsAlong {
   std::string solver;
   std::vector<std::optional<WindowThere>> at;  // by crossing, counted from the source
@@ -59,7 +59,7 @@ struct WindowsAlong {
   }
 };
 
-// Another exact solver's, then the solver's own.
+// The windows of another exact solver, then those of the solver itself, if they keep windows.
 std::vector<WindowsAlong> windows_along(const Description& solver, const Mesh& mesh,
                                         const Query& query,
                                         const std::vector<StraightPiece>& path) {

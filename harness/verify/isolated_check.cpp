@@ -17,8 +17,8 @@ struct CheckTask {
   std::string solver, property, vectors;
   std::string mesh_file = {};       // empty: the property's own cases
   std::vector<Query> queries = {};  // on the mesh file
-  double least_distance = 0;        // Tolerance::least there
-  bool explain = false;             // a failure on the mesh file
+  double least_distance = 0;        // Tolerance::least on the mesh file
+  bool explain = false;             // whether to explain a failure on the mesh file
   std::string result_file;
 };
 GEODESIC_JSON_MEMBERS(CheckTask, solver, property, vectors, mesh_file, queries, least_distance,
@@ -26,8 +26,8 @@ GEODESIC_JSON_MEMBERS(CheckTask, solver, property, vectors, mesh_file, queries, 
 
 namespace {
 
-// Checks case by case, and before each step writes the result that stands when the process does not
-// survive it.
+// Checks the cases one by one. Before each step, it writes the result that is valid if the process
+// ends during that step.
 class CheckProcess {
  public:
   explicit CheckProcess(const CheckTask& task)
@@ -59,7 +59,7 @@ class CheckProcess {
 
   CheckResult check(const Case& given, std::size_t at_case) const {
     LocalReference::watch = [&](const std::string& reference) {
-      CheckResult result{.at_case = at_case};  // in the solver
+      CheckResult result{.at_case = at_case};  // crashed: in the solver
       if (!reference.empty()) {
         result.outcome = CheckOutcome::not_known;
         result.what = "the reference, " + reference + ',';
@@ -76,7 +76,7 @@ class CheckProcess {
     }
   }
 
-  // A mesh of the user that was rightly refused says nothing about the property.
+  // If the solver rightly refuses a user's mesh, the property was not checked.
   CheckResult sound(const Mesh& mesh) const {
     const std::string why = unsupported(solver_, mesh);
     if (task_.mesh_file.empty() || why.empty()) return {.outcome = CheckOutcome::holds};
@@ -90,12 +90,12 @@ class CheckProcess {
                        .at_case = at_case,
                        .query = violation.query};
     if (!task_.explain) return result;
-    write(result);  // the solver runs again, and may not come back
+    write(result);  // the solver runs again and may crash or never end
     result.explanation = explain_violation(solver_, given, violation);
     return result;
   }
 
-  // What solvers throw may not be UTF-8.
+  // Messages of solvers may not be UTF-8.
   void write(const CheckResult& result) const {
     write_bytes(task_.result_file,
                 Json(result).dump(-1, ' ', false, Json::error_handler_t::replace));
@@ -114,7 +114,7 @@ CheckResult wait_for(const CheckTask& task, double seconds) {
   if (std::filesystem::exists(task.result_file)) {
     result = Json::parse(std::ifstream(task.result_file)).get<CheckResult>();
   }
-  if (result.outcome == CheckOutcome::wrong) return result;  // whatever became of the explanation
+  if (result.outcome == CheckOutcome::wrong) return result;  // even if the explanation failed
   if (ended.succeeded() && result.outcome != CheckOutcome::crashed) return result;
   const CheckResult end = without_result(ended, ended.timed_out, seconds);
   if (result.outcome == CheckOutcome::not_known) {

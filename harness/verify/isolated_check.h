@@ -1,5 +1,5 @@
-// Properties checked in a process of their own, so that neither a crash nor an endless loop of a
-// solver ends the verification.
+// Checks properties in a separate process, so that neither a crash nor an endless loop of a solver
+// ends the verification.
 #pragma once
 
 #include <filesystem>
@@ -21,22 +21,22 @@ namespace geodesic::harness {
 
 enum class CheckOutcome : std::uint8_t {
   holds,
-  not_claimed,  ///< does not concern the solver
-  not_known,    ///< there were no right distances to compare with
+  not_claimed,  ///< the property does not concern the solver
+  not_known,    ///< no right distances to compare with
   wrong,
   crashed,
   timed_out
 };
 
-/// So many checks of a solver may not end; then it is asked no more.
+/// Number of timed-out checks after which a solver is not checked any more.
 inline constexpr int kMostTimedOut = 3;
 
 struct CheckResult {
-  CheckOutcome outcome = CheckOutcome::crashed;  ///< until the process says something else
+  CheckOutcome outcome = CheckOutcome::crashed;  ///< until the process writes another
   std::string what = {};                         ///< one line; empty when the property holds
-  std::string kind = {};                         ///< of a failure, as Violation::kind
-  std::size_t at_case = 0;  ///< of the property's own cases, the one checked last
-  Query query = {};         ///< answered wrongly; without sources when no single one was
+  std::string kind = {};                         ///< Violation::kind of a failure
+  std::size_t at_case = 0;  ///< index of the property's own case that was checked last
+  Query query = {};         ///< with the wrong answer; without sources when no single query has one
   std::vector<std::string> explanation = {};  ///< lines
 
   bool failed() const { return outcome >= CheckOutcome::wrong; }
@@ -47,16 +47,16 @@ struct CheckResult {
 
 GEODESIC_JSON_MEMBERS(CheckResult, outcome, what, kind, at_case, query, explanation)
 
-/// Of a process that ended, or was ended, before its check did.
-/// @param seconds that it had
+/// The result of a check whose process ended, or was ended, before the check.
+/// @param seconds time limit of the process
 CheckResult without_result(const Ended& ended, bool timed_out, double seconds);
 
-/// The side that waits.
+/// Starts the process of each check and waits for its result.
 class IsolatedCheck {
  public:
   /// @param solver must outlive this
-  /// @param vectors instructions to solve with (corpus/solvers.h)
-  /// @param time_limit seconds that a property may take
+  /// @param vectors name of the instruction set to solve with (corpus/solvers.h)
+  /// @param time_limit seconds per property
   /// @throws HarnessError when there is no place for temporary files
   IsolatedCheck(const Description& solver, std::string vectors, double time_limit)
       : solver_(solver), vectors_(std::move(vectors)), time_limit_(time_limit) {}
@@ -65,13 +65,13 @@ class IsolatedCheck {
   const std::string& vectors() const { return vectors_; }
   double time_limit() const { return time_limit_; }
 
-  /// On the property's own cases, until one fails. @throws HarnessError when no process can be
+  /// Checks the property's own cases until one fails. @throws HarnessError when no process can be
   /// started
   CheckResult on_own_cases(const Property& property) const;
 
-  /// On another case, which has a face.
-  /// @param seconds in place of the time limit, when it is less
-  /// @param explain whether a failure is explained (explain.h)
+  /// Checks another case, whose mesh has at least one face.
+  /// @param seconds replaces the time limit when it is less
+  /// @param explain whether to explain a failure (explain.h)
   CheckResult on_case(const Property& property, const Case& given, double seconds = kInfinity,
                       bool explain = false) const;
 
@@ -82,8 +82,8 @@ class IsolatedCheck {
   ScratchFolder folder_;
 };
 
-/// The side of the process. @param task JSON, from the other side
-/// @throws what the reader or the disk does
+/// Checks a property in the process that IsolatedCheck started. @param task JSON written by it
+/// @throws the exceptions of reading the mesh file and of writing the result file
 void run_isolated_check(const std::string& task);
 
 }  // namespace geodesic::harness

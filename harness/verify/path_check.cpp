@@ -15,10 +15,10 @@ namespace {
 
 using Weights = std::array<double, 3>;
 
-/// Lengths of edges are rounded, in a solver's frames as in a point's share of an edge.
+/// Relative rounding of edge lengths, in a solver's frames and in a point's position on an edge.
 constexpr Real kLastPlace = 2.2e-16L;
 
-/// Of coordinates in the plane, relative to the sides around them.
+/// Rounding of coordinates in the plane, relative to the sides around them.
 constexpr Real kLaid = 4 * std::numeric_limits<Real>::epsilon();
 
 /// A point of a path, and the face over which the path continues, by the mesh's internal numbers.
@@ -37,7 +37,7 @@ std::vector<Stop> stops_of(const Mesh& mesh, const Path& path) {
   return stops;
 }
 
-/// Barycentric, in a face that need not be the point's own; nothing when the point is not on it.
+/// Barycentric coordinates of a point in any face; nothing when the point is not on the face.
 std::optional<Weights> weights_on(const Mesh& mesh, Index face, const InternalPoint& point) {
   if (point.is_vertex()) {
     const Triangle corners = mesh.triangle(face);
@@ -72,7 +72,7 @@ Finding wrong(const std::string& what, std::size_t point = kNone) {
   return Violation{.what = "the path " + what + where, .kind = "the path " + what};
 }
 
-/// A face laid into the plane.
+/// A face unfolded into the plane.
 struct LaidFace {
   Index face;
   std::array<PlanePoint, 3> corners;
@@ -94,7 +94,7 @@ LaidFace first_face(const Mesh& mesh, Index face) {
   return laid;
 }
 
-/// The face of h, beyond a side of one that is laid.
+/// Unfolds the face of h next to the face of its twin.
 LaidFace next_face(const Mesh& mesh, Index h, const LaidFace& before) {
   const Index twin = mesh.twin(h);
   LaidFace laid{h / 3, {}};
@@ -110,17 +110,17 @@ Real longest_side(const LaidFace& laid) {
   return std::max({distance(a, b), distance(b, c), distance(c, a)});
 }
 
-/// One end of a stretch, at a vertex: how its line lies in a face there.
+/// Direction of a stretch's line at a vertex where the stretch ends, in a face there.
 struct Beam {
-  Index corner = kNone;  ///< the half-edge that leaves the vertex
+  Index corner = kNone;  ///< the half-edge of the face that leaves the vertex
   Real from_right = 0;   ///< angle from that half-edge to the line, counter-clockwise
   Real to_left = 0;      ///< angle from the line to the other side at the vertex
 };
 
-/// What lies between two vertices that the path runs through.
+/// Part of a path between two consecutive vertices on it.
 struct Stretch {
   Real length = 0;    ///< of the straight line
-  Real rounding = 0;  ///< of a point beside it: of each of its faces
+  Real rounding = 0;  ///< of a point's offset from the line, over all faces
   Beam first, last;
 };
 
@@ -159,13 +159,13 @@ class StraightCheck {
         if (!h || mesh_.twin(*h) / 3 != laid.face) return wrong("jumps", i);
         laid = next_face(mesh_, *h, laid);
         longest = std::max(longest, longest_side(laid));
-        // Rounding turns what lies beyond a side between two far longer ones.
+        // Rounding rotates the faces beyond a side that is far shorter than the others.
         turned += kLaid * longest / mesh_.half_edge(*h).length;
       }
       line.push_back(at(laid, i + 1));
     }
     stretch.length = distance(line.front(), line.back());
-    // Every face that is unfolded adds the rounding of its sides, and a few are the check's own.
+    // Every unfolded face adds the rounding of its sides; 2 is for the rounding of this check.
     stretch.rounding = (kLastPlace * static_cast<Real>(line.size() + 2) + turned) * longest;
     const Real slack = allowed(stretch.length) + stretch.rounding;
     for (std::size_t i = 1; i + 1 < line.size(); ++i) {
@@ -190,7 +190,7 @@ class StraightCheck {
     return laid.at(*weights_on(mesh_, laid.face, points_[i].at));
   }
 
-  /// The half-edge of a face on which a point lies.
+  /// The half-edge of the face on which the point lies; nothing when the point is on no edge.
   std::optional<Index> side_into(Index face, const InternalPoint& point) const {
     const Index h = edge_under(point);
     if (h == kNone) return {};
@@ -210,7 +210,7 @@ class StraightCheck {
     return beam;
   }
 
-  /// At `at`, counter-clockwise from the direction of a to that of b; between -pi and pi.
+  /// Angle at `at`, counter-clockwise from the direction of a to that of b, between -pi and pi.
   static Real angle(const PlanePoint& at, const PlanePoint& a, const PlanePoint& b) {
     const PlanePoint u{a.x - at.x, a.y - at.y}, v{b.x - at.x, b.y - at.y};
     return std::atan2(u.x * v.y - u.y * v.x, u.x * v.x + u.y * v.y);
@@ -218,7 +218,7 @@ class StraightCheck {
 
   Finding check_vertex(std::size_t i, const Stretch& in, const Stretch& out) const {
     const Index v = points_[i].at.vertex;
-    Real radius = kInfinity;  // the faces around v hold a disk of it
+    Real radius = kInfinity;  // a disk of this radius around v lies in its faces
     for (const Index h : mesh_.outgoing(v)) {
       if (!(mesh_.half_edge(h).apex_y > 0) || !(mesh_.half_edge(h).length > 0)) return {};
       radius = std::min(radius, Real{mesh_.half_edge(Mesh::next(h)).apex_y});
@@ -227,7 +227,7 @@ class StraightCheck {
     const Real least = std::min(left, right);
     const Real a = in.length, b = out.length;
     if (least < std::numbers::pi) {
-      // By the chord between two points of the path that are as near as the disk is wide.
+      // The chord between two points of the path in the disk saves this length.
       const Real near = std::min({a, b, radius}), half = std::sin(least / 2);
       const Real saved = 2 * near * (1 - half);
       if (saved > allowed(length_)) {
@@ -236,20 +236,20 @@ class StraightCheck {
       }
     }
     if (mesh_.is_pseudo_source(v)) return {};
-    // So short a stretch has no direction: it may lead to a vertex next to a source and back.
+    // A stretch this short has no direction: it may lead to a vertex next to a source and back.
     if (std::min(a, b) <= allowed(length_)) return {};
     const Real pi = std::numbers::pi_v<Real>;
     const Real bend = std::min(std::abs(left - pi), std::abs(right - pi));
-    // How far the vertex lies off the straight line between the stretches' other ends: as little as
-    // rounding may put any other point of the path off its line (`unfold`).
+    // Offset of the vertex from the straight line between the stretches' other ends. It may be as
+    // large as rounding allows for any other point of the path (`unfold`).
     const Real off = bend * a * b / (a + b);
-    // No numbers over an edge without length, beyond which a line has no direction.
+    // Negated for NaN and infinity: beyond an edge without length a line has no direction.
     if (!(off > allowed(a + b) + std::max(in.rounding, out.rounding))) return {};
     return wrong("bends where none may, by " + significant(static_cast<double>(bend), 2), i);
   }
 
-  /// The angle around a vertex from one line to another one, counter-clockwise; infinite where a
-  /// boundary lies between them, or they are in different fans.
+  /// Angle around a vertex from one line to another, counter-clockwise. Infinite when a boundary
+  /// lies between them or they are in different fans.
   Real between(const Beam& from, const Beam& to) const {
     Real sum = from.to_left;
     if (from.corner == to.corner && to.from_right >= from.from_right) {

@@ -59,7 +59,7 @@ std::string without_numbers(const std::string& text) {
   return kept;
 }
 
-// With the role of the vertex on this mesh.
+// The violation's kind, with the role of its vertex on this mesh.
 std::string kind_of(const Violation& violation, const Mesh& mesh) {
   if (violation.kind.empty()) return without_numbers(violation.what);
   std::string kind = without_numbers(violation.kind);
@@ -118,7 +118,7 @@ bool too_large(const Case& given, const Description& solver) {
 
 Finding check_case(const Property& property, const Description& solver, const Case& given,
                    double* largest_error) {
-  constexpr Index kArbiterFaces = 1500;  // and some more, with points inserted
+  constexpr Index kArbiterFaces = 1500;  // before points are inserted
   try {
     const Trial trial(solver, given);
     const std::string why_not = unsupported(solver, trial.mesh());

@@ -1,5 +1,5 @@
-// What every solver is held to, as data: a property states one thing about answers, has meshes of
-// its own that it is checked on, and most can be checked on any other mesh.
+// The properties that every solver must have. A property states one fact about answers and has its
+// own meshes. Most properties can be checked on any other mesh, too.
 #pragma once
 
 #include <functional>
@@ -15,16 +15,16 @@ namespace geodesic::harness {
 
 /// A mesh and the queries on it.
 struct Case {
-  std::string mesh;  ///< its name
+  std::string mesh;  ///< name
   TriangleSoup soup;
   std::vector<Query> queries;
-  /// Distances that are known; empty: those of LocalReference.
+  /// Returns the right distances of a query; empty: those of LocalReference are right.
   std::function<std::vector<double>(const Query&)> known = {};
-  /// Another one where the mesh's internal numbers allow no better, which the property explains.
+  /// Larger than the default where the mesh's internal numbers require it; the property says why.
   Tolerance tolerance = {};
-  /// What paths do at the mesh's edges that are no manifold's.
+  /// Behaviour of paths at non-manifold edges.
   NonManifoldEdges non_manifold_edges = NonManifoldEdges::cut;
-  /// Whose distances are right where none are known.
+  /// References to choose from when `known` is empty.
   Judges judges = {};
 
   /// @throws std::invalid_argument when it cannot be built
@@ -34,7 +34,7 @@ struct Case {
 /// One solver on one case.
 class Trial {
  public:
-  /// Both must outlive it. @throws std::invalid_argument when the mesh cannot be built
+  /// Both must outlive the trial. @throws std::invalid_argument when the mesh cannot be built
   Trial(const Description& solver, const Case& given)
       : solver_(solver),
         given_(given),
@@ -69,18 +69,18 @@ class Trial {
   /// The right distances on the case's mesh. @throws NoReference
   std::vector<double> expected(const Query& query) const;
 
-  /// The same on a finer mesh.
+  /// The reference on a finer mesh.
   LocalReference reference_on(const Mesh& finer) const {
     LocalReference reference(solver_, finer, given_.judges);
     oracle_judges_ |= reference.is_independent();
     return reference;
   }
-  /// Whether an independent oracle says what is right, which is not ours to repair.
+  /// Whether the right distances are those of an independent oracle, which may be wrong itself.
   bool oracle_judges() const {
     return oracle_judges_ || (!given_.known && reference_.is_independent());
   }
 
-  /// What the solver promises (distance_check.h).
+  /// Checks that distances keep the solver's promise (distance_check.h).
   Finding correct(const Query& query, std::span<const double> got,
                   std::span<const double> expected) const {
     return correct(query, got, expected, given_.tolerance);
@@ -95,17 +95,17 @@ class Trial {
   const Description& solver_;
   const Case& given_;
   const Mesh mesh_;
-  mutable LocalReference reference_;  // keeps what it found out about the mesh
+  mutable LocalReference reference_;  // caches brute force on the mesh
   mutable bool oracle_judges_ = false;
   mutable double largest_error_ = 0;
 };
 
-/// Every distance, by one solver object for all queries, is what the solver promises; exact ones of
-/// neighbours differ by no more than their edge is long.
+/// Checks that all distances by one solver object keep the solver's promise, and that exact
+/// distances of neighbours differ by at most the length of their edge.
 /// @throws Violation
 void distances_are_right(const Trial& trial);
 
-/// What a solver must claim about itself for a property to concern it: bits.
+/// Claims of a solver about itself that a property needs, as bits.
 enum Claim : unsigned {
   kNoClaim = 0,
   kExactDistances = 1,
@@ -119,51 +119,51 @@ enum Claim : unsigned {
   kConcurrentObjects = 256,
   kSurfaceSources = 512,
   kPaths = 1024,
-  kNonManifoldEdges = 2048,  ///< its cases are to be built with them crossed
-  kTraces = 4096,            ///< traces paths by means of its own
+  kNonManifoldEdges = 2048,  ///< the property's cases are built with them crossed
+  kTraces = 4096,            ///< traces paths by its own code
 };
 
 struct Property {
   std::string name;              ///< unique: "refusals-name-the-solver"
   std::string statement;         ///< one sentence
   std::vector<Case> (*cases)();  ///< small meshes first
-  /// On one case. Throws a Violation where the property does not hold.
+  /// Checks one case. Throws a Violation when the property does not hold.
   void (*check)(const Trial& trial) = distances_are_right;
   unsigned needs = kNoClaim;  ///< claims
   bool on_any_mesh = true;    ///< whether it holds on other meshes than its own
 };
 
-/// All of them, the fast ones first.
+/// All properties, the fast ones first.
 const std::vector<Property>& all_properties();
 
-/// @throws HarnessError naming the known ones
+/// @throws HarnessError for an unknown name; the message lists the known ones
 const Property& property_named(std::string_view name);
 
-/// Distances equal those of the reference: what is checked on a user's mesh.
+/// The property that is checked on a user's mesh: distances equal those of the reference.
 inline constexpr const char* kDistancesProperty = "distances-equal-the-reference";
 
-/// In words: "a distance limit".
+/// The property's needs in words: "a distance limit".
 std::vector<std::string> needs_of(const Property& property);
 
-/// "does not claim: a distance limit, multiple sources"; empty when the property concerns it.
+/// "does not claim: a distance limit, multiple sources"; empty when the solver claims all needs.
 std::string unclaimed(const Property& property, const Description& solver);
 
-/// Whether the mesh has more vertices than the solver is meant for: such cases are passed over.
+/// Whether the mesh has more vertices than the solver is meant for. Such cases are skipped.
 bool too_large(const Case& given, const Description& solver);
 
-/// What stands in front of the message of an exception.
+/// Prefix of a violation's text when the solver threw an exception.
 inline constexpr const char* kThrew = "threw: ";
 
-/// Checks one case. A mesh that the solver declares not to support must be refused. What the solver
-/// throws is a violation. An independent oracle may be wrong: where a solver differs from it, brute
-/// force says which on up to 1,500 faces, in some seconds, and another exact solver beyond.
-/// @param largest_error raised to Trial::largest_error
+/// Checks one case. The solver must refuse a mesh that it declares unsupported. An exception of the
+/// solver is a violation. An independent oracle may be wrong: where a solver differs from it, brute
+/// force decides on up to 1,500 faces, in some seconds, and another exact solver on larger meshes.
+/// @param largest_error raised to Trial::largest_error; may be null
 /// @throws NoReference
 Finding check_case(const Property& property, const Description& solver, const Case& given,
                    double* largest_error = nullptr);
 
-/// What the vertex is to paths from the query's sources: "source", "boundary vertex", "saddle
-/// vertex", "isolated vertex", "ordinary vertex".
+/// Role of the vertex for paths from the query's sources: "source", "boundary vertex", "saddle
+/// vertex", "isolated vertex" or "ordinary vertex".
 std::string role_of(Index v, const Mesh& mesh, const Query& query);
 
 Query from(Index source);

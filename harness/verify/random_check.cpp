@@ -18,10 +18,10 @@
 
 namespace geodesic::harness {
 
-/// One solver asked for one property on a mesh.
+/// A check of one property of one solver on a mesh.
 struct RandomAsk {
   std::uint64_t mesh = 0;
-  std::uint64_t number = 0;  // on this mesh, from 0
+  std::uint64_t number = 0;  // of the check on this mesh, from 0
   std::string solver = {}, property = {};
 };
 GEODESIC_JSON_MEMBERS(RandomAsk, mesh, number, solver, property)
@@ -30,8 +30,8 @@ struct RandomTask {
   std::vector<std::string> solvers;
   std::string vectors;
   std::uint64_t seed = 0, first = 0, end = 0;  // numbers of meshes
-  std::uint64_t skip = 0;                      // asks on the first one
-  std::vector<std::string> given_up = {};      // solvers that are asked no more
+  std::uint64_t skip = 0;                      // checks to skip on the first mesh
+  std::vector<std::string> given_up = {};      // solvers that are not checked any more
   double time_limit = 0;
   std::string log_file, scratch;
 };
@@ -40,15 +40,15 @@ GEODESIC_JSON_MEMBERS(RandomTask, solvers, vectors, seed, first, end, skip, give
 
 namespace {
 
-// Of a random mesh; those that find no right distances come last.
+// Properties to check on a random mesh. Those that need no right distances come last.
 constexpr const char* kProperties[] = {kDistancesProperty,
                                        "sources-in-faces-and-on-edges-equal-inserted-vertices",
                                        "targets-in-faces-and-on-edges-equal-inserted-vertices",
                                        "paths-begin-in-faces-and-on-edges-too"};
-constexpr std::uint64_t kChunk = 100;  // meshes a process
+constexpr std::uint64_t kChunk = 100;  // meshes per process
 
-// Its log has a line of JSON for every step, so that the other side knows where the process ended:
-// {"kind": of the mesh, "resumed": whether an earlier process had it}, {"not_checked": solver},
+// Logs every step as a line of JSON, so that RandomCheck knows where the process ended:
+// {"kind": of the mesh, "resumed": whether an earlier process began it}, {"not_checked": solver},
 // {"ask": RandomAsk}, {"reference": its name, or "" when it has answered},
 // {"result": CheckResult, "largest": error}.
 class RandomProcess {
@@ -103,7 +103,7 @@ class RandomProcess {
     write({{"result", result}, {"largest", largest}});
   }
 
-  // What solvers throw may not be UTF-8.
+  // Messages of solvers may not be UTF-8.
   void write(const Json& line) {
     log_ << line.dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl;
   }
@@ -113,7 +113,7 @@ class RandomProcess {
   std::vector<const Description*> solvers_;
 };
 
-// The side that waits.
+// Starts the processes and reads their logs.
 class RandomCheck {
  public:
   RandomCheck(const std::vector<const Description*>& solvers, const RandomMeshes& meshes,
@@ -171,13 +171,13 @@ class RandomCheck {
     }
   }
 
-  // @return what was asked last, if there was no result
+  // @return the last check, if it has no result
   std::optional<RandomAsk> read(const std::string& log_file) {
     std::optional<RandomAsk> asked;
     std::ifstream log(log_file);
     for (std::string text; std::getline(log, text);) {
       const Json line = Json::parse(text, nullptr, /*allow_exceptions=*/false);
-      if (line.is_discarded()) break;  // the last one, of a process that was killed
+      if (line.is_discarded()) break;  // the last line of a process that was killed
       if (line.contains("kind")) {
         kind_ = line["kind"].get<std::size_t>();
         if (!line["resumed"].get<bool>()) ++tally_.meshes.at(kind_);
@@ -226,10 +226,10 @@ class RandomCheck {
   const std::function<void(RandomFailure)>& failed_;
   RandomTask task_;
   CountLine progress_;
-  std::mutex mutex_;  // of all below
+  std::mutex mutex_;  // guards all members below
   RandomTally& tally_;
-  std::size_t kind_ = 0;   // of the mesh that a log is at
-  std::string reference_;  // that is being asked there
+  std::size_t kind_ = 0;   // of the current mesh of a log
+  std::string reference_;  // that is computing there; empty: none
   std::map<std::string, int> timed_out_;
   std::set<std::string> given_up_;
 };

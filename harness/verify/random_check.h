@@ -1,4 +1,4 @@
-// Solvers on random meshes (meshes/oracles/random_case.h): right distances from vertices and from
+// Checks solvers on random meshes (meshes/oracles/random_case.h): distances from vertices and from
 // points in faces and on edges, and paths.
 #pragma once
 
@@ -13,12 +13,12 @@ namespace geodesic::harness {
 
 struct RandomMeshes {
   std::uint64_t count = 0, seed = 1;
-  std::uint64_t first = 0;  ///< number of the first one
-  unsigned jobs = 1;        ///< processes at a time
+  std::uint64_t first = 0;  ///< number of the first mesh
+  unsigned jobs = 1;        ///< number of processes at a time
 };
 
-/// The mesh of a number, as a case.
-/// @param scratch as of random_case
+/// The random mesh with this number, as a case.
+/// @param scratch as for random_case
 Case random_mesh_case(std::uint64_t seed, std::uint64_t number,
                       const std::filesystem::path& scratch);
 
@@ -32,26 +32,26 @@ struct RandomFailure {
 struct RandomTally {
   struct OfSolver {
     std::uint64_t hold = 0, failed = 0;
-    std::uint64_t not_known = 0;    ///< the reference refused, or ended the process
-    std::uint64_t not_checked = 0;  ///< the solver had not ended too often
+    std::uint64_t not_known = 0;    ///< the reference refused or ended the process
+    std::uint64_t not_checked = 0;  ///< the solver timed out too often before
     std::array<double, kMeshKinds> largest_error = {};  ///< of exact distances, by kind of mesh
   };
   std::array<std::uint64_t, kMeshKinds> meshes = {};
   std::map<std::string, OfSolver> solvers;
 };
 
-/// Checks all solvers on each mesh, in processes of their own, a hundred meshes in each. A crash or
-/// a check of more than `time_limit` seconds is a failure, and a new process goes on behind it.
-/// @param vectors instructions to solve with (corpus/solvers.h)
+/// Checks all solvers on each mesh, in separate processes of a hundred meshes each. A crash or a
+/// check that takes more than `time_limit` seconds is a failure; a new process continues after it.
+/// @param vectors name of the instruction set to solve with (corpus/solvers.h)
 /// @param failed called for every failure, by one thread at a time
-/// @param tally of what was checked, after an exception too
+/// @param tally counts of the checks made, also after an exception
 /// @throws HarnessError, Interrupted
 void check_on_random_meshes(const std::vector<const Description*>& solvers,
                             const RandomMeshes& meshes, const std::string& vectors,
                             double time_limit, const std::function<void(RandomFailure)>& failed,
                             RandomTally& tally);
 
-/// The side of the process. @param task JSON, from the other side
+/// Does the checks of one process of check_on_random_meshes. @param task JSON from that function
 void run_random_check(const std::string& task);
 
 }  // namespace geodesic::harness

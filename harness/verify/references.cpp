@@ -108,8 +108,8 @@ std::vector<double> solve_once(const std::string& solver, const Mesh& mesh, cons
 
 namespace {
 
-// Brute force on the meshes that it was asked about last: to find its segments takes nearly all of
-// its time, and many solvers and properties ask about the same mesh.
+// Brute force on a mesh. Keeps the results for the last few meshes: finding the segments takes
+// nearly all of the time, and many solvers and properties use the same mesh.
 std::shared_ptr<const BruteForce> brute_force_on(const Mesh& mesh) {
   struct Known {
     TriangleSoup soup;

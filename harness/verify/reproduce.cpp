@@ -21,15 +21,15 @@ using Words = std::vector<std::string>;
 struct Reproduction {
   Case given;
   std::filesystem::path file;  // empty for a mesh without faces, which no file holds
-  Words command;               // arguments of this program that make it fail again
-  bool repeated = false;       // whether they did, with the mesh as it was read back
+  Words command;               // arguments of geodesic-bench that reproduce the failure
+  bool repeated = false;       // whether the command failed again, with the saved mesh
   CheckResult result;          // of the smallest case, explained
 };
 
 // Exit code of solve and verify.
 constexpr int kFails = 2;
 
-// Seconds that a smaller case may take; those that do not end cost as much at every attempt.
+// Seconds for a smaller case. kLoop is for cases that do not end: each attempt takes all of it.
 constexpr double kAttempt = 10;
 constexpr double kLoop = 2;
 
@@ -37,7 +37,7 @@ Ended run(const Words& words, double seconds = kInfinity) {
   return run_geodesic_bench(words, [] {}, {.seconds = seconds, .memory_bytes = available_memory()});
 }
 
-// Many queries of one source each, or one query.
+// Whether the case has one query, or several queries of one source each without a limit.
 bool fits_on_a_command_line(const Case& given) {
   const auto plain = [](const Query& query) {
     return query.sources.size() == 1 && query.limit == kInfinity;
@@ -72,12 +72,12 @@ class Reproducer {
     Case smallest = shrink(
         failed_.given, failed_.result.query,
         [&](const Case& smaller) { return fails_within(smaller, attempt_); }, seconds);
-    // What takes longer than an attempt may end all the same.
+    // A case that takes longer than an attempt may still end.
     const bool in_doubt = timed_out() && attempt_ < check_.time_limit();
     return in_doubt && !fails_within(smallest, kInfinity) ? failed_.given : smallest;
   }
 
-  // Looks for a command that makes the saved case fail again, by running it.
+  // Runs commands until one makes the saved case fail again.
   void find_command(Reproduction& saved) const {
     const bool on_file = !saved.file.empty() && failed_.property->on_any_mesh;
     if (on_file && fits_on_a_command_line(saved.given)) {
@@ -95,14 +95,14 @@ class Reproducer {
  private:
   bool timed_out() const { return failed_.result.outcome == CheckOutcome::timed_out; }
 
-  // Empty where `solve` cannot ask the queries.
+  // Empty when `solve` does not support the queries.
   Words solve_words(const Reproduction& saved) const {
     if (!std::ranges::all_of(saved.given.queries, fits_solve)) return {};
     Words words{"solve", saved.file.string(), "--solver", check_.solver().name};
     append_sources(words, saved.given);
     append_vectors(words);
     words.emplace_back("--check");
-    // A recorded solve, compared with the first one.
+    // Compares a recorded solve with the first one.
     const bool of_recordings = failed_.property->name.starts_with("recordings");
     if (of_recordings && saved.given.queries.size() == 1) words.emplace_back("--counters");
     return words;
@@ -195,7 +195,7 @@ void FailureReport::show(const IsolatedCheck& check, const FailedProperty& faile
   print_explanation(saved.result);
 }
 
-// Meshes of different folders may have one name; what an earlier call left is overwritten.
+// Meshes of different folders may have the same name. Files of earlier calls are overwritten.
 std::filesystem::path FailureReport::unused_file(const FailedProperty& failed) {
   // "distances-equal-the-reference-on-hill"
   std::string stem = failed.property->name + "-on-" + failed.given.mesh;

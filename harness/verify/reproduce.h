@@ -1,4 +1,4 @@
-// The smallest case on which a property fails, as a mesh in a file and a command.
+// Saves the smallest case on which a property fails, and finds a command that reproduces it.
 #pragma once
 
 #include <filesystem>
@@ -8,26 +8,26 @@
 
 namespace geodesic::harness {
 
-/// What failed, and on what.
+/// A property and the case on which it failed.
 struct FailedProperty {
   const Property* property;
-  std::string name;  ///< of the property, with the mesh if it is a user's
+  std::string name;  ///< of the property, and of the mesh if it is a user's
   bool own;          ///< whether the case is one of the property's own
   Case given;
   CheckResult result;
 };
 
-/// Prints failures of one call for the person who debugs the solver.
+/// Prints the failures of one call, for debugging.
 class FailureReport {
  public:
-  /// @param folder for meshes; made when the first one is saved
-  /// @param seconds to spend on making a case smaller; 0 saves none
+  /// @param folder for meshes; made when the first mesh is saved
+  /// @param seconds to spend on making a case smaller; with 0 no mesh is saved
   FailureReport(std::filesystem::path folder, double seconds)
       : folder_(std::move(folder)), seconds_(seconds) {}
 
   /// Shrinks the case, writes it, checks whether it still fails when it is read back, and prints
-  /// the file, the command that makes it fail again, and what explains it. A case of a property
-  /// that holds on its own meshes only is written as it is.
+  /// the file, the command that reproduces the failure, and its explanation. The case is not shrunk
+  /// if the property holds on its own meshes only.
   /// @throws HarnessError when the file cannot be written
   void show(const IsolatedCheck& check, const FailedProperty& failed);
 

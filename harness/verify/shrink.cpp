@@ -18,7 +18,7 @@ std::vector<bool> vertices_of_sources(const Case& given) {
   return is_source;
 }
 
-// Without the vertices that neither a face nor a source has.
+// Removes the vertices that have no face and are no source.
 Case compact(const Case& given) {
   const std::vector<bool> is_source = vertices_of_sources(given);
   const std::vector<bool> has_face = used_vertices(given.soup.triangles, is_source.size());
@@ -41,8 +41,8 @@ Case compact(const Case& given) {
   return small;
 }
 
-// Numbers of faces, by how many faces lie between them and a source; those of no source's component
-// last.
+// Numbers of faces, ordered by the number of faces between them and a source. Faces of components
+// without a source come last.
 std::vector<Index> faces_by_distance(const Case& given) {
   const Mesh mesh(given.soup);
   std::vector<Index> order;
@@ -84,7 +84,7 @@ class Shrinking {
  public:
   Shrinking(const Case& given, const std::function<bool(const Case&)>& still_fails, double seconds)
       : smallest_(given), still_fails_(still_fails), seconds_(seconds) {
-    smallest_.known = nullptr;  // of another mesh, soon
+    smallest_.known = nullptr;  // not those of a smaller mesh
   }
 
   Case shrink(const Query& suspect) {
@@ -104,7 +104,7 @@ class Shrinking {
       });
     }
     const Case whole = smallest_;
-    // Where a vertex without faces is what fails, all of them stay.
+    // If the failure needs a vertex without faces, all such vertices stay.
     const bool compacting = accept_if_it_fails(compact(whole));
     drop(faces_by_distance(whole), [&](const std::vector<Index>& faces) {
       const Case smaller = with_faces(whole, faces);
@@ -116,7 +116,7 @@ class Shrinking {
  private:
   bool out_of_time() const { return watch_.real_seconds() > seconds_; }
 
-  // On a large mesh every attempt takes long: what fails near the sources is found without any.
+  // Attempts on a large mesh take long. A failure near the sources is found without them.
   bool start_near_the_sources(const Case& given) {
     constexpr std::size_t kFewFaces = 32;
     const std::vector<Index> order = faces_by_distance(given);
@@ -134,7 +134,7 @@ class Shrinking {
     return true;
   }
 
-  // Tries to do without runs of items, the last ones first; one item stays.
+  // Tries to remove runs of items, the last ones first. One item stays.
   // @param with makes the case that has these items only
   template <class Item, class With>
   void drop(std::vector<Item> items, const With& with) {

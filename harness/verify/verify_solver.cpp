@@ -20,8 +20,8 @@
 namespace geodesic::harness {
 namespace {
 
-constexpr int kSources = 3;         // a mesh
-constexpr std::uint64_t kSeed = 1;  // of their choice
+constexpr int kSources = 3;         // per mesh
+constexpr std::uint64_t kSeed = 1;  // for the choice of sources
 constexpr std::size_t kShown = 3;   // failures that are shrunk and explained
 
 std::vector<Query> queries_of(const VerifyRequest& request, const MeshEntry& entry,
@@ -182,7 +182,7 @@ class Verification {
   } count_;
 };
 
-// Solvers that promise something of their distances, but for the oracles that are not ours.
+// The solvers named, or all that promise an accuracy and are not independent oracles.
 std::vector<const Description*> solvers_of(const VerifyRequest& request) {
   std::vector<const Description*> chosen = solvers_named(request.solvers);
   if (!chosen.empty()) return chosen;

@@ -1,5 +1,5 @@
-// Distances against closed forms, and where no formula is known against brute force and, on larger
-// meshes, the other exact solvers.
+// Distances compared with closed forms. Where no formula is known, the references are brute force
+// and, on larger meshes, the other exact solvers.
 #include <cmath>
 
 #include "harness/verify/properties/properties.h"
@@ -12,8 +12,8 @@ const GeneratorParameters kGrid{{"columns", 12}, {"rows", 9}};
 
 TriangleSoup grid() { return generate("grid", kGrid); }
 
-// Moves vertices of the grid pseudo-randomly within the plane by up to 0.28 cells; those of the
-// border move along it. Hardly any line between vertices then runs through a third.
+// Moves vertices of the grid pseudo-randomly within the plane by up to 0.28 cells. Vertices of the
+// border move along it. Then hardly any line between two vertices runs through a third one.
 TriangleSoup perturbed_grid() {
   Random random(7);
   TriangleSoup soup = grid();
@@ -29,7 +29,7 @@ Case plane(const std::string& name, const TriangleSoup& soup) {
   return plane_case(name, soup, every_source(soup), soup);
 }
 
-// Rotated about two axes, so that coordinates of a plane get rounding errors.
+// A plane rotated about two axes, so that its coordinates have rounding errors.
 Case rotated(const std::string& name, const TriangleSoup& flat) {
   const double c = std::cos(0.4), s = std::sin(0.4);
   TriangleSoup soup = flat;
@@ -47,7 +47,7 @@ Case box(Index x, Index y, Index z) {
   return closed_form_case("box", {{"x-cells", x}, {"y-cells", y}, {"z-cells", z}});
 }
 
-// Many paths go around the sharp one.
+// Many paths go around the sharp cone.
 Cases blunt_and_sharp_cones() {
   return {closed_form_case("cone", {{"sectors", 7}, {"angle", 290}, {"rings", 5}}),
           closed_form_case("cone", {{"sectors", 4}, {"angle", 90}, {"rings", 5}})};
@@ -93,8 +93,8 @@ void distances_are_symmetric(const Trial& trial) {
   }
 }
 
-// Windows that pass a vertex on its two sides meet in it, but do not cross: deleting the one that
-// is longer there loses the shortest path to vertex 13.
+// Windows that pass a vertex on its two sides meet in it, but do not cross. Deleting the one with
+// the longer distance there loses the shortest path to vertex 13.
 TriangleSoup two_strips() {
   return {
       {{5.4421158196870234, 3.8479964430211111, 1.4318139762151987},
@@ -122,7 +122,7 @@ TriangleSoup two_strips() {
        {7, 17, 9},  {7, 16, 17}, {16, 18, 17}, {9, 19, 10}, {9, 17, 19}, {17, 1, 19}, {18, 2, 1}}};
 }
 
-// Too large for brute force.
+// A mesh that is too large for brute force.
 Case large(const std::string& name, const TriangleSoup& soup) {
   return {name, soup, {from(0), from(static_cast<Index>(soup.positions.size()) / 2)}};
 }

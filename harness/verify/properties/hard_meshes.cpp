@@ -1,4 +1,4 @@
-// Meshes that are not clean, as scans have them, and meshes that are clean and extreme.
+// Properties on unclean meshes, such as scans, and on clean meshes that are extreme.
 #include <cmath>
 #include <utility>
 
@@ -9,7 +9,7 @@
 namespace geodesic::harness {
 namespace {
 
-// Two meshes joined at one vertex, number `a` of the first and `b` of the second.
+// Two meshes joined at one vertex: number `a` of the first mesh and `b` of the second.
 TriangleSoup joined_at_vertex(const TriangleSoup& first, Index a, const TriangleSoup& second,
                               Index b) {
   const Index offset = static_cast<Index>(first.positions.size());
@@ -73,7 +73,7 @@ Case from_some_sources(const std::string& name, const TriangleSoup& soup) {
   return {name, soup, some_sources(soup)};
 }
 
-// Rough terrains and spheres of four seeds, changed by a function with one face or edge in so many.
+// Rough terrains and spheres of four seeds. `change` alters one in `one_in` faces or edges.
 Cases changed(TriangleSoup (*change)(TriangleSoup soup, std::uint64_t seed, std::uint32_t one_in),
               std::uint32_t one_in, std::uint64_t first_seed, Index cells, int levels) {
   Cases cases;
@@ -88,8 +88,8 @@ Cases changed(TriangleSoup (*change)(TriangleSoup soup, std::uint64_t seed, std:
   return cases;
 }
 
-// From a vertex in the middle of an edge, lines cross faces without area before they come to one
-// that has any.
+// From a vertex in the middle of an edge, lines cross faces without area before they reach a face
+// with an area.
 TriangleSoup flat_faces_in_a_row() {
   return {
       {{0.10019145557185018, 4, 0},
@@ -118,7 +118,7 @@ Cases all_on_a_line() {
   return {from_some_sources("a line", soup)};
 }
 
-// For meshes so degenerate that it is rounding which way is the shortest: bounds from both sides.
+// Lower and upper bounds, for meshes so degenerate that rounding decides which path is shortest.
 void distances_are_bounded(const Trial& trial) {
   const Promise promise = Promise::of(trial.solver());
   const Relation nowhere_nearer =
@@ -149,22 +149,22 @@ Case needles(double width, const std::vector<Query>& queries) {
 
 Cases needles_of_a_million() { return {needles(1e-6, {from(0), from(38)})}; }
 
-// CGAL 5.5 leaves vertices behind them unreached. Beside the long sides of a needle its width has
-// half as many digits: positions that a coordinate's last place moves by 10^-16 move the bend of a
-// path by 10^-16 times the aspect, and its length by the square of that.
+// CGAL 5.5 does not reach vertices behind these needles. The width of a needle has half as many
+// digits as its long sides. Rounding moves positions by 10^-16, the bend of a path by 10^-16 times
+// the aspect ratio, and the length of the path by the square of that.
 Cases needles_of_a_hundred_million() {
   return {needles(1e-8, some_sources(flat_grid(10, 6, "backward")))};
 }
 
-// Distances alone: along an edge of a needle, rounding of long distances exceeds its length.
+// Does not call check_edges: rounding of long distances exceeds the length of an edge of a needle.
 void distances_equal_the_known(const Trial& trial) {
   for (const Query& query : trial.queries()) {
     require(trial.correct(query, trial.solve(query), trial.expected(query)));
   }
 }
 
-/// A turned and scaled grid with one more vertex in a face next to vertex `at`.
-/// @param ahead the new vertex lies towards this one, if the position was not rounded
+/// A rotated and scaled grid with one more vertex in a face next to vertex `at`.
+/// @param ahead the new vertex lies towards this vertex, up to rounding
 /// @param distance of the new vertex from `at`, in sides of a cell
 TriangleSoup with_vertex_next_to(Index at, Index ahead, double distance) {
   TriangleSoup soup = flat_grid(12, 12);
@@ -188,8 +188,8 @@ TriangleSoup with_vertex_next_to(Index at, Index ahead, double distance) {
   return soup;
 }
 
-// Seen from the source, rounding turns the lines on both sides of a vertex that is near to it, and
-// the vertices behind it are right all the same.
+// Rounding rotates the lines from a source past both sides of a vertex that is near to it. The
+// distances of the vertices behind that vertex must be right nevertheless.
 Cases vertices_next_to_sources() {
   constexpr Index kSource = 6 * 13 + 6;
   Cases cases;
@@ -205,7 +205,7 @@ Cases vertices_next_to_sources() {
   return cases;
 }
 
-// The apex of a cone and of a saddle cone of a thousand sectors.
+// A cone and a saddle cone whose apexes have a thousand sectors.
 Cases thousand_sectors() {
   return {
       closed_form_case("cone", {{"sectors", 1000}, {"angle", 290}, {"rings", 1}}, {0, 1, 700}),
@@ -214,13 +214,13 @@ Cases thousand_sectors() {
   };
 }
 
-// An apex of 10,000 degrees.
+// A saddle cone whose apex has an angle of 10,000 degrees.
 Cases twenty_eight_turns() {
   return {closed_form_case("saddle-cone", {{"sectors", 200}, {"sector-angle", 50}, {"rings", 3}},
                            {0, 1, 350, 601})};
 }
 
-// 400 corners send windows over 60 degrees of needles each.
+// Each of the 400 corners sends windows across 60 degrees of needles.
 Cases windows_by_the_square() {
   return {closed_form_case("involute", {{"corners", 400}, {"angle", 300}, {"width", 1}},
                            {0, 200, 500})};
@@ -230,8 +230,8 @@ Case flat(const std::string& name, const TriangleSoup& soup) {
   return plane_case(name, soup, some_sources(soup), soup);
 }
 
-// A triangle in a plane whose faces were cut at their centroids four times: the last 27 vertices
-// are of valence 3.
+// A triangle in a plane, cut at the centroids of its faces four times. The last 27 vertices have
+// valence 3.
 TriangleSoup cut_at_centroids() {
   TriangleSoup soup{{{0, 0, 0}, {9, 1, 0}, {4, 8, 0}}, {{0, 1, 2}}};
   for (int time = 0; time < 4; ++time) {
@@ -257,7 +257,7 @@ Cases valence_three() {
           flat("a triangle cut at centroids", cut_at_centroids())};
 }
 
-// 10,000 faces in a row: every line crosses all that lie between its ends.
+// 10,000 faces in a row. A line crosses all faces between its ends.
 Cases long_strips() {
   Cases cases;
   for (const char* diagonal : {"alternating", "forward"}) {
@@ -318,7 +318,6 @@ Cases boundary_loops() {
   return {{"checkerboard", board, {from(0), from(2112)}}, {"plate", plate, {from(900)}}};
 }
 
-// Triangles side by side.
 Cases separate_triangles() {
   constexpr Index kTriangles = 100'000;
   TriangleSoup soup;
@@ -348,8 +347,8 @@ Cases nearly_flat() {
   return cases;
 }
 
-// Lines from a vertex of a grid run through other vertices, and around a box several equally short
-// ways lead to many: windows meet in one point, and none may multiply.
+// Lines from a vertex of a grid run through other vertices, and many vertices of a box have several
+// shortest paths. Windows meet in one point there, and must not multiply.
 Cases ties() {
   Cases cases;
   for (const char* diagonal : {"alternating", "forward"}) {
@@ -383,8 +382,8 @@ void distances_are_right_in_windows(const Trial& trial, std::uint64_t most) {
   }
 }
 
-// On all extreme meshes a solver stays far below the bound on its windows. What is meant for small
-// meshes alone may propagate windows without a filter.
+// A solver must stay far below the bound on its windows. A solver for small meshes only may
+// propagate windows without a filter.
 void distances_are_right_in_few_windows(const Trial& trial) {
   const std::uint64_t part = trial.solver().abilities.max_vertices == kNone ? 1000 : 10;
   distances_are_right_in_windows(trial, window_bound(trial.mesh()) / part);

@@ -1,4 +1,4 @@
-// Paths, and points of the surface as their ends.
+// Properties of paths, and of sources and targets in faces and on edges.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,7 +14,7 @@
 namespace geodesic::harness {
 namespace {
 
-/// Up to so many of these, evenly spread, the first and the last among them.
+/// At most `most` of the items, evenly spread, including the first and the last.
 template <class Each>
 std::vector<Each> some_of(const std::vector<Each>& all, std::size_t most) {
   if (all.size() <= most) return all;
@@ -23,7 +23,6 @@ std::vector<Each> some_of(const std::vector<Each>& all, std::size_t most) {
   return some;
 }
 
-/// Some of the mesh's vertices.
 std::vector<Index> some_vertices(const Mesh& mesh, std::size_t most) {
   std::vector<Index> vertices(mesh.vertex_count());
   std::iota(vertices.begin(), vertices.end(), Index{0});
@@ -32,10 +31,10 @@ std::vector<Index> some_vertices(const Mesh& mesh, std::size_t most) {
 
 double in_space(const Vec3& a, const Vec3& b) { return geodesic::norm(subtract(a, b)); }
 
-/// Between points that are near, their own positions are rounded.
+/// Tolerance for points that may be close to each other: their positions are rounded.
 constexpr Tolerance kNearPoints{.relative = kExactTolerance, .least = 0.01};
 
-/// By turns in faces, beside corners, on edges and at vertices; none where there are no faces.
+/// Random points in faces, beside corners, on edges and at vertices, in turn; none without faces.
 std::vector<SurfacePoint> points_by_chance(const Mesh& mesh, std::size_t count) {
   const Index faces = mesh.given_face_count();
   Random random(split_mix(faces));
@@ -55,12 +54,12 @@ std::vector<SurfacePoint> points_by_chance(const Mesh& mesh, std::size_t count) 
 void check_end(const Trial& trial, const Query& query, const SurfacePoint& end, double distance,
                const Path& path, const Tolerance& tolerance) {
   require(check_path(trial.mesh(), query, end, distance, path, tolerance));
-  // On several sheets, a path of the right length within its faces is straight by that alone.
+  // On several sheets, a path that lies in its faces and has the right length must be straight.
   if (trial.mesh().crosses_non_manifold_edges()) return;
   require(check_straight(trial.mesh(), path, tolerance));
 }
 
-/// All targets, and as many vertices.
+/// Checks the paths to all targets and to up to 200 vertices.
 void check_all(const Trial& trial, const Query& query, const Paths& paths,
                const Tolerance& tolerance) {
   for (std::size_t i = 0; i < query.targets.size(); ++i) {
@@ -83,7 +82,7 @@ void check_all(const Trial& trial, const Query& query, const Paths& paths,
   }
 }
 
-/// Of distances and paths between points that are no vertices: rounding moves both ends.
+/// Tolerance for distances and paths between points in faces or on edges: rounding moves both ends.
 Tolerance between_points(const Trial& trial, double place) {
   Tolerance tolerance = trial.tolerance();
   tolerance.least = std::max(tolerance.least, 2 * place / tolerance.relative);
@@ -93,7 +92,7 @@ Tolerance between_points(const Trial& trial) {
   return between_points(trial, InsertedPoints(trial.mesh(), {}).place());
 }
 
-constexpr std::size_t kQueries = 4;  // of a case, as far as paths are concerned
+constexpr std::size_t kQueries = 4;  // largest number per case in checks of paths
 
 void paths_are_shortest(const Trial& trial) {
   const auto solver = trial.prepare();
@@ -178,7 +177,7 @@ void nearest_sources_are_nearest(const Trial& trial) {
           check_distances(query, distances, paths.distances(), Relation::equal, trial.tolerance()));
 }
 
-/// The mesh with points inserted, and distances on it that are right.
+/// The mesh with points inserted, and the right distances on it.
 class WithPoints {
  public:
   WithPoints(const Trial& trial, const std::vector<SurfacePoint>& points)
@@ -199,7 +198,7 @@ class WithPoints {
   Tolerance tolerance_;
 };
 
-/// Distances of points, which are no query of the case: it has vertices only.
+/// Requires right distances of points. The violation has no query: queries of a case have vertices.
 void require_promise(const std::string& circumstances, const Trial& trial, const Query& query,
                      std::span<const double> got, std::span<const double> expected,
                      const Tolerance& tolerance) {
@@ -207,9 +206,9 @@ void require_promise(const std::string& circumstances, const Trial& trial, const
   if (finding) require(circumstances, Violation{.what = finding->what});
 }
 
-constexpr std::size_t kInserted = 8;  // points: the same mesh for both properties
+constexpr std::size_t kInserted = 8;  // points; both properties use the same finer mesh
 
-/// From each alone, and from all together where the solver takes several.
+/// Checks queries from each point alone, and from all points if the solver takes several sources.
 void sources_are_as_if_inserted(const Trial& trial) {
   const std::vector<SurfacePoint> points = points_by_chance(trial.mesh(), kInserted);
   if (points.empty()) return;
@@ -247,8 +246,8 @@ void targets_are_as_if_inserted(const Trial& trial) {
   require_promise("with the points inserted", trial, query, got, expected, finer.tolerance());
 }
 
-/// By the best reference that starts at such points itself: no mesh is made finer for it. A target
-/// is as far as it is from there.
+/// Compares with the best reference that supports such points as sources, so none are inserted. The
+/// distance to a target must equal the reference's distance from the target.
 void rivals_agree_between_points(const Trial& trial) {
   const Mesh& mesh = trial.mesh();
   const auto starts_anywhere = [&](const Description* other) {
@@ -258,7 +257,7 @@ void rivals_agree_between_points(const Trial& trial) {
   const auto rival = std::ranges::find_if(rivals, starts_anywhere);
   if (rival == rivals.end()) throw NoReference("no other solver starts at points of faces");
   const auto solver = trial.prepare(), other = make_solver((*rival)->name, mesh);
-  // Nearer points are where rounding of the corners puts them.
+  // The positions of points depend on the rounding of corners, which matters at short distances.
   Tolerance tolerance = trial.tolerance();
   tolerance.least = std::max(tolerance.least, mesh.mean_edge_length() / 256);
   const std::string beside = "beside " + (*rival)->name;
@@ -297,7 +296,7 @@ void points_of_a_plane_are_euclids(const Trial& trial) {
   }
 }
 
-/// Lines of several sources meet all over a plane, and no vertex parts them.
+/// Lines from several sources meet all over a plane, and no vertex separates them.
 void nearest_points_of_a_plane_are_euclids(const Trial& trial) {
   const Mesh& mesh = trial.mesh();
   const auto solver = trial.prepare();
@@ -318,8 +317,8 @@ void nearest_points_of_a_plane_are_euclids(const Trial& trial) {
   }
 }
 
-/// Three quadrangles round a reflex corner, vertex 4, turned. Vertex 7 is at the end of one of its
-/// walls; from that wall 1, 2 and 5 lie behind the corner.
+/// Three quadrangles around a reflex corner, vertex 4, rotated. Vertex 7 is at the end of one wall
+/// of the corner. Seen from that wall, vertices 1, 2 and 5 lie behind the corner.
 TriangleSoup reflex_corner() {
   TriangleSoup soup;
   for (const auto& [x, y] :
@@ -330,8 +329,8 @@ TriangleSoup reflex_corner() {
   return soup;
 }
 
-/// A line from the point to what lies behind the corner misses it by less than it is away, and is
-/// shorter than the way round by as much.
+/// The straight line from the point to a vertex behind the corner misses the corner by less than
+/// the distance between point and corner, and is shorter than the right path by about as much.
 void near_points_go_round_a_corner(const Trial& trial) {
   const Mesh& mesh = trial.mesh();
   const auto solver = trial.prepare();
@@ -368,7 +367,7 @@ Cases larger_meshes() {
           {"sphere", rough_sphere(32, 3, 0.1), {from(0)}}};
 }
 
-// Windows wind round such a tube a million times before a path over a vertex beats them.
+// Windows wind around such a tube a million times before a path through a vertex is shorter.
 Cases tubes_of_needles() {
   const TriangleSoup tube =
       generate("cylinder", {{"sides", 3}, {"rows", 2}, {"height", 1e6}, {"diagonal", "forward"}});

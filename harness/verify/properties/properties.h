@@ -1,4 +1,4 @@
-// The properties in groups, and what they share.
+// The groups of properties, and functions that they share.
 #pragma once
 
 #include <stdexcept>
@@ -34,15 +34,15 @@ Cases cases_of(const Each&... each) {
 /// The random meshes for every solver, each with these queries.
 Cases random_mesh_cases(const std::vector<Query>& queries);
 
-/// From vertex 0, one in the middle, and the last one.
+/// Queries from vertex 0, from the vertex with half the largest number, and from the last vertex.
 std::vector<Query> some_sources(const TriangleSoup& soup);
 /// The random meshes, each with some_sources.
 Cases random_meshes_from_some_sources();
-/// The random meshes, each with a query from four vertices, two of them neighbours as a rule.
+/// The random meshes, each with a query from four vertices, two of them usually neighbours.
 Cases random_meshes_from_four_sources();
 std::vector<Query> every_source(const TriangleSoup& soup);
 
-/// Books, surfaces with fins and such of one side, whose non-manifold edges paths cross.
+/// Books, surfaces with fins and one-sided surfaces. Paths cross their non-manifold edges.
 Cases surfaces_of_several_sheets();
 
 /// A generated mesh with distances in closed form.
@@ -51,27 +51,27 @@ Case closed_form_case(const std::string& generator, const GeneratorParameters& p
                       const std::vector<Index>& sources = {});
 
 /// A convex piece of a plane: distances are straight lines.
-/// @param flat the same mesh, before a rotation rounded its coordinates if there was one
+/// @param flat the same mesh before a rotation, if any, that rounded its coordinates
 Case plane_case(const std::string& name, const TriangleSoup& soup,
                 const std::vector<Query>& queries, const TriangleSoup& flat);
 
-/// With every coordinate times a factor.
+/// Multiplies every coordinate by a factor.
 TriangleSoup scaled(TriangleSoup soup, double factor);
 
 /// The query with another limit.
 Query within(double limit, Query query);
 
-/// Ends the check of a property with what was found, if anything was.
+/// Throws the violation, if there is one, to end the check of a property.
 void require(Finding finding);
 void require(const std::string& circumstances, Finding finding);
 
-/// The same unless the statement holds. @param otherwise what to say then
+/// Throws a violation unless `holds`. @param otherwise its text
 void require(bool holds, const std::string& otherwise);
 
 Finding same_bits(const Query& query, std::span<const double> got,
                   std::span<const double> expected);
 
-/// Requires that the call throws std::invalid_argument. @param what is accepted otherwise
+/// Requires that the call throws std::invalid_argument. @param what subject of "... was accepted"
 template <class Call>
 void refused(const std::string& what, Call&& call) {
   try {

@@ -1,4 +1,4 @@
-// Queries: what is refused, the distance limit, several sources, and what no path reaches.
+// Properties of queries: refusals, the distance limit, several sources and unreachable vertices.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -80,8 +80,8 @@ void names_itself_when_refusing(const Trial& trial) {
 
 Cases terrain(const Query& query) { return one("terrain", rough_terrain(61, 12, 12, 1), query); }
 
-// Of a solver that may err to either side the limit may move each distance within its bound: it is
-// held to the right ones, any other to its own.
+// The limit may change distances of a solver that errs to both sides, within its bound. Such a
+// solver is compared with the right distances, any other with its own distances without a limit.
 void limit_keeps_what_is_nearer(const Trial& trial) {
   const Exactness exactness = trial.solver().exactness;
   const bool own = exactness == Exactness::exact || exactness == Exactness::upper_bound;
@@ -113,7 +113,7 @@ void stopping_keeps_what_is_nearer(const Trial& trial) {
     for (const SurfacePoint& target : targets) farthest = std::max(farthest, all[target.vertex]);
     const std::vector<double> got = trial.solve(query);
     std::vector<double> expected = all;
-    // Rounding may put what is as far as the farthest target on either side.
+    // Rounding decides whether vertices as far as the farthest target are reached.
     for (Index v = 0; v < all.size(); ++v) {
       if (all[v] > farthest && (all[v] > farthest * (1 + kExactTolerance) || got[v] == kInfinity)) {
         expected[v] = kInfinity;
@@ -154,7 +154,7 @@ Cases two_components(int sources) {
            {sources == 2 ? from({3, in_second}) : from(3)}}};
 }
 
-// Brute force for every solver takes its time.
+// Only three meshes: brute force for every solver takes long.
 Cases few_meshes_from_four_sources() {
   Cases cases = random_meshes_from_four_sources();
   cases.erase(cases.begin() + 3, cases.end());

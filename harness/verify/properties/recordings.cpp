@@ -1,4 +1,4 @@
-// Recordings: they change no distance, and what they hold makes sense.
+// Properties of recordings: they change no distance, and their values are plausible.
 #include <algorithm>
 
 #include "harness/verify/properties/properties.h"
@@ -23,7 +23,7 @@ void repeat_on_every_run(const Trial& trial) {
   require(first == second, "a counter changed from one solve to the next");
 }
 
-// A counter with the least and the largest value that its definition allows.
+// The value of a counter, with the least and the largest value that its definition allows.
 struct Bound {
   const char* counter;
   std::optional<std::uint64_t> value;
@@ -103,8 +103,8 @@ void phase_times_hold_nothing_else(const Trial& trial) {
   require(timed == only, "something else was recorded beside the phase times");
 }
 
-// On every edge: in order, without overlap, no nearer than the vertices are, and at a vertex the
-// nearest of all its edges is as near as the vertex.
+// Checks that the windows of every edge are in order, without overlap and within the edge. Collects
+// for each vertex the least distance by the windows of its edges.
 class WindowsCheck {
  public:
   WindowsCheck(const Mesh& mesh, const Query& query)
@@ -122,7 +122,7 @@ class WindowsCheck {
   }
 
   int calls() const { return calls_; }
-  /// By vertex, by the windows alone.
+  /// Distances of the vertices by the windows alone.
   const std::vector<double>& nearest() const { return nearest_; }
 
  private:

@@ -1,5 +1,5 @@
-// The same answer every time: by an object that has solved before, in other threads, with other
-// instructions, and however the mesh is written down.
+// A query must have the same answer by an object that has solved before, in other threads, by other
+// instructions, and for other numberings, units and orientations of the mesh.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -68,7 +68,7 @@ Cases terrain_from_four_vertices() {
   return {{"terrain", rough_terrain(61, 12, 12, 0.5), {from(0), from(30), from(60), from(90)}}};
 }
 
-// Timed, with counters, and with the times of phases.
+// Distances of a timed solve, of a solve with counters and of a solve with phase times.
 std::vector<std::vector<double>> solved_in_three_ways(const Trial& trial, const Query& query) {
   const auto own = trial.prepare();
   Recording counters, phases;
@@ -80,7 +80,7 @@ std::vector<std::vector<double>> solved_in_three_ways(const Trial& trial, const 
   return distances;
 }
 
-// Meant for the thread sanitizer (preset thread) as much as for what it compares.
+// The check also gives the thread sanitizer (preset thread) something to examine.
 void threads_get_the_bits_of_one(const Trial& trial) {
   const std::vector<Query>& queries = trial.queries();
   std::vector<std::vector<std::vector<double>>> got(queries.size());
@@ -105,7 +105,7 @@ Query scaled_query(Query query, double factor) {
   return query;
 }
 
-// In other units of length: exponents change, and nothing else.
+// In other units of length, only exponents change.
 void scales_exactly(const Trial& trial, std::initializer_list<int> powers_of_two) {
   const Query& query = trial.query();
   Recording recording;
@@ -140,7 +140,7 @@ Cases on_a_lattice() {
   return cases;
 }
 
-// By a vector of the lattice, 10^9 long: differences of coordinates keep every bit.
+// Moves the mesh by a lattice vector about 10^9 long. Differences of coordinates keep every bit.
 void moves_far_away(const Trial& trial) {
   const Query& query = trial.query();
   TriangleSoup moved = trial.soup();
@@ -149,7 +149,7 @@ void moves_far_away(const Trial& trial) {
   require("moved by 2^30", same_bits(query, trial.solve(other, query), trial.solve(query)));
 }
 
-// Sources with initial distances and a limit, in the unit of length too.
+// Initial distances and the limit are in the unit of length, too.
 Cases for_far_units() {
   const Query query{.sources = {{1, 0.5}, {9, 0}}, .limit = 6};
   return {{"terrain", rough_terrain(85, 9, 9, 1.5), {query}},
@@ -217,7 +217,7 @@ void keeps_distances_inside_out(const Trial& trial) {
 
 Cases random_meshes_from_vertex_2() { return random_mesh_cases({from(2)}); }
 
-// Prepares objects for instruction sets, and puts the choice of the process back.
+// Prepares objects for instruction sets, and restores the previous choice of the process.
 class InstructionSets {
  public:
   explicit InstructionSets(const Trial& trial) : trial_(trial) {}
@@ -235,13 +235,13 @@ class InstructionSets {
   const InstructionSet before_ = instruction_set();
 };
 
-// Distances and counters by plain instructions and by the widest ones.
+// Compares distances and counters of plain instructions with those of the widest ones.
 void same_bits_and_counters(const Trial& trial) {
   const InstructionSets sets(trial);
   const Query& query = trial.query();
   const auto plain = sets.prepare(InstructionSet::plain);
   const auto wide = sets.prepare(widest_instruction_set());
-  if (wide->instruction_set() == plain->instruction_set()) return;  // there is one path
+  if (wide->instruction_set() == plain->instruction_set()) return;  // there is only one code path
   require("by the widest instructions, beside plain ones",
           same_bits(query, trial.solve(*wide, query), trial.solve(*plain, query)));
   Recording by_plain, by_wide;

@@ -1,5 +1,5 @@
-// Surfaces of several sheets that meet in edges, and of sides that do not match: paths go from each
-// face of an edge into each of the others.
+// Properties on surfaces of several sheets that meet in edges, and on surfaces with inconsistent
+// orientations. Paths lead from each face of an edge into each of the others.
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -19,7 +19,7 @@ Case crossed(const std::string& name, const TriangleSoup& soup, std::vector<Quer
   return given;
 }
 
-// Faces that stand on edges of a surface, each with a vertex of its own.
+// Adds faces on edges of a surface, each with a new vertex.
 TriangleSoup with_fins(TriangleSoup soup, std::uint64_t seed, std::uint32_t one_in) {
   Random random(seed);
   const std::vector<Triangle> faces = soup.triangles;
@@ -35,10 +35,10 @@ TriangleSoup with_fins(TriangleSoup soup, std::uint64_t seed, std::uint32_t one_
   return soup;
 }
 
-// Pages of cells that share a spine, each face with one of its two orientations.
+// Pages of cells that share a spine. The orientation of each face is random.
 class Book {
  public:
-  // @param relief by which vertices off the spine are moved at most, in sides of a cell
+  // @param relief largest displacement of vertices off the spine, in sides of a cell
   Book(std::uint64_t seed, Index pages, Index cells, double relief)
       : pages_(pages), cells_(cells), random_(seed) {
     for (Index j = 0; j <= cells_; ++j) soup_.positions.push_back({0, double(j), 0});
@@ -47,7 +47,7 @@ class Book {
 
   const TriangleSoup& soup() const { return soup_; }
 
-  // Between two vertices of flat pages.
+  // Distance of two vertices of a book with flat pages.
   double distance(Index a, Index b) const {
     const double out_a = out_of(a), out_b = out_of(b);
     const bool same_page = page_of(a) == page_of(b) || out_a == 0 || out_b == 0;
@@ -103,7 +103,7 @@ TriangleSoup with_flipped_faces(TriangleSoup soup, std::uint64_t seed) {
   return soup;
 }
 
-// A strip of cells whose ends are joined, one of them turned over: it has one side only.
+// A strip of cells whose ends are joined after turning one of them over. It has only one side.
 TriangleSoup one_sided_strip(Index cells) {
   TriangleSoup soup;
   for (Index i = 0; i < cells; ++i) {
@@ -137,7 +137,7 @@ Cases flat_books() {
       }
       return distances;
     };
-    // The pages of a turned book are flat but for the rounding of their corners.
+    // Turned pages are flat up to the rounding of their corners.
     cases.push_back(std::move(given));
   }
   return cases;
