@@ -6,7 +6,7 @@
 namespace geodesic {
 namespace {
 
-/// Solves by a solver without paths, which may not take points of faces itself.
+/// Solves with a PointSolver, because a solver without paths may not accept points inside faces.
 void solve_points(std::string_view solver, const Mesh& mesh, const Query& query,
                   std::span<double> distances, std::span<double> at_targets) {
   std::vector<SurfacePoint> sources;

@@ -1,4 +1,4 @@
-// Distances and shortest paths over a mesh, for programs that want nothing else:
+// Distances and shortest paths over a mesh, for programs that need only these:
 //
 //   const SurfaceMesh mesh = read_mesh("scan.ply");
 //   DistanceSolver solver(mesh);
@@ -6,7 +6,7 @@
 //   const double distance = field[12];
 //   const Path path = field.path_to(point_on_edge(mesh, 3, 7, .25));
 //
-// Vertices and faces go by the numbers of the file everywhere. Distances are in its unit of length.
+// All vertex and face numbers are those of the file. Distances have its unit of length.
 #pragma once
 
 #include <filesystem>
@@ -26,22 +26,22 @@
 
 namespace geodesic {
 
-/// A mesh whose vertices and faces go by the numbers of its file. Solvers take it as a Mesh. The
-/// functions of Mesh go by internal numbers: the order in memory with which solvers are fast.
+/// A mesh with the vertex and face numbers of its file. It converts to Mesh, the type that solvers
+/// take. Mesh's functions use internal numbers: the order in memory with which solvers are fast.
 class SurfaceMesh {
  public:
-  /// @throws std::invalid_argument as Mesh
+  /// @throws std::invalid_argument for the reasons of Mesh's constructor
   SurfaceMesh(std::span<const Vec3> positions, std::span<const Triangle> triangles)
       : mesh_(positions, triangles, Numbering::along_surface) {}
   explicit SurfaceMesh(Mesh mesh) : mesh_(std::move(mesh)) {}
 
   Index vertex_count() const { return mesh_.vertex_count(); }
   Index face_count() const { return mesh_.given_face_count(); }
-  /// Of a vertex, which is not checked.
+  /// Position of a vertex, whose number is not checked.
   const Vec3& position(Index vertex) const {
     return mesh_.position(mesh_.numbers().internal_vertex(vertex));
   }
-  /// Positions and triangles, copied.
+  /// Copies of the positions and triangles.
   TriangleSoup soup() const { return soup_of(mesh_); }
 
   operator const Mesh&() const& { return mesh_; }  // NOLINT: it is one
@@ -51,25 +51,25 @@ class SurfaceMesh {
   Mesh mesh_;
 };
 
-/// The mesh of a file. `build_mesh` returns the warnings as well.
-/// @throws MeshError when the file cannot be read, or has errors and is not to be repaired
+/// Reads the mesh of a file. `build_mesh` returns the warnings as well.
+/// @throws MeshError when the file cannot be read, or when it has errors and is not to be repaired
 SurfaceMesh read_mesh(const std::filesystem::path& path, const LoadOptions& options = {});
 
 struct FieldOptions {
-  double limit = kInfinity;  ///< what is farther counts as unreachable
+  double limit = kInfinity;  ///< points farther away count as unreachable
 };
 
-/// The distances from the nearest of some sources, and the paths that lead there. Constant: any
-/// number of threads may ask. Copies share their memory.
+/// The distances from the nearest of some sources, and the paths from it. Immutable: any number of
+/// threads may use it. Copies share their memory.
 class Field {
  public:
-  /// One entry a vertex; infinite where no path leads within the limit.
+  /// One distance for each vertex; infinite where no path within the limit exists.
   std::span<const double> distances() const;
-  /// Of a vertex, which is not checked.
+  /// Distance of a vertex, whose number is not checked.
   double operator[](Index vertex) const { return distances()[vertex]; }
 
-  /// Of any point, as exact as the solver. A vertex is looked up. Another point is searched from
-  /// what the solve remembers, without another solve; by a solver without paths, a solve.
+  /// Distance of any point, as exact as the solver. For a vertex it is looked up. For other points
+  /// the data of the solve are searched; a solver that does not remember paths solves again.
   /// @throws std::invalid_argument when the point is not of this mesh
   double at(const SurfacePoint& point) const;
 
@@ -78,42 +78,41 @@ class Field {
   ///         the limit, or the solver does not remember paths
   Path path_to(const SurfacePoint& point) const;
 
-  /// The source that the path to a vertex comes from, by its place among the sources; kNone where
-  /// no path leads. @throws std::invalid_argument as `path_to` otherwise
+  /// The source of the path to a vertex, as an index into the sources; kNone where no path leads.
+  /// @throws std::invalid_argument for the other reasons of `path_to`
   Index nearest_source(Index vertex) const;
 
  private:
   friend class DistanceSolver;
   Field(std::string solver, const Mesh& mesh) : solver_(std::move(solver)), mesh_(&mesh) {}
-  /// @throws std::invalid_argument when there are none
+  /// @throws std::invalid_argument when the solver does not remember paths
   const Paths& paths() const;
 
   std::string solver_;
   const Mesh* mesh_;
   std::shared_ptr<const Paths> paths_;  // null when the solver does not remember paths
-  // Without paths:
+  // Used only when the solver does not remember paths:
   Query query_;
   std::shared_ptr<const std::vector<double>> distances_;
 };
 
-/// Solves for distances over one mesh. It keeps its memory from one call to the next, and belongs
-/// to one thread at a time; any number of them share a mesh.
+/// Computes distances on one mesh. It keeps its memory from one call to the next and must be used
+/// by one thread at a time. Any number of solvers may share a mesh.
 class DistanceSolver {
  public:
-  /// @param mesh outlives this object and its fields
-  /// @param solver a name with parameters, as of make_solver
-  /// @throws std::invalid_argument for an unknown name, listing the known ones, and when the mesh
-  ///         needs an ability that the solver lacks
+  /// @param mesh must outlive this object and its fields
+  /// @param solver a name with parameters, as in make_solver
+  /// @throws std::invalid_argument for an unknown name (the message lists the known ones), and when
+  ///         the mesh needs an ability that the solver lacks
   explicit DistanceSolver(const Mesh& mesh, std::string_view solver = "edge-based");
 
-  /// From vertices and points, at least one. What paths need is recorded in the same solve.
+  /// Distances from vertices and points, at least one. The same solve records the data for paths.
   /// @throws std::invalid_argument when there is no source, one is not of this mesh, or the limit
   ///         is negative
   Field from(std::initializer_list<SurfacePoint> sources, const FieldOptions& options = {}) {
     return from(std::span(sources.begin(), sources.size()), options);
   }
-  /// @param sources a range of vertices (Index), of SurfacePoint, or of Source, which has an
-  /// initial
+  /// @param sources a range of vertices (Index), of SurfacePoint, or of Source with its initial
   ///        distance
   /// @throws as above, and for an initial distance that is negative or not finite
   template <std::ranges::input_range Sources>

@@ -13,14 +13,14 @@
 
 namespace {
 
-// Read by operator new before any constructor has run: constant-initialised.
+// operator new reads these before any constructor has run, so they are constant-initialised.
 constinit bool metering = false;
 constinit bool large_pages = false;
 constinit std::atomic<std::int64_t> live{0};
 constinit std::atomic<std::int64_t> peak{0};
 
-// The size that was asked for. What the allocator provides may be 16 bytes more, by the blocks that
-// it has at hand, and so by what was done before.
+// Counts the requested size. The allocator may provide 16 bytes more, depending on its free blocks
+// and therefore on earlier allocations.
 std::int64_t counted(void* block, std::size_t asked) {
 #ifdef __cpp_sized_deallocation
   return static_cast<std::int64_t>(asked > 0 ? asked : malloc_usable_size(block));
@@ -40,7 +40,7 @@ void count_allocation(void* block, std::size_t asked) {
 
 constexpr std::size_t kLargeBlock = std::size_t{4} << 20;
 
-// Refusal does no harm: the pages are small then.
+// A refusal is harmless: the pages are then small.
 void ask_for_large_pages(void* block, std::size_t bytes) {
   constexpr std::uintptr_t kPage = 4096;
   const std::uintptr_t begin = (reinterpret_cast<std::uintptr_t>(block) + kPage - 1) & ~(kPage - 1);
@@ -71,7 +71,7 @@ void* allocate(std::size_t bytes, std::size_t alignment) {
   }
 }
 
-// @param asked 0 where it is not known
+// @param asked requested size; 0 where it is not known
 void release(void* block, std::size_t asked = 0) noexcept {
   if (metering && block != nullptr) [[unlikely]] {
     live.fetch_sub(counted(block, asked), std::memory_order_relaxed);
@@ -81,8 +81,8 @@ void release(void* block, std::size_t asked = 0) noexcept {
 
 }  // namespace
 
-// The array forms of the standard library end in these. Its nothrow forms do too, but a sanitizer
-// brings its own, whose blocks these deletes would not recognise: they are replaced as well.
+// The array forms of the standard library call these. The nothrow forms are replaced too, because a
+// sanitizer has its own, and these deletes would not recognise their blocks.
 void* operator new(std::size_t bytes) { return allocate(bytes, 1); }
 void* operator new(std::size_t bytes, std::align_val_t alignment) {
   return allocate(bytes, static_cast<std::size_t>(alignment));

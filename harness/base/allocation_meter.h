@@ -8,8 +8,8 @@
 
 namespace geodesic::harness {
 
-/// Counts from its construction to its destruction, in the sizes that are asked for: the same in
-/// every run. One meter at a time; memory obtained by malloc directly is not seen.
+/// Counts the requested bytes from its construction to its destruction. The counts are the same in
+/// every run. At most one meter exists at a time. Memory from malloc itself is not counted.
 class AllocationMeter {
  public:
   AllocationMeter();
@@ -17,9 +17,9 @@ class AllocationMeter {
   AllocationMeter(const AllocationMeter&) = delete;
   AllocationMeter& operator=(const AllocationMeter&) = delete;
 
-  /// Bytes allocated and not freed since the meter exists.
+  /// Bytes allocated and not freed since the construction.
   std::int64_t live_bytes() const;
-  /// The largest value that live_bytes has had.
+  /// The largest value of live_bytes() so far.
   std::int64_t peak_bytes() const;
 };
 

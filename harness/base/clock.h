@@ -7,7 +7,7 @@
 
 namespace geodesic::harness {
 
-/// Wall time and the CPU time of all threads of this process, in seconds since it was made.
+/// Wall time and the CPU time of all threads of this process, in seconds since the construction.
 class Stopwatch {
  public:
   Stopwatch();
@@ -23,14 +23,14 @@ class Stopwatch {
 double thread_cpu_seconds();
 
 /// Resets the peak of `peak_resident_bytes`, so that it excludes the memory for reading the mesh.
-/// Without effect where the kernel does not offer it (Linux does).
+/// Has no effect where the kernel does not support it (Linux does).
 void restart_peak_resident_bytes();
 
-/// Largest resident set of this process, VmHWM of /proc/self/status. Not getrusage's ru_maxrss:
-/// that starts from the peak of the process that spawned this one.
+/// Largest resident set of this process in bytes: VmHWM of /proc/self/status. getrusage's ru_maxrss
+/// is not used, because it starts from the peak of the process that spawned this one.
 std::optional<std::int64_t> peak_resident_bytes();
 
-/// The size behind a key of a file like /proc/meminfo; nothing where there is none.
+/// The size in bytes after a key in a file like /proc/meminfo; empty if there is none.
 std::optional<std::int64_t> proc_bytes(const char* file, const std::string& key);
 
 }  // namespace geodesic::harness

@@ -1,4 +1,4 @@
-// What a user did wrong or must do, in one line; main prints it and exits with 1.
+// Errors that a user can correct, as one line of text. main prints it and exits with 1.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ class WrongAnswer : public HarnessError {
   using HarnessError::HarnessError;
 };
 
-/// Does something; its errors get a place in front: "mesh horse: sha256: ...".
+/// Runs an action and puts a place in front of its error messages: "mesh horse: sha256: ...".
 template <class Action>
 void at_place(const std::string& place, const Action& action) {
   try {
@@ -39,10 +39,10 @@ void at_place(const std::string& place, const Action& action) {
   }
 }
 
-/// The item of a list that has a name.
-/// @param kind what the name should have been: "solver"
-/// @param name_of an item's name, as std::ranges::find takes it
-/// @throws HarnessError listing the known names
+/// Finds the item of a list by its name.
+/// @param kind noun for the name in the message: "solver"
+/// @param name_of projection from an item to its name, as for std::ranges::find
+/// @throws HarnessError that lists the known names
 template <class Items, class NameOf = std::identity>
 auto& named(std::string_view kind, Items& items, std::string_view name, NameOf name_of = {}) {
   const auto at = std::ranges::find(items, name, name_of);

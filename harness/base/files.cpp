@@ -18,16 +18,16 @@ namespace geodesic::harness {
 namespace fs = std::filesystem;
 namespace {
 
-// Makes a new file: an existing symbolic link is not followed.
-// @return whether it could
+// Makes a new file and does not follow an existing symbolic link.
+// @return whether the file was made
 bool create(const fs::path& path) {
-  constexpr mode_t kMode = 0666;  // less what the umask takes away
+  constexpr mode_t kMode = 0666;  // the umask takes bits away
   unlink(path.c_str());
   const int file = open(path.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, kMode);
   return file >= 0 && close(file) == 0;
 }
 
-// Empty where the program is not installed. Relative to the program: the prefix may be moved.
+// Empty if the program is not installed. Relative to the program, because the prefix may be moved.
 fs::path installed_data() {
   const fs::path program = fs::read_symlink("/proc/self/exe");
   const fs::path data = (program.parent_path() / build_info().installed_data).lexically_normal();
@@ -50,7 +50,7 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), written_(path_) 
   if (!fs::exists(path_, ignored) || fs::is_regular_file(path_, ignored)) {
     written_ += std::to_string(getpid()).insert(0, 1, '.') + kPartOfFile;
     if (!create(written_)) throw CannotWrite(path_, std::strerror(errno));
-    mode |= std::ios::in;  // opens what is there, and creates nothing
+    mode |= std::ios::in;  // opens the existing file and creates none
   }
   stream_.open(written_, mode);
   if (!stream_) throw CannotWrite(path_, std::strerror(errno));
@@ -64,7 +64,7 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::commit() {
-  stream_.close();  // which fails where not everything could be written
+  stream_.close();  // fails if not everything could be written
   if (!stream_) throw CannotWrite(path_, std::strerror(errno));
   std::error_code error;
   if (written_ != path_) fs::rename(written_, path_, error);

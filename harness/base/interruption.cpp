@@ -10,7 +10,7 @@ namespace {
 volatile std::sig_atomic_t received = 0;
 volatile std::sig_atomic_t received_at = 0;  // seconds
 
-// Calls nothing that a handler of signals may not call.
+// Calls only functions that a signal handler may call.
 void remember(int signal) {
   timespec now{};
   clock_gettime(CLOCK_MONOTONIC, &now);

@@ -1,4 +1,4 @@
-// Ctrl-C, SIGTERM and SIGHUP as an exception, so that what was computed is kept.
+// Turns Ctrl-C, SIGTERM and SIGHUP into an exception, so that computed results are kept.
 #pragma once
 
 #include <array>
@@ -7,8 +7,8 @@
 
 namespace geodesic::harness {
 
-/// Not a HarnessError, since it is not a failure of a cell. main exits with 128 + signal, as a
-/// shell does.
+/// Not a HarnessError, because an interruption is not a failure of a cell. main exits with
+/// 128 + signal, as a shell does.
 class Interrupted : public std::runtime_error {
  public:
   explicit Interrupted(int signal);
@@ -18,8 +18,8 @@ class Interrupted : public std::runtime_error {
   int signal_;
 };
 
-/// During its lifetime SIGINT, SIGTERM and SIGHUP make throw_if_interrupted throw instead of ending
-/// the program; another one more than a second later ends it at once (timeout sends two together).
+/// While it exists, SIGINT, SIGTERM and SIGHUP make throw_if_interrupted throw and do not end the
+/// program. Another signal more than a second later ends it at once (timeout sends two together).
 /// A signal that is ignored stays ignored (nohup). At most one guard exists at a time.
 class InterruptionGuard {
  public:

@@ -15,14 +15,14 @@ namespace {
 constexpr std::size_t kDeepest = 50;
 constexpr std::size_t kMostKeys = 1000;
 
-// Values are copied and written by recursion, and the keys of an object searched one after another:
-// what no file of ours comes near would overflow the stack, or take the square of its size in time.
+// Values are copied and written recursively, and the keys of an object are searched linearly. Far
+// above these bounds the stack overflows or the time is quadratic. The project's files stay below.
 void check_bounds(std::string_view text) {
-  std::vector<std::size_t> keys{0};  // of every list and object that is open; a list has none
+  std::vector<std::size_t> keys{0};  // key count of each open list and object; 0 for a list
   bool in_string = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
-    if (in_string && c == '\\') ++i;  // an escaped quote ends no string
+    if (in_string && c == '\\') ++i;  // an escaped quote does not end the string
     if (c == '"') in_string = !in_string;
     if (in_string) continue;
     if (c == '{' || c == '[') keys.push_back(0);

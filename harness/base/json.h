@@ -8,7 +8,7 @@
 #include <string_view>
 
 /// @cond  Doxygen does not find the class that is specialised.
-/// Null where there is no value.
+/// An empty optional is null.
 template <class Value>
 struct nlohmann::adl_serializer<std::optional<Value>> {
   static void to_json(auto& json, const std::optional<Value>& value) {
@@ -26,9 +26,9 @@ namespace geodesic::harness {
 
 using Json = nlohmann::ordered_json;
 
-/// Makes a struct JSON and back, each member under its own name; one that the JSON lacks, or that
-/// is null as numbers that are not finite are, stays as it is. (The library's macros of this kind
-/// are for objects without an order.)
+/// Converts a struct to JSON and back, each member under its own name. A member keeps its value if
+/// the JSON lacks it or has null, which stands for a number that is not finite. (The library's
+/// macros of this kind are for unordered objects.)
 #define GEODESIC_JSON_MEMBERS(Type, ...)                                               \
   inline void to_json(harness::Json& nlohmann_json_j, const Type& nlohmann_json_t) {   \
     NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(NLOHMANN_JSON_TO, __VA_ARGS__))           \
@@ -42,21 +42,20 @@ using Json = nlohmann::ordered_json;
   }
 
 /// Parses the content of a file, which may be hostile.
-/// @param name what messages call the file
-/// @throws HarnessError for what is not JSON (the message says where), is nested more than 50 deep,
-///         or has an object of more than 1000 keys
+/// @param name the file in messages
+/// @throws HarnessError when the text is not JSON (the message says where), is nested more than 50
+///         deep, or has an object of more than 1000 keys
 Json parse_json(std::string_view text, const std::string& name);
 
-/// A value as in its file, for a message; of a list or an object, which may be of any size, its
-/// type.
+/// A value as in its file, for a message. For a list or an object, which may be large, its type.
 std::string shown(const Json& value);
 
-/// Writes indented JSON, whole or not at all; bytes that are not UTF-8 become U+FFFD.
+/// Writes indented JSON completely or not at all; bytes that are not UTF-8 become U+FFFD.
 /// @throws CannotWrite
 void write_json(const std::filesystem::path& path, const Json& json);
 
-/// @param wanted what a user should name instead, for the message when there is no such file
-/// @throws HarnessError when the file cannot be read, and as `parse_json`
+/// @param wanted what a user should name instead, for the message when the file cannot be read
+/// @throws HarnessError when the file cannot be read, and for the reasons of `parse_json`
 Json read_json(const std::filesystem::path& path, const std::string& wanted = "");
 
 }  // namespace geodesic::harness

@@ -3,10 +3,10 @@
 
 namespace geodesic::harness {
 
-/// While it exists, the operating system is asked for large pages (2 MB) for blocks of operator new
-/// of 4 MB and more, where it grants them on request (Linux: transparent_hugepage is "madvise" or
-/// "always"). Most of the time of reading and building a large mesh is otherwise that of getting
-/// its memory page by page. Runs measure without it. One at a time.
+/// While it exists, the program requests large pages (2 MB) for blocks of operator new of 4 MB and
+/// more. Linux grants them if transparent_hugepage is "madvise" or "always". Without large pages,
+/// most of the time to read and build a large mesh is spent on obtaining memory page by page. Runs
+/// measure without it. At most one object exists at a time.
 class LargePages {
  public:
   LargePages();

@@ -28,7 +28,7 @@ std::string demangled(const std::string& symbol) {
   return name ? name.get() : symbol;
 }
 
-// From what the dynamic linker says: "FILE: undefined symbol: _Z...", "FILE: invalid ELF header"
+// Explains a dynamic linker message: "FILE: undefined symbol: _Z...", "FILE: invalid ELF header"
 std::string load_failure(const std::string& complaint, const fs::path& file) {
   constexpr std::string_view kUndefined = "undefined symbol: ";
   if (const std::size_t at = complaint.find(kUndefined); at != std::string::npos) {
@@ -43,8 +43,8 @@ std::string load_failure(const std::string& complaint, const fs::path& file) {
 
 std::vector<std::string> load_solvers(const fs::path& file) {
   std::string complaint;
-  // At once: a symbol that is missing is found here, and not by a solve. Local: what two plug-ins
-  // both define stays apart.
+  // RTLD_NOW finds a missing symbol here and not during a solve. RTLD_LOCAL separates the symbols
+  // that two plug-ins both define.
   const Registrations registrations = collect_registrations([&] {
     if (dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr) complaint = dlerror();
   });

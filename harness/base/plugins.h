@@ -8,32 +8,31 @@
 namespace geodesic::harness {
 
 struct Plugin {
-  std::string option;  ///< that names it: "--plugin", "--external"
-  std::string value;   ///< of the option; of --plugin the file, absolute and without links
+  std::string option;  ///< that loads it: "--plugin" or "--external"
+  std::string value;   ///< value of the option; for --plugin the file, absolute and without links
   std::string sha256;
-  std::vector<std::string> solvers;  ///< names, as they were registered
+  std::vector<std::string> solvers;  ///< names under which they were registered
 };
 
-/// Loads the library for the rest of the process; its solvers are then registered like those of
-/// the program.
-/// @throws HarnessError when there is no such file, it is loaded already, it is not a shared
-///         library or lacks a symbol, or it registers no solver, one of another version of the
-///         contract (solvers/core/solver.h), or one whose name is taken
+/// Loads a library for the rest of the process and registers its solvers like those of the program.
+/// @throws HarnessError when the file does not exist, is loaded already, is not a shared library,
+///         lacks a symbol or registers no solver, or when a solver has another version of the
+///         contract (solvers/core/solver.h) or a name that is taken
 void load_plugin(const std::filesystem::path& file);
 
-/// Adds what registers solvers in another way. @param plugin whose solvers are registered
+/// Adds a plug-in whose solvers were registered in another way.
 void note_plugin(Plugin plugin);
 
 /// The arguments that make another process of this program load the same plug-ins.
 std::vector<std::string> plugin_arguments();
 
-/// In the order of loading.
+/// The plug-ins in the order of loading.
 const std::vector<Plugin>& loaded_plugins();
 
-/// A word as a shell takes it: unchanged, or between apostrophes.
+/// A word in the syntax of a shell: unchanged, or between apostrophes.
 std::string quoted(const std::string& word);
 
-/// As one line for a shell, with this program as it was called and its plug-ins in front.
+/// One line for a shell: this program as it was called, its plug-ins, then the arguments.
 std::string as_command_line(const std::vector<std::string>& arguments);
 
 }  // namespace geodesic::harness

@@ -26,7 +26,7 @@
 namespace geodesic::harness {
 namespace {
 
-constexpr std::size_t kKeptBytes = 4096;  // of standard error
+constexpr std::size_t kKeptBytes = 4096;  // kept at the end of standard error
 constexpr int kMostPauseMs = 50;          // a process that ends closes its standard error at once
 
 [[noreturn]] void cannot_start(const std::string& program, int error) {
@@ -51,12 +51,12 @@ void limit(__rlimit_resource resource, std::uint64_t most) {
   setrlimit(resource, &both);
 }
 
-// In the child; only what is allowed between fork and exec in a program with threads.
+// Runs in the child. Only calls that are allowed between fork and exec in a threaded program.
 [[noreturn]] void become(char* const* argv, pid_t parent, int standard_error, int failure,
                          const ProcessLimits& limits) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, limits.signal_at_death);
-  if (getppid() != parent) _exit(1);  // it died before that took effect
+  if (getppid() != parent) _exit(1);  // the parent died before that took effect
   limit(RLIMIT_CORE, 0);
   if (kLimitsMemory && limits.memory_bytes != RLIM_INFINITY) limit(RLIMIT_AS, limits.memory_bytes);
   const int null_device = open("/dev/null", O_RDWR | O_CLOEXEC);
@@ -69,13 +69,13 @@ void limit(__rlimit_resource resource, std::uint64_t most) {
   _exit(written > 0 ? 127 : 126);
 }
 
-// A child process, from its start until nothing is left of it.
+// A child process and its process group. Neither outlives this object.
 class Child {
  public:
   /// @throws HarnessError when the program cannot be started
   Child(const std::string& program, const std::vector<std::string>& arguments,
         const ProcessLimits& limits);
-  /// Kills it, unless it was finished.
+  /// Calls finish() unless it was called.
   ~Child();
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
@@ -92,14 +92,14 @@ class Child {
     std::int64_t involuntary_switches;
     std::string error_tail;  ///< the end of its standard error
   };
-  /// Kills its process group, itself included where it still runs. Called once.
+  /// Kills the process group, including the process if it still runs. Called once.
   Exit finish();
 
  private:
   void read_available();
 
   pid_t process_ = 0;
-  int pipe_ = -1;  // its standard error; -1 when the other end is closed
+  int pipe_ = -1;  // its standard error; -1 after the other end was closed
   int pause_ms_ = 1;
   std::string tail_;
 };
@@ -122,7 +122,7 @@ Child::Child(const std::string& program, const std::vector<std::string>& argumen
   close(failure.write);
   pipe_ = standard_error.read;
   if (process_ > 0) {
-    setpgid(process_, process_);  // whoever of the two comes first
+    setpgid(process_, process_);  // parent and child both do this
     while (read(failure.read, &error, sizeof error) < 0 && errno == EINTR) {
     }
   }
@@ -170,7 +170,7 @@ void Child::listen(double most_seconds) {
   if (poll(&readable, 1, most_ms) > 0) read_available();
 }
 
-// Its group cannot be another's as long as it has not been waited for.
+// The group number is not reused before the process has been waited for.
 Child::Exit Child::finish() {
   kill(-process_, SIGKILL);
   Exit exit{};
@@ -178,7 +178,7 @@ Child::Exit Child::finish() {
   while (wait4(process_, &exit.status, 0, &usage) < 0 && errno == EINTR) {
   }
   process_ = 0;
-  constexpr int kMostBlocks = 64;  // a pipe holds no more; what left the group may write on
+  constexpr int kMostBlocks = 64;  // a full pipe; processes that left the group may still write
   for (int i = 0; i < kMostBlocks && pipe_ >= 0; ++i) read_available();
   if (pipe_ >= 0) close(pipe_);
   pipe_ = -1;
@@ -191,7 +191,7 @@ Child::Exit Child::finish() {
 
 constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
 
-// The number that a file begins with; nothing for "max", or where there is no such file.
+// The number at the start of a file; empty for "max", or if there is no such file.
 std::optional<std::uint64_t> number_in(const char* file) {
   std::uint64_t number = 0;
   if (std::ifstream(file) >> number) return number;
@@ -226,8 +226,8 @@ std::string last_lines(const std::string& text) {
   return join(lines, " | ");
 }
 
-// A process that is refused memory crashes in various ways; the kernel kills one without a message
-// when the machine has no memory left.
+// A process that gets no memory crashes in various ways. The kernel kills a process without a
+// message when the machine has no memory left.
 bool ran_out_of_memory(const Ended& ended, std::int64_t peak_bytes, std::uint64_t limit) {
   if (!ended.crashed || ended.timed_out) return false;
   const bool near_limit = static_cast<double>(peak_bytes) > 0.9 * static_cast<double>(limit);
@@ -235,7 +235,7 @@ bool ran_out_of_memory(const Ended& ended, std::int64_t peak_bytes, std::uint64_
          ended.error_lines.find("std::bad_alloc") != std::string::npos;
 }
 
-// Of all processors since the start of the machine; 0 where there is no /proc.
+// Ticks of all processors since the machine started; 0 if there is no /proc.
 struct Ticks {
   std::uint64_t stolen = 0, total = 0;
   static Ticks now() {
@@ -268,8 +268,8 @@ Disturbance disturbance_since(const Ticks& before, const Child::Exit& exit) {
   return disturbance;
 }
 
-// Who ends many processes at once, as schedulers do, may reach a child first: that is no crash. The
-// same signal comes here within moments, if it comes.
+// A scheduler that ends many processes at once may reach a child first. That is not a crash: the
+// same signal then reaches this process within moments.
 void throw_if_interrupted_soon() {
   constexpr int kSteps = 100;
   constexpr std::chrono::milliseconds kStep(10);

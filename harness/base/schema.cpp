@@ -11,7 +11,7 @@
 namespace geodesic::harness {
 namespace {
 
-// A POSIX extended expression. Compiling it takes longer than any text of ours to match.
+// A POSIX extended expression. Compiling it takes longer than matching a text of usual length.
 class Pattern {
  public:
   explicit Pattern(const std::string& pattern) {
@@ -33,7 +33,7 @@ bool is_type(const Json& value, const Json& type) {
   return type == value.type_name() || (type == "integer" && value.is_number_integer());
 }
 
-// Null where the schema does not have it.
+// Null if the schema lacks the keyword.
 const Json& keyword(const Json& schema, const char* name) {
   static const Json none;
   return schema.contains(name) ? schema[name] : none;
@@ -80,7 +80,7 @@ class Checker {
   }
 
  private:
-  // Whether the keywords hold that concern a value as a whole.
+  // Whether the keywords that apply to a value as a whole hold.
   bool fits(const Json& value, const Json& schema) const {
     for (const auto& [keyword, said] : schema.items()) {
       if (!fits(value, keyword, said)) return false;
@@ -88,7 +88,7 @@ class Checker {
     return true;
   }
 
-  // @param said what the schema has for the keyword
+  // @param said the schema's value of the keyword
   bool fits(const Json& value, const std::string& keyword, const Json& said) const {
     if (keyword == "const") return value == said;
     if (keyword == "enum") return std::ranges::find(said, value) != said.end();

@@ -14,7 +14,7 @@ namespace geodesic::harness {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view kPrefix = "geodesic-bench-of-";  // then the process's number
+constexpr std::string_view kPrefix = "geodesic-bench-of-";  // followed by the process id
 
 void remove_abandoned_folders(const fs::path& temporary) {
   std::error_code ignored;

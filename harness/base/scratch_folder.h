@@ -1,12 +1,12 @@
-// A folder for files that processes of this program hand to one another.
+// A folder for files that processes of this program pass to each other.
 #pragma once
 
 #include <filesystem>
 
 namespace geodesic::harness {
 
-/// Made below the system's folder of temporary files, and removed with this object. One whose
-/// process was killed is removed by the next that makes one.
+/// Made in the system's folder of temporary files, and removed with this object. If its process is
+/// killed, the next constructor removes the folder.
 class ScratchFolder {
  public:
   /// @throws HarnessError when it cannot be made

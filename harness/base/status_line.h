@@ -1,4 +1,4 @@
-// What a long task is doing, on standard error.
+// Progress messages of a long task, on standard error.
 #pragma once
 
 #include <cstddef>
@@ -9,21 +9,21 @@
 
 namespace geodesic::harness {
 
-/// "35 s", "12 min", "30 h"
+/// A duration as text: "35 s", "12 min", "30 h".
 std::string duration(double seconds);
 
-/// On a terminal one line that is kept up to date; elsewhere, in a log, a line a minute.
+/// On a terminal, one line that is kept up to date; in a log, one line a minute.
 class StatusLine {
  public:
   StatusLine();
 
-  /// To be called about once a second.
+  /// Shows a text. Call it about once a second.
   void show(const std::string& text);
 
-  /// Writes a line that stays, in place of the one that is shown; in a log always.
+  /// Writes a line that stays, in place of the shown line. A log always gets it.
   void write(const std::string& text);
 
-  /// Takes away the line that is shown.
+  /// Erases the shown line.
   void clear();
 
  private:
@@ -36,15 +36,15 @@ class StatusLine {
 /// A status line that counts: "1200 of 10000 meshes, 95 s so far". Any thread may call it.
 class CountLine {
  public:
-  /// @param unit "meshes"
-  /// @param ended that need not be done
+  /// @param unit noun in the plural: "meshes"
+  /// @param ended number of items that need not be done
   CountLine(std::size_t total, std::string unit, std::size_t ended = 0)
       : total_(total), unit_(std::move(unit)), ended_(ended) {}
   ~CountLine() { line_.clear(); }
 
   void ended(std::size_t count = 1);
 
-  /// Takes away the line that is shown, before something else is printed.
+  /// Erases the shown line before something else is printed.
   void clear();
 
  private:

@@ -16,7 +16,7 @@
 namespace geodesic::harness {
 namespace {
 
-// They are loaded while options are parsed, before any command runs.
+// The options load plug-ins while the command line is parsed, before any command runs.
 void add_plugin_options(CLI::App& app) {
   app.add_option_function<std::vector<std::string>>(
          "--plugin",
@@ -71,7 +71,7 @@ std::vector<std::string> options_of(const CLI::App& app) {
   return names;
 }
 
-// Commands without a group are the program's own (cells/).
+// Commands without a group are internal: the processes that this program starts.
 std::vector<std::string> commands_of(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands(nullptr)) {
@@ -81,7 +81,7 @@ std::vector<std::string> commands_of(const CLI::App& app) {
 }
 
 // "no option of solve named '--sorce' (did you mean '--source'?); there are: --help, --solver"
-// Empty when every word means something.
+// Empty when every word is known.
 std::string unknown_word(const CLI::App& at) {
   const std::vector<std::string> extras = at.remaining();
   const std::vector<std::string> commands = commands_of(at);
@@ -118,8 +118,8 @@ int complain(const std::string& message, int code) {
   return code;
 }
 
-// The descriptor of a closed stream would be reused for the next file that is opened, which would
-// then receive what is printed. Using these fails as before.
+// The descriptor of a closed stream would be reused for the next file that is opened, and printed
+// text would go to that file. Reading and writing these streams still fails.
 void occupy_closed_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) >= 0) continue;
@@ -131,7 +131,7 @@ int run(CLI::App& app, int argc, char** argv) {
   try {
     add_commands(app, join({argv, argv + argc}, " "));
     app.parse(argc, argv);
-  } catch (const CLI::RuntimeError& finished) {  // with its message
+  } catch (const CLI::RuntimeError& finished) {  // its message has been printed
     return finished.get_exit_code();
   } catch (const CLI::Success& help) {
     const std::string unknown = unknown_word(innermost(app));

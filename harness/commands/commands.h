@@ -1,4 +1,4 @@
-// The commands of geodesic-bench, one file each. Each function adds one with its options.
+// The commands of geodesic-bench, one file each. Each function adds one command with its options.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@ class App;
 
 namespace geodesic::harness {
 
-/// The whole of geodesic-bench: parses the command line, runs the command, and writes errors to the
-/// error stream in one line.
-/// @returns the process's exit code: 0 good, 1 a wrong request or an error, 2 a wrong answer; a
-///          command that is a script has its own
+/// Runs geodesic-bench: parses the command line, runs the command, and writes errors as one line to
+/// the error stream.
+/// @returns the exit code of the process: 0 for success, 1 for a wrong request or an error, 2 for a
+///          wrong answer; a command that is a script has its own codes
 int run_command_line(int argc, char** argv);
 
 /// `list`: solvers with their descriptions, and the meshes of a corpus.
@@ -24,23 +24,23 @@ void add_mesh_command(CLI::App& app);
 /// `generate NAME [--parameter value ...] -o FILE` and `generate --list`.
 void add_generate_command(CLI::App& app);
 
-/// `solve MESH --solver NAME --source V`: one solve, or with `--each` one for each source on
-/// several threads; a JSON object on standard output, distances in a file.
+/// `solve MESH --solver NAME --source V`: one solve, or with `--each` one solve for each source on
+/// several threads. Prints a JSON object and writes distances to a file.
 void add_solve_command(CLI::App& app);
 
-/// `verify --solver NAME [--corpus NAME]`: which properties of solvers hold, which
-/// fail, and for those the smallest case, the command that reproduces it and where it went wrong.
+/// `verify --solver NAME [--corpus NAME]`: checks properties of solvers. For a failure it prints
+/// the smallest case, the command that reproduces it and the place of the error.
 void add_verify_command(CLI::App& app);
 
-/// The processes that `verify` starts; not shown in the help.
+/// Commands of the processes that `verify` starts. The help does not show them.
 void add_check_commands(CLI::App& app);
 
 /// `run [SUITE.json] [-- --benchmark_...]`: measures every cell of a suite.
-/// @param command_line the whole of it, for the record
+/// @param command_line the complete command line, for the record
 void add_run_command(CLI::App& app, const std::string& command_line);
 
-/// `cell SPEC` and `reference SPEC`, the processes that a run starts (cells/cell.h); not shown in
-/// the help.
+/// `cell SPEC` and `reference SPEC`, the processes that a run starts (run/cell.h). The help does
+/// not show them.
 void add_cell_commands(CLI::App& app);
 
 /// The commands that are Python modules (the table in scripts.cpp). `geodesic-bench rank WORDS...`

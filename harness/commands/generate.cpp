@@ -46,7 +46,7 @@ std::string list_of_generators() {
   return text;
 }
 
-// What the help of the command ends with.
+// The end of the command's help.
 std::string parameters_or_examples(const std::string& name) {
   for (const GeneratorDescription& generator : generator_descriptions()) {
     if (generator.name == name) return '\n' + usage(generator);
@@ -55,7 +55,7 @@ std::string parameters_or_examples(const std::string& name) {
          "  geodesic-bench generate terrain --help";
 }
 
-/// Arguments that CLI11 left over, as `--name value` or `--name=value`.
+/// Parses the arguments that CLI11 left over: `--name value` or `--name=value`.
 GeneratorParameters parse_parameters(const std::vector<std::string>& words) {
   GeneratorParameters parameters;
   for (std::size_t i = 0; i < words.size(); ++i) {

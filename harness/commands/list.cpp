@@ -35,7 +35,7 @@ constexpr const char* kHowToSet =
     "  A parameter is set in the solver's name, to several values for as many solvers, as in "
     "--solvers 'SOLVER?PARAMETER=1,2,4'.\n";
 
-// Of the solvers that take any.
+// The parameters of all solvers that have any.
 TextTable parameter_table() {
   TextTable table{{"solver", "parameter", "default", "what it is", "must be"}};
   for (const Description* solver : registered_solvers()) {
@@ -68,7 +68,7 @@ TextTable mesh_table(const Manifest& manifest, const std::vector<MeshEntry>& mes
   return table;
 }
 
-// Meshes and what they are made from as in the manifest, and what is known of them here.
+// The manifest's meshes and what they are made from, with facts of this machine, and the solvers.
 Json to_json(const Manifest& manifest, const std::vector<MeshEntry>& meshes) {
   Json json{{"solvers", Json::array()},
             {"sources", manifest.json()["sources"]},

@@ -25,13 +25,13 @@ struct Flags {
   bool repair = false;
 };
 
-// After the repair, if any.
+// Results of the inspection, after the repair if there is one.
 struct Findings {
   std::string format;
   MeshSummary summary;
-  DefectReport defects;  // of the file
+  DefectReport defects;  // of the file, before the repair
   std::vector<RepairAction> repairs;
-  std::vector<std::string> warnings;  // of reading
+  std::vector<std::string> warnings;  // from reading the file
 };
 
 Json edge_lengths_json(const std::optional<EdgeLengths>& lengths) {
@@ -98,7 +98,7 @@ void print_row(std::string_view name, const Value& value) {
   std::cout << "  " << std::left << std::setw(20) << name << value << '\n';
 }
 
-// Words out of the file.
+// Prints text that comes from the file.
 void print_words(std::string_view name, const std::string& words) {
   print_row(name, harmless(words));
 }
@@ -139,7 +139,7 @@ void print_text(const Flags& flags, const Findings& findings) {
   if (flags.repair && findings.repairs.empty()) print_row("repaired", "nothing needed it");
 }
 
-// Prints what there is to say about a mesh, also of one that is then refused.
+// Prints the findings about a mesh, even if the mesh is then refused.
 void inspect(const Flags& flags) {
   MeshFile file = read_mesh_file(flags.file);
   Findings findings;

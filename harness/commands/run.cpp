@@ -25,14 +25,14 @@ Examples:
   geodesic-bench run --solvers 'edge-based,steiner?points=1,3,7' --meshes horse
   geodesic-bench run --corpus quick --repetitions 9 --out results/runs/mine)";
 
-// "head=build/release/geodesic-bench"
+// Parses "head=build/release/geodesic-bench".
 ProgramFile program_of(const std::string& word) {
   const std::size_t equals = word.find('=');
   if (equals == std::string::npos) throw HarnessError("--program " + word + ": not NAME=PATH");
   return {word.substr(0, equals), fs::absolute(word.substr(equals + 1))};
 }
 
-// A suite, and flags of Google Benchmark.
+// Splits the words into a suite and flags of Google Benchmark.
 void read_words(const std::vector<std::string>& words, RunRequest& request) {
   std::string suite;
   request.benchmark_flags.clear();
@@ -48,7 +48,7 @@ void read_words(const std::vector<std::string>& words, RunRequest& request) {
   if (!suite.empty()) request.suite = read_suite(suite);
 }
 
-// Results do not depend on the current folder, nor on files that appear in a folder later.
+// Makes paths absolute. Results then depend neither on the current folder nor on later files.
 void make_absolute(RunRequest& request) {
   request.suite.meshes = expand_meshes(request.suite.meshes);
   for (std::string& mesh : request.suite.meshes) {
@@ -60,7 +60,7 @@ void make_absolute(RunRequest& request) {
   request.manifest = fs::absolute(request.manifest);
 }
 
-// Of a folder: "scans/raw meshes" is raw-meshes.
+// The corpus name for a folder: raw-meshes for "scans/raw meshes".
 std::string as_corpus_name(const fs::path& folder) {
   const fs::path last = folder.has_filename() ? folder.filename() : folder.parent_path().filename();
   std::string name = last.string().substr(0, 100);
@@ -93,7 +93,7 @@ void add_request_options(CLI::App& command, RunRequest& request, bool& plan_only
       [&, suite_option](const std::string& corpus) {
         if (suite_option->empty() && !request.resume) suite = suite_of_corpus(corpus);
         suite.corpus = corpus;
-        suite.meshes.clear();  // of the suite
+        suite.meshes.clear();  // removes those of the suite
       },
       "corpus of the manifest, with the options of its suite where harness/suites has one of this "
       "name")

@@ -20,7 +20,7 @@ namespace geodesic::harness {
 namespace fs = std::filesystem;
 namespace {
 
-// A command that is a Python module below the data folder, as git's commands are programs.
+// A command that is a Python module below the data folder.
 struct Script {
   const char* name;
   const char* module;
@@ -50,8 +50,8 @@ bool has_packages(const fs::path& python) {
   return run_program(python, {"-c", kHasPackages}, [] {}).succeeded();
 }
 
-// Debian's own interpreter first: its packages are those that the documentation names, and another
-// python3 on the PATH may lack them.
+// Tries Debian's interpreter first: the documentation names its packages, and another python3 on
+// the PATH may lack them.
 fs::path find_python() {
   std::string folders = "/usr/bin";
   if (const char* path = std::getenv("PATH")) folders += std::string(":") + path;
@@ -74,10 +74,10 @@ void set_environment() {
   setenv("GEODESIC_BENCH", fs::read_symlink("/proc/self/exe").c_str(), 1);
 }
 
-// Replaces this process: the exit code and signals are the script's.
+// Replaces this process, so that the exit code and signals are those of the script.
 [[noreturn]] void run_script(const Script& script, const std::vector<std::string>& arguments) {
   const std::string python = find_python();
-  // -P: modules of the current folder do not take the place of ours.
+  // With -P, modules of the current folder cannot replace those of the program.
   std::vector<std::string> words{python, "-P", "-m", script.module};
   for (const auto& more : {plugin_arguments(), arguments}) {
     words.insert(words.end(), more.begin(), more.end());
@@ -96,7 +96,7 @@ void add_script_commands(CLI::App& app) {
     const auto is_taken = [&](const CLI::App* other) { return other->get_name() == script.name; };
     if (std::ranges::any_of(app.get_subcommands(nullptr), is_taken)) continue;
     CLI::App* command = app.add_subcommand(script.name, script.help);
-    command->prefix_command()->set_help_flag();  // all words are the script's, --help too
+    command->prefix_command()->set_help_flag();  // the script gets all words, --help too
     command->callback([command, &script] { run_script(script, command->remaining()); });
   }
 }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kStandardOutput = "-";
 
-// @param flag that names a file for results
+// @param flag option that names the output file
 void check_output(const std::string& flag, const std::string& output,
                   const std::filesystem::path& mesh) {
   std::error_code other;
@@ -26,8 +26,8 @@ void check_output(const std::string& flag, const std::string& output,
   }
 }
 
-/// @param output file for the distances; empty: none
-/// @return what is printed
+/// @param output file for the distances; empty for none
+/// @return the JSON to print
 Json solve_mesh(const SolveFlags& flags, const Description& solver, const WrittenPoints& points,
                 const MeshEntry& entry, const std::string& output) {
   Outputs outputs;
@@ -63,7 +63,7 @@ Json solve_mesh(const SolveFlags& flags, const Description& solver, const Writte
   return json;
 }
 
-/// The file of a mesh's distances in --output-dir: no two meshes share one.
+/// One file for the distances of each mesh in --output-dir, all different.
 std::vector<std::string> files_in_folder(const std::filesystem::path& folder,
                                          const std::vector<MeshEntry>& entries) {
   std::vector<std::string> files;
@@ -80,7 +80,7 @@ std::vector<std::string> files_in_folder(const std::filesystem::path& folder,
   return files;
 }
 
-/// Each mesh by itself. One that cannot be solved is reported, and the others are solved.
+/// Solves each mesh by itself. A mesh that cannot be solved is reported, and the others are solved.
 void solve_many(const SolveFlags& flags, const Description& solver, const WrittenPoints& points,
                 const std::vector<MeshEntry>& entries) {
   const std::vector<std::string> files = flags.output_folder.empty()
@@ -93,7 +93,7 @@ void solve_many(const SolveFlags& flags, const Description& solver, const Writte
       if (!files[i].empty()) json["output"] = files[i];
       std::cout << json.dump() << std::endl;
     } catch (const CannotWrite&) {
-      throw;  // the next one will not be written either
+      throw;  // the next file cannot be written either
     } catch (const std::runtime_error& error) {
       warn(entries[i].name + ": " + error.what());
       ++failed;

@@ -13,7 +13,7 @@ namespace {
 
 std::string in_quotes(const std::string& word) { return "'" + word + "' "; }
 
-// Empty when it is one.
+// Empty if the word is an integer.
 template <class Integer>
 std::string why_no_integer(const std::string& word) {
   if (number_in<Integer>(word)) return {};
@@ -39,11 +39,11 @@ CLI::Validator number_that(const std::function<bool(double)>& holds, const std::
 }
 
 struct Type {
-  std::string shown;  // in help; empty: as CLI11 shows it
+  std::string shown;  // in help; empty for CLI11's own text
   std::string (*check)(const std::string& word);
 };
 
-// By the name that CLI11 gives a type.
+// Finds a type by CLI11's name for it.
 Type type_of(const std::string& name) {
   if (name.starts_with("UINT")) return {"N", why_no_integer<std::uint64_t>};
   if (name.starts_with("INT")) return {"N", why_no_integer<int>};

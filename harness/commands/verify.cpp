@@ -76,7 +76,7 @@ void run_verify(const VerifyFlags& flags) {
   }
   if (flags.random.count > 0) request.random = flags.random;
   check_request(request);
-  const InterruptionGuard guard;  // temporary files are removed
+  const InterruptionGuard guard;  // on a signal, temporary files are removed
   if (!verify_solver(request)) throw CLI::RuntimeError(2);
 }
 

@@ -16,7 +16,7 @@ namespace geodesic::harness {
 namespace fs = std::filesystem;
 namespace {
 
-// What an entry names: its source, and meshes or elevation grids before it.
+// Checks the names in an entry: its source, and meshes or elevation grids before the entry.
 void check_references(const Json& entry, const Json& sources, const std::set<std::string>& known) {
   if (entry.contains("path")) {
     const std::string path = entry["path"];
@@ -40,7 +40,7 @@ void check_references(const Json& entry, const Json& sources, const std::set<std
   }
 }
 
-// What the schema says, and what no schema can say: that names are known, and used once.
+// Checks the schema, and what no schema can express: that names are known and are used once.
 void check_manifest(const Json& manifest) {
   static const Json schema = read_json(data_folder() / "datasets" / "manifest.schema.json");
   check_schema(manifest, schema);
@@ -87,7 +87,7 @@ MeshEntry entry_of(const Json& mesh, const fs::path& cache) {
   return entry;
 }
 
-// @param Iterator over the entries of a folder
+// @tparam Iterator iterates over the entries of a folder
 template <class Iterator>
 std::vector<fs::path> files_in(const fs::path& folder, fs::directory_options options = {}) {
   try {
@@ -99,8 +99,8 @@ std::vector<fs::path> files_in(const fs::path& folder, fs::directory_options opt
   }
 }
 
-// The mesh files among these, at least one, in the order of their names.
-// @param where they were looked for: "in folder 'scans'"
+// The mesh files among some files, at least one, sorted by name.
+// @param where the searched place, for the message: "in folder 'scans'"
 std::vector<std::string> mesh_files(std::vector<fs::path> files, const std::string& where) {
   std::erase_if(files, [](const fs::path& file) {
     std::error_code unreadable;

@@ -1,4 +1,4 @@
-// How a cell can end.
+// The outcomes of a cell.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace geodesic::harness {
 
-/// `outcome` of a row (results/README.md).
+/// The `outcome` of a row (results/README.md).
 enum class Outcome {
   ok,
   wrong_answer,
@@ -18,10 +18,10 @@ enum class Outcome {
   time_out,
   crashed,
   error,
-  skipped,  ///< after a failure from another source of solver and mesh
+  skipped,  ///< after a failure of the same solver and mesh from another source
 };
 
-/// In the order of Outcome.
+/// Names in the order of Outcome.
 inline constexpr std::array<std::string_view, 8> kOutcomeNames{
     "ok",       "wrong answer", "unsupported", "out of memory",
     "time-out", "crashed",      "error",       "skipped"};

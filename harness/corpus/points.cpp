@@ -18,7 +18,7 @@ using Kind = WrittenPoint::Kind;
 // Weights that were written with few digits do not sum up to 1 exactly.
 constexpr double kWeightRounding = 1e-6;
 
-// What numbers of one point must be, wherever they were written.
+// Checks the numbers of a point, for every input format.
 void check(const WrittenPoint& point) {
   const auto refuse = [&](const std::string& why) { throw HarnessError(point.text + ": " + why); };
   const auto& numbers = point.numbers;
@@ -40,7 +40,7 @@ void check(const WrittenPoint& point) {
   }
 }
 
-// Reads points from a list.
+// Parses a list of points.
 class PointParser {
  public:
   PointParser(std::string_view text, const std::string& where) : rest_(text), where_(where) {}
@@ -57,7 +57,7 @@ class PointParser {
 
  private:
   [[noreturn]] void refuse(const std::string& why = "") const {
-    // Of a list, the point that is wrong: up to the comma behind what was understood.
+    // The wrong point of a list: up to the comma after the part that was understood.
     const std::size_t understood = static_cast<std::size_t>(rest_.data() - begin_.data());
     const std::string_view wrong = begin_.substr(0, begin_.find(',', understood));
     throw HarnessError(where_ + ": '" + excerpt(wrong) + "' " +
@@ -127,13 +127,13 @@ class PointParser {
 
   std::string_view rest_;
   const std::string& where_;
-  std::string_view begin_;  // of the point that is being read
+  std::string_view begin_;  // from the current point on
 };
 
-// Points of a text file: words without quotes, joined by commas again.
+// Parses the points of a text file: removes quotes and joins the words by commas.
 std::vector<WrittenPoint> parse_text(std::string_view text, const std::string& where) {
   std::string list;
-  bool between = false;  // two words
+  bool between = false;  // inside a separator of two words
   for (const char c : text) {
     if (c == '"') continue;
     const bool separates = c == ',' || c == ' ' || c == '\t' || c == '\n' || c == '\r';

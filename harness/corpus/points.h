@@ -13,56 +13,56 @@
 
 namespace geodesic::harness {
 
-/// How a point is written, for help and messages.
+/// The forms of a point, for help and messages.
 inline constexpr const char* kPointForms =
     "12 (a vertex), edge:3-7:0.25, face:345:0.2,0.3,0.5 or at:0.1,2,-3 (the point nearest to this "
     "place in space)";
 
-/// A point as it was written, before there is a mesh.
+/// A point as it was written, before a mesh is read.
 struct WrittenPoint {
   enum class Kind { vertex, edge, face, place };
 
-  std::string text;  ///< with where it stands, for messages: "--source 12"
+  std::string text;  ///< the point and its origin, for messages: "--source 12"
   Kind kind = Kind::vertex;
   std::array<Index, 2> elements = {};  ///< the vertex; the ends of an edge; the face
   std::array<double, 3> numbers = {};  ///< the share of an edge; weights; coordinates
   std::optional<double> initial = {};  ///< initial distance, of a source
 };
 
-/// Points separated by commas: "12,edge:3-7:0.25+0.5", the last with an initial distance.
+/// Parses points separated by commas: "12,edge:3-7:0.25+0.5". The last has an initial distance.
 ///
 ///     VERTEX | edge:VERTEX-VERTEX:SHARE | face:FACE:WEIGHT,WEIGHT,WEIGHT | at:X,Y,Z
 ///
-/// each with +DISTANCE behind it for an initial distance. SHARE is the part of the way from the
-/// first vertex to the second; weights are those of the face's corners in their order, and sum up
-/// to 1. Vertices and faces are numbered from 0 in the order of the mesh file.
-/// @param where what messages begin with: "--source"
-/// @throws HarnessError for what is none of these, and for numbers that no mesh could have
+/// +DISTANCE after a point is its initial distance. SHARE is the part of the way from the first
+/// vertex to the second. The weights belong to the face's corners in their order and sum up to 1.
+/// Vertices and faces are numbered from 0 in the order of the mesh file.
+/// @param where start of the messages: "--source"
+/// @throws HarnessError for text in another form, and for numbers that no mesh could have
 std::vector<WrittenPoint> parse_points(std::string_view text, const std::string& where);
 
-/// The points of a file. Text (CSV) has them separated by commas or white space, written as
-/// above, between double quotes if need be. JSON has a list of numbers of vertices and of strings
-/// written as above.
-/// @param flag that named the file, for messages
-/// @throws HarnessError when it cannot be read or holds anything else, or no point
+/// Reads the points of a file, in the forms above. In text (CSV) they are separated by commas or
+/// white space and may be between double quotes. JSON has a list of vertex numbers and of strings
+/// with one point each.
+/// @param flag option that named the file, for messages
+/// @throws HarnessError when it cannot be read, has no point, or has anything else
 std::vector<WrittenPoint> read_points(const std::filesystem::path& file, const std::string& flag);
 
-/// As read_points, from the bytes of a file. @param where what messages begin with
+/// Like read_points, for the bytes of a file. @param where start of the messages
 std::vector<WrittenPoint> parse_points_file(std::string_view bytes, const std::string& where);
 
 /// A point on a mesh's surface.
 struct PlacedPoint {
   SurfacePoint at;
   double initial = 0;
-  /// Of a place in space: how far it is from the surface.
+  /// Distance of a place in space from the surface; empty for other points.
   std::optional<double> from_surface = {};
 };
 
 /// @throws HarnessError when the mesh has no such vertex, edge or face
 PlacedPoint place(const WrittenPoint& point, const Mesh& mesh);
 
-/// A point in the form above, with all digits of its numbers: "12", "edge:3-7:0.25" with the lesser
-/// vertex first, ...
+/// Writes a point in the forms above, with all digits of its numbers: "12", "edge:3-7:0.25" with
+/// the smaller vertex first, ...
 std::string written(const Mesh& mesh, const SurfacePoint& point);
 
 /// The same in JSON: a vertex without an initial distance is a number, everything else a string.

@@ -12,8 +12,8 @@
 namespace geodesic::harness {
 namespace {
 
-// The solver that a word behind a comma names: a number is a further value of the last parameter of
-// the solver before it.
+// The solver for a word after a comma. A number is another value of the last parameter of the
+// solver before it.
 std::string name_after(const std::string& before, const std::string& word) {
   const std::size_t equals = before.rfind('='), more = word.find('&');
   if (equals == std::string::npos || !number_in<double>(std::string_view(word).substr(0, more))) {

@@ -123,8 +123,8 @@ std::vector<Index> choose_sources(const TriangleSoup& soup, std::string_view mes
   const std::size_t wanted = std::min(static_cast<std::size_t>(count), candidates.size());
   SplitMix64 random(seed ^ hash(mesh));
   std::size_t chosen = !candidates.empty() && candidates.front() == 0 ? 1 : 0;
-  // Fisher-Yates, as far as it is needed, of what `chosen` leaves: first of the boundary vertices,
-  // so that one of them is the next source, then of all.
+  // Fisher-Yates for as many candidates as are needed, after the `chosen` ones: first among the
+  // boundary vertices, so that one of them is the next source, then among all.
   const auto take_one_of_first = [&](std::size_t many) {
     std::swap(candidates[chosen], candidates[chosen + random.next() % many]);
     ++chosen;
@@ -143,7 +143,7 @@ std::vector<Index> choose_sources(const TriangleSoup& soup, std::string_view mes
 
 std::vector<Index> spread_vertices(const Mesh& mesh, Index first, std::size_t count,
                                    std::span<const double> distances) {
-  std::vector<Index> reached;  // in the mesh's own order
+  std::vector<Index> reached;  // in the mesh's internal order
   std::size_t at = 0;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     const Index given = mesh.numbers().external_vertex(v);

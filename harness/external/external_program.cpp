@@ -78,7 +78,7 @@ ExternalProgram read(const std::string& word) {
   return described({{"name", word.substr(0, equals)}, {"command", word.substr(equals + 1)}}, {});
 }
 
-// Of the command and of the files that it names: another script is another solver.
+// Checksum of the command and of the program's files: another script is another solver.
 std::string sum_of(const ExternalProgram& program) {
   std::string all = program.command;
   std::istringstream words(program.command);
@@ -96,7 +96,7 @@ std::string sum_of(const ExternalProgram& program) {
   return sha256_of(all);
 }
 
-// Kept: solvers refer to them.
+// Never freed, because solvers refer to them.
 std::map<std::string, ExternalProgram, std::less<>>& programs() {
   static auto& all = *new std::map<std::string, ExternalProgram, std::less<>>;
   return all;

@@ -18,8 +18,8 @@ namespace geodesic::harness {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kSaid = "said.txt";  // what the program prints
-constexpr int kReadings = 3;               // of which the fastest counts
+constexpr const char* kSaid = "said.txt";  // standard output of the program
+constexpr int kReadings = 3;               // runs, of which the fastest counts
 constexpr double kLeastSeconds = 1e-6;     // a difference of two processes may be negative
 
 struct Place {
@@ -80,9 +80,9 @@ ExternalSolver::Process ExternalSolver::start(const std::string& sources) const 
   for (const auto& [word, file] : kDistances) replace_all(command, word, quoted(folder_ / file));
   replace_all(command, "{sources}", sources.empty() ? "''" : quoted(sources));
   replace_all(command, "{folder}", quoted(program_.folder));
-  // In lines of its own: the command may have several, and comments. When this process is killed,
-  // by a limit, the shell ends its group, in which the program is: it waits in a way that a signal
-  // ends.
+  // The command has its own lines, because it may have several, and comments. When a limit kills
+  // this process, the shell gets SIGTERM and kills its group, which includes the program. The
+  // program runs in the background, because a signal interrupts only a shell that waits.
   command = "exec > " + quoted(folder_ / kSaid) + "\ntrap 'kill -KILL 0' TERM\n{\n" + command +
             "\n} &\nwait $!";
   Ended ended = run_program("/bin/sh", {"-c", command}, [] {}, {.signal_at_death = SIGTERM});

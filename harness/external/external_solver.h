@@ -1,4 +1,4 @@
-// A solver whose work another process does.
+// A solver that runs in another process.
 #pragma once
 
 #include <cstdint>
@@ -15,16 +15,16 @@ namespace geodesic::harness {
 
 class ExternalSolver final : public Solver {
  public:
-  /// Writes the mesh for the program. @throws HarnessError when that cannot be written
+  /// Writes the mesh for the program. @throws HarnessError when it cannot be written
   ExternalSolver(const Mesh& mesh, const Description& description, const ExternalProgram& program);
 
-  /// Of the last solve, in seconds.
+  /// Times of the last solve, in seconds.
   struct Times {
     double real = 0, cpu = 0;
     double prepare = 0;  ///< 0 where the program does not report it
     /// "reported", "process less reading" or "process": see docs/external-solvers.md.
     const char* of = "process";
-    std::int64_t peak_bytes = 0;  ///< resident, of its process
+    std::int64_t peak_bytes = 0;  ///< resident set of the program's process
   };
   const Times& last() const { return last_; }
 
@@ -38,7 +38,7 @@ class ExternalSolver final : public Solver {
   Process start(const std::string& sources) const;
   std::vector<double> read_distances() const;
   void note_times(const Process& process);
-  /// Of a process that is given no source, and so reads the mesh and ends; nothing where it fails.
+  /// Times of a process without sources, which reads the mesh and ends; empty if it fails.
   std::optional<Process> reading() const;
 
   const ExternalProgram& program_;

@@ -30,7 +30,7 @@ constexpr std::array<RefusedFlag, 8> kRefused{{
     {"--benchmark_display_aggregates_only", "every repetition is kept"},
 }};
 
-// Hands the flags to Google Benchmark and returns those it does not know.
+// Passes the flags to Google Benchmark and returns those that it does not know.
 std::vector<std::string> initialize(std::vector<std::string> flags) {
   static std::string program = "geodesic-bench";  // the library keeps the pointer
   std::vector<char*> argv = argv_of(flags);
@@ -42,7 +42,7 @@ std::vector<std::string> initialize(std::vector<std::string> flags) {
   return left;
 }
 
-// Reporter, and the text that it writes.
+// A reporter and the text that it writes.
 class JsonText {
  public:
   JsonText() {
@@ -103,7 +103,7 @@ std::vector<Repetition> time_repetitions(const std::vector<std::string>& flags,
     }
   });
   timed->Unit(benchmark::kMillisecond);
-  // A process for each solve: a repetition is one of them, however short.
+  // Each solve is a process, so a repetition is one solve, however short.
   if (work.elsewhere) timed->UseManualTime()->Iterations(1);
   if (work.several_threads) timed->MeasureProcessCPUTime()->UseRealTime();
   JsonText out;

@@ -1,4 +1,4 @@
-// Google Benchmark as a function: what to time goes in, its own JSON comes out.
+// Google Benchmark as functions: they take the work to time and return its repetitions.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 namespace geodesic::harness {
 
 /// @param flags Google Benchmark's, such as "--benchmark_min_time=0.1"
-/// @throws HarnessError for a flag it does not know, or one that would take results away from the
+/// @throws HarnessError for a flag that it does not know, or that would take results away from the
 ///         run's own files
 void check_benchmark_flags(const std::vector<std::string>& flags);
 
@@ -26,13 +26,13 @@ struct SecondsElsewhere {
 
 struct TimedWork {
   std::function<void()> solve;
-  std::function<void()> prepare = {};  ///< before each solve, not timed; may be absent
-  bool several_threads = false;        ///< wall time counts, CPU time is that of all threads
-  /// Of the last solve, where another process did it; otherwise absent.
+  std::function<void()> prepare = {};  ///< before each solve, not timed; may be empty
+  bool several_threads = false;        ///< measures wall time, and CPU time of all threads
+  /// Times of the last solve if another process did it; otherwise empty.
   std::function<SecondsElsewhere()> elsewhere = {};
 };
 
-/// Times the work, as many repetitions as the flags say. @throws what it throws
+/// Times as many repetitions as the flags say. @throws the exceptions of the work
 std::vector<Repetition> time_repetitions(const std::vector<std::string>& flags,
                                          const TimedWork& work);
 

@@ -14,17 +14,16 @@ namespace geodesic::harness {
 struct MatrixProblem {
   std::string solver;
   const Mesh& mesh;
-  std::shared_ptr<const InsertedPoints> inserted;  ///< as of PointSolver
+  std::shared_ptr<const InsertedPoints> inserted;  ///< as in PointSolver
   std::span<const Source> sources;                 ///< the rows
-  /// Limit and targets: the columns; all vertices when there are none. Its sources are not used.
+  /// Its limit and targets are used, not its sources. Without targets, all vertices are columns.
   const Query& asked;
 };
 
-/// Solves the rows that the file does not have, several at a time, and says on standard error how
-/// far it is and how long it will take. Each thread has a solver of its own; the rows are the same
-/// bits for any number of threads.
-/// @throws Interrupted when a signal has come (base/interruption.h): after the rows that were being
-///         solved, which are kept; and what the solver or the file throws
+/// Solves the rows that the file lacks, several at a time, and shows the progress on standard
+/// error. Each thread has its own solver. The rows have the same bits for any number of threads.
+/// @throws Interrupted when a signal has come (base/interruption.h), after the rows that were being
+///         solved are kept; also throws the exceptions of the solver and the file
 void solve_matrix(const MatrixProblem& problem, unsigned threads, MatrixFile& file);
 
 }  // namespace geodesic::harness

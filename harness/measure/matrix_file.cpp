@@ -27,7 +27,7 @@ void store(std::span<const double> values, char* at) {
   }
 }
 
-// The system keeps the pages until they are on the disk; the process needs them no more.
+// The system keeps the pages until they are on the disk. The process no longer needs them.
 void give_back(char* begin, std::size_t bytes) {
   static const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
   const auto at = reinterpret_cast<std::uintptr_t>(begin), first = at & ~(page - 1);
@@ -37,7 +37,7 @@ void give_back(char* begin, std::size_t bytes) {
 
 }  // namespace
 
-// FILE.unfinished, opened, locked and mapped into memory.
+// The file FILE.unfinished: opened, locked and mapped into memory.
 class MatrixFile::Unfinished {
  public:
   Unfinished(const MatrixPlan& plan, bool resume) : file_(plan.file), path_(unfinished(plan.file)) {
@@ -61,7 +61,7 @@ class MatrixFile::Unfinished {
 
   std::size_t size() const { return fs::file_size(path_); }
 
-  // Takes the room on the disk of a new file: a map of one that cannot grow would end the process.
+  // Reserves disk space for a new file. Writing to a map on a full disk would end the process.
   char* map(std::size_t bytes) {
     int error = has_rows_ ? 0 : EINTR;
     while (error == EINTR) {
@@ -77,7 +77,7 @@ class MatrixFile::Unfinished {
     return map_ = static_cast<char*>(map);
   }
 
-  // Cuts off what follows so many bytes, and gives the file its name.
+  // Cuts off everything after the first `bytes` bytes, and gives the file its final name.
   void finish(std::size_t bytes) const {
     std::error_code error;
     fs::resize_file(path_, bytes, error);
@@ -85,7 +85,7 @@ class MatrixFile::Unfinished {
     if (error) throw CannotWrite(file_, error.message());
   }
 
-  // Nothing is left behind of a file without any.
+  // The destructor removes a file without rows.
   void keep_rows() { has_rows_ = true; }
 
   [[noreturn]] void refuse(const std::string& why) const {
@@ -94,7 +94,7 @@ class MatrixFile::Unfinished {
 
  private:
   fs::path file_, path_;
-  // Closes what it is given.
+  // Closes its file descriptor.
   struct Descriptor {
     int number = -1;
     ~Descriptor() {
@@ -108,8 +108,8 @@ class MatrixFile::Unfinished {
   std::size_t bytes_ = 0;
 };
 
-// The .npy file, then a byte a row that says whether it is there, then the problem: what follows
-// the numbers is cut off at the end.
+// The layout is the .npy file, one byte for each row (1 if the row is there), and the problem. What
+// follows the numbers is cut off at the end.
 MatrixFile::MatrixFile(const MatrixPlan& plan, bool resume)
     : bytes_a_row_(plan.columns * (plan.single_precision ? sizeof(float) : sizeof(double))),
       single_precision_(plan.single_precision) {

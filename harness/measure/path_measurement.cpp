@@ -13,12 +13,12 @@
 namespace geodesic::harness {
 namespace {
 
-constexpr std::size_t kTimes = 3;     // that work is measured, unless it takes as long
-constexpr double kAsLong = 1;         // seconds
-constexpr std::size_t kAlone = 3;     // targets that a query of their own is made for
-constexpr double kSameLength = 1e-9;  // relatively: a path is the shortest one
+constexpr std::size_t kTimes = 3;     // measurements of work, fewer if it takes long
+constexpr double kAsLong = 1;         // seconds after which work is not repeated
+constexpr std::size_t kAlone = 3;     // targets with a query of their own
+constexpr double kSameLength = 1e-9;  // relative excess of a path that is a shortest one
 
-// Solves, and then gives paths: from what the solver remembers, or as it traces them itself.
+// Solves, and then gives paths: those that the solver remembers, or those that it traces itself.
 class PathSolver {
  public:
   PathSolver(const Description& solver, const Mesh& mesh)
@@ -59,7 +59,7 @@ bool keeps_to_the_surface(const Path& path) {
                      [](const PathPoint& point) { return point.face != kNone; });
 }
 
-// Milliseconds that the work takes: the median of several times, of work that is short.
+// The time of the work in milliseconds. For short work, the median of several times.
 template <class Work>
 double time_of(const Description& solver, const Work& work) {
   std::vector<double> times;
@@ -74,7 +74,7 @@ double time_of(const Description& solver, const Work& work) {
   return *middle;
 }
 
-// A path that cannot be traced takes its time too.
+// The time of a path that cannot be traced counts too.
 void trace(PathSolver& solver, Index target) {
   try {
     solver.to(target);

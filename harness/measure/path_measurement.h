@@ -1,4 +1,4 @@
-// What paths of a solver cost, and how long they are.
+// Cost and length of a solver's paths.
 #pragma once
 
 #include <span>
@@ -9,10 +9,10 @@
 
 namespace geodesic::harness {
 
-/// Paths from a vertex to vertices all over the mesh (spread_vertices), on new solver objects.
-/// @param solver one that claims paths, remembered or traced (Abilities)
-/// @param count of the targets; fewer where fewer are reached
-/// @param exact distances from the source, one a vertex
+/// Measures paths from a vertex to vertices all over the mesh (spread_vertices), on new solvers.
+/// @param solver must claim paths, remembered or traced (Abilities)
+/// @param count number of targets; fewer are used if fewer are reached
+/// @param exact distances from the source, one for each vertex
 PathNumbers measure_paths(const Description& solver, const Mesh& mesh, Index source,
                           std::size_t count, std::span<const double> exact);
 

@@ -19,7 +19,7 @@ struct FirstSolve {
   std::int64_t peak_bytes;
 };
 
-// What is timed elsewhere: a solve without a recording by a new object, on fresh memory.
+// Repeats the timed solve: without a recording, by a new object, on fresh memory.
 FirstSolve first_solve(const std::string& solver, const Mesh& mesh, const Query& query) {
   std::vector<double> distances(mesh.vertex_count());
   const AllocationMeter meter;
@@ -29,7 +29,7 @@ FirstSolve first_solve(const std::string& solver, const Mesh& mesh, const Query&
   return {watch.real_seconds(), meter.peak_bytes()};
 }
 
-// A solve with timers by a new object, and after a short one another without.
+// Solves with timers on a new object. After a short solve, solves again without timers.
 std::optional<PhaseSeconds> time_phases(const std::string& solver, const Mesh& mesh,
                                         const Query& query, std::span<double> distances,
                                         double before) {

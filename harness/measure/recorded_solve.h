@@ -1,4 +1,4 @@
-// Solves beside the timed ones: their counters, memory and phases.
+// Solves in addition to the timed ones, for counters, memory and phases.
 #pragma once
 
 #include <optional>
@@ -12,23 +12,23 @@ namespace geodesic::harness {
 
 struct RecordedSolve {
   Counters counters;
-  std::optional<PhaseSeconds> phases;  ///< absent where the solver does not measure its phases
-  std::int64_t peak_bytes = 0;  ///< the most that preparation and solve together had allocated
+  std::optional<PhaseSeconds> phases;  ///< empty if the solver does not measure its phases
+  std::int64_t peak_bytes = 0;         ///< peak of allocations in preparation and solve
 };
 
-/// Solves with counters on a new solver object, and where the solver has counters on others to time
+/// Solves with counters on a new solver object. If the solver has counters, other objects then time
 /// the phases.
-/// @param distances one entry a vertex, to be compared with those of the timed solve; those of the
-///        solve with phase timers if they differ from those of the solve with counters
+/// @param distances one for each vertex, to compare with the timed solve. They are those of the
+///        solve with phase timers if these differ from those of the solve with counters
 RecordedSolve record_solve(const std::string& solver, const Mesh& mesh, const Query& query,
                            std::span<double> distances);
 
-/// Subtracts the cost of reading the clock from phase times. A reading costs what the solve took
-/// longer with timers, divided by all readings.
+/// Subtracts the cost of reading the clock from phase times. The cost of one reading is the extra
+/// time of the solve with timers, divided by the number of readings.
 /// @param untimed wall seconds of the same solve without timers
 PhaseSeconds phase_seconds(const PhaseTimes& times, double untimed);
 
-/// True when both hold the same bits.
+/// Whether both hold the same bits.
 bool identical(std::span<const double> a, std::span<const double> b);
 
 }  // namespace geodesic::harness

@@ -28,7 +28,7 @@ class InOrder {
  private:
   const std::function<void(Kept)>& deliver_;
   std::mutex mutex_;
-  std::map<std::size_t, Kept> early_;  // behind one that is not there yet
+  std::map<std::size_t, Kept> early_;  // items that wait for an earlier one
   std::size_t next_ = 0;
 };
 

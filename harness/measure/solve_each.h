@@ -1,4 +1,4 @@
-// Many sources, each a problem of its own, on several threads.
+// Solves from many sources, each by itself, on several threads.
 #pragma once
 
 #include <functional>
@@ -11,29 +11,29 @@
 
 namespace geodesic::harness {
 
-/// One solve among others.
+/// The result of one solve.
 struct SingleSolve {
-  std::size_t number = 0;              ///< of its source
+  std::size_t number = 0;              ///< index of its source
   std::span<const double> distances;   ///< overwritten by the thread's next solve
   std::span<const double> at_targets;  ///< the same
-  double cpu_seconds = 0;              ///< of the thread that solved
+  double cpu_seconds = 0;              ///< of its thread
   double real_seconds = 0;
   InstructionSet instruction_set = InstructionSet::plain;
 };
 
-/// What is kept of a solve.
+/// The part of a result that is kept.
 struct Kept {
-  Json json;         ///< numbers
-  std::string text;  ///< distances, as they are written
+  Json json;         ///< numbers of the solve
+  std::string text;  ///< distances in the format of the file
 };
 
-/// Solves from every source by itself. Each thread has a solver object of its own; the mesh is
-/// shared. Distances are the same bits for any number of threads.
-/// @param inserted as of PointSolver
-/// @param asked what is asked of every source: limit and targets; its sources are not used
-/// @param keep called once a source by the thread that solved, perhaps by several at a time
-/// @param deliver takes what `keep` returned, in the order of the sources, never two at a time
-/// @throws what the solver, `keep` or `deliver` throws
+/// Solves from every source by itself. Each thread has its own solver object; the mesh is shared.
+/// Distances have the same bits for any number of threads.
+/// @param inserted as in PointSolver
+/// @param asked limit and targets of every solve; its sources are not used
+/// @param keep called once for each source by the thread that solved; calls may overlap
+/// @param deliver called with the results of `keep` in the order of the sources, one at a time
+/// @throws the exceptions of the solver, `keep` and `deliver`
 void solve_each(const std::string& solver, const Mesh& mesh,
                 const std::shared_ptr<const InsertedPoints>& inserted,
                 std::span<const Source> sources, const Query& asked, unsigned threads,

@@ -14,7 +14,7 @@ namespace geodesic::harness {
 namespace fs = std::filesystem;
 namespace {
 
-// Per cent of the reachable vertices reached.
+// Per cent of the reachable vertices that are reached at a snapshot.
 constexpr std::array<int, 3> kMoments{25, 50, 75};
 constexpr double share(int moment) { return moment / 100.0; }
 constexpr int kFrames = Progress::kSteps;
@@ -32,7 +32,7 @@ std::vector<To> flattened(const std::vector<std::array<From, 3>>& rows) {
 constexpr const char* kPathPieces = "path_pieces.npy";
 constexpr const char* kCells = "cells.npy";
 
-// A window as figures need it: on the edge between two vertices of the file.
+// A window in the form for figures: on the edge between two vertices of the file.
 struct WindowOfFile {
   Index origin, head;
   double begin, end;  // shares of the edge from `origin`
@@ -83,7 +83,7 @@ RecordingFolders recording_folders(const std::string& mesh, const std::string& s
 Recording wavefront_recording(bool frames) {
   Recording recording;
   recording.kind = RecordingKind::wavefront;
-  if (frames) {  // the moments are among them
+  if (frames) {  // they include the moments
     for (int i = 1; i <= kFrames; ++i) recording.snapshots_at.push_back(i / double{kFrames});
   } else {
     for (const int moment : kMoments) recording.snapshots_at.push_back(share(moment));

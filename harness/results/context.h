@@ -11,7 +11,7 @@
 
 namespace geodesic::harness {
 
-/// Version of the shape of result files.
+/// Version of the format of result files.
 inline constexpr int kSchemaVersion = 3;
 
 /// A solver's description with the keys of struct Description.

@@ -24,8 +24,8 @@ Counters counters_of(const Recording& recording, const Mesh& mesh) {
       counters.wavefront_sd_edges = *recording.wavefront_sd / mesh.mean_edge_length();
     }
   }
-  // Space by the thesis's rule: windows left at the end for MMP, which alone has a window limit,
-  // and the peak of the wavefront for all others.
+  // Space by the thesis's rule: windows left at the end for MMP, the only solver with a window
+  // limit, and the peak of the wavefront for all others.
   const auto& windows = recording.window_limit ? recording.window_limit : recording.peak_wavefront;
   if (windows) {
     constexpr double kMegabyte = 1e6;

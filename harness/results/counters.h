@@ -1,4 +1,4 @@
-// What a recorded solve counted, under the names that result files use (results/README.md).
+// The counters of a recorded solve, with their names in result files (results/README.md).
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@ namespace geodesic::harness {
 /// Bytes of a window in the thesis's figures of space (section 5.5.4).
 inline constexpr double kThesisWindowBytes = 80;
 
-/// A counter that the solver does not have is absent. Where a comment here is missing, Recording
-/// (solvers/core/recording.h) defines it.
+/// A counter that the solver does not have is empty. Recording (solvers/core/recording.h) defines
+/// the members that have no comment here.
 struct Counters {
   std::optional<std::uint64_t> window_propagations, windows_created, valid_windows, reinsertions,
       window_limit, peak_wavefront, strip_depth;
@@ -27,7 +27,7 @@ struct Counters {
   bool operator==(const Counters&) const = default;
 };
 
-/// Calls `visit(name, member)` for every counter, in the order of result files. The integers but
+/// Calls `visit(name, member)` for every counter, in the order of result files. The integers except
 /// window_bytes are the same on every run and machine; run.schema.json marks them as `counter`.
 template <class SomeCounters, class Visit>
 void for_each_counter(SomeCounters& counters, const Visit& visit) {
@@ -46,7 +46,7 @@ void for_each_counter(SomeCounters& counters, const Visit& visit) {
   visit("space_mb", counters.space_mb);
 }
 
-/// The counters of a recorded solve and those derived from them; never a number that is not finite.
+/// The counters of a recorded solve and those derived from them. All numbers are finite.
 Counters counters_of(const Recording& recording, const Mesh& mesh);
 
 std::size_t unreachable_vertices(std::span<const double> distances);

@@ -10,7 +10,7 @@
 namespace geodesic::harness {
 namespace {
 
-// Calls visit(key, member) for every member that may be absent, in the order of result files.
+// Calls visit(key, member) for every member that may be empty, in the order of result files.
 template <class SomeRow, class Visit>
 void for_each_optional(SomeRow& row, const Visit& visit) {
   visit("program", row.program);
@@ -38,7 +38,7 @@ void for_each_optional(SomeRow& row, const Visit& visit) {
   visit("mesh_time", row.mesh_time);
 }
 
-// Bytes that are not UTF-8 as write_json writes them.
+// Compact JSON. Bytes that are not UTF-8 are replaced, as in write_json.
 std::string compact(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -14,52 +14,51 @@
 
 namespace geodesic::harness {
 
-/// Where the wall time of a solve went, in seconds; timer_overhead is in none of the others.
+/// Wall time of the phases of a solve, in seconds; timer_overhead is in none of the others.
 struct PhaseSeconds {
   double propagation = 0, trimming = 0, queue = 0, timer_overhead = 0;
 };
 
 GEODESIC_JSON_MEMBERS(PhaseSeconds, propagation, trimming, queue, timer_overhead)
 
-/// Paths from the source to some targets. Times are in milliseconds, of the kind of
+/// Measurements of paths from the source to some targets. Times are in milliseconds, of the kind of
 /// Row::solve_time, without preparation.
 struct PathNumbers {
   std::size_t targets = 0;
-  double alone_time = 0;    ///< a query for one target, which stops there, and its path: the mean
+  double alone_time = 0;    ///< mean of a query for one target, which stops there, and its path
   double first_time = 0;    ///< a solve for all vertices that remembers paths, and one path
-  double further_time = 0;  ///< each path after that: the mean
-  /// Longer than the exact distance, relatively, of the paths that lead over the surface to their
-  /// targets: the most, and the mean.
+  double further_time = 0;  ///< mean of each path after that
+  /// Relative excess over the exact distance: maximum and mean over the paths that lead over the
+  /// surface to their targets.
   double max_excess = 0, mean_excess = 0;
-  std::size_t shortest = 0;     ///< of these paths, within 1e-9
-  std::size_t off_surface = 0;  ///< paths with a piece that lies on no face
-  std::size_t failed = 0;       ///< that the solver has given up, or that lead elsewhere
+  std::size_t shortest = 0;     ///< number of these paths with an excess of at most 1e-9
+  std::size_t off_surface = 0;  ///< number of paths with a piece that lies on no face
+  std::size_t failed = 0;       ///< paths that the solver gave up, or that lead elsewhere
 };
 
 GEODESIC_JSON_MEMBERS(PathNumbers, targets, alone_time, first_time, further_time, max_excess,
                       mean_excess, shortest, off_surface, failed)
 
-/// One timed repetition of a cell, or why the cell has none.
+/// One timed repetition of a cell, or the reason why the cell has none.
 struct Row {
   std::string solver, mesh;
   std::string source = "0";                   ///< name of a SourceSet (corpus/sources.h)
-  std::optional<std::string> program = {};    ///< of a run of several programs: which it was
-  std::optional<std::string> processor = {};  ///< that measured it; in files, where it is not the
-                                              ///< context's
+  std::optional<std::string> program = {};    ///< name of the program, if a run has several
+  std::optional<std::string> processor = {};  ///< of this row; in files, if not the context's
   int repetitions = 1, repetition_index = 0;
-  int family_index = 0;  ///< of the cell in its file
-  int threads = 1;       ///< that the solver uses
+  int family_index = 0;  ///< index of the cell in its file
+  int threads = 1;       ///< number of threads of the solver
 
   Outcome outcome = Outcome::ok;
-  std::string error_message = {};  ///< one line, unless the outcome is ok
+  std::string error_message = {};  ///< one line; empty if the outcome is ok
 
   std::int64_t iterations = 0;         ///< solves in this repetition
   double real_time = 0, cpu_time = 0;  ///< of one solve, in milliseconds
-  /// Process.h, Disturbance: of the process that measured the row.
+  /// Disturbance (base/process.h) of the process that measured the row.
   std::optional<double> stolen_share = {}, involuntary_switches_per_s = {};
   std::optional<std::string> instruction_set = {};
-  std::optional<std::string> timed = {};  ///< of an external solver: ExternalSolver::Times::of
-  /// Milliseconds of CPU time; with several threads, of wall time.
+  std::optional<std::string> timed = {};  ///< ExternalSolver::Times::of, if external
+  /// CPU time in milliseconds; with several threads, wall time.
   std::optional<double> prepare_time = {}, renew_time = {}, mesh_time = {};
 
   Counters counters = {};
@@ -68,7 +67,7 @@ struct Row {
   std::optional<std::int64_t> solver_peak_bytes = {}, process_peak_bytes = {};
   std::optional<std::uint64_t> unreachable_vertices = {};
   std::optional<std::string> recordings = {}, recordings_error = {};
-  /// verify/distance_check.h, RelativeErrors.
+  /// RelativeErrors (verify/distance_check.h).
   std::optional<double> max_relative_error = {}, mean_relative_error = {}, rms_relative_error = {},
                         p99_relative_error = {};
   std::optional<std::uint64_t> unreachable_mismatches = {};
@@ -77,24 +76,23 @@ struct Row {
   /// "<solver>/<mesh>/src:<source>"
   std::string name() const;
   bool ok() const { return outcome == Outcome::ok; }
-  /// What is published as the time: of the CPU, and of the wall where several threads share the
-  /// work.
+  /// The published time: CPU time, or wall time if several threads share the work.
   double solve_time() const { return threads > 1 ? real_time : cpu_time; }
 };
 
 /// @see Row::name
 std::string row_name(const std::string& solver, const std::string& mesh, const std::string& source);
 
-/// A source in JSON: a vertex is a number, a set its name.
+/// A source in JSON: a number for a vertex, a name for a set.
 Json source_in_json(const std::string& name);
 
-/// In the shape of a row of Google Benchmark. Members that are absent are left out.
+/// Writes a row in the format of Google Benchmark. Empty members are left out.
 void to_json(Json& json, const Row& row);
-/// @throws Json::exception, HarnessError when the row is not as results/run.schema.json has it
+/// @throws Json::exception, HarnessError when the row does not fit results/run.schema.json
 void from_json(const Json& json, Row& row);
 
-/// Writes {"context": {..., "geodesic_bench": context}, "benchmarks": rows}, whole or not at all,
-/// with the present time as `finished` and a checksum.
+/// Writes {"context": {..., "geodesic_bench": context}, "benchmarks": rows} completely or not at
+/// all, with the present time as `finished` and a checksum.
 /// @param benchmark_context Google Benchmark's own keys
 void write_result_file(const std::filesystem::path& file, Json benchmark_context, Json context,
                        const std::vector<Row>& rows);
@@ -102,7 +100,7 @@ void write_result_file(const std::filesystem::path& file, Json benchmark_context
 /// The rows of a result file, at least one. @throws HarnessError when it has none or is broken
 std::vector<Row> rows_in(const Json& result_file);
 
-/// Reads what write_result_file wrote: at least one row, with their processor.
+/// Reads a file of write_result_file: at least one row. Each row gets the file's processor.
 /// @throws HarnessError when the file cannot be read, has no row, or is not as it was written:
 ///         context.geodesic_bench.checksum is the SHA-256 of the file without that key, as compact
 ///         JSON

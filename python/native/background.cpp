@@ -37,7 +37,7 @@ class Background::State final : public Task {
  private:
   std::atomic<std::size_t> pieces_done_ = 0;
   std::atomic<bool> abandoned_ = false;
-  std::mutex mutex_;  // of all below
+  std::mutex mutex_;  // guards all members below
   std::condition_variable changed_;
   bool ended_ = false;
   std::exception_ptr error_;
@@ -47,7 +47,7 @@ Background::Background(std::function<void(Task&)> work) : state_(std::make_share
   std::thread([state = state_, work = std::move(work)]() mutable {
     std::exception_ptr error;
     try {
-      std::exchange(work, {})(*state);  // frees what it owns before anyone hears of its end
+      std::exchange(work, {})(*state);  // frees what it owns before its end is reported
     } catch (...) {
       error = std::current_exception();
     }

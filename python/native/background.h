@@ -1,4 +1,4 @@
-// Work in a thread of its own, for a caller who may stop waiting for it.
+// Work in its own thread, for a caller that may stop waiting for it.
 #pragma once
 
 #include <chrono>
@@ -8,20 +8,20 @@
 
 namespace geodesic::python {
 
-/// What work and its caller know of each other; used by several threads at a time.
+/// The link between work and its caller. Several threads may use it at a time.
 class Task {
  public:
   virtual ~Task() = default;
-  /// One more piece of the work is done.
+  /// Counts one more finished piece of the work.
   virtual void count_piece() = 0;
-  /// @throws when nobody waits any more; work of several pieces asks before each
+  /// @throws when the caller no longer waits; work of several pieces calls this before each piece
   virtual void throw_if_abandoned() const = 0;
 };
 
-/// Work that is done in the background.
+/// Work in the background.
 ///
-/// A solve cannot be stopped. Who stops waiting leaves what has begun to its threads. Work
-/// therefore owns everything that it uses.
+/// A solve cannot be stopped. When the caller stops waiting, solves that have begun go on in their
+/// threads. The work must therefore own everything that it uses.
 class Background {
  public:
   /// @throws std::system_error when a thread cannot be started
@@ -32,10 +32,10 @@ class Background {
   Background& operator=(const Background&) = delete;
 
   /// Waits until the work has ended, but not longer than `most`.
-  /// @return whether it has
-  /// @throws what the work throws
+  /// @return whether the work has ended
+  /// @throws the exception of the work
   bool wait(std::chrono::milliseconds most);
-  /// Pieces that are done.
+  /// Number of finished pieces.
   std::size_t pieces_done() const;
 
  private:

@@ -1,5 +1,5 @@
-// The Python module geodesic_bench._native: arrays that its Python part has checked go in, and new
-// arrays come out. No thread but the caller's ever sees a Python object.
+// The Python module geodesic_bench._native. It takes arrays that the Python code has checked and
+// returns new arrays. Only the caller's thread uses Python objects.
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -42,7 +42,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// In C order; what has another type was converted.
+/// An array in C order. Arrays of another type are converted.
 template <class T>
 using Array = py::array_t<T, py::array::c_style | py::array::forcecast>;
 
@@ -51,10 +51,10 @@ constexpr std::chrono::milliseconds kSignalsAreSeenEvery(50);
 
 using Progress = std::function<void(std::size_t done)>;  // may be empty
 
-/// What a function returns that takes long and uses no Python object; called with a Task. Waits for
-/// it with the GIL released.
-/// @param progress called with the number of pieces done
-/// @throws py::error_already_set as the handler of a signal does, KeyboardInterrupt for Ctrl-C
+/// Calls `function` with a Task in another thread and returns its result. The function may take
+/// long and must not use Python objects. The GIL is released during the wait.
+/// @param progress called with the number of finished pieces
+/// @throws py::error_already_set when a signal handler raises: KeyboardInterrupt for Ctrl-C
 template <class Function>
 auto in_background(Function function, const Progress& progress = {}) {
   using Result = std::invoke_result_t<Function&, Task&>;
@@ -73,7 +73,7 @@ auto in_background(Function function, const Progress& progress = {}) {
   return std::move(**result);
 }
 
-/// An array that takes over the memory of what has data().
+/// An array that takes over the memory of an object with data().
 template <class Memory>
 auto array_of(Memory memory, const std::vector<py::ssize_t>& shape) {
   auto owned = std::make_unique<Memory>(std::move(memory));
@@ -115,8 +115,8 @@ NonManifoldEdges crossed_if(bool cross_non_manifold) {
   return cross_non_manifold ? NonManifoldEdges::crossed : NonManifoldEdges::cut;
 }
 
-/// Defects are looked for while the mesh is built.
-/// @return the mesh, and its errors as of list_errors
+/// Builds a mesh and searches for its defects at the same time.
+/// @return the mesh, and its errors in the format of list_errors
 std::pair<SharedMeshPointer, std::string> mesh(const Array<double>& vertices,
                                                const Array<Index>& faces, bool cross_non_manifold) {
   const auto soup = std::make_shared<TriangleSoup>(TriangleSoup{rows_of(vertices), rows_of(faces)});
@@ -147,8 +147,8 @@ std::vector<Defect> defects(const SharedMeshPointer& mesh) {
   return in_background([=](Task&) { return find_defects(mesh->soup()).defects; });
 }
 
-/// Points as arrays.py has them: vertices, kNone for another point; faces, kNone for a place in
-/// space; and weights, the coordinates of a place.
+/// Points in the format of arrays.py: vertices (kNone for another point), faces (kNone for a place
+/// in space), and weights (the coordinates for a place in space).
 class GivenPoints {
  public:
   using Arrays = std::tuple<Array<Index>, Array<Index>, Array<double>>;
@@ -159,7 +159,7 @@ class GivenPoints {
 
   std::size_t size() const { return vertices_.size(); }
 
-  /// @throws std::invalid_argument as point_in_face and nearest_point do
+  /// @throws std::invalid_argument for the reasons of point_in_face and nearest_point
   std::vector<SurfacePoint> on(const Mesh& mesh) const {
     std::vector<SurfacePoint> points(size());
     for (std::size_t i = 0; i < size(); ++i) {
@@ -175,8 +175,8 @@ class GivenPoints {
   std::vector<std::array<double, 3>> weights_;
 };
 
-/// The points of the surface that are nearest to places of shape (k, 3), and how far they are: as
-/// the arrays of GivenPoints, and distances.
+/// The nearest surface points of places, which have shape (k, 3). Returns the arrays of GivenPoints
+/// and the distances between the places and these points.
 py::tuple nearest_points(const SharedMeshPointer& mesh, const Array<double>& places) {
   const auto found = in_background([=, given = rows_of(places)](Task& task) {
     std::vector<NearestPoint> nearest;
@@ -199,7 +199,7 @@ py::tuple nearest_points(const SharedMeshPointer& mesh, const Array<double>& pla
                         array_of(std::move(weights), {count, 3}), array_of(std::move(distances)));
 }
 
-/// A query from its nearest source, as it was given.
+/// Sources, their initial distances and the limit of a query, before a mesh is known.
 struct GivenQuery {
   GivenPoints sources;
   std::vector<double> initial;
@@ -239,7 +239,7 @@ Paths paths_of(const SharedMeshPointer& mesh, const std::string& solver, const Q
   return solve_paths(BorrowedSolver(mesh, solver)->solver(), mesh->mesh(), query);
 }
 
-/// The distances, and by vertex the source that its path comes from, -1 where none does.
+/// The distances, and for each vertex the index of the source of its path, -1 where no path leads.
 py::tuple distances_and_nearest(const SharedMeshPointer& mesh, const std::string& solver,
                                 const GivenPoints::Arrays& sources, const Array<double>& initial,
                                 double limit) {
@@ -269,7 +269,7 @@ py::tuple arrays_of(const Path& path) {
                         array_of(std::move(travelled)));
 }
 
-/// @return the path from the source, a single one, to each target
+/// @return the path from the only source to each target
 py::list paths(const SharedMeshPointer& mesh, const std::string& solver,
                const GivenPoints::Arrays& source, const GivenPoints::Arrays& targets) {
   const std::vector<Path> found =
@@ -287,8 +287,8 @@ py::list paths(const SharedMeshPointer& mesh, const std::string& solver,
   return arrays;
 }
 
-/// Distances from each of some sources by itself, in the order of both; all vertices are columns
-/// when none are given.
+/// Distances from each source by itself. Rows have the order of the sources, columns the order of
+/// the targets. All vertices are columns when no targets are given.
 struct Matrix {
   SharedMeshPointer mesh;
   std::string solver;
@@ -308,8 +308,8 @@ Matrix matrix_of(const SharedMeshPointer& mesh, const std::string& solver,
   return matrix;
 }
 
-/// @param put called once a row, by several threads at a time
-/// @return after the last row
+/// Solves all rows and returns after the last one.
+/// @param put called once for each row, by several threads at a time
 void solve_rows(const Matrix& matrix, Task& task,
                 const std::function<void(std::size_t row, std::span<const double>)>& put) {
   const Mesh& mesh = matrix.mesh->mesh();
@@ -331,7 +331,7 @@ void solve_rows(const Matrix& matrix, Task& task,
   });
 }
 
-/// Memory that nothing was written to: who allocates a large matrix does not wait for it.
+/// Memory that is not initialised, so that the allocation of a large matrix is quick.
 template <class T>
 class Unwritten {
  public:
@@ -342,7 +342,7 @@ class Unwritten {
   std::unique_ptr<T[]> values_;
 };
 
-/// @return of shape (rows, columns), infinite where no path leads
+/// @return array of shape (rows, columns), infinite where no path leads
 template <class T>
 py::array_t<T> dense(const SharedMeshPointer& mesh, const std::string& solver,
                      const GivenPoints::Arrays& rows,
@@ -364,7 +364,7 @@ py::array_t<T> dense(const SharedMeshPointer& mesh, const std::string& solver,
                   {static_cast<py::ssize_t>(height), static_cast<py::ssize_t>(width)});
 }
 
-/// @return of the finite distances: values, their columns by position, and where each row begins
+/// @return the finite distances as three arrays: values, column indices, and the begin of each row
 template <class T>
 py::tuple sparse(const SharedMeshPointer& mesh, const std::string& solver,
                  const GivenPoints::Arrays& rows, const std::optional<GivenPoints::Arrays>& columns,
@@ -402,7 +402,7 @@ std::string_view severity_of(const Defect& defect) {
   return type_of(defect.kind).severity == Severity::error ? "error" : "warning";
 }
 
-/// By the names of keyword arguments.
+/// Names of the solver's parameters as Python keyword arguments.
 std::vector<std::string> parameters_of(const Description& solver) {
   std::vector<std::string> names;
   for (const ParameterDescription& each : solver.parameters) {

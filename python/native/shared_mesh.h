@@ -1,5 +1,5 @@
-// A mesh as Python objects and the threads of their calls share it, with solvers that wait for the
-// next query.
+// A mesh that Python objects and the threads of their calls share, with idle solvers for the next
+// query.
 #pragma once
 
 #include <memory>
@@ -13,10 +13,10 @@
 
 namespace geodesic::python {
 
-/// Constant to its users; any number of threads may use it.
+/// Immutable for its users. Any number of threads may use it.
 class SharedMesh {
  public:
-  /// @param mesh of the soup, which is kept as it was given
+  /// @param mesh built from the soup; the soup is kept as it was given
   SharedMesh(TriangleSoup soup, std::unique_ptr<const Mesh> mesh,
              NonManifoldEdges non_manifold_edges)
       : soup_(std::move(soup)), mesh_(std::move(mesh)), non_manifold_edges_(non_manifold_edges) {}
@@ -31,20 +31,20 @@ class SharedMesh {
   const TriangleSoup soup_;
   const std::unique_ptr<const Mesh> mesh_;
   const NonManifoldEdges non_manifold_edges_;
-  std::mutex mutex_;  // of all below
+  std::mutex mutex_;  // guards all members below
   std::string idle_name_;
-  std::vector<std::unique_ptr<PointSolver>> idle_;  // of that name, on the mesh itself
+  std::vector<std::unique_ptr<PointSolver>> idle_;  // of that name, without inserted points
 };
 
-/// A solver for one thread, from those that wait or prepared anew. It goes back to them at the end,
-/// with the memory that it has, and replaces those of other names. One that an exception ends does
-/// not, nor does one on a finer mesh.
+/// A solver for one thread: an idle one or a new one. The destructor returns it to the idle solvers
+/// with its memory and drops idle solvers of other names. A solver is not returned after an
+/// exception, or when it has inserted points.
 class BorrowedSolver {
  public:
-  /// @param name as of solver_named
-  /// @param inserted as of PointSolver
-  /// @throws std::invalid_argument as solver_named does, and when the mesh needs an ability that
-  ///         the solver lacks
+  /// @param name as in solver_named
+  /// @param inserted as in PointSolver
+  /// @throws std::invalid_argument for the reasons of solver_named, and when the mesh needs an
+  ///         ability that the solver lacks
   BorrowedSolver(std::shared_ptr<SharedMesh> from, const std::string& name,
                  std::shared_ptr<const InsertedPoints> inserted = nullptr);
   ~BorrowedSolver();

@@ -25,12 +25,12 @@ namespace {
 
 struct Solved {
   std::vector<double> distances, at_targets;
-  std::optional<Paths> paths = {};  // of a solver that remembers them
-  std::vector<Path> traced = {};    // by a solver itself, to the targets that are reached
+  std::optional<Paths> paths = {};  // only of a solver that remembers them
+  std::vector<Path> traced = {};    // by a solver itself, to the reached targets
   Json json = Json::object();
 };
 
-// Counters, phases and the peak of memory, which further solves take.
+// Adds counters, phases and the peak of memory, which needs further solves.
 void add_counters(const Problem& problem, Solved& solved) {
   const std::string& solver = problem.solver.name;
   const InsertedPoints* const inserted = problem.inserted.get();
@@ -95,7 +95,7 @@ Solved solve(const Problem& problem) {
   return solved;
 }
 
-// Whether distances can be compared with others that end nowhere.
+// Whether the query ends early, so that its distances cannot be compared with complete ones.
 bool ends_early(const Query& query) { return std::isfinite(query.limit) || query.stop_at_targets; }
 
 std::optional<std::vector<double>> closed_form(const Problem& problem, const Query& query) {
@@ -112,9 +112,9 @@ std::optional<std::vector<double>> closed_form(const Problem& problem, const Que
   }
 }
 
-// The closed form; where there is none and the user asks for a check, brute force or another exact
-// solver: on a mesh that has all points as vertices, so that targets are compared too. Empty
-// without a reference. @throws WrongAnswer
+// Compares with the closed form. If there is none and the user wants a check, compares with brute
+// force or another exact solver, on a mesh with all points as vertices, so that targets are checked
+// too. The values are null without a reference. @throws WrongAnswer
 Json compare_with_reference(const Problem& problem, const Query& query,
                             std::span<const double> distances, std::span<const double> at_targets) {
   Json json{{"reference", nullptr}, {"max_relative_error", nullptr}};
@@ -129,7 +129,7 @@ Json compare_with_reference(const Problem& problem, const Query& query,
   if (const auto known = closed_form(problem, query)) {
     compare(problem.mesh, query, distances, {kClosedForm, *known});
   } else if (problem.flags.check) {
-    const Mesh as_given(problem.soup, Numbering::as_given,  // whose numbers the points have
+    const Mesh as_given(problem.soup, Numbering::as_given,  // the points have these numbers
                         problem.mesh.non_manifold_edges());
     std::vector<SurfacePoint> points = query.targets;
     for (const Source& source : query.sources) points.push_back(source.at);
@@ -137,7 +137,7 @@ Json compare_with_reference(const Problem& problem, const Query& query,
     const Query asked = inserted.translated(query);
     LocalReference local(problem.solver, inserted.mesh());
     const std::vector<double> reference = local.distances(asked);
-    std::vector<double> got = reference;  // inserted sources have nothing to compare
+    std::vector<double> got = reference;  // inserted sources have no distance to compare
     std::ranges::copy(distances, got.begin());
     for (std::size_t i = 0; i < at_targets.size(); ++i) {
       got[asked.targets[i].vertex] = at_targets[i];
@@ -147,7 +147,7 @@ Json compare_with_reference(const Problem& problem, const Query& query,
   return json;
 }
 
-// The paths to the targets that paths lead to.
+// Writes the paths to the reached targets and warns about the other targets.
 void write_paths(const Problem& problem, const Solved& solved, AtomicFile& file) {
   std::vector<Path> traced = solved.traced;
   for (std::size_t i = 0; i < problem.query.targets.size(); ++i) {
@@ -276,7 +276,7 @@ Json write_matrix(Problem& problem) {
                   .asked = query},
                  problem.threads, *file);
   } catch (const Interrupted&) {
-    file.reset();  // leaves nothing where there is no row
+    file.reset();  // removes the file if it has no row
     if (std::filesystem::exists(unfinished(flags.matrix))) {
       warn("the rows so far are in '" + unfinished(flags.matrix).string() +
            "': the same command with --resume goes on");

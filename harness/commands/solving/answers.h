@@ -1,4 +1,4 @@
-// The answers of `solve`: each function solves, writes files, and returns what is printed.
+// The answers of `solve`. Each function solves, writes files, and returns the JSON to print.
 #pragma once
 
 #include <optional>
@@ -10,24 +10,24 @@
 
 namespace geodesic::harness {
 
-/// Where results go. Opened before the work: a bad path costs no solve.
+/// Output files. They are opened before the work, so that a bad path costs no solve.
 struct Outputs {
   std::optional<DistanceFile> distances;
   std::optional<AtomicFile> paths;
 };
 
-/// To be read by a user, on the error stream.
+/// Prints a warning for the user on the error stream.
 void warn(const std::string& warning);
 
-/// From the nearest of the sources: distances, and paths.
-/// @throws WrongAnswer, HarnessError; so all
+/// Computes the distances from the nearest of the sources, and paths.
+/// @throws WrongAnswer, HarnessError, as the other functions do
 Json solve_jointly(const Problem& problem, Outputs& outputs);
 
-/// From each source by itself: its distances in a row.
+/// Solves from each source by itself. The distances of each source are a row.
 Json solve_separately(const Problem& problem, Outputs& outputs);
 
-/// The rows of a file (measure/matrix.h); without sources all vertices are, without targets all are
-/// columns.
+/// Writes the rows of a matrix file (measure/matrix.h). Without sources, all vertices are rows;
+/// without targets, all vertices are columns.
 Json write_matrix(Problem& problem);
 
 }  // namespace geodesic::harness

@@ -70,7 +70,7 @@ DistanceFile::Format DistanceFile::format_of(const std::string& file) {
   if (extension == ".npy") return Format::npy;
   std::error_code unknown;
   const std::filesystem::file_status status = std::filesystem::status(path, unknown);
-  // A folder cannot be opened, which says what is wrong.
+  // A folder counts as text: opening it fails with a message that says what is wrong.
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
     return Format::text;
   }
@@ -115,7 +115,7 @@ std::string DistanceFile::row(const std::string& source, std::span<const double>
     return bytes;
   }
   const char separator = format_ == Format::csv ? ',' : ' ';
-  if (format_ == Format::csv) bytes = '"' + source + "\",";  // points have commas
+  if (format_ == Format::csv) bytes = '"' + source + "\",";  // points may contain commas
   append_separated(bytes, distances, separator);
   if (!bytes.empty()) bytes.back() = '\n';
   return bytes;

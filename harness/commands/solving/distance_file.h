@@ -1,4 +1,4 @@
-// The file of distances that `solve --output` writes; its suffix says how.
+// The file of distances that `solve --output` writes. Its suffix selects the format.
 #pragma once
 
 #include <cstddef>
@@ -12,34 +12,34 @@
 
 namespace geodesic::harness {
 
-/// From the nearest of some sources:
+/// Distances from the nearest of some sources:
 ///
-///   .txt  a distance a line, and behind a space the number of its source
-///   .csv  vertex,distance and source, below a line of these names
-///   .npy  an array of float64, one entry a vertex; with sources a table, distance and source
+///   .txt  one distance a line; with sources, then a space and the number of the source
+///   .csv  a header line, then vertex, distance and, with sources, source
+///   .npy  an array of float64, one entry a vertex; with sources, a table of distance and source
 ///
-/// From each source by itself, a row a source:
+/// Distances from each source by itself, one row for each source:
 ///
 ///   .txt  distances, separated by spaces
-///   .csv  the source and its distances, below a line of the vertices
+///   .csv  a header line with the vertices, then each source and its distances
 ///   .npy  an array of float64, sources by vertices
 ///
-/// Numbers in text have the fewest digits that bring every double back. Vertices are in file order.
+/// Numbers in text have the fewest digits that restore every double. Vertices are in file order.
 class DistanceFile {
  public:
-  /// Opened before anything is computed.
-  /// @param file "-" is standard output, which gets text, as devices and pipes do
+  /// Opens the file before anything is computed.
+  /// @param file "-" for standard output; this, devices and pipes get text
   /// @throws HarnessError for any other suffix
-  /// @throws CannotWrite as AtomicFile
+  /// @throws CannotWrite for the reasons of AtomicFile
   explicit DistanceFile(const std::string& file);
 
-  /// @param sources one a vertex, kNone (written as -1) where no path leads; or none at all
+  /// @param sources one for each vertex, kNone (written as -1) where no path leads; may be empty
   void write(std::span<const double> distances, std::span<const Index> sources = {});
 
-  /// Begins rows of sources.
+  /// Begins the rows of several sources.
   void begin_rows(std::size_t sources, std::size_t vertices);
-  /// What a row is in the file; may be called by several threads.
-  /// @param source as it is written by users
+  /// The bytes of a row in the file. Several threads may call it.
+  /// @param source as users write it
   std::string row(const std::string& source, std::span<const double> distances) const;
   void write_row(const std::string& row) { *to_ << row; }
 
@@ -51,7 +51,7 @@ class DistanceFile {
   static Format format_of(const std::string& file);
 
   Format format_;
-  std::optional<AtomicFile> file_;  // none: standard output
+  std::optional<AtomicFile> file_;  // empty for standard output
   std::ostream* to_;
 };
 

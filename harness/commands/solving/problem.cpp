@@ -18,7 +18,7 @@ bool are_vertices(const Query& query) {
          std::ranges::all_of(query.sources, &SurfacePoint::is_vertex, &Source::at);
 }
 
-// Those of a flag, and of the file that another flag names.
+// The points of a flag, and those of the file that another flag names.
 std::vector<WrittenPoint> points_of(const std::string& flag, const std::vector<std::string>& words,
                                     const std::string& file) {
   std::vector<WrittenPoint> points;
@@ -39,7 +39,7 @@ void check_matrix(const SolveFlags& flags) {
   }
 }
 
-// What is asked must be within the solver's abilities.
+// Checks that the solver has the abilities that the flags and the query need.
 void check_abilities(const SolveFlags& flags, unsigned threads, const Description& solver,
                      const Query& query) {
   if (threads > 1 && !solver.abilities.concurrent_objects) {
@@ -77,8 +77,8 @@ const Description& with_threads(const Description& solver, unsigned threads) {
                       "threads=" + std::to_string(threads));
 }
 
-// Threads that solve from different sources, and how many work on each: one, where there are
-// sources for all, since that costs nothing.
+// The number of sources that are solved at the same time, and of threads for each source: one
+// thread if there are sources for all threads, because that costs nothing.
 struct ThreadShares {
   unsigned sources = 1, within = 1;
 };
@@ -99,7 +99,7 @@ ThreadShares share_threads(const SolveFlags& flags, const Description& solver,
   return {side_by_side, shares_sources(solver) ? threads / side_by_side : 1};
 }
 
-// A place that is farther from the surface than this part of the mesh's longest side was probably
+// A place that is farther from the surface than this share of the mesh's longest side was probably
 // meant in other units or axes.
 constexpr double kFar = 0.01;
 

@@ -1,4 +1,4 @@
-// What `solve` is asked: its flags, and the problem that they describe.
+// The flags of `solve`, and the problem that they describe.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@ struct SolveFlags {
   std::string sources_file, targets_file, output, output_folder, paths, matrix;
   bool repair = false, cross_non_manifold = false, each = false, check = false, counters = false;
   bool stop_at_targets = false, nearest_source = false, single_precision = false, resume = false;
-  unsigned threads = 0;  ///< 0: as many as are best
+  unsigned threads = 0;  ///< 0 for the best number
   double limit = kInfinity;
   std::string vectors = kAutoVectors;
   std::string manifest = default_manifest().string();
@@ -30,32 +30,31 @@ struct SolveFlags {
 /// Whether paths are to be traced.
 bool wants_paths(const SolveFlags& flags);
 
-/// Flags that do not go together, before anything is read. @throws HarnessError
+/// Checks that the flags go together, before anything is read. @throws HarnessError
 void check_combination(const SolveFlags& flags);
 
 /// The problem, read and checked.
 struct Problem {
   const SolveFlags& flags;
-  const Description& solver;  ///< with as many threads as work on one source
-  unsigned threads;           ///< that solve from different sources
+  const Description& solver;  ///< has the number of threads for one source
+  unsigned threads;           ///< number of threads for different sources
   const MeshEntry& entry;
   const TriangleSoup& soup;
   const Mesh& mesh;
   Query query;
-  Json places = Json::array();  ///< of points that were given by places in space
-  std::shared_ptr<const InsertedPoints> inserted = {};  ///< as of PointSolver
+  Json places = Json::array();  ///< for points that are given as places in space
+  std::shared_ptr<const InsertedPoints> inserted = {};  ///< as in PointSolver
 };
 
-/// Points that the flags name, before there is a mesh. @throws HarnessError
+/// The points that the flags name, before a mesh is read. @throws HarnessError
 struct WrittenPoints {
   explicit WrittenPoints(const SolveFlags& flags);
   std::vector<WrittenPoint> sources, targets;
 };
 
-/// @param built from the entry's file; it and the other arguments but `points` must outlive the
-///        problem
-/// @throws HarnessError for points that the mesh does not have, and for what is beyond the solver's
-///         abilities
+/// @param built from the entry's file. All arguments except `points` must outlive the problem
+/// @throws HarnessError for points that the mesh does not have, and for requests beyond the
+///         solver's abilities
 Problem read_problem(const SolveFlags& flags, const Description& solver, const MeshEntry& entry,
                      const BuiltMesh& built, const WrittenPoints& points);
 
