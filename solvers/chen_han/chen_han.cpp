@@ -1,4 +1,4 @@
-// `ch`, `ich` and `fwp-ch`: one propagation of windows in three orders, filtered but for `ch`.
+// `ch`, `ich` and `fwp-ch`: one propagation of windows in three orders; only `ch` has no filter.
 #include "solvers/chen_han/chen_han.h"
 
 namespace geodesic::chen_han {

@@ -1,4 +1,4 @@
-// The family CH as solvers: one propagation (propagation.h), with policies for what they differ in.
+// The solvers of the family CH: one propagation (propagation.h) with a policy for each.
 //
 // A policy has
 //   Filter             which windows are dropped (filter.h)
@@ -39,10 +39,10 @@ class ChenHan final : public Solver {
       : Solver(mesh, description), propagation_(mesh) {}
 
  private:
-  /// A recorded solve; defined in recorded.h, as the next one.
+  /// A recorded solve; defined in recorded.h, like the next function.
   static void solve_recorded(const Mesh& mesh, const InternalQuery& query,
                              std::span<double> distances, Recording& recording);
-  /// As a timed solve, with windows that carry the length of their strip.
+  /// A timed solve with windows that store the length of their strip.
   static void solve_dropping_long_strips(const Mesh& mesh, const InternalQuery& query,
                                          std::span<double> distances);
 

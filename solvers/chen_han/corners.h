@@ -1,9 +1,9 @@
 // One angle, one split (Chen and Han 1990, section 3).
 //
-// Of the windows of an edge whose lines reach the apex of the face beyond, only the one that gives
-// the apex its least distance so far, the owner of the corner, has children on both other edges.
-// Any other has its child on the side from which its line to the apex comes: on the far side its
-// lines have crossed the owner's line to the apex, where the owner is at least as near.
+// The lines of several windows of an edge may reach the apex of the face beyond. The window that
+// gives the apex its least distance so far owns the corner; only it has children on both other
+// edges. Any other has its child on the side from which its line to the apex comes. On the far side
+// its lines have crossed the owner's line to the apex, where the owner is at least as near.
 #pragma once
 
 #include <vector>
@@ -17,17 +17,17 @@ enum class Children { left, right, both };
 
 class Corners {
  public:
-  /// @param corners one a half-edge: the corner opposite to it in its face
+  /// @param corners number of half-edges; each names the corner opposite to it in its face
   explicit Corners(Index corners) : owners_(corners) {}
 
   void clear() { owners_.assign(owners_.size(), {}); }
 
-  /// The children of a window of half-edge h whose line to the apex is `distance` long and crosses
-  /// the edge at `crossing`; makes the window owner of the corner when it is the nearest so far.
-  /// Lines that cross the edge less than `resolution` apart have no side: coincident vertices
-  /// send out windows from one point that see different parts of the edge. It must be small: where
-  /// lines come past a source near a corner over faces 10^4 times as long as wide, those within
-  /// 10^-6 of the edge are so many that nothing bounds the windows.
+  /// Returns the children of a window of half-edge h whose line to the apex has length `distance`
+  /// and crosses the edge at `crossing`. Makes the window the owner of the corner if it is the
+  /// nearest so far. Lines that cross the edge less than `resolution` apart have no side:
+  /// coincident vertices send out windows from one point that see different parts of the edge.
+  /// `resolution` must be small: if lines pass a source near a corner over faces 10^4 times as long
+  /// as wide, so many of them cross within 10^-6 of the edge that nothing bounds the windows.
   Children claim(Index h, double distance, double crossing, double resolution) {
     Owner& owner = owners_[h];
     if (distance < owner.distance) {

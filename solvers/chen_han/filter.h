@@ -12,28 +12,28 @@
 //
 // because by the triangle inequality the vertex then beats every line of the window before the line
 // has left the face. Strictly, by a margin above rounding: d may come from the same (pseudo-)source
-// or from lines of this very window, and what ties must not drop what it depends on.
+// or from lines of this very window, and a tie must not drop what it depends on.
 #pragma once
 
 #include "solvers/core/window_predicates.h"
 
 namespace geodesic::chen_han {
 
-/// Which end of its half-edge a window's edge shares with the edge through which the window's lines
-/// came into the face that they are leaving.
+/// The end of the window's edge that is shared with the edge through which the window's lines
+/// entered the face that they are leaving.
 enum class Entry : Index { at_origin, at_head };
 
 /// The face that a window's lines are leaving, in the frame of the window's half-edge.
 struct PassedFace {
-  double third_x, third_y;  ///< position of the vertex opposite to it, y <= 0
-  double at_third;          ///< distance known of that vertex
+  double third_x, third_y;  ///< position of the vertex opposite the window's edge, y <= 0
+  double at_third;          ///< known distance of that vertex
   EndpointBounds ends;      ///< of the window's edge
 };
 
 struct XinWangFilter {
   static constexpr bool kFilters = true;
 
-  // Inlined by force: whether it is would depend on what else is in the file.
+  // Inlining is forced, because it would depend on the rest of the file.
   [[gnu::always_inline]] static bool is_useless(const Window& w, Entry entry,
                                                 const PassedFace& face) {
     if (face.ends.beat(w)) return true;
@@ -43,8 +43,8 @@ struct XinWangFilter {
   }
 };
 
-/// Chen-Han as published in 1990. Nothing ends a window but the length of its strip: a shortest
-/// path crosses no face twice.
+/// Chen-Han as published in 1990. Only the length of its strip ends a window: a shortest path
+/// crosses no face twice.
 struct NoFilter {
   static constexpr bool kFilters = false;
 };

@@ -1,19 +1,19 @@
-// Chen and Han's propagation of single windows; the order and the filter are policies.
+// Chen and Han's propagation of single windows; order and filter are policies.
 //
 // Chen and Han 1990, "Shortest paths on a polyhedron" (CH); Xin and Wang 2009, "Improving Chen and
 // Han's algorithm on the discrete geodesic problem" (ICH); Xu, Wang, Liu, Liu, He 2015, "Fast
 // wavefront propagation" (FWP-CH).
 //
-// Only windows that wait in the queue are stored. One taken from it gives the apex of the face
-// beyond its edge a distance, if its lines reach it, and has one child or two (corners.h); useless
-// children are dropped before they are queued (filter.h). A pseudo-source waits in the same queue,
-// so that a distance that improves meanwhile sends out windows only once. When the distance of a
-// pseudo-source improves later, it sends out windows anew and the former ones are dropped: they
-// are known by their sigma.
+// Only waiting windows are stored. A window from the queue gives a distance to the apex of the face
+// beyond its edge, if its lines reach it, and has one child or two (corners.h). Useless children
+// are dropped before they are queued (filter.h). Pseudo-sources wait in the same queue: if their
+// distance improves meanwhile, they send out windows only once. If the distance of a pseudo-source
+// improves later, it sends out windows again, and its former windows are dropped; their sigma
+// identifies them.
 //
 // A source on an edge or in a face is a root without a vertex. Before the loop it gives the corners
-// of its face their distances, and its windows cross the first faces beyond. The filter's third
-// test presupposes that a window came into the face that it leaves; these did not.
+// of its face their distances, and its windows cross the first faces beyond. They skip the filter:
+// its third test requires that a window entered the face that it leaves.
 #pragma once
 
 #include <algorithm>
@@ -36,9 +36,9 @@
 
 namespace geodesic::chen_han {
 
-/// A window that waits to be propagated across the face of `half_edge`. An empty interval stands
-/// for the pseudo-source `root` itself, which waits to send out windows: its path arrived at the
-/// corner `half_edge` from the direction (x, y) (shadow.h).
+/// A window that waits to be propagated across the face of `half_edge`. With an empty interval it
+/// is the pseudo-source `root` itself, which waits to send out windows; its path then arrived at
+/// the corner `half_edge` from the direction (x, y) (shadow.h).
 template <class Depth>
 struct StoredWindow : Window {
   Index half_edge;
@@ -48,14 +48,14 @@ struct StoredWindow : Window {
   bool is_pseudo_source() const { return !(end > begin); }
 };
 
-/// What windows carry of their strip's length. Where none are filtered, nothing else ends a solve
-/// on some meshes.
+/// Strip lengths in windows. Solvers without a filter always store them, since nothing else ends a
+/// solve on some meshes.
 template <class Policy, class Recorder>
 using DepthOf = std::conditional_t<Policy::Filter::kFilters, typename Recorder::Depth, StripDepth>;
 
-/// The state of the solves of one solver, one after the other.
+/// The state of a solver's solves, reused by each.
 /// @tparam Policy as in chen_han.h
-/// @tparam Depth NoDepth or StripDepth; strips that are too long are dropped where it is known
+/// @tparam Depth NoDepth or StripDepth; with StripDepth, windows with too long strips are dropped
 template <class Policy, class Depth, class Recorder>
 class Propagation {
   static_assert(WindowQueue<typename Policy::Queue>,
@@ -87,9 +87,9 @@ class Propagation {
   using Stored = StoredWindow<Depth>;
   using LastSegment = LastSegmentOf<Recorder>;
 
-  /// A source that is no vertex does not part the windows that pass it, which one angle, one split
-  /// presupposes (corners.h). Its windows own no corner therefore; where nothing but owners bounds
-  /// the work, such sources start one after the other.
+  /// One angle, one split (corners.h) presupposes that a source parts the windows that pass it; a
+  /// source that is not a vertex does not. Its windows therefore own no corner. Without a filter,
+  /// only owners bound the work: such sources then start one after the other.
   static constexpr bool kOneByOne = !Filter::kFilters;
 
   void propagate_all() {
@@ -146,7 +146,7 @@ class Propagation {
 
   static bool is_at_vertex(const InternalSource& source) { return source.at.is_vertex(); }
 
-  /// v sends windows everywhere.
+  /// Makes v send windows in all directions.
   void start_at(Index v, double distance, LastSegment last_segment) {
     if (!(distance < distances_[v])) return;
     set_distance(v, distance);
@@ -154,15 +154,15 @@ class Propagation {
     wait_to_emit(v, {});
   }
 
-  /// Gives roots that are no vertices an entry each behind the distances of vertices, so that
-  /// nothing has to tell them apart.
+  /// Gives each root that is not a vertex an entry behind the distances of vertices, so that code
+  /// need not distinguish the two.
   [[gnu::cold, gnu::noinline]] void make_room_for_roots(const InternalQuery& query) {
     with_roots_.assign(mesh_.vertex_count(), kInfinity);
     for (const InternalSource& source : query.sources) with_roots_.push_back(source.distance);
     distances_ = with_roots_;
   }
 
-  /// Starts from the next source that is no vertex. @return false when none is left
+  /// Starts from the next source that is not a vertex. @return false when none is left
   [[gnu::cold, gnu::noinline]] bool spread_next(const InternalQuery& query) {
     const Index count = static_cast<Index>(query.sources.size());
     while (next_source_ < count && is_at_vertex(query.sources[next_source_])) ++next_source_;
@@ -176,7 +176,7 @@ class Propagation {
     return true;
   }
 
-  /// Starts from a source that is no vertex.
+  /// Starts from a source that is not a vertex.
   [[gnu::cold, gnu::noinline]] void spread(const InternalSource& source, Index root) {
     const auto reach_corner = [&](Index h, const Point2& from, double rest, bool is_next)
         __attribute__((cold)) {
@@ -192,7 +192,7 @@ class Propagation {
       const HalfEdge& e = mesh_.half_edge(h);
       if (e.twin == kNone || !(e.length > 0)) return;
       const Stored w{{0, e.length, from.x, from.y, source.distance}, e.twin, root, {}};
-      // As least_distance: one more call of that would cost the hot ones their inlining.
+      // As least_distance: one more call of it would prevent the inlining of the frequent ones.
       if (distance_at(w, nearest_position(w)) > limit_) return;
       if constexpr (Recorder::kRecords) {
         recorder_.created(1);
@@ -204,16 +204,16 @@ class Propagation {
     spread_from(mesh_, source.at, reach_corner, cross_side);
   }
 
-  /// Nothing is left to find. A queue that knows no least key runs empty, since nothing is pushed
-  /// that is farther than the farthest target can be.
+  /// True when no more distances can change. A queue without a least key simply runs empty: nothing
+  /// is pushed that is farther than the farthest target can be.
   [[gnu::noinline]] bool is_over() {
     if constexpr (requires { queue_.least_key(); }) return stop_rule_.is_over(queue_.least_key());
     limit_ = stop_rule_.farthest();
     return false;
   }
 
-  /// Starts to load what upcoming windows need while others are propagated: the window, then the
-  /// face it enters, then distances.
+  /// Starts to load the data of upcoming windows: the window, then the face it enters, then
+  /// distances.
   void prefetch_ahead() {
     pipeline_.advance(upcoming(queue_));
     if (pipeline_[0] != kNone) {
@@ -251,7 +251,7 @@ class Propagation {
     if (mesh_.is_pseudo_source(v)) wait_to_emit(v, incoming);
   }
 
-  /// The apex of h, at the end of an edge from a vertex that emits.
+  /// Reaches the apex of h along an edge from a vertex that emits.
   void reach_neighbour(Index h, double distance, double edge, const Incoming& incoming,
                        LastSegment last_segment) {
     if (!(distance + edge < distances_[mesh_.apex(h)])) return;
@@ -274,7 +274,7 @@ class Propagation {
     push(distance, w);
   }
 
-  /// The pseudo-source has come nearer since the window was made.
+  /// True when the pseudo-source has come nearer since the window was created.
   bool is_outdated(const Stored& w) const { return w.sigma > distances_[w.root]; }
 
   /// Reaches the neighbours of v along the edges and sends windows into its shadow.
@@ -307,7 +307,7 @@ class Propagation {
     if (left && right) {
       const double distance = distance_through(w, face.apex_x, face.apex_y);
       reach_apex(h, face, distance, {w.x, w.y}, {h, w.root, {w.x, w.y}});
-      // A window that ends at the apex keeps its child: the owner may be its neighbour.
+      // A window that ends at the apex keeps its child: its neighbour may be the owner.
       if (!sight.at_begin() && !sight.at_end() && has_owner(h, w.root)) {
         const auto timed = recorder_.enter(Phase::trimming);
         const Children children =
@@ -316,7 +316,7 @@ class Propagation {
         right = children != Children::left;
       }
     } else if (sight.reaches()) {
-      const double bend = sight.left() ? w.end : w.begin;  // the end that the apex lies beyond
+      const double bend = sight.left() ? w.end : w.begin;  // the apex lies beyond this end
       const double rest = face.apex_x - bend;
       reach_apex(h, face, distance_at(w, bend) + std::sqrt(rest * rest + face.apex_y * face.apex_y),
                  {bend, 0}, {h, w.root, {w.x, w.y}});
@@ -333,15 +333,15 @@ class Propagation {
     }
   }
 
-  /// False for a corner whose claims cannot be trusted, and for roots that are no vertices. Without
-  /// a filter only claims bound the work.
+  /// False for a corner with unreliable claims, and for roots that are not vertices. Always true
+  /// without a filter, since only claims then bound the work.
   bool has_owner(Index h, Index root) const {
     if constexpr (!Filter::kFilters) return true;
     return root < vertex_count_ && !(unreliable_[mesh_.origin(h)] | unreliable_[mesh_.head(h)] |
                                      unreliable_[mesh_.apex(h)]);
   }
 
-  /// @param from a point of the path's last piece, in the frame of h
+  /// @param from a point of the path's last segment, in the frame of h
   void reach_apex(Index h, const FaceFrame& face, double distance, const Point2& from,
                   LastSegment last_segment) {
     const double dx = from.x - face.apex_x, dy = from.y - face.apex_y;
@@ -409,15 +409,15 @@ class Propagation {
   typename Policy::Queue queue_;  // of slots in pool_
   Pool<Stored> pool_;
   Corners corners_;
-  std::vector<std::uint8_t> unreliable_;  // find_unreliable_vertices
-  std::vector<ShadowedEdge> shadow_;      // scratch, kept for its memory
+  std::vector<std::uint8_t> unreliable_;  // result of find_unreliable_vertices
+  std::vector<ShadowedEdge> shadow_;      // scratch memory
   std::span<double> distances_;           // by root
-  std::vector<double> with_roots_;        // holds them where there are roots that are no vertices
+  std::vector<double> with_roots_;        // storage of distances_ if some roots are not vertices
   double limit_ = kInfinity;
   StopRule stop_rule_;
-  bool stops_ = false;            // the query says so
-  Index next_source_ = 0;         // of the query, to start from
-  PrefetchPipeline<3> pipeline_;  // slots on their way through prefetch_ahead
+  bool stops_ = false;            // the query stops at targets
+  Index next_source_ = 0;         // index of the next source to start from
+  PrefetchPipeline<3> pipeline_;  // slots in the stages of prefetch_ahead
   [[no_unique_address]] typename Recorder::Count waiting_{};  // windows in the queue
   [[no_unique_address]] typename Recorder::Progress progress_;
 };

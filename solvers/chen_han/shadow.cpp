@@ -10,15 +10,15 @@ namespace {
 
 enum class Turn { counter_clockwise, clockwise };
 
-/// The next corner at the same vertex; kNone behind a boundary. A corner is named by the half-edge
-/// that leaves the vertex; its other edge lies counter-clockwise from that one.
+/// The next corner at the same vertex; kNone beyond a boundary. The half-edge that leaves the
+/// vertex names a corner; the corner's other edge lies counter-clockwise of it.
 Index next_corner(const Mesh& mesh, Index corner, Turn turn) {
   if (turn == Turn::counter_clockwise) return mesh.twin(Mesh::previous(corner));
   const Index twin = mesh.twin(corner);
   return twin == kNone ? kNone : Mesh::next(twin);
 }
 
-/// A corner as met when turning: from its near edge to its far edge.
+/// A corner met while turning, from its near edge to its far edge.
 struct MetCorner {
   double near_length, far_length;
   double cosine, sine;  ///< of the angle between them
@@ -33,24 +33,24 @@ MetCorner meet(const Mesh& mesh, Index corner, Turn turn) {
                                          : MetCorner{other, e.length, cosine, sine};
 }
 
-/// Where a turn of pi away from the arriving line ends.
+/// The point that a turn of pi from the arriving line reaches.
 struct ShadowBorder {
-  Index corner = kNone;  ///< kNone: a boundary came first
+  Index corner = kNone;  ///< kNone: the turn reached a boundary first
   double position = 0;   ///< on the opposite edge, from the head of its half-edge
 };
 
-/// @return nothing when a corner on the way has no angle
+/// @return nothing when a corner on the way has no reliable angle
 std::optional<ShadowBorder> find_border(const Mesh& mesh, const Incoming& incoming, Turn turn) {
   const MetCorner first = meet(mesh, incoming.corner, Turn::counter_clockwise);
   if (first.is_degenerate()) return std::nullopt;
   // (x, y) is the straight continuation of the arriving line, in the frame whose x axis is the near
-  // edge of the corner at hand and whose y axis points the way we turn; y >= 0 until we pass it.
+  // edge of the current corner and whose y axis points the way of the turn; y >= 0 up to the line.
   double x = -incoming.x, y = incoming.y;
   if (turn == Turn::counter_clockwise) {
     x = -(incoming.x * first.cosine + incoming.y * first.sine);
     y = incoming.x * first.sine - incoming.y * first.cosine;
   }
-  // Earlier by kShadowMargin.
+  // The shadow begins earlier by kShadowMargin.
   const double straight = x;
   x += kShadowMargin * y;
   y = std::max(y - kShadowMargin * straight, 0.0);
@@ -91,8 +91,7 @@ void add_everything(const Mesh& mesh, Index v, std::vector<ShadowedEdge>& edges)
   for (const Index corner : mesh.outgoing(v)) edges.push_back(whole_edge(mesh, corner));
 }
 
-/// Adds the corners met from `border` on, up to `last` or a boundary. @return true when it met
-/// `last`
+/// Adds the corners from `border` on, up to `last` or a boundary. @return whether it met `last`
 bool add_from(const Mesh& mesh, const ShadowBorder& border, Turn turn, Index last,
               std::vector<ShadowedEdge>& edges) {
   for (Index c = border.corner; c != kNone; c = next_corner(mesh, c, turn)) {

@@ -1,5 +1,5 @@
-// What the two sides of the contract must agree on before they exchange objects: a solver in a
-// plug-in, and the program that loads it.
+// The version of the contract, which a plug-in and the program that loads it compare before they
+// exchange objects.
 #pragma once
 
 #include <string>
@@ -8,19 +8,19 @@
 
 namespace geodesic {
 
-/// The version of what a solver sees: all of solvers/core. Raised when a solver that was compiled
-/// before a change would no longer work after it: when a member or a virtual function is added,
-/// moved or removed, or means something else. Plug-ins of other versions are refused.
+/// Version of the interface that solvers are compiled against: all of solvers/core. A change that
+/// breaks compiled solvers raises it: a member or virtual function that is added, moved, removed or
+/// given another meaning. Plug-ins of other versions are refused.
 inline constexpr int kContract = 9;
 
 /// The contract that this file is compiled against: "contract 2 (C++ ABI 1017/1, sizes 32 280
 /// ...)".
 /// 1. The version, raised by hand.
-/// 2. The compiler's ABI and that of its std::string: they decide how objects lie in memory.
-/// 3. The sizes of the types that both sides use: a change of most kinds shows in them, should the
-///    version have been forgotten.
+/// 2. The ABI of the compiler and of its std::string: they decide the layout of objects in memory.
+/// 3. The sizes of the types that both sides use. Most changes alter a size: they show even if the
+///    version was not raised.
 ///
-/// Static, so that every shared library has its own and never another's.
+/// Static, so that every shared library calls its own copy.
 static inline std::string compiled_contract() {
   std::string text = "contract ";
   // Appended piece by piece: for `literal + string` GCC 12 gives a false warning (bug 105651).

@@ -1,4 +1,4 @@
-// Points, vectors and triangles as plain data: what a mesh is built from.
+// Points, vectors and triangles as plain data, from which meshes are built.
 #pragma once
 
 #include <algorithm>
@@ -51,18 +51,18 @@ inline bool is_finite(const Vec3& a) {
 /// Three vertex indices in counter-clockwise order seen from outside.
 using Triangle = std::array<Index, 3>;
 
-/// Triangles that share vertices by index; nothing is promised about their topology.
+/// Triangles that share vertices by index; their topology is arbitrary.
 struct TriangleSoup {
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
 };
 
-/// The smallest box along the axes around some points; low is above high when there are none.
+/// The smallest axis-parallel box around some points; without points, low is above high.
 struct Box {
   Vec3 low{kInfinity, kInfinity, kInfinity};
   Vec3 high{-kInfinity, -kInfinity, -kInfinity};
 
-  /// Half the longest side, 0 without points. Half, since the side of a finite box may overflow.
+  /// Half the longest side, 0 without points. The whole side of a finite box may overflow.
   double half_extent() const {
     double extent = 0;
     for (std::size_t k = 0; k < 3; ++k) extent = std::max(extent, high[k] / 2 - low[k] / 2);

@@ -12,7 +12,7 @@ namespace {
 
 struct Traits {
   std::string_view name, shown;
-  std::int64_t target;  // Highway's; 0: the static one where that is narrower than AVX2
+  std::int64_t target;  // Highway's constant; 0: the static target where it is narrower than AVX2
 };
 constexpr Traits traits_of(InstructionSet set) {
   switch (set) {
@@ -25,7 +25,7 @@ constexpr Traits traits_of(InstructionSet set) {
   }
 }
 
-// Compiler flags such as -march=native make another set what everything is compiled for.
+// Compiler flags such as -march=native compile everything for another set.
 constexpr InstructionSet kStatic = HWY_STATIC_TARGET == HWY_AVX3   ? InstructionSet::avx512
                                    : HWY_STATIC_TARGET == HWY_AVX2 ? InstructionSet::avx2
                                                                    : InstructionSet::plain;

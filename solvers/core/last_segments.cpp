@@ -55,7 +55,7 @@ void LastSegments::finish_place(const Place& place, std::span<const double> dist
     const Point2 at = in_frame(mesh_, place.point, h);
     const Index corner = mesh_.origin(h);
     const double distance = distances[corner] + norm(at);
-    // Where no path bends, the line that leads through the corner is a window's: a tie is its own.
+    // At a corner where no path bends, the line through it belongs to a window, which keeps a tie.
     const bool begins = mesh_.is_pseudo_source(corner) || last_segments_[corner].root == corner;
     if (!begins && distance > targets_[place.target].distance * (1 - kPathMargin)) continue;
     offer(place.target, distance, {h, corner, {0, 0}});
@@ -65,7 +65,7 @@ void LastSegments::finish_place(const Place& place, std::span<const double> dist
     if (source.at.is_vertex()) continue;
     for (const InternalPoint& from : in_every_face(mesh_, source.at)) {
       if (from.face != face) continue;
-      // From the nearest corner: next to it, coordinates have all digits of the weights.
+      // In the frame at the nearest corner: near it, coordinates have all digits of the weights.
       const auto& weights = place.point.weights;
       const auto largest = std::ranges::max_element(weights) - weights.begin();
       const Index h = 3 * face + static_cast<Index>(largest);

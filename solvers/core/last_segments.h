@@ -1,4 +1,4 @@
-// How shortest paths arrive at vertices and targets, gathered during a solve.
+// The last segments of shortest paths to vertices and targets, collected during a solve.
 #pragma once
 
 #include <span>
@@ -9,12 +9,12 @@
 
 namespace geodesic {
 
-/// For one solve of one query.
+/// Collects the last segments in one solve of one query.
 class LastSegments {
  public:
   LastSegments(const Mesh& mesh, const InternalQuery& query);
 
-  /// As PathRecorder's (recorders.h).
+  /// These functions implement those of PathRecorder (recorders.h).
   void arrived(Index v, const LastSegment& last_segment) { last_segments_[v] = last_segment; }
   const LastSegment& last_segment(Index v) const { return last_segments_[v]; }
   void crossing(Index h, const Window& w, Index root) {
@@ -23,13 +23,13 @@ class LastSegments {
     for (Index i = first_target_[face]; i < first_target_[face + 1]; ++i) cross(h, w, root, i);
   }
 
-  /// Adds what needs no windows: the straight lines to targets from the corners of their faces and
-  /// from sources in the same face. Moves everything into the recording.
+  /// Adds the segments that need no windows: straight lines to targets from the corners of their
+  /// faces and from sources in the same face. Moves everything into the recording.
   /// @param distances of the solve
   void finish(std::span<const double> distances, Recording& recording);
 
  private:
-  /// A target that is no vertex, for each face it lies in.
+  /// A target that is not a vertex, once for each face that contains it.
   struct Place {
     Index target;
     InternalPoint point;
@@ -45,7 +45,7 @@ class LastSegments {
   std::vector<LastSegment> last_segments_;
   std::vector<AtTarget> targets_;
   std::vector<Place> places_;        // by face
-  std::vector<Index> first_target_;  // of each face among places_, and the end; empty: no places
+  std::vector<Index> first_target_;  // offsets into places_, by face; empty without places
 };
 
 }  // namespace geodesic

@@ -115,8 +115,8 @@ void Mesh::index_outgoing(Index half_edges) {
 bool Mesh::link_twins() {
   for (HalfEdge& e : half_edges_) e.twin = kNone;
   bool is_cut = false;
-  // Per vertex a, the half-edges a -> b and b -> a of each neighbour b > a, as b 2^32 + half-edge.
-  // Sorting them keeps a vertex of very high valence from costing its square.
+  // For vertex a: the half-edges a -> b and b -> a of each neighbour b > a, as b 2^32 + half-edge.
+  // Sorting them avoids quadratic time at a vertex of very high valence.
   std::vector<std::uint64_t> sides;
   const auto add_side = [&sides](Index neighbour, Index h) {
     sides.push_back(std::uint64_t{neighbour} << 32 | h);
@@ -161,9 +161,9 @@ void Mesh::add_mirror_images() {
   next_sheet_.assign(half_edges_.size(), kNone);
 }
 
-// The images of the faces of an edge that have it in one direction follow one another by
-// next_sheet_, those that have it in the other direction the other way round. Twins lead out of
-// face i into face i + 1, and back.
+// next_sheet_ links the images of the faces of an edge that have it in one direction, in some
+// order; those that have it in the other direction, in the reverse order. Twins lead out of face i
+// into face i + 1, and back.
 void Mesh::link_sheets() {
   std::vector<std::pair<Index, Index>> sides;  // of vertex a: neighbour b > a, half-edge a -> b
   edge_count_ = 0;
@@ -191,7 +191,7 @@ void Mesh::link_sheets() {
   }
 }
 
-// True for one half-edge of every edge.
+// True for exactly one half-edge of every edge.
 bool Mesh::is_least_of_edge(Index h) const {
   if (!crosses_non_manifold_edges()) return twin(h) == kNone || twin(h) > h;
   Index g = h;
@@ -214,7 +214,7 @@ void Mesh::compute_frames() {
 }
 
 // Sets the frames of the face whose half-edges start with `first`. Both sides of an edge get the
-// same bits: a difference and its negative differ in nothing but signs.
+// same bits: a difference and its negative differ only in signs.
 void Mesh::compute_frames_of_face(Index first) {
   const std::span<HalfEdge, 3> sides(&half_edges_[first], 3);
   std::array<Vec3, 3> along;
@@ -224,10 +224,10 @@ void Mesh::compute_frames_of_face(Index first) {
     sides[k].length = norm(along[k]);
     if (sides[k].length > sides[longest].length) longest = k;
   }
-  // Of any two sides the product is the same, but not its rounding, which is relative to the
-  // product of their lengths. That of the two shorter ones leaves every height its digits, in
-  // relation to each side it belongs to: unfolding across a short side between two long ones
-  // divides a height by it, and must neither stretch nor shrink a path.
+  // The product of any two sides is the same, but its rounding is relative to the product of their
+  // lengths. With the two shorter sides every height keeps its digits, relative to each side it
+  // belongs to: unfolding across a short side between two long ones divides a height by it, and
+  // must neither stretch nor shrink a path.
   const double twice_area = norm(cross(along[(longest + 1) % 3], along[(longest + 2) % 3]));
   for (std::size_t k = 0; k < 3; ++k) {
     HalfEdge& e = sides[k];
@@ -237,7 +237,7 @@ void Mesh::compute_frames_of_face(Index first) {
           dot(subtract(position(sides[previous].origin), position(e.origin)), along[k]) / e.length;
       e.apex_y = twice_area / e.length;
       if (sides[(k + 1) % 3].length == 0) e.apex_x = e.length;
-    } else {  // the direction of a zero-length edge is free: upright keeps the other two lengths
+    } else {  // a zero-length edge has no direction: upright keeps the other two lengths
       e.apex_x = 0;
       e.apex_y = sides[previous].length;
     }
@@ -264,21 +264,21 @@ bool Mesh::is_boundary(Index v) const {
   return false;
 }
 
-// The fan around v in which its first half-edge lies.
+// The fan around v that contains its first half-edge.
 Mesh::Fan Mesh::fan_at(Index v) const {
   const Index start = outgoing(v).front();
   Fan fan{.faces = 1, .closed = true};
   Index h = twin(previous(start));
   for (; h != start && h != kNone; h = twin(previous(h))) ++fan.faces;
   if (h == start) return fan;
-  fan.closed = false;  // the other way too
+  fan.closed = false;  // turn the other way too
   for (h = start; twin(h) != kNone; h = next(twin(h))) ++fan.faces;
   return fan;
 }
 
-// Whether the total angle is above that of a plane, by kSaddleAngleExcess. The angles are added by
-// turning a vector, which says where the sum lies between multiples of 2 pi; where it lies near
-// one, they are computed.
+// True when the total angle exceeds that of a plane by kSaddleAngleExcess. Turning a vector by each
+// angle shows where the sum lies between multiples of 2 pi; near a multiple, the angles are
+// computed.
 bool Mesh::has_angle_excess(Index v) const {
   double x = 1, y = 0;
   bool past_full_turn = false;
@@ -291,7 +291,7 @@ bool Mesh::has_angle_excess(Index v) const {
     x = x * cosine - y * sine;
     y = turned_y;
   }
-  const bool clear = std::abs(y) > kNearTurn || x < 0;  // false for a NaN, of degenerate faces
+  const bool clear = std::abs(y) > kNearTurn || x < 0;  // false for a NaN (degenerate faces)
   return clear ? past_full_turn : total_angle(v) > 2 * std::numbers::pi + kSaddleAngleExcess;
 }
 
@@ -303,13 +303,13 @@ void Mesh::classify_vertices() {
     const Fan fan = fan_at(v);
     const bool several_fans = fan.faces < around.size();
     has_non_manifold_vertices_ |= several_fans;
-    // A path that bends at a boundary has more than half a plane on its one side.
+    // A path that bends at a boundary has more than half a plane on one side.
     const bool bends =
         fan.closed ? has_angle_excess(v) : total_angle(v) > std::numbers::pi + kSaddleAngleExcess;
     if (several_fans || bends) pseudo_source_[v] = 1;
   }
   if (crosses_non_manifold_edges()) {
-    // Around such a vertex every two sheets are a surface of their own, with angles of their own.
+    // Around such a vertex every two sheets form a separate surface with its own angles.
     for (Index h = 0; h < half_edge_count(); ++h) {
       if (!is_branching(h)) continue;
       pseudo_source_[origin(h)] = pseudo_source_[head(h)] = 1;

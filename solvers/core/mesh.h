@@ -1,10 +1,10 @@
-// The solvers' mesh: flat, immutable, without any solver's state.
+// The solvers' mesh: flat, immutable, without state of any solver.
 //
 // Half-edge h = 3 f + k is the k-th side of face f, directed counter-clockwise, so that `next` and
-// `previous` are arithmetic. Every half-edge carries the planar frame that unfolding needs: its
-// origin lies at (0, 0), its head at (length, 0), and the third vertex of its face, the apex, at
-// (apex_x, apex_y) with apex_y >= 0. Windows are kept in the frame of the half-edge whose face they
-// are about to enter; their source therefore has y <= 0.
+// `previous` are arithmetic. Every half-edge has the planar frame that unfolding needs: its origin
+// lies at (0, 0), its head at (length, 0), and the third vertex of its face, the apex, at (apex_x,
+// apex_y) with apex_y >= 0. A window is stored in the frame of the half-edge whose face it is about
+// to enter; its source therefore has y <= 0.
 #pragma once
 
 #include <array>
@@ -27,30 +27,31 @@ struct HalfEdge {
 };
 static_assert(sizeof(HalfEdge) == 32, "two half-edges share a cache line");
 
-/// What paths do at an edge that does not have exactly one face in each direction: an edge of more
-/// than two faces, or of two that run along it in the same direction.
+/// How paths treat an edge that does not have exactly one face in each direction: an edge of more
+/// than two faces, or of two faces that have it in the same direction.
 enum class NonManifoldEdges : std::uint8_t {
-  cut,     ///< it is a boundary of each of its faces
-  crossed  ///< they go from each of its faces into each of the others
+  cut,     ///< it is a boundary edge of each of its faces
+  crossed  ///< paths go from each of its faces into each of the others
 };
 
-/// A triangle mesh as solvers walk over it; constant once it is built.
+/// The triangle mesh of the solvers; constant once it is built.
 ///
-/// Where paths cross non-manifold edges, every face is there twice, seen from either side: face f,
+/// If paths cross non-manifold edges, every face is stored twice, seen from either side: face f,
 /// and its mirror image f + given_face_count(), with its corners in the order 0, 2, 1. A line that
-/// leaves a face through half-edge h goes on in each other face that has the edge, in that image of
-/// it that has the edge in the other direction, as a twin has (`for_each_sheet`). Lines that start
-/// in both images of a face never meet, but for such surfaces as have one side only.
+/// leaves a face through half-edge h enters each other face of the edge, in the image that has the
+/// edge in the direction opposite to h, as a twin has (`for_each_sheet`). Lines that start in the
+/// two images of a face never meet, except on one-sided surfaces.
 class Mesh {
  public:
-  /// Builds the structure in time linear in its input (expected), apart from one pass of angles.
+  /// Builds the structure in expected linear time, apart from one pass of angles.
   ///
-  /// Two half-edges become twins when exactly one face has the edge in each direction. What paths
-  /// do at any other edge of several faces is said by `non_manifold_edges`; at a boundary they pass
-  /// its end vertices. Vertices may be isolated, and several fans of faces may share one vertex.
+  /// Two half-edges become twins when exactly one face has the edge in each direction.
+  /// `non_manifold_edges` decides how paths cross other edges of several faces. At a boundary edge,
+  /// paths pass its end vertices. Vertices may be isolated, and several fans of faces may share a
+  /// vertex.
   /// @throws std::invalid_argument for an index out of range, a triangle that names a vertex twice,
-  ///         a coordinate that is not finite, an extent that is not 0 and beyond 1e-20 or 1e20,
-  ///         or more elements than an Index can number.
+  ///        a non-finite coordinate, a nonzero extent beyond 1e-20 or 1e20, or more elements than
+  ///        an Index numbers
   Mesh(std::span<const Vec3> positions, std::span<const Triangle> triangles,
        Numbering numbering = Numbering::as_given,
        NonManifoldEdges non_manifold_edges = NonManifoldEdges::cut);
@@ -58,11 +59,11 @@ class Mesh {
                 NonManifoldEdges non_manifold_edges = NonManifoldEdges::cut)
       : Mesh(soup.positions, soup.triangles, numbering, non_manifold_edges) {}
 
-  /// A part of a mesh, with the frames and pseudo-sources of the whole.
+  /// A part of a mesh, with the frames and pseudo-sources of the whole mesh.
   struct Part {
     std::vector<Vec3> positions;
-    /// Of its faces; from `faces` on, three a face, half-edges of faces beyond the part, as twins
-    /// of its own, which no vertex has.
+    /// First the half-edges of the part's faces. From index 3 * `faces` on, those of faces beyond
+    /// the part: twins of the part's half-edges. No vertex lists them as outgoing.
     std::vector<HalfEdge> half_edges;
     Index faces = 0;
     std::vector<std::uint8_t> pseudo_source;  ///< by vertex
@@ -70,46 +71,46 @@ class Mesh {
   };
   explicit Mesh(Part part);
 
-  /// How the vertices and faces of this class translate to those that were given.
+  /// Translates between the vertex and face numbers of this class and the given ones.
   const MeshNumbers& numbers() const { return numbers_; }
 
   Index vertex_count() const { return static_cast<Index>(positions_.size()); }
   Index half_edge_count() const { return static_cast<Index>(half_edges_.size()); }
   Index face_count() const { return half_edge_count() / 3; }
-  /// Without mirror images.
+  /// Number of faces without mirror images.
   Index given_face_count() const {
     return crosses_non_manifold_edges() ? face_count() / 2 : face_count();
   }
   Index edge_count() const { return edge_count_; }
 
   const HalfEdge& half_edge(Index h) const { return half_edges_[h]; }
-  // By table: the branches that a comparison compiles to are mispredicted at every third call.
+  // A table: the branches of a comparison are mispredicted at every third call.
   static Index next(Index h) { return h + kToNext[h % 3]; }
   static Index previous(Index h) { return h + kToPrevious[h % 3]; }
   Index twin(Index h) const { return half_edges_[h].twin; }
   Index origin(Index h) const { return half_edges_[h].origin; }
   Index head(Index h) const { return half_edges_[next(h)].origin; }
-  /// The vertex of the half-edge's face that lies opposite to it.
+  /// The vertex of the half-edge's face that lies opposite the half-edge.
   Index apex(Index h) const { return half_edges_[previous(h)].origin; }
 
-  /// True when paths cross some edge that is no manifold's: every face has a mirror image then.
+  /// True when paths cross some non-manifold edge. Every face then has a mirror image.
   bool crosses_non_manifold_edges() const { return !next_sheet_.empty(); }
   NonManifoldEdges non_manifold_edges() const {
     return crosses_non_manifold_edges() ? NonManifoldEdges::crossed : NonManifoldEdges::cut;
   }
-  /// The image of a half-edge in the other image of its face, in the other direction. Only where
-  /// paths cross non-manifold edges, as the next two.
+  /// The half-edge of the same edge in the other image of its face, in the opposite direction. This
+  /// function and the next two require crosses_non_manifold_edges().
   Index mirrored(Index h) const {
     const Index half = half_edge_count() / 2, own = h < half ? h : h - half;
     return (h < half ? half : 0) + own - own % 3 + (2 - own % 3);
   }
-  /// Out of another face of the same edge, in the same direction; h itself at a boundary.
+  /// A half-edge of another face of the same edge, in the same direction; h itself at a boundary.
   Index next_sheet(Index h) const { return next_sheet_[h]; }
-  /// True for an edge of more than two faces.
+  /// True when the edge has more than two faces.
   bool is_branching(Index h) const { return next_sheet_[next_sheet_[h]] != h; }
 
-  /// Calls visit(g) for each half-edge g whose twin is entered by a line that leaves the face of h
-  /// through h: for h alone, in general, and for none at a boundary.
+  /// Calls visit(g) for each half-edge g whose twin a line enters when it leaves the face of h
+  /// through h: in general for h alone, at a boundary for none.
   template <class Visit>
   void for_each_sheet(Index h, const Visit& visit) const {
     if (twin(h) == kNone) return;
@@ -118,24 +119,24 @@ class Mesh {
     for (Index g = h; twin(g) != back; g = next_sheet(g)) visit(g);
   }
 
-  /// Half-edges that start at vertex v, one a face corner, in no particular order; empty when v is
-  /// isolated. The second half of them are mirror images, where there are.
+  /// Half-edges that start at vertex v, one per face corner, in no particular order; empty when v
+  /// is isolated. The second half of them are mirror images, if the mesh has any.
   std::span<const Index> outgoing(Index v) const {
     return {outgoing_.data() + first_outgoing_[v], outgoing_.data() + first_outgoing_[v + 1]};
   }
 
-  /// True where a shortest path may bend: total angle above 2 pi, at a boundary above pi, a vertex
-  /// that several fans share, and a corner of a face so flat (kFlatFace) that its angles are
-  /// rounding.
+  /// True where a shortest path may bend: the total angle is above 2 pi, or at a boundary above pi;
+  /// several fans share the vertex; or it is a corner of a face so flat (kFlatFace) that rounding
+  /// dominates its angles.
   bool is_pseudo_source(Index v) const { return pseudo_source_[v] != 0; }
 
-  /// Sum of the face angles at v in radians; 0 for an isolated vertex. Computed at each call.
+  /// Sum of the face angles at v in radians; 0 for an isolated vertex. Recomputed by each call.
   double total_angle(Index v) const;
-  /// True when an edge at v has a face on one side only. Computed at each call.
+  /// True when an edge at v has a face on one side only. Recomputed by each call.
   bool is_boundary(Index v) const;
 
-  /// True when some vertex is shared by several fans of faces, which happens at the ends of every
-  /// edge of more than two faces too.
+  /// True when several fans of faces share some vertex. Both ends of an edge of more than two faces
+  /// are such vertices.
   bool has_non_manifold_vertices() const { return has_non_manifold_vertices_; }
   /// True when some face has an edge of length zero or no area.
   bool has_degenerate_faces() const { return has_degenerate_faces_; }
@@ -149,14 +150,14 @@ class Mesh {
     prefetch(face);
     prefetch(face + 2);
   }
-  /// The same for all faces around a vertex; v may be kNone.
+  /// Starts to load the half-edges of all faces around a vertex; v may be kNone.
   void prefetch_faces_around(Index v) const {
     if (v == kNone) return;
     for (const Index h : outgoing(v)) prefetch_face(h);
   }
   Triangle triangle(Index f) const { return {origin(3 * f), origin(3 * f + 1), origin(3 * f + 2)}; }
 
-  /// Mean length over edges (not half-edges); 0 for a mesh without faces.
+  /// Mean length of the edges (not half-edges); 0 for a mesh without faces.
   double mean_edge_length() const { return mean_edge_length_; }
 
  private:
@@ -170,7 +171,7 @@ class Mesh {
   void link_sheets();
   bool is_least_of_edge(Index h) const;
   std::span<const Index> given_corners(Index v) const;
-  /// Of the first `half_edges`.
+  /// Uses the first `half_edges` half-edges only.
   void index_outgoing(Index half_edges);
   void compute_frames();
   void compute_frames_of_face(Index first);
@@ -187,7 +188,7 @@ class Mesh {
   std::vector<HalfEdge> half_edges_;
   std::vector<Index> first_outgoing_;  // vertex_count + 1 offsets into outgoing_
   std::vector<Index> outgoing_;
-  std::vector<Index> next_sheet_;  // by half-edge; empty where no path crosses a non-manifold edge
+  std::vector<Index> next_sheet_;  // by half-edge; empty unless paths cross non-manifold edges
   std::vector<std::uint8_t> pseudo_source_;
   bool has_non_manifold_vertices_ = false;
   bool has_degenerate_faces_ = false;

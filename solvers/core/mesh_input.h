@@ -1,4 +1,4 @@
-// What the constructor of Mesh refuses, for who keeps its input and builds the mesh later.
+// The input checks of Mesh's constructor, for code that stores the input and builds the mesh later.
 #pragma once
 
 #include <span>
@@ -7,16 +7,16 @@
 
 namespace geodesic {
 
-/// The extents of meshes, the longest side of their box, that solvers take, besides 0 of a mesh
-/// that is a point. Products of four lengths and their differences stay within the range and
-/// precision of a double, and a billionth of a billionth of a length that of a float, as which
-/// approximate solvers store small differences.
+/// Least and greatest extent (the longest side of the bounding box) of a mesh that solvers accept,
+/// besides the extent 0 of a single point. Products of four lengths and their differences then stay
+/// within the range and precision of a double. Approximate solvers store small differences as
+/// floats: 1e-18 times a length stays within those of a float.
 inline constexpr double kLeastExtent = 1e-20, kGreatestExtent = 1e20;
 
-/// @throws std::invalid_argument for an extent beyond these
+/// @throws std::invalid_argument for an extent outside these bounds
 void check_extent(std::span<const Vec3> positions);
 
-/// @throws std::invalid_argument as the constructor of Mesh does
+/// @throws std::invalid_argument for the reasons of Mesh's constructor
 void check_mesh_input(std::span<const Vec3> positions, std::span<const Triangle> triangles);
 
 }  // namespace geodesic

@@ -24,7 +24,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-// Bytes of the character that begins the text, when it is one to show: well-formed UTF-8 (The
+// Number of bytes of the first character of the text if it can be shown: well-formed UTF-8 (The
 // Unicode Standard, table 3-7) and no control character. Otherwise 0.
 std::size_t bytes_to_show(std::string_view text) {
   const auto byte = [&](std::size_t i) -> unsigned {
@@ -70,7 +70,7 @@ std::string unknown_name(std::string_view kind, std::string_view name,
   constexpr std::size_t kListed = 50, kNearest = 8;
   std::string message = "no " + std::string(kind) + " named '" + excerpt(name) + "'";
   if (known.empty()) return message + "; there are: none";
-  // The beginning decides for a name that is longer than any.
+  // For a name longer than any known one, only its beginning counts.
   const std::string_view compared = name.substr(0, 100);
   std::vector<std::pair<std::size_t, std::string>> nearest;
   nearest.reserve(known.size());
@@ -88,7 +88,7 @@ std::string unknown_name(std::string_view kind, std::string_view name,
 std::string excerpt(std::string_view text, std::size_t longest) {
   std::size_t end = std::min(text.size(), longest);
   const auto continues = [&] { return (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80; };
-  while (end < text.size() && end > 0 && continues()) --end;  // not inside a character of UTF-8
+  while (end < text.size() && end > 0 && continues()) --end;  // do not cut a UTF-8 character
   return harmless(text.substr(0, end)) + (end < text.size() ? "..." : "");
 }
 

@@ -7,8 +7,8 @@
 
 namespace geodesic {
 
-/// The number that the whole text is, in decimals and with a point in every locale; nothing when it
-/// is none or out of range.
+/// Returns the number that the whole text represents: decimal, with a point in every locale. Empty
+/// when the text is no number or out of range.
 template <class Number>
 std::optional<Number> number_in(std::string_view text) {
   Number number{};

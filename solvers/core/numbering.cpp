@@ -10,7 +10,7 @@ namespace {
 
 constexpr unsigned kBits = kCurveBits / 3;  // of each coordinate
 
-/// Spreads ten bits so that two zeros follow each.
+/// Inserts two zeros after each of ten bits.
 std::uint32_t spread(std::uint32_t x) {
   x = (x | x << 16) & 0x030000ffu;
   x = (x | x << 8) & 0x0300f00fu;
@@ -18,7 +18,7 @@ std::uint32_t spread(std::uint32_t x) {
   return (x | x << 2) & 0x09249249u;
 }
 
-/// In the order of vertices.
+/// Returns the cells of all vertices, in the order of vertices.
 std::vector<OnCurve> cells_of(std::span<const Vec3> positions) {
   const Box box = box_around(positions);
   const double extent = box.half_extent();

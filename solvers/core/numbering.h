@@ -1,4 +1,4 @@
-// How a mesh numbers its vertices and faces: as they were given, or along the surface.
+// The numberings of a mesh's vertices and faces: as given, or along the surface.
 #pragma once
 
 #include <cstdint>
@@ -15,26 +15,25 @@ enum class Numbering {
   along_surface,  ///< large meshes are solved faster, small ones no slower
 };
 
-/// Whose numbers vertices and faces go by.
+/// The numbering that vertex and face numbers belong to.
 enum class Numbers {
-  external,  ///< those that the mesh was given them by: of files, queries, distances and paths
-  internal   ///< their places in the mesh's memory: of every function of Mesh, and in solvers
+  external,  ///< the given one: in files, queries, distances and paths
+  internal   ///< positions in the mesh's memory: in functions of Mesh and in solvers
 };
 
-/// Translates between the two numberings of a mesh.
-/// The corners of a face keep their order.
+/// Converts between the two numberings of a mesh. The corners of a face keep their order.
 class MeshNumbers {
  public:
-  /// The two numberings are the same.
+  /// Both numberings are the same.
   MeshNumbers() = default;
-  /// @param given_vertices, given_faces by internal number
+  /// @param given_vertices, given_faces external numbers, by internal number
   MeshNumbers(std::vector<Index> given_vertices, std::vector<Index> given_faces);
 
   bool is_identity() const { return given_.empty(); }
   Index external_vertex(Index own) const { return given_.empty() ? own : given_[own]; }
   Index external_face(Index own) const { return given_faces_.empty() ? own : given_faces_[own]; }
   Index internal_vertex(Index given) const { return own_.empty() ? given : own_[given]; }
-  /// Found by search: for a few points of a query.
+  /// Searches linearly: meant for the few points of a query.
   Index internal_face(Index given) const;
 
  private:
@@ -42,20 +41,20 @@ class MeshNumbers {
   std::vector<Index> own_;                  // by external number
 };
 
-/// A vertex and the cell that it lies in, of 1/1024 of the bounding box in each direction.
+/// A vertex and its cell: a box of 1/1024 of the bounding box in each direction.
 struct OnCurve {
-  std::uint32_t cell;  ///< its place on the curve, kCurveBits bits: each one halves a box
+  std::uint32_t cell;  ///< its position on the curve in kCurveBits bits; each bit halves a box
   Index vertex;
 };
 inline constexpr unsigned kCurveBits = 30;
 
-/// All vertices in the order in which a space-filling curve meets them (Morton 1966, "A computer
-/// oriented geodetic data base"), those of one cell in their given order. Time and memory are
-/// linear: a radix sort.
+/// Returns all vertices in the order in which a space-filling curve meets them (Morton 1966, "A
+/// computer oriented geodetic data base"). Vertices of one cell keep their given order. A radix
+/// sort: time and memory are linear.
 /// @param positions finite
 std::vector<OnCurve> cells_along_curve(std::span<const Vec3> positions);
 
-/// Faces in the order of their least vertex, those of one vertex in their given order; linear.
+/// Faces in the order of their least vertex; those of one vertex keep their given order. Linear.
 std::vector<Index> order_by_least_vertex(std::span<const Triangle> triangles, Index vertices);
 
 }  // namespace geodesic

@@ -49,7 +49,7 @@ bool is_acceptable(const ParameterDescription& parameter, const std::string& tex
 
 }  // namespace
 
-/// The fewest digits that bring the number back: "8", "0.25", "1e-4".
+/// The fewest digits that reproduce the number: "8", "0.25", "1e-4".
 std::string ParameterValue::shortest_text(double number) {
   number += 0.0;  // not -0
   char buffer[32];

@@ -1,4 +1,4 @@
-// Parameters of generators and solvers: what they are, and values for them.
+// Parameters of generators and solvers: their descriptions and values.
 #pragma once
 
 #include <concepts>
@@ -11,7 +11,7 @@
 
 namespace geodesic {
 
-/// A parameter's value as it is written on a command line; numbers convert without loss.
+/// A parameter's value as text, as on a command line. Numbers convert without loss.
 class ParameterValue {
  public:
   ParameterValue(const char* text) : text_(text) {}
@@ -27,10 +27,10 @@ class ParameterValue {
   std::string text_;
 };
 
-/// Values by the parameters' names.
+/// Values, by parameter name.
 using ParameterValues = std::map<std::string, ParameterValue, std::less<>>;
 
-/// `words` is one or more of the choices, separated by commas; `file` a path, without a default.
+/// `words`: one or more of the choices, separated by commas. `file`: a path; has no default.
 enum class ParameterKind { integer, real, choice, words, file };
 
 struct ParameterDescription {
@@ -38,9 +38,9 @@ struct ParameterDescription {
   std::string description;
   ParameterKind kind = ParameterKind::integer;
   ParameterValue default_value = 0;
-  double least = 0;  ///< closed range of a number
+  double least = 0;  ///< closed range of a number: its lower end
   double greatest = 0;
-  std::vector<std::string> choices = {};  ///< the words that a choice may be
+  std::vector<std::string> choices = {};  ///< allowed words of a choice
 
   bool is_number() const { return kind == ParameterKind::integer || kind == ParameterKind::real; }
   bool is_required() const { return kind == ParameterKind::file; }
@@ -52,7 +52,7 @@ ParameterDescription integer_parameter(std::string name, Index default_value, In
                                        Index greatest, std::string description);
 ParameterDescription real_parameter(std::string name, double default_value, double least,
                                     double greatest, std::string description);
-/// The first choice is the default, as of words.
+/// The first choice is the default. The same holds for words_parameter.
 ParameterDescription choice_parameter(std::string name, std::vector<std::string> choices,
                                       std::string description);
 ParameterDescription words_parameter(std::string name, std::vector<std::string> choices,
@@ -68,10 +68,10 @@ class CheckedParameters {
   CheckedParameters(std::string_view owner, const std::vector<ParameterDescription>& descriptions,
                     const ParameterValues& given);
 
-  /// Values by name; a name that was not described is a programming error (std::out_of_range).
+  /// Value of a parameter. A name without a description is a programming error (std::out_of_range).
   Index integer(std::string_view name) const { return static_cast<Index>(real(name)); }
   double real(std::string_view name) const;
-  /// Of a choice or a file; a number in its shortest form.
+  /// Text of a choice or a file; a number in its shortest form.
   const std::string& text(std::string_view name) const;
   std::vector<std::string> words(std::string_view name) const;
 

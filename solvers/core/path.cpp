@@ -13,7 +13,7 @@ bool lies_on(const Mesh& mesh, Index face, const InternalPoint& point) {
   return under != kNone && mesh.twin(under) != kNone && mesh.twin(under) / 3 == face;
 }
 
-/// A face that both points lie on; kNone when there is none.
+/// A face that contains both points; kNone when there is none.
 Index face_of(const Mesh& mesh, const InternalPoint& a, const InternalPoint& b) {
   if (a.is_vertex()) {
     const auto faces = mesh.outgoing(a.vertex);

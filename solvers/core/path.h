@@ -1,4 +1,4 @@
-// A path over the surface, whoever found it.
+// A path on the surface, found by any solver or tracer.
 #pragma once
 
 #include <span>
@@ -8,29 +8,29 @@
 
 namespace geodesic {
 
-/// A point of a path: its beginning, its end, where it crosses an edge or passes through a vertex.
-/// Numbers of vertices and faces are those that the mesh was given.
+/// A point of a path: its start, its end, a crossing of an edge or a vertex on the way. Vertex and
+/// face numbers are those of the given mesh.
 struct PathPoint {
   SurfacePoint at;
   Vec3 position = {};    ///< in space, in the mesh's unit of length
-  double travelled = 0;  ///< along the path, from its source to here
-  /// The face, with this point and the next one on it, between which the path is straight; kNone
-  /// at the path's end, and where no face has both: the path leaves the surface there.
+  double travelled = 0;  ///< length of the path from its source to this point
+  /// The face that holds this point and the next one; the path is straight between them. kNone at
+  /// the path's end, and where no face holds both: the path leaves the surface there.
   Index face = kNone;
 };
 
 /// A path, from its source to its end.
 struct Path {
-  Index source = kNone;           ///< the query's source it comes from, by its place in the query
-  std::vector<PathPoint> points;  ///< at least one, which is a source that the path ends in itself
+  Index source = kNone;           ///< index of its source in the query
+  std::vector<PathPoint> points;  ///< at least one; a single point when the path ends in its source
 
-  /// Of the path. Of a shortest path, with the source's initial distance, it is the end's distance,
-  /// up to rounding.
+  /// Length of the path. For a shortest path, the length plus the source's initial distance is the
+  /// distance of the end, up to rounding.
   double length() const { return points.back().travelled; }
 };
 
-/// The path that is straight between these points.
-/// @param points at least one; the path's source is that of the query in the first one
+/// Returns the path that is straight between successive points.
+/// @param points at least one; the first one is a source of the query
 Path path_through(const Mesh& mesh, const InternalQuery& query,
                   std::span<const InternalPoint> points);
 

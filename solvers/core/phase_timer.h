@@ -1,10 +1,10 @@
-// Where the time of a solve goes: window propagation, trimming, queue maintenance (Figure 5.9 of
+// The time that a solve spends in window propagation, trimming and queue maintenance (Figure 5.9 of
 // the thesis).
 //
-// One phase runs at any moment, and the clock is read when it changes. A reading takes 10 to
-// 40 ns, about as long as a short phase; between two of them lies exactly one reading's cost, half
-// of the first and half of the second. Times are given with that cost, together with the number of
-// readings, so that it can be taken out where the time of the solve without them is known.
+// One phase runs at any moment, and the clock is read when the phase changes. A reading takes 10 to
+// 40 ns, about as long as a short phase. Between two readings lies the cost of one reading: half of
+// the first and half of the second. Times include it. The number of readings is reported too, so
+// that the cost can be subtracted if the time without readings is known.
 #pragma once
 
 #include <array>
@@ -18,18 +18,18 @@
 namespace geodesic {
 
 enum class Phase : std::uint8_t {
-  outside,      ///< not part of the solve: not reported
+  outside,      ///< not part of the solve, not reported
   propagation,  ///< everything else, unfolding and new distances above all
-  trimming,     ///< finding out which windows are useless, and cutting or dropping them
-  queue,        ///< pushing, popping, and finding what an entry stands for
+  trimming,     ///< finding useless windows, and cutting or dropping them
+  queue,        ///< pushing, popping, and finding the window or vertex of an entry
 };
 inline constexpr std::size_t kPhases = 4;
 
-/// Wall seconds of one solve, the readings of the clock included.
+/// Wall seconds of one solve, including the readings of the clock.
 struct PhaseTimes {
   struct Share {
     double seconds = 0;
-    std::uint64_t readings = 0;  ///< of the clock, whose cost the seconds contain
+    std::uint64_t readings = 0;  ///< of the clock; the seconds include their cost
 
     bool operator==(const Share&) const = default;
   };
@@ -38,7 +38,7 @@ struct PhaseTimes {
   bool operator==(const PhaseTimes&) const = default;
 };
 
-/// Counts in a unit of its own that is cheap to read; the same on all cores of the machine.
+/// A clock that is cheap to read, in a unit of its own; the same on all cores of the machine.
 struct TickClock {
 #if defined(__x86_64__)
   static std::uint64_t ticks() { return __rdtsc(); }
@@ -57,7 +57,7 @@ struct TickClock {
 template <class Clock>
 class BasicPhaseTimer {
  public:
-  /// Ends the running phase. @return which it was
+  /// Ends the running phase and starts `next`. @return the phase that ended
   Phase change_to(Phase next) {
     const std::uint64_t now = Clock::ticks();
     Share& share = shares_[static_cast<std::size_t>(phase_)];
@@ -69,7 +69,7 @@ class BasicPhaseTimer {
     return ended;
   }
 
-  /// What was timed since the construction; the solve must be over.
+  /// Returns the times since construction; the solve must be over.
   PhaseTimes times() const {
     const double ticks = static_cast<double>(Clock::ticks() - first_);
     const double unit = ticks > 0 ? (Clock::seconds() - started_) / ticks : 0;
@@ -96,7 +96,7 @@ class BasicPhaseTimer {
 
 using PhaseTimer = BasicPhaseTimer<TickClock>;
 
-/// Lets a phase run until the end of a block, and then the one that it interrupted.
+/// Runs a phase until the end of a block, then resumes the phase that it interrupted.
 template <class Timer>
 class [[nodiscard]] PhaseScope {
  public:

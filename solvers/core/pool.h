@@ -1,8 +1,7 @@
-// Memory that is used again: slots for single items, and arrays that grow.
+// Reusable memory: slots for single items, and growing arrays.
 //
-// The segments of edge_based/window_lists.h are apart from these: they are linked by 32-bit
-// handles, and their arrays lie behind a header in blocks that vectors may read beyond the last
-// item.
+// edge_based/window_lists.h has its own segments: they are linked by 32-bit handles, and their
+// arrays follow a header, in blocks in which vector instructions may read beyond the last item.
 #pragma once
 
 #include <array>
@@ -18,8 +17,8 @@
 
 namespace geodesic {
 
-/// Slots for items of one type, by number. The slot released last is used next, while it is still
-/// in the cache; released slots are a list, each with the number of the next one in place of its
+/// Numbered slots for items of one type. The slot released last is used next, while it is still in
+/// the cache. Released slots form a list: each stores the number of the next one in place of its
 /// item.
 /// @tparam T trivially copyable
 template <class T>
@@ -27,7 +26,7 @@ class Pool {
   static_assert(std::is_trivially_copyable_v<T> && sizeof(T) >= sizeof(Index));
 
  public:
-  /// Releases every slot, and keeps their memory.
+  /// Releases every slot and keeps the memory.
   void clear() {
     slots_.clear();
     free_ = kNone;
@@ -57,7 +56,7 @@ class Pool {
     return item;
   }
 
-  /// The item of a slot that was given out since the last `clear`. Of a released one, only the
+  /// The item of a slot that was given out since the last `clear`. In a released slot only the
   /// first four bytes have changed.
   T& operator[](Index slot) { return slots_[slot]; }
   const T& operator[](Index slot) const { return slots_[slot]; }
@@ -83,13 +82,13 @@ class Pool {
   Index free_ = kNone;
 };
 
-/// Arrays of a few fixed capacities, cut from large chunks: for lists that grow. They are handed
-/// out uninitialised and taken back for reuse; nothing is returned to the system before the pool is
+/// Arrays of a few fixed capacities, cut from large chunks, for lists that grow. Arrays are
+/// uninitialised; those given back are reused. No memory returns to the system before the pool is
 /// destroyed. T is trivially copyable.
 template <class T>
 class SegmentPool {
  public:
-  /// Capacities are 4, 6, 8, 12, 16, 24, ...: two to a doubling, so that an array that only grows
+  /// Capacities are 4, 6, 8, 12, 16, 24, ...: two per doubling, so that an array that only grows
   /// wastes a sixth of its room on average.
   static std::uint32_t capacity_for(std::uint32_t items) { return capacity(size_class(items)); }
 
@@ -105,7 +104,7 @@ class SegmentPool {
     free_[size_class(its_capacity)].push_back(segment);
   }
 
-  /// Takes everything back at once; the chunks stay for the next solve.
+  /// Takes all arrays back at once; the chunks stay for the next solve.
   void clear() {
     for (std::vector<T*>& free : free_) free.clear();
     oversized_.clear();
@@ -114,7 +113,7 @@ class SegmentPool {
   }
 
  private:
-  static constexpr std::uint32_t kChunk = 1u << 15;  // items a chunk
+  static constexpr std::uint32_t kChunk = 1u << 15;  // items per chunk
   static constexpr std::uint32_t kSmallest = 4;
 
   // Class 2 k holds 4 * 2^k items, class 2 k + 1 half as many again.

@@ -1,4 +1,4 @@
-// Bringing memory into the cache before it is read.
+// Loading memory into the cache before it is read.
 #pragma once
 
 #include <array>
@@ -8,11 +8,11 @@
 
 namespace geodesic {
 
-/// Starts to load the cache line at an address; the address may be anything.
+/// Starts to load the cache line at an address; any address is allowed.
 inline void prefetch(const void* address) { __builtin_prefetch(address); }
 
-/// The items that a queue has announced (`upcoming`), one a turn, so that what their turn will read
-/// can be loaded in stages, where each stage finds its address in what the one before has loaded.
+/// The items that a queue has announced (`upcoming`), one per turn. Their data is loaded in stages:
+/// the address for each stage is in the data that the stage before has loaded.
 template <std::size_t kStages>
 class PrefetchPipeline {
  public:
@@ -20,7 +20,7 @@ class PrefetchPipeline {
 
   void clear() { items_.fill(kNone); }
 
-  /// A turn passes. @param item the one announced now, or kNone
+  /// Moves every item on by one turn. @param item the one announced now, or kNone
   void advance(Index item) {
     at_ = at_ == 0 ? items_.size() - 1 : at_ - 1;
     items_[at_] = item;
@@ -33,7 +33,7 @@ class PrefetchPipeline {
   }
 
  private:
-  static constexpr std::size_t kApart = 2;  // turns; memory takes longer than one to answer
+  static constexpr std::size_t kApart = 2;  // turns; loading takes longer than one turn
 
   std::array<Index, (kStages - 1) * kApart + 1> items_;
   std::size_t at_ = 0;

@@ -5,7 +5,7 @@
 namespace geodesic {
 namespace {
 
-// Vertices that a path along edges joins to a source, the sources included.
+// Counts the vertices that a path along edges joins to a source, including the sources.
 std::uint64_t count_reachable(const Mesh& mesh, std::span<const Index> sources) {
   std::vector<bool> seen(mesh.vertex_count());
   std::vector<Index> open;

@@ -1,4 +1,4 @@
-// How far a recorded solve has come, measured the same way for every algorithm.
+// Progress of a recorded solve, measured in the same way for every algorithm.
 #pragma once
 
 #include <cstdint>
@@ -8,24 +8,23 @@
 
 namespace geodesic {
 
-/// Counts the vertices that have a finite distance. Progress is their share of all vertices
-/// that some path joins to a source, so that it ends at 1 on any mesh (with a distance limit,
-/// earlier).
+/// Counts the vertices that have a finite distance. Progress is their share of all vertices that
+/// some path joins to a source. It therefore ends at 1 on any mesh (earlier with a distance limit).
 class Progress {
  public:
-  static constexpr std::uint64_t kSteps = 64;  // moments for samples, equally far apart
+  static constexpr std::uint64_t kSteps = 64;  // number of equally spaced samples
 
-  /// Nothing is reached yet, not even the sources.
+  /// Starts a solve: no vertex is reached, not even a source.
   void start(const Mesh& mesh, std::span<const Index> sources);
 
-  /// A vertex gets a new distance. @param former its distance until now
+  /// Call when a vertex gets a new distance. @param former its distance before
   void reach(double former) { reached_ += former == kInfinity ? 1u : 0u; }
 
   Index reached() const { return reached_; }
   double share() const { return static_cast<double>(reached_) / static_cast<double>(reachable_); }
 
-  /// True once for every step that was made since the last call returned true; one call for all if
-  /// they were made at once.
+  /// True when at least one step was made since the last call that returned true. Steps made at
+  /// once count as one.
   bool made_step() {
     if (reached_ * kSteps < next_step_ * reachable_) return false;
     next_step_ = reached_ * kSteps / reachable_ + 1;

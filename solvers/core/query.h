@@ -1,4 +1,4 @@
-// What a solver is asked.
+// The input of a solve: sources, limit and targets.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace geodesic {
 
-/// A point that distances are measured from.
+/// A source: a point from which distances are measured.
 template <Numbers numbers>
 struct SourceIn {
   PointIn<numbers> at;
@@ -18,40 +18,40 @@ struct SourceIn {
 using Source = SourceIn<Numbers::external>;
 using InternalSource = SourceIn<Numbers::internal>;
 
-/// A problem: the distances from the nearest of some sources.
+/// A query: the distances from the nearest of some sources.
 template <Numbers numbers>
 struct QueryIn {
   std::vector<SourceIn<numbers>> sources;  ///< at least one; the result is the least over them
   double limit = kInfinity;  ///< vertices farther than this are reported as unreachable
-  /// Points whose distances and paths are wanted (RecordingKind::paths).
+  /// Points whose distances and paths are requested (RecordingKind::paths).
   std::vector<PointIn<numbers>> targets = {};
   /// Vertices farther than the farthest target are reported as unreachable too. Unless paths are
-  /// recorded, a target in a face counts as far as the way to it over a corner.
+  /// recorded, the distance of a target in a face is the shortest way to it over a corner.
   bool stop_at_targets = false;
 };
 using Query = QueryIn<Numbers::external>;
 using InternalQuery = QueryIn<Numbers::internal>;
 
-/// The same query by the mesh's internal numbers: as solvers get it.
-/// @param query whose points are without defects
+/// Returns the same query in the mesh's internal numbers, for the solver.
+/// @param query its points have no defects
 InternalQuery in_internal_numbers(const Mesh& mesh, const Query& query);
 
-/// A vertex of the component of each source: the source itself, or a corner of its face.
+/// For each source, a vertex of its component: the source itself, or a corner of its face.
 std::vector<Index> source_vertices(const Mesh& mesh, const InternalQuery& query);
 
-/// Tells a solver when the vertices that a query asks for have their distances.
+/// Decides when the vertices that a query needs have their final distances.
 ///
-/// A point of a face is at most as far as the way over one of its corners. Once no window or vertex
-/// nearer than that waits, its distance is known, and so is that of every vertex nearer than it.
+/// A point of a face is at most as far as the way over one of its corners. Once no waiting window
+/// or vertex is nearer than that, its distance is final, and so is that of every nearer vertex.
 class StopRule {
  public:
   StopRule() = default;
-  /// @param distances those that the solver changes
+  /// @param distances the solver's, which it goes on to change
   StopRule(const Mesh& mesh, const InternalQuery& query, std::span<const double> distances);
 
-  /// True when a wavefront whose least key is `key` has nothing left to find. Keys of successive
-  /// calls do not fall but by rounding; a solver whose wavefront is not sorted asks with the least
-  /// key of all that waits.
+  /// True when a wavefront whose least key is `key` can no longer change the result. The keys of
+  /// successive calls decrease only by rounding. A solver whose wavefront is not sorted must pass
+  /// the least key of all waiting windows or vertices.
   bool is_over(double key) {
     if (key > limit_) return true;
     if (!stops_) return false;
@@ -59,12 +59,12 @@ class StopRule {
     return next_ == bounds_.size();
   }
 
-  /// The distance beyond which vertices count as unreachable: the limit, or that of the farthest
-  /// target.
+  /// The distance beyond which vertices count as unreachable: the limit, or the distance of the
+  /// farthest target.
   double farthest() const;
 
  private:
-  /// The way to a target over each corner of its face; three times the same vertex otherwise.
+  /// Corners of a target's face, with the way from each to the target; a vertex is repeated thrice.
   struct Bound {
     Triangle corners;
     std::array<double, 3> rest;
@@ -77,7 +77,7 @@ class StopRule {
   double limit_ = kInfinity;
   bool stops_ = false;
   std::vector<Bound> bounds_;
-  std::size_t next_ = 0;  // of bounds_: all before it are known
+  std::size_t next_ = 0;  // index into bounds_: the distances of all before it are final
   std::span<const double> distances_;
 };
 

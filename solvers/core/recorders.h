@@ -1,13 +1,13 @@
 // The recorders that a solver's inner loop is compiled against.
 //
-// A solver is written as a template over its recorder. `NoRecorder` is empty: timed solves contain
-// no trace of it. `CountingRecorder` fills a Recording with counters, `WavefrontRecorder` keeps the
-// samples of the wavefront besides; `TimingRecorder` counts nothing, which would take time, and
-// reads the clock instead. `PathRecorder` remembers how paths arrive.
+// A solver is a template over its recorder. `NoRecorder` is empty and leaves no trace in timed
+// solves. `CountingRecorder` fills a Recording with counters. `WavefrontRecorder` also keeps
+// samples of the wavefront. `TimingRecorder` reads the clock; it counts nothing, since counting
+// takes time. `PathRecorder` records the last segments of paths.
 //
-// What the compiler inlines into a timed solve depends on what else is in the file, by 1% to 3% of
-// its instructions. A family therefore defines its recorded solves in a header of their own,
-// recorded.h, which is instantiated in FAMILY_recorded.cpp, and variants include that header.
+// The rest of a file changes what the compiler inlines into a timed solve, by 1% to 3% of its
+// instructions. Each family therefore defines its recorded solves in a header of their own,
+// recorded.h, which FAMILY_recorded.cpp instantiates and variants include.
 #pragma once
 
 #include <algorithm>
@@ -40,31 +40,31 @@ WavefrontSample sample_wavefront(Index reached, const ForEachWindow& for_each_wi
   return sample;
 }
 
-/// The length of a window's strip of faces; an empty type when nothing is recorded.
+/// Number of faces in a window's strip; an empty type when nothing is recorded.
 struct NoDepth {
   NoDepth next() const { return {}; }
 };
-/// The same where it is counted.
+/// As NoDepth, with the count.
 struct StripDepth {
   std::uint32_t faces = 0;
   StripDepth next() const { return {faces + 1}; }
 };
 
-/// As LastSegment, where nothing is remembered: an empty type.
+/// As LastSegment, when no paths are recorded: an empty type.
 struct NoLastSegment {
   NoLastSegment(Index /*half_edge*/, Index /*root*/, const Point2& /*from*/) {}
 };
 
-/// What says how a path arrives, in a solver that is compiled against a recorder.
+/// The type of last segments in a solver with this recorder.
 template <class Recorder>
 using LastSegmentOf = std::conditional_t<Recorder::kRemembers, LastSegment, NoLastSegment>;
 
-/// What only recorded solves count is of these types, so that a timed solve that touched any of it
-/// would not compile.
+/// The types of data that only recorded solves count. A timed solve that used such data would not
+/// compile.
 struct NoProgress {};
 struct NoCount {};
 
-/// Of timed solves: records nothing and costs nothing.
+/// The recorder of timed solves: records nothing and costs nothing.
 struct NoRecorder {
   static constexpr bool kRecords = false;
   static constexpr bool kRemembers = false;
@@ -78,7 +78,7 @@ struct NoRecorder {
   void reinserted(std::uint64_t /*windows*/) {}
   void wavefront_size(std::uint64_t /*windows*/) {}
 
-  /// The phase that runs as long as the result lives (phase_timer.h).
+  /// The given phase runs during the lifetime of the result (phase_timer.h).
   struct [[nodiscard]] NoScope {
     constexpr ~NoScope() {}  // NOLINT: a result without a destructor would be called unused
   };
@@ -106,32 +106,32 @@ struct CountingRecorder {
         recording.strip_depth = 0;
   }
 
-  /// `windows` windows were propagated across one face; the longest strip among them is `deepest`,
+  /// `windows` windows were propagated across one face. `deepest` is the longest strip among them,
   /// this face included.
   void propagated(std::uint64_t windows, Depth deepest) {
     *recording.window_propagations += windows;
     *recording.strip_depth = std::max<std::uint64_t>(*recording.strip_depth, deepest.faces);
   }
-  /// `windows` windows were made, and go through the filter next.
+  /// `windows` windows were created, before filtering.
   void created(std::uint64_t windows) {
     recording.windows_created = recording.windows_created.value_or(0) + windows;
   }
   /// `windows` windows survived redundancy reduction.
   void valid(std::uint64_t windows) { *recording.valid_windows += windows; }
-  /// `windows` windows that waited in the queue were trimmed and queued anew, which counts as
-  /// windows of their own (thesis 5.5.1, item 1).
+  /// `windows` waiting windows were trimmed and queued again. Each counts as a window of its own
+  /// (thesis 5.5.1, item 1).
   void reinserted(std::uint64_t windows) {
     recording.reinsertions = recording.reinsertions.value_or(0) + windows;
     *recording.window_propagations += windows;
     *recording.valid_windows += windows;
   }
-  /// The wavefront now holds this many windows.
+  /// The wavefront now has `windows` windows.
   void wavefront_size(std::uint64_t windows) {
     *recording.peak_wavefront = std::max(*recording.peak_wavefront, windows);
   }
 
-  /// Samples the wavefront, at every step of progress.
-  /// @param for_each_window as of sample_wavefront
+  /// Samples the wavefront; called at every step of progress.
+  /// @param for_each_window as in sample_wavefront
   template <class ForEachWindow>
   WavefrontSample sample(const Progress& progress, const ForEachWindow& for_each_window) {
     const WavefrontSample sample = sample_wavefront(progress.reached(), for_each_window);
@@ -152,13 +152,13 @@ struct CountingRecorder {
 
 /// Counts, and keeps samples and snapshots of the wavefront.
 struct WavefrontRecorder : CountingRecorder {
-  /// @param distances those that the solver changes
+  /// @param distances the solver's, which it changes
   WavefrontRecorder(Recording& into, std::span<const double> distances)
       : CountingRecorder(into), distances_(distances) {
     recording.reached_by.assign(distances.size(), kNone);
   }
 
-  /// As above, and keeps the sample; a wavefront without windows has none.
+  /// As CountingRecorder's, and keeps the sample; a wavefront without windows gives none.
   template <class ForEachWindow>
   void sample(const Progress& progress, const ForEachWindow& for_each_window) {
     const WavefrontSample sample = CountingRecorder::sample(progress, for_each_window);
@@ -193,25 +193,24 @@ struct WavefrontRecorder : CountingRecorder {
   std::span<const double> distances_;
 };
 
-/// Remembers how paths arrive. A solver that is compiled against it hands over the root of every
-/// window, and calls
+/// Records the last segments of paths. A solver with this recorder stores the root of every window.
 struct PathRecorder : NoRecorder {
   static constexpr bool kRemembers = true;
   using Depth = StripDepth;
 
   void propagated(std::uint64_t /*windows*/, Depth /*deepest*/) {}
   explicit PathRecorder(LastSegments& into) : segments(into) {}
-  /// whenever a vertex gets a new distance, and
+  /// Call whenever a vertex gets a new distance.
   void arrived(Index v, const LastSegment& last_segment) { segments.arrived(v, last_segment); }
-  /// for every window that crosses the face of h, before other windows of its edge trim it there.
+  /// Call for every window that crosses the face of h, before other windows of its edge trim it.
   /// @param w in the frame of h; @param root as in LastSegment
   void crossing(Index h, const Window& w, Index root) { segments.crossing(h, w, root); }
 
   LastSegments& segments;
 };
 
-/// Calls `solve` with the recorder that `recording.kind` needs.
-/// @param distances those that `solve` fills
+/// Calls `solve` with the recorder for `recording.kind`.
+/// @param distances filled by `solve`
 template <class Solve>
 void solve_recording(const Mesh& mesh, const InternalQuery& query,
                      std::span<const double> distances, Recording& recording, Solve&& solve) {

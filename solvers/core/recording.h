@@ -1,4 +1,4 @@
-// What a recorded solve counts, times and samples, as plain data. Definitions: docs/metrics.md.
+// The counters, times and samples of a recorded solve, as plain data. Definitions: docs/metrics.md.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@
 
 namespace geodesic {
 
-/// The wavefront distances of the windows on the wavefront at one moment, in the mesh's unit.
+/// Wavefront distances of all windows on the wavefront at one moment, in the mesh's unit.
 struct WavefrontSample {
-  Index reached = 0;          ///< vertices that have a finite distance by then
+  Index reached = 0;          ///< vertices with a finite distance at that moment
   std::uint64_t windows = 0;  ///< at least one
   double least = kInfinity;
   double mean = 0;
@@ -26,47 +26,46 @@ struct WavefrontSample {
 struct WavefrontWindow {
   Index half_edge;    ///< in the mesh's internal numbering
   double begin, end;  ///< distances from the half-edge's origin
-  double distance;    ///< its wavefront distance: the least over the interval
+  double distance;    ///< wavefront distance: the least distance over the interval
 
   bool operator==(const WavefrontWindow&) const = default;
 };
 
 /// All windows on the wavefront at the moment of a sample.
 struct WavefrontSnapshot {
-  double share;  ///< of the reachable vertices: taken with the first sample that had so many
-  std::vector<WavefrontWindow> windows;  ///< in no particular order, as many as in the sample
+  double share;  ///< of the reachable vertices: taken with the first sample that has this share
+  std::vector<WavefrontWindow> windows;  ///< in no particular order; as many as in the sample
 
   bool operator==(const WavefrontSnapshot&) const = default;
 };
 
-/// Gives the windows that determine the distance along an edge: in order, without overlap, parts
-/// that nothing reached left out. Their frame is that of the edge's own half-edge, the smaller of
-/// the twins. Lines go on into that half-edge's face where y < 0, into the twin's where y > 0, and
-/// along the edge where y = 0. Valid as long as the call that hands it over.
-/// @param half_edge either twin, in the mesh's numbering
+/// Returns the windows that determine the distance along an edge, in order and without overlap.
+/// Parts of the edge that no window reached are left out. The frame is that of the smaller of the
+/// twins. Lines go on into its face where y < 0, into the other twin's face where y > 0, and along
+/// the edge where y = 0. The function is valid only during the call that passes it.
+/// @param half_edge either twin, in the mesh's internal numbers
 /// @param windows overwritten
 using FinalWindows = std::function<void(Index half_edge, std::vector<Window>& windows)>;
 
-/// Does something with the final windows of a solve (Recording::read_windows).
+/// Reads the final windows of a solve (Recording::read_windows).
 using ReadWindows = std::function<void(const FinalWindows&)>;
 
-/// How the shortest path to a vertex or a target arrives: the last of its straight pieces.
+/// The last straight segment of the shortest path to a vertex or target.
 struct LastSegment {
-  /// Its face holds the end of the piece: for a vertex, the apex of this half-edge. kNone at a
+  /// Half-edge whose face contains the end of the segment: for a vertex, its apex. kNone at a
   /// source and where no path leads.
   Index half_edge = kNone;
-  /// Where the piece begins: a vertex; or the number of vertices plus i for source i of the query,
-  /// where that lies on an edge or in a face. The vertex itself at a source, kNone where no path
-  /// leads.
+  /// Start of the segment: a vertex; or the number of vertices plus i, for source i of the query on
+  /// an edge or in a face. At a source it is the vertex itself, kNone where no path leads.
   Index root = kNone;
-  /// The root, unfolded along the piece into the frame of `half_edge`: y <= 0, but for a root in
-  /// the same face.
+  /// Position of the root, unfolded along the segment into the frame of `half_edge`. y <= 0, unless
+  /// the root lies in the same face.
   Point2 from = {0, 0};
 
   bool operator==(const LastSegment&) const = default;
 };
 
-/// A target of the query: its distance, exact wherever it lies, and how the path arrives.
+/// Distance of a target of the query, exact wherever the target lies, and its last segment.
 struct AtTarget {
   double distance = kInfinity;
   LastSegment last_segment = {};
@@ -74,29 +73,29 @@ struct AtTarget {
   bool operator==(const AtTarget&) const = default;
 };
 
-/// What a recorded solve is made for.
+/// What a recorded solve records.
 enum class RecordingKind : std::uint8_t {
   counters,
-  phase_times,  ///< and nothing else
-  wavefront,    ///< and counters
-  windows,      ///< those that the solve ends with, and nothing else
-  paths,        ///< how paths arrive, and nothing else
+  phase_times,  ///< nothing else
+  wavefront,    ///< with counters
+  windows,      ///< the windows at the end of the solve, nothing else
+  paths,        ///< the last segments of paths, nothing else
 };
 
-/// Integer results are the same on every run and every machine.
+/// Integer results are the same in every run and on every machine.
 struct Recording {
   RecordingKind kind = RecordingKind::counters;  ///< set by the caller
-  /// Of RecordingKind::wavefront: when to take snapshots, as shares of the reachable vertices,
+  /// For RecordingKind::wavefront: shares of the reachable vertices at which snapshots are taken,
   /// ascending.
   std::vector<double> snapshots_at = {};
-  /// Of RecordingKind::windows: called once, when the solve is over, by solvers that keep them
+  /// For RecordingKind::windows: called once at the end of the solve, by solvers that keep windows
   /// (Description::final_windows).
   const ReadWindows* read_windows = nullptr;
 
   std::optional<std::uint64_t> window_propagations;  ///< windows propagated across a face
-  std::optional<std::uint64_t> windows_created;      ///< before reduction drops any; not in MMP
+  std::optional<std::uint64_t> windows_created;      ///< before redundancy reduction; not in MMP
   std::optional<std::uint64_t> valid_windows;        ///< windows that survive redundancy reduction
-  std::optional<std::uint64_t> reinsertions;         ///< MMP only: contained in the two above
+  std::optional<std::uint64_t> reinsertions;         ///< MMP only: counted as propagated and valid
   std::optional<std::uint64_t> window_limit;         ///< MMP only: windows on all edges at the end
   std::optional<std::uint64_t> peak_wavefront;  ///< most windows on the wavefront at any moment
   std::optional<std::uint64_t> strip_depth;     ///< longest chain of faces a window crossed
@@ -106,13 +105,12 @@ struct Recording {
   std::optional<PhaseTimes> phase_times;
 
   std::vector<WavefrontSample> curve = {};        ///< at equal steps of progress (progress.h)
-  std::vector<WavefrontSnapshot> snapshots = {};  ///< those of snapshots_at that the solve got to
-  /// Of RecordingKind::wavefront, by vertex in the mesh's internal numbers: the first sample of the
-  /// curve by which it had a distance; kNone where it had none by the last.
+  std::vector<WavefrontSnapshot> snapshots = {};  ///< those of snapshots_at that the solve reached
+  /// For RecordingKind::wavefront: by vertex in internal numbers, the index of the first sample of
+  /// the curve at which the vertex had a distance; kNone where it had none by the last.
   std::vector<Index> reached_by = {};
 
-  /// Of RecordingKind::paths, both in the mesh's internal numbers: by vertex, and in the order of
-  /// Query::targets.
+  /// For RecordingKind::paths, in internal numbers: by vertex, and in the order of Query::targets.
   std::vector<LastSegment> last_segments = {};
   std::vector<AtTarget> targets = {};
 

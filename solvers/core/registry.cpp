@@ -16,8 +16,8 @@ struct Entry {
 };
 
 // A map: descriptions keep their address, and solvers are listed by name whatever the link order.
-// Changed only where solvers register, before they are asked for. Never destroyed: threads may
-// solve until the process ends.
+// It changes only while solvers register, before any is looked up. It is never destroyed, because
+// threads may solve until the process ends.
 std::map<std::string, Entry, std::less<>>& entries() {
   static auto& map = *new std::map<std::string, Entry, std::less<>>;
   return map;
@@ -25,8 +25,8 @@ std::map<std::string, Entry, std::less<>>& entries() {
 
 constinit Registrations* collected = nullptr;  // by collect_registrations, while it runs
 
-// Descriptions of configured solvers, by their canonical name. They are kept, as registered ones
-// are: solvers refer to them.
+// Descriptions of configured solvers, by canonical name. They are kept like registered ones,
+// because solvers refer to them.
 class Configured {
  public:
   const Description& keep(const Description& description) {
@@ -48,7 +48,7 @@ bool is_word(std::string_view text, std::string_view characters) {
   return !text.empty() && text.find_first_not_of(characters) == std::string_view::npos;
 }
 
-// Parameters stand in names of solvers, and these in commands and names of files.
+// Parameter names are part of solver names, and these are part of commands and file names.
 void check_description(const Description& solver) {
   constexpr std::string_view kName = "abcdefghijklmnopqrstuvwxyz0123456789-";
   constexpr std::string_view kChoice = "abcdefghijklmnopqrstuvwxyz0123456789-_.";
@@ -74,7 +74,7 @@ void check_description(const Description& solver) {
         "is bounded and declares no error_bound");
 }
 
-// The values in "avtp?lambda=32&threads=2", as they are written.
+// The values in "avtp?lambda=32&threads=2", as written.
 ParameterValues values_in(const Description& solver, std::string_view name) {
   ParameterValues values;
   std::string_view rest = name.substr(solver.name.size() + 1);

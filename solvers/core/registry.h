@@ -15,8 +15,8 @@
 #include "solvers/core/contract.h"
 #include "solvers/core/solver.h"
 
-/// Adds a solver that was compiled against `contract` (contract.h). The other arguments are used
-/// only when that is the registry's own: plug-ins of any version call this function, whose
+/// Adds a solver that was compiled against `contract` (contract.h). The other arguments are read
+/// only if `contract` is the registry's own. Plug-ins of any version call this function: its
 /// signature never changes.
 /// @param description geodesic::Description, moved from
 /// @param factory geodesic::SolverFactory, moved from
@@ -28,41 +28,40 @@ namespace geodesic {
 using SolverFactory =
     std::function<std::unique_ptr<Solver>(const Mesh& mesh, const Description& description)>;
 
-/// Adds a solver. @throws std::logic_error when the name is taken, or a parameter is not as it must
-/// be
+/// Adds a solver.
+/// @throws std::logic_error when the name is taken or a parameter is described wrongly
 void register_solver(Description description, SolverFactory factory);
 
-/// The outcome of solvers registering themselves.
+/// The solvers that registered themselves while libraries were loaded.
 struct Registrations {
-  std::vector<std::string> added;    ///< names
-  std::vector<std::string> refused;  ///< why, a sentence each
+  std::vector<std::string> added;    ///< names of solvers
+  std::vector<std::string> refused;  ///< the reasons, one sentence per solver
 };
 
 /// Calls `load`, which may load shared libraries. Solvers in them that cannot be added are listed
-/// as refused: an exception could not leave the loading of a library.
+/// as refused, since no exception can leave the loading of a library.
 Registrations collect_registrations(const std::function<void()>& load);
 
-/// Descriptions of all registered solvers, by name.
+/// Returns the descriptions of all registered solvers, sorted by name.
 std::vector<const Description*> registered_solvers();
 
-/// A solver by its name, with values for its parameters where these are not the default:
-/// "mmp", "avtp?lambda=32&threads=2". The description of such a configured solver has one canonical
-/// name (defaults left out, parameters in the order of their description, numbers in their shortest
-/// form) and one address, which stays valid; threads may ask at the same time.
+/// Returns a solver by its name, with values for parameters that are not at their default: "mmp",
+/// "avtp?lambda=32&threads=2". The description of a configured solver has one canonical name
+/// (defaults left out, parameters in the order of their description, numbers in their shortest
+/// form) and one address, which stays valid. Threads may call it at the same time.
 /// @return null when no solver has that name
-/// @throws std::invalid_argument naming the solver, for a parameter that it does not have or a
-/// value
-///         out of range
+/// @throws std::invalid_argument naming the solver, for an unknown parameter or a value out of
+///        range
 const Description* find_solver(std::string_view name);
 
 /// As find_solver. @throws std::invalid_argument for an unknown name too, listing the known ones
 const Description& solver_named(std::string_view name);
 
-/// What stands before the parameters: "avtp" of "avtp?lambda=32".
+/// The part of a name before the parameters: "avtp" of "avtp?lambda=32".
 std::string_view base_name(std::string_view name);
 
-/// Prepares a solver for a mesh, which must outlive it.
-/// @param name as of solver_named, which says what is thrown
+/// Prepares a solver for a mesh. The mesh must outlive the solver.
+/// @param name as in solver_named, whose exceptions it throws
 std::unique_ptr<Solver> make_solver(std::string_view name, const Mesh& mesh);
 
 /// Whether a solver runs only when it is named: set by geodesic_add_solver
@@ -73,7 +72,7 @@ inline constexpr bool kByNameOnly = true;
 inline constexpr bool kByNameOnly = false;
 #endif
 
-/// Registers S when it is constructed, as an object at namespace scope.
+/// Registers S when it is constructed at namespace scope.
 template <class S>
 struct RegisterSolver {
   explicit RegisterSolver(Description description) {

@@ -110,7 +110,7 @@ SurfacePoint in_external_numbers(const Mesh& mesh, const InternalPoint& point) {
 
 namespace {
 
-/// Of the points of an edge, the one with these weights of the edge's ends.
+/// The point of edge h with these weights of the edge's ends.
 InternalPoint on_half_edge(Index h, double at_origin, double at_head) {
   InternalPoint point;
   point.face = h / 3;

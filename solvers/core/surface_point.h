@@ -1,4 +1,4 @@
-// Points of a mesh's surface, where paths begin and end: vertices, points of edges and of faces.
+// Points of a mesh's surface, where paths begin and end: vertices, points on edges and in faces.
 #pragma once
 
 #include <array>
@@ -11,18 +11,18 @@
 
 namespace geodesic {
 
-/// A vertex, or a point of a face, its edges included. Points of either numbering have a type of
-/// their own, so that a function of one does not take the other.
+/// A vertex, or a point of a face, including its edges. External and internal numbers have separate
+/// types, so that a function for one does not accept the other.
 template <Numbers numbers>
 struct PointIn {
   Index vertex = kNone;  ///< kNone: the point lies in a face
   Index face = kNone;    ///< kNone at a vertex
-  /// Barycentric, of the corners of `face` in the order of its triangle: none negative, sum 1, at
-  /// most one of them 0 (the point then lies on the edge opposite to that corner).
+  /// Barycentric weights of the corners of `face`, in the order of its triangle: none is negative,
+  /// their sum is 1, at most one is 0 (the point then lies on the edge opposite that corner).
   std::array<double, 3> weights = {};
 
   PointIn() = default;
-  /// A number alone is an external one. An internal one is named as such.
+  /// A plain number converts to an external vertex. An internal one must be constructed explicitly.
   explicit(numbers == Numbers::internal) PointIn(Index at_vertex)  // NOLINT: is a surface point
       : vertex(at_vertex) {}
 
@@ -32,42 +32,42 @@ struct PointIn {
 using SurfacePoint = PointIn<Numbers::external>;
 using InternalPoint = PointIn<Numbers::internal>;
 
-/// The point of a face with these weights, which are divided by their sum; a vertex where two of
+/// Returns the point of a face with these weights divided by their sum. It is a vertex when two of
 /// them are 0.
-/// @throws std::invalid_argument when the face is not in the mesh, or a weight is negative or not
-///         finite, or all are 0
+/// @throws std::invalid_argument when the face is not in the mesh, a weight is negative or not
+///        finite, or all are 0
 SurfacePoint point_in_face(const Mesh& mesh, Index face, const std::array<double, 3>& weights);
 
-/// The point between two neighbours, `share` of the way from vertex a to vertex b.
+/// Returns the point on the edge from vertex a to vertex b, `share` of the way from a.
 /// @throws std::invalid_argument when no edge joins them, or the share is not from 0 to 1
 SurfacePoint point_on_edge(const Mesh& mesh, Index a, Index b, double share);
 
-/// In space, in the mesh's unit of length.
+/// Position in space, in the mesh's unit of length.
 Vec3 position_of(const Mesh& mesh, const SurfacePoint& point);
 
-/// The same of a point by internal numbers.
+/// Position of a point in internal numbers.
 Vec3 position_of(const Mesh& mesh, const PointIn<Numbers::internal>& point);
 
-/// What is wrong with a point of this mesh: "vertex 9 is not in the mesh of 8 vertices"; empty when
-/// nothing is. Every query is checked by it.
+/// Says what is wrong with a point on this mesh: "vertex 9 is not in the mesh of 8 vertices"; empty
+/// for a valid point. Every query is checked by it.
 std::string defect_of(const Mesh& mesh, const SurfacePoint& point);
 
-/// The same point by its other numbers.
-/// @param point without a defect
+/// Converts a point to internal numbers.
+/// @param point has no defect
 InternalPoint in_internal_numbers(const Mesh& mesh, const SurfacePoint& point);
 
-/// The same, the other way.
+/// Converts a point to external numbers.
 SurfacePoint in_external_numbers(const Mesh& mesh, const InternalPoint& point);
 
-/// A point of the face of half-edge h, in the frame of h: y >= 0.
-/// @param point not a vertex, and of that face
+/// Position of a point of the face of half-edge h, in the frame of h: y >= 0.
+/// @param point not a vertex, in that face
 inline Point2 in_frame(const Mesh& mesh, const InternalPoint& point, Index h) {
   const HalfEdge& e = mesh.half_edge(h);
   const double head = point.weights[(h + 1) % 3], apex = point.weights[(h + 2) % 3];
   return {head * e.length + apex * e.apex_x, apex * e.apex_y};
 }
 
-/// The half-edge of the point's face on which it lies, kNone inside the face.
+/// The half-edge of the point's face that the point lies on; kNone in the interior of the face.
 inline Index edge_under(const InternalPoint& point) {
   for (Index k = 0; k < 3; ++k) {
     if (point.weights[k] == 0) return 3 * point.face + (k + 1) % 3;
@@ -75,32 +75,32 @@ inline Index edge_under(const InternalPoint& point) {
   return kNone;
 }
 
-/// True when a source in the face of a half-edge, or at an end of it, lies so near to its apex, at
-/// this distance, that rounding turns the lines of the source round it: where they part there may
-/// be a gap. The apex has to send out windows then, whatever vertex it is: its lines are as long.
-/// Compared with the sides of the face, up to a factor: every neighbour of a vertex that sends out
-/// windows is asked.
+/// True when a source in the face of a half-edge, or at an end of it, is so near to the apex, at
+/// this distance, that rounding turns the source's lines round the apex. Where the lines part there
+/// may be a gap, so the apex must send out windows, whatever kind of vertex it is: its lines are as
+/// long. The distance is compared with the sides of the face, up to a factor, because the test runs
+/// for every neighbour of a vertex that sends out windows.
 inline bool is_next_to_apex(const HalfEdge& e, double distance) {
   return distance < kNextToCorner * (e.length + std::abs(e.apex_x) + e.apex_y);
 }
 
-/// The same point in every face that it lies in, first in its own: on an edge, in the face beyond
-/// it too, and where paths cross non-manifold edges, in all faces of the edge and in their mirror
-/// images.
+/// Returns the point in every face that contains it, first in its own. For a point on an edge that
+/// includes the face beyond; if paths cross non-manifold edges, all faces of the edge and their
+/// mirror images.
 /// @param point not a vertex
 std::vector<InternalPoint> in_every_face(const Mesh& mesh, const InternalPoint& point);
 
-/// The point of a mirror image in the face itself; any other point as it is.
+/// Moves a point of a mirror image into the given face; returns any other point unchanged.
 InternalPoint in_given_face(const Mesh& mesh, const InternalPoint& point);
 
 /// Follows all straight lines that leave a point of a face through its corners and sides.
 /// @param in_face not a vertex
 /// @param reach called as (Index h, Point2 from, double distance, bool is_next) for each corner,
-///        the apex of h: the point in the frame of h, how far it is from the corner, with all
-///        digits that its weights have, however near that is, and is_next_to_apex
-/// @param cross called as (Index h, Point2 from) for each side on which the point does not lie: the
-///        lines pass all of it. The point in the frame of the twin of h: y <= 0, and off the side
-///        as an apex is (apex_from_beyond). The twin may not exist.
+///        the apex of h: the point in the frame of h; its distance from the corner, accurate to all
+///        digits of the weights, however small it is; and is_next_to_apex
+/// @param cross called as (Index h, Point2 from) for each side on which the point does not lie,
+///        since lines pass all of it: the point in the frame of the twin of h, with y <= 0 and kept
+///        off the side as an apex is (apex_from_beyond). The twin may not exist.
 template <class Reach, class Cross>
 void spread_in_face(const Mesh& mesh, const InternalPoint& in_face, const Reach& reach,
                     const Cross& cross) {
@@ -114,7 +114,7 @@ void spread_in_face(const Mesh& mesh, const InternalPoint& in_face, const Reach&
   }
 }
 
-/// The same in every face that the point lies in.
+/// Calls spread_in_face for every face that contains the point.
 template <class Reach, class Cross>
 void spread_from(const Mesh& mesh, const InternalPoint& point, const Reach& reach,
                  const Cross& cross) {

@@ -1,6 +1,6 @@
 // Threads that work through one list of pieces after another and wait for each other in between.
 //
-// A list takes tens of microseconds, so that they wait by looking, not by sleeping.
+// A list takes tens of microseconds, so waiting threads spin and do not sleep.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace geodesic {
 
-/// For tests: as long as it lives, threads of a team wait for a while before some pieces.
+/// For tests: during its lifetime, threads of a team wait for a while before some pieces.
 class DelayedPieces {
  public:
   DelayedPieces() { living.fetch_add(1); }
@@ -25,7 +25,7 @@ class DelayedPieces {
   static void wait() {
     if (living.load(std::memory_order_relaxed) == 0) return;
     thread_local unsigned state = 0;
-    state = state * 1664525u + 1013904223u;  // of another length in each thread, soon
+    state = state * 1664525u + 1013904223u;  // soon differs between threads
     for (unsigned i = state >> 27; i > 0; --i) std::this_thread::yield();
   }
 
@@ -35,11 +35,11 @@ class DelayedPieces {
 
 class ThreadTeam {
  public:
-  /// Runs work(team, thread) in as many threads as can be had, this one among them, until all have
-  /// ended. All must make the same calls of `share`.
-  /// @param threads at least 1; more than `most` are of no use
-  /// @param most pieces that a list may have
-  /// @throws what a piece threw
+  /// Runs work(team, thread) in up to `threads` threads, including this one, until all have ended;
+  /// fewer if no more can start. All must make the same calls of `share`.
+  /// @param threads at least 1; more than `most` are useless
+  /// @param most largest number of pieces of a list
+  /// @throws the exception that a piece threw
   template <class Work>
   static void run(unsigned threads, std::size_t most, const Work& work) {
     ThreadTeam team(most);
@@ -52,7 +52,7 @@ class ThreadTeam {
             work(team, t);
           });
         }
-      } catch (const std::system_error&) {  // no more threads: these do the work
+      } catch (const std::system_error&) {  // no more threads: the existing ones do the work
       }
       team.start(static_cast<unsigned>(others.size()) + 1);
       work(team, 0U);
@@ -61,11 +61,11 @@ class ThreadTeam {
   }
 
   /// Calls piece(i) for i from 0 to count - 1, each once in some thread, then then() in one of
-  /// them, before any goes on. Nothing more is called once a call has thrown.
-  /// @param thread that calls
+  /// them, before any continues. Makes no more calls once one has thrown.
+  /// @param thread the calling one
   /// @param count at most `most`
-  /// @param home called with i: the thread that has piece i, unless another one is free before
-  /// @param piece, then what to do
+  /// @param home called with i: the thread that takes piece i, unless another is free earlier
+  /// @param piece, then the functions to call
   template <class Home, class Piece, class Then>
   void share(unsigned thread, std::size_t count, const Home& home, const Piece& piece,
              const Then& then) {
@@ -92,12 +92,12 @@ class ThreadTeam {
     for (unsigned looks = 0; list_.load(std::memory_order_acquire) == list; ++looks) pause(looks);
   }
 
-  /// A home for `share`: the first pieces to the first thread, and so on.
+  /// A home for `share`: equal runs of successive pieces for each thread.
   auto in_equal_parts(std::size_t count) const {
     return [this, count](std::size_t i) { return static_cast<unsigned>(i * threads_ / count); };
   }
 
-  /// Whether a call has thrown. All threads get the same answer between two calls of `share`.
+  /// Whether a call has thrown. Between two calls of `share`, all threads get the same answer.
   bool has_stopped() const { return has_stopped_; }
 
  private:
@@ -124,14 +124,14 @@ class ThreadTeam {
   }
 
   static void pause(unsigned looks) {
-    constexpr unsigned kEagerLooks = 4000;  // some 50 us; then others may need the processor
+    constexpr unsigned kEagerLooks = 4000;  // about 50 us; then others may need the processor
     if (looks >= kEagerLooks) return std::this_thread::yield();
 #if defined(__x86_64__) || defined(__i386__)
     __builtin_ia32_pause();
 #endif
   }
 
-  std::vector<std::atomic<bool>> taken_;  // by piece of the list at work
+  std::vector<std::atomic<bool>> taken_;  // by piece of the current list
   unsigned threads_ = 1;
   bool has_stopped_ = false;
   std::exception_ptr failure_;
@@ -139,7 +139,7 @@ class ThreadTeam {
   std::atomic<bool> has_failed_ = false;
   // Each on a cache line of its own, since all threads write them.
   alignas(64) std::atomic<unsigned> arrived_ = 0;
-  alignas(64) std::atomic<unsigned> list_ = 0;  // number of the list at work; 0 before the first
+  alignas(64) std::atomic<unsigned> list_ = 0;  // number of the current list; 0 before the first
 };
 
 }  // namespace geodesic

@@ -5,7 +5,7 @@
 // is kept in the frame of the half-edge whose face the lines are about to enter (core/mesh.h):
 // the edge is the x axis from 0 to its length, the face lies at y > 0, the source at y <= 0.
 // Storing the source's position instead of the two end distances spares square roots and digits.
-// What a window's lines reach, and what beats them: window_predicates.h.
+// Rules about windows (which points they reach, which paths beat them): window_predicates.h.
 #pragma once
 
 #include <algorithm>
@@ -23,19 +23,19 @@ struct Point2 {
   bool operator==(const Point2&) const = default;
 };
 
-/// Its distance from the origin. By square root, which is the same bits in every C library, as
-/// std::hypot is not: squares of lengths are within range (mesh_input.h).
+/// Distance from the origin. Uses the square root, which gives the same bits in every C library;
+/// std::hypot does not. Squares of lengths are within range (mesh_input.h).
 inline double norm(const Point2& p) { return std::sqrt(p.x * p.x + p.y * p.y); }
 
-/// The geometry of a window; solvers derive from it what else they keep.
+/// The geometry of a window. Solvers derive their window types from it.
 struct Window {
   double begin, end;  ///< 0 <= begin < end <= length of the half-edge, from its origin
   double x, y;        ///< unfolded position of the (pseudo-)source, y <= 0
   double sigma;       ///< distance from the nearest source to that pseudo-source
 };
 
-/// Distance through the window's source to the point (px, py) of the half-edge's frame; the line is
-/// not checked to pass through the window.
+/// Distance through the window's source to the point (px, py) of the half-edge's frame. Does not
+/// check that the line passes through the window.
 inline double distance_through(const Window& w, double px, double py) {
   const double dx = px - w.x, dy = py - w.y;
   return w.sigma + std::sqrt(dx * dx + dy * dy);
@@ -121,20 +121,20 @@ inline FaceFrame face_frame(const Mesh& mesh, Index h) {
           .apex_y = e.apex_y,
           .left = left,
           .right = right,
-          // Where the other two edges are one, exactly: lines wind around a vertex whose faces have
-          // all collapsed, and come back longer or shorter by what is rounded here.
+          // If the other two edges coincide, exactly: lines wind around a vertex whose faces have
+          // all collapsed, and a rounding error here would change their length at each turn.
           .left_x = right > 0 ? e.apex_x * per_left : 1,
           .left_y = e.apex_y * per_left,
-          // The cosine at the head, from the frame that has it as a scalar product: the difference
-          // of length and apex_x has no digits left when the right edge is very short.
+          // The cosine at the head, from the next frame, where it is a scalar product. The
+          // difference of length and apex_x has no digits left when the right edge is very short.
           .right_x = e.length > 0 ? next.apex_x / e.length : 0,
           .right_y = -e.apex_y * per_right};
 }
 
-/// Where a point of a half-edge's face lies as seen from beyond: in the frame of the twin. In a
-/// face without area it may lie on the edge; between the edge's ends it is then taken to lie off it
-/// by kTouchingHeight, so that its lines have a side. A point that coincides with an end has none:
-/// the windows of a collapsed edge's two ends would go round it without end.
+/// A point of a half-edge's face in the frame of the twin. In a face without area the point may lie
+/// on the edge. Between the edge's ends it is then moved off the edge by kTouchingHeight, so that
+/// its lines have a side. A point that coincides with an end is not moved: the windows of a
+/// collapsed edge's two ends would go round it without end.
 inline Point2 seen_from_beyond(const Point2& p, double length) {
   const double margin = kWindowWidth * length;
   const bool between = p.x > margin && p.x < length - margin;

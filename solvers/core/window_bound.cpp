@@ -8,7 +8,7 @@
 namespace geodesic {
 namespace {
 
-constexpr double kPerRoot = 1024;  // times H sqrt(H)
+constexpr double kPerRoot = 1024;  // factor of H sqrt(H)
 constexpr std::uint64_t kFloor = std::uint64_t{1} << 20;
 constexpr std::uint64_t kNotLowered = std::numeric_limits<std::int64_t>::max();
 

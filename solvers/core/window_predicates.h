@@ -1,4 +1,4 @@
-// What the lines of a window reach, and what beats them: the rules that all window solvers share.
+// What a window's lines reach, and which paths beat them: rules that all window solvers share.
 #pragma once
 
 #include <algorithm>
@@ -9,22 +9,22 @@
 
 namespace geodesic {
 
-/// True when too narrow to matter, or emptied by trimming.
+/// True when the window is too narrow to matter, or trimming has emptied it.
 /// @param length of the edge
 inline bool is_void(const Window& w, double length) {
   return !(w.end - w.begin > kWindowWidth * length);
 }
 
 /// True when the window's source lies almost on the edge, inside the interval: the apex of a face
-/// without area. All its lines, whatever their directions, pass the edge in one point, so that an
-/// interval that ends there does not show which of them are left.
+/// without area. All its lines, in whatever direction, pass the edge in one point. An interval that
+/// ends there therefore does not show which lines are left.
 inline bool source_on_edge(const Window& w, double length) {
   return w.y > -kFlatFace * length && w.begin <= w.x && w.x <= w.end;
 }
 
-/// What rounding may add to a distance that is far shorter than the edges whose frames its window
-/// came through: a source near to a long edge still has coordinates along that edge. Two windows of
-/// one source then differ by that much, and which of them is the shorter one is chance.
+/// Largest rounding of a distance that is far shorter than the edges whose frames its window has
+/// come through: a source near a long edge still has coordinates along that edge. Two windows of
+/// one source then differ by as much, and it is chance which of them is shorter.
 inline double coordinate_rounding(const Mesh& mesh) {
   double longest_edge = 0;
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
@@ -33,19 +33,19 @@ inline double coordinate_rounding(const Mesh& mesh) {
   return kCoordinateRounding * longest_edge;
 }
 
-/// True when rounding of coordinates turns the window's line through position t: its source is next
-/// to the edge there.
+/// True when rounding of coordinates turns the window's line through position t, because its source
+/// is next to the edge there.
 inline bool is_turned_by_rounding(const Window& w, double t, double rounding) {
   return std::abs(t - w.x) - w.y < kNextToEdge * rounding;
 }
 
-/// Positive when (px, py) lies to the right of the line from the source of w through t, times the
-/// line's length and the distance between the point and the source.
+/// Positive when (px, py) lies to the right of the line from the source of w through t. The value
+/// is scaled by the line's length and the distance between point and source.
 inline double right_of(const Window& w, double t, double px, double py) {
   return (px - w.x) * -w.y - (t - w.x) * (py - w.y);
 }
 
-/// How the lines of a window pass a point beyond the edge.
+/// Position of a point beyond the edge relative to the lines of a window.
 class WindowSight {
  public:
   /// @param p in the frame of the window, p.y >= 0
@@ -56,13 +56,13 @@ class WindowSight {
         right_of_begin_(p_.x * begin_.y - begin_.x * p_.y),
         right_of_end_(p_.x * end_.y - end_.x * p_.y) {}
 
-  /// Some pass it on this side.
+  /// Some line passes the point on this side.
   bool left() const { return right_of_begin_ > 0; }
   bool right() const { return right_of_end_ < 0; }
   /// The line through this end of the interval passes the point itself, within kApexReach.
   bool at_begin() const { return is_at(begin_, right_of_begin_); }
   bool at_end() const { return is_at(end_, right_of_end_); }
-  /// Some line does. Other paths through the window to the point bend at an end of the interval.
+  /// Some line passes the point itself. Other paths to it bend at an end of the interval.
   bool reaches() const { return (left() || at_begin()) && (right() || at_end()); }
 
  private:
@@ -71,28 +71,28 @@ class WindowSight {
   }
   static double square(const Point2& a) { return a.x * a.x + a.y * a.y; }
 
-  Point2 p_, begin_, end_;                // from the window's source
+  Point2 p_, begin_, end_;                // relative to the window's source
   double right_of_begin_, right_of_end_;  // times two lengths
 };
 
-/// Where the line from the window's source to the apex crosses the line of the edge.
+/// Position where the line from the window's source to the apex crosses the line of the edge.
 inline double line_crossing(const Window& w, const FaceFrame& face) {
   const double up = std::max(face.apex_y - w.y, kLeastHeight);
   return w.x + (face.apex_x - w.x) * (-w.y / up);
 }
 
-/// The length of a path with the margin that a window must be longer by to be beaten by it.
+/// The length of a path with the margin by which a window must be longer to be beaten by the path.
 inline double with_margin(double length) { return length * (1 + kPathMargin); }
 
 /// True when a path to position t of the edge is shorter than the window's line there.
-/// @param rival its length, with_margin
+/// @param rival the length of the path, with_margin
 inline bool is_beaten_at(const Window& w, double t, double rival) {
   // rival < sigma + |source t|, squared to spare the root.
   const double straight = rival - w.sigma, dx = t - w.x;
   return (straight < 0) | (straight * straight < dx * dx + w.y * w.y);
 }
 
-/// Distances of the two ends of an edge, to compare with its windows.
+/// Distances of the two ends of an edge, for comparison with its windows.
 struct EndpointBounds {
   double length;
   double at_origin, at_head;  ///< with_margin
@@ -100,16 +100,16 @@ struct EndpointBounds {
   EndpointBounds(double edge, double origin, double head)
       : length(edge), at_origin(with_margin(origin)), at_head(with_margin(head)) {}
 
-  /// True when every point of the window is reached at least as well along the edge from one of its
-  /// ends (the filter of Xin and Wang 2009): d(origin) + end < sigma + |source - end|, or the
-  /// mirror.
+  /// True when every point of the window can be reached along the edge from one end of the edge at
+  /// least as well (the filter of Xin and Wang 2009): d(origin) + end < sigma + |source - end|, or
+  /// the mirror.
   bool beat(const Window& w) const {
     return is_beaten_at(w, w.end, at_origin + w.end) ||
            is_beaten_at(w, w.begin, at_head + (length - w.begin));
   }
 
-  /// The same for a window over the whole edge.
-  /// @param to_origin, to_head the distances that it gives to the edge's ends
+  /// As `beat`, for a window over the whole edge.
+  /// @param to_origin, to_head distances of the edge's ends through the window
   bool beat_whole(double to_origin, double to_head) const {
     return (at_origin + length < to_head) | (at_head + length < to_origin);
   }

@@ -1,5 +1,5 @@
-// Edge-based propagation that merges the windows of an edge as long as no distance is off by more
-// than a tolerance. How, and why that holds: solvers/edge_based/merge.h.
+// Edge-based propagation that merges windows of an edge while no distance has an error above a
+// tolerance. Method and proof: solvers/edge_based/merge.h.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace geodesic::edge_based {
 
-/// Vertices wait in buckets: which one of a bucket is first hardly matters.
+/// Vertices wait in buckets, since the order within a bucket hardly matters.
 class Approximate final : public Solver {
  public:
   Approximate(const Mesh& mesh, const Description& description)
@@ -33,7 +33,7 @@ class Approximate final : public Solver {
   template <class Recorder>
   using Merging = Wavefront<MergedCrossing, VertexCalendar, Recorder>;
 
-  /// Of a bucket, in mean edge lengths.
+  /// Width of a bucket, in mean edge lengths.
   static constexpr double kBucketWidth = 1.0 / 16;
 
   template <class Recorder>
@@ -49,7 +49,7 @@ class Approximate final : public Solver {
     solve_recorded(query, distances, *recording);
   }
 
-  /// A recorded solve, compiled apart (core/recorders.h).
+  /// A recorded solve, compiled separately (core/recorders.h).
   void solve_recorded(const InternalQuery& query, std::span<double> distances,
                       Recording& recording) const;
 

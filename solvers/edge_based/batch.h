@@ -1,4 +1,4 @@
-// The windows of one list while they cross a face: a structure of arrays.
+// The windows of one list while they cross a face, as a structure of arrays.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace geodesic::edge_based {
 
-/// One bit for each window of a list, kMostLanes of them in a byte.
+/// One bit per window of a list, kMostLanes bits per byte.
 class Marks {
  public:
   void reserve(std::size_t windows) {
@@ -28,13 +28,13 @@ class Marks {
     groups_[i / kMostLanes] &= static_cast<std::uint8_t>(~(1u << (i % kMostLanes)));
   }
 
-  /// Those of so many windows, from another list's.
+  /// Copies the marks of the first `windows` windows of another list.
   void copy(const Marks& from, std::size_t windows) {
     reserve(windows);
     std::copy_n(from.groups_.begin(), windows / kMostLanes + 1, groups_.begin());
   }
 
-  /// The first marked window from `i` on, of `count`; `count` where there is none.
+  /// The first marked window from `i` on, among `count` windows; `count` if there is none.
   std::size_t next(std::size_t i, std::size_t count) const {
     if (i >= count) return count;
     std::size_t group = i / kMostLanes;
@@ -46,7 +46,7 @@ class Marks {
     return group * kMostLanes + static_cast<std::size_t>(std::countr_zero(marks));
   }
 
-  /// For kernels.
+  /// The bytes of the marks, for kernels.
   std::uint8_t* groups() { return groups_.data(); }
   const std::uint8_t* groups() const { return groups_.data(); }
 
@@ -54,25 +54,25 @@ class Marks {
   std::vector<std::uint8_t> groups_;
 };
 
-/// Arrays of equal room; vectors may read and write up to kMostLanes doubles behind the last
-/// window.
+/// Arrays of equal capacity. Vector instructions may read and write up to kMostLanes doubles behind
+/// the last window.
 class Batch {
  public:
-  /// @param fields that windows have, of Field
+  /// @param fields number of fields of a window (Field)
   explicit Batch(unsigned fields) : fields_(fields) {}
 
   std::size_t count = 0;
-  /// Written by the kernels: which sides of the apex the lines of a window pass; both are marked
-  /// where they pass the apex.
+  /// Set by the kernels: the sides on which a window's lines pass the apex. Both are marked if
+  /// lines pass through the apex.
   Marks passes_left, passes_right;
-  /// Windows that are not in order with the next one; windows that sides_kept (split.h) decides.
+  /// Windows out of order with the next one; windows that sides_kept (split.h) decides.
   Marks suspects, contested;
 
   unsigned fields() const { return fields_; }
   double* array(unsigned field) { return arrays_.get() + field * room_; }
   const double* array(unsigned field) const { return arrays_.get() + field * room_; }
 
-  /// Room for this many windows, keeping what is there.
+  /// Makes room for this many windows and keeps the existing ones.
   void reserve(std::size_t windows);
 
   Window window(std::size_t i) const { return window_of(*this, i); }
@@ -80,13 +80,13 @@ class Batch {
     array(kBegin)[i] = w.begin;
     array(kEnd)[i] = w.end;
   }
-  /// Takes a window out without moving the others: no line leads through its empty interval, so
-  /// that it lies on neither side of any apex.
+  /// Removes a window without moving the others: no line passes its empty interval, so it lies on
+  /// neither side of any apex.
   void strike_out(std::size_t i) {
     array(kBegin)[i] = kInfinity;
     array(kEnd)[i] = -kInfinity;
   }
-  /// What is left of a window of an edge of this length; struck out where that is nothing.
+  /// Stores the rest of a window of an edge of this length, or strikes it out if nothing is left.
   /// @return false when it is struck out
   bool put_back(std::size_t i, const Window& w, double length) {
     const bool remains = !is_void(w, length);

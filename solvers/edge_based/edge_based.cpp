@@ -2,17 +2,17 @@
 // successor is Qin, Han, Yu, Yu, Zhang 2016, "Fast and memory-efficient Voronoi diagram
 // construction and exact geodesics by vertex-oriented triangle propagation" (VTP).
 //
-// The wavefront is a set of half-edges that carry lists of windows. Vertices wait in buckets by
-// distance. When one is popped, the faces around it are entered: every list on their edges is
-// propagated across its face as a whole, trimmed by Strategy I (trim.h) and divided by Strategy II
-// (split.h). Windows that land on an edge whose next face has been entered already go on at once,
-// through a FIFO; all others wait. Any order is correct, since only beaten lines are ever dropped;
-// this one keeps late arrivals rare.
+// The wavefront is a set of half-edges with lists of windows. Vertices wait in buckets by distance.
+// When one is popped, the faces around it are entered: every list on their edges is propagated
+// across its face as a whole, trimmed by Strategy I (trim.h) and divided by Strategy II (split.h).
+// Windows that land on an edge whose next face has already been entered go on at once, through a
+// FIFO; all others wait. Any order is correct, since only beaten lines are ever dropped; this one
+// keeps late arrivals rare.
 //
-// What waits, what is entered and when a solve is over: wavefront.h; on several threads:
-// regional_wavefront.h. What crosses a face: list_crossing.h, whose steps over whole lists
-// (kernels.h) are compiled for several instruction sets; which one runs is chosen when a solver is
-// constructed (core/instruction_set.h). All of them give the same bits.
+// The order of crossings and the end of a solve: wavefront.h; several threads:
+// regional_wavefront.h. The crossing of a face: list_crossing.h. Its steps over whole lists
+// (kernels.h) are compiled for several instruction sets; constructing a solver selects one
+// (core/instruction_set.h). All of them give the same bits.
 #include "solvers/edge_based/edge_based.h"
 
 namespace geodesic::edge_based {

@@ -1,4 +1,4 @@
-// Edge-based propagation as a solver: the wavefront (wavefront.h) of exact lists (list_crossing.h).
+// The exact edge-based solver: a wavefront (wavefront.h) with exact lists (list_crossing.h).
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace geodesic::edge_based {
 
-/// Least distance first, up to a sixteenth of the mean edge.
+/// Least distance first, up to a sixteenth of the mean edge length.
 struct ByDistance {
   using Queue = VertexCalendar;
   static Queue make_queue(const Mesh& mesh) {
@@ -20,7 +20,7 @@ struct ByDistance {
   }
 };
 
-/// @tparam Order in which vertices leave the queue, as ByDistance
+/// @tparam Order order in which vertices leave the queue, as ByDistance
 template <class Order>
 class EdgeBased final : public Solver {
  public:

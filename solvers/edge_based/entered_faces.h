@@ -1,5 +1,5 @@
-// Which faces the wavefront has entered, on which half-edges something waits, and which of them
-// cross next.
+// The faces that the wavefront has entered, the half-edges on which windows wait, and those whose
+// windows cross next.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace geodesic::edge_based {
 
-/// A face is entered when one of its vertices is popped. What waits on its half-edges crosses then,
-/// first in, first out, and what lands on them later crosses after that.
+/// A face is entered when one of its vertices is popped. The windows that wait on its half-edges
+/// then cross it, first in, first out; windows that land later cross it afterwards.
 class EnteredFaces {
  public:
   explicit EnteredFaces(Index faces) : faces_(faces) {}
@@ -24,7 +24,7 @@ class EnteredFaces {
 
   bool has_entered(Index h) const { return (faces_[h / 3] & kEntered) != 0; }
 
-  /// Something has landed on h, where `has_landed`.
+  /// Call when windows have landed on h; without effect if `has_landed` is false.
   void land(Index h, bool has_landed) {
     std::uint8_t& face = faces_[h / 3];
     const unsigned before = face, side = h % 3;
@@ -43,13 +43,13 @@ class EnteredFaces {
     push_if(crosses >> 2 & 1, 3 * f + 2);
   }
 
-  /// What waits on h crosses next, though its face has not been entered.
+  /// The windows on h cross next, though its face has not been entered.
   void enqueue(Index h) {
     make_room(1);
     push_if(true, h);
   }
 
-  /// Calls cross(h) for each half-edge that crosses next, also for those that are added meanwhile.
+  /// Calls cross(h) for each half-edge whose windows cross next, including those added meanwhile.
   template <class Cross>
   void cross_all(const Cross& cross) {
     for (std::size_t i = 0; i < waiting_; ++i) {
@@ -60,8 +60,8 @@ class EnteredFaces {
     waiting_ = 0;
   }
 
-  /// Calls visit(h) for each half-edge of faces from `first` on, none of which has been entered,
-  /// on which something has landed since the last call.
+  /// Calls visit(h) for each half-edge, in faces from `first` on, on which windows have landed
+  /// since the last call. None of these faces may have been entered.
   template <class Visit>
   void take_landings(Index first, const Visit& visit) {
     for (Index f = first; f < faces_.size(); ++f) {
@@ -74,8 +74,8 @@ class EnteredFaces {
   }
 
  private:
-  // Bit k of a face says that something waits on its half-edge k, this one that it is entered. Then
-  // what waits is in the FIFO.
+  // Bit k of a face means that windows wait on its half-edge k, this bit that the face is entered.
+  // Half-edges of an entered face wait in the FIFO.
   static constexpr unsigned kEntered = 1u << 3;
 
   void make_room(std::size_t more) {
@@ -83,7 +83,7 @@ class EnteredFaces {
       fifo_.resize(2 * waiting_ + more + 256);
     }
   }
-  // Without a branch, which would be mispredicted often. There must be room.
+  // Without a branch, which would often be mispredicted. There must be room.
   void push_if(bool wanted, Index h) {
     fifo_[waiting_] = h;
     waiting_ += wanted;
@@ -91,7 +91,7 @@ class EnteredFaces {
 
   std::vector<std::uint8_t> faces_;
   std::vector<Index> fifo_;
-  std::size_t waiting_ = 0;  // in the FIFO; the rest is room
+  std::size_t waiting_ = 0;  // used part of the FIFO
 };
 
 }  // namespace geodesic::edge_based

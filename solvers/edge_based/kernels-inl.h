@@ -1,9 +1,8 @@
-// The kernels of one instruction set, over eight (AVX-512), four (AVX2) or two windows at a
-// time.
+// The kernels of one instruction set, for eight (AVX-512), four (AVX2) or two windows at once.
 //
-// Included once per instruction set (kernels.cpp). Every operation is one correctly rounded IEEE
-// operation in a fixed order, no contraction, and minima are exact: all instruction sets give the
-// same bits. Needs Google Highway.
+// Included once per instruction set (kernels.cpp). All operations are correctly rounded IEEE
+// operations in a fixed order, without contraction, and minima are exact: all instruction sets give
+// the same bits. Needs Google Highway.
 #if defined(GEODESIC_EDGE_BASED_KERNELS) == defined(HWY_TARGET_TOGGLE)
 #ifdef GEODESIC_EDGE_BASED_KERNELS
 #undef GEODESIC_EDGE_BASED_KERNELS
@@ -23,12 +22,12 @@ namespace geodesic::edge_based::HWY_NAMESPACE {
 namespace hn = plain;
 using hn::bits, hn::kLanes, hn::Mask, hn::Tag, hn::Vec;
 
-/// Stores the lanes of a mask side by side.
+/// Stores the lanes of a mask contiguously.
 class Packer {
  public:
   explicit Packer(unsigned mask) : mask_(mask) {}
   std::size_t count() const { return (mask_ & 1) + (mask_ >> 1); }
-  /// Writes a whole vector; only its first count() lanes mean anything.
+  /// Writes a whole vector; only its first count() lanes are meaningful.
   void store(Vec v, double* to) const {
     to[0] = mask_ == 2 ? v[1] : v[0];
     to[1] = v[1];
@@ -53,12 +52,12 @@ inline unsigned bits(Mask mask) {
 }
 
 #if HWY_TARGET == HWY_AVX3
-/// Stores the lanes of a mask side by side, by an instruction that Highway 1.0 does not use.
+/// Stores the lanes of a mask contiguously, by an instruction that Highway 1.0 does not use.
 class Packer {
  public:
   explicit Packer(unsigned mask) : mask_(static_cast<__mmask8>(mask)) {}
   std::size_t count() const { return hwy::PopCount(mask_); }
-  /// Writes a whole vector; only its first count() lanes mean anything.
+  /// Writes a whole vector; only its first count() lanes are meaningful.
   void store(Vec v, double* to) const {
     hn::StoreU(Vec{_mm512_maskz_compress_pd(mask_, v.raw)}, Tag(), to);
   }
@@ -67,7 +66,7 @@ class Packer {
   __mmask8 mask_;
 };
 #else
-/// Lanes in the order that moves those of a mask's bits to the front.
+/// For each mask, the order of lanes that moves the lanes of the mask to the front.
 struct PackingOrder {
   alignas(32) std::int64_t lanes[std::size_t{1} << kLanes][kLanes];
 
@@ -82,7 +81,7 @@ struct PackingOrder {
 };
 inline constexpr PackingOrder kPackingOrder;
 
-/// Stores the lanes of a mask side by side. One look-up serves all fields of a window.
+/// Stores the lanes of a mask contiguously. One look-up serves all fields of a window.
 class Packer {
  public:
   explicit Packer(unsigned mask)
@@ -90,7 +89,7 @@ class Packer {
         order_(hn::IndicesFromVec(
             Tag(), hn::Load(hn::RebindToSigned<Tag>(), kPackingOrder.lanes[mask]))) {}
   std::size_t count() const { return count_; }
-  /// Writes a whole vector; only its first count() lanes mean anything.
+  /// Writes a whole vector; only its first count() lanes are meaningful.
   void store(Vec v, double* to) const { hn::StoreU(hn::TableLookupLanes(v, order_), Tag(), to); }
 
  private:
@@ -104,11 +103,11 @@ inline constexpr Tag kTag{};
 
 inline Vec all(double value) { return hn::Set(kTag, value); }
 
-/// The bits of the kLanes windows from i on, a multiple of kLanes, among those of a list (Marks).
+/// The marks of windows i to i + kLanes - 1; i is a multiple of kLanes (Marks).
 inline unsigned marks_at(const std::uint8_t* groups, std::size_t i) {
   return groups[i / kMostLanes] >> (i % kMostLanes) & ((1u << kLanes) - 1);
 }
-/// Sets them; in ascending order of i.
+/// Sets the marks of these windows; call in ascending order of i.
 inline void set_marks(std::uint8_t* groups, std::size_t i, unsigned marks) {
   std::uint8_t& group = groups[i / kMostLanes];
   group = static_cast<std::uint8_t>((i % kMostLanes == 0 ? 0 : group) | marks << (i % kMostLanes));
@@ -118,12 +117,12 @@ inline Mask mask_of(unsigned marks) {
   return hn::LoadMaskBits(kTag, bytes);
 }
 
-/// Windows of a segment or batch, a vector's worth.
+/// One vector of windows of a segment or batch.
 struct Windows {
   Vec begin, end, x, y, sigma;
 };
 
-/// EndpointBounds::beat.
+/// EndpointBounds::beat for a vector of windows.
 HWY_INLINE Mask beaten(const Windows& w, const EndpointBounds& ends) {
   const Vec zero = hn::Zero(kTag);
   const Vec y2 = hn::Mul(w.y, w.y);
@@ -205,13 +204,13 @@ inline bool find_suspects(Batch& batch) {
   return any != 0;
 }
 
-/// The first window from `i` on that is not in order with the one before it, or the batch's count.
+/// The first window from `i` on that is out of order with the one before it, or the batch's count.
 inline std::size_t next_suspect(const Batch& batch, std::size_t i) {
   return batch.suspects.next(i - 1, batch.count - 1) + 1;
 }
 
-/// Suspicious pairs go through trim_pair, in order, and so does what follows a window that changed.
-/// Compiled here, since a fifth of the windows come through: scalar code of AVX2 has fewer moves.
+/// Trims suspicious pairs with trim_pair, in order, and the windows after one that changed.
+/// Compiled here, because it handles a fifth of the windows: scalar code of AVX2 has fewer moves.
 inline void trim(Batch& batch, const EdgeBelow& edge) {
   if (batch.count < 2 || !find_suspects(batch)) return;
   for (std::size_t i = next_suspect(batch, 1); i < batch.count;) {
@@ -231,10 +230,9 @@ inline void trim(Batch& batch, const EdgeBelow& edge) {
   }
 }
 
-/// Takes one of their sides from windows whose lines to the apex miss the interval by no more than
-/// kApexTolerance and that do not see it all the same: next to a source or an apex that is far
-/// nearer than the edge is long, the path round the interval's end is longer than the line by more
-/// than rounding.
+/// Clears one side of windows whose line to the apex misses the interval by at most kApexTolerance
+/// and that do not see the apex all the same: next to a source or apex far nearer than the edge is
+/// long, the path round the interval's end is longer than the line by more than rounding.
 /// @return the winner among the windows that see the apex
 HWY_NOINLINE inline ApexWinner drop_unreached_sides(Batch& batch, const FaceFrame& face) {
   ApexWinner best;
@@ -254,8 +252,8 @@ HWY_NOINLINE inline ApexWinner drop_unreached_sides(Batch& batch, const FaceFram
   return best;
 }
 
-/// Marks the windows that sides_kept may take lines from: those that see the apex too, and those
-/// that pass it on one side and start from the other side of the winner's line.
+/// Marks the windows from which sides_kept may remove lines: other windows that see the apex, and
+/// windows that pass it on one side and start on the other side of the winner's line.
 /// @return true when there are any
 HWY_INLINE bool find_contested(Batch& batch, const ApexWinner& winner) {
   const std::uint8_t* left = batch.passes_left.groups();
@@ -324,7 +322,7 @@ inline ApexWinner classify(Batch& batch, const FaceFrame& face) {
   return best;
 }
 
-/// One of the two edges that a face hands windows on to.
+/// The left one of the two edges onto which a face unfolds windows.
 struct LeftEdge {
   static Vec along(const FaceFrame& f, Vec x, Vec y, Vec t) {
     // FaceFrame::on_left

@@ -1,8 +1,7 @@
-// The kernels of AVX2 and AVX-512 beside those of every other processor (plain_lanes.h). Needs
-// Google Highway.
+// The kernels of AVX2, AVX-512 and all other processors (plain_lanes.h). Needs Google Highway.
 #include "solvers/edge_based/kernels.h"
 
-// Vectors of SVE have no size that a compiler knows, and cannot be kept in structs.
+// The compiler does not know the size of SVE vectors, so structs cannot hold them.
 #undef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS \
   (HWY_AVX3_DL | HWY_SSE4 | HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)

@@ -8,26 +8,26 @@
 
 namespace geodesic::edge_based {
 
-/// Those of one instruction set. All sets give the same bits, those of the scalar functions that
-/// are named here.
+/// The kernels of one instruction set. All sets give the same bits as the scalar functions named
+/// here.
 struct Kernels {
-  /// Of a vector.
+  /// Number of lanes of a vector.
   std::size_t lanes;
 
-  /// Appends the windows that EndpointBounds::beat does not.
+  /// Appends the windows of a segment that EndpointBounds::beat does not reject.
   void (*gather)(const Segment& segment, const EndpointBounds& bounds, Batch& batch);
 
-  /// Strategy I over the whole list: applies trim_pair to the pairs that are not `in_order`. What
-  /// is beaten wholly is struck out.
+  /// Strategy I over the whole list: applies trim_pair to the pairs that are not `in_order`, and
+  /// strikes out windows that are beaten wholly.
   void (*trim)(Batch& batch, const EdgeBelow& edge);
 
-  /// Marks the sides of the apex that the lines of windows pass.
+  /// Marks the sides on which the lines of each window pass the apex.
   /// @return the window that gives the least distance to the apex
   ApexWinner (*classify)(Batch& batch, const FaceFrame& face);
 
-  /// Unfolds onto the left edge, or the right one, the windows that are marked in `to_edge`. One
-  /// that passes the apex on both sides reaches up to it.
-  /// @param out room for the marked windows and lanes - 1 more; it is empty
+  /// Unfolds the windows marked in `to_edge` onto the left or right edge. A window that passes the
+  /// apex on both sides reaches up to it.
+  /// @param out an empty segment with room for the marked windows and lanes - 1 more
   void (*unfold_left)(const Batch& batch, const FaceFrame& face, const Marks& to_edge,
                       Segment& out);
   void (*unfold_right)(const Batch& batch, const FaceFrame& face, const Marks& to_edge,
@@ -37,8 +37,8 @@ struct Kernels {
 /// The instruction set nearest to `wanted` that the kernels are compiled for.
 InstructionSet compiled_for(InstructionSet wanted);
 
-/// @param set one that compiled_for gives
-/// @param carried by the windows of all batches and segments
+/// @param set a result of compiled_for
+/// @param carried data of the windows of all batches and segments
 const Kernels& kernels_of(InstructionSet set, Carried carried);
 
 }  // namespace geodesic::edge_based

@@ -1,5 +1,5 @@
-// What crosses a face in the exact solver: the whole list of windows of its edge, in order along
-// the edge, trimmed by Strategy I (trim.h) and divided by Strategy II (split.h).
+// The crossing of the exact solver: takes the whole list of windows of an edge, in order along the
+// edge, trimmed by Strategy I (trim.h) and divided by Strategy II (split.h), across a face.
 #pragma once
 
 #include <algorithm>
@@ -16,10 +16,10 @@
 
 namespace geodesic::edge_based {
 
-/// A Crossing (wavefront.h).
+/// Implements a Crossing (wavefront.h).
 class ListCrossing {
  public:
-  /// @param rounding, budget those of the mesh, or of a larger one that it is a part of
+  /// @param rounding, budget of the mesh, or of the larger mesh of which it is a part
   ListCrossing(const Mesh& mesh, InstructionSet set, Carried carried, double rounding,
                const WindowBudget& budget)
       : mesh_(mesh),
@@ -39,7 +39,7 @@ class ListCrossing {
   void finish() {}
   double rounding() const { return rounding_; }
   std::uint64_t window_count() const { return lists_.window_count(); }
-  /// What waits, for whoever takes it elsewhere or brings it.
+  /// The waiting windows. Callers may remove or add some.
   WindowLists& lists() { return lists_; }
   const WindowBudget& budget() const { return budget_; }
 
@@ -99,13 +99,13 @@ class ListCrossing {
   }
 
  private:
-  /// The windows that go on over the left edge, and over the right one.
+  /// The windows that go on across the left edge, and across the right one.
   struct Sides {
     const Marks &left, &right;
   };
 
-  /// Moves the list of h into the batch, without what paths over the ends of h or other windows of
-  /// the list beat.
+  /// Moves the list of h into the batch, without windows or parts that paths over the ends of h or
+  /// other windows of the list beat.
   template <class Recorder>
   void gather_and_trim(Index h, Recorder& recorder) {
     const auto timed = recorder.enter(Phase::trimming);
@@ -125,8 +125,8 @@ class ListCrossing {
     if (carried_ != Carried::nothing) drop_long_strips();
   }
 
-  /// Strategy I where windows of one edge may have come through different sheets: lines that cross
-  /// in the unfolded picture need not do so on the surface, so that only points of the edge decide.
+  /// Strategy I if windows of one edge may have come through different sheets. Lines that cross
+  /// when unfolded need not cross on the surface then, so only points of the edge decide.
   [[gnu::cold, gnu::noinline]] void trim_sheets(const EdgeBelow& edge) {
     for (std::size_t i = 1; i < batch_.count; ++i) {
       for (std::size_t before = 0; before < i && !batch_.is_struck_out(i); ++before) {
@@ -145,8 +145,8 @@ class ListCrossing {
     }
   }
 
-  /// Strategy II: decides for each window to which edges it goes. Where windows may have come
-  /// through different sheets, all go where their lines lead.
+  /// Strategy II: decides to which edges each window goes. If windows may have come through
+  /// different sheets, all go where their lines lead.
   template <class Recorder>
   Sides choose_sides(const ApexWinner& winner, const FaceFrame& face, Recorder& recorder) {
     if (!winner.is_contested || mesh_.crosses_non_manifold_edges()) {
@@ -168,7 +168,7 @@ class ListCrossing {
     return {kept_left_, kept_right_};
   }
 
-  /// @param segment windows that leave a face through `side`; nothing when it is empty
+  /// @param segment windows that leave a face through `side`; released if it is empty
   template <class Wavefront>
   void land(Index side, Segment* segment, Place place, Wavefront& wavefront) {
     if (segment->count == 0) return lists_.release(segment);
@@ -179,7 +179,7 @@ class ListCrossing {
     wavefront.land(mesh_.twin(side));
   }
 
-  /// Windows that leave a face where it meets several others go on in each of them.
+  /// Copies windows that leave a face where several others meet it into each of the others.
   template <class Wavefront>
   [[gnu::cold, gnu::noinline]] void land_on_other_sheets(Index side, const Segment& segment,
                                                          Place place, Wavefront& wavefront) {
@@ -192,12 +192,12 @@ class ListCrossing {
 
   Index root_of(std::size_t i) const { return static_cast<Index>(batch_.array(kRoot)[i]); }
 
-  /// Faces of the strip of a window of the batch, with the one that it enters.
+  /// Faces in the strip of a window of the batch, including the one that it enters.
   std::uint32_t depth_of(std::size_t i) const {
     return static_cast<std::uint32_t>(batch_.array(kDepth)[i]) + 1;
   }
 
-  /// How the winner's line arrives at the apex of h.
+  /// Last segment of the winner's line to the apex of h.
   LastSegment last_segment(Index h, const ApexWinner& winner) const {
     const Window best = batch_.window(winner.window);
     return {h, root_of(winner.window), {best.x, best.y}};
@@ -226,7 +226,7 @@ class ListCrossing {
   WindowLists lists_;
   WindowBudget budget_;
   double rounding_;  // of coordinates
-  // Scratch of one list.
+  // Scratch memory for one list.
   Batch batch_;
   Marks kept_left_, kept_right_;
 };

@@ -1,6 +1,6 @@
-// What crosses a face in the approximate solver: the few windows of its edge that are left where
-// neighbours are merged (merge.h), one or two in the mean. What they do to each other is decided at
-// points of the edge and of the face beyond.
+// The crossing of the approximate solver: takes the few windows that are left on an edge after
+// neighbours are merged (merge.h), one or two on average, across a face. Comparisons at points of
+// the edge and of the face beyond decide how they trim each other.
 #pragma once
 
 #include <algorithm>
@@ -19,10 +19,10 @@
 
 namespace geodesic::edge_based {
 
-/// A Crossing (wavefront.h).
+/// Implements a Crossing (wavefront.h).
 class MergedCrossing {
  public:
-  /// @param tolerance of distances, relative: they are off by no more
+  /// @param tolerance largest relative error of distances
   MergedCrossing(const Mesh& mesh, double tolerance)
       : mesh_(mesh),
         tolerance_(tolerance),
@@ -45,8 +45,8 @@ class MergedCrossing {
   double rounding() const { return rounding_; }
   std::uint64_t window_count() const { return window_count_; }
 
-  /// The truth is from D to D + s, and s is at most room * tolerance * D, where room is at most 2:
-  /// what is given is off by at most tolerance * D on both sides.
+  /// The truth lies from D to D + s, and s is at most room * tolerance * D with room at most 2: the
+  /// result differs from it by at most tolerance * D in either direction.
   void finish() {
     for (Index v = 0; v < distances_.size(); ++v) {
       const double s = shortfall(v);
@@ -71,8 +71,8 @@ class MergedCrossing {
     land(side, {0, e.length, from.x, from.y, distance}, missing, {1, true, 0}, wavefront);
   }
 
-  /// The window is made when the list crosses: by then it is known what others leave of it. No
-  /// branch tells which ones are wanted; it would be mispredicted often.
+  /// The window is created when the list crosses: by then it is known which part others leave of
+  /// it. Has no branch on `wanted`, which would often be mispredicted.
   template <class Wavefront>
   void emit_from_apex(bool wanted, Index side, Wavefront& wavefront) {
     const HalfEdge& e = mesh_.half_edge(side);
@@ -115,27 +115,27 @@ class MergedCrossing {
   }
 
  private:
-  /// How the tolerance is used: measured on scans and terrain.
+  /// Use of the tolerance; values measured on scans and terrain.
   struct Parameters {
-    double room;           ///< the greatest shortfall over the tolerance, at most 2
+    double room;           ///< greatest shortfall divided by the tolerance, at most 2
     double given;          ///< share of a vertex's shortfall that is added to its distance
     double share_of_rest;  ///< MergeRule::share
   };
   static constexpr double kCoarse = 3e-3;
   static constexpr Parameters kForCoarse = {1.4, 0.2, 0.2}, kForFine = {2, 0.3, 0.3};
-  /// Neighbours that are not joined are not tried again for so many faces, as long as they go the
-  /// same way.
+  /// Neighbours that were not joined are not tried again for this many faces, as long as they go
+  /// the same way.
   static constexpr std::uint32_t kApart = 3;
 
   // Handles of nodes have 29 bits.
   static constexpr Index kNil = kNone >> 3;
 
-  /// How a window came, in one word.
+  /// The strip through which a window came, in one word.
   struct Strip {
     std::uint32_t depth : 26;    ///< in faces
     bool from_right : 1;         ///< over the side of the face below that is next to the head
-    std::uint32_t apart : 3;     ///< from its neighbour towards the origin, for so many faces
-    std::uint32_t side : 2 = 0;  ///< of the face before it, on which it waits
+    std::uint32_t apart : 3;     ///< faces until it may join its neighbour towards the origin
+    std::uint32_t side : 2 = 0;  ///< of the face ahead: where it waits
   };
   static constexpr std::uint32_t kMostDepth = (1u << 26) - 1;
 
@@ -146,15 +146,16 @@ class MergedCrossing {
     Index next;
   };
 
-  /// What waits on the sides of a face: the last node first, and on which side the third vertex of
-  /// the face below sends a window. A list a face takes a third of the memory of one a half-edge.
+  /// The windows that wait on the sides of a face, last node first, and the sides on which the
+  /// third vertex of the face below sends one. Lists per face take a third of the memory of lists
+  /// per half-edge.
   struct Waiting {
     Index first : 29 = kNil;
     Index sends : 3 = 0;
   };
   static constexpr unsigned kAllSides = 7;
 
-  /// A vector that counts its items: the distance of two pointers takes a multiplication.
+  /// A vector that stores its size: computing it from two pointers takes a multiplication.
   template <class Item>
   class Stack {
    public:
@@ -166,14 +167,14 @@ class MergedCrossing {
     Item* begin() { return items_.data(); }
     Item* end() { return items_.data() + size_; }
     const Item& back() const { return items_[size_ - 1]; }
-    /// @return where the new item belongs: assembled there, it need not be copied
+    /// @return the place of the new item, to be filled there without a copy
     Item& push() {
       if (size_ == items_.size()) [[unlikely]] {
         items_.resize(2 * size_ + 16);
       }
       return items_[size_++];
     }
-    /// Without a branch, which would be mispredicted often.
+    /// Without a branch, which would often be mispredicted.
     void push_if(bool wanted, const Item& item) {
       push() = item;
       size_ -= !wanted;
@@ -185,7 +186,7 @@ class MergedCrossing {
     std::size_t size_ = 0;
   };
 
-  /// A window of the list that crosses.
+  /// A window of the list that is crossing.
   struct Line {
     MergedWindow merged;
     Strip strip;
@@ -193,8 +194,8 @@ class MergedCrossing {
     bool left, right;
   };
 
-  // What the distance of a vertex may lack is kept as a share of the most that it may, rounded up:
-  // 16 bits a vertex.
+  // The shortfall of a vertex is stored as a share of the greatest allowed one, rounded up: 16 bits
+  // per vertex.
   static constexpr double kWhole = UINT16_MAX;
 
   float shortfall(Index v) const {
@@ -205,7 +206,7 @@ class MergedCrossing {
     shares_[v] = static_cast<std::uint16_t>(std::min(std::ceil(share), kWhole));
   }
 
-  /// Moves what waits on h into lines_, joined, without what paths over the ends of h beat.
+  /// Moves the windows on h into lines_, joined, without those that paths over the ends of h beat.
   template <class Recorder>
   void gather(Index h, const EndpointBounds& bounds, Recorder& recorder) {
     const auto timed = recorder.enter(Phase::trimming);
@@ -216,7 +217,7 @@ class MergedCrossing {
     lines_.clear();
     from_left_.clear();
     from_right_.clear();
-    // The nodes of this side become free, those of the others stay.
+    // The nodes of this side become free; those of the other sides stay.
     Index ours_first = kNil, others_first = kNil;
     Index *ours_end = &ours_first, *others_end = &others_first;
     for (Index n = waiting.first; n != kNil;) {
@@ -257,14 +258,14 @@ class MergedCrossing {
     return bounds.beat(window) || is_strip_too_long(mesh_, strip.depth + std::uint64_t{1});
   }
 
-  /// The window that the third vertex of the face below sends over the whole of h.
+  /// The window that the third vertex of the face below sends over all of h.
   MergedWindow sent_from_below(Index h) const {
     const Index below = mesh_.twin(h), v = mesh_.apex(below);
     const Point2 from = apex_from_beyond(mesh_.half_edge(below));
     return {{0, mesh_.half_edge(h).length, from.x, from.y, distances_[v]}, shortfall(v)};
   }
 
-  /// What the windows that came over the sides of the face below leave of that window (merge.h).
+  /// The part of that window that windows over the sides of the face below leave (merge.h).
   MergedWindow not_left_to_others(MergedWindow sent, double length) const {
     const double flat = -kFlatFace * length;
     Window& p = sent.window;
@@ -294,7 +295,7 @@ class MergedCrossing {
     if (!is_useless(node, bounds)) append(node.merged, node.strip, bounds.length);
   }
 
-  /// Puts a window behind the others, and joins the last two as long as that leaves one.
+  /// Appends a window, and joins the last two as long as one remains of them.
   void append(const MergedWindow& merged, Strip strip, double length) {
     Line& line = lines_.push();
     line.merged = merged;
@@ -320,7 +321,7 @@ class MergedCrossing {
     }
   }
 
-  /// Finds out on which sides of the apex the lines of a window pass it.
+  /// Finds the sides on which the lines of a window pass the apex.
   static void find_sides(Line& line, const FaceFrame& face) {
     const double slack = kApexTolerance * face.length;
     const Window& w = line.merged.window;
@@ -331,7 +332,7 @@ class MergedCrossing {
     if (line.left && line.right) line.to_apex = distance_through(w, face.apex_x, face.apex_y);
   }
 
-  /// One window over a face: as several, without what they do to each other.
+  /// One window crosses a face: as cross_together, without the comparison of windows.
   template <class Wavefront>
   void cross_alone(Index h, Line& line, Wavefront& wavefront) {
     budget_.spend(1);
@@ -361,7 +362,7 @@ class MergedCrossing {
     for (const Line& line : lines_) count(line, wavefront.recorder());
     const Index left = Mesh::previous(h), right = Mesh::next(h);
     if (mesh_.twin(left) != kNone) {
-      for (std::size_t i = lines_.size(); i-- > 0;) {  // the last one is to be the first
+      for (std::size_t i = lines_.size(); i-- > 0;) {  // the last one must come first
         if (lines_[i].left) go_left(left, face, lines_[i], i > 0 && lines_[i - 1].left, wavefront);
       }
     }
@@ -389,7 +390,7 @@ class MergedCrossing {
     }
   }
 
-  /// Drops the lines that cross the shortest one to the apex.
+  /// Drops lines that cross the shortest line to the apex.
   void drop_crossing(const Line& best, const FaceFrame& face) {
     const double crossing = line_crossing(best.merged.window, face);
     for (Line& line : lines_) {
@@ -409,12 +410,12 @@ class MergedCrossing {
     }
   }
 
-  /// The ends of an edge are seen as such where neither the source nor the apex lies on it.
+  /// The ends of an edge are visible as such if neither the source nor the apex lies on it.
   static bool sees_ends(const Window& w, const FaceFrame& face) {
     return std::max(w.y, -face.apex_y) < -kFlatFace * face.length;
   }
 
-  /// @param behind_another the line before it goes there as well
+  /// @param behind_another the line before it goes there, too
   template <class Wavefront>
   [[gnu::always_inline]] void go_left(Index side, const FaceFrame& face, const Line& line,
                                       bool behind_another, Wavefront& wavefront) {
@@ -446,10 +447,10 @@ class MergedCrossing {
             behind_another && apart > 0 ? (apart - 1) & kApart : 0};
   }
 
-  // A window is passed on in registers: stored number by number and read in pairs, it would be
-  // waited for. So its way to a node is inlined, and takes it by value.
+  // A window is passed in registers: if it were stored number by number and read in pairs, the read
+  // would wait for the stores. So the code up to the node is inlined and takes it by value.
 
-  /// @param side through which the window leaves a face
+  /// @param side the half-edge through which the window leaves a face
   template <class Wavefront>
   [[gnu::always_inline]] void land(Index side, Window w, float shortfall, Strip strip,
                                    Wavefront& wavefront) {
@@ -491,14 +492,14 @@ class MergedCrossing {
   Parameters parameters_;
   MergeRule rule_;
   std::span<double> distances_;
-  std::vector<std::uint16_t> shares_;  // by vertex, of the shortfall in the greatest one
+  std::vector<std::uint16_t> shares_;  // by vertex: shortfall, as a share of the greatest one
   std::vector<Waiting> waiting_;       // by face
   std::vector<Node> nodes_;
   Index free_ = kNil;  // the first of the nodes that are not in use
   std::uint64_t window_count_ = 0;
   WindowBudget budget_;
   double rounding_;  // of coordinates
-  // Scratch of one list. Of what came over the right side the first one is the last.
+  // Scratch memory for one list. In from_right_, the first window is the last item.
   Stack<Line> lines_;
   Stack<Index> from_left_, from_right_;  // nodes
 };

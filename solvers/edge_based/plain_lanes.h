@@ -1,6 +1,6 @@
-// Vectors of two doubles from the compiler's own portable vector types, under the names of
-// highway's operations: the lanes of processors for which no wider kernels are compiled. (Highway
-// 1.0 itself has but one lane there.) Every operation rounds as its scalar form does.
+// Vectors of two doubles from the compiler's portable vector types, under the names of highway's
+// operations: the lanes of processors for which no wider kernels are compiled. (Highway 1.0 itself
+// has only one lane there.) Every operation rounds as its scalar form does.
 #pragma once
 
 #include <cmath>

@@ -18,12 +18,12 @@ namespace geodesic::edge_based {
 
 namespace {
 
-/// By how far a step's threshold is beyond the least distance that waits, in mean edge lengths.
+/// Distance from the least waiting key to a step's threshold, in mean edge lengths.
 constexpr double kStep = 0.5;
 
 constexpr unsigned kFields = fields_with(Carried::nothing);
 
-/// What one region sends another one in a step.
+/// The messages of one region to another in a step.
 struct Mail {
   struct Distance {
     Index vertex;  // of the receiver
@@ -55,19 +55,19 @@ struct Mail {
 
 }  // namespace
 
-/// Which regions have a turn. What is read of a region between steps is here, not in it, since all
-/// of them are looked at.
+/// Selects the regions that have a turn. Data that is read of all regions between steps is stored
+/// here and not in the regions.
 class RegionalWavefront::Steps {
  public:
   /// @param width of a step
   Steps(std::size_t regions, double width) : width_(width), boards_(regions) {}
 
-  /// What a region says of itself.
+  /// The state that a region publishes.
   struct Board {
     double least_key = kInfinity;      ///< of its queue
-    double least_sent = kInfinity;     ///< distance, in its last turn
-    std::uint64_t cost = 0;            ///< of its last turn: windows that crossed faces
-    std::atomic<unsigned> thread = 0;  ///< that had its last turn
+    double least_sent = kInfinity;     ///< least distance sent in its last turn
+    std::uint64_t cost = 0;            ///< windows that crossed faces in its last turn
+    std::atomic<unsigned> thread = 0;  ///< the thread of its last turn
     std::array<std::atomic<bool>, 2> has_mail = {};  ///< of even and odd steps
   };
   Board& operator[](std::size_t region) { return boards_[region]; }
@@ -75,10 +75,10 @@ class RegionalWavefront::Steps {
   /// Regions that have a turn in this step.
   std::span<const Index> due() const { return due_; }
   double threshold() const { return threshold_; }
-  /// Of the step: where its mail goes. That of the step before is in the other place.
+  /// Index of the step's outgoing mail. The mail of the step before has the other index.
   unsigned parity() const { return parity_; }
 
-  /// Goes on to the next step. The last one has no turns.
+  /// Goes on to the next step. After the last step no region is due.
   void plan() {
     double least = kInfinity;
     for (const Board& board : boards_) {
@@ -95,7 +95,7 @@ class RegionalWavefront::Steps {
       has_mail.store(false, std::memory_order_relaxed);
       if (is_asked || (least < kInfinity && board.least_key <= threshold_)) due_.push_back(r);
     }
-    // What takes long goes first, so that no thread is alone with it at the end.
+    // Expensive regions go first, so that no thread works alone at the end.
     std::ranges::stable_sort(due_, std::ranges::greater{},
                              [&](Index r) { return boards_[r].cost; });
   }
@@ -121,7 +121,7 @@ class RegionalWavefront::RegionAtWork {
         known_(region.vertices.size() - region.first_shared),
         mail_(region.neighbours.size()) {}
 
-  /// Finds where mail for this region is.
+  /// Finds the mail for this region.
   /// @param own its number; @param all regions by number
   void open_boxes(Index own, std::span<const std::unique_ptr<RegionAtWork>> all) {
     for (const Index r : region_.neighbours) boxes_.push_back(&all[r]->mail_for(own));
@@ -151,7 +151,7 @@ class RegionalWavefront::RegionAtWork {
     send_windows();
     board.least_key = least_key();
     board.cost = wavefront_.crossing().budget().spent() - before;
-    // No window is in most regions most of the time.
+    // Most regions contain no window most of the time.
     WindowLists& lists = wavefront_.crossing().lists();
     if (lists.window_count() == 0) lists.release_memory();
   }
@@ -203,7 +203,7 @@ class RegionalWavefront::RegionAtWork {
     }
   }
 
-  /// @return the least one
+  /// @return the least distance sent
   double send_distances() {
     double least = kInfinity;
     for (Index i = 0; i < known_.size(); ++i) {
@@ -228,7 +228,8 @@ class RegionalWavefront::RegionAtWork {
       Mail& mail = mail_of_step(beyond.region);
       landed_.clear();
       lists.for_each_segment(portal, [&](const Segment& segment) { landed_.push_back(&segment); });
-      // The receiver's list may hold windows: what came to its front goes there in the same order.
+      // Segments at the front go in reverse: the receiver, whose list may hold windows, restores
+      // the order.
       std::reverse(landed_.begin(), std::ranges::find(landed_, Place::back, &Segment::place));
       for (const Segment* segment : landed_) mail.add(beyond.number, *segment);
       lists.consume(portal, [](const Segment&) {});
@@ -239,7 +240,7 @@ class RegionalWavefront::RegionAtWork {
   Steps& steps_;
   Wavefront<ListCrossing, ByDistance::Queue, NoRecorder> wavefront_;
   std::vector<double> distances_;
-  std::vector<double> known_;           // to all copies of a shared vertex
+  std::vector<double> known_;           // distance of each shared vertex that all copies know
   std::vector<BothMails> mail_;         // to each neighbour
   std::vector<BothMails*> boxes_;       // from each neighbour
   std::vector<const Segment*> landed_;  // scratch

@@ -1,19 +1,18 @@
-// Edge-based propagation on several threads: a wavefront for each region of the mesh (regions.h).
+// Edge-based propagation on several threads, with a wavefront per region of the mesh (regions.h).
 //
-// All regions work in steps. In a step, each that has mail or a vertex below the step's threshold
-// has a turn: it takes the mail of the step before, advances its wavefront up to the threshold, and
-// sends its neighbours what has become of them: windows that have landed on its portals, and
-// shorter distances of shared vertices. The regions of a step are shared out among threads as these
-// become free.
+// All regions work in steps. In a step, each region that has mail or a vertex below the step's
+// threshold has a turn: it reads the mail of the step before, advances its wavefront up to the
+// threshold, and sends mail to its neighbours: windows that have landed on its portals, and shorter
+// distances of shared vertices. Threads that become free take the next regions of the step.
 //
-// Why distances are right: every copy of a vertex that gets a shorter distance is popped in its
-// region, so that each face around it is entered. News that come late drop nothing that is
-// shortest, since only what a real path beats is ever dropped (edge_based.cpp).
+// Distances are correct: every copy of a vertex that gets a shorter distance is popped in its
+// region, so that each face around it is entered. Late mail drops no shortest path, since only
+// lines that a real path beats are ever dropped (edge_based.cpp).
 //
-// Why they are the same bits on any number of threads: a turn depends on its region and on its
-// mail, taken in the order of senders; the threshold on the regions alone. Which thread does it
-// when enters nowhere. The serial wavefront takes windows in another order: where two paths are of
-// the same length but for rounding, its distance may be the other one's.
+// They are the same bits on any number of threads: a turn depends only on its region and its mail,
+// read in the order of senders, and the threshold only on the regions. No result depends on the
+// thread or the time of a turn. The serial wavefront takes windows in another order: if two paths
+// have the same length up to rounding, it may return the length of the other one.
 #pragma once
 
 #include <array>
@@ -29,13 +28,12 @@
 
 namespace geodesic::edge_based {
 
-/// For meshes whose non-manifold edges are not crossed, and queries without an early end.
+/// For meshes without crossed non-manifold edges, and queries without an early end.
 class RegionalWavefront {
  public:
-  /// @param threads that a solve uses, as far as there are regions for them
-  /// @param region_size vertices of a region, at most. Smaller ones divide the work more evenly,
-  /// and
-  ///        cost more mail.
+  /// @param threads threads of a solve, as far as there are regions for them
+  /// @param region_size largest number of vertices of a region. Smaller regions divide the work
+  ///        more evenly, but cost more mail.
   RegionalWavefront(const Mesh& mesh, InstructionSet set, unsigned threads, Index region_size);
   ~RegionalWavefront();
 
@@ -43,7 +41,7 @@ class RegionalWavefront {
   using TurnTimes = std::vector<std::vector<double>>;
 
   /// As Solver::run.
-  /// @param times filled where given; of one thread only
+  /// @param times filled if not null; only with one thread
   void run(const InternalQuery& query, std::span<double> distances, TurnTimes* times = nullptr);
 
  private:

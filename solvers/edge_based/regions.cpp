@@ -11,7 +11,7 @@
 namespace geodesic::edge_based {
 namespace {
 
-/// Numbers the vertices by region.
+/// Assigns a region to each vertex.
 class BoxCutter {
  public:
   BoxCutter(const Mesh& mesh, Index most) : most_(most), region_of_(mesh.vertex_count()) {
@@ -21,8 +21,8 @@ class BoxCutter {
   Index count() const { return count_; }
 
  private:
-  /// @param vertices of one box, in order along the curve; @param bits of cells in which they
-  /// differ
+  /// @param vertices of one box, in order along the curve
+  /// @param bits number of bits of cells in which they differ
   void cut(std::span<const OnCurve> vertices, unsigned bits) {
     if (vertices.empty()) return;
     if (vertices.size() <= most_ || bits == 0) {
@@ -44,13 +44,13 @@ class BoxCutter {
 /// Cuts one region after the other out of a mesh.
 class RegionBuilder {
  public:
-  /// @param faces where each face of the mesh goes; @param is_shared by vertex
+  /// @param faces region and number of each face of the mesh; @param is_shared by vertex
   RegionBuilder(const Mesh& mesh, std::span<const InRegion> faces,
                 std::span<const std::uint8_t> is_shared)
       : mesh_(mesh), faces_(faces), is_shared_(is_shared), number_(mesh.vertex_count(), kNone) {}
 
   /// @param own the faces of region r, in order; @param isolated its vertices without faces
-  /// @return it without its copies and neighbours
+  /// @return the region without copies and neighbours
   Region build(Index r, std::span<const Index> own, std::span<const Index> isolated) {
     std::vector<Index> vertices(isolated.begin(), isolated.end()), shared;
     for (const Index f : own) {
@@ -79,7 +79,7 @@ class RegionBuilder {
   }
 
  private:
-  /// Without what belongs to vertices, whose numbers are set.
+  /// Part without positions and pseudo-sources of vertices. Their numbers must be set.
   Mesh::Part part_of(std::span<const Index> own, Index r, std::vector<InRegion>& beyond) const {
     Mesh::Part part;
     part.faces = static_cast<Index>(own.size());
@@ -117,7 +117,7 @@ class RegionBuilder {
   const Mesh& mesh_;
   std::span<const InRegion> faces_;
   std::span<const std::uint8_t> is_shared_;
-  std::vector<Index> number_;  // by vertex of the mesh, in the region that is built
+  std::vector<Index> number_;  // by vertex of the mesh: its number in the current region
 };
 
 void link_copies(std::vector<Region>& regions) {
@@ -133,7 +133,7 @@ void link_copies(std::vector<Region>& regions) {
     }
   }
   std::ranges::stable_sort(all, {}, &Copy::vertex);
-  // Those of a region are met in the order of their numbers in it.
+  // The vertices of a region occur in the order of their numbers in it.
   for (std::size_t first = 0; first < all.size();) {
     std::size_t end = first;
     while (end < all.size() && all[end].vertex == all[first].vertex) ++end;

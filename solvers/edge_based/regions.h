@@ -1,9 +1,9 @@
-// A mesh cut into regions, each a mesh of its own, for wavefronts that work side by side
+// A mesh cut into regions, each with a mesh of its own, for wavefronts that work in parallel
 // (regional_wavefront.h).
 //
 // Every face belongs to one region. A vertex with faces in several regions is shared: each of them
-// has a copy of it. Half-edges on the border of a region have twins in it that are portals: nobody
-// enters their faces there, and what lands on them belongs to the region whose face that is.
+// has a copy of it. Half-edges on the border of a region have twins in it that are called portals.
+// Their faces are never entered there: windows that land on them belong to the region of that face.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace geodesic::edge_based {
 
-/// A vertex or half-edge as it is numbered in a region.
+/// A region and the number of a vertex or half-edge in it.
 struct InRegion {
   Index region;
   Index number;
@@ -21,28 +21,29 @@ struct InRegion {
 
 struct Region {
   Mesh mesh;
-  std::vector<Index> vertices;  ///< of the whole mesh, by number here; shared ones are last
+  std::vector<Index> vertices;  ///< numbers in the whole mesh, by number here; shared ones are last
   Index first_shared;
   Index first_portal_face;       ///< portal p is half-edge 3 first_portal_face + p
-  std::vector<InRegion> beyond;  ///< by portal, the half-edge that it stands for
-  /// Of the shared vertices, in turn, the copies in other regions, and where those of each begin.
+  std::vector<InRegion> beyond;  ///< by portal, the half-edge that it represents
+  /// For each shared vertex in turn, its copies in other regions, and the index of its first copy.
   std::vector<InRegion> copies = {};
   std::vector<Index> first_copy = {0};
   std::vector<Index> neighbours = {};  ///< regions with copies of shared vertices, in order
 };
 
-/// Vertices of a region, at most, where nothing else is asked for: large regions cost less mail,
-/// and there must be enough of them for the threads.
+/// Default for the largest number of vertices of a region: large regions cost less mail, but there
+/// must be enough of them for the threads.
 inline Index usual_region_size(const Mesh& mesh) {
   return std::clamp<Index>(mesh.vertex_count() / 32, 1024, 4096);
 }
 
-/// Faces by the region of their corners with the least number. Regions follow a space-filling curve
-/// through boxes that are halved until each holds few vertices: they depend on the mesh alone.
+/// The regions of a mesh. Each face belongs to the least region of its corners. Regions follow a
+/// space-filling curve through boxes that are halved until each holds few vertices: they depend on
+/// the mesh alone.
 class Regions {
  public:
-  /// @param most vertices of a box
-  /// @param threads that build them
+  /// @param most largest number of vertices of a box
+  /// @param threads threads that build the regions
   Regions(const Mesh& mesh, Index most, unsigned threads);
 
   Index size() const { return static_cast<Index>(regions_.size()); }
@@ -59,7 +60,7 @@ class Regions {
       visit(owner.copies[i]);
     }
   }
-  /// The copy whose region has the least number.
+  /// The copy in the region of least number.
   InRegion first_copy(Index v) const { return first_copies_[v]; }
 
  private:

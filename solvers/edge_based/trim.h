@@ -1,9 +1,9 @@
 // Strategy I: windows of one edge that cannot all be geodesic (thesis section 5.1.1).
 //
 // Two paths that meet at a point P cannot both be shortest beyond it. If the path of window W is
-// the shorter one at P, every line of window V that crosses the segment from W's source to P is
-// beaten there: the lines of V between the direction of P and the direction of W's source. Nothing
-// has to be disjoint afterwards; what is removed is certainly useless.
+// shorter at P, every line of window V that crosses the segment from W's source to P is beaten
+// there: the lines of V between the direction of P and the direction of W's source. Windows may
+// still overlap afterwards; only lines that are certainly useless are removed.
 #pragma once
 
 #include <algorithm>
@@ -28,8 +28,8 @@ inline EdgeBelow edge_below(const Mesh& mesh, Index h, double rounding) {
   return {mesh.half_edge(h).length, below.length - below.apex_x, -below.apex_y, rounding};
 }
 
-// Inline, as everything here, because one window in five comes through: out of line, a solve takes
-// a tenth more instructions.
+// Everything here is inline, because it handles one window in five: out of line, a solve takes a
+// tenth more instructions.
 
 namespace internal {
 
@@ -44,22 +44,22 @@ inline double right_of_scale(const Window& w, double t, double px, double py) {
 inline bool is_right_of_line(const Window& w, double t, double px, double py) {
   return right_of(w, t, px, py) > -internal::right_of_scale(w, t, px, py);
 }
-/// The same for the left.
+/// True when the point lies to the left of that line, or on it within rounding.
 inline bool is_left_of_line(const Window& w, double t, double px, double py) {
   return right_of(w, t, px, py) < internal::right_of_scale(w, t, px, py);
 }
 
-/// True when rounding alone may decide the side of that line: of coordinates, or of sources that
-/// many faces were crossed since. Two windows of one source, which came through different strips,
-/// see it in two places then.
+/// True when rounding alone may decide the side of that line: rounding of coordinates, or of
+/// sources, accumulated over many faces. Two windows of one source, which came through different
+/// strips, then have it in two places.
 inline bool has_no_side(const Window& w, double t, double px, double py, double rounding) {
   const double lengths = std::abs(px - w.x) + std::abs(py - w.y) + std::abs(t - w.x) - w.y;
   return std::abs(right_of(w, t, px, py)) <= (rounding + kSourceRounding * lengths) * lengths;
 }
 
-/// True when the windows follow one another so that neither can beat more of the other than the
-/// part of their overlap behind the bisector, which is not worth trimming: their ends are in order,
-/// and each source lies on its own side of the line that bounds the other window's pencil.
+/// True when the windows follow one another: their ends are in order, and each source lies on its
+/// own side of the line that bounds the other window's pencil. Neither can then beat more of the
+/// other than their overlap behind the bisector, which is not worth trimming.
 inline bool in_order(const Window& first, const Window& second) {
   return first.begin <= second.begin && first.end <= second.end &&
          is_left_of_line(second, second.begin, first.x, first.y) &&
@@ -73,15 +73,15 @@ inline double hit(const Window& w, double px, double py) {
   return w.x + (px - w.x) * (-w.y / (py - w.y));
 }
 
-/// What a window keeps beyond the position where it is cut: its last line and the first one of the
-/// window beside it may go apart on the way.
+/// Width that a window keeps beyond the position of its cut, because its last line and the first
+/// line of the window beside it may diverge on the way.
 inline double kept_beyond(const Window& loser, double p, double rounding) {
   return is_turned_by_rounding(loser, p, rounding) ? rounding : 0;
 }
 
-/// `winner` is the shorter one at a point that the loser's line through position `p` passes.
-/// Removes the lines of the loser between p and the direction of the winner's source. Nothing is
-/// removed when that source lies on the line itself: it has no side then.
+/// Trims the loser: `winner` is shorter at a point of the loser's line through position `p`.
+/// Removes the lines of the loser between p and the direction of the winner's source. Removes
+/// nothing when that source lies on the line itself and so has no side.
 inline void beat(const Window& winner, Window& loser, double p, double rounding) {
   if (has_no_side(loser, p, winner.x, winner.y, rounding)) return;
   if (!is_left_of_line(loser, p, winner.x, winner.y)) {
@@ -99,8 +99,8 @@ inline void beat(const Window& winner, Window& loser, double p, double rounding)
   }
 }
 
-/// Decides at the point (px, py), which the line of `a` through `pa` and that of `b` through `pb`
-/// pass, which window is beaten.
+/// Decides which window is beaten at the point (px, py), on the line of `a` through `pa` and the
+/// line of `b` through `pb`.
 inline void decide(Window& a, double pa, Window& b, double pb, double px, double py,
                    double rounding) {
   const double da = distance_through(a, px, py);
@@ -121,7 +121,7 @@ inline void trim_apart(Window& left, Window& right, const EdgeBelow& edge) {
   const double depth = (right.begin - left.end) * depth_left * depth_right / closing;
   if (!(depth < depth_left) || !(depth < depth_right)) return;
   // Lines that meet in the third vertex of the face pass it on different sides: they come through
-  // different strips, and neither can be said to cross the other.
+  // different strips, and neither crosses the other.
   if (!(depth < -edge.below_y * (1 - kNearVertex))) return;
   const double x = left.end + (left.x - left.end) * (depth / depth_left);
   // Inside the face below: between its two other edges at this depth.
@@ -130,7 +130,7 @@ inline void trim_apart(Window& left, Window& right, const EdgeBelow& edge) {
   decide(left, left.end, right, right.begin, x, -depth, edge.rounding);
 }
 
-/// The distances that two windows give to a point of the edge.
+/// The distances of two windows at a point of the edge.
 struct Pair {
   double t = 0, first = 0, second = 0;
 };
@@ -138,7 +138,7 @@ inline Pair pair_at(const Window& first, const Window& second, double t) {
   return {t, distance_at(first, t), distance_at(second, t)};
 }
 
-/// As `decide` for a point of the edge, both windows' lines through it passing at the point itself.
+/// As `decide`, for a point of the edge on both windows' lines.
 inline void decide_at(const Pair& at, Window& first, Window& second, double rounding) {
   if (is_shorter(at.first, at.second, rounding)) {
     beat(first, second, at.t, rounding);
@@ -153,22 +153,22 @@ inline bool is_to_one_side(const Window& lines, const Window& of, double begin, 
          (is_left_of_line(lines, begin, of.x, of.y) && is_left_of_line(lines, end, of.x, of.y));
 }
 
-/// The overlap of the windows where neither end of it was decided. Where the winner is nowhere
-/// longer on it, the loser keeps only what reaches beyond it. A tie at one end is the usual case:
-/// the loser's source is a vertex on the line that bounds the winner's pencil, and the winner's
-/// shadow begins there.
+/// Trims the windows on their overlap if neither of its ends was decided. If the winner is nowhere
+/// longer on it, the loser keeps only the part beyond it. A tie at one end is the usual case: the
+/// loser's source is a vertex on the line that bounds the winner's pencil, and the winner's shadow
+/// begins there.
 ///
-/// Along the edge the difference of the two distances changes by the difference of the cosines of
-/// their lines' angles, which keeps its sign while the loser's source stays on one side of the
-/// winner's lines: then its two ends decide for the whole overlap.
+/// Along the edge, the difference of the distances changes by the difference of the cosines of the
+/// lines' angles. It keeps its sign while the loser's source stays on one side of the winner's
+/// lines: the two ends then decide for the whole overlap.
 inline void settle_overlap(Window& first, Window& second, const Pair& begin, const Pair& end,
                            double rounding) {
   bool first_wins = !is_shorter(begin.second, begin.first, rounding) &&
                     !is_shorter(end.second, end.first, rounding);
   bool second_wins = !is_shorter(begin.first, begin.second, rounding) &&
                      !is_shorter(end.first, end.second, rounding);
-  // Where both tie the shorter one wins all the same: beside a source that is next to a vertex the
-  // path round that vertex may be longer by less than rounding of long edges.
+  // If both ends tie, the window of smaller sum wins: beside a source next to a vertex, the path
+  // round that vertex may be longer by less than the rounding of long edges.
   if (first_wins && second_wins) {
     first_wins = begin.first + end.first <= begin.second + end.second;
     second_wins = !first_wins;
@@ -188,10 +188,10 @@ inline void settle_overlap(Window& first, Window& second, const Pair& begin, con
 
 }  // namespace internal
 
-/// Compares two windows of one edge and trims what one beats of the other; a window that is beaten
-/// wholly becomes void. Looks at their overlap on the edge, or, when they are apart, at the place
-/// inside the face below where the lines that bound them cross. A window whose source touches the
-/// edge is left as it is, and so is the other.
+/// Compares two windows of one edge and trims from each the lines that the other beats. A window
+/// that is beaten wholly becomes void. Compares them on their overlap on the edge, or, if they are
+/// apart, where their boundary lines cross inside the face below. If the source of one touches the
+/// edge, both remain unchanged.
 inline void trim_pair(Window& first, Window& second, const EdgeBelow& edge) {
   if (in_order(first, second)) return;
   if (source_on_edge(first, edge.length) || source_on_edge(second, edge.length)) return;
@@ -217,8 +217,8 @@ inline void trim_pair(Window& first, Window& second, const EdgeBelow& edge) {
   internal::settle_overlap(first, second, at_begin, at_end, edge.rounding);
 }
 
-/// The part of `trim_pair` that does not ask through which faces the windows came: where one of
-/// them is nowhere longer on their overlap, the other keeps only what reaches beyond it.
+/// The part of `trim_pair` that does not depend on the faces through which the windows came: if one
+/// is nowhere longer on their overlap, the other keeps only the part beyond it.
 inline void trim_overlap(Window& first, Window& second, const EdgeBelow& edge) {
   if (source_on_edge(first, edge.length) || source_on_edge(second, edge.length)) return;
   const double begin = std::max(first.begin, second.begin), end = std::min(first.end, second.end);

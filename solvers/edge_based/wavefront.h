@@ -1,22 +1,22 @@
-// The wavefront over the half-edges of a mesh: which vertex is next, and what crosses faces then.
+// The wavefront over the half-edges of a mesh: the order of vertices and of crossings.
 // See edge_based.cpp for the algorithm.
 //
-// It knows no window. What waits on half-edges, and what becomes of it in a face, is the business
-// of a Crossing (list_crossing.h, merged_crossing.h), which has
+// It contains no windows. A Crossing (list_crossing.h, merged_crossing.h) stores what waits on
+// half-edges and propagates it across faces. A Crossing has
 //
-//   start(distances)            forgets the last solve
+//   start(distances)            discards the last solve
 //   emit(side, from, distance, root, wavefront)
 //                               sends a window over the whole of a side out of its face, into all
 //                               others; `from` in the frame of the side's twin, `root` as in
 //                               LastSegment
 //   emit_from_apex(wanted, side, wavefront)
-//                               the same from the vertex opposite to the side, where wanted
-//   cross(h, wavefront)         takes what waits on h over the face of h
-//   follow_edge(from, to)       a path along this edge is the shortest to `to` yet
-//   finish()                    the distances are those of all paths that were looked for
+//                               the same from the vertex opposite the side, if `wanted`
+//   cross(h, wavefront)         propagates all that waits on h across the face of h
+//   follow_edge(from, to)       a path along this edge is the shortest to `to` so far
+//   finish()                    called once, when the propagation is over
 //   rounding()                  of coordinates (core/window_predicates.h)
 //   window_count(), for_each_window(h, visit)
-//                               what waits: how much, and visit(const Window&) for each on h
+//                               number of waiting windows; visit(const Window&) for each on h
 //
 // and calls `reach`, `arrive` and `land` of the wavefront.
 #pragma once
@@ -32,8 +32,7 @@
 
 namespace geodesic::edge_based {
 
-/// @tparam Queue of vertices that wait. Any order is correct; one by distance keeps late arrivals
-///         rare.
+/// @tparam Queue queue of vertices. Any order is correct; by distance, late arrivals are rare.
 /// @tparam Recorder core/recorders.h; it changes no distance
 template <class Crossing, class Queue, class Recorder>
 class Wavefront {
@@ -71,8 +70,8 @@ class Wavefront {
 
   // The steps of `run`, for a wavefront on a part of a mesh (regional_wavefront.h).
 
-  /// Forgets the last solve, however it ended.
-  /// @param distances to fill; infinite
+  /// Discards the last solve, however it ended.
+  /// @param distances infinite; the wavefront fills them
   void start(std::span<double> distances) {
     distances_ = distances;
     faces_.clear();
@@ -87,14 +86,13 @@ class Wavefront {
     always_emits_[v] = true;
   }
 
-  /// Starts from a point of a face that is no vertex: `reach_corners_from` for each face that it
-  /// lies in, then, where none has said that the point is at a corner, `cross_sides_from` for each.
+  /// Starts from a point of a face that is not a vertex. Call `reach_corners_from` for each face of
+  /// the point, then, unless a call returned that it is at a corner, `cross_sides_from` for each.
   ///
-  /// Next to a corner, the lines to both sides of it are turned by the rounding of coordinates, and
-  /// what lies behind the corner may be between them: the corner sends windows too, as a source
-  /// does. They are as long or longer, and soon beaten. Where the point is so near to the corner
-  /// that rounding hides the way there and back, its own lines have no direction, and there are
-  /// only the corner's.
+  /// Next to a corner, rounding of coordinates turns the lines on both sides of it, and may leave a
+  /// gap behind it. The corner therefore sends windows too, as a source does. They are as long or
+  /// longer, and soon beaten. If the point is so near to the corner that rounding exceeds the way
+  /// there and back, its own lines have no direction, and only the corner's are used.
   /// @param root as in LastSegment
   /// @return whether the point is at a corner
   [[gnu::cold, gnu::noinline]] bool reach_corners_from(const InternalPoint& in_face,
@@ -119,10 +117,10 @@ class Wavefront {
   }
 
   bool is_empty() const { return queue_.empty(); }
-  /// No vertex that waits has a smaller distance. One must wait.
+  /// No waiting vertex has a smaller distance. One must wait.
   double first_key() { return queue_.first_key(); }
 
-  /// Takes the next vertex, and all that crosses faces then.
+  /// Takes the next vertex, and all windows that then cross faces.
   void advance() {
     const Index v = pop();
     enter_faces_around(v);
@@ -130,7 +128,7 @@ class Wavefront {
     follow_edges_from(v);
   }
 
-  /// Takes the half-edges of entered faces on which something waits.
+  /// Takes the half-edges of entered faces on which windows wait.
   void cross_entered_faces() {
     faces_.cross_all([this](Index h) { cross(h); });
   }
@@ -147,7 +145,7 @@ class Wavefront {
   Recorder& recorder() { return recorder_; }
   Crossing& crossing() { return crossing_; }
 
-  /// A path of this length comes to v: the shortest yet.
+  /// Records a path to v that is shorter than all before.
   void reach(Index v, double distance) {
     const auto timed = recorder_.enter(Phase::queue);
     if constexpr (Recorder::kRecords) progress_.reach(distances_[v]);
@@ -155,8 +153,8 @@ class Wavefront {
     queue_.push_or_decrease(v, distance);
   }
 
-  /// A straight line of this length comes to v.
-  /// @param last_segment makes the LastSegment; called where paths are remembered
+  /// Records a straight line of this length to v.
+  /// @param last_segment makes the LastSegment; called only if paths are recorded
   template <class MakeLastSegment>
   void arrive(Index v, double distance, const MakeLastSegment& last_segment) {
     if (distance < distances_[v]) {
@@ -167,15 +165,15 @@ class Wavefront {
     }
   }
 
-  /// Something has landed on h, where `has_landed`. It crosses next where the face has been
-  /// entered.
+  /// Call when windows land on h; without effect if `has_landed` is false. They cross next if the
+  /// face has been entered.
   void land(Index h, bool has_landed = true) {
     mesh_.prefetch_face(h);
     faces_.land(h, has_landed);
   }
 
  private:
-  /// @param number of the source in the query
+  /// @param number index of the source in the query
   void begin_at(const InternalSource& source, Index number) {
     if (source.at.is_vertex()) return begin_at(source.at.vertex, source.distance);
     const Index root = mesh_.vertex_count() + number;
@@ -218,20 +216,20 @@ class Wavefront {
 
   bool may_bend_at(Index v) const { return always_emits_[v] || mesh_.is_pseudo_source(v); }
 
-  /// The paths that go on from v along its edges: last, since windows that have come by then reach
-  /// most of their ends by shorter ones.
+  /// Follows the edges of v: last, because windows that have arrived by then reach most of their
+  /// ends by shorter paths.
   void follow_edges_from(Index v) {
     const bool emits = may_bend_at(v);
     for (const Index h : mesh_.outgoing(v)) {
       const Index into = Mesh::previous(h);
       const HalfEdge &out = mesh_.half_edge(h), &in = mesh_.half_edge(into);
       follow_edge(v, mesh_.head(h), out.length, in, emits, {into, v, {in.length, 0}});
-      // Any other edge is the one of a half-edge that leaves v.
+      // All other edges belong to a half-edge that leaves v.
       if (in.twin == kNone) follow_edge(v, in.origin, in.length, out, emits, {h, v, {0, 0}});
     }
   }
 
-  /// The path that goes on from v along an edge to its other end.
+  /// Follows an edge from v to its other end.
   /// @param length of the edge
   /// @param apex_is_end a half-edge whose face has the edge, and whose apex is the other end
   /// @param emits whether v sends windows
@@ -248,8 +246,8 @@ class Wavefront {
   }
 
   /// Sends a window from v over the opposite edge of the face of h, unless a path along that edge
-  /// beats it already: distances only shrink, so that it is of no use later either.
-  /// @param h from v
+  /// already beats it: distances only decrease, so it is of no use later either.
+  /// @param h a half-edge that leaves v
   void emit_across(Index v, Index h) {
     const Index opposite = Mesh::next(h), back = Mesh::previous(h);
     const EndpointBounds bounds(mesh_.half_edge(opposite).length, distances_[mesh_.head(h)],
@@ -259,19 +257,19 @@ class Wavefront {
     crossing_.emit_from_apex(!bounds.beat_whole(at_origin, at_head), opposite, *this);
   }
 
-  /// Ends a propagation that has come to `end`: the vertices that wait are farther, but windows
-  /// that wait may be nearer, on long edges whose ends are not. They go on until none is left; then
-  /// no path is that is shorter than `end`.
+  /// Ends a propagation that has come to `end`. The waiting vertices are farther, but waiting
+  /// windows may be nearer, on long edges with farther ends. These are propagated until none is
+  /// left; then no path shorter than `end` remains.
   ///
-  /// All windows that wait are looked at. A list waits where no vertex of the face beyond has
-  /// been popped. It came through the face below, whose third vertex has been popped and has
-  /// reached both ends of the edge, or from a source in that face, which has: they are in the
-  /// queue. It is looked at when one of them is popped, and so is what lands later, when it lands.
-  /// Nothing of this depends on how long edges are.
-  /// @param end at least the distance of all that is asked for
+  /// All waiting windows are checked. A list waits if no vertex of the face beyond has been popped.
+  /// It came through the face below, whose popped third vertex has reached both ends of the edge,
+  /// or from a source in that face, which has done so: the ends are in the queue. A list is checked
+  /// when an end is popped; windows that land later are checked when they land. None of this
+  /// depends on the length of edges.
+  /// @param end at least the greatest distance that the query needs
   [[gnu::cold, gnu::noinline]] void finish_up_to(double end) {
-    // Where a face has been entered, what waits is in the FIFO. Elsewhere a half-edge may come
-    // there twice; nothing waits the second time.
+    // If a face has been entered, its windows wait in the FIFO. Other half-edges may enter the FIFO
+    // twice; nothing waits on them the second time.
     const auto enqueue_nearer = [&](Index h) {
       if (faces_.has_entered(h)) return;
       bool nearer = false;
@@ -301,14 +299,14 @@ class Wavefront {
     }
   }
 
-  /// Whether a path along an edge is remembered. Where no path bends at the edge's beginning, a
-  /// line that is as short but for rounding arrives straight, and stays.
+  /// Whether a path along an edge is recorded. If no path bends at the edge's beginning, a straight
+  /// line that is as short up to rounding arrives, and is kept.
   bool bends_or_shortens(Index from, Index end, double distance) const {
     return may_bend_at(from) || is_shorter(distance, distances_[end], crossing_.rounding());
   }
 
-  /// Whether a straight line that comes later, and is as short but for rounding, replaces a path
-  /// that bends where none does.
+  /// Whether a later straight line that is as short up to rounding replaces a path that bends at a
+  /// vertex where none does.
   bool straightens_tie(Index v, double distance) const {
     const Index root = recorder_.segments.last_segment(v).root;
     const bool bends = root < mesh_.vertex_count() && !may_bend_at(root);
@@ -330,7 +328,7 @@ class Wavefront {
   [[no_unique_address]] typename Recorder::Progress progress_;
   std::span<double> distances_;
   EnteredFaces faces_;
-  std::vector<bool> always_emits_;  // by vertex: even where no path bends
+  std::vector<bool> always_emits_;  // by vertex: true if it sends windows even where no path bends
 };
 
 }  // namespace geodesic::edge_based

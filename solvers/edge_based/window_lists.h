@@ -1,10 +1,10 @@
-// The windows that wait on the half-edges of the wavefront, in spatial order, in pooled segments.
+// The waiting windows on the half-edges of the wavefront, in spatial order, in pooled segments.
 //
-// A list is filled in batches (the windows that one face sends to one of its edges) and consumed
-// whole. A batch is one segment, a structure of arrays; a list is a short chain of segments, kept
-// as a ring so that one link a half-edge reaches both ends. Batches that arrive through the edge
-// next to the list's origin are prepended, those that arrive through the other one appended:
-// windows stay in the order in which their lines meet the edge, without any search (thesis 5.2).
+// A list is filled in batches (the windows that one face sends to one of its edges) and consumed as
+// a whole. A batch is one segment, a structure of arrays. A list is a short chain of segments,
+// stored as a ring, so that one link per half-edge reaches both ends. Batches that arrive through
+// the edge next to the list's origin are prepended, others appended: windows stay in the order in
+// which their lines meet the edge, without any search (thesis 5.2).
 #pragma once
 
 #include <algorithm>
@@ -22,22 +22,22 @@ namespace geodesic::edge_based {
 
 enum class Place { front, back };
 
-/// Where a window's numbers lie in a segment or a batch: one array each.
+/// The fields of a window: one array each in a segment or batch.
 enum Field : unsigned { kBegin, kEnd, kX, kY, kSigma, kDepth, kRoot };
 
-/// What windows carry besides. Whole numbers are held exactly by a double.
+/// Additional fields of windows. A double represents whole numbers exactly.
 enum class Carried : std::uint8_t {
   nothing,
-  depth,  ///< of the window's strip, in faces: grows by 1 with every face crossed
-  root,   ///< the depth, and the root as in LastSegment, handed on as it is
+  depth,  ///< of the window's strip, in faces: each crossed face adds 1
+  root,   ///< the depth, and the root as in LastSegment, which does not change
 };
 
-/// Number of arrays.
+/// Number of arrays of a segment or batch.
 constexpr unsigned fields_with(Carried carried) { return kDepth + static_cast<unsigned>(carried); }
 
-/// Windows of the longest vectors.
+/// Number of windows in the longest vectors.
 inline constexpr std::size_t kMostLanes = 8;
-/// Segments have room for a multiple of so many windows, or of a vector: they are whole units.
+/// Segments have room for a multiple of this many windows, or of a vector: they are whole units.
 inline constexpr std::size_t kLeastRoom = 4;
 
 /// Window i of a segment or batch.
@@ -47,20 +47,20 @@ Window window_of(const Arrays& arrays, std::size_t i) {
           arrays.array(kSigma)[i]};
 }
 
-/// Header and arrays of `room` doubles each follow one another in a block.
+/// A header, followed in one block by arrays of `room` doubles each.
 struct alignas(32) Segment {
   std::uint32_t count;
   std::uint32_t room;
-  Index next;  // handle of the segment behind this one; of the first one in the last
+  Index next;  // handle of the next segment; in the last segment, of the first one
   Index self;
-  Place place;  // at which it came to its list
+  Place place;  // end of the list at which it was added
 
   double* array(std::size_t field) { return reinterpret_cast<double*>(this + 1) + field * room; }
   const double* array(std::size_t field) const {
     return reinterpret_cast<const double*>(this + 1) + field * room;
   }
 
-  /// Appends a window without what it carries. There must be room.
+  /// Appends a window without its additional fields. There must be room.
   void add(const Window& w) {
     array(kBegin)[count] = w.begin;
     array(kEnd)[count] = w.end;
@@ -73,8 +73,8 @@ struct alignas(32) Segment {
 
 class WindowLists {
  public:
-  /// @param fields that windows have, of Field
-  /// @param lanes of vectors, which are read and written whole
+  /// @param fields number of fields of a window (Field)
+  /// @param lanes size of vectors, which are read and written whole
   WindowLists(Index half_edges, unsigned fields, std::size_t lanes = kMostLanes)
       : fields_(fields),
         room_bits_(static_cast<unsigned>(std::countr_zero(std::max(lanes, kLeastRoom)))),
@@ -82,7 +82,7 @@ class WindowLists {
 
   std::uint64_t window_count() const { return window_count_; }
 
-  /// A segment with room for at least `windows`, one or more, in no list yet; its count is 0.
+  /// An empty segment for at least `windows` windows, one or more; it is in no list yet.
   [[gnu::always_inline]] Segment* allocate(std::size_t windows) {
     const unsigned bin = bin_of(windows);
     Index& head = free_[bin];
@@ -99,7 +99,7 @@ class WindowLists {
     head = segment->self;
   }
 
-  /// A segment of the same windows, in no list yet.
+  /// A copy of a segment, in no list yet.
   Segment* copy(const Segment& segment) {
     Segment* copy = allocate(segment.room);
     copy->count = segment.count;
@@ -109,7 +109,7 @@ class WindowLists {
     return copy;
   }
 
-  /// Puts a filled segment at one end of the list of h.
+  /// Adds a filled segment at one end of the list of h.
   void add(Index h, Segment* segment, Place place) {
     window_count_ += segment->count;
     segment->place = place;
@@ -125,7 +125,7 @@ class WindowLists {
     if (place == Place::back) last = segment->self;
   }
 
-  /// Hands the segments of h to `visit` in order and releases them; the list is empty afterwards.
+  /// Calls visit for each segment of h in order, and releases it; the list is empty afterwards.
   template <class Visit>
   void consume(Index h, Visit&& visit) {
     const Index last = last_[h];
@@ -153,7 +153,7 @@ class WindowLists {
     } while (s != last_[h]);
   }
 
-  /// Gives the pool's memory back. Nothing must wait.
+  /// Frees the pool's memory. No windows may wait.
   void release_memory() {
     blocks_.clear();
     free_.fill(kNone);
@@ -193,7 +193,7 @@ class WindowLists {
   Segment* carve(unsigned bin) {
     const std::size_t room = std::size_t{1} << (bin + room_bits_);
     std::size_t units = (sizeof(Segment) + fields_ * room * sizeof(double)) / kUnit;
-    // The arrays of each segment start on a cache line: those of a block are behind a header there.
+    // The arrays of each segment start on a cache line, behind its header.
     if (room % kMostLanes == 0) units += units % 2;
     if (used_ + units > kBlockUnits) open_block(units);
     const Index handle = static_cast<Index>((used_blocks_ - 1) << kBlockBits | used_);
@@ -225,7 +225,7 @@ class WindowLists {
     return none;
   }();
   std::size_t used_blocks_ = 0;
-  std::size_t used_ = kBlockUnits;  // units of the last used block
+  std::size_t used_ = kBlockUnits;  // used units of the last used block
   std::uint64_t window_count_ = 0;
 };
 

@@ -1,7 +1,7 @@
-// The sorted windows of every edge, each list in one piece of memory.
+// The sorted windows of every edge; each list is one array.
 //
-// A list is named by a half-edge, in whose frame its windows are (edge_window.h). Windows of one
-// list are trimmed against each other.
+// A list is named by a half-edge, whose frame its windows use (edge_window.h). Windows of one list
+// are trimmed against each other.
 #pragma once
 
 #include <algorithm>
@@ -16,14 +16,13 @@
 
 namespace geodesic::mmp {
 
-/// The list of windows that leave a face through a half-edge: one an edge (Liu 2013), for windows
-/// of both sides, named by its own half-edge, the smaller of the twins.
+/// The list of windows that leave a face through a half-edge. There is one list per edge (Liu
+/// 2013), for windows of both sides, named by the smaller of the twins.
 /// @param twin kNone, which is larger than any half-edge, on the boundary
 inline Index list_of(Index half_edge, Index twin) { return std::min(half_edge, twin); }
 
-/// Lists by the half-edges that name them. A list is empty until something reaches its
-/// edge; from then on its windows partition the edge, until the list is closed: it is empty again,
-/// for good.
+/// Lists by the half-edges that name them. A list is empty until a window reaches its edge. From
+/// then on its windows partition the edge, until the list is closed; it then stays empty.
 template <class W>
 class EdgeLists {
   static_assert(std::is_trivially_copyable_v<W>);
@@ -41,8 +40,8 @@ class EdgeLists {
 
   bool is_closed(Index edge) const { return lists_[edge].capacity == kClosed; }
 
-  /// Starts to load where an edge's list is, and, once that is loaded, the list itself: its ends,
-  /// where most windows land, and its middle, where a search begins.
+  /// Start to load the place of an edge's list, and, once that is loaded, the list: its ends, where
+  /// most windows land, and its middle, where a search begins.
   void prefetch_list(Index edge) const { prefetch(&lists_[edge]); }
   void prefetch_windows(Index edge) const {
     const List& list = lists_[edge];
@@ -51,10 +50,10 @@ class EdgeLists {
     prefetch(list.windows + list.size);
   }
 
-  /// Number of edges, reached or not, as the upper bound of their names.
+  /// Upper bound of the names of edges, whether reached or not.
   Index edge_bound() const { return static_cast<Index>(lists_.size()); }
 
-  /// Replaces windows [first, last) of an edge's list by others, which lie elsewhere in memory.
+  /// Replaces windows [first, last) of an edge's list by windows stored elsewhere.
   void replace(Index edge, std::size_t first, std::size_t last, std::span<const W> by) {
     List& list = lists_[edge];
     const std::size_t behind = list.size - last;
@@ -76,14 +75,14 @@ class EdgeLists {
   }
 
  private:
-  static constexpr std::uint32_t kClosed = ~0u;  // in place of a capacity
+  static constexpr std::uint32_t kClosed = ~0u;  // stored as the capacity
 
   struct List {
     W* windows = nullptr;
     std::uint32_t size = 0, capacity = 0;
   };
 
-  // Leaves room for `between` windows in place of [first, last).
+  // Moves a list and leaves room for `between` windows in place of [first, last).
   void move_to_larger(List& list, std::size_t first, std::size_t last, std::size_t between,
                       std::uint32_t size) {
     const std::uint32_t capacity = SegmentPool<W>::capacity_for(size);
@@ -101,9 +100,8 @@ class EdgeLists {
   SegmentPool<W> pool_;
 };
 
-/// The lists that hold windows and that the wavefront may have passed. They are looked through
-/// whenever their number has grown by a quarter since the last time: at most five looks a list,
-/// however many stay.
+/// The lists that hold windows and that the wavefront may have passed. They are checked each time
+/// their number has grown by a quarter: at most five checks per list, however many lists stay.
 class OpenLists {
  public:
   void clear() {
@@ -111,12 +109,12 @@ class OpenLists {
     due_ = kFirst;
   }
 
-  /// @param list the half-edge that names it, once a list
+  /// @param list the half-edge that names it; add each list once
   void add(Index list) { lists_.push_back(list); }
 
   bool is_due() const { return lists_.size() >= due_; }
 
-  /// Calls is_done(list) for all, and forgets those for which it holds.
+  /// Calls is_done(list) for all lists, and removes those for which it returns true.
   template <class IsDone>
   void look_through(IsDone&& is_done) {
     std::erase_if(lists_, is_done);

@@ -7,9 +7,9 @@ namespace {
 
 double square(double x) { return x * x; }
 
-/// False when `winner`, which is shorter at both ends of an interval, is so between them too: it
-/// can lose there only to a source nearer to the edge that is so far behind in sigma that it loses
-/// at both ends of the whole line.
+/// False when `winner`, which is shorter at both ends of an interval, is also shorter between them.
+/// There it can lose only to a source nearer to the edge, with a sigma so much larger that this
+/// source loses at both ends of the whole line.
 bool may_lose_between(const Window& winner, const Window& other) {
   const double lead = other.sigma - winner.sigma;
   const double along = std::abs(winner.x - other.x);
@@ -30,8 +30,8 @@ void restrict_to(double from, double to, double narrowest, Crossings& found) {
   found.count = kept;
 }
 
-/// Compares the windows in the middle of each part, for when the ends tie or contradict the cuts.
-/// The middle of a long part may be so far from both sources that it ties: then its end decides.
+/// Compares the windows in the middle of each part, if the ends tie or contradict the cuts. The
+/// middle of a long part may be so far from both sources that they tie: its end then decides.
 Division divide_by_parts(const Window& challenger, const Window& incumbent, double from, double to,
                          const Crossings& cuts, int at_from, int at_to) {
   Division division;
@@ -56,21 +56,21 @@ Division divide_by_parts(const Window& challenger, const Window& incumbent, doub
 Crossings crossings(const Window& a, const Window& b) {
   // With t counted from a's source: r_a = r_b + s, where r_a^2 = t^2 + y_a^2 and
   // r_b^2 = (t - d)^2 + y_b^2. Squaring twice gives (s^2 - d^2) t^2 - k d t + s^2 y_a^2 - k^2 / 4 =
-  // 0 with k as below, of whose solutions those count where k + 2 d t has the sign of s.
+  // 0 with k as below. Its solutions count if k + 2 d t has the sign of s.
   const double d = b.x - a.x;
   const double s = b.sigma - a.sigma;
   const double k =
       (s - d) * (s + d) + (std::abs(a.y) - std::abs(b.y)) * (std::abs(a.y) + std::abs(b.y));
   const double leading = (s - d) * (s + d);
   const double constant = (s * a.y - 0.5 * k) * (s * a.y + 0.5 * k);
-  // k^2 / 4 - y_a^2 (s^2 - d^2), in factors: that difference cancels where one source lies on the
-  // edge's line, as those of vertices do, and its root would be off by 1e-8 of the edge.
+  // k^2 / 4 - y_a^2 (s^2 - d^2), factored. The difference would cancel where one source lies on the
+  // edge's line, as sources at vertices do; the root would be off by 1e-8 of the edge.
   const double discriminant = 0.25 * (leading - square(std::abs(a.y) + std::abs(b.y))) *
                               (leading - square(std::abs(a.y) - std::abs(b.y)));
   if (!(discriminant > 0)) return {};  // apart or touching; coinciding sources
   const double half = 0.5 * k * d;
   const double root = std::abs(s) * std::sqrt(discriminant);
-  // Each solution by the formula whose sum does not cancel.
+  // Each solution by the formula without cancellation in its sum.
   if (leading <= 0) {
     const double signed_root = (s < 0) == (d < 0) ? root : -root;
     const bool same_sign = (half < 0) == (signed_root < 0) && signed_root != 0 && half != 0;
@@ -93,8 +93,8 @@ Division divide_at_crossings(Window challenger, Window incumbent, double from, d
   }
   Crossings cuts = crossings(challenger, incumbent);
   restrict_to(from, to, narrowest, cuts);
-  // Without a cut one is nearer everywhere. Where they tie at one end, since the lead is lost in
-  // the rounding of far longer distances there, the other end decides.
+  // Without a cut one window is nearer everywhere. If they tie at one end, because the lead is lost
+  // in the rounding of far longer distances there, the other end decides.
   if (cuts.count == 0 && at_from + at_to != 0) return whole(at_from + at_to < 0);
   if (at_from * at_to < 0 && cuts.count == 1) {
     return {.challenger_first = at_from < 0, .cuts = 1, .at = {cuts.at[0]}};

@@ -1,5 +1,4 @@
-// The family MMP as solvers: one propagation (propagation.h), with policies for what they differ
-// in.
+// The solvers of the family MMP: one propagation (propagation.h) with a policy for each.
 //
 // A policy has
 //   Queue              of windows, in the order of propagation (WindowQueueByKey)

@@ -1,8 +1,8 @@
-// Inserting a new window among the windows of an edge: who owns which part afterwards.
+// Insertion of a new window among the windows of an edge: computes the owners of all parts.
 //
-// This is MMP's trimming (Surazhsky et al. 2005, section 3.3) as a question without side effects;
-// the answer is a partition again. Parts narrower than kWindowWidth of the edge are never created:
-// they stay with the window they would be cut from.
+// This is MMP's trimming (Surazhsky et al. 2005, section 3.3), without side effects; the result is
+// a partition again. Parts narrower than kWindowWidth of the edge are never created: they stay with
+// the window from which they would be cut.
 #pragma once
 
 #include <algorithm>
@@ -14,11 +14,11 @@
 
 namespace geodesic::mmp {
 
-/// The event of a challenger's parts until they have one or are known not to wait.
+/// The event of a challenger's parts until they get one or turn out not to wait.
 inline constexpr Index kNoEventYet = kNone - 1;
 
-/// What takes the place of windows [first, last) of the list: pieces of those windows and parts of
-/// the challenger. The windows around them are left as they are.
+/// The replacement of windows [first, last) of the list: pieces of those windows and parts of the
+/// challenger. Other windows of the list do not change.
 template <class W>
 class Overlay {
  public:
@@ -28,14 +28,14 @@ class Overlay {
   std::span<W> pieces() { return {room_.data(), count_}; }
   double piece_end(std::size_t k) const { return k + 1 < count_ ? room_[k + 1].begin : end; }
 
-  /// Forgets the pieces; `windows` more will be overlaid at most.
+  /// Removes all pieces; at most `windows` windows will be overlaid next.
   void start(std::size_t windows) {
     count_ = 0;
     owner_ = nullptr;
     if (room_.size() < kMostPieces * windows) room_.resize(kMostPieces * windows);
   }
 
-  /// The part from `begin` on belongs to `owner`, as may the part before.
+  /// Gives the part from `begin` on to `owner`; the part before may have the same owner.
   void add(double begin, const W* owner) {
     if (owner_ == owner) return;
     owner_ = owner;
@@ -44,7 +44,7 @@ class Overlay {
   }
 
  private:
-  // Of one window: before the challenger, three within it, and after it.
+  // For one window: the part before the challenger, three within it, and one after it.
   static constexpr std::size_t kMostPieces = 5;
 
   std::vector<W> room_;
@@ -52,14 +52,14 @@ class Overlay {
   const W* owner_ = nullptr;  // of the last piece
 };
 
-/// Where window i of an edge's list ends.
+/// End of window i of an edge's list.
 template <class W>
 double end_of(std::span<W> list, std::size_t i, double length) {
   return i + 1 < list.size() ? list[i + 1].begin : length;
 }
 
 /// Index of the last window of a non-empty list that begins at `position` or before; there must be
-/// one. With branches: the next window to look at is guessed, and fetched, before the last arrives.
+/// one. With branches: the processor guesses and loads the next window before the last arrives.
 template <class W>
 std::size_t window_at(std::span<W> list, double position) {
   const auto begins_behind = [](double t, const W& w) { return t < w.begin; };
@@ -68,11 +68,11 @@ std::size_t window_at(std::span<W> list, double position) {
 }
 
 /// @param list the edge's windows, a partition of [0, length]
-/// @param challenger in the same frame, any sign of y, its event kNoEventYet
+/// @param challenger in the same frame, any sign of y, its event is kNoEventYet
 /// @param end where the challenger ends
 /// @param sigmas by number of source
-/// @param result overwritten; meaningful when the challenger got a part
-/// @return whether it did
+/// @param result overwritten; valid if the challenger got a part
+/// @return whether the challenger got a part
 template <class W>
 bool overlay(std::span<const W> list, double length, const W& challenger, double end,
              std::span<const double> sigmas, Overlay<W>& result) {

@@ -1,13 +1,14 @@
-// MMP: continuous Dijkstra over windows, whatever the order in which they are propagated.
+// MMP: continuous Dijkstra over windows; the order of propagation is a policy.
 //
 // Mitchell, Mount, Papadimitriou 1987, "The discrete geodesic problem"; Surazhsky et al. 2005,
 // "Fast exact and approximate geodesics on meshes"; Liu 2013, "Exact geodesic metric in 2-manifold
 // triangle meshes using edge-based data structures" (one list an edge, for both sides).
 //
-// The queue holds windows and pseudo-sources. A window taken from it is unfolded across the face it
-// enters; its children are inserted among the windows of the two edges they land on (overlay.h) and
-// what they win is queued. A pseudo-source sends windows into all its faces. A window that waits
-// and loses the point where it is nearest gets a new key: it counts as re-inserted (edge_window.h).
+// The queue holds windows and pseudo-sources. A window from the queue is unfolded across the face
+// that it enters. Its children are inserted among the windows of the two edges on which they land
+// (overlay.h), and the parts that they win are queued. A pseudo-source sends windows into all its
+// faces. A waiting window that loses its nearest point gets a new key: it is re-inserted
+// (edge_window.h).
 #pragma once
 
 #include <algorithm>
@@ -22,7 +23,7 @@
 
 namespace geodesic::mmp {
 
-/// Which windows stay in memory until the end of a solve.
+/// The windows that stay in memory until the end of a solve.
 enum class Keep : std::uint8_t { all, wavefront };
 
 /// The state of one solve, reusable. @tparam Policy as in mmp.h
@@ -38,7 +39,7 @@ class Propagation {
   Propagation(const Propagation&) = delete;
   Propagation& operator=(const Propagation&) = delete;
 
-  /// @param keep what becomes of windows that the wavefront has passed
+  /// @param keep whether to keep windows that the wavefront has passed
   void run(const InternalQuery& query, std::span<double> distances, Keep keep = Keep::wavefront) {
     const auto timed = recorder_.enter(Phase::propagation);
     start(query, distances);
@@ -62,7 +63,7 @@ class Propagation {
     if constexpr (Recorder::kRecords) recorder_.recording.window_limit = wavefront_.windows_left();
   }
 
-  /// The windows that the last solve left on an edge (FinalWindows); it kept all.
+  /// The windows of the last solve on an edge (FinalWindows). It must have kept all windows.
   void copy_windows(Index half_edge, std::vector<Window>& windows) const {
     const Index edge = list_of(half_edge, mesh_.twin(half_edge));
     wavefront_.copy_windows(edge, mesh_.half_edge(edge).length, windows);
@@ -73,7 +74,7 @@ class Propagation {
   using Front = Wavefront<typename Policy::Queue, Recorder>;
   using Taken = typename Front::Taken;
   using LastSegment = LastSegmentOf<Recorder>;
-  /// What a window's children inherit besides the geometry.
+  /// Data that a window's children inherit, besides the geometry.
   struct WindowOrigin {
     Index source;  ///< number of the pseudo-source
     Depth depth;
@@ -100,7 +101,7 @@ class Propagation {
     }
   }
 
-  /// v sends out windows, be it a pseudo-source or not.
+  /// Makes v send out windows, whether it is a pseudo-source or not.
   void start_at(Index v, double distance, LastSegment last_segment) {
     if (!(distance < distances_[v])) return;
     set_distance(v, distance);
@@ -108,8 +109,8 @@ class Propagation {
     wavefront_.push_vertex(v, distance);
   }
 
-  /// Starts from a source that is no vertex: its windows wait on the sides of its face or faces,
-  /// and lie along the edge that it is on.
+  /// Starts from a source that is not a vertex. Its windows wait on the sides of its face or faces,
+  /// and lie along its edge if it is on one.
   [[gnu::cold, gnu::noinline]] void spread(const InternalSource& source, Index root) {
     const double d = source.distance;
     const Index number = add_source(d, root);
@@ -136,7 +137,7 @@ class Propagation {
     land(under, {0, length, in_frame(mesh_, source.at, under).x, 0, d}, {number, {}});
   }
 
-  /// Nothing is left to find.
+  /// True when no more distances can change.
   [[gnu::noinline]] bool is_over() { return stop_rule_.is_over(wavefront_.least_key()); }
 
   /// @param root as in LastSegment (core/recording.h)
@@ -145,7 +146,7 @@ class Propagation {
     return wavefront_.add_source(sigma);
   }
 
-  /// Of a window's source; known where it is remembered.
+  /// Root of a window's source; kNone unless the recorder stores roots.
   Index root_of(const WindowOrigin& origin) const {
     if constexpr (Recorder::kRemembers) return roots_[origin.source];
     return kNone;
@@ -163,7 +164,7 @@ class Propagation {
     if (mesh_.is_pseudo_source(v) && has_news(v)) wavefront_.push_vertex(v, distance);
   }
 
-  /// The apex of h, at the end of an edge from a vertex that emits.
+  /// Reaches the apex of h along an edge from a vertex that emits.
   void reach_neighbour(Index h, double distance, double edge, LastSegment last_segment) {
     if (!(distance + edge < distances_[mesh_.apex(h)])) return;
     if (is_next_to_apex(mesh_.half_edge(h), edge)) {
@@ -173,7 +174,7 @@ class Propagation {
     }
   }
 
-  /// False when v has sent out windows of its distance, up to rounding, already.
+  /// False when v has already sent out windows of its distance, up to rounding.
   bool has_news(Index v) const { return distances_[v] < emitted_[v] * (1 - kPathMargin); }
 
   /// Sends windows from v to the opposite edges of its faces and along its own edges.
@@ -189,7 +190,7 @@ class Propagation {
       reach_neighbour(into, d, out, {into, v, {in, 0}});
       reach_neighbour(h, d, in, {h, v, {0, 0}});
       land(h, {0, out, 0, 0, d}, along);
-      // An edge without a half-edge out of v.
+      // The edge has no half-edge that leaves v.
       if (mesh_.twin(into) == kNone) land(into, {0, in, in, 0, d}, along);
       const HalfEdge& e = mesh_.half_edge(opposite);
       const double height = std::max(e.apex_y, kTouchingHeight * e.length);
@@ -201,11 +202,10 @@ class Propagation {
     }
   }
 
-  /// Where a pseudo-source lies on an edge, the apex of a face with almost no area, all its
-  /// lines pass the edge in one point. Whatever came there by other ways may own the edge on both
-  /// sides of that point and still not see what lies beyond: the window loses, and its children
-  /// must not be lost with it. They may come to another such edge.
-  /// Out of line, so that cross_face is compiled as without it.
+  /// If a pseudo-source lies on an edge (the apex of a face with almost no area), all its lines
+  /// pass the edge in one point. Other windows may own the edge on both sides of that point and
+  /// still not see the surface beyond. The window then loses, but its children must be kept. They
+  /// may reach another such edge. Out of line, so that cross_face is compiled as without it.
   /// @param w in the frame of h, whose face it leaves
   [[gnu::cold, gnu::noinline]] void cross_at_once(Index h, const Window& w,
                                                   const WindowOrigin& origin) {
@@ -234,9 +234,9 @@ class Propagation {
     cross_face(h, w, origin);
   }
 
-  /// Windows end where others begin. Where rounding turns the lines there, those of both would go
-  /// apart on the way: each takes with it what lies beyond its end by as much as rounding. Its
-  /// source is so near that such a line is shorter than one that bends at the end by less than
+  /// Windows end where others begin. If rounding turns the lines at such an end, the lines of both
+  /// windows diverge on the way. Each window is therefore extended beyond its end by the rounding.
+  /// Its source is so near that such a line is shorter than one that bends at the end by less than
   /// that.
   [[gnu::cold, gnu::noinline]] void widen(Window& w, double length) const {
     if (is_turned_by_rounding(w, w.begin, rounding_)) w.begin = std::max(w.begin - rounding_, 0.0);
@@ -268,7 +268,7 @@ class Propagation {
     double begin, end;
   };
 
-  /// A child that leaves its face through h, given in the frame of h's twin.
+  /// Inserts a child that leaves its face through h, given in the frame of h's twin.
   void land_child(Index h, Interval on, const Point2& source, double length, double sigma,
                   const WindowOrigin& origin) {
     // Rounding must not move the source across the edge.
@@ -298,7 +298,7 @@ class Propagation {
     });
   }
 
-  /// @param w in the frame of h, as of every half-edge of the edge that has its direction
+  /// @param w in the frame of h, or of any half-edge of the edge in the same direction
   void insert(Index h, double length, const Window& w, const WindowOrigin& origin) {
     const Index twin = mesh_.twin(h);
     const bool goes_on = twin != kNone && w.y > 0;
@@ -309,12 +309,12 @@ class Propagation {
     }
   }
 
-  /// A window in the frame of one half-edge, in the frame of its twin.
+  /// Converts a window from the frame of a half-edge to the frame of its twin.
   static Window turned(const Window& w, double length) {
     return {length - w.end, length - w.begin, length - w.x, -w.y, w.sigma};
   }
 
-  // Rows of faces without area are short, but on meshes that lie on a line.
+  // Rows of faces without area are short, except on meshes that lie on a line.
   static constexpr int kMostInRow = 32;
 
   const Mesh& mesh_;
@@ -324,9 +324,9 @@ class Propagation {
   double rounding_;  // of coordinates
   std::span<double> distances_;
   std::vector<double> emitted_;  // distance of the windows that each vertex sent out last
-  int row_ = 0;                  // faces crossed at once by the window being sent out
+  int row_ = 0;                  // faces that the current window has crossed at once
   StopRule stop_rule_;
-  bool stops_ = false;        // the query says so
+  bool stops_ = false;        // the query stops at targets
   std::vector<Index> roots_;  // by number of source; empty in timed solves
   [[no_unique_address]] typename Recorder::Progress progress_;
 };

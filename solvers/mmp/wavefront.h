@@ -1,4 +1,4 @@
-// The windows on all edges, and the queue of those that have not been propagated yet.
+// The windows on all edges, and the queue of those that are not propagated yet.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 
 namespace geodesic::mmp {
 
-/// @tparam Queue of numbers of events
+/// @tparam Queue queue of event numbers
 template <class Queue, class Recorder>
 class Wavefront {
   static_assert(WindowQueueByKey<Queue>,
@@ -29,10 +29,10 @@ class Wavefront {
  public:
   using Depth = typename Recorder::Depth;
 
-  /// What the queue gives back.
+  /// A pseudo-source or window from the queue.
   struct Taken {
-    Index vertex = kNone;  ///< a pseudo-source, or none:
-    Index edge = kNone;    ///< the list of a window, in the frame of that half-edge
+    Index vertex = kNone;  ///< a pseudo-source; kNone for a window
+    Index edge = kNone;    ///< the list of the window, which is in the frame of that half-edge
     Window window = {};    ///< y > 0: it enters the twin's face
     Index source = kNone;
     Depth depth = {};
@@ -42,7 +42,7 @@ class Wavefront {
   Wavefront(Index half_edges, Queue queue, Recorder& recorder)
       : lists_(half_edges), queue_(std::move(queue)), recorder_(recorder) {}
 
-  /// Forgets everything.
+  /// Clears all state.
   void start(double limit) {
     lists_.clear();
     open_lists_.clear();
@@ -58,7 +58,7 @@ class Wavefront {
 
   bool empty() const { return queue_.empty(); }
 
-  /// As of the queue, until the next start.
+  /// As the queue's functions, until the next start.
   void keep_sorted() { geodesic::keep_sorted(queue_); }
   double least_key() const { return queue_.least_key(); }
 
@@ -67,14 +67,14 @@ class Wavefront {
     push(distance, events_.add({Event::kVertex, 0, v, 0, false}));
   }
 
-  /// Makes room for the windows of a pseudo-source. @return its number
+  /// Adds a pseudo-source, for its windows. @return its number
   Index add_source(double sigma) {
     sigmas_.push_back(sigma);
     return static_cast<Index>(sigmas_.size() - 1);
   }
 
-  /// The next pseudo-source or window, which does not wait any longer; none when what waited is no
-  /// more, or is queued again. The wavefront must not be empty.
+  /// Takes the next pseudo-source or window, which then no longer waits. Returns nothing if it has
+  /// been cancelled or is queued again. The wavefront must not be empty.
   std::optional<Taken> take(const Mesh& mesh) {
     const auto timed = recorder_.enter(Phase::queue);
     const Index number = queue_.pop();
@@ -98,9 +98,9 @@ class Wavefront {
   }
 
   /// Inserts a window among those of its list and queues the parts that it wins.
-  /// @param edge the half-edge that names the list, in whose frame w is
-  /// @param source the number of its source
-  /// @param goes_on whether there is a face beyond
+  /// @param edge the half-edge that names the list; w is in its frame
+  /// @param source number of the source of w
+  /// @param goes_on whether there is a face beyond the edge
   void insert(Index edge, double length, const Window& w, Index source, Depth depth, bool goes_on) {
     const auto timed = recorder_.enter(Phase::trimming);
     if (lists_.windows(edge).empty()) {
@@ -117,7 +117,7 @@ class Wavefront {
     const std::span<const W> replaced =
         list.subspan(overlay_.first, overlay_.last - overlay_.first);
     if constexpr (Recorder::kRecords) waiting_ -= count_waiting(replaced);
-    // Cancelled until one of the pieces claims it.
+    // Cancelled until one of the pieces takes the event over.
     for (const W& old : replaced) {
       if (old.waits()) events_[old.event].id = kNone;
     }
@@ -140,11 +140,11 @@ class Wavefront {
     lists_.replace(edge, overlay_.first, overlay_.last, pieces);
   }
 
-  /// Now and then, closes the lists that the wavefront has passed, and frees their memory. What is
-  /// still to come is at least as long as the least key that waits, and every point of an edge is
-  /// at least as near as the ways along the edge from its ends: where those are shorter, no window
-  /// to come carries a shortest path, and the list would reject it.
-  /// @param distances of vertices, lengths of paths that exist
+  /// From time to time closes the lists that the wavefront has passed, and frees their memory. All
+  /// paths found from now on are at least as long as the least key in the queue. Every point of an
+  /// edge is at least as near as the paths along the edge from its ends. If those are shorter, no
+  /// later window carries a shortest path, and the list would reject it.
+  /// @param distances of vertices: lengths of existing paths
   void release_passed(const Mesh& mesh, std::span<const double> distances) {
     if (!open_lists_.is_due()) return;
     const double to_come = queue_.least_key() * (1 - kPassedMargin);
@@ -162,7 +162,7 @@ class Wavefront {
     });
   }
 
-  /// Hands the windows that wait to the recorder.
+  /// Passes the waiting windows to the recorder.
   void sample(const Mesh& mesh, const Progress& progress) {
     recorder_.sample(progress, [&](auto&& visit) {
       for (Index edge = 0; edge < lists_.edge_bound(); ++edge) {
@@ -176,7 +176,7 @@ class Wavefront {
     });
   }
 
-  /// The windows of a list.
+  /// Copies the windows of a list.
   void copy_windows(Index edge, double length, std::vector<Window>& windows) const {
     windows.clear();
     const std::span<const W> list = lists_.windows(edge);
@@ -186,7 +186,7 @@ class Wavefront {
     }
   }
 
-  /// Windows on all edges, with those of lists that were closed. Only of recorded solves.
+  /// Number of windows on all edges, including closed lists. For recorded solves only.
   std::uint64_t windows_left() const {
     std::uint64_t left = windows_released_;
     for (Index edge = 0; edge < lists_.edge_bound(); ++edge) {
@@ -198,9 +198,9 @@ class Wavefront {
  private:
   using W = EdgeWindow<Depth>;
 
-  /// Starts to load what the next takes will read, where each stage finds its addresses in what the
-  /// one before has loaded: event, list, window and faces, its sigma and the lists that its
-  /// children are inserted into.
+  /// Starts to load what the next takes will read, in stages. The addresses for each stage are in
+  /// the data of the stage before: event, list, window and faces, its sigma and the lists into
+  /// which its children are inserted.
   void prefetch_ahead(const Mesh& mesh) {
     pipeline_.advance(upcoming(queue_));
     if (pipeline_[0] != kNone) events_.prefetch(pipeline_[0]);
@@ -231,15 +231,15 @@ class Wavefront {
     return number == kNone || !events_[number].is_window() ? nullptr : &events_[number];
   }
 
-  /// The window that holds an event or, as its list changes, one near it; null when the list has
-  /// been closed, which prefetch_ahead may come too late to know.
+  /// The window of an event or, since lists change, one near it; null when the list has meanwhile
+  /// been closed.
   const W* likely_window(const Event& event) const {
     const std::span<const W> list = lists_.windows(event.id);
     return list.empty() ? nullptr : &list[event.likely_index(list.size())];
   }
 
-  /// Calls visit(edge) for the two edges that the children of a window, given by its list, will be
-  /// inserted into.
+  /// Calls visit(edge) for the two edges into which the children of a window, given with its list,
+  /// will be inserted.
   template <class Visit>
   void for_each_target(const Mesh& mesh, Index edge, const W& w, Visit&& visit) {
     const Index into = w.y < 0 ? edge : mesh.twin(edge);
@@ -249,7 +249,7 @@ class Wavefront {
     }
   }
 
-  /// Index in its list of the window that holds an event.
+  /// Index of the window of an event in its list.
   static std::size_t find(std::span<const W> list, const Event& event) {
     std::size_t i = event.likely_index(list.size());
     while (list[i].begin > event.begin) --i;
@@ -257,7 +257,7 @@ class Wavefront {
     return i;
   }
 
-  /// Queues a window whose key has grown anew, unless it is its turn by the new key too.
+  /// Queues a window again if its key has grown, unless it is due by the new key too.
   bool postpone(Index number, const Window& window) {
     const double key = least_distance(window);
     if (queue_.is_due(key)) return false;
@@ -271,7 +271,7 @@ class Wavefront {
     queue_.push(key, event);
   }
 
-  /// Queues a part that the challenger won.
+  /// Queues a part that the challenger has won.
   void accept(Index edge, Index index, W& piece, double end, double sigma, bool goes_on) {
     recorder_.valid(1);
     piece.event = kNone;
@@ -282,8 +282,8 @@ class Wavefront {
     push(key, piece.event);
   }
 
-  /// The first piece of a window that waits keeps its event, others are queued by themselves. A
-  /// piece with another nearest point counts as re-inserted here, though its entry stays for now.
+  /// The first piece of a waiting window keeps its event; other pieces are queued separately. A
+  /// piece with another nearest point counts as re-inserted now, though its entry stays.
   void keep_queued(Index edge, Index index, W& piece, double end) {
     const Window part = piece.geometry(end, sigmas_[piece.source]);
     const double nearest = nearest_position(part);
@@ -304,20 +304,20 @@ class Wavefront {
         std::count_if(windows.begin(), windows.end(), [](const W& w) { return w.waits(); }));
   }
 
-  // False of slivers too that rounding leaves behind.
+  // Also false for slivers left by rounding.
   static bool is_propagated(const W& w) { return !w.waits() && !w.is_gap(); }
 
   EdgeLists<W> lists_;
   OpenLists open_lists_;
   Queue queue_;
   Pool<Event> events_;
-  PrefetchPipeline<5> pipeline_;  // events on their way through prefetch_ahead
+  PrefetchPipeline<5> pipeline_;  // events in the stages of prefetch_ahead
   std::vector<double> sigmas_;    // by number of source
   double limit_ = kInfinity;
   Recorder& recorder_;
   [[no_unique_address]] typename Recorder::Count waiting_{};           // windows that wait
   [[no_unique_address]] typename Recorder::Count windows_released_{};  // of closed lists
-  Overlay<W> overlay_;                                                 // scratch of insert
+  Overlay<W> overlay_;                                                 // scratch memory of insert
 };
 
 }  // namespace geodesic::mmp

@@ -3,13 +3,13 @@
 // Xu, Wang, Liu, Liu, He 2015, "Fast wavefront propagation (FWP) for computing exact geodesic
 // distances on meshes". Any order of propagation is correct, so windows are only sorted into
 // buckets by floor(key / width). A phase takes the first buckets that together hold at least K
-// windows, first in first out inside a bucket; windows born during a phase wait for the next one.
-// K adapts: a phase whose children mostly lie above its upper bound was narrow enough to be
-// widened, and the reverse.
+// windows, first in first out inside a bucket; windows created during a phase wait for the next
+// one. K adapts: it grows after a phase whose children mostly lie above its upper bound, and
+// shrinks otherwise.
 //
 // The buckets are a ring (bucket_ring.h) that starts at the running phase. Keys beyond its far end
-// (another source's initial distance, a very long edge) wait in a heap until the ring gets there,
-// so that memory and time depend on the number of items, not on the range of their keys.
+// (another source's initial distance, a very long edge) wait in a heap until the ring reaches them.
+// Memory and time thus depend on the number of items, not on the range of their keys.
 #pragma once
 
 #include <algorithm>
@@ -26,8 +26,8 @@ namespace geodesic {
 template <class Item>
 class BucketQueue {
  public:
-  /// @param width keys covered by one bucket, in the keys' unit; published_bucket_width is
-  ///        the usual choice. Not positive: one bucket takes everything.
+  /// @param width keys covered by one bucket, in the keys' unit; published_bucket_width is the
+  ///        usual choice. If it is not positive, one bucket takes everything.
   explicit BucketQueue(double width) : numbers_(width), ring_(kRing) {}
 
   bool empty() const { return phase_.empty() && ring_.empty() && far_.empty(); }
@@ -45,7 +45,7 @@ class BucketQueue {
     is_narrow_ = false;
   }
 
-  /// Phases stay as narrow as they can be, until `clear`.
+  /// Keeps phases as narrow as possible, until `clear`.
   void keep_sorted() { is_narrow_ = true; }
 
   /// @param key not negative; less than the key of the item popped last only by rounding
@@ -59,14 +59,14 @@ class BucketQueue {
     }
   }
 
-  /// True when the running phase takes items of this key, so that one need not be queued.
+  /// True when the running phase takes items of this key. Such an item need not be queued.
   bool is_due(double key) const { return numbers_.of(key) - base_ < phase_span_; }
 
-  /// As of CalendarQueue: the lower end of the running phase.
+  /// As in CalendarQueue: the lower end of the running phase.
   double least_key() const { return base_ < 0 ? 0 : numbers_.least_key(base_); }
 
-  /// An item that a few others precede, for its data to be prefetched; null when none is
-  /// known. Valid until the next push.
+  /// An item that is popped after a few others, so that its data can be prefetched; null when none
+  /// is known. Valid until the next push.
   const Item* upcoming() const {
     return ahead_.empty() ? nullptr : &ring_.nodes()[ahead_.first].item;
   }

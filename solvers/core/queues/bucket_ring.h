@@ -1,8 +1,8 @@
 // Calendar queues: items sorted into buckets by floor(key / width), in a ring of buckets.
 //
 // Brown 1988, "Calendar queues: a fast O(1) priority queue implementation for the simulation event
-// set problem" (CACM 31(10)). A wavefront's keys lie close together and new ones lie mostly ahead,
-// so that a ring of buckets that starts where the wavefront is takes nearly all of them.
+// set problem" (CACM 31(10)). The keys of a wavefront lie close together, and new ones lie mostly
+// ahead. A ring of buckets that starts at the wavefront therefore takes nearly all of them.
 #pragma once
 
 #include <algorithm>
@@ -17,17 +17,16 @@
 
 namespace geodesic {
 
-/// The width of buckets that Xu, Wang, Liu, Liu, He 2015 publish for FWP, in the mesh's unit of
-/// length.
+/// The bucket width that Xu, Wang, Liu, Liu, He 2015 publish for FWP, in the mesh's unit of length.
 inline double published_bucket_width(const Mesh& mesh) {
   return mesh.mean_edge_length() / std::sqrt(static_cast<double>(mesh.vertex_count()));
 }
 
-/// Buckets of equal width, numbered from 0; a number never falls when a key grows. Keys too large
-/// to be numbered share the last bucket.
+/// Numbers of buckets of equal width, from 0; they do not decrease as keys grow. Keys too large for
+/// a number share the last bucket.
 class BucketNumbers {
  public:
-  /// @param width keys covered by one bucket; not positive: one bucket takes everything
+  /// @param width keys covered by one bucket; if not positive, one bucket takes everything
   explicit BucketNumbers(double width)
       : per_width_(width > 0 ? std::min(1 / width, kGreatestFactor) : 0) {}
 
@@ -36,7 +35,7 @@ class BucketNumbers {
     return static_cast<std::int64_t>(std::min(key * per_width_, kGreatestNumber));
   }
 
-  /// No key of this bucket or of a later one is smaller.
+  /// The least key of this bucket and of all later ones, or a smaller value.
   double least_key(std::int64_t number) const {
     return per_width_ > 0 ? static_cast<double>(number) / per_width_ * (1 - kKeyRounding) : 0;
   }
@@ -52,10 +51,10 @@ class BucketNumbers {
 template <class Item>
 struct BucketNode {
   Item item;
-  Index next;  ///< behind it in its bucket
+  Index next;  ///< the next node of the same bucket
 };
 
-/// A bucket from which items are taken all at once, the last one first: one number.
+/// A bucket whose items are taken all at once, the last one first. It is a single number.
 struct Stack {
   Index first = kNone;
 
@@ -96,8 +95,8 @@ struct Fifo {
   }
 };
 
-/// The buckets of as many successive numbers as the ring has places. Which numbers these are is up
-/// to its user: a place stands for one bucket as long as no two in use are `size()` apart.
+/// Buckets of successive numbers, as many as the ring has places. The user decides which numbers
+/// are in use: a place stands for one bucket if no two numbers in use are `size()` apart.
 /// @tparam Bucket Stack or Fifo
 /// @tparam Item small and trivially copyable
 template <class Bucket, class Item>
@@ -107,7 +106,7 @@ class BucketRing {
   explicit BucketRing(std::size_t size) : buckets_(size), mask_(size - 1) {}
 
   std::int64_t size() const { return static_cast<std::int64_t>(mask_) + 1; }
-  /// No bucket holds an item.
+  /// True when no bucket holds an item.
   bool empty() const { return items_ == 0; }
   std::size_t items() const { return items_; }
 
@@ -130,7 +129,7 @@ class BucketRing {
     return number;
   }
 
-  /// Empties a bucket: calls visit(item) for its items.
+  /// Empties a bucket and calls visit(item) for its items.
   template <class Visit>
   void drain(std::int64_t number, Visit&& visit) {
     Bucket& bucket = buckets_[place(number)];
@@ -143,7 +142,7 @@ class BucketRing {
     bucket = {};
   }
 
-  /// Moves the items of a bucket behind those of a list, which shares its nodes with the ring.
+  /// Appends the items of a bucket to a list that shares its nodes with the ring.
   void move_behind(std::int64_t number, Fifo& list) {
     Bucket& bucket = buckets_[place(number)];
     list.append(nodes_, bucket);

@@ -1,8 +1,8 @@
 // A calendar queue (bucket_ring.h): items in order of their key, equal keys in order of insertion.
 //
-// Buckets are narrow, and only the one that is being emptied is sorted, as a heap of a few items.
-// What lies beyond the ring (another source's initial distance, a very long edge) waits in a heap
-// of its own. The order is that of one heap of everything.
+// Buckets are narrow, and only the current one is sorted, as a heap of a few items. Items beyond
+// the ring (another source's initial distance, a very long edge) wait in another heap. The order is
+// the same as that of one heap of all items.
 #pragma once
 
 #include <algorithm>
@@ -18,14 +18,14 @@ namespace geodesic {
 
 /// How a calendar queue sorts keys into buckets.
 struct CalendarBuckets {
-  double width;  ///< keys covered by one, in the keys' unit; best when a bucket holds but a few
+  double width;  ///< keys covered by one, in the keys' unit; best when a bucket holds only a few
                  ///< items. Not positive: one heap takes everything.
   std::size_t count;  ///< of the ring, a power of two from 8 on; best when few items lie beyond
 };
 
 /// Measured: ICH is fastest at a sixteenth of the published width, within 5% from an eighth to a
-/// thirty-second. A child's key lies up to about one edge ahead of its parent's, which is more
-/// buckets the finer a mesh is: there are enough for two to four mean edge lengths.
+/// thirty-second. A child's key lies up to about one edge ahead of its parent's; the finer a mesh
+/// is, the more buckets that is. There are enough buckets for two to four mean edge lengths.
 inline CalendarBuckets calendar_buckets(const Mesh& mesh) {
   constexpr double kFiner = 16;
   const double an_edge = kFiner * std::sqrt(static_cast<double>(mesh.vertex_count()));
@@ -67,19 +67,19 @@ class CalendarQueue {
     }
   }
 
-  /// True when no item has a smaller key, so that one of this key need not be queued.
+  /// True when no item has a smaller key. An item of this key need not be queued then.
   bool is_due(double key) const {
     const Entry entry{std::bit_cast<std::uint64_t>(key), 0, {}};
     if (near_.empty()) return size_ == 0 || number_of(entry) <= current_;
     return entry.key <= near_.least().key;
   }
 
-  /// No item has a smaller key, nor one pushed from now on unless it lies behind the item popped
-  /// last. Cheap rather than tight.
+  /// No item has a smaller key, nor has one pushed later unless it lies behind the item popped
+  /// last. A cheap bound, not a tight one.
   double least_key() const { return numbers_.least_key(current_); }
 
-  /// Some item that will be popped soon but not next, another one at each call, for its data to be
-  /// prefetched; null when none is known. Valid until the next push.
+  /// An item that will be popped soon but not next, another one at each call, so that its data can
+  /// be prefetched; null when none is known. Valid until the next push.
   const Item* upcoming() {
     if (preview_bucket_ <= current_) {
       preview_bucket_ = current_ + 1;
@@ -109,8 +109,8 @@ class CalendarQueue {
 
   std::int64_t number_of(const Entry& entry) const { return numbers_.of(entry.key_value()); }
 
-  // Makes the first bucket that holds anything the current one. As long as the ring holds an item,
-  // that is nearer than the ring's end: a place in the ring never stands for two buckets.
+  // Makes the first bucket that holds an item the current one. As long as the ring holds an item,
+  // that bucket is nearer than the ring's end: a place in the ring never stands for two buckets.
   void advance() {
     std::int64_t next = far_.empty() ? INT64_MAX : number_of(far_.least());
     if (!ring_.empty()) next = std::min(next, ring_.next_filled(current_ + 1));
@@ -122,7 +122,7 @@ class CalendarQueue {
   BucketNumbers numbers_;
   KeyHeap<Item> near_;             // buckets up to current_
   BucketRing<Stack, Entry> ring_;  // buckets behind current_
-  KeyHeap<Item> far_;              // what lay beyond the ring when it was pushed
+  KeyHeap<Item> far_;              // items that lay beyond the ring when they were pushed
   std::int64_t current_ = 0;
   std::int64_t preview_bucket_ = 0;  // where `upcoming` has got to: a bucket not emptied yet,
   Index preview_ = kNone;            // and its node

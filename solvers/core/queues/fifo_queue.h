@@ -14,7 +14,7 @@ class FifoQueue {
   std::size_t size() const { return items_.size(); }
   void clear() { items_.clear(); }
   void push(double /*key*/, Item item) { items_.push_back(item); }
-  /// As of BucketQueue.
+  /// As in BucketQueue.
   const Item* upcoming() const { return items_.size() > 4 ? &items_[4] : nullptr; }
   Item pop() {
     const Item first = items_.front();

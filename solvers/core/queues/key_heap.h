@@ -8,10 +8,10 @@
 
 namespace geodesic {
 
-/// An item that waits; order of keys, equal keys in order of their serial numbers.
+/// A queued item. Ordered by key, equal keys by serial number.
 template <class Item>
 struct KeyedItem {
-  std::uint64_t key;     // bits of the key: doubles that are not negative compare like integers
+  std::uint64_t key;     // bits of the key: non-negative doubles compare like integers
   std::uint32_t serial;  // breaks ties, so that counters do not depend on a queue's shape
   Item item;
 
@@ -44,7 +44,7 @@ class KeyHeap {
     const Entry least = heap_.front();
     const Entry last = heap_.back();
     heap_.pop_back();
-    // The last entry belongs near the leaves: let the hole sink all the way, then look upwards.
+    // The last entry belongs near the leaves: move the hole all the way down, then sift up.
     if (!heap_.empty()) sift_up(sink_hole(), last);
     return least;
   }
@@ -60,7 +60,7 @@ class KeyHeap {
     heap_[at] = entry;
   }
 
-  // Moves the root's place down to a leaf along the least children.
+  // Moves a hole from the root down to a leaf, along the least children.
   std::size_t sink_hole() {
     Entry* const heap = heap_.data();
     const std::size_t size = heap_.size();

@@ -1,8 +1,8 @@
-// A calendar queue (bucket_ring.h) of vertices whose distances may decrease while they wait: the
-// order of VertexHeap but for the vertices of one bucket, which are first in, first out.
+// A calendar queue (bucket_ring.h) of vertices whose distances may decrease while they wait. The
+// order is that of VertexHeap, except that vertices of one bucket are first in, first out.
 //
-// A vertex that moves forward leaves its old entry behind. The entry that counts is in the earliest
-// bucket and is met first, and then the vertex no longer waits.
+// A vertex that moves forward leaves its old entry behind. The valid entry is in the earliest
+// bucket and is met first; the vertex then no longer waits.
 #pragma once
 
 #include <algorithm>
@@ -17,10 +17,10 @@
 
 namespace geodesic {
 
-/// The keys of a vertex only fall until the queue is cleared, after it was popped as well.
+/// The keys of a vertex only decrease until the queue is cleared, even after it was popped.
 ///
-/// Bucket n lies in slot n modulo kSlots, so that keys may be farther apart than the slots reach.
-/// Popping passes over empty buckets one by one, and over more than a lap of them at once.
+/// Bucket n lies in slot n modulo kSlots, so keys may be farther apart than the slots reach.
+/// Popping skips empty buckets one by one, and more than a lap of them at once.
 class VertexCalendar {
  public:
   /// @param vertices number of vertices; ids run from 0 to vertices - 1
@@ -30,10 +30,10 @@ class VertexCalendar {
 
   bool empty() const { return size_ == 0; }
 
-  /// No vertex that waits has a smaller key.
+  /// No waiting vertex has a smaller key.
   double least_key() const { return numbers_.least_key(current_); }
 
-  /// The same, where the first bucket begins that holds a vertex. Must not be empty.
+  /// As least_key, at the first bucket that holds a vertex. Must not be empty.
   double first_key() {
     seek();
     return least_key();
@@ -48,8 +48,7 @@ class VertexCalendar {
     current_ = popped_ = farthest_ = 0;
   }
 
-  /// Inserts v, or moves it forward. A key that lies behind what was popped last joins the bucket
-  /// of that.
+  /// Inserts v, or moves it forward. A key below the bucket popped last joins that bucket.
   void push_or_decrease(Index v, double key) {
     const std::int32_t bucket = std::max(
         static_cast<std::int32_t>(std::min(numbers_.of(key), std::int64_t{kLast})), popped_);
@@ -66,12 +65,12 @@ class VertexCalendar {
     (bucket == current_ ? now_ : slots_[slot_of(bucket)]).push(nodes_, Entry{v, bucket});
   }
 
-  /// A vertex that is likely to be popped next, for its data to be prefetched; kNone when none is
-  /// known.
+  /// A vertex that is likely to be popped next, so that its data can be prefetched; kNone when none
+  /// is known.
   Index upcoming() const { return now_.empty() ? kNone : nodes_[now_.first].item.vertex; }
 
-  /// Removes and returns the vertex that has been longest in the first bucket that holds any. Must
-  /// not be empty.
+  /// Removes and returns the vertex that has waited longest in the first non-empty bucket. Must not
+  /// be empty.
   Index pop() {
     const Index v = seek();
     take_first(now_);
@@ -87,10 +86,10 @@ class VertexCalendar {
     std::int32_t bucket;
   };
 
-  // A mark is the slot in which a vertex waits, with kWaits.
+  // A mark is the slot in which a vertex waits, plus kWaits.
   static constexpr std::uint8_t kAbsent = 0, kWaits = 1u << 7;
   static constexpr std::int32_t kSlots = kWaits;
-  /// What is farther shares the last bucket.
+  /// Buckets beyond this one share it.
   static constexpr std::int32_t kLast = INT32_MAX;
 
   static std::size_t slot_of(std::int32_t bucket) {
@@ -103,7 +102,7 @@ class VertexCalendar {
     return nodes_.take(first).item;
   }
 
-  /// Goes on with a bucket.
+  /// Makes a bucket the current one.
   void move_to(std::int32_t bucket) {
     slots_[slot_of(current_)].append(nodes_, std::exchange(now_, {}));
     current_ = bucket;
@@ -119,7 +118,7 @@ class VertexCalendar {
     }
   }
 
-  /// Moves on to the first bucket that holds a vertex. @return the one that is longest in it
+  /// Moves on to the first bucket that holds a vertex. @return the one that has waited longest
   Index seek() {
     std::int32_t passed = 0;
     for (;;) {
@@ -139,7 +138,7 @@ class VertexCalendar {
     return first;
   }
 
-  /// Of all slots.
+  /// Visits the entries of all slots.
   template <class Visit>
   void for_each_entry(const Visit& visit) const {
     for (const Fifo& slot : slots_) {
@@ -153,7 +152,7 @@ class VertexCalendar {
   BucketNumbers numbers_;
   std::vector<Fifo> slots_;
   Pool<BucketNode<Entry>> nodes_;
-  Fifo now_;  // what is left of the current bucket; its slot has entries of later laps only
+  Fifo now_;  // what is left of the current bucket; its slot then has entries of later laps only
   std::vector<std::uint8_t> marks_;  // by vertex
   std::int32_t current_ = 0;         // no vertex waits in an earlier bucket
   std::int32_t popped_ = 0;          // bucket popped from last

@@ -7,7 +7,7 @@
 
 namespace geodesic {
 
-/// Each vertex is in it at most once; a smaller key moves it forward.
+/// Holds each vertex at most once; a smaller key moves it forward.
 class VertexHeap {
  public:
   /// @param vertices number of vertices; ids run from 0 to vertices - 1
@@ -33,7 +33,7 @@ class VertexHeap {
     sift_up(slot_[v], {key, v});
   }
 
-  /// Removes and returns the vertex of least key, the smaller id among equals. Must not be empty.
+  /// Removes and returns the vertex of least key, of smallest id among equals. Must not be empty.
   Index pop() {
     const Index least = heap_.front().vertex;
     slot_[least] = kNone;
