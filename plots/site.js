@@ -14,5 +14,5 @@ for (const input of document.querySelectorAll(".filter input")) {
   };
   input.addEventListener("input", filter);
   paragraph.hidden = false;
-  filter();  // what a browser kept of an earlier visit
+  filter();  // the browser may have restored the words of an earlier visit
 }

@@ -1,23 +1,23 @@
-// Draws the scene of the page: one picture a solver, all seen by one camera.
+// Draws the scene of the page: one picture per solver, all with the same camera.
 import * as THREE from "three";
 import { OrbitControls } from "three/OrbitControls";
 import { unzlibSync } from "three/fflate";
 
 const FRAMES_A_SECOND = 12;
-const TURN = Math.PI / 36;  // of a key
+const TURN = Math.PI / 36;  // radians by which a key turns the model
 const FIELD_OF_VIEW = 25;  // degrees, of the shorter side
 const HALF_VIEW = Math.tan(FIELD_OF_VIEW / 2 * Math.PI / 180);
 const CREASE = Math.cos(40 * Math.PI / 180);
 const REST = 250;  // ms
-const FINE = 2;  // pixels drawn for one that is shown, across and down
-const HEIGHT = 0.72;  // of the window, for the pictures at most
-const HEADING = 42;  // pixels above each
-const NARROWEST = 165;  // pixels
-const PARTS = 255;  // of an edge
+const FINE = 2;  // drawn pixels per shown pixel, across and down
+const HEIGHT = 0.72;  // largest share of the window's height for the pictures
+const HEADING = 42;  // pixels above each picture
+const NARROWEST = 165;  // least width of a picture in pixels
+const PARTS = 255;  // steps into which positions on an edge are rounded
 const EDGES = "edges of the mesh";
 const COLOURS = ["distance", "cells", "none"];
 const PLAIN = "#e4e2dc", UNREACHED = "#d9dadd", INK = "#222222";
-const CELLS = 8;  // colours of cells, and one of none
+const CELLS = 8;  // number of colours of Voronoi cells
 const KINDS = { f4: Float32Array, u4: Uint32Array, i4: Int32Array, u1: Uint8Array };
 
 const element = (id) => document.getElementById(id);
@@ -29,14 +29,14 @@ function fail(message) {
   element("controls").hidden = true;
 }
 
-// The browser's own streams would do it later: the page is to be drawn when it is loaded, since what
-// takes a picture of a page waits no longer.
+// Synchronous, unlike the browser's own streams: the page must be drawn when it is loaded, since
+// programs that take screenshots wait no longer.
 function unpacked({ type, data }) {
   const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
   return new KINDS[type](unzlibSync(bytes).slice().buffer);
 }
 
-// All arrays of a scene, unpacked in place.
+// Unpacks all arrays of a scene in place.
 function unpack(object) {
   for (const [key, value] of Object.entries(object ?? {})) {
     if (value?.data !== undefined) object[key] = unpacked(value);
@@ -50,10 +50,10 @@ THREE.ColorManagement.enabled = false;  // colours are those of the screen throu
 
 // The surface is drawn once for all pictures, into textures: its shade, the distance, the colour of
 // the cell, and for up to eight solvers the frame in which it is reached. A picture is then painted
-// from them, so that playing costs no more on a mesh of many faces.
-const BEHIND = 0;  // in place of a cell's colour: no surface
+// from these textures, so that the cost of playing does not depend on the number of faces.
+const BEHIND = 0;  // stored in place of a cell's colour: no surface here
 
-// Shaded as the figures are: both sides alike, light from above on the left.
+// The shading of the figures: the same on both sides, with light from the upper left.
 const SURFACE = {
   glslVersion: THREE.GLSL3,
   vertexShader: `
@@ -88,7 +88,7 @@ const SURFACE = {
       framesToo = reachedToo;
     }`,
   side: THREE.DoubleSide,
-  polygonOffset: true,  // lines on the surface are before it
+  polygonOffset: true,  // lines on the surface are in front of it
   polygonOffsetFactor: 1,
   polygonOffsetUnits: 2,
 };
@@ -129,11 +129,11 @@ const PAINTING = {
   depthFunc: THREE.AlwaysDepth,
 };
 
-// Pixels of a picture, for lines of some pixels' width; the same for all pictures.
+// Size of a picture in pixels, for lines with a width in pixels; the same for all pictures.
 const pixels = { value: new THREE.Vector2(1, 1) };
 
-// Segments as quads: each corner knows its own end and the other one. (Instances would be less
-// data, but software renderers draw each as if it were a mesh.)
+// Segments as quads: each corner has the positions of both ends. (Instances would be less data, but
+// software renderers draw each as if it were a mesh.)
 function fill(geometry, segments) {
   const count = segments.length / 6;
   const own = new Float32Array(12 * count), other = new Float32Array(12 * count);
@@ -183,7 +183,7 @@ function thinLines(segments, color) {
   return new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color }));
 }
 
-// A disc of some pixels at each point.
+// Discs, with a size in pixels, at points.
 function marks(points, color) {
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute("position", new THREE.Float32BufferAttribute(points, 3));
@@ -206,8 +206,8 @@ function marks(points, color) {
   }));
 }
 
-// A mesh to draw. Corners of faces that turn away from their neighbours are vertices of their own,
-// with the normal of the face: they are a crease.
+// A mesh to draw. At a crease, the corners of faces become separate vertices with the normal of the
+// face.
 class Drawn {
   constructor({ vertices, faces }) {
     const whole = new THREE.BufferGeometry();
@@ -216,7 +216,7 @@ class Drawn {
     whole.computeVertexNormals();
     this.positions = Array.from(vertices);
     this.normals = Array.from(whole.getAttribute("normal").array);
-    this.owners = Array.from({ length: vertices.length / 3 }, (_, v) => v);  // vertices of the mesh
+    this.owners = Array.from({ length: vertices.length / 3 }, (_, v) => v);  // by drawn vertex, the vertex of the mesh
     this.index = Array.from(faces);
     this.crease();
   }
@@ -237,7 +237,7 @@ class Drawn {
     }
   }
 
-  // In the middle of some others.
+  // Adds a vertex in the middle of others.
   addBetween(others, owner) {
     for (const numbers of [this.positions, this.normals]) {
       for (let i = 0; i < 3; ++i) {
@@ -247,7 +247,7 @@ class Drawn {
     return this.owners.push(owner) - 1;
   }
 
-  // Splits faces with corners in several cells, so that each part has the owner of its corner.
+  // Splits faces with corners in several cells, so that each part belongs to the cell of its corner.
   splitByCell(cells) {
     const index = [];
     for (let f = 0; f < this.index.length; f += 3) {
@@ -268,7 +268,7 @@ class Drawn {
   }
 }
 
-// The surface of all pictures, and the textures that it is drawn into.
+// The surface, and the textures that it is drawn into for all pictures.
 class Surface {
   constructor(scene) {
     this.scene = scene;
@@ -299,13 +299,13 @@ class Surface {
     return made;
   }
 
-  // The number of its colour, counted from 1: 0 is where no surface is.
+  // The number of the cell's colour, counted from 1; 0: no surface.
   cell(v) {
     const { cells } = this.scene, number = cells?.nearest[v];
     return 1 + (number < cells?.sources.length ? number % CELLS : CELLS);
   }
 
-  // @param taps pixels of the textures for one of the picture, across and down
+  // @param taps pixels of the textures per pixel of the picture, across and down
   draw(renderer, camera, { width, height }, taps, inCells) {
     if (inCells) this.split ??= this.geometry(new Drawn(this.scene).splitByCell(this.scene.cells.nearest));
     this.model.geometry = inCells ? this.split : this.whole;
@@ -319,7 +319,7 @@ class Surface {
   }
 }
 
-// The windows of a solver, a frame at a time.
+// The windows of a solver in one frame.
 class Wavefront {
   constructor(scene, solver) {
     this.scene = scene;
@@ -354,8 +354,8 @@ class Wavefront {
   }
 }
 
-// A picture: the surface and the wavefront as its solver has them, and the lines and marks that all
-// pictures share.
+// A picture: the surface and the wavefront of a solver, and the lines and marks that all pictures
+// share.
 class Panel {
   constructor(surface, solver, number) {
     this.solver = solver;
@@ -409,7 +409,7 @@ class Panel {
 }
 
 class Page {
-  // @param software whether the processor draws, for which smooth lines cost too much
+  // @param software whether the processor draws; smooth lines then cost too much
   constructor(scene, software) {
     this.scene = scene;
     this.views = element("views");
@@ -440,7 +440,7 @@ class Page {
     this.grid.append(...this.panels.map((panel) => panel.box));
   }
 
-  // As the figures' camera looks.
+  // The view of the figures' camera.
   startCamera() {
     const { axes, up } = this.scene;
     this.surface.whole.computeBoundingSphere();
@@ -470,7 +470,7 @@ class Page {
     return 1.03 * distance;
   }
 
-  // What all pictures show alike, by its name on the page.
+  // The layers that all pictures share, by name on the page.
   makeLayers() {
     const { isolines, paths, vertices, sources, cells } = this.scene;
     const places = (of) => of.flatMap((v) => [...vertices.subarray(3 * v, 3 * v + 3)]);
@@ -481,7 +481,7 @@ class Page {
     both.add(thinLines(isolines.thin, "#5b6470"), thickLines(isolines.thick, "#3c4450", 1.6));
     this.layers.set("isolines", both);
     if (paths) this.layers.set("paths", thickLines(paths.segments, paths.color, 2.2));
-    this.layers.set(EDGES, null);  // made when it is first shown
+    this.layers.set(EDGES, null);  // created when it is first shown
   }
 
   layer(name) {
@@ -532,7 +532,7 @@ class Page {
     this.change({});
   }
 
-  // As many columns as make the pictures largest.
+  // Chooses the number of columns that makes the pictures largest.
   arrange() {
     const width = this.views.clientWidth, most = Math.max(HEIGHT * innerHeight, 300);
     const count = Math.max(1, this.panels.length - this.state.hidden.size);
@@ -552,14 +552,14 @@ class Page {
     this.move();
   }
 
-  // The surface is drawn anew.
+  // Draws the surface again.
   move() {
     this.taps = 1;
     this.surfaceIsDrawn = false;
     this.stir();
   }
 
-  // All is drawn coarsely, until it rests.
+  // Draws coarsely until the camera rests.
   stir() {
     this.rests = false;
     clearTimeout(this.resting);
@@ -602,7 +602,7 @@ class Page {
     requestAnimationFrame(step);
   }
 
-  // At the next repaint, once for all changes until then.
+  // Draws at the next repaint, once for all changes until then.
   draw() {
     document.body.dataset.rests = false;
     this.waiting ??= requestAnimationFrame(() => {
@@ -640,7 +640,7 @@ class Page {
     document.body.dataset.rests = this.rests;
   }
 
-  // Once for all pictures, which have the same size.
+  // Computed once: all pictures have the same size.
   drawSurface(width, height) {
     if (this.surfaceIsDrawn) return;
     this.surfaceIsDrawn = true;
@@ -670,7 +670,7 @@ class Page {
     event.preventDefault();
   }
 
-  // Around the model, as dragging does.
+  // Turns around the model, as dragging does.
   turn(around, down) {
     const { position, up } = this.camera, { target } = this.controls;
     const upright = new THREE.Quaternion().setFromUnitVectors(up, new THREE.Vector3(0, 1, 0));

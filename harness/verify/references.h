@@ -92,7 +92,7 @@ struct Judges {
 /// ranked solver that supports the mesh.
 class LocalReference {
  public:
-  /// Both must outlive it.
+  /// The mesh must outlive it.
   LocalReference(const Description& verified, const Mesh& mesh, Judges judges = {});
 
   /// kBruteForce, a solver's name, or "nothing".
