@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The performance gate: a revision against its base. See --help and docs/regression-gate.md.
+# The performance gate: compares a revision with its base. See --help and docs/regression-gate.md.
 set -euo pipefail
 
 program=check_performance.sh

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the folder of a new solver, which builds and works at once. See --help.
+# Makes the folder of a new solver, which builds and runs without changes. See --help.
 set -euo pipefail
 
 program=new_solver.sh
@@ -9,7 +9,7 @@ source "$root/tools/common.sh"
 
 starts=(template edge-based mmp chen-han)
 longest_name=32
-# Words of C++ that look like a name, and of this project and CMake that mean something else.
+# Words of C++, this project and CMake that look like a name but are reserved.
 reserved="alignas alignof and asm auto bitand bitor bool break case catch char class compl concept
   const consteval constexpr constinit continue decltype default delete do double else enum explicit
   export extern false float for friend goto if inline int long mutable namespace new noexcept not
@@ -72,12 +72,12 @@ check_name() {
   die "there is a solver named '$name' already, in ${taken#"$root/"}"
 }
 
-# write_instance SKELETON FILE: the skeleton with the names put in.
+# write_instance SKELETON FILE: writes the skeleton with the names inserted.
 write_instance() {
   sed -e "s/@name@/$name/g" -e "s/@folder@/$folder_name/g" "$1" >"$folder/$2"
 }
 
-# In the template's files the word is its name and nothing else.
+# In the template's files the word "template" is only used as its name.
 write_template() {
   local start="$root/solvers/variants/template"
   sed "s/\<template\>/$name/g" "$start/template.cpp" >"$folder/$folder_name.cpp"
@@ -93,7 +93,7 @@ write_variant() {
   write_instance "$skeletons/CMakeLists.txt.in" CMakeLists.txt
 }
 
-# Half a folder would stop the next build.
+# An incomplete folder would make the next build fail.
 remove_unfinished() {
   local status=$?
   if [[ $status -ne 0 ]]; then rm -rf "$folder"; fi

@@ -121,7 +121,7 @@ take_word() {
   esac
 }
 
-# What follows from several options together.
+# Checks combinations of options, and sets the options that follow from others.
 complete_options() {
   if [[ ${#steps[@]} -eq 0 ]]; then
     steps=("${all_steps[@]}")
@@ -158,7 +158,7 @@ step_build() {
   want_three
 }
 
-# build_peers OPTION...: peers/build.py for those of --peers, by default all.
+# build_peers OPTION...: runs peers/build.py for the peers of --peers, by default all.
 build_peers() {
   local names=()
   if [[ -n $peers && $peers != all ]]; then IFS=, read -ra names <<<"$peers"; fi
@@ -173,15 +173,15 @@ step_peers() {
 step_fetch() {
   need_bench
   local status=0 bars=()
-  # Progress bars go to the terminal alone: what is logged passes through a pipe.
+  # Progress bars go directly to the terminal, because logged output passes through a pipe.
   if [[ -t 2 ]]; then bars=(--bars "$(tty <&2)"); fi
   logged "$python" "$root/datasets/fetch.py" --corpus "$corpus" --bench "$bench" "${bars[@]}" ||
     status=$?
-  # 3: some meshes cannot be fetched here; the run leaves them out and reports it.
+  # Exit code 3: some meshes cannot be fetched. The run leaves them out and reports them.
   [[ $status -eq 0 || $status -eq 3 ]]
 }
 
-# suite_solvers FILE: those that the suite names, separated by commas.
+# suite_solvers FILE: prints the solvers that the suite names, separated by commas.
 suite_solvers() {
   "$python" -c 'import json, sys
 with open(sys.argv[1], encoding="utf-8") as file:
@@ -215,14 +215,14 @@ step_run() {
     die "$out already contains a run; remove it, or give another --out"
   fi
   (cd "$root" && logged "$bench" run "${what[@]}" "${run_options[@]}" "${where[@]}") || status=$?
-  # Failed cells are results, which check reports; only a run that was not completed ends here.
+  # Failed cells are results, which check reports. Only an incomplete run is an error here.
   if [[ $status -ge 128 || ! -f $out/run.json ]]; then
     if [[ -f $out/request.json ]]; then say "To continue: $0 ${steps[*]} --preset $preset --resume '$out'"; fi
     exit "$status"
   fi
 }
 
-# run_on_slurm OPTION...: as `geodesic-bench run` has them.
+# run_on_slurm OPTION...: runs on Slurm with options of `geodesic-bench run`.
 run_on_slurm() {
   local status=0 words=(follow "$out")
   if [[ $slurm == submit ]]; then
@@ -233,25 +233,25 @@ run_on_slurm() {
     [[ $status -ne 0 ]] || say "Submit it: sbatch $out/slurm.sh; then follow it: $0 --slurm-follow '$out'"
     exit "$status"
   fi
-  # Shards that were given up are gaps, which check reports.
+  # The run lacks the shards that were given up, which check reports.
   [[ $status -lt 128 && -f $out/run.json ]] || exit "$status"
 }
 
-# A failure is remembered for the end: the tables show failed cells, so they are drawn anyway.
+# A failure only changes the exit code at the end, because the tables show failed cells.
 step_check() {
   local accepted=(--allow-skipped)
-  # What a public code fails at is a result of the comparison.
+  # A failure of a public code is a result of the comparison.
   if [[ -n $peers ]]; then accepted+=(--others-may-fail); fi
   PYTHONPATH=${PYTHONPATH:+$PYTHONPATH:}$root logged "$python" -m gate.check_run "${accepted[@]}" "$out" ||
     check_failed=yes
 }
 
-# Its hundred files are listed in the log alone: what check found stays in sight.
+# Its hundred files are listed only in the log, so that the output of check stays visible.
 step_plot() {
   PYTHONPATH=${PYTHONPATH:+$PYTHONPATH:}$root "$python" -m plots.report "$out" >>"$log"
 }
 
-# choose_out: the folder that `run` writes and that check and plot read.
+# choose_out: sets `out`, the folder that `run` writes and that check and plot read.
 choose_out() {
   [[ -z $out ]] || return 0
   local runs="$root/results/runs" file

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every test: C++ with CTest, Python with pytest. See --help.
+# Runs all tests: C++ with CTest, Python with pytest. See --help.
 set -euo pipefail
 
 program=run_tests.sh
@@ -39,7 +39,7 @@ take_word() {
   esac
 }
 
-# Both runners run, whatever the first one finds. Tests of programs wait half of their time for them.
+# Runs pytest even if CTest fails. Two jobs per processor, because tests of programs wait half of the time.
 run_tests() {
   local failed=0
   rm -rf "$logs/ctest.xml" "$logs/pytest.xml" "$root/build/$preset/tests/reports"

@@ -56,7 +56,7 @@ def parse_arguments(words: list[str] | None) -> argparse.Namespace:
 
 
 def fetch_all(fetcher: Fetcher, entries: list[Entry]) -> int:
-    """Fetches one after the other, with a line for each that is missing; counts those."""
+    """Fetches the entries one by one, prints a line for each missing one and returns their number."""
     fetched = missing = 0
     for entry in entries:
         try:

@@ -78,7 +78,7 @@ def parse(words: Sequence[str] | None) -> argparse.Namespace:
 
 
 def _ready(trees: list[Tree], chosen: revisions.Options) -> list[Program]:
-    """Built programs with the meshes of the suite."""
+    """Builds the programs and generates the meshes of the suite."""
     revisions.say(f"building {' and '.join(tree.label for tree in trees)}")
     build(trees, chosen.solvers, chosen.out)
     cache = GATE / "meshes"
@@ -94,7 +94,7 @@ def _ready(trees: list[Tree], chosen: revisions.Options) -> list[Program]:
 
 
 def judge(options: argparse.Namespace, out: Path) -> int:
-    """The exit code."""
+    """Runs the levels, writes the report and returns the exit code."""
     solvers = tuple(name for name in options.solvers.split(",") if name)
     chosen = revisions.Options(out, options.levels, options.margin, options.budget, solvers,
                            strict=options.strict, noise_file=NOISE)  # fmt: skip
@@ -121,7 +121,7 @@ def main(words: Sequence[str] | None = None) -> int:
     try:
         out.mkdir(parents=True, exist_ok=True)
         return judge(options, out)
-    except GateError as error:  # a report too, for a CI that shows verdict.md
+    except GateError as error:  # CI shows verdict.md, so errors are written there too
         (out / "verdict.md").write_text(f"## error: {error}\n", encoding="utf-8")
         return console.complain(error)
     except OSError as error:

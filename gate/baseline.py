@@ -1,6 +1,6 @@
-"""Level 1: integer counters against those committed in results/baseline/.
+"""Level 1: integer counters compared with the committed counters in results/baseline/.
 
-The file has one line a row, so that a change of an algorithm is a diff that a person reads.
+The file has one line per row. A change of an algorithm is therefore a readable diff.
 """
 
 from __future__ import annotations
@@ -26,13 +26,13 @@ Counters = dict[Cell, dict[str, int]]
 
 
 def counters_of(run: Verified) -> Counters:
-    """The integer counters of every cell that has some."""
+    """Returns the integer counters of every cell that succeeded and has counters."""
     found = {cell: one.counters() for cell, one in run.cells.items() if one.ok}
     return {cell: numbers for cell, numbers in found.items() if numbers}
 
 
 def read(tree: Path) -> Counters:
-    """@raises GateError when there is no baseline, or it is not a table of counters"""
+    """@raises GateError when the baseline is missing or is not a table of counters"""
     file = tree / FOLDER / FILE
     try:
         with file.open(encoding="utf-8", newline="") as lines:
@@ -68,7 +68,7 @@ def as_csv(counters: Counters) -> str:
 def compare(
     baseline: Counters, run: Verified, solvers: Collection[str] | None = None
 ) -> LevelResult:
-    """@param solvers those that were asked for; by default all"""
+    """@param solvers names of the solvers to compare; None for all"""
     result = LevelResult(1, "The algorithms' counters against the committed baseline")
     result.heading = ["row", "counter", "baseline", "head", "change"]
     counted = counters_of(run)
@@ -106,8 +106,8 @@ def _judge(result: LevelResult, cell: Cell, old: dict[str, int], new: dict[str, 
 
 
 def _missing(result: LevelResult, cells: list[Cell], run: Verified) -> None:
-    """Rows of the baseline that nothing was measured for: never silently green."""
-    gone = [cell for cell in cells if cell not in run.cells]  # the others failed: level 0 says how
+    """Reports the rows of the baseline that the run has not measured as errors."""
+    gone = [cell for cell in cells if cell not in run.cells]  # level 0 reports the cells that failed
     meshes_left = {cell.mesh for cell in run.cells}
     for solver in sorted({cell.solver for cell in gone if cell.mesh in meshes_left}):
         result.fail(
@@ -124,7 +124,7 @@ def _missing(result: LevelResult, cells: list[Cell], run: Verified) -> None:
 
 
 def update(tree: Path, run: Verified, reason: str) -> list[str]:
-    """Rewrites the baseline and adds to its history; returns lines that say what changed."""
+    """Rewrites the baseline, appends to its history and returns the changes as lines of text."""
     file = tree / FOLDER / FILE
     old = read(tree) if file.exists() else {}
     new = counters_of(run)
@@ -150,7 +150,7 @@ why it was accepted, and what changed.
 
 
 def summary(old: Counters, new: Counters) -> list[str]:
-    """One line a solver and counter that changed, with the range of the changes."""
+    """Returns one line per solver and changed counter, with the range of the relative changes."""
     lines = []
     for what, cells in (("new", new.keys() - old.keys()), ("gone", old.keys() - new.keys())):
         for solver in sorted({cell.solver for cell in cells}):
@@ -168,7 +168,7 @@ def summary(old: Counters, new: Counters) -> list[str]:
 
 
 def _ratios(old: Counters, new: Counters, solver: str, name: str) -> list[float]:
-    """New to old where they differ; a counter that was 0 or not there counts as doubled."""
+    """Returns the ratios new / old that are not 1. A counter that was 0 or missing counts as doubled."""
     both = [(old[cell].get(name), new[cell].get(name)) for cell in new if cell in old
             and cell.solver == solver]  # fmt: skip
     return [(b or 0) / a if a else 2.0 for a, b in both if a != b]

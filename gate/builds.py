@@ -1,7 +1,7 @@
-"""Both revisions as programs, each built from a work tree of its own.
+"""Builds the programs of both revisions, each from its own git work tree.
 
-A base that was built is kept under build/gate/trees/<hash>. The build folder has the same place in
-every tree, so that a compiler cache finds equal commands.
+The tree of a base is kept under build/gate/trees/<hash>. The build folder has the same relative path
+in every tree, so that a compiler cache finds equal commands.
 """
 
 from __future__ import annotations
@@ -18,20 +18,20 @@ from gate.findings import GateError
 BUILD = Path("build") / "gate" / "build"
 OPTIONS = ["-DGEODESIC_TESTS=OFF", "-DGEODESIC_BENCHMARKS=OFF", "-DGEODESIC_UNITY=ON"]
 KEPT = 3
-"""Trees of earlier revisions, the newest."""
+"""Number of trees of revisions that are kept, the newest first."""
 
 
 @dataclass(frozen=True)
 class Tree:
-    """A revision's files."""
+    """The files of a revision."""
 
     name: str
-    """Of the side: "base" or "head"."""
+    """Name of the side: "base" or "head"."""
     label: str
     """The revision as given, and its hash."""
     folder: Path
     done: Path | None
-    """File with the options that this revision was built with; None for a tree that may change."""
+    """File with the CMake options of the finished build; None for a tree that may change."""
 
     @property
     def program(self) -> Path:
@@ -39,7 +39,7 @@ class Tree:
 
 
 def tree_of(root: Path, name: str, revision: str | None) -> Tree:
-    """The tree of a revision, checked out if need be; of the checkout itself for None."""
+    """Returns the tree of a revision, checked out if necessary. None stands for the checkout itself."""
     if revision is None:
         return Tree(name, "working tree", root, None)
     commit = _git(root, "rev-parse", "--verify", "--quiet", "--end-of-options",
@@ -61,7 +61,7 @@ def tree_of(root: Path, name: str, revision: str | None) -> Tree:
 
 
 def _git(root: Path, *words: str) -> str | None:
-    """What it prints; None when it fails."""
+    """Returns the output of a git command, or None if it fails."""
     ended = subprocess.run(["git", "-C", str(root), *words], capture_output=True, text=True)
     return ended.stdout.strip() if ended.returncode == 0 else None
 
@@ -74,8 +74,8 @@ def _make_room(root: Path, trees: Path) -> None:
 
 
 def build(trees: list[Tree], named: Sequence[str], logs: Path) -> None:
-    """Builds the trees with the solvers that are judged, one after the other, so that the second
-    finds in the compiler cache what it has in common with the first.
+    """Builds the trees with the solvers that are judged, one after the other. The second build finds
+    the objects that both trees share in the compiler cache.
 
     @raises GateError when a revision does not build"""
     for tree in {tree.folder: tree for tree in trees}.values():
@@ -83,8 +83,8 @@ def build(trees: list[Tree], named: Sequence[str], logs: Path) -> None:
 
 
 def options_for(tree: Path, named: Sequence[str]) -> list[str]:
-    """CMake's. A folder under solvers/variants/ runs by name only: it is built when its solver, the
-    folder's name with hyphens, is named."""
+    """Returns the options of CMake. A folder under solvers/variants/ is built only if `named` has its
+    solver, which is the name of the folder with hyphens."""
     folders = [file.parent.name for file in tree.glob("solvers/*/CMakeLists.txt")]
     variants = [file.parent.name for file in tree.glob("solvers/variants/*/CMakeLists.txt")]
     folders += [folder for folder in variants if folder.replace("_", "-") in named]

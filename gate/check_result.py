@@ -1,8 +1,8 @@
 """`geodesic-bench check-result`: whether a result file can stand beside others' results.
 
-Its sums are right, its machine and revision are stated, every time has a distance field that was
-verified, and its numbers are plausible beside each other, the manifest and the counters of this
-revision. Nothing is measured again. That a solver failed is a result, too.
+Checks that its checksums are right, that its machine and revision are stated, that the distances of every
+time were verified, and that its numbers are plausible compared with each other, the manifest and the
+counters of this revision. Nothing is measured again. A failure of a solver is a valid result.
 """
 
 from __future__ import annotations
@@ -26,18 +26,18 @@ from results.console import ROOT
 from results.reader import Cell, ResultError, Row, Run, read_run
 
 LARGEST_ERROR = 1e-9
-"""Of an exact solver, relative. What geodesic-bench lets pass is a thousandth of it; the errors of
-a row are relative to distances that may be nearly 0."""
+"""Largest relative error of an exact solver. geodesic-bench accepts a thousandth of it, but the errors
+of a row are relative to distances that may be nearly 0."""
 NANOSECONDS = (0.2, 1e5)
-"""That the propagation of a window may take."""
+"""Least and largest plausible time for the propagation of a window, in nanoseconds."""
 CPU_OVER_WALL = 1.1
-"""Of one thread: clocks tick apart."""
+"""Largest plausible ratio of CPU time to wall time per thread. The two clocks differ slightly."""
 COUNTS_APART, FEW = 2.0, 100
-"""Counters of other revisions may differ from this one's by such a factor, and so few at all."""
+"""Counters of another revision may differ by the factor COUNTS_APART. Counters up to FEW are not compared."""
 
 
 def known() -> tuple[baseline.Counters, dict[str, dict[str, Any]]]:
-    """The counters of this revision, and the meshes of the manifest by name.
+    """Returns the counters of this revision, and the meshes of the manifest by name.
 
     @raises GateError, OSError"""
     meshes = json.loads((ROOT / "datasets" / "manifest.json").read_text(encoding="utf-8"))["meshes"]
@@ -45,7 +45,7 @@ def known() -> tuple[baseline.Counters, dict[str, dict[str, Any]]]:
 
 
 def problems(run: Run, counters: baseline.Counters, manifest: Mapping[str, Mapping[str, Any]]) -> Iterator[str]:
-    """One line each, of what `known` says."""
+    """Yields one line per problem of a run. `known` returns the counters and the manifest."""
     yield from _sums(run)
     yield from _origin(run)
     yield from _meshes(run, manifest)

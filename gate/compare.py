@@ -31,11 +31,11 @@ from results.statistics import geometric_mean_of_medians, geometric_mean_of_rati
 from results.table import Table, four_digits, markdown_page, text_fields, text_page
 
 SIGNIFICANCE = 0.01
-"""Of the rank test for a cell of two separate runs."""
+"""Significance level of the rank test for a cell of two separate runs."""
 LEAST_REPETITIONS = 5
-"""Of either side for that: 2 / C(10, 5) = 0.008."""
+"""Least repetitions of either run for this level: 2 / C(10, 5) = 0.008."""
 LEAST_CELLS = 3
-"""Of a mean that may fail: fewer say little about a solver."""
+"""Least number of cells of a mean that may fail a limit. Fewer cells say little about a solver."""
 ONE_PROGRAM = "both runs are of one program: where their times differ, the machine has drifted between them"
 SAME_BUILD = ("processor", "compiler", "compiler_flags", "build_type")
 SEPARATE = (
@@ -44,23 +44,23 @@ SEPARATE = (
 )
 
 Limits = dict[str, float]
-"""By kind, time, counters or memory, the largest growth: 0.1 for 10%."""
+"""Largest growth as a fraction (0.1 for 10%), by kind: time, counters or memory."""
 
 
 @dataclass
 class Change:
-    """One cell."""
+    """The change of one cell from the old to the new side."""
 
     old: Measured
     new: Measured
     ratios: list[float] = field(default_factory=list)
-    """Of the pairs; empty for two separate runs."""
+    """Ratios of time of the pairs; empty for two separate runs."""
     time: Number | None = None
     """Medians of CPU time in milliseconds."""
     resolved: bool = False
-    """Whether the times differ."""
+    """Whether the difference of the times is significant."""
     evidence: dict[str, float] = field(default_factory=dict)
-    """For that: `p` of the rank test; or `low`, `high` and `pairs`."""
+    """The numbers behind `resolved`: `p` of the rank test, or `low`, `high` and `pairs`."""
 
     @property
     def name(self) -> str:
@@ -84,12 +84,12 @@ class Change:
 
     @property
     def counters(self) -> dict[str, Number]:
-        """Those that differ."""
+        """The counters that differ."""
         found = {name: self.number(name) for name in COUNTERS}
         return {name: n for name, n in found.items() if n is not None and n.old != n.new}
 
     def measure(self) -> None:
-        """Of two separate runs."""
+        """Compares the times of two separate runs."""
         old, new = statistics.median(self.old.times), statistics.median(self.new.times)
         if old > 0 and new > 0:
             self.time = Number(old, new, " ms")
@@ -104,7 +104,7 @@ class Change:
             self.evidence = {"low": ratio.low, "high": ratio.high, "pairs": len(pairs)}
 
     def decision(self, limits: Limits) -> Decision | None:
-        """Against the limit of time; None where pairs do not decide."""
+        """Returns the decision against the limit of time; None without such a limit or without pairs."""
         if "time" not in limits or not self.ratios:
             return None
         return decide(self.ratios, 1 + limits["time"]).decision
@@ -115,16 +115,16 @@ class Comparison:
     interleaved: bool
     cells: list[Change]
     means: list[tuple[str, int, Estimate]] = field(default_factory=list)
-    """Solver, number of cells, and the geometric mean of their ratios of time; "all" is last."""
+    """Solver, number of cells and geometric mean of their time ratios. The last one is of "all" cells."""
     only_old: list[str] = field(default_factory=list)
     only_new: list[str] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
     one_program: bool = False
-    """Both runs are of it, so that no difference of times says anything about a program."""
+    """Whether both runs are of one program. Their times then show only a drift of the machine."""
 
 
 def compare(old: Run, new: Run) -> Comparison:
-    """Two separate runs. @raises GateError when they cannot be compared"""
+    """Compares two separate runs. @raises GateError when they cannot be compared"""
     for name, mesh in new.meshes.items():
         if name in old.meshes and old.meshes[name].sha256 != mesh.sha256:
             raise GateError(f"mesh {name} is another file in {new.file} than in {old.file}")
@@ -149,7 +149,7 @@ def compare(old: Run, new: Run) -> Comparison:
 
 
 def compare_programs(run: Run) -> Comparison:
-    """The two programs of an interleaved run. @raises GateError when it has not two"""
+    """Compares the programs of an interleaved run. @raises GateError when the run does not have two"""
     names = programs(run)
     if len(names) != 2:
         raise GateError(
@@ -195,7 +195,7 @@ def _mean(changes: Sequence[Change]) -> Estimate:
 
 
 def parse_limits(text: str) -> Limits:
-    """ "time=10%,memory=2%" as fractions. @raises GateError"""
+    """Parses "time=10%,memory=2%" into fractions. @raises GateError"""
     limits = {}
     for word in text.split(","):
         kind, _, percent = word.partition("=")
@@ -210,7 +210,7 @@ def parse_limits(text: str) -> Limits:
 
 
 def exceeded(comparison: Comparison, limits: Limits) -> list[str]:
-    """A line for everything above its limit, and for every cell that was ok and has failed."""
+    """Returns a line for every value above its limit, and for every cell that was ok and now fails."""
     lines = [line for change in comparison.cells for line in _failures(change, limits)]
     for name, cells, ratio in comparison.means:
         timed = "time" in limits and not comparison.one_program and cells >= LEAST_CELLS
@@ -232,7 +232,7 @@ def _failures(change: Change, limits: Limits) -> list[str]:
 
 
 def unresolved(comparison: Comparison, limits: Limits) -> list[str]:
-    """Cells whose pairs do not decide whether they exceed the limit of time."""
+    """Returns a line for every cell whose pairs do not decide whether it exceeds the limit of time."""
     return [
         f"{c.name}: time {_times(decide(c.ratios, 1).ratio)}: more --repetitions decide it"
         for c in comparison.cells
@@ -245,7 +245,7 @@ def _times(ratio: Estimate) -> str:
 
 
 def summary(comparison: Comparison, limits: Limits) -> list[str]:
-    """The verdict in lines, the worst first."""
+    """Returns the verdict as lines of text, the worst first."""
     cells = comparison.cells
     lines = [f"WRONG: {c.name}: {c.new.state}" for c in cells if c.wrong]
     lines += [f"FAILED: {line}" for line in exceeded(comparison, limits)]

@@ -34,7 +34,7 @@ CSV_COLUMNS = [
 
 
 def cells(run: Run) -> Iterator[tuple[str, Measured]]:
-    """Names with what was measured; of several programs, the name says which."""
+    """Yields the name and the measurements of every cell. With several programs, names end in @PROGRAM."""
     names: list[str | None] = [*programs(run)]
     for program in names or [None]:
         for cell, one in measured(run, program).items():
@@ -46,7 +46,7 @@ def unit(key: str) -> str:
 
 
 def to_github_action_benchmark(run: Run) -> str:
-    """The array of that action's `customSmallerIsBetter`. Failed cells cannot be in it."""
+    """Returns the array for the action's `customSmallerIsBetter`. It cannot hold failed cells."""
     rows: list[dict[str, Any]] = []
     for name, one in cells(run):
         if times := one.times if one.ok else []:
@@ -59,7 +59,7 @@ def to_github_action_benchmark(run: Run) -> str:
 
 
 def to_csv(run: Run) -> str:
-    """A line a repetition, failed ones with their outcome."""
+    """Returns one line per repetition. A failed repetition has its outcome."""
     text = io.StringIO()
     lines = csv.writer(text, lineterminator="\n")
     lines.writerow(CSV_COLUMNS)

@@ -1,4 +1,4 @@
-"""What the levels of the gate report: findings with a weight, a table, and the exit codes."""
+"""The report of a level of the gate: findings with a weight and a table. Also the exit codes."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from gate.measured import Number
 
 GOOD = 0
 ERROR = 1
-"""A usage or harness error: nothing was judged, or something that must be compared is missing."""
+"""A usage or harness error: nothing was judged, or a required comparison is missing."""
 WRONG_ANSWER = 2
-"""A wrong answer, or none where there should be one."""
+"""A wrong answer, or a missing answer."""
 REGRESSION = 3
 NOT_RESOLVED = 4
-"""Only with --strict."""
+"""Returned only with --strict."""
 
 
 class GateError(Exception):
@@ -23,12 +23,12 @@ class GateError(Exception):
 
 
 class Weight(IntEnum):
-    """How much a finding matters; the higher comes first."""
+    """How much a finding matters. Higher weights are reported first."""
 
     NOTE = 0
     WARNING = 1
     WITHIN_MARGIN = 2
-    """Slower by less than the margin: no failure, and not good either."""
+    """Slower by less than the margin: not a failure, but not good."""
     NOT_RESOLVED = 3
     FAILURE = 4
 
@@ -38,9 +38,9 @@ class Finding:
     level: int
     weight: Weight
     text: str
-    """One line that begins with the row or file that it is about."""
+    """One line, which begins with the row or file concerned."""
     exit_code: int = 0
-    """Of a failure."""
+    """Exit code of a failure; 0 for other findings."""
     solver: str | None = None
 
 
@@ -49,9 +49,9 @@ class LevelResult:
     level: int
     title: str
     compared: int = 0
-    """Rows that were judged."""
+    """Number of rows that were judged."""
     skipped: str = ""
-    """Why the level was not run, if it was not."""
+    """Why the level was not run; empty if it was run."""
     heading: list[str] = field(default_factory=list)
     table: list[list[str]] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
@@ -72,16 +72,16 @@ class LevelResult:
         self, text: str, number: Number, solver: str, fail: float,
         warn: float = math.inf, floor: float = 0,
     ) -> None:
-        """Of a number that does not depend on the machine's load.
+        """Judges the growth of a number that does not depend on the machine's load.
 
-        @param text one line that says what has changed
-        @param fail, warn the growth, as a fraction, above which it is a failure or a warning
-        @param floor by so much it may always grow"""
+        @param text one line that describes the change
+        @param fail, warn growth, as a fraction, above which there is a failure or a warning
+        @param floor absolute growth that is always accepted"""
         if number.above(fail, floor):
             self.fail(text, REGRESSION, solver)
         elif number.above(warn):
             self.add(Weight.WARNING, text, solver=solver)
 
     def grew(self, solver: str) -> bool:
-        """Whether a number of this solver increased here, even within its limit."""
+        """Whether a number of this solver increased at this level, even within its limit."""
         return any(f.solver == solver and f.weight != Weight.NOTE for f in self.findings)

@@ -19,11 +19,11 @@ INSTRUCTIONS_FAIL = 0.02
 INSTRUCTIONS_WARN = 0.005
 MEMORY_FAIL = 0.02
 CALLGRIND_MESHES = ("tiny-terrain", "tiny-torus", "tiny-plate")
-"""Callgrind is 50 times slower than the processor: the smallest of the suite."""
+"""The smallest meshes of the suite, because a program runs 50 times slower under callgrind."""
 
 
 def answers(base: Verified, head: Verified) -> LevelResult:
-    """Level 0. Every row of the head is judged, by the base where that has the row."""
+    """Level 0. Judges every row of the head, in comparison with the base if the base has the row."""
     result = LevelResult(0, "Distances against the oracles")
     result.heading = ["solver", "rows right", "largest relative error", "state"]
     by_solver: dict[str, list[Measured]] = {}
@@ -49,7 +49,7 @@ def _judge_answer(result: LevelResult, after: Measured, before: Measured | None)
     elif before is not None:
         code = REGRESSION if outcome == UNSUPPORTED else WRONG_ANSWER
         result.fail(f"{text} (the base solves it)", code)
-    elif outcome != UNSUPPORTED:  # of a new solver or mesh
+    elif outcome != UNSUPPORTED:  # a new solver or mesh
         result.fail(text, WRONG_ANSWER)
 
 
@@ -69,7 +69,7 @@ def _only_in(result: LevelResult, side: str, cells: Iterable[Cell]) -> None:
 
 
 def common(base: Verified, head: Verified) -> list[tuple[Measured, Measured]]:
-    """Base and head of the cells that both solved, in the head's order."""
+    """Returns the base's and head's measurements of the cells that both solved, in the head's order."""
     return [
         (base.cells[cell], after)
         for cell, after in head.cells.items()
@@ -78,7 +78,7 @@ def common(base: Verified, head: Verified) -> list[tuple[Measured, Measured]]:
 
 
 def memory(base: Verified, head: Verified) -> LevelResult:
-    """Level 3."""
+    """Level 3: the solver's peak memory."""
     result = LevelResult(3, "Solver's peak memory")
     result.heading = ["row", "base bytes", "head bytes", "change"]
     for before, after in common(base, head):
@@ -96,7 +96,7 @@ def memory(base: Verified, head: Verified) -> LevelResult:
 def instructions(
     base: Program, head: Program, base_run: Verified, head_run: Verified, processes: int
 ) -> LevelResult:
-    """Level 2."""
+    """Level 2: instructions inside solve, counted by callgrind."""
     result = LevelResult(2, "Instructions inside solve, counted by callgrind")
     compilers = [run.context["compiler"] for run in (base_run, head_run)]
     if shutil.which("valgrind") is None:

@@ -1,4 +1,4 @@
-"""What a run measured of each cell: what compare, rank and the gate judge by."""
+"""The measurements of each cell of a run, which compare, rank and the gate judge."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ WRONG = "wrong answer"
 UNSUPPORTED = "unsupported"
 
 MEMORY_FLOOR = 64 * 1024
-"""Bytes by which memory may always grow: a table that is doubled once more."""
+"""Growth of memory in bytes that is always accepted, such as one more doubling of a table."""
 
 
 @dataclass(frozen=True)
 class Number:
-    """Of the old and the new side; it may grow up to a limit."""
+    """A number on the old and the new side, and its growth."""
 
     old: float
     new: float
@@ -38,11 +38,11 @@ class Number:
 
     @property
     def change(self) -> str:
-        """ "+2.18%" """
+        """The relative change as text, such as "+2.18%"; "new" if the old number is 0."""
         return f"{self.ratio - 1:+.2%}" if self.old else "new"
 
     def above(self, limit: float | None, floor: float = 0) -> bool:
-        """Whether it has grown by more than the limit, as a fraction, and by more than the floor."""
+        """Whether the growth exceeds both the limit, a fraction, and the floor. False for limit None."""
         grown = limit is not None and self.new > (1 + limit) * self.old
         return grown and self.new - self.old > floor
 
@@ -52,7 +52,7 @@ class Number:
 
 @dataclass(frozen=True)
 class Measured:
-    """Everything that a run, or one program of an interleaved run, has of a cell."""
+    """All rows of a cell in a run, or those of one program of an interleaved run."""
 
     cell: Cell
     rows: list[Row]
@@ -68,20 +68,20 @@ class Measured:
 
     @property
     def state(self) -> str:
-        """ "ok", or the outcome and its message."""
+        """The text "ok", or the outcome and message of the failure."""
         return "ok" if self.failure is None else f"{self.failure.outcome}: {self.failure.message}"
 
     @property
     def times(self) -> list[float]:
-        """Of one solve in milliseconds, a value a repetition."""
+        """Times of one solve in milliseconds, one per successful repetition."""
         return [row.time for row in self.rows if row.ok]
 
     def number(self, key: str) -> float | None:
-        """A number that is the same in every repetition; None where the solver has none."""
+        """Returns a number that is equal in all repetitions, or None if the solver does not have it."""
         return next((n for row in self.rows if (n := row.number(key)) is not None), None)
 
     def numbers(self, keys: Iterable[str]) -> dict[str, float]:
-        """Those that the solver has."""
+        """Returns those of the numbers that the solver has."""
         return {key: value for key in keys if (value := self.number(key)) is not None}
 
     def counters(self) -> dict[str, int]:
@@ -89,10 +89,10 @@ class Measured:
 
 
 def measured(run: Run, program: str | None = None) -> dict[Cell, Measured]:
-    """@param program of an interleaved run: only what this one measured"""
+    """@param program label of a program of an interleaved run: selects its rows only"""
     return {cell: Measured(cell, rows) for cell, rows in run.cells(program).items()}
 
 
 def programs(run: Run) -> list[str]:
-    """The labels of the programs of a run that has several."""
+    """Returns the labels of the run's programs; empty if it names none."""
     return [program["name"] for program in run.ours.get("programs", [])]

@@ -1,6 +1,6 @@
-"""A built geodesic-bench as the gate uses it: it lists, verifies, counts and measures.
+"""Calls a built geodesic-bench to list solvers, verify, count and measure.
 
-Of a base, only commands that every revision since the gate was added has are used.
+Calls of a base use only commands that exist in every revision since the gate was added.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ from gate.measured import Measured, measured
 from gate.findings import GateError
 
 MIN_SECONDS = 0.05
-"""Of solves that a time is taken over, in each process."""
+"""Least total duration in seconds of the solves that one time is taken from, in each process."""
 SOLVE = "geodesic::Solver::solve(*"
-"""The function that callgrind counts in: every solve of any solver."""
+"""The function in which callgrind counts: every solve of any solver."""
 
 
 class NotCountableError(GateError):
@@ -32,7 +32,7 @@ class NotCountableError(GateError):
 
 @dataclass(frozen=True)
 class Verified:
-    """What one run of a program has."""
+    """The results of a run that verifies and counts."""
 
     context: dict[str, Any] = field(default_factory=dict)
     """context.geodesic_bench of the result file."""
@@ -42,18 +42,18 @@ class Verified:
 @dataclass(frozen=True)
 class Program:
     name: str
-    """Of the side: "base" or "head"."""
+    """Name of the side: "base" or "head"."""
     label: str
-    """The revision in words."""
+    """Text that names the revision."""
     path: Path
     cache: Path
     """Folder of meshes."""
     manifest: Path
 
     def solvers(self, named: Collection[str] = ()) -> list[str]:
-        """Names, without independent oracles: those verify, and their speed is not ours.
+        """Returns the names of the solvers to judge. Independent oracles only verify and are left out.
 
-        Variants and examples, and solvers with parameters, are included only when they are named.
+        Variants, examples and solvers with parameters are included only when they are named.
         """
         listed = json.loads(self._call(["list", "--json"]))
         ours = {s["name"]: s for s in listed["solvers"] if not s["independent_oracle"]}
@@ -62,7 +62,7 @@ class Program:
         ] + [name for name in named if "?" in name and name.split("?")[0] in ours]
 
     def verify(self, chosen: Sequence[str], out: Path) -> Verified:
-        """Verifies and counts every cell of a run into the folder `out`.
+        """Runs, verifies and counts every cell once. The run is written into the folder `out`.
 
         @param chosen options of `run` that name the meshes and solvers"""
         run = self._run([*chosen, "--repetitions", "1", "--min-time", "0.000001"], out)
@@ -71,10 +71,10 @@ class Program:
     def measure_pairs(
         self, base: Program, chosen: Sequence[str], cells: Sequence[Cell], pairs: int, out: Path
     ) -> dict[Cell, Pairs]:
-        """Times this program and a base in pairs, by this one's `run --program`, into the folder `out`.
+        """Times this program and a base in pairs, by `run --program` of this program into the folder `out`.
 
-        @param chosen options of `run` that name meshes and solvers, the cells among them
-        @raises GateError when a program that was verified fails"""
+        @param chosen options of `run` that name the meshes and solvers of the cells
+        @raises GateError when one of the programs fails on a cell"""
         options = ["--repetitions", str(pairs), "--min-time", str(MIN_SECONDS)]
         options += ["--recordings", "none", "--cells", ",".join(map(str, cells))]
         options += ["--program", f"base={base.path}", "--program", f"head={self.path}"]
@@ -88,7 +88,7 @@ class Program:
         return {cell: interleaved(old[cell].rows, new[cell].rows) for cell in cells}
 
     def instructions(self, cell: Cell) -> int:
-        """Instructions inside one solve. @raises NotCountableError, GateError"""
+        """Returns the number of instructions inside one solve. @raises NotCountableError, GateError"""
         words = ["solve", cell.mesh, "--solver", cell.solver, "--each", "--source"]
         with tempfile.TemporaryDirectory() as folder:
             out = Path(folder) / "callgrind.out"

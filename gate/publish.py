@@ -1,7 +1,7 @@
 """`geodesic-bench publish`: the file of a run that can stand in results/contributed/.
 
-It is the run's own without folders and the name of the host, and with the licence of each mesh that
-is not of datasets/manifest.json. It is written where `check-result` finds nothing wrong with it.
+It is the run's file without folders and the name of the host, and with the licence of each mesh that is
+not in datasets/manifest.json. It is written only if `check-result` finds no fault.
 """
 
 from __future__ import annotations
@@ -26,17 +26,17 @@ from results import checksum, outcomes
 from results.reader import ResultError, Run, newest_run, read_run
 
 ABSOLUTE = re.compile(r"""(?<![\w.:/~-])/(?:[^\s'",;:=()/]+/)*([^\s'",;:=()/]*)""")
-"""A path in a text, and its last name."""
+"""Matches an absolute path in a text. Group 1 is its last name."""
 NEXT = (
     "Add it to results/contributed/ of a clone, and open a pull request with it (docs/contributed-results.md)."
 )
 
 
 def published(run: Run, licences: Mapping[str, str]) -> str:
-    """The text of the file.
+    """Returns the text of the published file.
 
-    @param licences by mesh
-    @raises ResultError for a run whose rows are in a file beside it, and for a licence of no mesh"""
+    @param licences licences, by mesh
+    @raises ResultError if the rows are in a separate file, or if a licence names an unknown mesh"""
     if run.rows_file:
         raise ResultError(f"{run.file}: its rows are in {run.rows_file.name}, and a contribution is one file")
     if unknown := [name for name in licences if name not in run.meshes]:
@@ -46,7 +46,7 @@ def published(run: Run, licences: Mapping[str, str]) -> str:
     context.pop("host_name", None)
     for plugin in ours.get("plugins", []):
         if "file" in plugin:
-            plugin["file"] = "/".join(Path(plugin["file"]).parts[-2:])  # the folder is the public code's name
+            plugin["file"] = "/".join(Path(plugin["file"]).parts[-2:])  # the folder has the name of the public code
         else:
             plugin["external"] = plugin["solvers"][0]
     for part in ours.get("parts", []):
@@ -55,7 +55,7 @@ def published(run: Run, licences: Mapping[str, str]) -> str:
         if mesh["name"] in licences:
             mesh["licence"] = licences[mesh["name"]]
     for row in data["benchmarks"]:
-        row.pop("recordings", None)  # files of the run's folder
+        row.pop("recordings", None)  # they name files in the run's folder
     folders: set[str] = set()
     for one in (ours, *ours.get("parts", [])):
         one["command"] = _without_folders(one["command"], folders)
@@ -67,7 +67,7 @@ def published(run: Run, licences: Mapping[str, str]) -> str:
 
 
 def _without_folders(command: str, folders: set[str]) -> str:
-    """Of each path its last name; `folders` gets the others."""
+    """Replaces each absolute path by its last name, and adds its folder to `folders`."""
 
     def name(match: re.Match[str]) -> str:
         path = match[0]
@@ -80,7 +80,7 @@ def _without_folders(command: str, folders: set[str]) -> str:
 
 
 def _cleared(value: Any, folders: Sequence[str]) -> Any:
-    """Every text without those folders, and of other absolute paths the last name."""
+    """Removes the folders from every text, and replaces other absolute paths by their last names."""
     if isinstance(value, dict):
         return {key: _cleared(one, folders) for key, one in value.items()}
     if isinstance(value, list):
@@ -93,7 +93,7 @@ def _cleared(value: Any, folders: Sequence[str]) -> Any:
 
 
 def default_name(run: Run) -> str:
-    """2026-11-23-amd-epyc-7b13-standard.json"""
+    """Returns a name such as 2026-11-23-amd-epyc-7b13-standard.json."""
     words = " ".join([*run.processors, run.ours["corpus"]]).lower()
     words = re.sub(r"\((r|tm)\)|\b(cpu|processor)\b|@.*?ghz", " ", words)
     return "-".join([run.ours["started"][:10], *re.findall(r"[a-z0-9.]+", words)]) + ".json"

@@ -29,7 +29,7 @@ from gate.rank_report import as_json, as_latex, as_markdown, summary
 from gate.ranking import Ranking, Ratio, rank
 
 PASSED_ON = ("sources", "seed", "min_time", "reference", "vectors", "manifest")
-"""Options of `run` that are taken as they are."""
+"""Options that are passed to `run` unchanged."""
 FORWARDED = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
@@ -103,7 +103,7 @@ def _check(parser: Parser, options: argparse.Namespace) -> None:
 
 
 def run_command(options: argparse.Namespace, folder: Path) -> list[str]:
-    """The command line that measures. @raises GateError when the program is not known"""
+    """Returns the command of the run. @raises GateError when GEODESIC_BENCH does not name the program"""
     bench = os.environ.get("GEODESIC_BENCH")
     if not bench:
         raise GateError("GEODESIC_BENCH does not name the program: use `geodesic-bench rank`")
@@ -128,8 +128,8 @@ def run_command(options: argparse.Namespace, folder: Path) -> list[str]:
 
 
 def measure(command: list[str]) -> int:
-    """The exit code of the run, whose progress goes to the terminal. A signal is passed on once:
-    the run has a process group of its own, so that the terminal does not send it a second one."""
+    """Starts the run and returns its exit code. Its progress goes to the terminal. The run has its own
+    process group: the terminal sends it no signals, and each signal is forwarded to it once."""
     running = subprocess.Popen(command, stdout=subprocess.DEVNULL, process_group=0)
     handled = [number for number in FORWARDED if signal.getsignal(number) != signal.SIG_IGN]
     before = {
@@ -143,14 +143,14 @@ def measure(command: list[str]) -> int:
 
 
 def write(ranking: Ranking, run: Run, folder: Path) -> None:
-    """rank.md, rank.tex and rank.json."""
+    """Writes rank.md, rank.tex and rank.json."""
     (folder / "rank.md").write_text(as_markdown(ranking, run), encoding="utf-8")
     (folder / "rank.tex").write_text(as_latex(ranking, run), encoding="utf-8")
     (folder / "rank.json").write_text(as_json(ranking), encoding="utf-8")
 
 
 def draw(ranking: Ranking, folder: Path) -> str:
-    """A line: where the figure is, or why there is none and how to draw it later."""
+    """Draws the figure. Returns a line with its file, or with the reason why there is none."""
     try:
         from plots import rank as figure
         from plots.dots import Dot
@@ -174,7 +174,7 @@ def draw(ranking: Ranking, folder: Path) -> str:
 def main(arguments: Sequence[str] | None = None) -> int:
     options = parse(arguments)
     time = datetime.now(UTC).strftime("%Y%m%dT%H%M%SZ")
-    home = ROOT if (ROOT / "CMakeLists.txt").exists() else Path.cwd()  # of a checkout, or installed
+    home = ROOT if (ROOT / "CMakeLists.txt").exists() else Path.cwd()  # a checkout, or an installed package
     new = home / "results" / "ranks" / f"{time}-{quote(str(options.solver), safe='')}"
     folder = options.resume or options.run or options.out or new
     try:

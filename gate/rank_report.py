@@ -28,12 +28,12 @@ def _error(value: float | None) -> str:
 
 
 def _median(time: Ratio) -> str:
-    """The median is always shown, `~` beside it where the pairs do not resolve a difference."""
+    """Returns the median, with `~` before it if the pairs do not resolve a difference."""
     return ("" if time.resolved else "~ ") + _number(time.estimate.value)
 
 
 def _interval(time: Ratio) -> str:
-    """Nothing with too few pairs: two of them would be an interval of no meaning."""
+    """Returns the 95% interval, or NOTHING if there are too few pairs for one."""
     if not time.has_interval:
         return NOTHING
     return f"{_number(time.estimate.low)} to {_number(time.estimate.high)}"
@@ -48,7 +48,7 @@ def _meshes(count: int) -> str:
 
 
 def verdict(ranking: Ranking) -> str:
-    """The times of the others, and whose distances are wrong, in sentences."""
+    """Returns sentences about the times of the other solvers and about wrong distances."""
     name, own = ranking.candidate, ranking.of_candidate
     text = ""
     if ranking.wrong:
@@ -134,7 +134,7 @@ def _ratios(on_mesh: OnMesh | None) -> list[str]:
 
 
 def summary(ranking: Ranking) -> str:
-    """The verdict, the ranking and remarks."""
+    """Returns the verdict, the ranking and the remarks as Markdown."""
     others = [one.solver for one in ranking.standings if one.solver != ranking.candidate]
     remarks = "".join(f"- {escape_markdown(remark)}\n" for remark in ranking.remarks)
     return "\n".join([
@@ -147,7 +147,7 @@ def summary(ranking: Ranking) -> str:
 
 
 def as_markdown(ranking: Ranking, run: Run) -> str:
-    """The summary, and a table for each mesh."""
+    """Returns the summary, and a table for each mesh."""
     meshes = ranking.measurements.meshes
     return "\n".join([summary(ranking), *(to_markdown(_of_mesh(ranking, run, m)) for m in meshes)])
 

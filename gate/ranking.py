@@ -1,6 +1,6 @@
 """A ranking, computed from the file of an interleaved run.
 
-Every ratio is the solver's number over the candidate's: above 1 the solver takes more.
+Every ratio is the solver's number divided by the candidate's: above 1 the solver takes more.
 docs/ranking.md describes the numbers, docs/measuring.md the pairs.
 """
 
@@ -29,11 +29,11 @@ ERROR = "max_relative_error"
 
 @dataclass(frozen=True)
 class Ratio:
-    """Of times, with its 95% interval."""
+    """A ratio of times with its 95% interval."""
 
     estimate: Estimate
     pairs: int
-    """The fewest that a mesh has."""
+    """Number of pairs; over several meshes, the smallest number on one mesh."""
 
     @property
     def has_interval(self) -> bool:
@@ -41,19 +41,19 @@ class Ratio:
 
     @property
     def resolved(self) -> bool:
-        """Whether the interval leaves out 1."""
+        """Whether there is an interval and it excludes 1."""
         return self.has_interval and self.estimate.excludes_one
 
 
 @dataclass(frozen=True)
 class OnMesh:
-    """A solver beside the candidate on one mesh."""
+    """A solver compared with the candidate on one mesh."""
 
     mesh: str
     time: Ratio
-    """The median over the pairs of all sources."""
+    """Median ratio over the pairs of all sources."""
     milliseconds: float
-    """The solver's median."""
+    """Median time of the solver."""
     ratios: list[float]
     windows: float | None
     memory: float | None
@@ -63,13 +63,13 @@ class OnMesh:
 class Standing:
     solver: str
     right: int
-    """Meshes that it solved rightly, of `all`."""
+    """Number of meshes, out of `all`, that the solver solved correctly."""
     all: int
     max_relative_error: float | None
     meshes: list[OnMesh] = field(default_factory=list)
-    """Where both could be timed."""
+    """The meshes on which both the solver and the candidate were timed."""
     time: Ratio | None = None
-    """Geometric means over `meshes`; None of the candidate."""
+    """Geometric mean over `meshes`, as are the two below; None for the candidate."""
     windows: float | None = None
     memory: float | None = None
     rank: int | None = None
@@ -95,27 +95,27 @@ class Measurements:
         return next((one.failure for one in self.of(solver, mesh) if one.failure), None)
 
     def numbers(self, solver: str, mesh: str, key: str) -> list[float]:
-        """One a source; empty unless every source has it."""
+        """Returns one number per source; empty unless all sources have it."""
         found = [one.number(key) for one in self.of(solver, mesh)]
         present = [value for value in found if value is not None]
         return present if len(present) == len(found) else []
 
     def pairs(self, first: str, second: str, mesh: str) -> Pairs:
-        """Those of all sources as one sample; none where one of the two failed."""
+        """Returns the pairs of all sources as one sample; empty if one of the two solvers failed."""
         if self.failure(first, mesh) or self.failure(second, mesh):
             return Pairs([], [])
         sides = zip(self.of(first, mesh), self.of(second, mesh), strict=False)
         return together(interleaved(a.rows, b.rows) for a, b in sides)
 
     def ratio(self, first: str, second: str, mesh: str, key: str) -> float | None:
-        """Of the second's geometric mean over sources to the first's."""
+        """Returns the second solver's geometric mean over the sources divided by the first's."""
         below, above = self.numbers(first, mesh, key), self.numbers(second, mesh, key)
         if not below or not above or min(*below, *above) <= 0:
             return None
         return statistics.geometric_mean(above) / statistics.geometric_mean(below)
 
     def mean(self, first: str, second: str) -> Ratio | None:
-        """Of times over the meshes that both did."""
+        """Returns the mean ratio of times over the meshes that both solved; None if there are none."""
         samples = [self.pairs(first, second, mesh).ratios for mesh in self.meshes]
         samples = [ratios for ratios in samples if ratios]
         if not samples:
@@ -128,7 +128,7 @@ class Ranking:
     candidate: str
     measurements: Measurements
     standings: list[Standing]
-    """Fastest first; those without a mean last."""
+    """Fastest solver first; solvers without a mean are last."""
     remarks: list[str]
 
     @property
@@ -137,7 +137,7 @@ class Ranking:
 
     @property
     def wrong(self) -> list[str]:
-        """Solvers with a wrong answer somewhere."""
+        """Solvers with a wrong answer on at least one mesh."""
         found = self.measurements
         failures = [(one.solver, found.failure(one.solver, mesh))
                     for one in self.standings for mesh in found.meshes]  # fmt: skip
@@ -146,7 +146,7 @@ class Ranking:
 
 
 def rank(run: Run, candidate: str | None = None) -> Ranking:
-    """@param candidate by default the run's first solver
+    """@param candidate name of the solver to rank; None for the run's first solver
     @raises GateError when the run is not interleaved or lacks the solver"""
     solvers = list(run.solvers)
     if not run.interleaved or len(solvers) < 2:
@@ -190,14 +190,14 @@ def _mean(values: Sequence[float | None]) -> float | None:
 
 
 def _order(standing: Standing, candidate: str) -> float:
-    """The time relative to the candidate. A candidate that is right nowhere has no place either."""
+    """Returns the time relative to the candidate; infinity for a solver that has no place."""
     if standing.time is not None:
         return standing.time.estimate.value
     return 1.0 if standing.solver == candidate and standing.right else float("inf")
 
 
 def _give_ranks(ranking: Ranking) -> None:
-    """Solvers that the pairs do not tell from the first of a rank share that rank."""
+    """Assigns the ranks. A solver whose time is not resolved from the first of a rank shares the rank."""
     first: Standing | None = None
     for place, standing in enumerate(ranking.standings, 1):
         if _order(standing, ranking.candidate) == float("inf"):

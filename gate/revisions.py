@@ -1,4 +1,4 @@
-"""All levels on two programs: what is run, in which order, and the verdict."""
+"""Runs all levels on two programs, in order, and returns the verdict."""
 
 from __future__ import annotations
 
@@ -31,20 +31,20 @@ class Options:
     """Folder for runs and reports."""
     levels: tuple[int, ...] = ALL_LEVELS
     margin: float = MARGIN
-    """The ratio of times that level 4 accepts."""
+    """Largest ratio of times that level 4 accepts."""
     budget: float = BUDGET
-    """Seconds of level 4 for sessions beyond the first."""
+    """Seconds that level 4 may spend on sessions after the first."""
     solvers: tuple[str, ...] = ()
-    """All when empty."""
+    """Names of the solvers to judge; empty for all."""
     meshes: tuple[str, ...] = ()
-    """Of the manifest, in place of the suite when not empty."""
+    """Names of meshes of the manifest to use instead of the suite; empty for the suite."""
     strict: bool = False
     noise_file: Path | None = None
-    """Where --a-a keeps what it measured."""
+    """File in which --a-a stores the measured noise."""
 
 
 def say(line: str) -> None:
-    """Progress goes to the error stream: the verdict alone is the output."""
+    """Prints progress to the error stream, so that the output is only the verdict."""
     print(line, file=sys.stderr, flush=True)
 
 
@@ -53,7 +53,7 @@ def compare(base: Program, head: Program, baseline_tree: Path, options: Options)
     say("levels 0, 1 and 3: verifying and counting")
     with ThreadPoolExecutor() as pool:  # both at once: nothing is timed here
         base_run, head_run = pool.map(lambda program: verify(program, options), (base, head))
-    # Level 0 always: after a wrong answer nothing else matters.
+    # Level 0 always runs: after a wrong answer the other levels do not matter.
     results = [levels.answers(base_run, head_run)]
     if 1 in options.levels:
         counters = baseline.read(baseline_tree)
@@ -91,7 +91,7 @@ def _time(
 
 
 def sessions(base: Program, head: Program, options: Options) -> timing.Session:
-    """Run folders OUT/time-1, OUT/time-2, ..., measured by the head's program."""
+    """Returns a function that measures a session with the head's program into OUT/time-1, OUT/time-2, ..."""
     numbers = itertools.count(1)
 
     def session(cells: Sequence[Cell]) -> dict[Cell, Pairs]:
@@ -112,7 +112,7 @@ def verify(program: Program, options: Options) -> Verified:
             raise GateError(
                 f"the head has no solver {', '.join(unknown)}; there are {', '.join(known)}"
             )
-    if not solvers:  # all those named are new
+    if not solvers:  # all named solvers are new
         return Verified()
     return program.verify(_chosen(options, solvers), _empty(options.out / program.name))
 
@@ -132,7 +132,7 @@ def _processor(run: Verified) -> str:
 
 
 def against_itself(program: Program, count: int, options: Options) -> Verdict:
-    """--a-a: reports this machine's noise and keeps it for later margins."""
+    """--a-a: reports this machine's noise and stores it, so that later margins can be checked."""
     run = verify(program, options)
     cells = timing.timed_cells([row for row in run.cells.values() if row.ok])
     session = sessions(program, program, options)
@@ -143,7 +143,7 @@ def against_itself(program: Program, count: int, options: Options) -> Verdict:
 
 
 def update_baseline(program: Program, tree: Path, reason: str, options: Options) -> Sequence[str]:
-    """Of right answers only. @raises GateError when there are wrong ones"""
+    """Updates the baseline if all answers are right. @raises GateError when an answer is wrong"""
     run = verify(program, options)
     failures = levels.answers(Verified(), run).findings
     wrong = [finding.text for finding in failures if finding.exit_code]

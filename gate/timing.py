@@ -1,8 +1,8 @@
 """Level 4: CPU time of base and head in pairs, and the noise of a build against itself.
 
-A session is one interleaved run of PAIRS pairs a row. What it does not decide, and what it finds
-slower, is measured in further sessions, whose pairs are added, until every row is decided or the
-budget is spent. docs/measuring.md has the decision rule.
+A session is one interleaved run with PAIRS pairs per row. Rows that are undecided or slower are
+measured in further sessions, until every row is decided or the budget is spent. The pairs of all
+sessions are combined. docs/measuring.md describes the decision rule.
 """
 
 from __future__ import annotations
@@ -25,20 +25,20 @@ from gate.findings import REGRESSION, GateError, LevelResult, Weight
 
 PAIRS = 15
 CONFIRMED = 2
-"""Sessions that a slower row needs; one where level 1 or 2 has grown as well."""
+"""Number of sessions that confirm a slower row; 1 if the solver also grew at level 1 or 2."""
 SHORTEST_MS, LONGEST_MS = 10.0, 150.0
-"""Rows between these are timed: long enough to be quiet, short enough for many pairs."""
+"""Least and longest time of a timed row: long enough for low noise, short enough for many pairs."""
 LEAST_ROWS = 3
-"""Of each solver, whatever the machine."""
+"""Least number of timed rows of each solver, on any machine."""
 
 Say = Callable[[str], None]
 Session = Callable[[Sequence[Cell]], dict[Cell, Pairs]]
-"""Measures PAIRS pairs of these cells."""
+"""Measures PAIRS pairs of each of the given cells."""
 
 
 def timed_cells(base: Sequence[Measured]) -> list[Cell]:
-    """The rows of level 4, by the times of the base: those of suitable length, and of a solver with
-    fewer than LEAST_ROWS also the longest of its shorter rows, then the shortest of the longer."""
+    """Selects the rows of level 4 by the times of the base: the rows of suitable length. A solver with
+    fewer than LEAST_ROWS also gets the longest of its shorter rows, then the shortest of its longer."""
     by_solver: dict[str, list[Measured]] = {}
     for one in base:
         by_solver.setdefault(one.cell.solver, []).append(one)
@@ -59,11 +59,11 @@ def _milliseconds(row: Measured) -> float:
 
 @dataclass
 class Timing:
-    """All pairs of all sessions, and what they decide."""
+    """All pairs of all sessions, and the decisions that follow from them."""
 
     margin: float
     grown: dict[str, int]
-    """By solver: the level, 1 or 2, at which it has grown."""
+    """Level, 1 or 2, at which a solver has grown, by solver."""
     pairs: dict[Cell, Pairs] = field(default_factory=dict)
     sessions: dict[Cell, int] = field(default_factory=dict)
     _means: dict[str, Estimate] = field(default_factory=dict)
@@ -82,15 +82,15 @@ class Timing:
         return list(dict.fromkeys(cell.solver for cell in self.pairs))
 
     def mean(self, solver: str) -> Estimate | None:
-        """Of the solver's rows; None when there is one only."""
+        """Returns the mean ratio over the solver's rows; None if there is only one row."""
         ratios = [self.pairs[cell].ratios for cell in self.cells_of(solver)]
         if solver not in self._means and len(ratios) > 1:
             self._means[solver] = geometric_mean_of_medians(ratios)
         return self._means.get(solver)
 
     def decision(self, cell: Cell) -> Decision:
-        """Against the margin. A slower row is undecided until it is confirmed, and one that is not
-        slower until its interval is narrow enough to show half of what the margin allows."""
+        """Returns the decision against the margin. A slower row is undecided until it is confirmed.
+        A row that is not slower is undecided until its interval shows half of the allowed growth."""
         judged = decide(self.pairs[cell].ratios, self.margin)
         wide = judged.ratio.high - judged.ratio.value > (self.margin - 1) / 2
         if judged.decision == Decision.SAME and wide:
@@ -111,7 +111,7 @@ class Timing:
         return Decision.UNDECIDED
 
     def suspects(self) -> list[Cell]:
-        """The rows that need more pairs. None of a solver that is slower on the mean."""
+        """Returns the rows that need more pairs. A solver that is slower on the mean needs none."""
         found: list[Cell] = []
         for solver in self.solvers:
             of_mean, cells = self.mean_decision(solver), self.cells_of(solver)
@@ -126,7 +126,7 @@ def measure(
     cells: Sequence[Cell], session: Session, margin: float, grown: dict[str, int], seconds: float,
     say: Say,
 ) -> Timing:
-    """Sessions until every row is decided, or the budget for further sessions is spent."""
+    """Measures sessions until every row is decided or the budget for further sessions is spent."""
     timing = Timing(margin, grown)
     say(f"level 4: {len(cells)} rows, {PAIRS} pairs each")
     timing.add(session(cells))
@@ -138,7 +138,7 @@ def measure(
 
 
 def report(timing: Timing, seconds: float) -> LevelResult:
-    """Level 4."""
+    """Returns the result of level 4."""
     result = LevelResult(4, f"CPU time, interleaved pairs, margin {timing.margin:g}")
     result.heading = ["row", "base ms", "head ms", "head/base", "99% interval", "pairs", "decision"]
     for solver in timing.solvers:
@@ -149,7 +149,7 @@ def report(timing: Timing, seconds: float) -> LevelResult:
 
 
 def _report_mean(result: LevelResult, timing: Timing, solver: str) -> bool:
-    """Whether the solver is slower on the mean."""
+    """Reports the mean of a solver. Returns whether the solver is slower on the mean."""
     mean, decision = timing.mean(solver), timing.mean_decision(solver)
     if mean is None:
         return False
@@ -199,20 +199,20 @@ def _cause(timing: Timing, solver: str) -> str:
 
 
 def _noticeable(ratio: Estimate, margin: float) -> bool:
-    """Slower for certain, and by half of what the margin allows or more: equals are not."""
+    """Whether the ratio is certainly above 1 and its growth is at least half of the allowed growth."""
     return ratio.low > 1 and ratio.value >= 1 + (margin - 1) / 2
 
 
 def noise(pairs: Pairs) -> float:
-    """Spread of the ratio of a pair of equals, 1.04 for 4%: one standard deviation, estimated by
-    the median of the logarithms' absolute values."""
+    """Returns the spread of the ratios of pairs of one program, 1.04 for 4%: one standard deviation,
+    estimated from the median absolute logarithm."""
     return math.exp(1.4826 * statistics.median(abs(math.log(ratio)) for ratio in pairs.ratios))
 
 
 def against_itself(
     cells: Sequence[Cell], session: Session, sessions: int, margin: float, say: Say
 ) -> tuple[LevelResult, dict[str, float]]:
-    """--a-a: the report, and each row's noise."""
+    """--a-a: returns the report, and the noise of each row."""
     result = LevelResult(4, f"One build against itself, {sessions} sessions of {PAIRS} pairs")
     result.heading = ["row", "ms", "noise", "median ratios", "intervals", "called slower"]
     measured: dict[Cell, list[Pairs]] = {cell: [] for cell in cells}
@@ -248,7 +248,7 @@ def check_margin(file: Path, processor: str, cells: Sequence[Cell], margin: floa
         kept = json.loads(file.read_text(encoding="utf-8"))
         floors = kept["noise"] if kept["processor"] == processor else {}
     except (OSError, ValueError, KeyError):
-        return  # not measured: every interval contains its own noise
+        return  # no stored noise: every interval contains its own noise
     for cell in cells:
         floor = floors.get(str(cell), 1.0)
         if margin < floor:

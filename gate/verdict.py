@@ -25,7 +25,7 @@ LABELS = {
 
 
 FIRST = 3
-"""Findings of a kind at one level that are told above the tables."""
+"""Number of findings of one level and weight that are printed above the tables."""
 
 
 @dataclass(frozen=True)
@@ -37,13 +37,13 @@ class Verdict:
 
     @property
     def findings(self) -> list[Finding]:
-        """Failures first, and of those the lowest level: the first cause."""
+        """All findings, failures first, then by level: the first cause comes first."""
         found = [finding for level in self.levels for finding in level.findings]
         return sorted(found, key=lambda finding: (-finding.weight, finding.level))
 
     @property
     def word(self) -> str:
-        """ "good" only when nothing failed, nothing is unresolved and nothing is slower."""
+        """The verdict in a word: "good" if nothing failed, is unresolved or is slower."""
         worst = max((finding.weight for finding in self.findings), default=Weight.NOTE)
         if self.exit_code in WORDS:
             return WORDS[self.exit_code]
@@ -57,7 +57,7 @@ class Verdict:
 
 
 def judge(base: str, head: str, levels: Sequence[LevelResult], strict: bool) -> Verdict:
-    """@raises GateError when nothing at all was compared: that is not good"""
+    """@raises GateError when no row was compared"""
     findings = [finding for level in levels for finding in level.findings]
     failures = {finding.exit_code for finding in findings if finding.weight == Weight.FAILURE}
     unresolved = any(finding.weight == Weight.NOT_RESOLVED for finding in findings)
@@ -80,7 +80,7 @@ def as_markdown(verdict: Verdict) -> str:
 
 
 def _lines(verdict: Verdict) -> list[str]:
-    """Of many findings of a kind at one level the first; the tables have all."""
+    """Returns the first findings of each level and weight. The tables have all of them."""
     lines = []
     for (level, weight), group in groupby(verdict.findings, key=lambda f: (f.level, f.weight)):
         texts = [finding.text for finding in group]
@@ -91,7 +91,7 @@ def _lines(verdict: Verdict) -> list[str]:
 
 
 def _table(level: LevelResult) -> Table:
-    """The title alone for a level without rows to show."""
+    """Returns the table of a level; only its title if the level has no rows."""
     title = f"Level {level.level}. {level.title}: {level.result}"
     heading = level.heading if level.table else []
     return Table("", title, heading, 1, [text_fields(row) for row in level.table])

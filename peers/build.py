@@ -19,7 +19,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(ROOT), str(ROOT / "datasets")]  # downloads and archives are those of meshes
+sys.path[:0] = [str(ROOT), str(ROOT / "datasets")]  # shares the code for downloads and archives
 
 from results import console
 
@@ -58,7 +58,7 @@ def parse_arguments(words: Sequence[str] | None) -> argparse.Namespace:
 
 
 def build_all(builder: Builder, peers: Sequence[Peer]) -> int:
-    """Builds one after the other, with a line for each; counts those that are missing."""
+    """Builds the peers one by one, prints a line for each and returns the number of missing ones."""
     missing = 0
     for peer in peers:
         try:
@@ -73,7 +73,7 @@ def build_all(builder: Builder, peers: Sequence[Peer]) -> int:
 
 
 def words_of_run(bench: Bench, plugins: Sequence[Path], solvers: str) -> list[str]:
-    """Words of `geodesic-bench run`: the plug-ins, and its solvers with theirs."""
+    """Returns arguments of `geodesic-bench run`: the plug-ins, and their solvers after `solvers`."""
     always = [name for name, by_name_only in bench.solvers().items() if not by_name_only]
     beside = solvers or ",".join(always)
     names = [beside, *bench.solvers_of(*plugins)]
@@ -81,7 +81,7 @@ def words_of_run(bench: Bench, plugins: Sequence[Path], solvers: str) -> list[st
 
 
 def plugins_there(builder: Builder, peers: Sequence[Peer], named: bool) -> list[Path]:
-    """Raises FetchError when one that was named is not there, or none is."""
+    """Returns the plug-ins that exist. Raises FetchError if a named one is missing, or if all are."""
     plugins = [builder.plugin(peer) for peer in peers]
     there = [plugin for plugin in plugins if plugin.is_file()]
     if not there or (named and there != plugins):
@@ -118,7 +118,7 @@ def main(words: Sequence[str] | None = None) -> int:
         return run(parse_arguments(words))
     except (FetchError, Unavailable) as error:
         return console.complain(error)
-    except OSError as error:  # of programs that are missing, too
+    except OSError as error:  # also if a program is missing
         return console.complain(FetchError(console.reason_of(error)))
     except KeyboardInterrupt:
         return console.interrupted("a peer that was built is there, and the next call continues")

@@ -1,4 +1,4 @@
-// The mesh as geometry-central keeps it: what its solvers are asked about.
+// The mesh in the data structures of geometry-central.
 #pragma once
 
 #include <geometrycentral/surface/manifold_surface_mesh.h>
@@ -10,11 +10,11 @@
 
 namespace geodesic::peer {
 
-/// Keeps the order of vertices and faces. Leaves out vertices without faces, as geometry-central's
-/// readers of files do. Construction throws where it refuses the mesh.
+/// A mesh with the same order of vertices and faces. Vertices without faces are left out, as in
+/// geometry-central's file readers. The constructor throws if geometry-central refuses the mesh.
 class GcMesh {
  public:
-  /// @param manifold declares it so, as most of geometry-central's examples do
+  /// @param manifold builds a ManifoldSurfaceMesh, as most of geometry-central's examples do
   GcMesh(const Mesh& own, bool manifold)
       : numbers_(numbered(own)), mesh_(made(polygons(own, numbers_), manifold)), geometry(*mesh_) {
     for (Index v = 0; v < numbers_.size(); ++v) {
@@ -28,7 +28,7 @@ class GcMesh {
 
   geometrycentral::surface::Vertex vertex(Index own) const { return mesh_->vertex(numbers_[own]); }
 
-  /// A path of geometry-central, from its source on.
+  /// Converts a path of geometry-central that begins at its source.
   std::vector<InternalPoint> points(
       const Mesh& own, const std::vector<geometrycentral::surface::SurfacePoint>& path) const {
     using geometrycentral::surface::SurfacePointType;
@@ -50,7 +50,7 @@ class GcMesh {
     return all;
   }
 
-  /// Those of the query that have faces.
+  /// Returns the sources of a query that have faces.
   std::vector<geometrycentral::surface::Vertex> sources(const InternalQuery& query) const {
     std::vector<geometrycentral::surface::Vertex> all;
     for (const InternalSource& source : query.sources)
@@ -59,7 +59,7 @@ class GcMesh {
     return all;
   }
 
-  /// The targets that a query stops at, those in faces apart.
+  /// Returns the targets at which a query stops; empty unless all of them are vertices.
   std::vector<geometrycentral::surface::Vertex> stops(const InternalQuery& query) const {
     std::vector<geometrycentral::surface::Vertex> all;
     for (const InternalPoint& target : query.targets)
@@ -67,8 +67,7 @@ class GcMesh {
     return all.size() == query.targets.size() ? all : decltype(all){};
   }
 
-  /// Answers a query with distances by vertex of geometry-central; those beyond 1e100 are
-  /// unreachable.
+  /// Writes the distances that geometry-central found. Distances of 1e100 or more are unreachable.
   void answer(const InternalQuery& query, const geometrycentral::surface::VertexData<double>& found,
               std::span<double> distances) const {
     peer::answer(distances, 1e100,
@@ -104,7 +103,7 @@ class GcMesh {
     return std::make_unique<SurfaceMesh>(polygons);
   }
 
-  std::vector<Index> numbers_;  // by vertex; kNone without faces
+  std::vector<Index> numbers_;  // by vertex; kNone for a vertex without faces
   std::unique_ptr<geometrycentral::surface::SurfaceMesh> mesh_;
 
  public:

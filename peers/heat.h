@@ -1,4 +1,4 @@
-// What the adapters of heat methods share.
+// Common code of the adapters of heat methods.
 #pragma once
 
 #include <utility>
@@ -7,8 +7,8 @@
 
 namespace geodesic::peer {
 
-/// @param known what is to be known of the peer
-/// @param parameters `laplacian` among them
+/// @param known facts about the peer, for the remarks
+/// @param parameters all parameters, including `laplacian`
 inline Description heat_method(const std::string& name, const std::string& known,
                                std::vector<ParameterDescription> parameters) {
   return {.name = name,
@@ -23,7 +23,7 @@ inline Description heat_method(const std::string& name, const std::string& known
 inline const char* const kCotangent = "cotangent";
 inline const char* const kIntrinsicDelaunay = "intrinsic-delaunay";
 
-/// The choice of the matrix.
+/// The parameter that chooses the Laplacian matrix.
 /// @param first the peer's own default
 inline ParameterDescription laplacian(const std::string& first) {
   const std::string second = first == kCotangent ? kIntrinsicDelaunay : kCotangent;
@@ -35,7 +35,7 @@ inline bool is_intrinsic_delaunay(const Description& description) {
   return description.text("laplacian") == kIntrinsicDelaunay;
 }
 
-/// How long heat flows.
+/// The parameter for the time of the heat flow.
 inline ParameterDescription heat_time() {
   return real_parameter("time", 1, 1e-6, 1e6,
                         "of the heat flow, by the square of the mean edge length");

@@ -1,8 +1,8 @@
-// What the adapters of peers share: the mesh as the flat arrays that most codes begin with, and the
-// distances that they end with.
+// Common code of the adapters of peers: the mesh as flat arrays, which most codes need as input,
+// and the conversion of their distances.
 //
-// An adapter converts the mesh, asks the authors' code, and converts its answer. It adds no checks
-// and no repairs: what the code does is what is measured.
+// An adapter converts the mesh, calls the authors' code, and converts its answer. It adds no checks
+// and no repairs, so that the measurement shows the code itself.
 #pragma once
 
 #include <span>
@@ -14,20 +14,20 @@
 
 namespace geodesic::peer {
 
-/// "-O3 -march=native, 12% faster than its authors' -O2": made by peers/build.py.
+/// Returns the text of peers/build.py about the compiler flags.
 const char* built_with();
 
-/// The remarks of a description: what is to be known of a peer, and what it was built with.
+/// Returns the remarks of a description: the facts about a peer, and its compiler flags.
 inline std::string remarks(const std::string& known) {
   return known + "; compiled with " + built_with();
 }
 
-/// Whether a solve is to fill in what the authors' code counts.
+/// Whether a solve must record the counters of the authors' code.
 inline bool counts(const Recording* recording) {
   return recording != nullptr && recording->kind != RecordingKind::phase_times;
 }
 
-/// x, y, z of every vertex.
+/// Returns x, y, z of every vertex.
 inline std::vector<double> coordinates(const Mesh& mesh) {
   std::vector<double> all;
   all.reserve(3 * std::size_t{mesh.vertex_count()});
@@ -35,7 +35,7 @@ inline std::vector<double> coordinates(const Mesh& mesh) {
   return all;
 }
 
-/// The three vertices of every face.
+/// Returns the three vertices of every face.
 template <class Number>
 std::vector<Number> corners(const Mesh& mesh) {
   std::vector<Number> all;
@@ -45,7 +45,7 @@ std::vector<Number> corners(const Mesh& mesh) {
   return all;
 }
 
-/// The point of the edge from a to b, so much of the way; an end of it where rounding goes beyond.
+/// Returns the point at a share of the edge from a to b; an end of the edge if rounding exceeds it.
 inline InternalPoint on_edge(const Mesh& mesh, Index a, Index b, double share) {
   if (!(share > 0)) return InternalPoint(a);
   if (!(share < 1)) return InternalPoint(b);
@@ -60,14 +60,14 @@ inline InternalPoint on_edge(const Mesh& mesh, Index a, Index b, double share) {
   throw std::invalid_argument("no edge has the point of a path");
 }
 
-/// Answers with the distances that the authors' code has found.
-/// @param infinity what it gives, or less, for vertices that it does not reach
-/// @param found the distance by vertex
+/// Writes the distances that the authors' code has found.
+/// @param infinity distances of at least this value mean that a vertex is not reached
+/// @param found function that returns the distance of a vertex
 template <class Found>
 void answer(std::span<double> distances, double infinity, const Found& found) {
   for (Index v = 0; v < distances.size(); ++v) {
     const double d = found(v);
-    if (!(d >= infinity)) distances[v] = d;  // not a number stays what it is
+    if (!(d >= infinity)) distances[v] = d;  // NaN is kept
   }
 }
 

@@ -1,1 +1,1 @@
-"""Result files: the reader, the statistics and the table that everything derived is made with."""
+"""Result files: the reader, and the statistics and tables for all derived output."""

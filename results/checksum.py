@@ -1,5 +1,5 @@
-"""The checksum of a result file: SHA-256 of its text without the key and without space between words.
-Rows in a file beside it have a sum of their own in that text."""
+"""The checksum of a result file: SHA-256 of its text without the key `checksum` and without white space
+between words. The text contains a separate checksum of the file with the rows, if there is one."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ _KEY = re.compile(r',"checksum":"([0-9a-f]{64})"')
 
 
 def stated(text: str) -> str | None:
-    """What the file says of itself; None when it says nothing."""
+    """Returns the checksum that the text states, or None if it states none."""
     found = _KEY.search("".join(_WORDS.findall(text)))
     return found[1] if found else None
 
 
 def computed(text: str) -> str:
-    """What the file should say. It does not depend on how the text is indented."""
+    """Returns the checksum that the text should state. It does not depend on the indentation."""
     compact = _KEY.sub("", "".join(_WORDS.findall(text)), count=1)
     return hashlib.sha256(compact.encode()).hexdigest()
 

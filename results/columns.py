@@ -1,10 +1,10 @@
-"""Rows of result files as columns: what every run is kept in, of four rows or of a million.
+"""Rows of result files as columns. Every run is stored in this form, whatever its number of rows.
 
-A column is a key of the schema's rows; those of an object are "phase_seconds.queue". Numbers are
-arrays in which -1 (of whole numbers) or NaN (of others) stands for a number that a row does not
-have: the schema has neither. Texts are places in a list of different texts, -1 for none. A source
-is a vertex, or a set at place p of the texts of "source", written -2 - p. What follows from other keys
-is not kept: names, and what is the same in every row.
+A column is a key of the schema's rows; a key inside an object is written "phase_seconds.queue". Numbers
+are arrays, in which -1 (for integers) or NaN (for others) stands for a missing number; the schema allows
+neither value. A text is stored as an index into a list of distinct texts, -1 if missing. A source is
+a vertex, or -2 - p for the set whose name has the index p in the texts of "source". Values that follow
+from other keys are not stored: names, and values that are equal in all rows.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from .schema import ResultError, is_valid, resolved, schema
 
 Array = NDArray[Any]
 FOLLOWS = ("name", "run_name", "run_type", "time_unit", "error_occurred")
-"""Keys that `Columns.data` makes of others."""
+"""Keys that `Columns.data` derives from others."""
 NONE = -1
 OUTCOME, OK = "outcome", "ok"
 SOURCE, FIRST_SET = "source", -2
@@ -32,7 +32,7 @@ TYPES: dict[str, Any] = {"integer": np.int64, "number": np.float64, "string": np
 
 @cache
 def kinds() -> dict[str, str]:
-    """By column: "integer", "number" or "string"."""
+    """Returns "integer", "number" or "string" by column."""
 
     def leaves(properties: dict[str, Any], prefix: str) -> Iterator[tuple[str, str]]:
         for key, part in properties.items():
@@ -40,7 +40,7 @@ def kinds() -> dict[str, str]:
             if "properties" in part:
                 yield from leaves(part["properties"], f"{prefix}{key}.")
             elif prefix or key not in FOLLOWS:
-                kind = part.get("type", "string")  # an enumeration is of texts
+                kind = part.get("type", "string")  # an enumeration has texts
                 yield prefix + key, "integer" if key == SOURCE else kind
 
     return dict(leaves(schema()["$defs"]["row"]["properties"], ""))
@@ -50,18 +50,18 @@ def kinds() -> dict[str, str]:
 class Columns:
     length: int
     arrays: dict[str, Array]
-    """By key; one that no row has is left out."""
+    """The arrays by key. A key that no row has is left out."""
     texts: dict[str, list[str]] = field(default_factory=dict)
-    """Of the columns of texts, by key."""
+    """The distinct texts of the columns with texts, by key."""
     whole: bool = True
-    """Nothing was left out: `data` gives the rows as they were in JSON."""
+    """Whether no key was left out, so that `data` returns the rows exactly as in JSON."""
 
     @staticmethod
     def of(rows: Sequence[Mapping[str, Any]]) -> Columns:
-        """Keys that the schema does not have are left out.
+        """Converts rows of JSON. Keys that are not in the schema are left out.
 
-        @raises ValueError, TypeError, AttributeError or OverflowError for values of other types than
-                the schema's"""
+        @raises ValueError, TypeError, AttributeError or OverflowError for values whose type is not
+                that of the schema"""
         arrays: dict[str, Array] = {}
         texts: dict[str, list[str]] = {}
         found = 0
@@ -90,7 +90,7 @@ class Columns:
         return Columns(len(rows), arrays, texts, whole)
 
     def has(self, key: str) -> Array:
-        """Which rows have it."""
+        """Returns a mask of the rows that have a value for the key."""
         array = self.arrays.get(key)
         if array is None:
             return np.zeros(self.length, bool)
@@ -98,14 +98,14 @@ class Columns:
         return there
 
     def numbers(self, key: str) -> NDArray[np.float64]:
-        """NaN where a row has none."""
+        """Returns the numbers of a column, NaN where a row has none."""
         array = self.arrays.get(key)
         if array is None:
             return np.full(self.length, np.nan)
         return np.where(self.has(key), array, np.nan)
 
     def where(self, key: str, *any_of: str) -> Array:
-        """Which rows have one of these texts."""
+        """Returns a mask of the rows that have one of these texts."""
         places = [place for place, text in enumerate(self.texts.get(key, ())) if text in any_of]
         return np.isin(self.arrays[key], places) if places else np.zeros(self.length, bool)
 
@@ -115,17 +115,17 @@ class Columns:
         return None if place == NONE else self.texts[key][place]
 
     def source(self, row: int) -> int | str:
-        """A vertex, or the name of a set. Every row has one."""
+        """Returns the vertex or the name of the set. Every row has a source."""
         value = int(self.arrays[SOURCE][row])
         return value if value >= 0 else self.texts[SOURCE][FIRST_SET - value]
 
     def names(self, key: str) -> list[str]:
-        """The texts that rows have, in the order of the rows; every row has one."""
+        """Returns the distinct texts in the order of the rows. Every row must have a text."""
         _, first = np.unique(self.arrays[key], return_index=True)
         return [str(self.text(key, row)) for row in sorted(first.tolist())]
 
     def by_texts(self, *keys: str) -> dict[tuple[str, ...], Array]:
-        """The places of the rows by the texts that they have for the keys; every row has them."""
+        """Returns the indices of the rows, by their texts for the keys. Every row must have these texts."""
         code = np.zeros(self.length, np.int64)
         for key in keys:
             code = code * len(self.texts.get(key, ())) + self.arrays[key] if self.length else code
@@ -135,12 +135,12 @@ class Columns:
         return {tuple(str(self.text(key, int(rows[0]))) for key in keys): rows for rows in groups}
 
     def cells(self, rows: Array) -> int:
-        """How many different cells the rows belong to. @param rows which, as `where` gives them"""
+        """Returns the number of distinct cells of some rows. @param rows mask, as `where` returns it"""
         keys = np.stack([self.arrays[key][rows] for key in ("solver", "mesh", "source")])
         return int(np.unique(keys, axis=1).shape[1])
 
     def data(self, row: int) -> dict[str, Any]:
-        """The row as it is in JSON."""
+        """Returns the row as in JSON."""
         found: dict[str, Any] = {}
         for key, kind in kinds().items():
             if key == SOURCE and key in self.arrays:
@@ -157,25 +157,25 @@ class Columns:
         return {"name": _name(found), "run_name": _name(found)} | constant | failed | found
 
     def number(self, key: str, row: int) -> float | None:
-        """Of whole ones an int."""
+        """Returns the number of a row, an int for integer columns; None if the row has none."""
         array = self.arrays.get(key)
         value: float = NONE if array is None else array[row].item()
         return None if value == NONE or value != value else value  # NaN differs from itself
 
     def take(self, rows: Array) -> Columns:
-        """These rows: places in the order wanted, or which."""
+        """Returns the given rows. @param rows indices in the desired order, or a mask"""
         arrays = {key: array[rows] for key, array in self.arrays.items()}
         return Columns(len(next(iter(arrays.values()), rows)), arrays, self.texts)
 
     def filled(self, key: str, text: str) -> Columns:
-        """With this text in the rows that have none."""
+        """Returns the columns with this text in the rows that have none."""
         texts = list(dict.fromkeys([*self.texts.get(key, ()), text]))
         array = self.arrays.get(key, np.full(self.length, NONE))
         array = np.where(array == NONE, texts.index(text), array).astype(np.int32)
         return replace(self, arrays=self.arrays | {key: array}, texts=self.texts | {key: texts})
 
     def without(self, key: str, text: str) -> Columns:
-        """Rows that have this text have none."""
+        """Returns the columns without this text: the rows that had it have none."""
         array = np.where(self.where(key, text), NONE, self.arrays[key]).astype(np.int32)
         arrays = self.arrays | {key: array}
         if (array == NONE).all():
@@ -185,7 +185,7 @@ class Columns:
 
     @staticmethod
     def together(parts: Sequence[Columns]) -> Columns:
-        """All rows of all parts, in their order."""
+        """Returns all rows of all parts, in their order."""
         texts: dict[str, list[str]] = {}
         arrays: dict[str, Array] = {}
         for key, kind in kinds().items():
@@ -213,13 +213,13 @@ class Columns:
         return Columns(sum(part.length for part in parts), arrays, texts)
 
     def save(self, file: Path) -> None:
-        """As compressed arrays of numpy; the texts are not in it."""
+        """Writes compressed arrays of NumPy. The texts are not written."""
         with file.open("wb") as stream:
             np.savez_compressed(stream, **self.arrays)
 
     @staticmethod
     def load(file: Path, length: int, texts: dict[str, list[str]]) -> Columns:
-        """@raises ResultError when the file is not as `save` wrote it"""
+        """@raises ResultError when the file is not one that `save` wrote"""
         try:
             with np.load(file, allow_pickle=False) as stored:
                 arrays = {key: stored[key] for key in stored.files}
@@ -243,9 +243,9 @@ class Columns:
         return Columns(length, arrays, {key: texts[key] for key in arrays if key in texts})
 
     def is_valid(self, data: dict[str, Any]) -> bool:
-        """Whether all rows, and the rest of the result file, are to the schema. Of rows with the same keys and outcome the least and
-        the greatest of each number and length of text are looked at, since the schema bounds both by
-        intervals; and each different text."""
+        """Whether all rows and the rest of the result file conform to the schema. The schema bounds
+        numbers and lengths of texts by intervals. So only the extremes of rows with equal keys and
+        outcome are validated, and each distinct text."""
         if not self.whole or (self.length and OUTCOME not in self.arrays):
             return False
         row = schema()["$defs"]["row"]["properties"]
@@ -255,11 +255,11 @@ class Columns:
         )
 
     def _extreme_rows(self) -> list[dict[str, Any]]:
-        """For each group of rows with the same keys and outcome: a row of the least numbers and the
-        shortest texts, and one of the greatest and longest."""
+        """Returns two rows for each group of rows with equal keys and outcome: one with the least
+        numbers and shortest texts, and one with the greatest numbers and longest texts."""
         of_texts = {key: texts for key, texts in self.texts.items() if kinds()[key] == "string"}
         arrays = {key: array for key, array in self.arrays.items() if key not in of_texts}
-        for key, texts in of_texts.items():  # by length; places stay in the lower half
+        for key, texts in of_texts.items():  # by length; the lower half keeps the index of the text
             lengths = np.array([*map(len, texts), 0], np.int64)
             arrays[key] = (lengths[self.arrays[key]] << 32) + self.arrays[key] - NONE
         bits = np.packbits([self.has(key) for key in self.arrays], axis=0)
@@ -300,14 +300,14 @@ def _numbers(key: str, kind: str, values: list[Any]) -> Array:
     found = np.array([NONE if value is None else value for value in values])
     with np.errstate(invalid="ignore"):
         whole = found.astype(np.int64)
-    # A value of -1 would be taken for none.
+    # A value of -1 would count as missing.
     if (whole != found).any() or (whole == NONE).sum() != values.count(None):
         raise ValueError(f"{key} is not a whole number of at least 0")
     return whole
 
 
 def _kept(row: Mapping[str, Any]) -> int:
-    """How many values are not among FOLLOWS."""
+    """Returns the number of values whose key is not in FOLLOWS."""
     return sum(
         len(value) if isinstance(value, dict) else 1
         for key, value in row.items()
@@ -320,6 +320,6 @@ def _name(row: Mapping[str, Any]) -> str:
 
 
 def _named(row: Mapping[str, Any]) -> bool:
-    """Whether the values of FOLLOWS are those that `data` gives."""
+    """Whether the values of the keys FOLLOWS are those that `data` derives."""
     found = [row.get(key) for key in FOLLOWS[:-1]] + [row.get("error_occurred", False)]
     return found == [_name(row), _name(row), "iteration", "ms", row.get(OUTCOME) != OK]

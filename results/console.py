@@ -1,6 +1,6 @@
-"""What commands print, and how they end: one line for an error, on any terminal.
+"""Output and errors of commands: an error is one line, on any terminal.
 
-A command calls `prepare` before it imports anything that may be missing.
+A command calls `prepare` before it imports a module that may be missing.
 """
 
 from __future__ import annotations
@@ -23,18 +23,18 @@ EXIT_INTERRUPTED = 130
 
 
 def printable(text: str) -> str:
-    r"""Control characters as \x1b and the like, so that no file can move the cursor."""
+    r"""Escapes control characters, as in \x1b, so that no text of a file can move the cursor."""
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
 
 
 def say(line: str, stream: TextIO | None = None) -> None:
-    """@param stream by default the output"""
+    """Prints a line with control characters escaped. @param stream None for the standard output"""
     print(printable(line), file=stream, flush=True)
 
 
 def reason_of(error: OSError) -> str:
-    """'No space left on device: /the/file'; without a file where the error names none, as those of
-    an open file and of the output."""
+    """Returns "No space left on device: /the/file". The file is omitted if the error names none, as
+    for errors of an open file or of the output."""
     return ": ".join(str(part) for part in (error.strerror or error, error.filename) if part)
 
 
@@ -44,8 +44,8 @@ _place = "--out"
 
 
 def program() -> str:
-    """The name that messages begin with: as given to `prepare`, else that of the script, or of the
-    package run with -m."""
+    """Returns the name at the beginning of messages: the name given to `prepare`, else the name of the
+    script, or of the package that runs with -m."""
     script = Path(sys.argv[0])
     if _name:
         return _name
@@ -53,14 +53,14 @@ def program() -> str:
 
 
 def complaint(error: BaseException) -> str:
-    """One line; an error of the system with its file and a way out."""
+    """Returns the error as one line. An error of the system has its file and a suggestion."""
     if isinstance(error, OSError) and error.strerror:
         return f"cannot write ({printable(reason_of(error))}): is there another place ({_place})?"
     return printable(str(error))
 
 
 def complain(error: BaseException) -> int:
-    """Prints the error to the error stream; returns the exit code."""
+    """Prints the error to the error stream and returns the exit code."""
     print(f"{program()}: {complaint(error)}", file=sys.stderr)
     try:
         print(end="", flush=True)
@@ -70,13 +70,13 @@ def complain(error: BaseException) -> int:
 
 
 def interrupted(left: str = "files that have their final name are complete") -> int:
-    """Says so and what is left behind; returns the exit code."""
+    """Prints that the command was interrupted and what it leaves; returns the exit code."""
     complain(KeyboardInterrupt(f"interrupted; {left}"))
     return EXIT_INTERRUPTED
 
 
 class Parser(argparse.ArgumentParser):
-    """An invalid argument gives one line, and the exit code of every other error."""
+    """Reports an invalid argument in one line, with the same exit code as every other error."""
 
     def __init__(self, description: str | None, *examples: str) -> None:
         lines = ["examples:", *(f"  {example}" for example in examples)]
@@ -86,7 +86,7 @@ class Parser(argparse.ArgumentParser):
         )  # fmt: skip
 
     def print_help(self, file: SupportsWrite[str] | None = None) -> None:
-        """Raises OSError where it cannot be written, which argparse leaves out from Python 3.12 on."""
+        """Raises OSError if the help cannot be written; argparse ignores that since Python 3.12."""
         print(self.format_help(), end="", file=file)
         sys.stdout.flush()
 
@@ -98,19 +98,19 @@ RUN = "run folder (default: the newest of results/runs)"
 
 
 def run_parser(description: str | None, *examples: str) -> Parser:
-    """With the argument RUN, of type Path, which may be left out."""
+    """Returns a parser with the optional argument RUN of type Path."""
     parser = Parser(description, *examples)
     parser.add_argument("run", nargs="?", type=Path, metavar="RUN", help=RUN)
     return parser
 
 
 def prepare(name: str = "", packages: str = PACKAGES, place: str = "--out") -> None:
-    """Sets the process up as a command: errors that are no fault of the program end in one line,
-    a closed pipe ends it silently, and any text can be printed.
+    """Prepares the process for a command: an error that is not a fault of the program ends it with one
+    line, a closed pipe ends it silently, and any text can be printed.
 
-    @param name as the user calls the command, where that is not the name of the script
-    @param packages of Debian that it needs
-    @param place the option that names where it writes"""
+    @param name name of the command for the user, if it is not the name of the script
+    @param packages names of the Debian packages that it needs
+    @param place the option that names the place of the output"""
     global _name, _packages, _place
     _name, _packages, _place = name, packages, place
     sys.excepthook = _end
@@ -118,7 +118,7 @@ def prepare(name: str = "", packages: str = PACKAGES, place: str = "--out") -> N
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
-            # By lines: a full disk is noticed while it can still be reported.
+            # Line buffering: a full disk is detected while it can still be reported.
             stream.reconfigure(errors="backslashreplace", line_buffering=True)
 
 

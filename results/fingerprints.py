@@ -1,11 +1,11 @@
-"""Writes results/fingerprints.json: from it a program in any language can tell whether its geodesic
-distances on public meshes are right, without this project's programs (docs/contributed-results.md).
+"""Writes results/fingerprints.json, with which a program in any language can check its geodesic distances
+on public meshes, without this project's programs (docs/contributed-results.md).
 
-A distance d is published as the whole number floor(steps * d / scale + offset), one a vertex, -1 where
-no path leads, and these as the SHA-256 of their decimals with a line feed after each. `scale` is about
-the largest distance. `offset` is the one of some at which the distances keep farthest from where the
-whole number changes, `margin` how far: whoever's relative error is below margin / (steps + 1) gets the
-same numbers.
+A distance d becomes the integer floor(steps * d / scale + offset), one per vertex, -1 for an unreachable
+vertex. The file has the SHA-256 of these integers in decimal, with a line feed after each. `scale` is about
+the largest distance. `offset` is chosen so that all distances are as far as possible from a change of their
+integer, and `margin` is how far they are: a program whose relative error is below margin / (steps + 1)
+computes the same integers.
 """
 
 from __future__ import annotations
@@ -32,14 +32,14 @@ from results.console import ROOT
 
 FILE = ROOT / "results" / "fingerprints.json"
 SOLVERS = ("edge-based", "fwp-ch")
-"""They share no propagation; the numbers of both must be the same."""
+"""Two solvers that share no propagation code. Their numbers must be equal."""
 STEPS = 1000
 OFFSETS = np.arange(1, 256) / 256
 LEAST_MARGIN = 1e-6
 
 
 class FingerprintError(Exception):
-    """Its message is one line."""
+    """An error whose message is one line."""
 
 
 def steps_of(distances: NDArray[np.float64], scale: float, offset: float) -> list[int]:
@@ -51,7 +51,7 @@ def sha256_of(numbers: Sequence[int]) -> str:
 
 
 def fingerprint(distances: NDArray[np.float64]) -> dict[str, Any]:
-    """@raises FingerprintError where no offset keeps far enough"""
+    """@raises FingerprintError when no offset has at least the margin LEAST_MARGIN"""
     finite = distances[np.isfinite(distances)]
     scale = float(f"{finite.max():.6g}")
     places = STEPS * finite / scale
@@ -67,7 +67,7 @@ def fingerprint(distances: NDArray[np.float64]) -> dict[str, Any]:
 
 
 def run(bench: Path, *words: str) -> str:
-    """@raises FingerprintError"""
+    """Returns the output of a command of geodesic-bench. @raises FingerprintError when it fails"""
     ended = subprocess.run([bench, *words], capture_output=True, text=True, check=False)
     if ended.returncode != 0:
         raise FingerprintError(ended.stderr.strip().splitlines()[-1] if ended.stderr else "failed")
@@ -80,7 +80,7 @@ def distances(bench: Path, mesh: str, solver: str, source: int) -> NDArray[np.fl
 
 
 def of_mesh(bench: Path, mesh: dict[str, Any]) -> dict[str, Any]:
-    """@param mesh of the manifest"""
+    """@param mesh entry of the manifest"""
     found = {}
     for source in (0, mesh["vertices"] // 2):
         of = [distances(bench, mesh["name"], solver, source) for solver in SOLVERS]

@@ -31,9 +31,9 @@ from results.columns import Columns
 from results.reader import ResultError, Run, Source, read_file
 
 MUCH = 20_000_000
-"""Bytes: less is read before another process has started."""
+"""Total bytes of run.json files above which several processes read them. One process reads fewer faster."""
 MOST_IN_JSON = 50_000
-"""Rows: more are written as columns, which are read in a tenth of the time and memory."""
+"""Largest number of rows in JSON. More are written as columns, read in a tenth of the time and memory."""
 RUN, ROWS, REQUEST = "run.json", "rows.npz", "request.json"
 RECORDINGS, SOURCES = "recordings", "sources"
 BELONGING = {
@@ -41,14 +41,14 @@ BELONGING = {
     "program": "another build of geodesic-bench, or other plug-ins, measured it",
     "meshes": "it was planned for other meshes, or files of other sizes",
 }
-"""What shards of one run have in common, and what it means when they have not."""
+"""Keys that all shards of a run have in common, and the meaning of a difference."""
 VISIBLE = ("revision", "corpus", "seed", "repetitions", "time_limit")
-"""Keys of the context that may show how two differ."""
+"""Keys of the context that may show how two shards differ."""
 
 
 @dataclass(frozen=True)
 class Part:
-    """One shard."""
+    """A shard and its folder."""
 
     folder: Path
     run: Run
@@ -62,7 +62,7 @@ class Part:
         return int(self.shard["index"])
 
     def described(self, out: Path) -> dict[str, Any]:
-        """As in the merged file."""
+        """Returns the entry of this shard in the merged file."""
         ours = self.run.ours
         found = {
             "shard": self.index,
@@ -76,13 +76,13 @@ class Part:
 
 
 def folders_of(words: Iterable[Path]) -> Iterator[Path]:
-    """The run folders that the words name, each itself or by the folder in which they lie.
+    """Yields the run folders. A word names a run folder or a folder that contains run folders.
 
-    @raises ResultError for one that is neither"""
+    @raises ResultError for a word that names neither"""
     for word in words:
         if not word.is_dir():
             raise ResultError(f"{word}: no such folder")
-        if _holds_run(word / "shards"):  # of a run that was merged before
+        if _holds_run(word / "shards"):  # the folder of a run that was merged before
             word = word / "shards"
         if _is_run(word):
             yield word
@@ -101,9 +101,9 @@ def _holds_run(folder: Path) -> bool:
 
 
 def read_parts(folders: Sequence[Path]) -> tuple[list[Part], list[Path]]:
-    """The shards by their index, and the folders of those that are not finished.
+    """Returns the shards, ordered by index, and the folders of the unfinished shards.
 
-    @raises ResultError when they do not belong together, or overlap"""
+    @raises ResultError when shards do not belong together or overlap"""
     unfinished = [folder for folder in folders if not (folder / RUN).is_file()]
     finished = [folder for folder in folders if folder not in unfinished]
     parts: list[Part] = []
@@ -118,7 +118,7 @@ def _read(folder: Path) -> Part:
 
 
 def _read_all(folders: Sequence[Path]) -> Iterator[Part]:
-    """On all processors where there is much to read."""
+    """Reads the shards, with several processes if there is much to read."""
     if sum((folder / RUN).stat().st_size for folder in folders) < MUCH:
         yield from map(_read, folders)
         return
@@ -150,7 +150,7 @@ def _check_belongs(part: Part, parts: Sequence[Part]) -> None:
 
 
 def _seen(part: Part, other: Part) -> str:
-    """" (seed: 2, not 1)", as far as the context shows it."""
+    """Returns the differences that the context shows, as in " (seed: 2, not 1)"; may be empty."""
     ours, theirs = part.run.ours, other.run.ours
     found = [
         f"{key}: {ours.get(key)}, not {theirs.get(key)}"
@@ -163,7 +163,7 @@ def _seen(part: Part, other: Part) -> str:
 
 
 def gaps(parts: Sequence[Part], unfinished: Sequence[Path]) -> tuple[list[int], list[str]]:
-    """The shards that are missing, and what to say of them."""
+    """Returns the indices of the missing shards, and lines about missing and unfinished shards."""
     of = parts[0].shard["of"]
     missing = sorted(set(range(1, of + 1)) - {part.index for part in parts})
     lines = [f"{folder} is not finished: geodesic-bench run --resume {shlex.quote(str(folder))}"
@@ -175,9 +175,9 @@ def gaps(parts: Sequence[Part], unfinished: Sequence[Path]) -> tuple[list[int], 
 
 
 def pairs_of(parts: Sequence[Part]) -> list[tuple[str, Source]]:
-    """Of mesh and source, in the order of the run in one piece.
+    """Returns the pairs of mesh and source, in the order of the unsharded run.
 
-    @raises ResultError where two shards have the same one"""
+    @raises ResultError when two shards have the same pair"""
     found: dict[tuple[int, int], tuple[Part, str, Source]] = {}
     for part in parts:
         for mesh, sources in part.run.sources.items():
@@ -197,7 +197,7 @@ def pairs_of(parts: Sequence[Part]) -> list[tuple[str, Source]]:
 
 
 def check_meshes(parts: Sequence[Part]) -> None:
-    """@raises ResultError when a mesh was another file in another shard"""
+    """@raises ResultError when a mesh is a different file in two shards"""
     first: dict[str, Part] = {}
     for part in parts:
         for name, mesh in part.run.meshes.items():
@@ -210,9 +210,9 @@ def check_meshes(parts: Sequence[Part]) -> None:
 
 
 def rows_of(parts: Sequence[Part], pairs: Sequence[tuple[str, Source]]) -> Columns:
-    """The rows as in the file of the run in one piece; each names its processor.
+    """Returns the rows in the order of the unsharded run. Each row names its processor.
 
-    @raises ResultError when there is none"""
+    @raises ResultError when there are no rows"""
     ours = parts[0].run.ours
     repetitions = ours["repetitions"] if ours.get("interleaved") else 1
     cells = len(ours["solvers"]) * max(1, len(ours.get("programs", []))) * repetitions
@@ -234,7 +234,7 @@ def rows_of(parts: Sequence[Part], pairs: Sequence[tuple[str, Source]]) -> Colum
 
 
 def context_of(parts: Sequence[Part], out: Path) -> dict[str, Any]:
-    """That of the first shard, with what the others have besides."""
+    """Returns the context of the first shard, with the additions of the other shards."""
     context = dict(parts[0].run.context)
     places = {mesh: place for part in parts for mesh, place in part.shard["places"].items()}
     whole = {mesh: of for part in parts for mesh, of in part.shard["sources"].items()}
@@ -264,7 +264,7 @@ def context_of(parts: Sequence[Part], out: Path) -> dict[str, Any]:
 
 
 def source_sets(parts: Sequence[Part]) -> dict[str, dict[str, Any]]:
-    """Of all shards, by mesh and name."""
+    """Returns the source sets of all shards, by mesh and name."""
     found: dict[str, dict[str, Any]] = {}
     for part in parts:
         for mesh, sets in part.run.ours.get("source_sets", {}).items():
@@ -273,9 +273,9 @@ def source_sets(parts: Sequence[Part]) -> dict[str, dict[str, Any]]:
 
 
 def write(context: dict[str, Any], rows: Columns, out: Path, most_in_json: int) -> Path:
-    """The merged run.json, and the file of its columns where it has many rows.
+    """Writes the merged run.json and, if there are many rows, the file with the columns.
 
-    @returns run.json"""
+    @returns the path of run.json"""
     data: dict[str, Any] = {"context": context}
     if rows.length <= most_in_json:
         data["benchmarks"] = [rows.data(row) for row in range(rows.length)]
@@ -295,7 +295,7 @@ def write(context: dict[str, Any], rows: Columns, out: Path, most_in_json: int) 
 
 
 def check_out(out: Path) -> None:
-    """@raises ResultError where the folder holds a run that was measured there"""
+    """@raises ResultError when the folder holds a run that was measured there"""
     if (out / REQUEST).exists() or (out / "cells").exists():
         raise ResultError(f"{out}: holds a run of its own: merge into another folder with --out")
     if (out / RUN).exists() and "parts" not in read_file(out / RUN).ours:
@@ -303,8 +303,8 @@ def check_out(out: Path) -> None:
 
 
 def join_files(parts: Sequence[Part], subfolder: str, out: Path) -> None:
-    """What shards have in a subfolder, by links where the file system has them. Shards that
-    recorded on one mesh have the same files of it."""
+    """Joins the files of a subfolder of all shards, by hard links if the file system has them. Shards
+    that recorded on one mesh have the same files for it."""
     for part in parts:
         source = part.folder / subfolder
         for folder, _, names in os.walk(source):
@@ -321,7 +321,7 @@ def join_files(parts: Sequence[Part], subfolder: str, out: Path) -> None:
 
 
 def summary(parts: Sequence[Part], rows: Columns, meshes: int) -> str:
-    """ "8 shards: 240 rows of 5 meshes, measured on: ..." """
+    """Returns a line such as "8 shards: 240 rows of 5 meshes, measured on ..."."""
     counts = {name: int(rows.where("processor", name).sum()) for name in rows.names("processor")}
     machines = next(iter(counts)) if len(counts) == 1 else "; ".join(
         f"{name} ({of} rows)" for name, of in counts.items()
@@ -333,8 +333,8 @@ def merge(
     words: Sequence[Path], out: Path, *, allow_gaps: bool, command: str,
     most_in_json: int = MOST_IN_JSON,
 ) -> Path:
-    """@returns the merged run.json
-    @raises ResultError when the shards do not make a run"""
+    """@returns the path of the merged run.json
+    @raises ResultError when the shards do not form a run"""
     check_out(out)
     parts, unfinished = read_parts(list(dict.fromkeys(folders_of(words))))
     if not parts:

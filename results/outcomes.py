@@ -1,5 +1,5 @@
-"""What of a run has no verified answer: cells that failed or are missing, and cells without a time that
-are no failures, since a solver declares, a suite expects or the run states it."""
+"""Cells of a run without a verified answer: cells that failed or are missing, and cells without a time
+that are not failures, because the solver declares, the suite expects or the run states the reason."""
 
 from __future__ import annotations
 
@@ -12,25 +12,25 @@ from .reader import CLOSED_FORM, Row, Run, Source
 
 ALLOWED = ("unsupported", "skipped")
 FEW = 4
-"""Meshes that are named; more are counted."""
+"""Number of meshes that a line names. Others are only counted."""
 
 MANY = 100
-"""Lines of a kind: of more, the first are listed."""
+"""Largest number of lines of a kind that are listed."""
 
 
 def is_allowed(run: Run, row: Row) -> bool:
-    """@param row one without a time"""
+    """Whether a row without a time is not a failure. @param row a row without a time"""
     expected: dict[str, str] = run.ours.get("expected", {})
     return row.outcome in ALLOWED or row.outcome == expected.get(f"{row.solver}/{row.mesh}")
 
 
 def allowed(run: Run) -> list[Row]:
-    """Rows without a time that are no failures."""
+    """Returns the rows without a time that are not failures."""
     return [row for row in run.without_a_time if is_allowed(run, row)]
 
 
 def reasons(run: Run) -> dict[tuple[str, str], str]:
-    """A line for each solver and outcome: on which meshes, and the first of the reasons."""
+    """Returns a line for each solver and outcome, with the meshes and the first reason."""
     cells: dict[tuple[str, str], dict[tuple[str, Source], str]] = {}
     for solver, outcome, mesh, source, why in _cells(run):
         cells.setdefault((solver, outcome), {}).setdefault((mesh, source), why)
@@ -63,20 +63,20 @@ def line(row: Row) -> str:
 
 
 def findings(run: Run) -> list[Row]:
-    """Failed rows of solvers of others: of plug-ins, and oracles that share no code with ours."""
+    """Returns the failed rows of solvers of plug-ins and of independent oracles."""
     failed = [row for row in run.without_a_time if row.outcome not in ALLOWED]
     return [row for row in failed if row.solver in run.of_others]
 
 
 def failures(run: Run, harmless: Sequence[Row] = ()) -> list[str]:
-    """One line a failed row, apart from those allowed and other harmless ones, or missing cell."""
-    accepted = {id(row) for row in [*allowed(run), *harmless]}  # of the one list in the run
+    """Returns one line per failed row or missing cell or shard, without allowed and harmless rows."""
+    accepted = {id(row) for row in [*allowed(run), *harmless]}  # the objects of run.without_a_time
     failed = [line(row) for row in run.without_a_time if id(row) not in accepted]
     return failed + missing(run) + parts_missing(run)
 
 
 def missing(run: Run) -> list[str]:
-    """One line a cell that the run should have and has not."""
+    """Returns one line per cell that the run lacks."""
     columns = run.columns
     if columns.cells(columns.has("solver")) == len(run.solvers) * sum(map(len, run.sources.values())):
         return []
@@ -91,20 +91,20 @@ def missing(run: Run) -> list[str]:
 
 
 def parts_missing(run: Run) -> list[str]:
-    """One line a shard that a merged run lacks."""
+    """Returns one line per shard that a merged run lacks."""
     shards = run.ours.get("missing_shards", [])
     of = len(shards) + len(run.ours.get("parts", []))
     return [f"shard {shard}/{of}: missing: it was not merged" for shard in shards]
 
 
 def skipped(run: Run) -> list[str]:
-    """One line a mesh that the run skipped whole."""
+    """Returns one line per mesh that was skipped with all solvers."""
     return [f"{skip.mesh}: {skip.why}" for skip in run.not_measured]
 
 
 def largest_errors(run: Run) -> list[str]:
-    """For each exact solver its largest relative error against closed forms, which are the truth,
-    and against other solvers: a line for each of the two that there is, with whom and where."""
+    """Returns the largest relative errors of each exact solver: one line for errors against closed
+    forms, which are the truth, and one against other solvers, with the reference and the cell."""
     lines = []
     columns = run.columns
     errors = columns.numbers("max_relative_error")
@@ -120,7 +120,7 @@ def largest_errors(run: Run) -> list[str]:
 
 
 def verified(run: Run) -> int:
-    """How many cells have a row that is ok."""
+    """Returns the number of cells that have a row with outcome ok."""
     return run.columns.cells(run.columns.where("outcome", OK))
 
 
@@ -134,6 +134,6 @@ def checked_against_truth(run: Run) -> str:
 
 
 def first(lines: Sequence[str], many: int = MANY) -> list[str]:
-    """A list that can be read: of more than so many lines the first, and how many follow."""
+    """Returns at most `many` lines, followed by the number of the other lines if there are more."""
     more = len(lines) - many
     return [*lines[:many], f"and {more} more"] if more > 0 else list(lines)

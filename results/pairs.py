@@ -1,6 +1,6 @@
-"""The one module of pairs: numbers that are compared because they come from one mesh, one source and
-one repetition, so from one processor. Tables, figures, `compare`, `rank` and the gate take their
-ratios from here. A time is `Row.time`, in seconds; `Pairs` has milliseconds.
+"""Pairs: numbers that can be compared because they come from the same mesh, source and repetition,
+and therefore from one processor. Tables, figures, `compare`, `rank` and the gate take their ratios
+from this module. A time is `Row.time`, in seconds; `Pairs` has milliseconds.
 
 docs/measuring.md describes how pairs are measured, and why.
 """
@@ -18,15 +18,15 @@ from .statistics import DECISION_CONFIDENCE, Sample, least_for_interval
 
 Floats = NDArray[np.float64]
 Numbers = Mapping[tuple[Source, int], float]
-"""By source and repetition."""
+"""Numbers by source and repetition."""
 Time = Callable[[Row], float]
-"""Of an ok row, in seconds."""
+"""Function that returns a time in seconds of a row with outcome ok."""
 
 MOST_STOLEN = 0.01
-"""Of all processors' time."""
+"""Largest share of the time of all processors that may be stolen while a row is measured."""
 MOST_SWITCHES = 500.0
-"""Involuntary switches a second of CPU time. A core shared with two or three others has 200 to 350,
-at which the CPU times of paired solves still spread by only 2 to 3%."""
+"""Largest number of involuntary switches per second of CPU time. A core that two or three other processes
+share has 200 to 350. The CPU times of paired solves then still spread by only 2 to 3%."""
 
 
 def solve(row: Row) -> float:
@@ -42,12 +42,12 @@ def first(row: Row) -> float:
 
 
 def further(row: Row) -> float:
-    """Of an answer from another source by the same object."""
+    """Returns the time of a further answer, from another source, by the same object."""
     return 1e-3 * (row.number("renew_time") or 0) + solve(row)
 
 
 def each_of(sources: int) -> Time:
-    """Of one of so many answers, when one object gives them all."""
+    """Returns the mean time per source when one object answers for this number of sources."""
     return lambda row: (first(row) + (sources - 1) * further(row)) / sources
 
 
@@ -57,7 +57,7 @@ def times(run: Run, mesh: str, solver: str, time: Time = solve) -> dict[tuple[So
 
 
 def by_source(numbers: Numbers) -> list[list[float]]:
-    """The same as a sample: a list a source, of its repetitions."""
+    """Converts the numbers into a sample: one list of repetitions per source."""
     groups: dict[Source, list[float]] = {}
     for (source, _), number in numbers.items():
         groups.setdefault(source, []).append(number)
@@ -65,30 +65,30 @@ def by_source(numbers: Numbers) -> list[list[float]]:
 
 
 def paired(above: Numbers, below: Numbers) -> Sample:
-    """Ratios by source, of the pairs of source and repetition in which both are greater than 0."""
-    both = [key for key in above if key in below]  # in order: an interval is of an ordered sample
+    """Returns the ratios as a sample. A pair is used if both of its numbers are greater than 0."""
+    both = [key for key in above if key in below]  # in order: an interval depends on the order of its sample
     return by_source({k: above[k] / below[k] for k in both if above[k] > 0 and below[k] > 0})
 
 
 def ratios(run: Run, mesh: str, above: str, below: str, time: Time = solve) -> Sample:
-    """Of a solver's times to those of another one."""
+    """Returns the ratios of the times of the solver `above` to those of the solver `below`."""
     return paired(times(run, mesh, above, time), times(run, mesh, below, time))
 
 
 @dataclass(frozen=True)
 class Times:
-    """Of a whole run, however large; NaN where a solver has none."""
+    """Times of a whole run of any size."""
 
     solvers: list[str]
     meshes: list[str]
     mesh_of: NDArray[np.int64]
-    """By line: its mesh. A line is a mesh, source and repetition."""
+    """Index of the mesh, by line. A line is a mesh, source and repetition."""
     seconds: Floats
-    """Lines x solvers."""
+    """Array of shape (lines, solvers), NaN where a solver has no time."""
 
     def by_mesh(self, solver: str, over: str = "") -> Floats:
-        """Geometric means of each mesh, of the times or of their ratios to those of another
-        solver; NaN where there are none."""
+        """Returns the geometric mean, by mesh, of the times or of their ratios to the times of the
+        solver `over`; NaN for a mesh without times."""
         lines = self.seconds[:, self.solvers.index(solver)]
         if over:
             lines = lines / self.seconds[:, self.solvers.index(over)]
@@ -115,16 +115,16 @@ def all_times(run: Run) -> Times:
 
 @dataclass(frozen=True)
 class Pairs:
-    """Times of two sides of a cell in milliseconds, an entry a pair."""
+    """Times of the two sides of a cell in milliseconds, one entry per pair."""
 
     first: list[float]
     second: list[float]
     disturbed: int = 0
-    """Pairs in which something disturbed one of the two."""
+    """Number of pairs in which a row was disturbed."""
 
     @property
     def ratios(self) -> list[float]:
-        """The second side's time over the first's."""
+        """The second side's time divided by the first's, by pair."""
         return [b / a for a, b in zip(self.first, self.second, strict=True)]
 
     def __len__(self) -> int:
@@ -132,9 +132,9 @@ class Pairs:
 
 
 def interleaved(first_side: Iterable[Row], second_side: Iterable[Row]) -> Pairs:
-    """The repetitions of a cell that both sides have, of one interleaved run.
+    """Returns the repetitions of a cell that both sides of an interleaved run have.
 
-    Pairs that were disturbed are left out while enough others for an interval remain.
+    Disturbed pairs are left out if enough other pairs for an interval remain.
     """
     timed = {row.repetition: row for row in first_side if row.ok and row.time > 0}
     others = (row for row in second_side if row.repetition in timed and row.ok and row.time > 0)
@@ -145,7 +145,7 @@ def interleaved(first_side: Iterable[Row], second_side: Iterable[Row]) -> Pairs:
 
 
 def together(parts: Iterable[Pairs]) -> Pairs:
-    """The pairs of several sources, or of several runs, as one sample."""
+    """Joins the pairs of several sources or of several runs into one sample."""
     every = list(parts)
     return Pairs(
         [time for part in every for time in part.first],

@@ -1,5 +1,5 @@
-"""Published numbers as data: the thesis's tables (results/published/thesis.json), and methods that
-cannot be run here (results/published/methods.json). Both cite their sources."""
+"""Published numbers: the tables of the thesis (results/published/thesis.json), and methods that cannot
+be run here (results/published/methods.json). Both files cite their sources."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ THESIS_SOLVERS = ["mmp", "fwp-mmp", "ich", "fwp-ch", "edge-based"]
 """The columns of Table 5.2, in its order."""
 
 Published = float | str | None
-"""A number; a text such as "out of memory" instead of one; None where the thesis has neither."""
+"""A number, or a text such as "out of memory", or None if the thesis has neither."""
 
 
 @cache
@@ -35,22 +35,22 @@ def machine() -> str:
 
 
 def models() -> list[str]:
-    """The thesis's models in the order of its tables."""
+    """Returns the models of the thesis in the order of its tables."""
     return [row["model"] for row in _tables()["table_5_2"]]
 
 
 def table_5_1(model: str) -> dict[str, Any]:
-    """`vertices`, `log_b_n` and `b` of a model."""
+    """Returns `vertices`, `log_b_n` and `b` of a model."""
     return _of_model("table_5_1", model)
 
 
 def table_5_2(model: str) -> dict[str, Any]:
-    """`vertices`, `faces`, and a mapping of solver to value for each measure of Table 5.2."""
+    """Returns `vertices`, `faces`, and values by solver for each measure of Table 5.2."""
     return _of_model("table_5_2", model)
 
 
 def measure(model: str | None, name: str, solver: str) -> Published:
-    """One cell of Table 5.2: `name` is time_s, space_mb, window_propagations, valid_windows,
+    """Returns one cell of Table 5.2: `name` is time_s, space_mb, window_propagations, valid_windows,
     peak_wavefront, or window_limit (which is the same for every solver)."""
     if model is None:
         return None
@@ -59,13 +59,13 @@ def measure(model: str | None, name: str, solver: str) -> Published:
 
 
 def table_5_3() -> dict[str, dict[str, Any]]:
-    """The rows of Table 5.3 by the name of the solver."""
+    """Returns the rows of Table 5.3 by solver."""
     return {row["method"]: row for row in _tables()["table_5_3"]}
 
 
 @dataclass(frozen=True)
 class Claim:
-    """What the thesis's text states about a ratio (see plots/ratios.py)."""
+    """A statement of the thesis's text about a ratio (see plots/ratios.py)."""
 
     claim: str
     where: str
@@ -80,7 +80,7 @@ def claims() -> list[Claim]:
 
 @dataclass(frozen=True)
 class Method:
-    """A method that cannot be run here, as its authors measured it on one mesh."""
+    """The published measurement of a method that cannot be run here, on one mesh."""
 
     method: str
     source: str
@@ -88,7 +88,7 @@ class Method:
     time_s: float
     mean_relative_error: float
     beside: str
-    """A solver that can be run here, and that they measured on the same mesh and machine."""
+    """A solver that can be run here and that the authors measured on the same mesh and machine."""
     beside_time_s: float
 
 

@@ -1,8 +1,8 @@
-"""The one reader of result files: validates them and gives typed rows.
+"""The reader of result files. It validates a file and returns typed rows.
 
-Reads run.json, or one file of cells/, as described by results/README.md, of ordinary and of
-interleaved runs, and of large ones whose rows are in a file beside run.json. Every fault of a file
-is a ResultError of one line with the file and the key.
+Reads run.json or one file of cells/, as described by results/README.md. Runs may be interleaved, and
+the rows of a large run may be in a separate file beside run.json. Every fault of a file is
+a ResultError of one line with the file and the key.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ ERRORS = (
     "unreachable_mismatches",
 )  # fmt: skip
 CLOSED_FORM = "closed-form"
-"""The reference of rows whose distances were compared with a formula, not with another solver."""
+"""The reference of rows whose distances were compared with a formula, not with a solver."""
 
 
 @dataclass(frozen=True)
@@ -45,13 +45,13 @@ class Mesh:
     thesis_model: str | None
     stand_in: bool
     why: str = ""
-    """It is in the corpus."""
+    """Why the mesh is in the corpus."""
     reports: tuple[str, ...] = ()
-    """Addresses of reports by users of other codes on such a mesh."""
+    """Addresses of reports about such a mesh by users of other codes."""
 
     @property
     def label(self) -> str:
-        """The name, and what it stands for: "dragon-res2 (stand-in for lucy)"."""
+        """The name and the replaced mesh, if any: "dragon-res2 (stand-in for lucy)"."""
         return f"{self.name} (stand-in for {self.thesis_model})" if self.stand_in else self.name
 
 
@@ -64,11 +64,11 @@ class Solver:
     independent_oracle: bool
     remarks: str
     exactness: str = "exact"
-    """Or "bounded", "upper_bound", "unbounded"."""
+    """One of "exact", "bounded", "upper_bound" and "unbounded"."""
     error_bound: float | None = None
-    """Relative, of a bounded solver."""
+    """Bound of the relative error of a bounded solver."""
     values: dict[str, float | str] = field(default_factory=dict)
-    """Of all its parameters, by their names."""
+    """Values of all parameters, by name."""
 
     @property
     def base(self) -> str:
@@ -77,14 +77,14 @@ class Solver:
 
     @property
     def promise(self) -> str:
-        """What is known of its distances: "exact", "within 0.01", "upper bound", "unbounded"."""
+        """The guarantee for its distances: "exact", "within 0.01", "upper bound" or "unbounded"."""
         if self.exactness == "bounded":
             return f"within {self.error_bound:g}"
         return self.exactness.replace("_", " ")
 
 
 Source = int | str
-"""A vertex, or the name of a set of vertices that one query starts from."""
+"""A vertex, or the name of a set of vertices from which one query starts."""
 
 
 @dataclass(frozen=True)
@@ -96,7 +96,7 @@ class Cell:
     source: Source
 
     def __lt__(self, other: Cell) -> bool:
-        """Sets after vertices."""
+        """Orders by solver, mesh and source; sets come after vertices."""
         return self._place < other._place
 
     @property
@@ -109,7 +109,7 @@ class Cell:
 
 @dataclass(frozen=True)
 class Row:
-    """One repetition of one cell, or the one row of a cell that failed."""
+    """One repetition of a cell, or the only row of a failed cell."""
 
     solver: str
     mesh: str
@@ -121,27 +121,27 @@ class Row:
     recordings: str | None
     """Folder of the solver's recordings, relative to the run folder."""
     program: str | None
-    """Of an interleaved run with several programs: the label of the one that was timed."""
+    """Label of the timed program in an interleaved run with several programs, else None."""
     processor: str
-    """The one that measured it: times of different ones are not compared."""
+    """The processor of the measurement. Times of different processors are not compared."""
     columns: Columns = field(repr=False, compare=False)
     place: int
-    """Of it in the columns."""
+    """Index of the row in the columns."""
 
     def number(self, key: str) -> float | None:
-        """By its key in the file, that of an object as "phase_seconds.queue"; unless the outcome is
-        ok, one of ERRORS, which a wrong answer has. Times are in milliseconds."""
+        """Returns a number by its key in the file, None if missing; "phase_seconds.queue" is a key inside
+        an object. A row that is not ok has only ERRORS. Times are in milliseconds."""
         return self.columns.number(key, self.place) if self.ok or key in ERRORS else None
 
     @property
     def numbers(self) -> dict[str, float]:
-        """All that `number` gives."""
+        """All numbers of the row, by key."""
         keys = (key for key in self.columns.arrays if key not in self.columns.texts)
         return {key: value for key in keys if (value := self.number(key)) is not None}
 
     @property
     def data(self) -> dict[str, Any]:
-        """The row as it is in the file, with its processor."""
+        """The row as in the file, with its processor."""
         return self.columns.data(self.place)
 
     @property
@@ -150,8 +150,8 @@ class Row:
 
     @property
     def time(self) -> float:
-        """Of one solve in milliseconds, what tables and verdicts go by: of the CPU, and of the wall
-        where several threads share the work. @raises KeyError for a row that is not ok"""
+        """Time of one solve in milliseconds, for tables and verdicts: the CPU time, or the wall time if
+        several threads share the work. @raises KeyError for a row that is not ok"""
         key = "real_time" if (self.number("threads") or 1) > 1 else "cpu_time"
         if (time := self.number(key)) is None:
             raise KeyError(key)
@@ -182,9 +182,9 @@ class Run:
     sources: dict[str, list[Source]]
     skipped: list[Skip]
     columns: Columns
-    """Of the rows, by key: what is looked at in all rows is looked at here."""
+    """The rows as columns, by key, for operations on all rows."""
     stored: dict[str, Any] = field(default_factory=dict)
-    """The file's `columns`, where its rows are in a file beside it."""
+    """The object `columns` of the file, if its rows are in a separate file; else empty."""
 
     def row(self, place: int) -> Row:
         columns = self.columns
@@ -207,22 +207,22 @@ class Run:
 
     @property
     def rows_file(self) -> Path | None:
-        """The file beside it that its rows are in."""
+        """The separate file with the rows; None if the rows are in `file`."""
         return self.file.parent / self.stored["file"] if self.stored else None
 
     @property
     def ours(self) -> dict[str, Any]:
-        """The part of the context that is geodesic-bench's own."""
+        """The part of the context that belongs to geodesic-bench."""
         found: dict[str, Any] = self.context["geodesic_bench"]
         return found
 
     @cached_property
     def processors(self) -> list[str]:
-        """Those that the rows were measured on, in the order of the rows."""
+        """The processors that measured the rows, in the order of the rows."""
         return self.columns.names("processor")
 
     def of_processor(self, processor: str) -> Run:
-        """The same run with what this processor measured only."""
+        """Returns the run with only the rows that this processor measured."""
         columns = self.columns.take(self.columns.where("processor", processor))
         measured = {
             mesh: {columns.source(int(row)) for row in rows}
@@ -241,7 +241,7 @@ class Run:
 
     @cached_property
     def of_single_sources(self) -> Run:
-        """The same run with the cells of single vertices only, where it has any."""
+        """The run without cells of source sets; unchanged if a mesh has no other sources."""
         if SOURCE not in self.columns.texts:
             return self
         single = {
@@ -254,13 +254,13 @@ class Run:
         return replace(self, columns=columns, sources=single)
 
     def set_size(self, mesh: str, source: Source) -> int:
-        """How many vertices a query starts from."""
+        """Returns the number of vertices of a source."""
         if isinstance(source, int):
             return 1
         return int(self.ours["source_sets"][mesh][source]["vertices"])
 
     def source_vertices(self, mesh: str, source: Source) -> list[int]:
-        """@raises ResultError where the file of a set is not there"""
+        """@raises ResultError when the file of a set is missing"""
         if isinstance(source, int):
             return [source]
         file = self.file.parent / self.ours["source_sets"][mesh][source]["file"]
@@ -271,29 +271,29 @@ class Run:
 
     @property
     def shard(self) -> dict[str, Any] | None:
-        """Of a part of a run: which one (results/README.md)."""
+        """Description of the shard (results/README.md); None for a run that is not a shard."""
         found: dict[str, Any] | None = self.ours.get("shard")
         return found
 
     @property
     def of_plugins(self) -> set[str]:
-        """Solvers that plug-ins brought, such as public codes, without parameters."""
+        """Names, without parameters, of the solvers of plug-ins, such as public codes."""
         plugins = self.context.get("geodesic_bench", {}).get("plugins", [])
         return {solver for plugin in plugins for solver in plugin["solvers"]}
 
     @cached_property
     def of_others(self) -> set[str]:
-        """Public codes: solvers of plug-ins, and oracles that share no code with ours."""
+        """Names of the solvers of plug-ins and of the independent oracles."""
         plugins = self.of_plugins
         return {name for name, solver in self.solvers.items() if solver.base in plugins or solver.independent_oracle}
 
     @property
     def interleaved(self) -> bool:
-        """Whether rows of one mesh, source and repetition are neighbours in time."""
+        """Whether the rows of one mesh, source and repetition were measured in direct succession."""
         return bool(self.ours.get("interleaved", False))
 
     def cell(self, mesh: str, solver: str) -> list[Row]:
-        """The rows of one solver on one mesh, over all sources, in the file's order."""
+        """Returns the rows of a solver on a mesh, for all sources, in the file's order."""
         return [self.row(int(place)) for place in self._places.get((mesh, solver), ())]
 
     @cached_property
@@ -303,13 +303,13 @@ class Run:
 
     @cached_property
     def _places(self) -> dict[tuple[str, ...], Array]:
-        """Of rows, by mesh and solver."""
+        """Indices of the rows, by mesh and solver."""
         return self.columns.by_texts("mesh", "solver")
 
     def cells(self, program: str | None = None) -> dict[Cell, list[Row]]:
-        """The rows by cell, in the file's order.
+        """Returns the rows by cell, in the file's order.
 
-        @param program its rows only; None: those of every program"""
+        @param program label of the program whose rows are returned; None for all programs"""
         found: dict[Cell, list[Row]] = {}
         for row in self.rows:
             if program is None or row.program == program:
@@ -317,7 +317,7 @@ class Run:
         return found
 
     def of_meshes(self, names: Sequence[str]) -> Run:
-        """The same run with these meshes only. @raises ResultError for one that it does not have"""
+        """Returns the run with only these meshes. @raises ResultError for an unknown mesh"""
         for name in names:
             if name not in self.meshes:
                 raise ResultError(f"{self.file}: no mesh {name!r}; it has {', '.join(self.meshes)}")
@@ -330,11 +330,11 @@ class Run:
 
     @property
     def not_measured(self) -> list[Skip]:
-        """Meshes that were skipped whole."""
+        """Meshes that were skipped with all solvers."""
         return [skip for skip in self.skipped if skip.solver is None]
 
     def skip(self, mesh: str, solver: str) -> Skip | None:
-        """The reason if the run skipped this solver on this mesh."""
+        """Returns the entry for this solver on this mesh; None if the run did not skip it."""
         return next(
             (s for s in self.skipped if s.mesh == mesh and s.solver in (None, solver)), None
         )
@@ -342,12 +342,12 @@ class Run:
 
 def read_run(path: Path) -> Run:
     """@param path a run folder with a run.json in it, or a result file
-    @raises ResultError as read_file does"""
+    @raises ResultError for the reasons of read_file()"""
     return read_file(path if path.is_file() else run_folder(path) / "run.json")
 
 
 def run_folder(path: Path | None) -> Path:
-    """The folder of --run, or the newest. @raises ResultError when it is not there"""
+    """Returns the folder of --run, or the newest one. @raises ResultError when it is missing"""
     folder = path or newest_run()
     if not folder.is_dir():
         raise ResultError(f"{folder}: no such folder; ./run_all.sh run makes one")
@@ -355,16 +355,16 @@ def run_folder(path: Path | None) -> Path:
 
 
 def read_file(file: Path, *, of_any_revision: bool = False) -> Run:
-    """A result file.
+    """Reads a result file.
 
-    @param of_any_revision leave out keys that this revision's schema does not have; those that a Run
-           needs must be there
-    @raises ResultError when the file is missing, broken or not to the schema"""
+    @param of_any_revision ignores keys that are not in this revision's schema. The keys that a Run
+           needs are still required.
+    @raises ResultError when the file is missing, broken or does not conform to the schema"""
     return run_of(file, load(file), of_any_revision=of_any_revision)
 
 
 def run_of(file: Path, data: Any, *, of_any_revision: bool = False) -> Run:
-    """What `load` returned, as a run. @raises ResultError as read_file does"""
+    """Converts the data that `load` returned. @raises ResultError for the reasons of read_file()"""
     try:
         columns = _columns(file, data, check=not of_any_revision)
         run = _typed(file, data, columns)
@@ -379,11 +379,11 @@ def run_of(file: Path, data: Any, *, of_any_revision: bool = False) -> Run:
 
 
 def _columns(file: Path, data: dict[str, Any], *, check: bool) -> Columns:
-    """@raises ResultError, and what `Columns.of` raises"""
+    """@raises ResultError, and the exceptions of `Columns.of`"""
     if "columns" not in data:
         columns = Columns.of(data["benchmarks"])
         if check and not columns.is_valid(data):
-            validate(file, data)  # names the row, unless the schema allows what columns leave out
+            validate(file, data)  # names the row, unless the columns only lack keys that the schema allows
         for key in ("solver", "mesh", "source", "outcome"):
             if not columns.has(key).all():
                 raise KeyError(key)
@@ -397,7 +397,7 @@ def _columns(file: Path, data: dict[str, Any], *, check: bool) -> Columns:
 
 
 def load(file: Path) -> Any:
-    """JSON with finite numbers, control characters escaped. @raises ResultError"""
+    """Reads JSON with finite numbers, and escapes control characters. @raises ResultError"""
     try:
         text = file.read_text(encoding="utf-8")
         data = json.loads(text)
@@ -413,19 +413,19 @@ def load(file: Path) -> Any:
         raise ResultError(f"{file}: no such file; was the run interrupted?") from None
     except OSError as error:
         raise ResultError(f"{file}: cannot be read: {error.strerror}") from None
-    except ValueError as error:  # of UTF-8 or JSON
+    except ValueError as error:  # invalid UTF-8 or JSON
         raise ResultError(f"{file}: not JSON, perhaps truncated: {error}") from None
     return data
 
 
 _ESCAPED = re.compile(r"\\[^\"\\/]")
-"""What may stand for a character that cannot be printed."""
+"""Matches every escape that may stand for a character that cannot be printed."""
 _NON_FINITE = re.compile(r"NaN|Infinity|[eE]\+?\d{3}|\d{300}")
-"""What may stand for a number that is not finite."""
+"""Matches every text that may stand for a number that is not finite."""
 
 
 def _harmless(data: Any) -> Any:
-    """The same with every text printable: file names and error messages are arbitrary."""
+    """Makes every text printable, because file names and error messages are arbitrary."""
     if isinstance(data, str):
         return printable(data)
     if isinstance(data, dict):
@@ -434,7 +434,7 @@ def _harmless(data: Any) -> Any:
 
 
 def newest_run() -> Path:
-    """The last run folder of results/runs, whose names begin with the time of their start."""
+    """Returns the last run folder of results/runs. Their names begin with the start time."""
     folders = sorted(file.parent for file in RUNS.glob("*/run.json"))
     if not folders:
         raise ResultError(f"{RUNS}: no run there yet; ./run_all.sh run makes one")
@@ -480,14 +480,14 @@ def _typed(file: Path, data: Any, columns: Columns) -> Run:
 
 
 def _of(kind: type[Kind], found: dict[str, Any], **others: Any) -> Kind:
-    """The members that the object in JSON has by these names, and the others."""
+    """Builds an object from the JSON keys that are its fields, and from `others`, which take precedence."""
     copied = {one.name: found[one.name] for one in fields(kind) if one.name in found}
     return kind(**copied | others)
 
 
 def _check_names(run: Run) -> None:
-    """The meshes, solvers and sources of the rows must be in the context, and all that one
-    processor measured of a source."""
+    """Checks that the meshes, solvers and sources of the rows are in the context, and that one
+    processor measured all rows of a mesh and source."""
     columns = run.columns
     if not columns.length:
         return

@@ -1,4 +1,4 @@
-"""The schema of result files, and what is said of a file that cannot be used."""
+"""The schema of result files, and the error for a file that cannot be used."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def _validator() -> Any:
 
 
 def validate(file: Path, data: Any) -> None:
-    """@raises ResultError with the first key of the file that is not to the schema"""
+    """@raises ResultError with the first key of the file that does not conform to the schema"""
     error = next(_validator().iter_errors(data), None)
     if error is not None:
         line = " ".join(error.message.split())
@@ -40,19 +40,19 @@ def validate(file: Path, data: Any) -> None:
 
 
 def is_valid(data: Any, part: dict[str, Any] | None = None) -> bool:
-    """@param part of the schema; None: all of it"""
+    """Whether data conforms to the schema. @param part a part of the schema; None for the whole"""
     validator = _validator() if part is None else _validator().evolve(schema=resolved(part))
     return next(validator.iter_errors(data), None) is None
 
 
 def resolved(part: dict[str, Any]) -> dict[str, Any]:
-    """What a part of the schema that may be a reference stands for."""
+    """Follows the references of a part of the schema."""
     while "$ref" in part:
         part = schema()["$defs"][part["$ref"].removeprefix("#/$defs/")]
     return part
 
 
 def key_of(path: list[str | int]) -> str:
-    """["benchmarks", 3, "source"] as benchmarks[3].source"""
+    """Converts ["benchmarks", 3, "source"] to "benchmarks[3].source"."""
     steps = (f"[{step}]" if isinstance(step, int) else f".{step}" for step in path)
     return "".join(steps).lstrip(".") or "the file"

@@ -1,24 +1,24 @@
-"""The one module of statistics: estimates with intervals, tests, fits, and the decision rule.
+"""Statistics: estimates with intervals, tests, fits, and the decision rule.
 
-**Samples.** A sample is a list of groups, one a source vertex, each with its repetitions. Intervals
-of samples are 95% percentile bootstrap intervals that resample sources, and repetitions inside each
+**Samples.** A sample is a list of groups, one per source vertex, each with its repetitions. Intervals
+of samples are 95% percentile bootstrap intervals. They resample sources, and repetitions inside each
 resampled source, so that many repetitions of few sources do not look like many sources. They are
 seeded: the same sample always gives the same interval.
 
-**Paired measurements and their decision rule.** Two sides, "base" and "head", are timed in turn in
-pairs (base head, head base, ...), and what is judged is the ratio head/base of each pair, so that a
-drift of the machine cancels out. The interval of the median ratio is exact whatever the
-distribution: it reaches from the k-th smallest to the k-th largest ratio, k by the binomial
-distribution (`median_interval`). With a margin m >= 1, `decide` gives one of four answers:
+**Paired measurements and their decision rule.** Two sides, "base" and "head", are timed alternately
+in pairs (base head, head base, ...). The rule judges the ratio head/base of each pair, so that a
+drift of the machine cancels out. The interval of the median ratio is exact for any distribution: it
+reaches from the k-th smallest to the k-th largest ratio, with k from the binomial distribution
+(`median_interval`). With a margin m >= 1, `decide` returns one of four decisions:
 
     slower      the lower end is above m
     faster      the upper end is below 1/m
     same        the upper end is below m: not slower by the margin, and perhaps faster by less
     undecided   otherwise, or too few pairs for an interval
 
-So a median above the margin, or an interval that contains it, is never called the same. At 99% a
-pair of equals is called slower with a probability of at most 0.5%. With m = 1 the rule decides
-which of two solvers is faster.
+So a median above the margin, or an interval that contains the margin, is never called the same. At
+99%, a program that is compared with itself is called slower with a probability of at most 0.5%. With
+m = 1 the rule decides which of two solvers is faster.
 """
 
 from __future__ import annotations
@@ -48,16 +48,16 @@ class Estimate:
     high: float
     least: float
     most: float
-    """low, high: the interval; least, most: the range of what was measured."""
+    """low and high are the interval; least and most are the range of the measurements."""
 
     @property
     def excludes_one(self) -> bool:
-        """Of a ratio: whether the interval shows a difference."""
+        """Whether the interval of a ratio shows a difference."""
         return self.low > 1 or self.high < 1
 
 
 class Decision(StrEnum):
-    """What a paired measurement shows of head against base; see the module's text."""
+    """The result of a paired measurement of head against base; see the module's docstring."""
 
     SLOWER = "slower"
     FASTER = "faster"
@@ -69,11 +69,11 @@ class Decision(StrEnum):
 class Judgement:
     decision: Decision
     ratio: Estimate
-    """The median of head/base with the interval that was judged."""
+    """The median of head/base with the judged interval."""
 
 
 def median(sample: Sample) -> Estimate:
-    """The median over sources of each source's median over repetitions.
+    """Returns the median over sources of each source's median over repetitions.
 
     @raises ValueError for an empty sample or source"""
     values = _padded(sample)
@@ -86,10 +86,10 @@ def median(sample: Sample) -> Estimate:
 
 
 def geometric_mean(samples: Sequence[Sample]) -> Estimate:
-    """The geometric mean over samples (one a mesh) of their geometric means, all values > 0.
+    """Returns the geometric mean over samples (one per mesh) of their geometric means, all values > 0.
 
-    Meshes are a choice and not a random sample: they are not resampled. The range is that of the
-    meshes' own means when there are several, else that of the values.
+    Meshes are not resampled, because they are a choice and not a random sample. The range is that of
+    the meshes' means if there are several, else that of the values.
 
     @raises ValueError for an empty sample or source"""
     logs = [np.log(_padded(sample)) for sample in samples]
@@ -105,10 +105,10 @@ def geometric_mean(samples: Sequence[Sample]) -> Estimate:
 
 
 def geometric_mean_of_ratios(cells: Sequence[tuple[Sequence[float], Sequence[float]]]) -> Estimate:
-    """The geometric mean over cells of median(after) / median(before).
+    """Returns the geometric mean over cells of median(after) / median(before).
 
-    The interval resamples cells, and the repetitions of each side inside each resampled cell; the
-    range is that of the cells' ratios. For two runs that were not interleaved.
+    For two runs that were not interleaved. The interval resamples cells, and the repetitions of each
+    side inside each resampled cell. The range is that of the cells' ratios.
 
     @param cells (before, after): the repetitions of each side, all > 0; at least one cell"""
     before = np.log(_padded([each[0] for each in cells]))
@@ -125,10 +125,10 @@ def geometric_mean_of_ratios(cells: Sequence[tuple[Sequence[float], Sequence[flo
 
 
 def geometric_mean_of_medians(samples: Sequence[Sequence[float]]) -> Estimate:
-    """The geometric mean over samples (one a mesh) of their medians, all values > 0.
+    """Returns the geometric mean over samples (one per mesh) of their medians, all values > 0.
 
-    Of one sample: its `median_interval`. Of several: the interval resamples the values of each
-    sample, not the samples; the range is that of the medians."""
+    For one sample this is its `median_interval`. For several samples, the interval resamples the values
+    of each sample, not the samples, and the range is that of the medians."""
     if len(samples) == 1:
         return median_interval(samples[0])
     logs = np.log(_padded(samples))
@@ -140,21 +140,21 @@ def geometric_mean_of_medians(samples: Sequence[Sequence[float]]) -> Estimate:
 
 
 def least_for_interval(confidence: float = CONFIDENCE) -> int:
-    """How many values give a median an interval: 6 at 95%, 8 at 99%."""
+    """Returns the least number of values for an interval of the median: 6 at 95%, 8 at 99%."""
     return math.ceil(round(1 - math.log2(1 - confidence), 9))
 
 
 def median_interval(values: Sequence[float], confidence: float = CONFIDENCE) -> Estimate:
-    """The median with its exact interval, whatever the distribution: the innermost two values, as
-    far from either end, between which it lies with that probability (15 values at 99%: the 3rd
-    smallest and the 3rd largest). With fewer than `least_for_interval` values, their range.
+    """Returns the median with its exact interval for any distribution: the innermost two values, equally
+    far from both ends, between which the median lies with that probability (15 values at 99%: the 3rd
+    smallest and the 3rd largest). Fewer than `least_for_interval` values have their range.
 
     @raises ValueError for no values"""
     if not values:
         raise ValueError("a median needs at least one value")
     ordered = sorted(values)
     n = len(ordered)
-    tails = itertools.accumulate(math.comb(n, i) for i in range(n // 2))  # of 2^n, either side
+    tails = itertools.accumulate(math.comb(n, i) for i in range(n // 2))  # out of 2^n, on either side
     k = max(sum(tail / 2 ** (n - 1) <= 1 - confidence for tail in tails) - 1, 0)
     return Estimate(
         float(np.median(ordered)), ordered[k], ordered[-1 - k], ordered[0], ordered[-1]
@@ -164,7 +164,7 @@ def median_interval(values: Sequence[float], confidence: float = CONFIDENCE) -> 
 def decide(
     ratios: Sequence[float], margin: float, confidence: float = DECISION_CONFIDENCE
 ) -> Judgement:
-    """The decision rule of the module's text.
+    """Applies the decision rule of the module's docstring.
 
     @param ratios head/base of each pair, at least one
     @param margin at least 1"""
@@ -181,8 +181,8 @@ def decide(
 
 
 def rank_test(a: Sequence[float], b: Sequence[float]) -> float:
-    """Two-sided p-value of the Mann-Whitney U test: the probability of samples at least as
-    different in rank when both come from one distribution. 1 when a sample is empty."""
+    """Returns the two-sided p-value of the Mann-Whitney U test: the probability of samples at least as
+    different in rank if both come from one distribution. 1 if a sample is empty."""
     from scipy.stats import mannwhitneyu  # here: SciPy takes longer to start than most commands
 
     if not a or not b:
@@ -204,9 +204,10 @@ class PowerLaw:
 
 
 def power_law(x: Sequence[float], y: Sequence[float]) -> PowerLaw:
-    """Least squares of log y on log x.
+    """Fits log y to log x by least squares.
 
-    @param x at least three values, all > 0 and not all the same; y as many, all > 0"""
+    @param x at least three values, all > 0 and not all the same
+    @param y as many values, all > 0"""
     from scipy import stats
 
     fit = stats.linregress(np.log(x), np.log(y))
@@ -222,7 +223,7 @@ def _estimate(value: float, draws: Array, values: Array) -> Estimate:
 
 
 def _padded(sample: Sample) -> Array:
-    """Shape (sources, most repetitions of a source), NaN where a source has fewer."""
+    """Returns an array of shape (sources, largest number of repetitions), padded with NaN."""
     if not sample or not all(sample):
         raise ValueError("a sample needs at least one source, and each source a repetition")
     values = np.full((len(sample), max(map(len, sample))), np.nan)
@@ -232,13 +233,13 @@ def _padded(sample: Sample) -> Array:
 
 
 def _resample(values: Array, random: np.random.Generator) -> Array:
-    """Shape (RESAMPLES, sources, repetitions), padded as `values` is."""
+    """Returns an array of shape (RESAMPLES, sources, repetitions), padded like `values`."""
     chosen = random.integers(len(values), size=(RESAMPLES, len(values)))
     return _redraw(values, chosen, random)
 
 
 def _redraw(values: Array, chosen: NDArray[np.int64], random: np.random.Generator) -> Array:
-    """The repetitions of the chosen sources, drawn anew; SciPy's bootstrap has one level only."""
+    """Resamples the repetitions of the chosen sources. SciPy's bootstrap has only one level."""
     counts = np.sum(~np.isnan(values), axis=1)[chosen][..., None]
     picks = (random.random((*chosen.shape, values.shape[1])) * counts).astype(np.intp)
     drawn = values[chosen[..., None], picks]

@@ -1,5 +1,5 @@
-"""The one table, in four formats: Markdown and aligned text to read, LaTeX to print, CSV
-(unrounded) to reuse; and the escapes that LaTeX and Markdown need."""
+"""Tables in four formats: Markdown and aligned text to read, LaTeX to print, and CSV (unrounded) to
+reuse. Also the escapes for LaTeX and Markdown."""
 
 from __future__ import annotations
 
@@ -18,26 +18,26 @@ from .statistics import Estimate
 @dataclass(frozen=True)
 class Field:
     text: str
-    """As printed; each format escapes it."""
+    """The printed text; each format escapes it."""
     value: float | int | str | None = None
-    """As written to CSV; None: the text."""
+    """The value in CSV; None for the text."""
     low: float | None = None
     high: float | None = None
     note: str = ""
-    """A footnote; equal notes of a table share one mark."""
+    """A footnote. Equal notes in a table share one mark."""
     latex: str | None = None
-    """Instead of the escaped text."""
+    """LaTeX code to write instead of the escaped text."""
     link: str = ""
-    """On a page: the address of what the text names."""
+    """Address of a link on an HTML page."""
     title: str = ""
-    """On a page: shown while the field is pointed at."""
+    """Tooltip on an HTML page."""
 
 
 BLANK = Field("")
 
 
 def four_digits(value: float) -> str:
-    """Significant ones, zeros at the end too: 0.4217, 1.780, 14.74, 1234."""
+    """Formats four significant digits, with trailing zeros: 0.4217, 1.780, 14.74, 1234."""
     digits = 3 - math.floor(math.log10(abs(value))) if value else 3
     return f"{value:.{max(0, digits)}f}"
 
@@ -53,19 +53,19 @@ def text_fields(texts: Iterable[str]) -> list[Field]:
 @dataclass(frozen=True)
 class Table:
     name: str
-    """Of its files."""
+    """Name of the files, without extension."""
     title: str
     """Empty for a table without a heading."""
     header: list[str]
-    """Empty for a title alone."""
+    """Names of the columns; empty for a table that is only a title."""
     text_columns: int
-    """How many columns from the left are texts; the others are numbers, aligned to the right."""
+    """Number of columns from the left with texts. The others have numbers, aligned to the right."""
     rows: list[list[Field]]
     remarks: list[str] = field(default_factory=list)
     """Sentences under the table."""
 
     def notes(self) -> list[str]:
-        """The footnotes in the order in which their fields come."""
+        """Returns the footnotes in the order of their fields."""
         return list(dict.fromkeys(field.note for row in self.rows for field in row if field.note))
 
     def has_titles(self) -> bool:
@@ -73,13 +73,13 @@ class Table:
 
 
 def without_empty_columns(table: Table) -> Table:
-    """Without the columns in which no field has a text."""
+    """Returns the table without the columns in which no field has a text."""
     return _with(table, [i for i in _columns(table) if any(row[i].text for row in table.rows)])
 
 
 def without_constant_columns(table: Table, kept: int) -> Table:
-    """Without the columns, apart from the first `kept`, in which all fields have one text; a remark says
-    them. A table of one row stays."""
+    """Returns the table without the columns whose fields all have the same text, apart from the first
+    `kept`. A remark states these texts. A table with one row is unchanged."""
     constant = {
         table.header[i]: table.rows[0][i].text
         for i in _columns(table)
@@ -92,7 +92,7 @@ def without_constant_columns(table: Table, kept: int) -> Table:
 
 
 def _with(table: Table, columns: Sequence[int]) -> Table:
-    """These columns of the table only."""
+    """Returns only these columns of the table."""
     return replace(
         table,
         header=[table.header[i] for i in columns],
@@ -102,7 +102,7 @@ def _with(table: Table, columns: Sequence[int]) -> Table:
 
 
 def mark(index: int) -> str:
-    """a, b, ... z, aa, ab, ..."""
+    """Returns the mark of a footnote: a, b, ... z, aa, ab, ..."""
     letter = chr(ord("a") + index % 26)
     return letter if index < 26 else mark(index // 26 - 1) + letter
 
@@ -130,7 +130,7 @@ def to_markdown(table: Table) -> str:
 
 
 def to_text(table: Table) -> str:
-    """For a terminal: aligned columns, indented by two spaces under the title."""
+    """Formats for a terminal: aligned columns, indented by two spaces under the title."""
     notes = table.notes()
 
     def shown(field: Field) -> str:
@@ -150,21 +150,21 @@ def to_text(table: Table) -> str:
 
 
 def text_page(lines: Iterable[str], tables: Iterable[Table]) -> str:
-    """Lines with the tables under them, for a terminal."""
+    """Formats lines with the tables under them, for a terminal."""
     parts = [f"{printable(line)}\n" for line in lines]
     return "".join([*parts, *(f"\n{to_text(table)}" for table in tables)])
 
 
 def markdown_page(title: str, lines: Iterable[str], tables: Iterable[Table]) -> str:
-    """A list of lines with the tables under it, under a title that may be empty."""
+    """Formats a title, which may be empty, a list of lines, and the tables under it."""
     parts = [f"## {escape_markdown(title)}\n\n"] if title else []
     parts += [f"- {escape_markdown(line)}\n" for line in lines]
     return "".join([*parts, *(f"\n{to_markdown(table)}" for table in tables)])
 
 
 def to_csv(table: Table) -> str:
-    """One line a row; a column with intervals is followed by its low and high ends, and
-    footnotes stand in full in the last column."""
+    """Formats one line per row. A column with intervals is followed by columns of its low and high ends.
+    The last column has the footnotes in full."""
     with_interval = [any(row[i].low is not None for row in table.rows) for i in _columns(table)]
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
@@ -182,7 +182,7 @@ def to_csv(table: Table) -> str:
 
 
 def to_latex(table: Table) -> str:
-    """A longtable to be \\input; a rule separates rows whose first columns' values differ."""
+    """Formats a longtable to be \\input. A rule separates rows with different values in the first column."""
     notes = table.notes()
 
     def shown(field: Field) -> str:
@@ -212,7 +212,7 @@ def to_latex(table: Table) -> str:
 
 
 def to_tabular(table: Table) -> str:
-    """The rows alone as a LaTeX tabular, to be put into a table of one's own."""
+    """Formats only the header and rows as a LaTeX tabular, to be put into any table."""
     lines = [" & ".join(escape_latex(field.text) for field in row) + r" \\" for row in table.rows]
     return "\n".join([
         r"% needs \usepackage{booktabs}", rf"\begin{{tabular}}{{{_alignment(table)}}}", r"\toprule",
@@ -266,12 +266,12 @@ _LATEX = {
 
 
 def escape_latex(text: str) -> str:
-    """Text in which no character has a meaning to LaTeX."""
+    """Escapes the characters that have a meaning in LaTeX."""
     return "".join(_LATEX.get(character, character) for character in text)
 
 
 def escape_markdown(text: str) -> str:
-    """Text of one line in which no character has a meaning to Markdown, tables included."""
+    """Escapes the characters of a line that have a meaning in Markdown, also in tables."""
     return re.sub(r"[\\|`*<$]", r"\\\g<0>", text)
 
 
@@ -280,7 +280,7 @@ def _markdown_row(fields: list[str]) -> str:
 
 
 def _number(value: float | int | str | None) -> object:
-    """Twelve digits: more would be rounding, which differs between processors."""
+    """Formats a float with twelve digits. Further digits are rounding errors, which depend on the processor."""
     return f"{value:.12g}" if isinstance(value, float) else value
 
 

@@ -1,6 +1,6 @@
 # shellcheck shell=bash
 # Sourced by the scripts at the root: messages, logging, options, and building.
-# The caller has set -euo pipefail, `program` (its name, for messages) and `root` (the checkout).
+# The caller sets -euo pipefail, `program` (its name, for messages) and `root` (the checkout).
 : "${program:?}" "${root:?}"
 
 logs="$root/build/logs"
@@ -29,8 +29,8 @@ logged() {
 }
 
 # parse_options WORD...: calls the script's `take_word WORD [NEXT...]` for each word, which sets `taken`
-# to 2 where it has used the next word too. --option=value is two words. Does --help and, in a script
-# that has `install`, --no-install.
+# to 2 if it also uses the next word. --option=value counts as two words. Handles --help and, in a
+# script with the variable `install`, --no-install.
 parse_options() {
   local taken value
   while [[ $# -gt 0 ]]; do
@@ -45,20 +45,20 @@ parse_options() {
   done
 }
 
-# take_value OPTION [VALUE...]: sets `value` to what must follow an option, and `taken`.
+# take_value OPTION [VALUE...]: sets `value` to the required value of an option, and sets `taken`.
 take_value() {
   [[ $# -ge 2 && -n $2 && $2 != --* ]] || die "$1 needs a value; see $program --help"
   value=$2
   taken=2
 }
 
-# take_number OPTION [VALUE...]: the same, for a positive integer.
+# take_number OPTION [VALUE...]: like take_value, for a positive integer.
 take_number() {
   take_value "$@"
   [[ $value =~ ^[1-9][0-9]{0,6}$ ]] || die "$1 must be a positive integer, not '$value'"
 }
 
-# take_preset OPTION [VALUE...]: sets `preset` to one of the script's `presets`, and `taken`.
+# take_preset OPTION [VALUE...]: sets `preset` to one of the script's `presets`, and sets `taken`.
 take_preset() {
   take_value "$@"
   # shellcheck disable=SC2154 # the script has them
@@ -70,7 +70,7 @@ unknown_option() {
   die "unknown option $1; see $program --help"
 }
 
-# absolute PATH: as seen from the folder the user was in.
+# absolute PATH: prints the absolute path, relative to the folder in which the user started the script.
 absolute() {
   case $1 in
     /*) printf '%s\n' "$1" ;;
@@ -83,7 +83,7 @@ processors() {
 }
 
 # build_preset PRESET [cmake --build options...]
-# A build folder that was made somewhere else, or copied, is configured anew.
+# Configures a build folder anew if it was moved or copied.
 build_preset() {
   local preset=$1 cache="$root/build/$1/CMakeCache.txt" fresh=()
   shift

@@ -30,7 +30,7 @@ def least_times(files: Sequence[Path]) -> Times:
 
 
 def compare(before: Sequence[Path], after: Sequence[Path]) -> list[str]:
-    """Lines of a table."""
+    """Returns the lines of the table."""
     middle = len(before) // 2
     parts_of_runs = (slice(middle), slice(middle, None))
     halves = [(least_times(before[part]), least_times(after[part])) for part in parts_of_runs]

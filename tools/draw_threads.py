@@ -22,16 +22,16 @@ from matplotlib.figure import Figure  # noqa: E402
 from plots import style  # noqa: E402
 
 PVTP = {4: (1 / 3, 1 / 2.5), 8: (1 / 5, 1 / 4)}
-"""Du, He, Fang, Meng, Xin 2021: 2.5 to 3 times as fast on four threads as on one, 4 to 5 on eight."""
+"""Du, He, Fang, Meng, Xin 2021: 2.5 to 3 times as fast on 4 threads as on one, 4 to 5 times on 8."""
 
 Curve = dict[int, float]
-"""By the number of threads: the time over that of the serial solver."""
+"""Time divided by that of the serial solver, by number of threads."""
 
 
 def predictions(file: Path) -> dict[int, Curve]:
-    """By the cells of a side of the terrain: medians over repetitions.
+    """Returns the medians over repetitions, by the number of cells on a side of the terrain.
 
-    @raises ValueError for a file without them"""
+    @raises ValueError for a file without predictions"""
     samples: dict[int, dict[int, list[float]]] = {}
     try:
         rows = json.loads(file.read_text(encoding="utf-8"))["benchmarks"]

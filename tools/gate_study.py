@@ -37,14 +37,14 @@ SOLVERS: tuple[str, ...] = ("ich", "fwp-mmp", "mmp")
 MESHES: tuple[str, ...] = (*levels.CALLGRIND_MESHES, "needles")
 COUNTED_SOLVERS = ("mmp",)
 COUNTED_MESHES = ("tiny-terrain",)
-"""Of level 2: Callgrind takes seconds a row, and the fault is in every solver."""
+"""The meshes and solvers of level 2. Callgrind takes seconds per row, and every solver has the fault."""
 TIMED_SOLVERS = ("ich",)
 TIMED_MESHES = ("icosphere", "needles", "growth-10k")
-"""Rows of 4 to 20 ms."""
+"""Meshes and solvers of level 4, with rows of 4 to 20 ms."""
 
 
 def failed_level(verdict: Verdict) -> int | None:
-    """The lowest level that failed."""
+    """Returns the lowest level that failed, or None."""
     failed = (f.level for f in verdict.findings if f.weight == Weight.FAILURE)
     return min(failed, default=None)
 
@@ -54,22 +54,22 @@ class Fault:
     name: str
     what: str
     levels: tuple[int, ...]
-    """Level 0 is always judged."""
+    """Levels to judge, in addition to level 0."""
     found_by: int | None
-    """The lowest level that must fail; None: no level, and the word must not be "good"."""
+    """The lowest level that must fail. None if no level may fail; the verdict must not be "good"."""
     exit_code: int
     promised: float = 1.0
-    """Share of the runs in which it must be found."""
+    """Share of the runs in which the fault must be found."""
     percent: int = 0
-    """Of a slow-down."""
+    """Percentage of a slow-down."""
 
     @property
     def kind(self) -> str:
-        """As faulty_solve.cpp names it."""
+        """The name of the fault in faulty_solve.cpp."""
         return self.name.split("-")[0]
 
     def found(self, verdict: Verdict) -> bool:
-        """8% may be a regression, be slower within the margin or not resolved, but not good."""
+        """Whether the verdict is right. For 8% it may be any verdict but "good"."""
         if self.found_by is None and self is not A_A:
             return verdict.word != "good"
         return (verdict.exit_code, failed_level(verdict)) == (self.exit_code, self.found_by)
@@ -88,7 +88,7 @@ A_A = Fault("a-a", "the base itself", (4,), None, GOOD)
 
 
 class Study:
-    """Programs, meshes and a baseline in a folder of its own."""
+    """Programs, meshes and a baseline in a separate folder."""
 
     def __init__(self, programs: Path, folder: Path, budget: float = revisions.BUDGET) -> None:
         self._programs, self._folder, self._budget = programs, folder, budget
@@ -126,8 +126,8 @@ class Study:
         return revisions.compare(self._base, head, self._folder, self._options(fault.levels))
 
     def _amount(self, fault: Fault) -> int:
-        """Per cent of time, 5% of the instructions of mmp on tiny-terrain, or 10% of its memory on
-        needles."""
+        """Returns the percentage of time, 5% of the instructions of mmp on tiny-terrain, or 10% of its
+        memory on needles."""
         if fault.percent:
             return fault.percent
         rows = self.base_run.cells
@@ -195,7 +195,7 @@ class Series:
         return f"{name} {len(self.runs)} of {self.wanted}: {', '.join(parts)}"
 
     def line(self) -> str:
-        """Of the table."""
+        """Returns the row of the table."""
         what, by = self.fault.what, self.fault.found_by
         if self.fault is A_A:
             what += ", beside a load" if self.loaded else ", alone"

@@ -3,9 +3,9 @@
 
     tools/kill_study.py --bench build/release/geodesic-bench [--kills 200] [--seed 1]
 
-Every run must end with the files of an uninterrupted one, byte for byte apart from times; cells
-that were saved must not be measured again; no process may run on. Prints a table in Markdown and
-exits with 1 at the first loss, whose folder it keeps.
+Every run must end with the files of an uninterrupted run, equal in every byte except times. Saved cells
+must not be measured again, and no process may be left. Prints a table in Markdown and exits with 1 at
+the first loss, whose folder it keeps.
 """
 
 from __future__ import annotations

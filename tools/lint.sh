@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What linters say of the code. See --help.
+# Runs linters on the code. See --help.
 set -euo pipefail
 
 program=lint.sh
@@ -38,7 +38,7 @@ format() {
   git ls-files '*.h' '*.cpp' | xargs clang-format --dry-run --Werror
 }
 
-# Every folder by itself: files of different folders of tests have the same names.
+# Checks each folder separately, because test files in different folders have the same names.
 types() {
   local folder status=0
   for folder in results plots datasets gate peers python tools view tests/*/; do
@@ -52,7 +52,7 @@ scripts() {
   shellcheck ./*.sh tools/*.sh tools/completion/words.sh tools/completion/geodesic-bench.bash tests/*/*.sh .ci/*
 }
 
-# Without units of several files: definitions of one file do not reach them.
+# Does not use unity builds, so that definitions of one file are not visible in others.
 tidy() {
   cmake -S . -B build/lint -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++ \
     -DGEODESIC_UNITY=OFF -DCMAKE_EXPORT_COMPILE_COMMANDS=ON

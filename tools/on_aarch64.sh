@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The solvers on another processor than this one. See --help.
+# Runs the solvers on an emulated aarch64 processor. See --help.
 set -euo pipefail
 
 program=on_aarch64.sh
@@ -52,7 +52,7 @@ check_needs() {
   [[ -x $native ]] || die "no program $native to compare with: ./run_all.sh build makes one"
 }
 
-# Of an apt that knows nothing of this machine but where its archive is.
+# Runs apt-get for arm64 with its own state. From this machine it only uses the address of the archive.
 apt_of_arm() {
   apt-get -qq -o APT::Architecture=arm64 -o APT::Architectures::=arm64 -o Dir::State="$build/apt" \
     -o Dir::State::status="$build/apt/status" -o Dir::Cache="$build/apt" -o Debug::NoLocking=1 \
@@ -74,7 +74,7 @@ emulated() {
   qemu-aarch64 -L "$SYSROOT" "$@"
 }
 
-# The process that `verify --random` starts, which an emulated program cannot.
+# Runs the process that `verify --random` starts, because an emulated program cannot start it.
 check_random_meshes() {
   emulated "$build/geodesic-bench" check-random "{\"solvers\": [\"${solvers//,/\", \"}\"],
     \"vectors\": \"auto\", \"seed\": 1, \"end\": $meshes, \"time_limit\": 600,

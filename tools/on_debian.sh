@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A command in a fresh clone on a release of Debian, in a chroot. See --help.
+# Runs a command in a fresh clone on a release of Debian, in a chroot. See --help.
 set -euo pipefail
 
 program=on_debian.sh
@@ -13,7 +13,7 @@ release=
 command=()
 clone=/root/geodesic-bench  # in the chroot
 
-# The folders that these name are seen in the chroot under the same path: some to read, some to write.
+# Variables with folders that have the same path in the chroot: to read, and to write.
 read_folders=(GEODESIC_DATASETS_MIRROR GEODESIC_PEERS_MIRROR)
 written_folders=(CCACHE_DIR GEODESIC_DATASETS)
 
@@ -49,7 +49,7 @@ ends. The exit code is the command's.
 EOF
 }
 
-# Options end at the first other word: what follows belongs to the command.
+# Options end at the first other word, with which the command begins.
 parse_options() {
   while [[ $# -gt 0 ]]; do
     case $1 in
@@ -86,7 +86,7 @@ package_of() {
   esac
 }
 
-# repository SUITE: where apt of this machine gets this release's own suite from, or nothing.
+# repository SUITE: prints the address from which apt of this machine gets the suite, or nothing.
 repository() {
   apt-get indextargets --format "\$(CREATED_BY) \$(COMPONENT) \$(RELEASE) \$(REPO_URI)" 2>/dev/null |
     sed -n "s/^Packages main $1 //p" | head -n 1
@@ -117,7 +117,7 @@ make_chroot() {
   mv "$partial" "$chroot"
 }
 
-# write_sources CHROOT: the same suites, of the chroot's release.
+# write_sources CHROOT: writes apt's sources with the same suites, for the chroot's release.
 write_sources() {
   local suite address
   printf 'deb %s %s main\n' "$mirror" "$release" >"$1/etc/apt/sources.list"
@@ -127,7 +127,7 @@ write_sources() {
   done >>"$1/etc/apt/sources.list"
 }
 
-# What may change on this machine is copied each time.
+# Copies configuration that may change on this machine. Called each time.
 copy_configuration() {
   local file
   for file in /etc/resolv.conf /etc/hosts; do
@@ -148,7 +148,7 @@ make_clone() {
   git -C "$chroot$clone" -c advice.detachedHead=false checkout --quiet "$(git -C "$root" rev-parse HEAD)"
 }
 
-# bind SOURCE [OPTION]: a file or folder of this machine, in the chroot under the same path.
+# bind SOURCE [OPTION]: mounts a file or folder of this machine in the chroot under the same path.
 bind() {
   local target=$chroot$1
   if [[ -d $1 ]]; then
@@ -160,7 +160,7 @@ bind() {
   [[ -z ${2:-} ]] || mount -o "remount,bind,$2" "$target"
 }
 
-# All that a command may expect of a machine, without its disks. Runs in a mount namespace.
+# Mounts everything that a command may need of a machine, without disks. Runs in a mount namespace.
 mount_all() {
   mount --bind "$chroot" "$chroot"  # as the root of a machine it is a mount: unshare wants that
   mount -t proc proc "$chroot/proc"
@@ -186,7 +186,7 @@ mount_all() {
   done
 }
 
-# in_chroot COMMAND...: with the environment of a fresh login, and the variables that are passed on.
+# in_chroot COMMAND...: runs a command with the environment of a fresh login and the forwarded variables.
 in_chroot() {
   local passed=(HOME=/root LANG=C.UTF-8 CCACHE_BASEDIR="$clone"
     PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin) name
@@ -210,7 +210,7 @@ prepare() {
     die "cannot install ccache: see $roots/$release.log"
 }
 
-# Runs in the namespace: this script again, with the first word --inside.
+# Runs in the namespace, in which this script calls itself with the first word --inside.
 inside() {
   chroot=$roots/$release
   mount_all

@@ -4,8 +4,8 @@
     tools/same_bits.py build/release/geodesic-bench 'qemu-aarch64 -L ROOT build/aarch64/geodesic-bench' \\
         --meshes horse,terrain --solvers edge-based,mmp
 
-Each program may be a command of several words. From vertex 0 of every mesh; times, memory and
-phases are left out, and what an instruction set has for its own use. Exit codes: 0 the same, 2 not,
+Each program may be a command of several words. The source is vertex 0 of every mesh. Times, memory,
+phases and the name of the instruction set are not compared. Exit codes: 0 the same, 2 not the same,
 1 an error.
 """
 
@@ -28,9 +28,9 @@ OWN = {
 
 
 def answer(program: str, mesh: str, solver: str, folder: str) -> dict[str, Any]:
-    """What `solve` prints, without OWN, and the SHA-256 of its distances.
+    """Returns the output of `solve` without the keys OWN, and the SHA-256 of its distances.
 
-    @raises RuntimeError when it fails"""
+    @raises RuntimeError when `solve` fails"""
     file = Path(folder) / "distances.npy"
     words = ["solve", mesh, "--solver", solver, "--source", "0", "--counters", "--output", str(file)]
     ended = subprocess.run([*shlex.split(program), *words], capture_output=True, text=True, check=False)

@@ -3,10 +3,10 @@
 
     GEODESIC_BENCH=build/release/geodesic-bench tools/scale_study.py [--meshes 10000] [--shards 100]
 
-The mesh files are there and are planned for; what the shards measured is made up, in files as `run`
-writes them: ten solvers, ten sources, a repetition. Prints a table in Markdown with the time and
-the largest memory of each step, and exits with 1 when the steps together take more than two minutes
-or one of them more than 2 GB.
+The mesh files are real, and a run on them is planned. The results of the shards are invented, in files in
+the format of `run`: ten solvers, ten sources, one repetition. Prints a table in Markdown with the time and
+the largest memory of each step, and exits with 1 if the steps together take more than two minutes or if
+one of them takes more than 2 GB.
 """
 
 from __future__ import annotations
@@ -40,9 +40,9 @@ class Scale:
         self.files = folder / "meshes"
 
     def step(self, name: str, *words: object, also: int = 0) -> str:
-        """Runs a command of geodesic-bench; returns what it prints.
+        """Runs a command of geodesic-bench and returns its output.
 
-        @param also an exit code that is no error"""
+        @param also an exit code besides 0 that is not an error"""
         began = time.monotonic()
         with (self.folder / "output").open("w+", encoding="utf-8") as output:
             process = subprocess.Popen([self.bench, *map(str, words)], stdout=output, cwd=self.folder)
@@ -56,14 +56,14 @@ class Scale:
         return text
 
     def make_meshes(self) -> None:
-        """Of sizes that differ, a hundred in a folder; never read but by `first_shard`."""
+        """Writes mesh files of different sizes, a hundred per folder. They are planned, but not solved."""
         for index in range(self.meshes):
             file = self.files / f"{index // 100:03}" / f"{index:05}.obj"
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_text(TETRAHEDRON + "# \n" * (index * 37 % 1000))
 
     def first_shard(self) -> Data:
-        """What a real shard of these meshes says; of a tetrahedron, whose cells are quick."""
+        """Returns the run.json of a real shard of one tetrahedron, whose cells take little time."""
         small = self.folder / "small"
         words: list[str | Path] = ["run", "--folder", small, "--solvers", SOLVERS, "--sources", "1",
                                    "--repetitions", "1", "--min-time", "0.0001",
@@ -76,7 +76,7 @@ class Scale:
         return data
 
     def make_shards(self, real: Data) -> None:
-        """Each with the sources of some meshes, on one of two processors."""
+        """Writes the shards. Each has the sources of some meshes and one of two processors."""
         random = np.random.default_rng(1)
         ours = real["context"]["geodesic_bench"]
         mesh_like, rows_like = ours["meshes"][0], real["benchmarks"]

@@ -1,9 +1,9 @@
 # shellcheck shell=bash disable=SC2034,SC2154
-# Sourced by tools/common.sh: finds what tools/packages.txt lists and installs what is missing.
+# Sourced by tools/common.sh: finds the packages of tools/packages.txt and installs the missing ones.
 
-# find_python MODULE...: sets `python` to an interpreter that has them all; they are looked for, not
-# imported, which takes a second. Debian's own comes first: another python3 on the PATH does not
-# have the modules of Debian's packages.
+# find_python MODULE...: sets `python` to an interpreter that has all modules. They are searched but
+# not imported, which takes a second. Debian's interpreter is first, because another python3 on the
+# PATH does not have the modules of Debian's packages.
 find_python() {
   local candidate
   local look='import sys, importlib.util as u; sys.exit(not all(map(u.find_spec, sys.argv[1:])))'
@@ -16,7 +16,7 @@ find_python() {
   return 1
 }
 
-# listed GROUP...: the lines of packages.txt that a group needs.
+# listed GROUP...: prints the lines of packages.txt that a group needs.
 listed() {
   local package found_by group wanted
   while read -r package found_by group; do
@@ -32,7 +32,7 @@ is_installed() {
   [[ $(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null) == installed ]]
 }
 
-# missing GROUP...: the packages to install, one a line.
+# missing GROUP...: prints the packages to install, one per line.
 missing() {
   local package found_by modules=()
   while read -r package found_by; do
@@ -49,8 +49,8 @@ missing() {
   done < <(listed "$@")
 }
 
-# set_up INSTALL GROUP...: everything the groups need is there afterwards, and `python` is set.
-# INSTALL is "yes", or "no" to stop with the line that would install what is missing.
+# set_up INSTALL GROUP...: installs everything that the groups need, and sets `python`.
+# INSTALL is "yes", or "no" to stop with the command that would install the missing packages.
 set_up() {
   local install=$1 packages modules=()
   shift
@@ -73,7 +73,7 @@ check_cmake() {
     die "cmake $version is too old for the presets: 3.25 or later is needed"
 }
 
-# may_install: sets `as_root` to what an installing command is to be prefixed with.
+# may_install: sets `as_root` to the prefix of commands that install packages.
 may_install() {
   as_root=()
   command -v apt-get >/dev/null || return 1
@@ -98,7 +98,7 @@ install_packages() {
   }
 }
 
-# want_optional INSTALL GROUP: its packages are there afterwards, or a line says what goes without.
+# want_optional INSTALL GROUP: installs its packages, or prints a line about the missing features.
 want_optional() {
   local optional
   mapfile -t optional < <(missing "$2")
@@ -110,13 +110,13 @@ want_optional() {
   say "without the optional ${optional[*]}: what uses it is left out"
 }
 
-# want_three: three.js is there afterwards, or a line says how to get it; only `view` needs it.
+# want_three: fetches three.js, which only `view` needs, or prints a line about how to get it.
 want_three() {
   logged "$python" "$root/view/three.py" || say "without three.js, which geodesic-bench view needs"
 }
 
-# apt_install PACKAGE...: apt's own words go to build/logs/apt.log. The lists are fetched when
-# there are none, and again when they turn out to be stale.
+# apt_install PACKAGE...: installs packages; the output of apt goes to build/logs/apt.log. Package
+# lists are fetched if there are none, and again if they are out of date.
 apt_install() {
   local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -y
     -o DPkg::Lock::Timeout=120 -o Acquire::Retries=2)

@@ -3,11 +3,10 @@
     tools/slurm.py submit --out DIR --bench PROGRAM [OPTION...] -- OPTION OF geodesic-bench run...
     tools/slurm.py follow DIR
 
-./run_all.sh --slurm calls it. DIR/slurm.sh is an array job, a shard a task; it can be submitted by
-hand. What is done is seen from the shards' folders alone, and what is queued from squeue by the
-job's name: whoever follows a run needs nothing of what followed it before. Slurm waits
-(`sbatch --wait`), queues again what it ends itself (`--requeue`), and has later submissions wait for
-earlier ones (`--dependency=afterany`).
+./run_all.sh --slurm calls it. DIR/slurm.sh is an array job with one task per shard, and can be submitted
+by hand. The shards' folders show which shards are finished, and squeue shows by the job's name which are
+queued, so `follow` needs no state of an earlier process. Slurm waits (`sbatch --wait`), requeues jobs that
+it ends itself (`--requeue`), and lets later submissions wait for earlier ones (`--dependency=afterany`).
 """
 
 from __future__ import annotations
@@ -26,9 +25,9 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 SHARDS = 32
-"""Unless --shards says otherwise, or there are fewer pairs of mesh and source."""
+"""Default of --shards. There are fewer if there are fewer pairs of mesh and source."""
 FRUITLESS = 3
-"""So many submissions of a shard in which it finished no cell end it."""
+"""Number of successive submissions without a finished cell after which a shard is given up."""
 SCRIPT = """#!/usr/bin/env bash
 # A run of geodesic-bench in {shards} shards, a task of this array each. Submitted by ./run_all.sh --slurm,
 # or by hand: sbatch {script}. A task that is started again goes on where it was.
@@ -68,16 +67,16 @@ OWN_LIMIT = """limit=()  # the run has one of its own
 
 
 ENDED = re.compile(r"^slurmstepd.*(memory limit|DUE TO|oom)", re.IGNORECASE)
-"""Why Slurm ended a job, in its log."""
+"""Matches the reason why Slurm ended a job, in the log of the job."""
 
 
 class SlurmError(RuntimeError):
-    """Its message is one line."""
+    """An error whose message is one line."""
 
 
 @dataclass
 class Job:
-    """A run in a folder: the script's facts, in DIR/slurm.json."""
+    """A run in a folder. The other members are stored in DIR/slurm.json."""
 
     folder: Path
     name: str
@@ -96,7 +95,7 @@ class Job:
         return self.folder / "logs" / f"{index}.log"
 
     def open(self) -> list[int]:
-        """Shards that are not finished."""
+        """Returns the indices of the shards that are not finished."""
         every = range(1, self.shards + 1)
         return [index for index in every if not (self.shard(index) / "run.json").is_file()]
 
@@ -128,7 +127,7 @@ def say(words: str) -> None:
 
 
 def call(*words: str) -> str:
-    """What a command of Slurm prints. @raises SlurmError when it prints no result"""
+    """Returns the output of a command of Slurm. @raises SlurmError when it fails without output"""
     try:
         ended = subprocess.run(words, capture_output=True, text=True)
     except FileNotFoundError:
@@ -140,24 +139,24 @@ def call(*words: str) -> str:
 
 
 def queued(job: Job) -> list[str]:
-    """The numbers of the job's arrays that wait or run, whoever submitted them. @raises SlurmError"""
+    """Returns the numbers of the job's arrays in the queue, of any submission. @raises SlurmError"""
     text = call("squeue", "--noheader", f"--user={getpass.getuser()}", f"--name={job.name}",
                 "--format=%F")  # fmt: skip
     return sorted(set(text.split()))
 
 
 def submit_and_wait(job: Job, shards: Sequence[int]) -> None:
-    """Until these shards have ended in one way or another; those that are queued already end first,
-    so that no two jobs have one shard. @raises SlurmError"""
+    """Submits these shards and waits until all have ended or failed. Arrays that are already queued end
+    first, so that no two jobs have the same shard. @raises SlurmError"""
     earlier = queued(job)
     words = [f"--dependency=afterany:{':'.join(earlier)}"] if earlier else []
     limit = "" if job.limit is None else f"%{job.limit}"
-    # sbatch's exit code is that of the tasks, some of which may fail.
+    # The exit code of sbatch is that of the tasks, some of which may fail.
     call("sbatch", "--wait", *words, f"--array={ranges(shards)}{limit}", str(job.script))
 
 
 def ranges(numbers: Sequence[int]) -> str:
-    """1-3,7 of 1, 2, 3 and 7"""
+    """Converts 1, 2, 3 and 7 to "1-3,7"."""
     found: list[list[int]] = []
     for number in numbers:
         if found and number == found[-1][1] + 1:
@@ -168,7 +167,7 @@ def ranges(numbers: Sequence[int]) -> str:
 
 
 def last_words(job: Job, index: int) -> str:
-    """The last line of a shard's log; of its last job rather what Slurm says of its end."""
+    """Returns Slurm's reason for the end of a shard's last job, or else the last line of the log."""
     try:
         lines = job.log(index).read_text(encoding="utf-8", errors="replace").strip().splitlines()
     except OSError:
@@ -180,7 +179,7 @@ def last_words(job: Job, index: int) -> str:
 
 
 def measure(job: Job) -> list[int]:
-    """Until every shard is done or given up; those are returned. @raises SlurmError"""
+    """Measures until every shard is done or given up. Returns those given up. @raises SlurmError"""
     fruitless: dict[int, int] = {}
     while again := [index for index in job.open() if fruitless.get(index, 0) < FRUITLESS]:
         say(f"{job.shards - len(job.open())} of {job.shards} shards done; submitted as {job.name}: "
@@ -200,7 +199,7 @@ def measure(job: Job) -> list[int]:
 
 
 def measure_and_merge(job: Job) -> int:
-    """Ctrl-C leaves the jobs to themselves."""
+    """Measures and merges; returns the exit code. The jobs continue after Ctrl-C."""
     follow_again = f"./run_all.sh --slurm-follow {shlex.quote(str(job.folder))}"
     try:
         given_up = measure(job)
@@ -216,7 +215,7 @@ def measure_and_merge(job: Job) -> int:
 
 
 def planned(bench: str, words: Sequence[str]) -> dict[str, int]:
-    """How many meshes, pairs and cells. @raises SlurmError"""
+    """Returns the numbers of meshes, pairs and cells. @raises SlurmError"""
     ended = subprocess.run([bench, "run", *words, "--plan"], capture_output=True, text=True)
     if ended.returncode != 0:
         raise SlurmError(ended.stderr.strip().removeprefix("geodesic-bench: "))
@@ -225,7 +224,7 @@ def planned(bench: str, words: Sequence[str]) -> dict[str, int]:
 
 
 def write_script(job: Job, options: Sequence[str], words: Sequence[str]) -> None:
-    """DIR/slurm.sh"""
+    """Writes DIR/slurm.sh."""
     quoted = shlex.quote
     cache = os.environ.get("GEODESIC_DATASETS")
     exports = f"export GEODESIC_DATASETS={quoted(cache)}\n" if cache else ""
@@ -264,7 +263,7 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
 
 
 def new_job(wish: argparse.Namespace) -> Job:
-    """The folder with its script. @raises SlurmError"""
+    """Makes the folder with the batch script. @raises SlurmError"""
     folder = wish.out.absolute()
     unfit = re.search(r"[\s%\\]", f"{folder}{os.getcwd()}")
     if unfit:

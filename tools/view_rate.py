@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Prints how many frames a second a page of `geodesic-bench view` draws in headless Chromium, by the
-processor alone: while the model turns, and while its solvers are played as fast as possible; the
-seconds of processors that a frame takes, which another load of the machine changes less; and the
-part of them that is the page's own: scripts, and handing the scene to what draws it. With a
-graphics processor only that part stays on the processor.
+"""Measures the speed of a page of `geodesic-bench view` in headless Chromium, without a graphics
+processor: while the model turns, and while its solvers are played as fast as possible. Prints the
+frames per second; the CPU seconds per frame, which depend less on other load of the machine; and the
+part of them for the page's scripts and for submitting the scene to the renderer. With a graphics
+processor only that part remains on the CPU.
 
 view_rate.py PAGE.html
 """
@@ -38,7 +38,7 @@ DRAW = """
 
 
 def processor_seconds(process: int) -> float:
-    """Of a process and its descendants."""
+    """Returns the CPU seconds of a process and its descendants."""
     of, parents = {}, {}
     for file in Path("/proc").glob("[0-9]*/stat"):
         try:

@@ -1,1 +1,1 @@
-"""`geodesic-bench view`: a mesh with its distances and wavefronts as one page that moves."""
+"""`geodesic-bench view`: an animated HTML page of a mesh with its distances and wavefronts."""

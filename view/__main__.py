@@ -31,9 +31,9 @@ from view.scene import scene, with_frames
 
 
 SOLVER = "edge-based"
-"""That sweeps a mesh file where none is named."""
+"""Default solver for a mesh file."""
 MOST_SOLVERS = 8
-"""As many as page.js has channels for."""
+"""Largest number of solvers on a page: the number of channels in page.js."""
 
 
 def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
@@ -66,28 +66,28 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
 
 
 def solve(mesh: Path, solvers: Sequence[str], folder: Path) -> int:
-    """A run of the mesh file, with frames, which says itself how it gets on and what is wrong.
-    @return its exit code
-    @raises ResultError without the program"""
+    """Runs the solvers on the mesh file and records frames. The run prints its own progress and errors.
+    @return the exit code of the run
+    @raises ResultError when GEODESIC_BENCH does not name the program"""
     bench = os.environ.get("GEODESIC_BENCH")
     if not bench:
         raise ResultError("GEODESIC_BENCH does not name the program: use `geodesic-bench view`")
     once = ["--sources", "1", "--repetitions", "1", "--min-time", "0.001"]
     command = [bench, "run", "--meshes", str(mesh), "--solvers", ",".join(solvers), *once]
-    # A reference of another kind that takes no longer: that of the truth of a run is ten times slower.
+    # A reference of another family that takes no longer. The default reference is ten times slower.
     command += ["--reference", "fwp-ch" if SOLVER in solvers else SOLVER]
     command += ["--recordings", "all", "--frames", "--out", str(folder)]
     return subprocess.run(command, stdout=subprocess.DEVNULL).returncode
 
 
 def recording_of(folder: Path, mesh: str | None) -> Recording:
-    """@raises ResultError"""
+    """Returns the first recording of a run, or of one of its meshes. @raises ResultError"""
     run = read_run(folder)
     return recordings(run.of_meshes([mesh]) if mesh else run)[0]
 
 
 def chosen(recording: Recording, solvers: Sequence[str] | None) -> list[str]:
-    """Those that are shown. @raises ResultError when one was not recorded"""
+    """Returns the solvers to show. @raises ResultError when one has no frames or there are too many"""
     there = with_frames(recording)
     for solver in solvers or ():
         if solver not in there:

@@ -4,20 +4,20 @@ import { OrbitControls } from "three/OrbitControls";
 import { unzlibSync } from "three/fflate";
 
 const FRAMES_A_SECOND = 12;
-const TURN = Math.PI / 36;  // radians by which a key turns the model
-const FIELD_OF_VIEW = 25;  // degrees, of the shorter side
+const TURN = Math.PI / 36;  // radians per key press
+const FIELD_OF_VIEW = 25;  // degrees, along the shorter side
 const HALF_VIEW = Math.tan(FIELD_OF_VIEW / 2 * Math.PI / 180);
 const CREASE = Math.cos(40 * Math.PI / 180);
 const REST = 250;  // ms
-const FINE = 2;  // drawn pixels per shown pixel, across and down
-const HEIGHT = 0.72;  // largest share of the window's height for the pictures
+const FINE = 2;  // drawn pixels per shown pixel, in both directions
+const HEIGHT = 0.72;  // largest height of the pictures, as a share of the window
 const HEADING = 42;  // pixels above each picture
-const NARROWEST = 165;  // least width of a picture in pixels
-const PARTS = 255;  // steps into which positions on an edge are rounded
+const NARROWEST = 165;  // pixels
+const PARTS = 255;  // parts of an edge
 const EDGES = "edges of the mesh";
 const COLOURS = ["distance", "cells", "none"];
 const PLAIN = "#e4e2dc", UNREACHED = "#d9dadd", INK = "#222222";
-const CELLS = 8;  // number of colours of Voronoi cells
+const CELLS = 8;  // colours of cells, without the colour for no cell
 const KINDS = { f4: Float32Array, u4: Uint32Array, i4: Int32Array, u1: Uint8Array };
 
 const element = (id) => document.getElementById(id);
@@ -29,8 +29,8 @@ function fail(message) {
   element("controls").hidden = true;
 }
 
-// Synchronous, unlike the browser's own streams: the page must be drawn when it is loaded, since
-// programs that take screenshots wait no longer.
+// Synchronous, unlike the streams of browsers: the page must be drawn when it is loaded, because
+// programs that take a picture of a page do not wait longer.
 function unpacked({ type, data }) {
   const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
   return new KINDS[type](unzlibSync(bytes).slice().buffer);
@@ -46,14 +46,14 @@ function unpack(object) {
 
 const bytesOf = (color) => [1, 3, 5].map((i) => parseInt(color.slice(i, i + 2), 16));
 
-THREE.ColorManagement.enabled = false;  // colours are those of the screen throughout
+THREE.ColorManagement.enabled = false;  // all colours are screen colours
 
-// The surface is drawn once for all pictures, into textures: its shade, the distance, the colour of
-// the cell, and for up to eight solvers the frame in which it is reached. A picture is then painted
+// The surface is drawn once for all pictures, into textures with its shade, the distance, the colour
+// of the cell, and for up to eight solvers the frame in which it is reached. Each picture is painted
 // from these textures, so that the cost of playing does not depend on the number of faces.
-const BEHIND = 0;  // stored in place of a cell's colour: no surface here
+const BEHIND = 0;  // no surface, instead of the colour of a cell
 
-// The shading of the figures: the same on both sides, with light from the upper left.
+// Shaded like the figures: both sides are equal, with light from above on the left.
 const SURFACE = {
   glslVersion: THREE.GLSL3,
   vertexShader: `
@@ -88,7 +88,7 @@ const SURFACE = {
       framesToo = reachedToo;
     }`,
   side: THREE.DoubleSide,
-  polygonOffset: true,  // lines on the surface are in front of it
+  polygonOffset: true,  // puts lines on the surface in front of it
   polygonOffsetFactor: 1,
   polygonOffsetUnits: 2,
 };
@@ -129,11 +129,11 @@ const PAINTING = {
   depthFunc: THREE.AlwaysDepth,
 };
 
-// Size of a picture in pixels, for lines with a width in pixels; the same for all pictures.
+// Size of a picture in pixels, for lines with a width in pixels. It is equal for all pictures.
 const pixels = { value: new THREE.Vector2(1, 1) };
 
-// Segments as quads: each corner has the positions of both ends. (Instances would be less data, but
-// software renderers draw each as if it were a mesh.)
+// Draws segments as quads: each corner has the positions of both ends. (Instances would need less
+// data, but software renderers draw each instance like a separate mesh.)
 function fill(geometry, segments) {
   const count = segments.length / 6;
   const own = new Float32Array(12 * count), other = new Float32Array(12 * count);
@@ -183,7 +183,7 @@ function thinLines(segments, color) {
   return new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color }));
 }
 
-// Discs, with a size in pixels, at points.
+// Draws a disc of some pixels at each point.
 function marks(points, color) {
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute("position", new THREE.Float32BufferAttribute(points, 3));
@@ -206,8 +206,8 @@ function marks(points, color) {
   }));
 }
 
-// A mesh to draw. At a crease, the corners of faces become separate vertices with the normal of the
-// face.
+// A mesh to draw. At a crease, where the normal of a face differs much from that of the vertex, the
+// corner becomes a separate vertex with the normal of the face.
 class Drawn {
   constructor({ vertices, faces }) {
     const whole = new THREE.BufferGeometry();
@@ -216,7 +216,7 @@ class Drawn {
     whole.computeVertexNormals();
     this.positions = Array.from(vertices);
     this.normals = Array.from(whole.getAttribute("normal").array);
-    this.owners = Array.from({ length: vertices.length / 3 }, (_, v) => v);  // by drawn vertex, the vertex of the mesh
+    this.owners = Array.from({ length: vertices.length / 3 }, (_, v) => v);  // vertices of the original mesh
     this.index = Array.from(faces);
     this.crease();
   }
@@ -237,7 +237,7 @@ class Drawn {
     }
   }
 
-  // Adds a vertex in the middle of others.
+  // Adds a vertex at the mean of some others.
   addBetween(others, owner) {
     for (const numbers of [this.positions, this.normals]) {
       for (let i = 0; i < 3; ++i) {
@@ -268,7 +268,7 @@ class Drawn {
   }
 }
 
-// The surface, and the textures that it is drawn into for all pictures.
+// The surface of all pictures, and the textures into which it is drawn.
 class Surface {
   constructor(scene) {
     this.scene = scene;
@@ -299,13 +299,13 @@ class Surface {
     return made;
   }
 
-  // The number of the cell's colour, counted from 1; 0: no surface.
+  // Returns the number of the cell's colour, from 1. 0 stands for no surface.
   cell(v) {
     const { cells } = this.scene, number = cells?.nearest[v];
     return 1 + (number < cells?.sources.length ? number % CELLS : CELLS);
   }
 
-  // @param taps pixels of the textures per pixel of the picture, across and down
+  // @param taps pixels of the textures per pixel of the picture, in both directions
   draw(renderer, camera, { width, height }, taps, inCells) {
     if (inCells) this.split ??= this.geometry(new Drawn(this.scene).splitByCell(this.scene.cells.nearest));
     this.model.geometry = inCells ? this.split : this.whole;
@@ -354,7 +354,7 @@ class Wavefront {
   }
 }
 
-// A picture: the surface and the wavefront of a solver, and the lines and marks that all pictures
+// A picture: the surface and the wavefront of its solver, and the lines and marks that all pictures
 // share.
 class Panel {
   constructor(surface, solver, number) {
@@ -377,7 +377,7 @@ class Panel {
     this.stage.className = "stage";
   }
 
-  // A triangle that covers the picture.
+  // Returns a triangle that covers the picture.
   painting({ target, ramp, scene }, number) {
     const channel = (from) => new THREE.Vector4(...[0, 1, 2, 3].map((i) => Number(number === from + i)));
     const [look, frames, framesToo] = target.textures, cells = scene.cells?.colors ?? Array(CELLS + 1).fill(PLAIN);
@@ -409,7 +409,7 @@ class Panel {
 }
 
 class Page {
-  // @param software whether the processor draws; smooth lines then cost too much
+  // @param software whether the CPU draws, for which smooth lines are too expensive
   constructor(scene, software) {
     this.scene = scene;
     this.views = element("views");
@@ -440,7 +440,7 @@ class Page {
     this.grid.append(...this.panels.map((panel) => panel.box));
   }
 
-  // The view of the figures' camera.
+  // Looks in the same direction as the camera of the figures.
   startCamera() {
     const { axes, up } = this.scene;
     this.surface.whole.computeBoundingSphere();
@@ -470,7 +470,7 @@ class Page {
     return 1.03 * distance;
   }
 
-  // The layers that all pictures share, by name on the page.
+  // Makes the layers that all pictures share, by their names on the page.
   makeLayers() {
     const { isolines, paths, vertices, sources, cells } = this.scene;
     const places = (of) => of.flatMap((v) => [...vertices.subarray(3 * v, 3 * v + 3)]);
@@ -481,7 +481,7 @@ class Page {
     both.add(thinLines(isolines.thin, "#5b6470"), thickLines(isolines.thick, "#3c4450", 1.6));
     this.layers.set("isolines", both);
     if (paths) this.layers.set("paths", thickLines(paths.segments, paths.color, 2.2));
-    this.layers.set(EDGES, null);  // created when it is first shown
+    this.layers.set(EDGES, null);  // made when it is first shown
   }
 
   layer(name) {
@@ -552,14 +552,14 @@ class Page {
     this.move();
   }
 
-  // Draws the surface again.
+  // Draws the surface anew.
   move() {
     this.taps = 1;
     this.surfaceIsDrawn = false;
     this.stir();
   }
 
-  // Draws coarsely until the camera rests.
+  // Draws coarsely, and finely after REST milliseconds without changes.
   stir() {
     this.rests = false;
     clearTimeout(this.resting);
@@ -640,7 +640,7 @@ class Page {
     document.body.dataset.rests = this.rests;
   }
 
-  // Computed once: all pictures have the same size.
+  // Draws the surface once for all pictures, which have the same size.
   drawSurface(width, height) {
     if (this.surfaceIsDrawn) return;
     this.surfaceIsDrawn = true;
@@ -670,7 +670,7 @@ class Page {
     event.preventDefault();
   }
 
-  // Turns around the model, as dragging does.
+  // Moves the camera around the model, like dragging.
   turn(around, down) {
     const { position, up } = this.camera, { target } = this.controls;
     const upright = new THREE.Quaternion().setFromUnitVectors(up, new THREE.Vector3(0, 1, 0));

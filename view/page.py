@@ -1,4 +1,4 @@
-"""The HTML of the page: everything in one text."""
+"""The HTML of the page, which contains all scripts and data."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ TEMPLATES.policies["json.dumps_kwargs"] = {"allow_nan": False}
 
 
 def page(title: str, summary: str, command: str, scene: dict[str, Any]) -> str:
-    """@param command line that makes the page
-    @raises Unavailable when three.js is not there"""
+    """@param command the command line that makes the page
+    @raises Unavailable when three.js is missing"""
     return TEMPLATES.get_template("page.html").render(
         title=title,
         summary=summary,

@@ -1,6 +1,6 @@
-"""What the page shows, as JSON: numbers and names as they are, arrays compressed.
+"""The contents of the page as JSON: plain numbers and names, and compressed arrays.
 
-An array is {"type": "f4", "data": base64 of its bytes, little-endian, in zlib's format}.
+An array is {"type": "f4", "data": base64 of its little-endian bytes, compressed in zlib's format}.
 """
 
 from __future__ import annotations
@@ -26,17 +26,17 @@ from results.published import THESIS_SOLVERS
 from results.reader import ResultError
 
 PARTS = 255
-"""Of an edge: what the ends of windows are rounded to."""
+"""Number of parts of an edge to which the ends of windows are rounded."""
 COLORS = 24
-"""Of the map from distances to colours."""
+"""Number of colours for distances."""
 PALE = 0.35
-"""Share of white in them, so that lines stand out."""
+"""Share of white in these colours, so that lines are visible."""
 THICK = 5
-"""Each isoline of this number is thick, as on a map."""
+"""Every THICK-th isoline is thick, as on a map."""
 
 
 def packed(array: NDArray[Any], kind: str) -> dict[str, str]:
-    """@param kind of numpy's: f4, u4, i4 or u1"""
+    """@param kind type of NumPy: f4, u4, i4 or u1"""
     numbers = np.ascontiguousarray(array, dtype="<" + kind)
     return {"type": kind, "data": base64.b64encode(zlib.compress(numbers.tobytes(), 9)).decode()}
 
@@ -48,8 +48,8 @@ class Edges:
     faces: Integers
 
     def numbers(self, a: Integers, b: Integers) -> tuple[Integers, NDArray[np.bool_]]:
-        """A half-edge between each two vertices, and whether it runs from b to a.
-        @raises ResultError where no edge joins them"""
+        """Returns a half-edge between each pair of vertices, and whether it runs from b to a.
+        @raises ResultError when a pair has no edge"""
         keys, half_edges = self._sorted
         wanted = self._key(a, b)
         place = np.minimum(np.searchsorted(keys, wanted), len(keys) - 1)
@@ -70,14 +70,14 @@ class Edges:
 
 
 def with_frames(recording: Recording) -> list[str]:
-    """Its solvers whose wavefront can be played: those of the thesis first."""
+    """Returns the solvers whose wavefronts were recorded, those of the thesis first."""
     there = [solver for solver in recording.solvers if recording.has_frames(solver)]
     return sorted(there, key=lambda one: (*THESIS_SOLVERS, one).index(one))
 
 
 def scene(recording: Recording, solvers: list[str], up: int | None = None) -> dict[str, Any]:
-    """@param solvers of `with_frames`, shown side by side; may be none
-    @param up the axis that points up: 0 is x, 1 y, 2 z; by default as in figures
+    """@param solvers names from `with_frames`, shown side by side; may be empty
+    @param up the axis that points up: 0 for x, 1 for y, 2 for z; None for the axis of the figures
     @raises ResultError"""
     surface, mesh = recording.surface, recording.mesh
     up = upwards(mesh, surface) if up is None else up
@@ -100,7 +100,7 @@ def scene(recording: Recording, solvers: list[str], up: int | None = None) -> di
 
 
 def _finite(distances: Floats) -> Floats:
-    """-1 where no path leads: JSON and WebGL know no infinity."""
+    """Replaces infinite distances by -1, because JSON and WebGL have no infinity."""
     return np.where(np.isfinite(distances), distances, -1)
 
 
@@ -132,8 +132,8 @@ def _isolines(lines: list[Floats]) -> dict[str, Any]:
 
 
 def _solver(recording: Recording, solver: str, edges: Edges) -> dict[str, Any]:
-    """Of each segment the half-edge is given as the step from that of the one before, of a frame's
-    first as the step from 0: most steps are small, and compress well."""
+    """A segment has the difference of its half-edge to that of the previous segment; the first one of a
+    frame has the difference to 0. Most differences are small and compress well."""
     frames = recording.frames(solver)
     segments = [_segments(frame, edges) for frame in frames]
     steps, begins, ends = (np.concatenate(parts) for parts in zip(*segments, strict=True))
@@ -154,8 +154,8 @@ def _solver(recording: Recording, solver: str, edges: Edges) -> dict[str, Any]:
 
 
 def _segments(frame: Table, edges: Edges) -> tuple[Integers, Integers, Integers]:
-    """What the windows of a frame cover, along the half-edges: those that touch are one segment.
-    @return steps from half-edge to half-edge, and the ends in PARTS of it"""
+    """Joins the windows of a frame that touch on a half-edge into segments.
+    @return the differences between successive half-edges, and both ends in PARTS of the edge"""
     origin, head = (frame[name].astype(np.int64) for name in ("origin", "head"))
     edge, turned = edges.numbers(origin, head)
     begin = np.where(turned, 1 - frame["end"], frame["begin"])
@@ -163,7 +163,7 @@ def _segments(frame: Table, edges: Edges) -> tuple[Integers, Integers, Integers]
     low, high = (np.rint(PARTS * one).astype(np.int64) for one in (begin, end))
     order = np.lexsort((low, edge))
     edge, low, high = edge[order], low[order], high[order]
-    # The farthest end so far on the same edge: a whole edge is less than what edges differ by.
+    # The farthest end so far on the same edge. The keys of two edges differ by more than an edge's length.
     far = np.maximum.accumulate(edge * 2 * PARTS + high) if len(edge) else high
     starts = np.flatnonzero(np.append(True, edge[1:] * 2 * PARTS + low[1:] > far[:-1])[: len(edge)])
     ends = np.append(starts[1:], len(edge))[: len(starts)] - 1

@@ -17,7 +17,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(ROOT), str(ROOT / "datasets")]  # packages of npm and archives are as for meshes
+sys.path[:0] = [str(ROOT), str(ROOT / "datasets")]  # shares the code for npm packages and archives
 
 from results import console
 
@@ -41,14 +41,14 @@ FILES = {
     "examples/jsm/libs/fflate.module.js": "209a4412eb48ce609edb4391992a792ffcc3983d30ee7e2b0b89a8c470f3cd8a",
     LICENCE: "4c40a1ef62450b857c3b2aaf294936304cd552d965fbcd9d32d4c5bcf4ba4454",
 }
-"""In the package: the SHA-256 sum of each file."""
+"""SHA-256 sums of files in the package."""
 MODULES = {
     "three": "build/three.module.min.js",
     "three-core": "build/three.core.min.js",
     "three/OrbitControls": "examples/jsm/controls/OrbitControls.js",
     "three/fflate": "examples/jsm/libs/fflate.module.js",
 }
-"""What the page and these files import, by the name that it is imported by."""
+"""Files of the modules that the page and these files import, by module name."""
 
 
 def is_there() -> bool:
@@ -62,8 +62,8 @@ def licence() -> str:
 
 
 def import_map() -> dict[str, dict[str, str]]:
-    """An import map in which every module is a data: address, since a page without any
-    other file has no places for them. @raises Unavailable when three.js is not there"""
+    """Returns an import map in which every module is a data: address, because the page must not need
+    other files. @raises Unavailable when three.js is missing"""
     if not is_there():
         raise Unavailable(
             f"three.js {VERSION}, which draws the page, is not in {FOLDER}: fetch it with"
@@ -78,7 +78,7 @@ def _address(file: str) -> str:
 
 
 def fetch(package: Path | None) -> str:
-    """A line that says what was done. @raises Unavailable"""
+    """Fetches the files if they are missing. Returns a line for the user. @raises Unavailable"""
     what = f"three.js {VERSION}"
     if is_there():
         return f"{what}: there already"

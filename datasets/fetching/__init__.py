@@ -1,1 +1,1 @@
-"""What datasets/fetch.py is made of: the manifest, the cache, and where meshes come from."""
+"""The parts of datasets/fetch.py: the manifest, the cache, and the origins of meshes."""

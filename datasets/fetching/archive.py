@@ -1,4 +1,4 @@
-"""Taking named files out of an archive, wherever the archive's own names point."""
+"""Extracts named files from an archive. Names that point outside the archive are refused."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from typing import IO
 
 from .reporting import Unavailable
 
-MAX_BYTES = 2 << 30  # of an upstream or an unpacked file: ten times the largest mesh
+MAX_BYTES = 2 << 30  # largest size of an upstream or unpacked file: ten times the largest mesh
 PIECE = 1 << 20
 
-# What Python's readers raise for files that are damaged, encrypted or no archive at all.
+# Exceptions of Python's readers for files that are damaged, encrypted or not an archive.
 DAMAGE = (
     zipfile.BadZipFile,
     tarfile.TarError,
@@ -31,8 +31,8 @@ DAMAGE = (
 def extract(archive: Path, targets: Mapping[str, Path]) -> None:
     """Writes members of a zip, npz or tgz archive to their targets. Nothing else is unpacked.
 
-    Raises Unavailable when a member's name points outside the archive, when it is missing or no
-    plain file, when it unpacks to more than MAX_BYTES, or when the archive is damaged.
+    Raises Unavailable if the name of a member points outside the archive, if a member is missing or is
+    not a regular file, if it unpacks to more than MAX_BYTES, or if the archive is damaged.
     """
     for member in filter(points_outside, targets):
         raise Unavailable(f"'{member}' points outside {archive.name}: not unpacked")
@@ -50,13 +50,13 @@ def extract(archive: Path, targets: Mapping[str, Path]) -> None:
 
 
 def points_outside(name: str) -> bool:
-    """Whether a path in an archive or package leads anywhere else."""
+    """Whether a path in an archive or package leads outside it."""
     path = PurePosixPath(name)
     return path.is_absolute() or ".." in path.parts or "\\" in name
 
 
 def gunzip(packed: Path, target: Path) -> None:
-    """Unpacks a .gz file. Raises Unavailable as `extract` does."""
+    """Unpacks a .gz file. Raises Unavailable if it is damaged or unpacks to more than MAX_BYTES."""
     try:
         with gzip.open(packed) as source:
             _copy(source, target, packed.name)
@@ -73,7 +73,7 @@ def _zip_reader(archive: Path) -> Iterator[Reader]:
     with zipfile.ZipFile(archive) as opened:
 
         def read(member: str) -> IO[bytes]:
-            mode = opened.getinfo(member).external_attr >> 16  # 0 when made where there are no modes
+            mode = opened.getinfo(member).external_attr >> 16  # 0 if the system that made it has no modes
             if stat.S_IFMT(mode) not in (0, stat.S_IFREG) or member.endswith("/"):
                 raise _no_plain_file(archive, member)
             return opened.open(member)
@@ -103,7 +103,7 @@ def _copy(source: IO[bytes] | gzip.GzipFile, target: Path, what: str) -> None:
     size = 0
     with target.open("wb") as file:
         while piece := source.read(PIECE):
-            size += len(piece)  # what comes out counts: the sizes in headers can lie
+            size += len(piece)  # counts unpacked bytes, because sizes in headers can be wrong
             if size > MAX_BYTES:
                 raise Unavailable(f"{what} unpacks to more than {MAX_BYTES} bytes: not used")
             file.write(piece)

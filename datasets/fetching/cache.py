@@ -1,7 +1,7 @@
-"""The folder of mesh files ready to use: what has its final name is whole and checked.
+"""The folder of mesh files that are ready to use: a file with its final name is complete and checked.
 
-Everything unfinished lies below the folder's own `.fetch`: one scratch folder for each file that
-is being made, downloads that have begun, and the locks that keep two fetches apart.
+Unfinished files lie in the subfolder `.fetch`: one scratch folder for each file that is being made,
+partial downloads, and the locks that prevent two processes from fetching the same file.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ WORK = ".fetch"
 
 
 def default_cache() -> Path:
-    """$GEODESIC_DATASETS, by default datasets/cache in the checkout."""
+    """Returns $GEODESIC_DATASETS, by default datasets/cache in the checkout."""
     return Path(os.environ.get("GEODESIC_DATASETS") or ROOT / "datasets" / "cache")
 
 
@@ -36,7 +36,7 @@ def sha256_of(path: Path) -> str:
 
 
 def check_sha256(path: Path, expected: str, what: str, says: str = "the manifest") -> None:
-    """`says`: who expects it. Raises Unavailable for a file with another sum."""
+    """Raises Unavailable for a file with another sum. `says`: the origin of the expected sum."""
     found = sha256_of(path)
     if found != expected:
         raise Unavailable(f"{what} has sha256 {found}, {says} says {expected}: not used")
@@ -47,10 +47,10 @@ class Cache:
         self.folder = folder
 
     def holds(self, file: str, sha256: str, recipe: dict[str, Any] | None = None) -> bool:
-        """Whether the file is there with these contents and, if generated, from this recipe.
+        """Whether the cache has the file with these contents and, if generated, from this recipe.
 
-        The contents are hashed each time: a cache holds some 10^8 bytes, which takes less time
-        than the start of the first solve, and no note can go stale.
+        The contents are hashed each time. A cache has about 10^8 bytes, whose hashes take less time
+        than the start of the first solve, and no stored result can become out of date.
         """
         path = self.folder / file
         try:
@@ -65,27 +65,27 @@ class Cache:
 
     @contextmanager
     def workspace(self, file: str, waits: Callable[[], None]) -> Iterator[Path]:
-        """An empty folder to make a file in, from where it can be renamed; removed afterwards.
+        """Yields an empty folder for making a file, on the file system of the cache; removed afterwards.
 
-        Only one process at a time has that of a file; `waits` is called before waiting for
-        another. What a killed process left is removed. Raises FetchError when the cache cannot be
-        written.
+        Only one process at a time has the folder of a file. `waits` is called before waiting for
+        another process. The rest of a killed process is removed. Raises FetchError if the cache cannot
+        be written.
         """
         with self._locked(file, waits):
             folder = self.folder / WORK / "scratch" / file
             shutil.rmtree(folder, ignore_errors=True)
             self._make(folder)
             try:
-                # A name of its own: a generator that outlives its killed fetch may still write.
+                # A new name, because a generator may outlive its killed fetch and still write.
                 yield Path(tempfile.mkdtemp(dir=folder))
             finally:
                 shutil.rmtree(folder, ignore_errors=True)
 
     @contextmanager
     def partial(self, sha256: str, waits: Callable[[], None]) -> Iterator[Path]:
-        """The path for what has been downloaded so far of the upstream file with this sha256.
+        """Yields the path of the partial download of the upstream file with this sha256.
 
-        It need not exist, and stays for the next fetch unless it is removed or renamed.
+        The file may not exist yet. It is kept for the next fetch unless it is removed or renamed.
         """
         folder = self.folder / WORK / "parts"
         self._make(folder)
@@ -93,7 +93,7 @@ class Cache:
             yield folder / f"{sha256}.part"
 
     def adopt(self, whole: Path, file: str, recipe: dict[str, Any] | None = None) -> None:
-        """Moves a finished file out of the scratch folder to its final name, in one step."""
+        """Moves a finished file from the scratch folder to its final name, atomically."""
         os.replace(whole, self.folder / file)
         if recipe is not None:
             note = whole.with_name("recipe.json")
@@ -102,12 +102,12 @@ class Cache:
 
     @contextmanager
     def _locked(self, name: str, waits: Callable[[], None]) -> Iterator[None]:
-        """Holds a lock that ends with the process, however it ends. The empty lock file stays:
-        removing it would let a third process in beside a waiting second one."""
+        """Holds a lock, which also ends if the process is killed. The empty lock file is kept: if it
+        were removed, a third process could enter together with a waiting second one."""
         folder = self.folder / WORK / "locks"
         self._make(folder)
         with self._writing():
-            file = (folder / f"{name}.lock").open("ab")  # and no more: it may be a link
+            file = (folder / f"{name}.lock").open("ab")  # writes nothing, because it may be a link
         with file:
             try:
                 fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)

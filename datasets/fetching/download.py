@@ -1,4 +1,4 @@
-"""Where upstream files are, and downloads over HTTP that continue what an earlier one began."""
+"""The places of upstream files, and downloads over HTTP that resume earlier ones."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from .archive import MAX_BYTES, PIECE
 from .cache import check_sha256, sha256_of
 from .reporting import FetchError, Progress, Unavailable
 
-TIMEOUTS = (10.0, 30.0)  # seconds until a connection stands, and without a byte on it
+TIMEOUTS = (10.0, 30.0)  # seconds: to connect, and between two bytes
 OK, PARTIAL, GONE, NO_SUCH_RANGE = 200, 206, (404, 410), 416
 
-# From the path of an upstream file to that file: a Path in a folder, or an http(s) address. Raises
-# Unavailable when the folder has none.
+# Maps the path of an upstream file to a Path in a folder, or to an http(s) address. Raises
+# Unavailable if the folder lacks the file.
 Origin = Callable[[str], Path | str]
 
 
 def origin_from_environment(variable: str, upstream: Callable[[str], str]) -> Origin:
-    """The mirror that an environment variable names, or else the upstream sites.
+    """Returns the mirror that an environment variable names, or else the upstream sites.
 
-    `upstream`: the address of a path there. A mirror is a folder, or a file:// or http(s)://
-    address, below which every path lies as it is. Raises FetchError for any other kind of address.
+    `upstream`: maps a path to its address at the upstream sites. A mirror is a folder, or a file:// or
+    http(s):// address, with the same paths below it. Raises FetchError for another kind of address.
     """
     place = os.environ.get(variable, "")
     if not place:
@@ -51,14 +51,14 @@ def _in_mirror(file: Path) -> Path:
 
 
 class Downloader:
-    """One session with all sites. A host that could not be reached is not asked again."""
+    """A session with all sites. A host that could not be reached is not tried again."""
 
     def __init__(self, progress: Progress, mirror_variable: str) -> None:
-        """`mirror_variable`: what messages advise to set."""
+        """`mirror_variable`: environment variable that messages suggest to set."""
         self._progress = progress
         self._mirror_variable = mirror_variable
         self._session = requests.Session()
-        # Compressed on the way, the bytes would not be those that a range counts.
+        # No compression in transit: a range counts uncompressed bytes.
         self._session.headers["Accept-Encoding"] = "identity"
         self._unreachable: dict[str, str] = {}
 
@@ -66,15 +66,15 @@ class Downloader:
         self._session.close()
 
     def complete(self, url: str, part: Path, sha256: str, label: str) -> None:
-        """Makes `part`, which may hold the beginning already, the file with this sha256.
+        """Completes `part`, which may hold the beginning, to the file with this sha256.
 
-        Raises Unavailable; `part` is then a beginning worth keeping, or removed.
+        Raises Unavailable; `part` then holds a beginning that can be resumed, or is removed.
         """
         begun = part.exists()
         if begun and sha256_of(part) == sha256:
             return
         self.transfer(url, part, label)
-        if begun and sha256_of(part) != sha256:  # a wrong beginning, or not the rest of it
+        if begun and sha256_of(part) != sha256:  # a wrong beginning or a wrong rest
             part.unlink()
             self.transfer(url, part, label)
         try:
@@ -84,9 +84,9 @@ class Downloader:
             raise
 
     def transfer(self, url: str, part: Path, label: str) -> None:
-        """Appends what is missing to `part`, or writes it anew if the server cannot go on there.
+        """Appends the missing bytes to `part`, or writes it anew if the server does not support that.
 
-        For a file whose sum is not known; what is in it is to be checked. Raises Unavailable.
+        For a file whose sum is unknown: the caller checks its contents. Raises Unavailable.
         """
         have = part.stat().st_size if part.exists() else 0
         with self._request(url, have) as response:
@@ -122,12 +122,12 @@ class Downloader:
             raise Unavailable(f"{url} cannot be had: {_cause_of(error)}") from error
 
     def _receive(self, response: requests.Response, part: Path, have: int, label: str) -> None:
-        """Writes the body behind the first `have` bytes. Raises Unavailable if it is cut short."""
+        """Writes the body after the first `have` bytes. Raises Unavailable if the body is incomplete."""
         length = response.headers.get("Content-Length", "")
         total = have + int(length) if length.isdecimal() else None
         cause = None
-        # Whether it is whole is seen below. urllib3 2 would see to it too, and drop the last bytes of
-        # a body that broke off.
+        # The length is checked below. urllib3 2 would check it too, but drop the last bytes of an
+        # incomplete body.
         response.raw.enforce_content_length = False
         with part.open("ab" if have else "wb") as file:
             with self._progress.download(label, total, have) as advance:
@@ -154,7 +154,7 @@ class Downloader:
 
 
 def _cause_of(error: BaseException) -> str:
-    """The innermost reason: 'Connection refused' instead of the names of five exceptions."""
+    """Returns the innermost reason, as "Connection refused" instead of the names of five exceptions."""
     while True:
         inner = [error.__cause__, getattr(error, "reason", None), *error.args, error.__context__]
         nested = [each for each in inner if isinstance(each, BaseException)]

@@ -1,4 +1,4 @@
-"""From an entry of the manifest to its checked file in the cache."""
+"""Obtains the checked file of an entry of the manifest for the cache."""
 
 from __future__ import annotations
 
@@ -28,15 +28,15 @@ class Fetcher:
     bench: Path
     """The program geodesic-bench."""
     origin: Origin
-    """Where downloaded files are."""
+    """The place of upstream files that are downloaded."""
     progress: Progress
     downloader: Downloader
     _outcomes: dict[str, bool | Unavailable] = field(default_factory=dict)
 
     def fetch(self, entry: Entry) -> bool:
-        """Makes sure that an entry's file is in the cache; False when it was there before.
+        """Ensures that the file of an entry is in the cache. Returns False if it was there before.
 
-        Raises Unavailable when it cannot be had, FetchError when nothing can.
+        Raises Unavailable if the file cannot be obtained, and FetchError if no file can.
         """
         if entry.name not in self._outcomes:
             try:
@@ -55,7 +55,7 @@ class Fetcher:
         inputs = self._fetch_inputs(entry)
         began = time.monotonic()
         with self.cache.workspace(entry.file, self._waiting(entry)) as scratch:
-            if self._is_there(entry, recipe):  # another process was at it
+            if self._is_there(entry, recipe):  # another process fetched it
                 return False
             try:
                 whole = self._obtain(entry, inputs, scratch)
@@ -72,7 +72,7 @@ class Fetcher:
         return lambda: console.say(f"{entry.name}: waiting for another fetch that is at it")
 
     def _recipe_of(self, entry: Entry) -> dict[str, Any] | None:
-        """What a generated mesh is made from, its inputs by their contents; None for others."""
+        """Returns the recipe of a generated mesh, with the sha256 of its inputs; None for other meshes."""
         if entry.kind != "generated":
             return None
         recipe: dict[str, Any] = {"generator": entry.generator, "parameters": entry.parameters}
@@ -91,7 +91,7 @@ class Fetcher:
         return files
 
     def _obtain(self, entry: Entry, inputs: dict[str, Path], scratch: Path) -> Path:
-        """The checked file, in the scratch folder."""
+        """Generates or unpacks the file into the scratch folder, and checks it."""
         whole = scratch / entry.file
         if entry.kind == "generated":
             with self.progress.working(f"{entry.name}: generating"):
@@ -111,7 +111,7 @@ class Fetcher:
         return whole
 
     def _upstream_file(self, entry: Entry, folder: Path) -> Path:
-        """The checked upstream file, which may lie outside the scratch folder."""
+        """Returns the checked upstream file, which may be outside the scratch folder."""
         if package := entry.package:
             with self.progress.working(f"{entry.name}: package {package.name}"):
                 file = file_of_package(package, folder)

@@ -1,4 +1,4 @@
-"""Upstream files in packages: npm's by npm's own client, Python's where they are installed."""
+"""Upstream files in packages: npm packages through the client of npm, and installed Python packages."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from .archive import extract, points_outside
 from .program import Package
 from .reporting import Unavailable
 
-NPM_SECONDS = 600  # a package of 11 MB takes one
+NPM_SECONDS = 600  # a package of 11 MB takes one second
 WITH_DATA_PATH = ("matplotlib",)
-"""Python packages that say by get_data_path() where their data are: Debian keeps them elsewhere."""
+"""Python packages whose get_data_path() returns the folder of their data, which Debian moves."""
 
 
 def file_of_package(package: Package, scratch: Path) -> Path:
-    """A copy in the scratch folder, or the installed file.
+    """Returns a copy in the scratch folder, or the installed file.
 
-    Raises Unavailable when the package or the file in it cannot be had.
+    Raises Unavailable if the package or its file cannot be obtained.
     """
     return _from_npm(package, scratch) if package.manager == "npm" else _from_python(package)
 
@@ -34,8 +34,8 @@ def _from_npm(package: Package, scratch: Path) -> Path:
 
 
 def npm_package(name: str, version: str, scratch: Path) -> Path:
-    """The package's .tgz file, which npm packs into the scratch folder and checks against its
-    registry's own hash; no script in it is run. Raises Unavailable."""
+    """Returns the package's .tgz file. npm packs it into the scratch folder and checks the hash of its
+    registry; no script of the package is run. Raises Unavailable."""
     npm = shutil.which("npm")
     if npm is None:
         raise Unavailable(
@@ -62,7 +62,7 @@ def npm_package(name: str, version: str, scratch: Path) -> Path:
 
 
 def _npm_reason(done: subprocess.CompletedProcess[str]) -> str:
-    """What npm's JSON says of the failure, or else the last line that it wrote."""
+    """Returns the reason of a failure from npm's JSON, or else the last line of its errors."""
     try:
         error = json.loads(done.stdout)["error"]
         words = f"{error['code']} {error['summary']}"
@@ -72,9 +72,9 @@ def _npm_reason(done: subprocess.CompletedProcess[str]) -> str:
 
 
 def _from_python(package: Package) -> Path:
-    """Below the package's data folder, or else below the package.
+    """Returns the file below the package's data folder, or else below the package.
 
-    A manifest is data: the package is found, but only one of WITH_DATA_PATH is imported for it.
+    A manifest is only data, so a package is not imported unless it is one of WITH_DATA_PATH.
     """
     name, file = package.name, package.file
     spec = importlib.util.find_spec(name) if name.isidentifier() else None

@@ -1,4 +1,4 @@
-"""The program geodesic-bench: it reads the manifest, and makes generated meshes."""
+"""Calls geodesic-bench to read the manifest and to generate meshes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from typing import Any, TypeVar
 from .reporting import FetchError, Unavailable
 
 ROOT = Path(__file__).resolve().parents[2]
-"""Of the checkout, or of an installed copy: PREFIX/share/geodesic-bench."""
+"""Folder of the checkout, or of an installed copy: PREFIX/share/geodesic-bench."""
 IS_CHECKOUT = (ROOT / "CMakeLists.txt").exists()
 DEFAULT_BENCH = (
     ROOT / "build" / "release" / "geodesic-bench"
@@ -27,7 +27,7 @@ Value = TypeVar("Value")
 
 @dataclass(frozen=True)
 class Package:
-    """A file in a package of npm, or of an installed Python package (without `version`)."""
+    """A file in an npm package or in an installed Python package. The latter has no `version`."""
 
     manager: str
     name: str
@@ -37,9 +37,9 @@ class Package:
 
 @dataclass(frozen=True)
 class Entry:
-    """A mesh or an elevation grid of the manifest (datasets/README.md): where its file comes from.
+    """A mesh or an elevation grid of the manifest (datasets/README.md), with the origin of its file.
 
-    Which members are set depends on `kind`: generated, downloaded or package.
+    `kind` is generated, downloaded or package, and determines which other members are set.
     """
 
     name: str
@@ -56,7 +56,7 @@ class Entry:
 
     @staticmethod
     def of(data: dict[str, Any]) -> Entry:
-        """Of an entry in JSON, which has other keys, too."""
+        """Converts an entry in JSON. Its other keys are ignored."""
         own = {each.name: data[each.name] for each in fields(Entry) if each.name in data}
         if "package" in data:
             own["package"] = Package(**data["package"])
@@ -64,9 +64,9 @@ class Entry:
 
 
 class Manifest:
-    """The manifest as `geodesic-bench list --json` has read and checked it.
+    """The manifest, read and checked by `geodesic-bench list --json`.
 
-    Raises FetchError when there is no program, or with its message about the manifest.
+    Raises FetchError if the program is missing, or with its message about a faulty manifest.
     """
 
     def __init__(self, bench: Path, path: Path = DEFAULT_MANIFEST) -> None:
@@ -87,16 +87,16 @@ class Manifest:
         self._entries = {entry.name: entry for entry in entries}
 
     def address(self, path: str) -> str:
-        """Of an entry's `path`, whose first folder names a source."""
+        """Returns the address of an entry's `path`, whose first folder names a source."""
         source, file = path.split("/", 1)
         return self._sources[source] + file
 
     def entry(self, name: str) -> Entry:
-        """A mesh or elevation grid. Raises FetchError for an unknown one, listing those known."""
+        """Returns a mesh or elevation grid. Raises FetchError with all names for an unknown one."""
         return find(self._entries, name, "mesh")
 
     def select(self, corpora: Iterable[str], names: Iterable[str]) -> list[Entry]:
-        """The meshes of the corpora, then those named, each once. Raises FetchError as `entry`."""
+        """Returns the meshes of the corpora, then the named ones, each once. Raises FetchError."""
         chosen: dict[str, None] = {}
         for corpus in corpora:
             chosen.update(dict.fromkeys(find(self.corpora, corpus, "corpus")))
@@ -105,7 +105,7 @@ class Manifest:
 
 
 def generate(bench: Path, mesh: Entry, inputs: Mapping[str, Path], target: Path) -> None:
-    """Writes a generated mesh. `inputs`: the file for each parameter that names one.
+    """Generates a mesh. `inputs`: the input file of each parameter that names one.
 
     Raises Unavailable with the program's message.
     """
@@ -121,12 +121,12 @@ def _run(bench: Path, *words: str) -> subprocess.CompletedProcess[str]:
 
 
 def last_line(done: subprocess.CompletedProcess[str]) -> str:
-    """What a program that failed says of it."""
+    """Returns the last line of the errors of a failed program, or else its exit code."""
     return (done.stderr.strip().splitlines() or [f"exit code {done.returncode}"])[-1]
 
 
 def find(known: Mapping[str, Value], name: str, kind: str) -> Value:
-    """Raises FetchError for an unknown name, listing those known."""
+    """Returns the value of a name. Raises FetchError with all names for an unknown one."""
     if name not in known:
         raise FetchError(f"no {kind} named '{name}'; there are: {', '.join(sorted(known))}")
     return known[name]

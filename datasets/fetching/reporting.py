@@ -1,4 +1,4 @@
-"""What a fetch reports: errors, by how far they reach, and progress bars on a terminal."""
+"""Reports of a fetch: errors about one file or about all, and progress bars on a terminal."""
 
 from __future__ import annotations
 
@@ -9,32 +9,32 @@ from typing import Any, TextIO
 import tqdm
 
 EXIT_MISSING = 3
-"""Something could not be had."""
+"""Exit code if a file could not be obtained."""
 
 
 class FetchError(Exception):
-    """Concerns all of the fetch: nothing more can be had. The message says what to do."""
+    """An error that ends the whole fetch. The message suggests what to do."""
 
 
 class Unavailable(Exception):
-    """One mesh or elevation grid cannot be had; the message says why and what to do."""
+    """One mesh or elevation grid cannot be obtained. The message has the reason and a suggestion."""
 
 
 class Progress:
-    """Draws on a terminal; anything else gets nothing."""
+    """Progress on a terminal. Nothing is written to other streams."""
 
     def __init__(self, terminal: TextIO) -> None:
         self._terminal = terminal
 
     @contextmanager
     def download(self, label: str, total: int | None, done: int) -> Iterator[Callable[[int], object]]:
-        """A bar of bytes; the caller says how many more there are."""
+        """Shows a bar of bytes. Yields a function that adds a number of bytes."""
         with self._bar(desc=label, total=total, initial=done, unit="B", unit_scale=True) as bar:
             yield bar.update
 
     @contextmanager
     def working(self, label: str) -> Iterator[None]:
-        """A line that is shown while something of unknown length runs."""
+        """Shows a line during a task of unknown duration."""
         with self._bar(desc=f"{label} ...", bar_format="{desc}"):
             yield
 

@@ -1,1 +1,1 @@
-"""What peers/build.py is made of: from a peer's description to its plug-in."""
+"""The parts of peers/build.py, which builds a plug-in from the description of a peer."""

@@ -1,4 +1,4 @@
-"""A peer's plug-in, compiled by CMake against an installed geodesic-bench."""
+"""Compiles the plug-in of a peer with CMake, against an installed geodesic-bench."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .description import PEERS, Peer
 
 
 def install_package(build: Path, prefix: Path) -> None:
-    """What is built in a folder, as a package for plug-ins. Raises FetchError."""
+    """Installs a build folder as a package for plug-ins. Raises FetchError."""
     done = _cmake("--install", build, "--prefix", prefix)
     if done.returncode != 0:
         raise FetchError(f"cannot install {build}: {_first_error(done)}")
@@ -27,10 +27,10 @@ class Compiler:
     def compile(
         self, peer: Peer, sources: Path, folder: Path, flags: str, remark: str = ""
     ) -> Path:
-        """The plug-in, in a build folder that is made or brought up to date.
+        """Returns the plug-in in its build folder, which is created or updated.
 
-        `flags`: of an optimised build; `remark`: what the plug-in says of them. Raises Unavailable
-        with the compiler's first complaint.
+        `flags`: compiler flags of the optimised build; `remark`: text about them in the plug-in. Raises
+        Unavailable with the first error of the compiler.
         """
         settings = {
             "CMAKE_BUILD_TYPE": "Release",
@@ -60,6 +60,6 @@ def _cmake(*words: str | Path) -> subprocess.CompletedProcess[str]:
 def _first_error(done: subprocess.CompletedProcess[str]) -> str:
     lines = [line.strip() for line in (done.stdout + done.stderr).splitlines() if line.strip()]
     first = next((at for at, line in enumerate(lines) if "error" in line.lower()), 0)
-    # CMake says on the next line what it is.
+    # CMake prints the message on the next line.
     shown = 2 if lines and lines[first].endswith(":") else 1
     return " ".join(lines[first : first + shown]) or f"exit code {done.returncode}"

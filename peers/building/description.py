@@ -1,4 +1,4 @@
-"""What peers/NAME/peer.json says (peers/peer.schema.json)."""
+"""The contents of peers/NAME/peer.json (peers/peer.schema.json)."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ PEERS = Path(__file__).resolve().parents[1]
 
 @dataclass(frozen=True)
 class Edit:
-    """What is changed in a file before it is compiled, without a line of its authors: every match
-    of a regular expression is replaced."""
+    """A change of a file before it is compiled: replaces every match of a regular expression. It
+    quotes no line of the authors."""
 
     file: str
-    """By its path in the repository."""
+    """Path of the file in the repository."""
     pattern: str
     replacement: str
     why: str
@@ -31,13 +31,13 @@ class Edit:
 
 @dataclass(frozen=True)
 class Repository:
-    """A repository at a commit, and the files of it that are compiled."""
+    """A repository at a commit, and its files that are compiled."""
 
     repository: str
     commit: str
     licence: str | None
     files: Mapping[str, str]
-    """SHA-256 sums by path."""
+    """SHA-256 sums of the files, by path."""
     edits: Sequence[Edit] = ()
 
     @property
@@ -46,7 +46,7 @@ class Repository:
 
     @property
     def archive(self) -> str:
-        """Its path on github.com, and in a mirror."""
+        """Path of its archive on github.com and in a mirror."""
         return f"{self.repository}/archive/{self.commit}.tar.gz"
 
 
@@ -66,7 +66,7 @@ class Peer:
 
 
 def read_peer(folder: Path) -> Peer:
-    """Raises FetchError with what is wrong with the description, and where."""
+    """Reads a description. Raises FetchError with the fault of the description and its place."""
     file = folder / "peer.json"
     try:
         data = json.loads(file.read_text("utf-8"))
@@ -92,7 +92,7 @@ def _repository(edits: Iterable[dict[str, str]] = (), **data: Any) -> Repository
 
 
 def select_peers(folder: Path, names: Iterable[str]) -> list[Peer]:
-    """Those named, or all. Raises FetchError for an unknown name, listing those known."""
+    """Returns the named peers, or all. Raises FetchError with all names for an unknown one."""
     known = {file.parent.name: file.parent for file in sorted(folder.glob("*/peer.json"))}
     chosen = [find(known, name, "peer") for name in dict.fromkeys(list(names) or known)]
     return [read_peer(folder) for folder in chosen]

@@ -1,4 +1,4 @@
-"""Which flags a peer is built with: its authors' or ours, the ones that it solves faster with."""
+"""The flags for a peer: the flags of its authors or ours, whichever make it solve faster."""
 
 from __future__ import annotations
 
@@ -17,34 +17,34 @@ SOLVE_SECONDS = 60
 
 @dataclass(frozen=True)
 class Bench:
-    """The program geodesic-bench, and a mesh to time peers on."""
+    """The program geodesic-bench, and a mesh for timing peers."""
 
     program: Path
     mesh: Path
 
     def solvers(self, *plugins: Path) -> dict[str, bool]:
-        """Those of the program, and of plug-ins: whether each runs by its name only. Raises
-        Unavailable."""
+        """Returns the solvers of the program and of plug-ins, with whether each one runs only if it is
+        named. Raises Unavailable."""
         done = self._run("list", "--json", *loading(plugins))
         return {each["name"]: each["by_name_only"] for each in json.loads(done.stdout)["solvers"]}
 
     def solvers_of(self, *plugins: Path) -> list[str]:
-        """Names of those that plug-ins bring. Raises Unavailable."""
+        """Returns the names of the solvers of plug-ins. Raises Unavailable."""
         own = self.solvers()
         return [solver for solver in self.solvers(*plugins) if solver not in own]
 
     def make_mesh(self) -> None:
-        """A torus of 2,048 vertices: closed, since some codes fail on boundaries.
+        """Generates a torus of 2,048 vertices, a closed mesh because some codes fail on boundaries.
 
         Raises Unavailable.
         """
         self._run("generate", "torus", "-o", str(self.mesh))
 
     def seconds(self, plugin: Path, solver: str) -> float:
-        """Of processor time for the first solve of a process. Raises Unavailable when it fails."""
+        """Returns the CPU time of the first solve of a process. Raises Unavailable if it fails."""
         words = ["solve", str(self.mesh), "--solver", solver, "--source", "0", "--output", "-"]
         said = self._run(*words, *loading([plugin])).stderr
-        # With the distances on standard output. A peer may print before the object.
+        # The distances are on standard output. A peer may print text before the JSON object.
         result = json.loads(said[said.rindex('{\n  "solver"') :])
         return float(result["cpu_time_s"])
 
@@ -66,18 +66,18 @@ class Bench:
 
 
 def loading(plugins: Iterable[Path]) -> list[str]:
-    """Words of a command line."""
+    """Returns the command-line arguments that load plug-ins."""
     return [word for plugin in plugins for word in ("--plugin", str(plugin))]
 
 
 def faster(
     bench: Bench, plugins: Mapping[str, Path], solver: str, authors: str
 ) -> tuple[str, str]:
-    """The flags of the plug-in that solves faster, and a sentence about them and the others.
+    """Returns the flags of the plug-in that solves faster, and a sentence about both sets of flags.
 
-    `plugins`: by flags, two, or one where they are the same; `authors`: the flags to take where
-    that cannot be measured. Solves alternate, and the least time counts: what a loaded machine adds
-    is not the compiler's.
+    `plugins`: the plug-ins by flags, two, or one if both sets are equal; `authors`: the flags to return
+    if the times cannot be measured. Solves alternate, and the least time counts, because a loaded
+    machine adds time that does not depend on the flags.
     """
     if len(plugins) == 1:
         return authors, f"its authors' flags, which are ours, {authors}"

@@ -1,4 +1,4 @@
-"""From a peer to its plug-in, ready to load; nothing is done twice."""
+"""Builds the plug-in of a peer, unless it is up to date."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .sources import Sources
 @dataclass(frozen=True)
 class Builder:
     folder: Path
-    """For everything that is built, a folder a peer."""
+    """Folder of all builds, with one subfolder per peer."""
     sources: Sources
     compiler: Compiler
     bench: Bench
@@ -28,7 +28,7 @@ class Builder:
         return self.folder / peer.name / f"lib{peer.name}.so"
 
     def build(self, peer: Peer) -> str | None:
-        """What it was built with, or None when it was there before. Raises Unavailable."""
+        """Builds a plug-in. Returns a sentence about its flags, or None if it is up to date. Raises Unavailable."""
         stamp = self._stamp(peer)
         noted = self.plugin(peer).with_suffix(".stamp")
         if self.plugin(peer).is_file() and noted.is_file() and noted.read_text() == stamp:
@@ -56,7 +56,7 @@ class Builder:
         return said
 
     def _stamp(self, peer: Peer) -> str:
-        """Of everything that the plug-in depends on."""
+        """Returns a hash of everything that the plug-in depends on."""
         contract = self.compiler.package / "include" / "geodesic-bench" / "solvers" / "core"
         shared = [*PEERS.glob("*.h"), PEERS / "peer.cmake"]
         files = [*peer.folder.rglob("*"), *shared, *contract.glob("*.h")]
@@ -68,7 +68,7 @@ class Builder:
 
 
 def check_packages(packages: Iterable[str]) -> None:
-    """Raises Unavailable when a Debian package is missing; elsewhere CMake says what it lacks."""
+    """Raises Unavailable if a Debian package is missing. On other systems CMake reports it."""
     missing = [package for package in packages if not _is_installed(package)]
     if missing:
         words = " ".join(missing)

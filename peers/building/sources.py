@@ -1,4 +1,4 @@
-"""The authors' sources: fetched at the pinned commit, checked file by file, edited."""
+"""Fetches the authors' sources at the pinned commit, checks each file, and applies the edits."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ def github(path: str) -> str:
 
 @dataclass(frozen=True)
 class Sources:
-    """Where sources come from, and where archives are kept."""
+    """The origin of the sources, and the folder of downloaded archives."""
 
     origin: Origin
     downloader: Downloader
     archives: Path
 
     def prepare(self, peer: Peer, target: Path) -> None:
-        """Fills a folder with the files of the description, one folder a repository, edited.
+        """Fills a folder with the edited files of the description, in one folder per repository.
 
-        Raises Unavailable where a file cannot be had or is another one than described, or where a
-        pattern of an edit matches nothing.
+        Raises Unavailable if a file cannot be obtained or differs from its description, or if the pattern
+        of an edit matches nothing.
         """
         shutil.rmtree(target, ignore_errors=True)
         for repository in peer.upstream:
@@ -46,7 +46,7 @@ class Sources:
         for file in targets.values():
             file.parent.mkdir(parents=True, exist_ok=True)
         extract(archive, targets)
-        # The sums are the files': the same archive is compressed differently from year to year.
+        # Sums of the files, because the compression of the same archive may change over the years.
         for path, expected in repository.files.items():
             check_sha256(target / path, expected, f"{path} of {repository.repository}", "peer.json")
 
@@ -65,7 +65,7 @@ class Sources:
 
 def _apply(edit: Edit, folder: Path) -> None:
     file = folder / edit.file
-    # As bytes: line ends and encodings stay the authors'.
+    # Bytes, so that line ends and encodings do not change.
     text, times = re.subn(edit.pattern.encode(), edit.replacement.encode(), file.read_bytes())
     if times == 0:
         raise Unavailable(f"the edit {edit.pattern!r} matches nothing in {edit.file}")

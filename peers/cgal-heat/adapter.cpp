@@ -1,4 +1,4 @@
-// The heat method as CGAL has it. That package is GPL.
+// The heat method of CGAL, whose package is under the GPL.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 #include <CGAL/Surface_mesh.h>
@@ -51,14 +51,14 @@ class CgalHeat final : public Solver {
     for (const InternalSource& source : query.sources) heat.add_source(Vertex(source.at.vertex));
     auto found = surface_.add_property_map<Vertex, double>("v:distance", 0).first;
     heat.estimate_geodesic_distances(found);
-    // CGAL begins with the largest number, and leaves it where it finds nothing less.
+    // CGAL initializes distances with the largest number, which unreached vertices keep.
     peer::answer(distances, std::numeric_limits<double>::max(),
                  [&](Index v) { return found[Vertex(v)]; });
   }
 
   Surface surface_;
   std::optional<Direct> direct_;
-  std::optional<IntrinsicDelaunay> delaunay_;  // one of the two
+  std::optional<IntrinsicDelaunay> delaunay_;  // only one of the two is set
 };
 
 const RegisterSolver<CgalHeat> registered{

@@ -1,11 +1,11 @@
-// DGG-VTP by its authors, single-threaded: VTP over a discrete geodesic graph.
+// The authors' DGG-VTP, single-threaded: VTP over a discrete geodesic graph.
 #include <cmath>
 #include <cstring>
 #include <optional>
 
 #include "peer.h"
 
-#define geodesic dgg_authors  // their namespace has the name of ours
+#define geodesic dgg_authors  // their namespace has the same name
 #include "geodesic_algorithm_exact.h"
 #include "geodesic_mesh.h"
 #undef geodesic
@@ -13,7 +13,7 @@
 namespace geodesic {
 namespace {
 
-// What the authors' main program makes of its option -eps.
+// The value that the authors' main program computes from its option -eps.
 double inner_epsilon(double eps) { return 1.7 * eps * std::pow(1.42, std::log10(eps / 1e-4)); }
 constexpr int kSideFan = 3;
 
@@ -28,7 +28,7 @@ class DggVtp final : public Solver {
   }
 
  private:
-  // The authors' code clears its mesh itself.
+  // The authors' code clears its mesh, so this class does not.
   void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
     algorithm_->propagate(query.sources.front().at.vertex);
     peer::answer(distances, dgg_authors::GEODESIC_INF,
@@ -41,7 +41,7 @@ class DggVtp final : public Solver {
   }
 
   dgg_authors::Mesh mesh_;
-  std::optional<dgg_authors::GeodesicAlgorithmExact> algorithm_;  // once the mesh is built
+  std::optional<dgg_authors::GeodesicAlgorithmExact> algorithm_;  // set after the mesh is built
 };
 
 const RegisterSolver<DggVtp> registered{{

@@ -1,4 +1,4 @@
-// MMP by Kirsanov with the repairs of geometry-central.
+// Kirsanov's MMP, as repaired in geometry-central.
 #include <geometrycentral/surface/exact_geodesics.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 namespace authors = geometrycentral::surface;
 
-// Its counters are protected.
+// Makes the protected counters accessible.
 struct Algorithm : authors::GeodesicAlgorithmExact {
   using GeodesicAlgorithmExact::GeodesicAlgorithmExact;
   using GeodesicAlgorithmExact::m_iterations;

@@ -1,4 +1,4 @@
-// Paths along edges, shortened by flips of edges, as geometry-central has them.
+// geometry-central's paths along edges that are shortened by edge flips.
 #include <geometrycentral/surface/flip_geodesics.h>
 #include <geometrycentral/surface/mesh_graph_algorithms.h>
 
@@ -6,7 +6,7 @@
 
 #include "gc_mesh.h"
 
-// A part of geometry-central that paths never ask for, and that would need its readers of files.
+// A part of geometry-central that paths do not use and that would need its file readers.
 geometrycentral::surface::CommonSubdivision::CommonSubdivision(ManifoldSurfaceMesh& a,
                                                                ManifoldSurfaceMesh& b)
     : meshA(a), meshB(b) {
@@ -30,7 +30,7 @@ class GcFlip final : public Solver {
   }
 
  private:
-  // Distances along edges: geometry-central has none of the paths that it shortens.
+  // Distances along edges, because geometry-central has no distances of shortened paths.
   void run(const InternalQuery& query, std::span<double> distances,
            Recording* /*recording*/) override {
     authors::VertexData<double> found(surface_.mesh(), kInfinity);

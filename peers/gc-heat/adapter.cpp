@@ -1,4 +1,4 @@
-// The heat method as geometry-central has it.
+// The heat method of geometry-central.
 #include <geometrycentral/surface/heat_method_distance.h>
 
 #include "gc_mesh.h"
@@ -11,7 +11,7 @@ namespace authors = geometrycentral::surface;
 
 class GcHeat final : public Solver {
  public:
-  // The tufted cover of the intrinsic Delaunay Laplacian is built of general meshes only.
+  // The tufted cover of the intrinsic Delaunay Laplacian needs a general SurfaceMesh.
   GcHeat(const Mesh& mesh, const Description& description)
       : Solver(mesh, description),
         delaunay_(peer::is_intrinsic_delaunay(description)),

@@ -1,8 +1,8 @@
-// MMP by Kirsanov, as libigl has it.
+// Kirsanov's MMP in libigl.
 //
 // igl::exact_geodesic itself builds a mesh for every call and traces a path to every vertex for its
-// distance. Here the mesh is built once, and distances come from the windows: what its authors'
-// `best_source` does.
+// distance. This adapter builds the mesh once and takes distances from the windows, with the
+// authors' `best_source`.
 #include <igl/exact_geodesic.h>
 
 #include <optional>
@@ -64,7 +64,7 @@ class LibiglExact final : public Solver {
   }
 
   authors::Mesh mesh_;
-  std::optional<authors::GeodesicAlgorithmExact> algorithm_;  // once the mesh is built
+  std::optional<authors::GeodesicAlgorithmExact> algorithm_;  // set after the mesh is built
 };
 
 const RegisterSolver<LibiglExact> registered{

@@ -1,4 +1,4 @@
-// The heat method as libigl has it.
+// The heat method of libigl.
 #include <igl/avg_edge_length.h>
 #include <igl/heat_geodesics.h>
 

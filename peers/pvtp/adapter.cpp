@@ -1,4 +1,4 @@
-// VTP in parallel, exact, and its sequential approximation, by their authors.
+// The authors' exact parallel VTP (PVTP) and sequential approximate VTP (AVTP).
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -10,11 +10,11 @@
 
 #include "peer.h"
 
-// As windows.h has them, without a namespace.
+// The authors' code expects these without a namespace, as in windows.h.
 using std::max;
 using std::min;
 
-#define geodesic pvtp_authors  // their namespace has the name of ours
+#define geodesic pvtp_authors  // their namespace has the same name
 #include "geodesic_algorithm_approximate.h"
 #include "geodesic_algorithm_parallel_fwp_exact.h"
 #undef geodesic
@@ -22,7 +22,7 @@ using std::min;
 namespace geodesic {
 namespace {
 
-// Of a face: its perimeter times its longest edge, over its area; 1 where all edges are equal.
+// Returns a face's perimeter times its longest edge, divided by its area; 1 if all edges are equal.
 double anisotropy(const Mesh& mesh, Index face) {
   const auto [a, b, c] = mesh.triangle(face);
   const Vec3 ab = subtract(mesh.position(b), mesh.position(a));
@@ -33,7 +33,7 @@ double anisotropy(const Mesh& mesh, Index face) {
   return perimeter * std::ranges::max(edges) / (4 * std::sqrt(3.0) * area);
 }
 
-// As the authors' main program does, which is in djie-0329/PVTP only.
+// Sets the values of the authors' main program, which is only in djie-0329/PVTP.
 void set_queue(pvtp_authors::GeodesicAlgorithmParallelFWPExact& algorithm, const Mesh& mesh) {
   double sum = 0;
   for (Index f = 0; f < mesh.face_count(); ++f) sum += anisotropy(mesh, f);
@@ -44,7 +44,7 @@ void set_queue(pvtp_authors::GeodesicAlgorithmParallelFWPExact& algorithm, const
   algorithm.step = 1;
 }
 
-// The authors' mesh, whose distances their algorithms clear themselves.
+// The authors' mesh. Their algorithms clear its distances, so this class does not.
 class AuthorsMesh {
  public:
   explicit AuthorsMesh(const Mesh& mesh) {
@@ -98,7 +98,7 @@ class Avtp final : public Solver {
   }
 
  private:
-  // A solve marks vertices of the authors' mesh as saddles, which nothing there takes back.
+  // A solve marks vertices of the authors' mesh as saddles, and their code never clears the marks.
   void renew_state() override {
     algorithm_.reset();
     authors_.emplace(mesh());

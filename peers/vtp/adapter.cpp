@@ -1,10 +1,10 @@
-// VTP by its authors: vertex-oriented triangle propagation.
+// The authors' VTP: vertex-oriented triangle propagation.
 #include <cstring>
 #include <optional>
 
 #include "peer.h"
 
-#define geodesic vtp_authors  // their namespace has the name of ours
+#define geodesic vtp_authors  // their namespace has the same name
 #include "geodesic_algorithm_exact.h"
 #include "geodesic_mesh.h"
 #undef geodesic
@@ -22,7 +22,7 @@ class Vtp final : public Solver {
   }
 
  private:
-  // Distances and states lie in the authors' mesh, and nothing there clears them.
+  // The authors' mesh stores distances and states, and their code never clears them.
   void renew_state() override {
     algorithm_.reset();
     mesh_.emplace().initialize_mesh_data(coordinates_, corners_);

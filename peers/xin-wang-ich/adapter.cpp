@@ -1,5 +1,5 @@
-// ICH by its authors: Chen and Han's algorithm with a filter of windows and a priority queue.
-long long propagated_windows = 0;  // the authors' code counts here (the edit in peer.json)
+// The authors' ICH: Chen and Han's algorithm with a filter of windows and a priority queue.
+long long propagated_windows = 0;  // the authors' code counts here, after the edit in peer.json
 
 #include <ICHWithFurtherPriorityQueue.hpp>
 
@@ -25,7 +25,7 @@ class XinWangIch final : public Solver {
   }
 
  private:
-  // The state of a solve lies in an object of its own, which traces paths; the model is constant.
+  // A separate object keeps the state of a solve and traces paths; the model is constant.
   void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
     std::set<int> sources;
     for (const InternalSource& source : query.sources)

@@ -5,8 +5,8 @@
 >>> mesh.distances([0]).round(6)
 array([0.      , 1.      , 1.414214, 1.      ])
 
-Distances are in the unit of the vertices' coordinates. A fault of what is given is a ValueError with
-one sentence. Ctrl-C ends every call at once; a solve that has begun is left to a thread of its own.
+Distances are in the unit of the vertices' coordinates. Invalid arguments raise a ValueError with a message
+of one sentence. Ctrl-C ends every call immediately; a solve that has begun continues in its own thread.
 """
 
 from geodesic_bench._native import Defect, Solver, __version__

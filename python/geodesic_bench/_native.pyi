@@ -1,4 +1,4 @@
-"""The compiled part (python/native/module.cpp). It takes what arrays.py has checked."""
+"""The compiled part (python/native/module.cpp). arrays.py checks its arguments."""
 
 from collections.abc import Callable
 from typing import Any
@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 _Indices = NDArray[np.uint32]
 _Progress = Callable[[int], None] | None
 _Points = tuple[_Indices, _Indices, NDArray[np.float64]]
-"""arrays.Points."""
+"""The type arrays.Points."""
 _Compressed = tuple[NDArray[np.floating[Any]], NDArray[np.int64], NDArray[np.int64]]
 
 __version__: str
@@ -23,23 +23,23 @@ class SharedMesh:
     def crosses_non_manifold(self) -> bool: ...
 
 class Defect:
-    """A kind of fault that a mesh has."""
+    """A kind of defect of a mesh."""
 
     @property
     def kind(self) -> str:
-        """As in docs/adding-a-mesh.md: "non_manifold_edge"."""
+        """The kind as in docs/adding-a-mesh.md, such as "non_manifold_edge"."""
     @property
     def severity(self) -> str:
-        """ "error" or "warning"."""
+        """The severity: "error" or "warning"."""
     @property
     def count(self) -> int:
-        """How many faces, edges, vertices or components have it."""
+        """Number of faces, edges, vertices or components with this defect."""
     @property
     def first(self) -> str:
-        """The first of them."""
+        """The first of these elements."""
 
 class Solver:
-    """What a solver is, and whose."""
+    """A solver and its origin."""
 
     @property
     def name(self) -> str: ...
@@ -49,12 +49,12 @@ class Solver:
     def paper(self) -> str: ...
     @property
     def exact(self) -> bool:
-        """False: distances are upper bounds."""
+        """Whether distances are exact. If not, they are upper bounds."""
     @property
     def remarks(self) -> str: ...
     @property
     def parameters(self) -> list[str]:
-        """The keyword arguments of a query that are the solver's own."""
+        """Names of the solver's parameters, which are keyword arguments of a query."""
 
 def mesh(
     vertices: NDArray[np.float64], faces: _Indices, cross_non_manifold: bool

@@ -1,5 +1,5 @@
-"""What users give as arrays, as the compiled module takes it: converted without a change to theirs,
-or refused with one sentence."""
+"""Converts the arrays of users for the compiled module, without changing them. Raises a ValueError with
+a message of one sentence for invalid arrays."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 NONE = np.uint32(2**32 - 1)
-"""Is not a vertex or face of any mesh."""
+"""Stands for no vertex or no face."""
 
 
 def vertex_array(vertices: ArrayLike) -> NDArray[np.float64]:
-    """Of shape (n, 3)."""
+    """Converts vertices to an array of shape (n, 3)."""
     return _rows_of_three(numbers(vertices, "vertices"), "vertices")
 
 
 def face_array(faces: ArrayLike, vertices: int) -> NDArray[np.uint32]:
-    """Of shape (m, 3), m > 0."""
+    """Converts faces to an array of shape (m, 3), m > 0."""
     array = _rows_of_three(_integers(faces, "faces"), "faces")
     if not array.size or not vertices:
         raise ValueError("a mesh needs at least one vertex and one face")
@@ -31,7 +31,7 @@ def face_array(faces: ArrayLike, vertices: int) -> NDArray[np.uint32]:
 
 
 def arrays_of(mesh: Any) -> tuple[Any, Any]:
-    """The vertices and faces of an object of another package."""
+    """Returns the vertices and faces of an object of another package."""
     if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
         return mesh.vertices, mesh.faces
     if not (hasattr(mesh, "points") and hasattr(mesh, "cells")):
@@ -49,21 +49,21 @@ def arrays_of(mesh: Any) -> tuple[Any, Any]:
 
 
 class Points(NamedTuple):
-    """Points of a surface, k of them."""
+    """k points of a surface or in space."""
 
     vertices: NDArray[np.uint32]
-    """(k,): NONE for another point."""
+    """(k,): the vertex, NONE for a point that is not a vertex."""
     faces: NDArray[np.uint32]
-    """(k,): 0 for a vertex, NONE for a place in space."""
+    """(k,): the face, 0 for a vertex, NONE for a place in space."""
     weights: NDArray[np.float64]
-    """(k, 3): of the corners of the face, or the coordinates of the place."""
+    """(k, 3): the weights of the corners of the face, or the coordinates of the place."""
 
 
 def surface_points(values: Any, what: str, vertices: int, faces: int) -> Points:
-    """One point, or a list of them.
+    """Converts one point or a list of points.
 
-    @param what they are: "source"
-    @param vertices, faces of the mesh"""
+    @param what name of the points in messages, such as "source"
+    @param vertices, faces numbers of vertices and faces of the mesh"""
     if _names_a_face(values):
         face, weights = _face_and_weights(values, what, faces)
         return Points(np.array([NONE]), np.array([face], np.uint32), weights.reshape(1, 3))
@@ -85,7 +85,7 @@ def surface_points(values: Any, what: str, vertices: int, faces: int) -> Points:
 
 
 def surface_point(value: object, what: str, vertices: int, faces: int) -> Points:
-    """One point; otherwise as surface_points."""
+    """Converts exactly one point, like surface_points()."""
     point = surface_points(value, what, vertices, faces)
     if len(point.vertices) != 1:
         raise ValueError(_NO_POINT.format(what))
@@ -97,7 +97,7 @@ _LISTED = (tuple, list, np.ndarray)
 
 
 def _names_a_face(point: object) -> bool:
-    """Whether it is a pair of a face and weights, right or wrong."""
+    """Whether the point has the form of a pair of a face and weights, with valid values or not."""
     return (
         isinstance(point, tuple | list)
         and len(point) == 2
@@ -123,7 +123,7 @@ def _face_and_weights(point: Any, what: str, faces: int) -> tuple[int, NDArray[n
 
 
 def _vertex_indices(values: ArrayLike, what: str, vertices: int) -> NDArray[np.uint32]:
-    """Of shape (k,)."""
+    """Converts vertex indices to an array of shape (k,)."""
     array = _integers(values, f"{what} vertices")
     if array.ndim > 1:
         raise ValueError(
@@ -158,7 +158,7 @@ def numbers(values: ArrayLike, what: str) -> NDArray[np.float64]:
 
 
 def _integers(values: ArrayLike, what: str) -> NDArray[Any]:
-    """Of any integer type; of Python's own where that is not enough."""
+    """Returns an array of any integer type, or of Python integers if they are too large for these."""
     array = _array(values, what, "integers")
     if not array.size:
         return array.astype(np.int64)

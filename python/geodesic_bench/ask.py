@@ -1,5 +1,5 @@
-"""What the program geodesic-bench starts for each question to a Python function: passes the question
-on to the process that has the function (functions.py), and prints its answer.
+"""geodesic-bench starts this script for each query to a Python function. It sends the query to the
+process that has the function (functions.py) and prints the answer.
 
 ask.py SOCKET VERTICES FACES SOURCES DISTANCES
 """

@@ -1,4 +1,4 @@
-"""Python functions as solvers: verified and measured as all others are."""
+"""Python functions as solvers, which are verified and measured like all other solvers."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ from numpy.typing import ArrayLike, NDArray
 from geodesic_bench.program import FAULT, Option, Results, flags, program
 
 Solve = Callable[[NDArray[np.int64]], ArrayLike]
-"""From source vertices, an array of shape (k,), to a distance for each vertex."""
+"""Function that maps source vertices, an array of shape (k,), to a distance for each vertex."""
 
 Prepare = Callable[[NDArray[np.float64], NDArray[np.int64]], Solve]
-"""From vertices (n, 3) and faces (m, 3) to the function that answers."""
+"""Function that maps vertices (n, 3) and faces (m, 3) to a function that answers queries."""
 
 Promise = str | float
-"""Of the distances: "exact", "upper_bound", "unbounded", or the largest relative error."""
+"""Guarantee for the distances: "exact", "upper_bound", "unbounded", or the largest relative error."""
 
 
 def benchmark(
@@ -42,33 +42,33 @@ def benchmark(
     progress: bool = True,
     **options: Option,
 ) -> Results:
-    """Measures Python functions beside solvers, as `run` does.
+    """Measures Python functions together with solvers, like `run`.
 
     Parameters
     ----------
     functions : function, or mapping of names to functions
         Each takes vertices, (n, 3) float64, and faces, (m, 3) int64, and returns a function that
-        takes source vertices, (k,) int64, and returns n distances, infinite where no path leads.
-        The first is timed as preparation, the second as the solve; both by processor time. Each
-        question is answered by a fork of this process, which a limit of time or memory may end.
+        takes source vertices, (k,) int64, and returns n distances, infinite for unreachable vertices.
+        The first is timed as preparation, the second as the solve; both times are CPU times. Each
+        query runs in a fork of this process, which a limit of time or memory may end.
     out : path
-        Folder for the results; it must have none yet.
+        Folder for the results; it must not contain results yet.
     against : names
-        Solvers that run beside them.
+        Names of solvers to run together with the functions.
     promise : str or float
-        What all of them promise of their distances: "exact", "upper_bound", "unbounded", or the
-        largest relative error. Answers that break it have no time.
+        Guarantee of all functions for their distances: "exact", "upper_bound", "unbounded", or the
+        largest relative error. Answers that violate it have no time.
     executable : path, optional
-        As of `run`.
+        As in `run`.
     progress : bool
-        As of `run`.
+        As in `run`.
     options
-        As of `run`: ``benchmark(prepare, "first", meshes=["horse"], repetitions=9)``.
+        As in `run`: ``benchmark(prepare, "first", meshes=["horse"], repetitions=9)``.
 
     Raises
     ------
     ValueError, FileNotFoundError
-        As of `run`.
+        As in `run`.
     """
     file = Path(out) / "run.json"
     if file.exists():
@@ -89,19 +89,19 @@ def verify(
     progress: bool = True,
     **options: Option,
 ) -> None:
-    """Checks a Python function for what all solvers promise, as `geodesic-bench verify` does.
+    """Checks that a Python function has the properties of all solvers, like `geodesic-bench verify`.
 
     Parameters
     ----------
     function, promise, executable, progress
-        As of `benchmark`.
+        As in `benchmark`.
     options
-        Those of the command line: ``verify(prepare, property="distances-are-symmetric")``.
+        Options of the command line, as in ``verify(prepare, property="distances-are-symmetric")``.
 
     Raises
     ------
     ValueError
-        When properties do not hold, naming them.
+        If properties do not hold, with their names.
     """
     with _Served(_named(function), promise) as served, tempfile.TemporaryDirectory() as folder:
         (name,) = served.functions
@@ -123,7 +123,7 @@ def _named(functions: Prepare | Mapping[str, Prepare]) -> dict[str, Prepare]:
 
 
 class _Served:
-    """Answers the questions of the program that it starts."""
+    """Runs the program and answers its queries to the functions."""
 
     def __init__(self, functions: dict[str, Prepare], promise: Promise) -> None:
         self.functions = functions
@@ -166,7 +166,7 @@ class _Served:
         }
 
     def drive(self, command: list[str], progress: bool) -> list[str]:
-        """Runs the program to its end. @return the lines that it prints"""
+        """Runs the program to its end. @return the lines that the program prints"""
         said: list[str] = []
         rest = b""
         with subprocess.Popen(
@@ -180,7 +180,7 @@ class _Served:
                     *lines, rest = (rest + block).split(b"\n")
                     for line in lines:
                         said.append(line.decode(errors="replace"))
-                        if progress and not said[-1].startswith(FAULT):  # which is raised
+                        if progress and not said[-1].startswith(FAULT):  # errors are raised instead
                             sys.stderr.write(said[-1] + "\n")
             except BaseException:
                 process.terminate()
@@ -191,7 +191,7 @@ class _Served:
         return [*said, rest.decode(errors="replace")] if rest or not said else said
 
     def _next_block(self, output: int) -> bytes:
-        """Of what the program says, answering questions meanwhile; empty at its end."""
+        """Returns the next block of the program's output, empty at its end, and answers queries meanwhile."""
         while True:
             for key, _ in self.selector.select():
                 if key.data is None:
@@ -212,7 +212,7 @@ class _Served:
             _answer(connection, function, *json.loads(question))
         ended = os.pidfd_open(child)
         self.answering[child] = (ended, connection)
-        # The child's end, and that of who asked: by a limit.
+        # Detects the end of the child, and the end of ask.py when a limit is reached.
         self.selector.register(ended, selectors.EVENT_READ, (self._ended, child))
         self.selector.register(connection, selectors.EVENT_READ, (self._ended, child))
 
@@ -233,7 +233,7 @@ class _Served:
 def _answer(
     connection: socket.socket, function: Prepare, vertices: str, faces: str, sources: str, out: str
 ) -> None:
-    """In a process of its own, which it ends."""
+    """Answers a query in a child process, and ends this process."""
     try:
         answer: Any = _times(function, vertices, faces, sources, out)
     except BaseException as error:

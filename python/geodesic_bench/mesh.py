@@ -1,4 +1,4 @@
-"""Meshes and the distances on them."""
+"""Meshes and geodesic distances on them."""
 
 from __future__ import annotations
 
@@ -44,16 +44,16 @@ OF_OTHER_PACKAGES = {
     "radius": "limit",
     "workers": "threads",
 }
-"""Arguments elsewhere, and what is meant."""
+"""Names of arguments in other packages, with the equivalent names here."""
 
 SurfacePoint = ArrayLike | tuple[int, ArrayLike]
-"""A vertex, an integer; a point in a face: the face and a weight of each of its corners; or a place
-in space, three floats: the point of the surface that is nearest to it. The weights are divided by
-their sum; on an edge one of them is 0."""
+"""A vertex, which is an integer; a point in a face, which is the face and a weight for each of its corners;
+or a place in space, which is three floats and stands for the nearest point of the surface. The weights are
+divided by their sum; on an edge one of them is 0."""
 
 SurfacePoints = SurfacePoint | Sequence[SurfacePoint]
-"""One point; an array of vertices, of shape (k,), or of places, (k, 3); or a list of any points. A
-list of a vertex and a place reads as a face and weights: put the place first."""
+"""One point; an array of vertices, of shape (k,), or of places, (k, 3); or a list of any points. A list of
+a vertex and a place would be read as a face and weights, so put the place first."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,11 +61,11 @@ class Path:
     """A shortest path, from its source to its target."""
 
     points: NDArray[np.float64]
-    """(k, 3): where it begins, crosses edges, runs through vertices, and ends."""
+    """(k, 3): its begin, its points on edges and at vertices, and its end."""
     faces: NDArray[np.uint32]
-    """(k - 1,): the face that it crosses, straight, between each point and the next one."""
+    """(k - 1,): the face that the path crosses, in a straight line, between each point and the next."""
     travelled: NDArray[np.float64]
-    """(k,): its length up to each point, in the unit of the coordinates."""
+    """(k,): length of the path up to each point, in the unit of the coordinates."""
 
     @property
     def length(self) -> float:
@@ -73,8 +73,8 @@ class Path:
 
 
 class Mesh:
-    """A triangle mesh that distances are measured on. It does not change, and any number of threads
-    may use it.
+    """A triangle mesh for queries of distances and paths. It is immutable, and any number of threads may
+    use it.
 
     Parameters
     ----------
@@ -85,19 +85,19 @@ class Mesh:
     faces : (m, 3) integers, m > 0
         Indices of vertices from 0, counter-clockwise seen from outside; copied.
     cross_non_manifold : bool
-        Paths go from a face into each of the others at an edge of more than two faces, and at one
-        between faces that do not agree on the outside. Otherwise such edges are boundaries. The
-        solver must be one that does so: edge-based, mmp, fwp-mmp.
+        Paths cross edges of more than two faces, from a face into each of the others, and edges between
+        faces of inconsistent orientation. Otherwise such edges are boundaries. Only these solvers support
+        it: edge-based, mmp, fwp-mmp.
 
     Raises
     ------
     ValueError
-        For another shape, a face that names a vertex twice or one that is not there, and a
-        coordinate that is not finite.
+        For arrays of another shape, a face with a repeated or missing vertex, and a coordinate that is
+        not finite.
 
-    What else makes distances meaningless, and what `read_mesh` refuses, is one UserWarning.
+    Other defects that make distances meaningless, which `read_mesh` refuses, give one UserWarning.
 
-    The solver of the last query stays with the mesh, and so does its memory.
+    The mesh keeps the solver of the last query and its memory.
 
     >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
     >>> mesh
@@ -161,34 +161,34 @@ class Mesh:
         return_nearest: bool = False,
         **parameters: float | str,
     ) -> NDArray[np.float64] | tuple[NDArray[np.float64], NDArray[np.int64]]:
-        """The distance of every vertex from the nearest of some sources.
+        """Returns the distance of every vertex from the nearest source.
 
         Parameters
         ----------
         sources : (k,) integers, or k points, or one
-            Vertices, points in faces, and places in space: `(7, (1, 1, 1))` is the middle of face
-            7, `(0.1, 0.2, 0.0)` the point of the surface that is nearest to there. Any solver takes
-            them; for one that knows vertices only they become vertices of a finer mesh at every
-            call.
+            Vertices, points in faces, and places in space: `(7, (1, 1, 1))` is the middle of face 7,
+            `(0.1, 0.2, 0.0)` is the point of the surface that is nearest to this place. All solvers
+            accept them. For a solver that supports only vertices, each call makes a finer mesh in which
+            the points are vertices.
         initial : (k,) numbers or one number, >= 0, optional
-            The distance that each source begins with, in the unit of the coordinates.
+            Initial distance of each source, in the unit of the coordinates.
         limit : float, optional
-            Vertices that are farther are not reached; a small limit makes a query fast.
+            Vertices beyond this distance are not reached; a small limit makes a query fast.
         solver : str
-            A name of `solvers()`; all exact ones give the same distances up to rounding.
+            A name of `solvers()`. All exact solvers return the same distances up to rounding.
         return_nearest : bool
-            Return the nearest source of every vertex, too: the one where its path begins. For a
-            solver that remembers paths.
+            Also return the nearest source of every vertex, where its path begins. The solver must be
+            one that traces paths.
         parameters
-            Those of the solver, where it has any: `Solver.parameters`.
+            Parameters of the solver, if it has any: `Solver.parameters`.
 
         Returns
         -------
         (n,) float64
-            In the unit of the coordinates and the order of the vertices; inf for a vertex that no
-            path leads to or that lies beyond the limit.
+            Distances in the unit of the coordinates and the order of the vertices; inf for a vertex that
+            is unreachable or beyond the limit.
         (n,) int64
-            With `return_nearest`, positions in `sources`; -1 where the distance is inf.
+            With `return_nearest`, indices into `sources`; -1 where the distance is inf.
 
         >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
         >>> mesh.distances([0, 1], initial=[0, 1.5])
@@ -221,20 +221,20 @@ class Mesh:
         solver: str = FASTEST,
         **parameters: float | str,
     ) -> Path:
-        """A shortest path over the surface.
+        """Returns a shortest path over the surface.
 
         Parameters
         ----------
         source, target : one point
-            As for `distances`.
+            As in `distances`.
         solver : str
         parameters
-            As for `distances`; a solver that remembers paths.
+            As in `distances`; the solver must be one that traces paths.
 
         Raises
         ------
         ValueError
-            When no path leads there.
+            If no path leads to the target.
 
         >>> mesh = Mesh([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]])
         >>> path = mesh.path(1, 3)
@@ -257,21 +257,21 @@ class Mesh:
         solver: str = FASTEST,
         **parameters: float | str,
     ) -> list[Path]:
-        """A shortest path to each target, by one solve.
+        """Returns a shortest path to each target, with a single solve.
 
         Parameters
         ----------
         source : one point
         targets : (k,) integers, or k points, or one
-            As for `distances`.
+            As in `distances`.
         solver : str
         parameters
-            As for `path`.
+            As in `path`.
 
         Raises
         ------
         ValueError
-            When no path leads to one of them.
+            If no path leads to one of the targets.
 
         >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
         >>> [path.length for path in mesh.paths(0, [1, 2])]
@@ -295,19 +295,19 @@ class Mesh:
     def nearest_point(
         self, places: ArrayLike
     ) -> tuple[list[SurfacePoint], NDArray[np.float64]] | tuple[SurfacePoint, float]:
-        """The point of the surface that is nearest to a place in space.
+        """Returns the point of the surface that is nearest to a place in space.
 
         Parameters
         ----------
         places : (3,) real numbers, or (k, 3)
-            Coordinates. The time is linear in the faces of the mesh, for each place.
+            Coordinates. The time for each place is linear in the number of faces of the mesh.
 
         Returns
         -------
         a vertex or a pair (face, three weights), or a list of k
-            As `distances` takes them.
+            The nearest points, in the form that `distances` accepts.
         float, or (k,) float64
-            How far the place is from it, in the unit of the coordinates.
+            Euclidean distances of the places from these points, in the unit of the coordinates.
 
         >>> mesh = Mesh([[0, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 1, 2]])
         >>> mesh.nearest_point([1, 2, 5])
@@ -338,32 +338,32 @@ class Mesh:
         solver: str = FASTEST,
         **parameters: float | str,
     ) -> NDArray[Any] | csr_matrix:
-        """The distances from each of some points by itself.
+        """Returns the distances from each of some points, which are separate sources.
 
         Parameters
         ----------
         rows : (k,) integers, or k points, or one
-            Sources, one solve each, as for `distances`.
+            Sources, with one solve for each, as in `distances`.
         columns : (l,) integers, or l points, or one, optional
-            Where distances are kept; all vertices if not given. A solve ends at the farthest.
+            Points whose distances are returned; by default all vertices. A solve ends at the farthest one.
         threads : int
-            Rows that are solved at a time; 0: as many as there are processors. Each thread has a
-            solver with its own memory. The matrix is the same for any number.
+            Number of rows that are solved at the same time; 0 for the number of processors. Each thread
+            has a solver with its own memory. The matrix does not depend on this number.
         dtype : float64 or float32
-            Of the matrix; solvers always compute in float64.
+            Type of the matrix; solvers always compute in float64.
         limit : float, optional
-            Makes the matrix sparse: entries that are farther are not stored.
+            Makes the matrix sparse: entries beyond this distance are not stored.
         progress : bool
-            Show a bar, by tqdm.
+            Show a progress bar of tqdm.
         solver : str
         parameters
-            As for `distances`.
+            As in `distances`.
 
         Returns
         -------
         (k, l) array, or scipy.sparse.csr_matrix with a limit
-            In the unit of the coordinates. A dense matrix has inf where no path leads. What is
-            stored in a sparse one is reached, the zeros too.
+            Distances in the unit of the coordinates. A dense matrix has inf for unreachable points. All
+            stored entries of a sparse matrix are reached, including stored zeros.
 
         >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
         >>> mesh.distance_matrix([0, 2], columns=[1, 2])
@@ -405,7 +405,7 @@ class Mesh:
             return csr_matrix(sparse(*what, most, workers, show), shape=shape)
 
     def _size(self) -> tuple[int, int]:
-        """Of vertices and faces."""
+        """Returns the numbers of vertices and faces."""
         return len(self.vertices), len(self.faces)
 
     def __repr__(self) -> str:
@@ -419,22 +419,22 @@ class Mesh:
 def read_mesh(
     file: str | os.PathLike[str], repair: bool = False, *, cross_non_manifold: bool = False
 ) -> Mesh:
-    """The mesh of an OBJ, OFF, PLY or STL file, with the file's vertex numbers.
+    """Reads an OBJ, OFF, PLY or STL file. The mesh has the vertex numbers of the file.
 
     Parameters
     ----------
     file : path
     repair : bool
-        Repair what would be refused; docs/adding-a-mesh.md says how. Vertices keep their numbers.
+        Repair defects that would be refused (docs/adding-a-mesh.md). Vertices keep their numbers.
     cross_non_manifold : bool
-        As of Mesh; what it concerns is not refused then.
+        As in Mesh; such edges are then not refused.
 
     Raises
     ------
     ValueError
-        When the file cannot be read, or distances on it have no meaning.
+        If the file cannot be read, or if its defects make distances meaningless.
 
-    What may surprise, and what was repaired, is one UserWarning.
+    Warnings about the mesh and its repairs are given as one UserWarning.
     """
     mesh = Mesh.__new__(Mesh)
     mesh._shared, remarks = _native.read(os.fspath(file), bool(repair), bool(cross_non_manifold))
@@ -444,8 +444,8 @@ def read_mesh(
 
 
 def defects(mesh: Mesh) -> list[_native.Defect]:
-    """What is wrong with a mesh, errors first: on a mesh with errors, distances mean another surface
-    than its author's.
+    """Returns the defects of a mesh, errors first. On a mesh with errors, distances are those of another
+    surface than its author meant.
 
     >>> defects(Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0], [9, 9, 9]], [[0, 1, 2]]))
     [<warning: 1 isolated vertex (first: vertex 3)>]
@@ -454,7 +454,7 @@ def defects(mesh: Mesh) -> list[_native.Defect]:
 
 
 def solvers() -> dict[str, _native.Solver]:
-    """Every solver by name, with the paper to cite.
+    """Returns all solvers by name, with the papers to cite.
 
     >>> solvers()["mmp"].family
     'MMP'
@@ -463,9 +463,9 @@ def solvers() -> dict[str, _native.Solver]:
 
 
 def _configured(solver: str, parameters: dict[str, float | str], method: Callable[..., Any]) -> str:
-    """The solver's name with values of its parameters: "avtp?lambda=32".
+    """Returns the solver's name with the values of its parameters, such as "avtp?lambda=32".
 
-    @param method the one that was given them: a name that no parameter has may mean its argument"""
+    @param method the method called by the user, whose argument an unknown parameter name may mean"""
     if not isinstance(solver, str):
         raise ValueError(f"solver must be a name of solvers(), not {solver!r}")
     if parameters and (known := solvers().get(solver.split("?")[0])):
@@ -491,7 +491,7 @@ def _name_of_type(dtype: DTypeLike) -> str:
 
 @contextmanager
 def _bar(total: int, shown: bool) -> Iterator[Callable[[int], None] | None]:
-    """What a bar is told of the rows that are done; None without a bar."""
+    """Yields a function that sets the number of finished rows on a progress bar; None without a bar."""
     if not shown:
         yield None
         return

@@ -1,4 +1,4 @@
-"""The program geodesic-bench, driven from Python, and its results."""
+"""Runs the program geodesic-bench from Python and reads its results."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 Option = bool | str | float | os.PathLike[str] | Sequence[object] | None
 
 FAULT = "geodesic-bench: "
-"""Before the program's sentence."""
+"""Prefix of the program's error message."""
 
 
 class Results:
@@ -30,12 +30,12 @@ class Results:
     Raises
     ------
     ValueError
-        For a file that is missing, broken or not to the schema.
+        For a file that is missing, broken or does not conform to the schema.
 
     Attributes
     ----------
     run : geodesic_bench.results.reader.Run
-        What the tables and figures are drawn from: rows, meshes, solvers, and how it was measured.
+        The data of the tables and figures: rows, meshes, solvers, and the context of the measurement.
     """
 
     def __init__(self, file: str | os.PathLike[str]) -> None:
@@ -49,8 +49,8 @@ class Results:
         return f"Results({count} rows of {len(run.solvers)} solvers on {len(run.meshes)} meshes)"
 
     def to_pandas(self) -> DataFrame:
-        """A row a repetition, or one for a cell that failed. The columns of numbers are defined in
-        docs/metrics.md; "cpu_time" is in milliseconds."""
+        """Returns one row per repetition, or one for a cell that failed. docs/metrics.md defines the
+        columns of numbers; "cpu_time" is in milliseconds."""
         from pandas import DataFrame
 
         names = ("solver", "mesh", "source", "repetition", "outcome", "message", "reference")
@@ -65,25 +65,25 @@ def run(
     progress: bool = True,
     **options: Option,
 ) -> Results:
-    """Measures solvers as `geodesic-bench run` does: each is verified before it is timed.
+    """Measures solvers with `geodesic-bench run`, which verifies each solver before timing it.
 
     Parameters
     ----------
     out : path
-        Folder for the results; it must have none yet.
+        Folder for the results; it must not contain results yet.
     executable : path, optional
-        The program; if not given, the one that GEODESIC_BENCH names, or that is on the PATH.
+        The program; by default the one that GEODESIC_BENCH names, or else the one on the PATH.
     progress : bool
-        Pass on what the program prints to the error stream: a line a cell, and the time left.
+        Copy the progress of the program to the error stream: a line per cell, and the time left.
     options
-        Those of the command line: ``run("first", corpus="tiny", solvers=["mmp", "edge-based"])``.
+        Options of the command line, as in ``run("first", corpus="tiny", solvers=["mmp", "edge-based"])``.
 
     Raises
     ------
     ValueError
-        With the program's sentence, when it wrote no results. A cell that failed is a result.
+        With the program's message, if it wrote no results. A cell that failed is a result.
     FileNotFoundError
-        When there is no program.
+        If the program is not found.
     """
     file = Path(out) / "run.json"
     if file.exists():
@@ -95,7 +95,7 @@ def run(
     ) as process:
         try:
             for said in process.stderr or ():
-                if progress and not said.startswith(FAULT):  # which is raised
+                if progress and not said.startswith(FAULT):  # errors are raised instead
                     sys.stderr.write(said)
         except BaseException:
             process.terminate()

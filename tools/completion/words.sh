@@ -1,11 +1,11 @@
 #!/bin/sh
-# words.sh PROGRAM COMMAND PREVIOUS: what may follow the word PREVIOUS on a command line of
-# geodesic-bench, one word a line, as the program itself lists it; nothing where files may follow.
-# COMMAND is empty where it is itself to be completed.
+# words.sh PROGRAM COMMAND PREVIOUS: prints the words that may follow the word PREVIOUS on a command
+# line of geodesic-bench, one per line, from the lists of the program; nothing if files may follow.
+# COMMAND is empty if the command itself is to be completed.
 program=$1 command=$2 previous=$3
 
-# names KIND: the first column of a table of `list`, whose heading begins with "solver" or "mesh"; of
-# a solver with parameters "solver?parameter=" too.
+# names KIND: prints the first column of the table of `list` whose heading begins with KIND, "solver" or
+# "mesh". For a solver with parameters also "solver?parameter=".
 names() {
   "$program" list | awk -v kind="$1" '
     $1 == "solver" || $1 == "mesh" { table = $1; parameters = $2 == "parameter"; next }
@@ -20,7 +20,7 @@ corpora() {
     inside && match($0, /"[^"]+": \[/) { print substr($0, RSTART + 1, RLENGTH - 5) }'
 }
 
-# commands: the first words below "Subcommands:" or "Commands:".
+# commands: prints the first words below "Subcommands:" or "Commands:".
 commands() {
   "$program" --help | awk '/ommands:$/ { inside = 1; next } inside && NF { print $1 }'
 }
@@ -29,7 +29,7 @@ options() {
   "$program" "$command" --help | grep -oE '^ +(-[a-z], ?)?--[a-z][a-z-]*' | grep -oE -- '--[a-z-]+'
 }
 
-# choices OPTION: as the help of a command shows them, "--to {csv,github-action-benchmark}".
+# choices OPTION: prints the choices that the command's help shows, "--to {csv,github-action-benchmark}".
 choices() {
   "$program" "$command" --help | sed -n "s/^  $1 {\([^}]*\)}.*/\1/p" | tr , '\n'
 }
