@@ -5,7 +5,7 @@
 namespace geodesic {
 namespace {
 
-// Across an edge of exactly two faces: the other face's half-edge; kNone elsewhere.
+// Returns, for each half-edge, that of the other face if its edge has exactly two; else kNone.
 std::vector<Index> find_neighbours(std::size_t half_edges, const EdgeTable& edges) {
   std::vector<Index> across(half_edges, kNone);
   edges.for_each_edge([&](std::span<const EdgeSide> sides) {
@@ -29,7 +29,7 @@ EdgeTable::EdgeTable(std::span<const Triangle> triangles, const std::vector<bool
       }
     }
   };
-  // Counting sort by the lower end, then each end's few edges by the higher one.
+  // Counting sort by the lower end, then a sort of the few edges of each end by the higher one.
   std::vector<std::size_t> first(vertex_count + 1, 0);
   for_each_side([&](const EdgeSide& side) { ++first[side.low + 1]; });
   for (std::size_t v = 0; v < vertex_count; ++v) first[v + 1] += first[v];

@@ -1,8 +1,8 @@
-// How the faces of a triangle soup hang together: edges with all their faces, neighbours, fans,
-// groups and orientation. Nothing is assumed of the topology.
+// Connectivity of the faces of a triangle soup: edges with all their faces, neighbours, fans,
+// groups and orientation. The topology may be arbitrary.
 //
-// Half-edge 3 f + k is the k-th side of triangle f, as in solvers/core/mesh.h; the corner of a face
-// at which a half-edge starts has the half-edge's number.
+// Half-edge 3 f + k is the k-th side of triangle f, as in solvers/core/mesh.h. A corner of a face
+// has the number of the half-edge that starts there.
 #pragma once
 
 #include <numeric>
@@ -63,11 +63,11 @@ struct EdgeSide {
 /// Undirected edges, each with the sides of all its faces.
 class EdgeTable {
  public:
-  /// @param usable one flag a triangle; the others are left out. Usable triangles name three
+  /// @param usable one flag per triangle; unusable ones are left out. Usable triangles name three
   ///        different vertices below vertex_count.
   EdgeTable(std::span<const Triangle> triangles, const std::vector<bool>& usable,
             std::size_t vertex_count);
-  /// Of all triangles, which must be usable.
+  /// Edges of all triangles, which must be usable.
   explicit EdgeTable(const TriangleSoup& soup)
       : EdgeTable(soup.triangles, std::vector<bool>(soup.triangles.size(), true),
                   soup.positions.size()) {}
@@ -91,44 +91,44 @@ class EdgeTable {
   std::vector<EdgeSide> sides_;
 };
 
-/// A face by its vertices in ascending order.
+/// A face with its vertices in ascending order.
 struct SortedFace {
   Triangle vertices;
-  bool even;  ///< the order is an even permutation of the face's
+  bool even;  ///< `vertices` is an even permutation of the face's order
   Index face;
 };
 
-/// Usable faces, those of the same three vertices side by side and in order of their indices.
+/// Returns the usable faces, those with the same vertices adjacent and in order of their indices.
 std::vector<SortedFace> sort_faces(std::span<const Triangle> triangles,
                                    const std::vector<bool>& usable);
 
-/// For each half-edge, the one of the other face where its edge has exactly two faces that run
-/// along it in opposite directions, as in solvers/core/mesh.h; kNone elsewhere.
+/// Returns, for each half-edge, its twin in the other face if its edge has exactly two faces that
+/// run along it in opposite directions, as in solvers/core/mesh.h; otherwise kNone.
 std::vector<Index> pair_half_edges(std::span<const Triangle> triangles, const EdgeTable& edges);
 
-/// Fans: the corners at one vertex whose faces are connected across edges at that vertex.
-/// @param twins as from `pair_half_edges`
+/// Joins the corners of each fan: corners at one vertex whose faces are connected across its edges.
+/// @param twins the result of `pair_half_edges`
 DisjointSets join_fans(std::span<const Index> twins);
 
-/// Sets of vertices that the faces connect.
-/// @param usable one flag a triangle
+/// Joins the vertices that faces connect.
+/// @param usable one flag per triangle
 DisjointSets join_vertices(std::span<const Triangle> triangles, const std::vector<bool>& usable,
                            std::size_t vertex_count);
 
-/// One flag a vertex: whether a face has it.
+/// Returns one flag per vertex: whether a face uses it.
 std::vector<bool> used_vertices(std::span<const Triangle> triangles, std::size_t vertex_count);
 
-/// One flag a vertex: whether it lies on an edge along which no face runs in the opposite
+/// Returns one flag per vertex: whether it lies on an edge along which no face runs in the opposite
 /// direction.
 std::vector<bool> boundary_vertices(const TriangleSoup& soup);
 
-/// The vertices and faces of the mesh as they were given.
+/// Returns the vertices and faces that the mesh was built from.
 TriangleSoup soup_of(const Mesh& mesh);
 
-/// Both meshes as separate components: vertices and faces of the second follow those of the first.
+/// Joins two meshes as separate components: the elements of the second follow those of the first.
 TriangleSoup side_by_side(TriangleSoup first, const TriangleSoup& second);
 
-/// The first of each set of usable faces that vertices connect, in order.
+/// Returns the first face of each set of usable faces that vertices connect, in order.
 std::vector<Index> first_faces(std::span<const Triangle> triangles, const std::vector<bool>& usable,
                                std::size_t vertex_count);
 
@@ -136,20 +136,20 @@ std::vector<Index> first_faces(std::span<const Triangle> triangles, const std::v
 /// @return the number removed
 std::size_t drop_faces(TriangleSoup& soup, const std::vector<bool>& dropped);
 
-/// What it takes to orient the faces that are connected across edges of exactly two faces.
+/// The flips that orient the faces that are connected across edges of exactly two faces.
 struct Orientation {
-  std::vector<bool> flipped;  ///< one a triangle: it must run the other way round
+  std::vector<bool> flipped;  ///< one flag per triangle: its direction must be reversed
   std::size_t flips = 0;
-  /// Edges whose two faces run against one another in every orientation: the surface has one side
-  /// only, like a Moebius strip. 0 when it is orientable.
+  /// Edges whose two faces have opposite directions in every orientation: the surface has one side
+  /// only, like a Moebius strip. 0 for an orientable surface.
   std::size_t one_sided_edges = 0;
 };
 
-/// Walks over each connected part breadth-first from its triangle of least index, which keeps its
-/// direction; sides are taken in the order of their half-edges, so the outcome is determined.
+/// Traverses each connected part breadth-first from its triangle of least index, which keeps its
+/// direction. Sides are visited in the order of their half-edges: the result is deterministic.
 Orientation orient(std::span<const Triangle> triangles, const EdgeTable& edges);
 
-/// The triangle the other way round, from the same first vertex.
+/// Returns the triangle in reverse direction, from the same first vertex.
 inline Triangle flip(const Triangle& t) { return {t[0], t[2], t[1]}; }
 
 }  // namespace geodesic

@@ -34,7 +34,7 @@ bool is_usable_position(const Vec3& p) {
   });
 }
 
-// All faces but those that name the same three vertices.
+// The census without repeated faces.
 FaceCensus take_census_of_faces(const TriangleSoup& soup) {
   FaceCensus census;
   census.finite_vertices.resize(soup.positions.size());
@@ -58,8 +58,8 @@ FaceCensus take_census_of_faces(const TriangleSoup& soup) {
   return census;
 }
 
-// The triangles that have the same three vertices as an earlier usable one, in ascending order.
-// They share all three edges; the one between the lesser two vertices finds them.
+// Returns the triangles that have the same three vertices as an earlier usable one, in ascending
+// order. They share all three edges; each is found at the edge between its two lesser vertices.
 std::vector<Index> find_repeats(std::span<const Triangle> triangles, const EdgeTable& edges) {
   std::vector<Index> repeats;
   std::vector<std::pair<Index, Index>> at_edge;  // third vertex, face
@@ -80,7 +80,7 @@ std::vector<Index> find_repeats(std::span<const Triangle> triangles, const EdgeT
 }
 
 // Adds the repeated faces to a census.
-// @return the edges of what is usable then
+// @return the edges of the faces that are usable then
 EdgeTable complete(FaceCensus& census, const TriangleSoup& soup) {
   const auto edges_of_usable = [&] {
     return EdgeTable(soup.triangles, census.usable, soup.positions.size());
@@ -116,7 +116,7 @@ class Finder {
     if (count > 0) report_.defects.push_back({kind, count, std::move(example)});
   }
 
-  // Those of `count` elements for which `is_found`; the first is the example.
+  // Reports those of `count` elements for which `is_found` is true; the first is the example.
   template <class IsFound, class Example>
   void report_all(DefectKind kind, std::size_t count, IsFound is_found, Example example) {
     std::size_t found = 0;
@@ -188,8 +188,8 @@ class Finder {
     }
   }
 
-  // Corners are numbered as the half-edges that start at them. Those at one vertex belong together
-  // when their faces share an edge there.
+  // Corners have the numbers of the half-edges that start at them. Two corners at a vertex belong
+  // together if their faces share an edge there.
   void report_fans() {
     DisjointSets groups(3 * triangles_.size());
     std::vector<Index> groups_at(positions_.size(), 0);
@@ -272,11 +272,11 @@ bool has_zero_area(std::span<const Vec3> positions, const Triangle& triangle) {
   const Vec3 bc = subtract(positions[c], positions[b]);
   const double square = std::max({dot(ab, ab), dot(ac, ac), dot(bc, bc)});
   const Vec3 normal = cross(ab, ac);
-  // By far, where no product leaves the range of a double.
+  // Accepts clear cases, if no product leaves the range of a double.
   constexpr double kFar = 100 * kFlatHeight * kFlatHeight;
   if (square > 1e-70 && square < 1e70 && dot(normal, normal) > kFar * square * square) return false;
   const double longest = std::max({norm(ab), norm(ac), norm(bc)});
-  // Divided before it is multiplied: the product of tiny sides would underflow.
+  // The division comes first: a product of tiny sides would underflow.
   const auto over_longest = [&](const Vec3& v) {
     return Vec3{v[0] / longest, v[1] / longest, v[2] / longest};
   };

@@ -1,4 +1,4 @@
-// Everything that can be wrong with the triangles of a mesh, found and named.
+// Defects of the triangles of a mesh: their kinds, and a function that finds them.
 #pragma once
 
 #include <array>
@@ -13,10 +13,10 @@
 
 namespace geodesic {
 
-/// What can be wrong; the order of reports. The first six are errors: a solver would measure on
-/// another surface than the file's author meant, or cannot measure at all. The rest are warnings.
+/// Kinds of defects, in the order of reports. The first six are errors: a solver would measure
+/// another surface than the author of the file meant, or none at all. The rest are warnings.
 enum class DefectKind {
-  index_out_of_range,     ///< face that names a vertex that the file does not have
+  index_out_of_range,     ///< face with a vertex that the file does not contain
   repeated_vertex,        ///< face that names a vertex twice
   non_finite_coordinate,  ///< vertex with a coordinate that is NaN, infinite, or so large
                           ///< (kLargestCoordinate) that lengths overflow
@@ -24,16 +24,16 @@ enum class DefectKind {
   non_manifold_edge,      ///< edge of more than two faces
   inconsistent_orientation,  ///< edge of two faces that both run along it in the same direction
   non_manifold_vertex,       ///< vertex whose faces form several groups that share no edge there
-  zero_area_face,            ///< face of three vertices on a line, up to rounding
-  zero_length_edge,          ///< edge between different vertices at one place
-  isolated_vertex,           ///< vertex of no face; it is kept and unreachable
+  zero_area_face,            ///< face whose vertices lie on a line, up to rounding
+  zero_length_edge,          ///< edge between different vertices at the same position
+  isolated_vertex,           ///< vertex without a face; it is kept and unreachable
   several_components,        ///< groups of faces that no path connects; counted when more than one
 };
 inline constexpr std::size_t kDefectKinds = 11;
 
 enum class Severity { error, warning };
 
-/// Names and consequence of a kind.
+/// Names and severity of a kind.
 struct DefectType {
   std::string_view key;       ///< "non_manifold_edge", for JSON
   std::string_view singular;  ///< "edge of more than two faces"
@@ -51,35 +51,35 @@ struct Defect {
 };
 
 struct DefectReport {
-  std::vector<Defect> defects;  ///< at most one a kind, in the order of DefectKind
+  std::vector<Defect> defects;  ///< at most one per kind, in the order of DefectKind
 
-  /// How many there are of a kind; 0 when none.
+  /// Number of defects of a kind; 0 if there are none.
   std::size_t count(DefectKind kind) const;
   bool has_errors() const;
 };
 
-/// Squares of differences of coordinates up to this stay finite, in the mesh's unit of length.
+/// Largest coordinate whose differences have finite squares, in the mesh's unit of length.
 inline constexpr double kLargestCoordinate = 1e150;
 
-/// A face counts as of zero area when its height over its longest side is below this, relative to
-/// that side: what rounding leaves of three points on a line.
+/// A face has zero area if its height over its longest side, divided by the length of that side, is
+/// below this value: three points on a line have such heights after rounding.
 inline constexpr double kFlatHeight = 1e-15;
 
-/// What each face is good for; a repair drops all but the usable ones.
+/// The usable faces, which a repair keeps, and the reasons why the others are unusable.
 struct FaceCensus {
-  std::vector<bool> usable;           ///< one a triangle
-  std::vector<bool> finite_vertices;  ///< one a vertex
-  /// Triangles of each kind of unusable face, each triangle in the first kind that fits.
+  std::vector<bool> usable;           ///< one flag per triangle
+  std::vector<bool> finite_vertices;  ///< one flag per vertex
+  /// Triangles of each kind of unusable face. A triangle of several kinds is in the first of them.
   std::vector<Index> index_out_of_range, repeated_vertex, at_non_finite_vertex, repeated_face;
 };
 FaceCensus take_census(const TriangleSoup& soup);
 
-/// Edges, groups and components are those of the usable faces: what makes a face unusable is
-/// reported once, and not again as its consequences.
-/// @param lines of the file, when there is one, for the examples
+/// Finds all defects. Edges, groups and components are those of the usable faces: an unusable face
+/// is reported once, without its consequences.
+/// @param lines line numbers of the file, for the examples; empty without a file
 DefectReport find_defects(const TriangleSoup& soup, const FileLines& lines = {});
 
-/// True for a triangle of zero area in the sense of kFlatHeight; its vertices must be finite.
+/// Returns whether a triangle has zero area as defined at kFlatHeight. Its vertices must be finite.
 bool has_zero_area(std::span<const Vec3> positions, const Triangle& triangle);
 
 }  // namespace geodesic

@@ -80,7 +80,7 @@ BuiltMesh build_mesh(const std::filesystem::path& path, const LoadOptions& optio
   std::exception_ptr unfit;
   try {
     build(file.soup);
-  } catch (const std::invalid_argument&) {  // the defects say it better
+  } catch (const std::invalid_argument&) {  // the defects give a better message
     unfit = std::current_exception();
   }
   built.loaded = load_mesh(std::move(file), defects.get(), path.string(), options);

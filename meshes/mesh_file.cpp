@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Parser = MeshFile (*)(std::string_view bytes, const std::string& name);
 
-// The first bytes of a file hold what no text does.
+// Returns whether the first bytes of a file include a byte that no text contains.
 bool is_binary(std::string_view bytes) {
   constexpr std::size_t kLookedAt = 1024;
   const std::string_view head = bytes.substr(0, kLookedAt);
@@ -57,7 +57,7 @@ void refuse_compressed(std::string_view bytes, const std::string& name) {
 
 struct Recognised {
   Parser parser;
-  std::string_view extension;  // the one that files of this format have
+  std::string_view extension;  // extension of files of this format
 };
 
 Recognised recognise(std::string_view bytes, const std::string& name) {

@@ -1,4 +1,4 @@
-// The error of a mesh, and what messages are made of.
+// The exception for errors of meshes, and functions for messages.
 #pragma once
 
 #include <stdexcept>
@@ -7,7 +7,7 @@
 
 namespace geodesic {
 
-/// What is wrong with a mesh or its file, in one line: file, place, what, and what to do.
+/// An error of a mesh or its file, in one line: the file, the position, the error and its remedy.
 class MeshError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

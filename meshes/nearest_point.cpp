@@ -16,8 +16,8 @@ Vec3 at_weights(const Corners& corners, const Weights& weights) {
   return at;
 }
 
-// Of the nearest point of the side from corner k to the next: the place's projection, cut off at
-// the side's ends.
+// Returns the weights of the nearest point on the side from corner k to the next: the projection of
+// the place, clamped to the side.
 Weights nearest_on_side(const Corners& corners, std::size_t k, const Vec3& place) {
   const Vec3 along = subtract(corners[(k + 1) % 3], corners[k]);
   const double square = dot(along, along);
@@ -28,8 +28,8 @@ Weights nearest_on_side(const Corners& corners, std::size_t k, const Vec3& place
   return weights;
 }
 
-// Of the place's projection to the plane of the face: negative outside the face, and of a face
-// without area not numbers.
+// Returns the weights of the place's projection to the plane of the face. They are negative outside
+// the face, and NaN for a face without area.
 Weights projected(const Corners& corners, const Vec3& place) {
   const Vec3 ab = subtract(corners[1], corners[0]), ac = subtract(corners[2], corners[0]);
   const Vec3 normal = cross(ab, ac);
@@ -40,7 +40,7 @@ Weights projected(const Corners& corners, const Vec3& place) {
   return {1 - b - c, b, c};
 }
 
-// By the square of its distance.
+// The nearest point so far, by the square of its distance.
 struct Nearest {
   Index face = kNone;
   Weights weights = {};

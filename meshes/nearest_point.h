@@ -1,4 +1,4 @@
-// The point of a surface that is nearest to a place in space.
+// Finds the point of a surface that is nearest to a point in space.
 #pragma once
 
 #include "solvers/core/mesh.h"
@@ -11,9 +11,9 @@ struct NearestPoint {
   double distance;  ///< through space, in the mesh's unit of length
 };
 
-/// Looks at every face: time is linear in the mesh. Of several nearest points, that of the face of
-/// least number in the mesh's internal numbers; isolated vertices are no part of the surface.
-/// @throws std::invalid_argument when the place is not finite, or the mesh has no face
+/// Visits every face: the time is linear in the mesh. If several points are nearest, returns that
+/// of the face with the least internal number. Isolated vertices are not part of the surface.
+/// @throws std::invalid_argument if the place is not finite, or the mesh has no face
 NearestPoint nearest_point(const Mesh& mesh, const Vec3& place);
 
 }  // namespace geodesic

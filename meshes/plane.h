@@ -1,4 +1,4 @@
-// Points of a plane in extended precision: what surfaces unfold to.
+// Points of the plane that surfaces are unfolded into, in extended precision.
 #pragma once
 
 #include <array>
@@ -17,15 +17,15 @@ struct PlanePoint {
   Real y = 0;
 };
 
-/// Of a vector. Not std::hypot, which is slow and guards against squares beyond the range of
-/// `Real`: coordinates are of type double, whose squares are within it.
+/// The length of a vector. std::hypot is not used: it is slow and handles squares beyond the range
+/// of `Real`, but the squares of coordinates, which are doubles, are within that range.
 inline Real norm(const PlanePoint& a) { return std::sqrt(a.x * a.x + a.y * a.y); }
 
 inline Real distance(const PlanePoint& a, const PlanePoint& b) {
   return norm(PlanePoint{a.x - b.x, a.y - b.y});
 }
 
-/// Twice the signed area of the triangle a, b, c: positive when c lies to the left of a -> b.
+/// Returns twice the signed area of the triangle a, b, c: positive if c lies to the left of a -> b.
 inline Real turn(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }

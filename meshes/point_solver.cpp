@@ -13,7 +13,7 @@ std::vector<SurfacePoint> joined(std::span<const SurfacePoint> a, std::span<cons
   return both;
 }
 
-// A point as one of a face: of each that it lies in, a vertex included.
+// A point in a face. A point has one for each face that it lies in, also at a vertex.
 struct InFace {
   Index face;
   std::array<double, 3> weights;
@@ -34,8 +34,8 @@ std::vector<InFace> faces_of(const Mesh& mesh, const InternalPoint& point) {
   return faces;
 }
 
-// Of the line within a face that both points lie in, kInfinity where there is none. From weights:
-// short ones keep their digits.
+// Returns the length of the line within a face that contains both points, kInfinity if there is
+// none. It is computed from weights, which keep the digits of short lines.
 double straight_length(const Mesh& mesh, const std::vector<InFace>& from,
                        const std::vector<InFace>& to) {
   double least = kInfinity;
@@ -116,8 +116,8 @@ void PointSolver::solve_inserted(const Query& query, std::span<double> distances
   correct_near_sources(query, distances, at_targets);
 }
 
-// Next to a source, where a point's place in space is known to a few digits only, the line within
-// the face has all of them.
+// Near a source the position of a point in space has few correct digits. The length of the line
+// within the face has all of them.
 void PointSolver::correct_near_sources(const Query& query, std::span<double> distances,
                                        std::span<double> at_targets) const {
   const auto correct = [&](double& distance, double straight) {

@@ -1,4 +1,4 @@
-// Any solver asked of any points: by itself, or on a mesh that has the points as vertices.
+// Solves queries of any points with any solver: directly, or on a mesh whose vertices include them.
 #pragma once
 
 #include <memory>
@@ -11,32 +11,32 @@
 
 namespace geodesic {
 
-/// The points that a solver cannot be asked of, inserted; null where it takes all (sources in faces
-/// by Abilities::surface_sources, targets in faces by Abilities::paths).
-/// @param sources, targets of all queries to come
+/// Inserts the points that a solver does not support; null if it supports all (sources in faces by
+/// Abilities::surface_sources, targets in faces by Abilities::paths).
+/// @param sources, targets of all later queries
 /// @throws std::invalid_argument for a point that is not of this mesh
 std::shared_ptr<const InsertedPoints> insert_for(const Description& solver, const Mesh& mesh,
                                                  std::span<const SurfacePoint> sources,
                                                  std::span<const SurfacePoint> targets);
 
-/// Solves queries of any points by any solver: by the solver itself where it takes them, otherwise
-/// on a mesh that has them as vertices.
+/// Solves queries of any points with any solver: by the solver itself if it supports the points,
+/// otherwise on a mesh whose vertices include them.
 class PointSolver {
  public:
-  /// @param solver as of make_solver
-  /// @param mesh outlives this object
+  /// @param solver as in make_solver
+  /// @param mesh must outlive this object
   /// @param inserted from insert_for; may be shared by the solvers of several threads
-  /// @throws std::invalid_argument as make_solver
+  /// @throws std::invalid_argument for the reasons of make_solver
   PointSolver(std::string_view solver, const Mesh& mesh,
               std::shared_ptr<const InsertedPoints> inserted = nullptr);
-  /// @param sources, targets of all queries to come; @throws as insert_for too
+  /// @param sources, targets of all later queries; @throws for the reasons of insert_for too
   PointSolver(std::string_view solver, const Mesh& mesh, std::span<const SurfacePoint> sources,
               std::span<const SurfacePoint> targets)
       : PointSolver(solver, mesh, insert_for(solver_named(solver), mesh, sources, targets)) {}
 
-  /// As Solver::solve. Distances of all vertices and targets are exact if the solver is.
-  /// @param distances one entry a vertex of the given mesh
-  /// @param at_targets one entry a target of the query, in their order
+  /// As Solver::solve. Distances of all vertices and targets are exact if the solver is exact.
+  /// @param distances one entry per vertex of the given mesh
+  /// @param at_targets one entry per target of the query, in their order
   void solve(const Query& query, std::span<double> distances, std::span<double> at_targets);
 
   Solver& solver() { return *solver_; }
@@ -49,9 +49,9 @@ class PointSolver {
 
   const Description& description_;
   const Mesh& mesh_;
-  std::shared_ptr<const InsertedPoints> inserted_;  // null where the solver takes all points
-  std::unique_ptr<Solver> solver_;                  // on the finer mesh where there is one
-  std::vector<double> finer_;                       // distances there
+  std::shared_ptr<const InsertedPoints> inserted_;  // null if the solver supports all points
+  std::unique_ptr<Solver> solver_;                  // on the finer mesh if there is one
+  std::vector<double> finer_;                       // distances on the finer mesh
 };
 
 }  // namespace geodesic

@@ -1,5 +1,5 @@
-// Pseudo-random numbers that are the same on every machine and standard library; the distributions
-// of `<random>` are not.
+// Pseudo-random numbers that are the same on every machine and standard library, unlike the
+// distributions of `<random>`.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,11 @@
 
 namespace geodesic {
 
-/// g: 2^64 over the golden ratio, odd.
+/// The constant g: 2^64 divided by the golden ratio, odd.
 inline constexpr std::uint64_t kSplitMixStep = 0x9e3779b97f4a7c15u;
 
-/// The output function of SplitMix64: a bijection of 64-bit words whose outputs on 0, g, 2g, ...
-/// pass statistical test suites. Steele, Lea, Flood 2014, "Fast splittable pseudorandom number
+/// The output function of SplitMix64: a bijection of 64-bit words. Its values at 0, g, 2g, ... pass
+/// statistical test suites. Steele, Lea, Flood 2014, "Fast splittable pseudorandom number
 /// generators", with the multipliers of Stafford's variant 13.
 inline std::uint64_t split_mix(std::uint64_t state) {
   std::uint64_t z = state + kSplitMixStep;
@@ -21,7 +21,7 @@ inline std::uint64_t split_mix(std::uint64_t state) {
   return z ^ (z >> 31);
 }
 
-/// The outputs on seed, seed + g, seed + 2g, ...
+/// The sequence of split_mix at seed, seed + g, seed + 2g, ...
 class SplitMix64 {
  public:
   explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
@@ -31,7 +31,7 @@ class SplitMix64 {
   std::uint64_t state_;
 };
 
-/// A number in [-1, 1) from the upper 53 bits of a random word.
+/// Returns a number in [-1, 1) from the upper 53 bits of a random word.
 inline double to_signed_unit(std::uint64_t word) {
   return static_cast<double>(word >> 11) * 0x1p-52 - 1;
 }

@@ -32,7 +32,7 @@ std::vector<RepairAction> drop_unusable(TriangleSoup& soup) {
 
 std::vector<RepairAction> repair(TriangleSoup& soup) {
   std::vector<RepairAction> done = drop_unusable(soup);
-  // Edges of more than two faces stay so when faces are flipped.
+  // Flips do not change which edges have more than two faces.
   const EdgeTable edges(soup);
   const Orientation orientation = orient(soup.triangles, edges);
   for (std::size_t f = 0; f < soup.triangles.size(); ++f) {

@@ -1,4 +1,4 @@
-// Distances from one source after the other, each by itself: the rows of a matrix.
+// Solves one source after the other: the rows of a distance matrix.
 #pragma once
 
 #include <memory>
@@ -10,27 +10,27 @@
 
 namespace geodesic {
 
-/// A solver for one thread with room for its answers. Copies share the solver.
+/// A solver for one thread, with memory for its results. Copies share the solver.
 class RowSolver {
  public:
-  /// @param solver on the mesh; with what inserts all sources to come and the targets asked for
-  /// @param asked limit and targets of all rows; its sources are not used
+  /// @param solver a solver on the mesh, with all later sources and the targets inserted
+  /// @param asked the limit and the targets of all rows; its sources are ignored
   RowSolver(std::shared_ptr<PointSolver> solver, const Mesh& mesh, Query asked)
       : solver_(std::move(solver)),
         query_(std::move(asked)),
         distances_(mesh.vertex_count()),
         at_targets_(query_.targets.size()) {}
 
-  /// As PointSolver::solve; what was returned for the source before is overwritten.
+  /// As PointSolver::solve. Overwrites the results of the previous source.
   void solve(const Source& source) {
     query_.sources = {source};
     solver_->solve(query_, distances_, at_targets_);
   }
 
-  /// Of the last source: of all vertices, and at the targets.
+  /// Distances from the last source: of all vertices, and of the targets.
   std::span<const double> distances() const { return distances_; }
   std::span<const double> at_targets() const { return at_targets_; }
-  /// A row: the targets are its columns, without targets all vertices are.
+  /// The row of the last source. Its columns are the targets; without targets, all vertices.
   std::span<const double> row() const {
     return query_.targets.empty() ? distances() : at_targets();
   }

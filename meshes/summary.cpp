@@ -11,7 +11,7 @@
 namespace geodesic {
 namespace {
 
-// The usable faces, oriented alike, with the twin of every half-edge and the fan of every corner.
+// The usable faces, oriented alike, with the twin of each half-edge and the fan of each corner.
 class Surface {
  public:
   explicit Surface(const TriangleSoup& soup) : soup_(soup), usable_(take_census(soup).usable) {
@@ -35,7 +35,7 @@ class Surface {
  private:
   Index half_edges() const { return static_cast<Index>(twins_.size()); }
   bool is_boundary(Index h) const { return twins_[h] == kNone; }
-  // Of an edge with two sides, the one of lower number stands for both.
+  // An edge with two sides is represented by the half-edge of lower number.
   bool stands_for_edge(Index h) const { return is_boundary(h) || h < twins_[h]; }
   const Vec3& corner(Index h) const { return soup_.positions[origin_of(triangles_, h)]; }
   Vec3 along(Index h) const { return subtract(corner(next_in_face(h)), corner(h)); }
@@ -47,7 +47,7 @@ class Surface {
   bool orientable_ = true;
   std::vector<Triangle> triangles_;
   std::vector<Index> twins_;
-  DisjointSets fans_{0};  // of corners
+  DisjointSets fans_{0};  // sets of corners
 };
 
 std::size_t count_sets(DisjointSets& sets, Index elements) {
@@ -56,8 +56,8 @@ std::size_t count_sets(DisjointSets& sets, Index elements) {
   return count;
 }
 
-// The boundary runs against the half-edge. It goes on at its origin, at the other end of the fan
-// there, which a turn around the origin finds.
+// The boundary runs against the half-edge. It continues at the half-edge's origin, at the other end
+// of the fan there, which a rotation around the origin finds.
 std::size_t Surface::count_boundary_loops() const {
   std::vector<bool> seen(twins_.size(), false);
   std::size_t loops = 0;
@@ -73,7 +73,7 @@ std::size_t Surface::count_boundary_loops() const {
   return loops;
 }
 
-// Parts that are connected across edges.
+// Counts the parts that are connected across edges.
 std::size_t Surface::count_pieces() const {
   DisjointSets pieces = fans_;
   for (Index h = 0; h < half_edges(); h += 3) {
@@ -96,7 +96,7 @@ void Surface::count(MeshSummary& summary) {
   summary.boundary_loops = count_boundary_loops();
   summary.orientable = orientable_;
   if (!orientable_) return;
-  // Euler: vertices - edges + faces = sum over pieces of (2 - 2 genus - loops), a vertex a fan.
+  // Euler: vertices - edges + faces = sum over pieces of (2 - 2 genus - loops), one vertex per fan.
   summary.genus = (2 * count_pieces() + summary.edges - summary.boundary_loops -
                    count_sets(fans_, half_edges()) - triangles_.size()) /
                   2;
@@ -124,7 +124,7 @@ void Surface::measure_angles(MeshSummary& summary) {
   for (Index h = 0; h < half_edges(); ++h) {
     const Index before = previous_in_face(h);
     const Vec3 back = scale(-1, along(before));
-    // By the tangent: the cosine loses half the digits of small angles.
+    // The tangent is used, since the cosine loses half the digits of small angles.
     const double angle =
         std::atan2(norm(geodesic::cross(along(h), back)), geodesic::dot(along(h), back));
     const Index fan = fans_.find(h);

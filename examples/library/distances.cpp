@@ -1,5 +1,5 @@
-// distances MESH_FILE: the distance of each vertex from vertex 0 over the surface, one a line, and
-// the shortest path to the farthest one.
+// distances MESH_FILE: prints the distance of each vertex from vertex 0 over the surface, one per
+// line, and the shortest path to the farthest one.
 #include <geodesic/geodesic.h>
 
 #include <cstdio>

@@ -1,5 +1,5 @@
-// many_sources MESH_FILE SOURCE...: the farthest vertex from each of some sources, in as many
-// threads as the machine has.
+// many_sources MESH_FILE SOURCE...: prints the farthest vertex from each of some sources, with as
+// many threads as the machine has.
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -23,7 +23,7 @@ struct Farthest {
   double distance = 0;
 };
 
-/// Of the vertices that a path leads to.
+/// Returns the farthest of the reachable vertices.
 Farthest farthest(const std::vector<double>& distances) {
   Farthest result;
   for (std::size_t v = 0; v < distances.size(); ++v) {
@@ -34,7 +34,7 @@ Farthest farthest(const std::vector<double>& distances) {
   return result;
 }
 
-/// A mesh is shared; a solver belongs to one thread, and keeps its memory for the next source.
+/// Threads share the mesh. Each has its own solver, which keeps its memory for the next source.
 std::vector<Farthest> farthest_from_each(const Mesh& mesh, const std::vector<Index>& sources) {
   std::vector<Farthest> results(sources.size());
   std::atomic<std::size_t> next = 0;
@@ -59,7 +59,7 @@ int main(int argument_count, char** arguments) try {
     std::fprintf(stderr, "Usage: many_sources MESH_FILE SOURCE...\n");
     return 1;
   }
-  // Refuses what no solver should be given; {.repair = true} repairs it.
+  // Rejects meshes with errors; {.repair = true} repairs them.
   const LoadedMesh loaded = load_mesh(arguments[1]);
   for (const std::string& warning : loaded.warnings) {
     std::fprintf(stderr, "warning: %s\n", warning.c_str());
@@ -68,7 +68,7 @@ int main(int argument_count, char** arguments) try {
   std::vector<Index> sources;
   for (int i = 2; i < argument_count; ++i) {
     const unsigned long source = std::stoul(arguments[i]);
-    // An exception in a thread would end the program: checked here.
+    // Checked here, since an exception in a thread would end the program.
     if (source >= mesh.vertex_count())
       throw std::invalid_argument("no vertex " + std::string(arguments[i]));
     sources.push_back(static_cast<Index>(source));

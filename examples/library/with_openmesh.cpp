@@ -1,4 +1,4 @@
-// Distances from vertex 0 of an OpenMesh mesh, stored there as a property of its vertices.
+// Computes distances from vertex 0 of an OpenMesh mesh, and stores them as a vertex property.
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <cstdio>
 

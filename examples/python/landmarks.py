@@ -1,5 +1,5 @@
-"""landmarks.py FILE COUNT: distances from COUNT landmarks of a mesh, each the farthest vertex from those
-before, and a picture of their cells, landmarks.png (docs/python.md)."""
+"""landmarks.py FILE COUNT: computes distances from COUNT landmarks of a mesh, each the farthest vertex from the
+previous ones, and draws their cells to landmarks.png (docs/python.md)."""
 
 import sys
 import time

@@ -1,5 +1,5 @@
-// Dijkstra's algorithm on the edges of the mesh, and on the straight lines across one edge: from
-// the corner of a face to the far corner of the face behind it. An upper bound of the geodesic
+// Dijkstra's algorithm on the edges of the mesh and on straight lines across one edge, from the
+// corner of a face to the far corner of the face beyond it. An upper bound of the geodesic
 // distance.
 #include <cmath>
 
@@ -38,8 +38,8 @@ class MySolver final : public Solver {
     front_.clear();
   }
 
-  // Length of the straight line from the apex of h to that of its twin, both faces laid into the
-  // plane; infinite where it passes by the edge.
+  // Length of the straight line from the apex of h to that of its twin, with both faces in one
+  // plane; infinite if the line does not cross the edge.
   double line_across(Index h) const {
     const HalfEdge& near = mesh().half_edge(h);
     const HalfEdge& far = mesh().half_edge(near.twin);

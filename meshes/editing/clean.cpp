@@ -1,7 +1,7 @@
-// A measurable mesh from a raw scan: oriented, manifold, every face with an area.
+// Cleans a raw scan for solvers: oriented, manifold, every face with an area.
 //
-// Each step works in place, keeps the order of what it keeps, and returns what it did: nothing, or
-// counts of 0, for a mesh that it finds in order.
+// Each step works in place, keeps the order of the remaining elements, and returns its changes:
+// none, or counts of 0, for a mesh that needs none.
 #include <algorithm>
 #include <array>
 #include <queue>
@@ -16,7 +16,7 @@
 namespace geodesic {
 namespace {
 
-/// One flag a face: it names three different vertices that exist.
+/// Returns one flag per face: whether it names three different vertices that exist.
 std::vector<bool> find_usable(const TriangleSoup& soup) {
   std::vector<bool> usable;
   for (const Triangle& face : soup.triangles) {
@@ -25,7 +25,7 @@ std::vector<bool> find_usable(const TriangleSoup& soup) {
   return usable;
 }
 
-/// One flag a face: it is one of an opposite pair.
+/// Returns one flag per face: whether it is one of an opposite pair.
 std::vector<bool> find_pairs(const TriangleSoup& soup, const std::vector<bool>& usable) {
   std::vector<bool> paired(soup.triangles.size(), false);
   const std::vector<SortedFace> faces = sort_faces(soup.triangles, usable);
@@ -43,7 +43,7 @@ std::vector<bool> find_pairs(const TriangleSoup& soup, const std::vector<bool>& 
   return paired;
 }
 
-/// Clears the flags of connected faces that are all flagged.
+/// Clears the flags of each group of connected faces that are all flagged.
 void spare_whole_groups(const TriangleSoup& soup, const std::vector<bool>& usable,
                         std::vector<bool>& paired) {
   DisjointSets groups = join_vertices(soup.triangles, usable, soup.positions.size());
@@ -56,10 +56,10 @@ void spare_whole_groups(const TriangleSoup& soup, const std::vector<bool>& usabl
   }
 }
 
-/// Removes pairs of faces that have the same three vertices and run opposite ways, the flaps that
-/// collapsed edges leave: the edges around a pair get back the two faces they had without it. Where
-/// nothing would be left of a connected group of faces, a surface stored twice, the pairs stay.
-/// Faces that name a vertex twice or one that does not exist are left alone.
+/// Removes pairs of faces with the same three vertices and opposite directions, which are the flaps
+/// that collapsed edges leave: the edges around a pair then have their own two faces again. If
+/// nothing would be left of a connected group of faces, a surface stored twice, its pairs stay.
+/// Faces that name a vertex twice or one that does not exist stay, too.
 std::vector<RepairAction> cancel_opposite_faces(TriangleSoup& soup) {
   const std::vector<bool> usable = find_usable(soup);
   std::vector<bool> paired = find_pairs(soup, usable);
@@ -68,12 +68,12 @@ std::vector<RepairAction> cancel_opposite_faces(TriangleSoup& soup) {
            drop_faces(soup, paired)}};
 }
 
-/// Of side k.
+/// Length of side k.
 double side_length(const TriangleSoup& soup, const Triangle& face, std::size_t k) {
   return norm(subtract(soup.positions[face[(k + 1) % 3]], soup.positions[face[k]]));
 }
 
-/// Joins the ends of the face's sides that have no length to speak of.
+/// Joins the ends of the face's sides whose length is 0 or below rounding.
 /// @return the number of vertices that disappear
 std::size_t join_short_sides(const TriangleSoup& soup, const Triangle& face, DisjointSets& joined) {
   std::array<double, 3> lengths;
@@ -87,9 +87,9 @@ std::size_t join_short_sides(const TriangleSoup& soup, const Triangle& face, Dis
   return count;
 }
 
-/// Joins vertices that an edge of length zero connects to the one of least id, and the ends of an
-/// edge that is shorter than the rounding of its face's longest, then drops the faces that are left
-/// with two corners.
+/// Joins vertices that an edge of length zero connects, to the one of least id, and the ends of an
+/// edge that is shorter than the rounding of its face's longest edge. Then drops the faces with
+/// only two corners.
 std::vector<RepairAction> weld_edges(TriangleSoup& soup) {
   DisjointSets joined(soup.positions.size());
   std::size_t count = 0;
@@ -106,27 +106,27 @@ std::vector<RepairAction> separate(TriangleSoup& soup) {
   return {separated(separate_sheets(soup).size())};
 }
 
-/// True when a solver, or the report of defects, sees no area or an edge of length zero.
+/// Whether a solver, or the report of defects, sees no area or an edge of length zero.
 bool is_flat_face(std::span<const Vec3> positions, const Triangle& face) {
   if (has_zero_area(positions, face)) return true;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3& corner = positions[face[k]];
     const Vec3 along = subtract(positions[face[(k + 1) % 3]], corner);
     const Vec3 across = subtract(positions[face[(k + 2) % 3]], corner);
-    // Solvers divide the one by the other and need a height above 0.
+    // Solvers divide the first by the second and need a height above 0.
     const double height = norm(cross(along, across)) / norm(along);
     if (!(height > 0)) return true;
   }
   return false;
 }
 
-/// Flips first the longest edge of all flat faces: the face beyond it, when flat too, then has no
-/// longer one, so that the new edge is shorter and flipping among flat faces ends.
+/// Flips the longest edge of all flat faces first. The face beyond it, if it is flat too, then has
+/// no longer edge. Therefore the new edge is shorter, and flipping among flat faces ends.
 class FlatFaceRemover {
  public:
   explicit FlatFaceRemover(const TriangleSoup& soup) : mesh_(edited(soup)) {
     for (const Face face : mesh_.faces()) enqueue_if_flat(face);
-    // A flip that turns a face with area into a flat one, by rounding, could be undone by the next.
+    // A bound: a flip that makes a face with area flat, by rounding, could be undone by the next.
     flips_left_ = 64 + 16 * queue_.size();
   }
 
@@ -152,7 +152,7 @@ class FlatFaceRemover {
 
   struct FlatFace {
     double length;
-    int side;  // the face's longest
+    int side;  // the longest side of the face
 
     bool operator<(const FlatFace& other) const {  // later in the queue
       return std::tie(length, other.side) < std::tie(other.length, side);
@@ -193,12 +193,12 @@ class FlatFaceRemover {
       enqueue_if_flat(face);
       enqueue_if_flat(other);
     } else if (mesh_.opposite_vh(side) != mesh_.opposite_vh(beyond)) {
-      // The edge that a flip would make is there. The next round welds the vertex to the new one.
-      // A copy of its place: the new vertex moves the others in memory.
+      // The edge that a flip would create exists. The next round joins the vertex to the new one.
+      // The place is a copy: adding the vertex moves the others in memory.
       const auto place = mesh_.point(mesh_.opposite_vh(side));
       mesh_.split(edge, place);
       ++cuts_;
-    }  // else a flip laid the two back to back, and the next round cancels them
+    }  // else the faces are an opposite pair, which the next round cancels
   }
 
   EditedMesh mesh_;
@@ -207,9 +207,9 @@ class FlatFaceRemover {
   std::size_t flips_ = 0, cuts_ = 0, drops_ = 0;
 };
 
-/// Removes faces without area whose longest edge has the third vertex on it: the edge is flipped,
-/// which cuts the face beyond it in two at that vertex and leaves the surface as it is. Where no
-/// face lies beyond, the face is dropped.
+/// Removes faces without area whose third vertex lies on the longest edge. The edge is flipped,
+/// which splits the face beyond it at that vertex and does not change the surface. If no face lies
+/// beyond, the face is dropped.
 std::vector<RepairAction> remove_flat_faces(TriangleSoup& soup) {
   if (std::ranges::none_of(soup.triangles, [&](const Triangle& face) {
         return is_flat_face(soup.positions, face);
@@ -222,7 +222,7 @@ std::vector<RepairAction> remove_flat_faces(TriangleSoup& soup) {
   return done;
 }
 
-/// Keeps the group of connected faces that has the most, of equal ones the first.
+/// Keeps the largest group of connected faces; of equal ones, the first.
 std::vector<RepairAction> keep_largest_component(TriangleSoup& soup) {
   DisjointSets components = join_vertices(
       soup.triangles, std::vector<bool>(soup.triangles.size(), true), soup.positions.size());
@@ -242,14 +242,14 @@ std::vector<RepairAction> keep_largest_component(TriangleSoup& soup) {
 
 using CleaningStep = std::vector<RepairAction> (*)(TriangleSoup& soup);
 
-// Welding and flips can make faces meet that did not before, which the next round separates.
+// Welding and flips can make separate faces meet; the next round separates them.
 constexpr CleaningStep kCleaningSteps[] = {cancel_opposite_faces, repair, weld_edges, separate,
                                            remove_flat_faces};
 
-/// Far more than any scan takes; each round but the last removes something.
+/// Far more than any scan needs; each round but the last removes something.
 constexpr int kMostRounds = 100;
 
-/// What was done in all rounds together, in the order in which it was first done.
+/// The changes of all rounds together, in the order in which they first occurred.
 class Log {
  public:
   /// @return whether anything changed
@@ -278,7 +278,7 @@ class Log {
   std::vector<RepairAction> actions_;
 };
 
-/// Takes the steps until a round changes nothing.
+/// Repeats the steps until a round changes nothing.
 void take_steps(TriangleSoup& soup, const std::string& file, Log& log) {
   for (int round = 0; round < kMostRounds; ++round) {
     bool changed = false;

@@ -1,4 +1,4 @@
-// The same model with fewer vertices.
+// Reduces the number of vertices of a mesh.
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>

@@ -1,4 +1,4 @@
-// Meshes made from the mesh of a file by changing its connectivity, over the mesh of OpenMesh.
+// Generators that change the connectivity of a file's mesh, with OpenMesh.
 #pragma once
 
 #include <utility>
@@ -9,9 +9,9 @@
 
 namespace geodesic {
 
-/// The mesh of the parameter "input", without its isolated vertices, after `change(EditedMesh&)`. A
-/// remark says so where sheets of its surface had to be separated before.
-/// @throws MeshError as read_input
+/// Returns the mesh of the parameter "input" without isolated vertices, after
+/// `change(EditedMesh&)`. A remark reports the sheets that had to be separated first.
+/// @throws MeshError for the reasons of read_input
 template <class Change>
 GeneratedMesh edit_input(const CheckedParameters& parameters, const Change& change) {
   TriangleSoup soup = read_input(parameters);

@@ -24,15 +24,15 @@ EditedMesh edited(const TriangleSoup& soup) {
   return mesh;
 }
 
-// One pass is enough. The faces of a fan run the same way round, in a row whose two ends alone
-// lack a neighbour. All faces at an edge (a, b) of the result are in the one fan of a: they are
-// two at most, the ends of the row, and run along the edge in opposite directions.
+// One pass is enough. The faces of a fan have the same orientation and form a row; only the two
+// ends of the row lack a neighbour. All faces at an edge (a, b) of the result are in the one fan of
+// a. They are at most two, the ends of the row, and have opposite directions along the edge.
 std::vector<Index> separate_sheets(TriangleSoup& soup) {
   DisjointSets fans = join_fans(pair_half_edges(soup.triangles, EdgeTable(soup)));
   std::vector<bool> has_fan(soup.positions.size(), false);
   std::vector<Index> originals;
   for (Index h = 0; h < 3 * soup.triangles.size(); ++h) {
-    const Index first = fans.find(h);  // the least corner of the fan: settled before h
+    const Index first = fans.find(h);  // the least corner of the fan: handled before h
     Index& v = soup.triangles[h / 3][h % 3];
     if (first != h) {
       v = origin_of(soup.triangles, first);

@@ -24,13 +24,13 @@ bool comes_before(const std::pair<SurfacePoint, Index>& a,
 
 double distance(const Point2& a, const Point2& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-// Of p above the line from a to b, positive on its left.
+// Height of p above the line from a to b, positive on its left.
 double height(const Point2& a, const Point2& b, const Point2& p) {
   return ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) / distance(a, b);
 }
 
-// All coordinates along an axis less the lowest one, where that changes no bit of their differences
-// (Sterbenz 1974): a point between them then has more digits.
+// Subtracts the coordinate nearest to 0 along an axis from all of them if that changes no bit of
+// their differences (Sterbenz 1974): a point between them then has more digits.
 void move_to_origin(std::vector<Vec3>& positions) {
   const Box box = box_around(positions);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -40,14 +40,14 @@ void move_to_origin(std::vector<Vec3>& positions) {
   }
 }
 
-// A face's side of an edge.
+// A side of an edge in one of its faces.
 struct SheetSide {
   Index half_edge;
-  bool turned;  // against the one that was asked for
+  bool turned;  // against the direction of the given half-edge
 };
 
-// All sides of the edge of h, its own first; none of mirror images.
-// @param h of a face that is no mirror image
+// Returns all sides of the edge of h, that of h first, without mirror images.
+// @param h a half-edge of a face that is not a mirror image
 std::vector<SheetSide> sides_of_edge(const Mesh& mesh, Index h) {
   std::vector<SheetSide> sides = {{h, false}};
   mesh.for_each_sheet(h, [&](Index g) {
@@ -58,9 +58,9 @@ std::vector<SheetSide> sides_of_edge(const Mesh& mesh, Index h) {
   return sides;
 }
 
-// Builds the finer mesh: points are first sorted by where they lie, then edges are split at theirs,
-// then faces. An edge of several faces is one edge a sheet in the mesh that is edited; the vertices
-// on them have one number.
+// Builds the finer mesh. Points are first sorted by vertex, edge and face; then edges and faces are
+// split at them. The edited mesh has one edge per sheet for an edge of several faces; the vertices
+// on these edges have one number.
 class Inserter {
  public:
   explicit Inserter(const Mesh& mesh) : mesh_(mesh), soup_(soup_of(mesh)) {
@@ -117,8 +117,8 @@ class Inserter {
     std::size_t point;
     InternalPoint at;
   };
-  // A face of the mesh that is not edited: its parts, and their corners in its plane, where its
-  // longest side is 1: products of lengths stay within range.
+  // A face of the given mesh: its parts, and their corners in its plane, scaled to a longest side
+  // of 1, so that products of lengths stay within range.
   struct Plane {
     double longest = 0;
     std::vector<Part> parts;
@@ -128,7 +128,7 @@ class Inserter {
   Index external_vertex(Index own) const { return mesh_.numbers().external_vertex(own); }
   Index external_face(Index own) const { return mesh_.numbers().external_face(own); }
 
-  // Where half-edge h starts in the mesh that is edited.
+  // The origin of half-edge h in the edited mesh.
   Vertex origin(Index h) const {
     return edited_.vertex_handle(corners_[external_face(h / 3)][h % 3]);
   }
@@ -158,7 +158,7 @@ class Inserter {
     return plane;
   }
 
-  // To a vertex, an edge or the inside of a face.
+  // Assigns a point to a vertex, to an edge or to the inside of a face.
   void sort_in(std::size_t i, const SurfacePoint& point) {
     const std::string defect = defect_of(mesh_, point);
     if (!defect.empty()) throw std::invalid_argument(defect);
@@ -174,7 +174,7 @@ class Inserter {
         vertices_[i] = external_vertex(mesh_.origin(h));
         return;
       }
-      // In a face without height the lines of all edges are near.
+      // In a face without height all edges lie on nearly the same line.
       const double beyond = std::max({-at.x, at.x - mesh_.half_edge(h).length, 0.0});
       if (std::hypot(beyond, at.y) <= place_) edge = h;
     }
@@ -215,14 +215,14 @@ class Inserter {
     }
   }
 
-  // @param points in order along the side
+  // @param points the points of the side, in order
   void split_side(Index side, const std::vector<OnSide>& points) {
     Plane& plane = plane_of(side / 3);
     const Vertex end = origin(Mesh::next(side));
     const Point2 begins = plane.at.at(origin(side)), ends = plane.at.at(end);
     Vertex from = origin(side);
     for (const OnSide& point : points) {
-      // Where the face beyond is of the same sheet, it has split the edge already.
+      // If the face beyond is in the same sheet, it has already split the edge.
       const auto around = edited_.vv_range(from);
       const auto there = std::find_if(around.begin(), around.end(), [&](Vertex v) {
         return numbers_[static_cast<std::size_t>(v.idx())] == point.vertex;
@@ -279,7 +279,7 @@ class Inserter {
   template <class Element>
   void split(Element edge_or_face, Vertex at) {
     auto part = static_cast<unsigned>(edited_.n_faces());
-    edited_.split_copy(edge_or_face, at);  // the new faces know the face that they are part of
+    edited_.split_copy(edge_or_face, at);  // the new faces inherit face_of_
     for (; part < edited_.n_faces(); ++part) {
       const Part added = edited_.face_handle(part);
       plane_of(edited_.property(face_of_, added)).parts.push_back(added);
@@ -287,15 +287,15 @@ class Inserter {
   }
 
   const Mesh& mesh_;
-  TriangleSoup soup_;  // in given numbers
+  TriangleSoup soup_;  // in external numbers
   double place_ = 0;
   EditedMesh edited_;
-  std::vector<Index> numbers_;     // given ones, of the vertices of the mesh that is edited
-  std::vector<Triangle> corners_;  // there, of the given faces
+  std::vector<Index> numbers_;     // external numbers, by vertex of the edited mesh
+  std::vector<Triangle> corners_;  // in the edited mesh, by external face
   OpenMesh::FPropHandleT<Index> face_of_;
   std::vector<Index> vertices_;                    // by point
   std::map<Index, Plane> planes_;                  // by face
-  std::map<Index, std::vector<OnEdge>> on_edges_;  // by half-edge, the least of the edge
+  std::map<Index, std::vector<OnEdge>> on_edges_;  // by least half-edge of the edge
   std::map<Index, std::vector<Inside>> in_faces_;  // by face
 };
 

@@ -1,5 +1,5 @@
-// OpenMesh's triangle meshes as meshes of this library, and back: for programs that have such a
-// mesh, and for what edits one here. Header only; the library itself does not need OpenMesh.
+// Converts OpenMesh's triangle meshes to meshes of this library, for programs that have such a mesh
+// and for meshes/editing. Header only; the library itself does not need OpenMesh.
 //
 //   geodesic::Mesh mesh(geodesic::soup_of(model));
 #pragma once
@@ -15,9 +15,9 @@
 
 namespace geodesic {
 
-/// The vertices and faces that are not deleted, in the order of their handles: vertex i of the
-/// result is the i-th of `mesh.vertices()`. Every face keeps its first corner.
-/// @tparam TriMesh any OpenMesh::TriMesh_ArrayKernelT; coordinates are taken as they are
+/// Returns the vertices and faces that are not deleted, in the order of their handles: vertex i of
+/// the result is the i-th of `mesh.vertices()`. Every face keeps its first corner.
+/// @tparam TriMesh any OpenMesh::TriMesh_ArrayKernelT; coordinates are copied unchanged
 template <class TriMesh>
 TriangleSoup soup_of(const TriMesh& mesh) {
   TriangleSoup soup;
@@ -37,9 +37,9 @@ TriangleSoup soup_of(const TriMesh& mesh) {
   return soup;
 }
 
-/// Stores one number a vertex, such as its distance, as a property of the mesh's vertices.
-/// @param values in the order of `soup_of`, one a vertex
-/// @throws std::invalid_argument when there are more values than vertices, or fewer
+/// Stores one number per vertex, such as its distance, as a property of the mesh's vertices.
+/// @param values one per vertex, in the order of `soup_of`
+/// @throws std::invalid_argument if the numbers of values and vertices differ
 template <class TriMesh>
 void set_vertex_property(TriMesh& mesh, OpenMesh::VPropHandleT<double> property,
                          std::span<const double> values) {

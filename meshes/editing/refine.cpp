@@ -1,4 +1,4 @@
-// Cuts the longest edge of a mesh in its middle, again and again.
+// Splits the longest edge of a mesh at its middle, repeatedly.
 #include <queue>
 #include <stdexcept>
 #include <tuple>
@@ -9,7 +9,7 @@
 namespace geodesic {
 namespace {
 
-/// An edge while it has this length: the longest first, of equal ones that of least number.
+/// An edge in the queue, valid while it has this length: longest first, then least number.
 struct Edge {
   double squared_length;
   int number;
@@ -29,7 +29,7 @@ void refine_to(EditedMesh& mesh, std::size_t vertices) {
   while (mesh.n_vertices() < vertices) {
     const auto edge = mesh.edge_handle(static_cast<unsigned>(longest.top().number));
     longest.pop();
-    // Half of the edge keeps its number, and those to the opposite vertices are new.
+    // Half of the edge keeps its number; the other half and the edges across the faces are new.
     auto added = static_cast<unsigned>(mesh.n_edges());
     mesh.split(edge, middle_of(mesh, edge));
     enqueue(edge);

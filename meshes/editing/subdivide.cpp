@@ -1,5 +1,5 @@
-// Faces cut into smaller ones. Old vertices keep their order.
-#include <cstddef>  // which OpenMesh's header needs, and does not include
+// Splits faces into smaller ones. Old vertices keep their order.
+#include <cstddef>  // OpenMesh's header needs it and does not include it
 
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
 #include <algorithm>
@@ -9,9 +9,9 @@
 namespace geodesic {
 namespace {
 
-/// Four faces from one, with a new vertex in the middle of every edge. Where it smooths, vertices
-/// get the positions of Loop 1987, "Smooth subdivision surfaces based on triangles", boundaries
-/// those of a cubic B-spline curve; otherwise the surface stays the same.
+/// Splits each face into four, with a new vertex at the middle of every edge. With smoothing,
+/// vertices get the positions of Loop 1987, "Smooth subdivision surfaces based on triangles", and
+/// boundaries those of a cubic B-spline curve; otherwise the surface stays the same.
 void quarter(EditedMesh& mesh, bool smooths) {
   unsigned valence = 0;
   for (const auto v : mesh.vertices()) valence = std::max(valence, mesh.valence(v));
@@ -20,8 +20,8 @@ void quarter(EditedMesh& mesh, bool smooths) {
   loop(mesh, 1, smooths);
 }
 
-/// Six faces from one: the barycentric subdivision, with a new vertex at the centroid of every face
-/// and in the middle of every edge.
+/// Splits each face into six: the barycentric subdivision, with a new vertex at the centroid of
+/// every face and at the middle of every edge.
 void cut_at_centroids(EditedMesh& mesh) {
   const std::size_t edges = mesh.n_edges(), faces = mesh.n_faces();
   for (unsigned f = 0; f < faces; ++f) {

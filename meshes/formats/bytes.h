@@ -1,4 +1,4 @@
-// Numbers in files: as bytes, and as text.
+// Conversion of numbers to and from the bytes and the text of files.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace geodesic {
 
-/// The number of type T stored at `bytes` in the given byte order.
+/// Reads a number of type T from `bytes` in the given byte order.
 template <class T>
 T load_number(const char* bytes, std::endian order) {
   std::array<char, sizeof(T)> raw;
@@ -35,8 +35,8 @@ void append_little_endian(std::string& bytes, T number) {
   bytes.append(raw.data(), raw.size());
 }
 
-/// Appends a number as text, independent of the locale, unlike streams. Without a format a real
-/// number has the fewest digits that bring it back.
+/// Appends a number as text, independently of the locale, unlike streams. Without a format, a real
+/// number is written with the fewest digits that restore it exactly.
 template <class Number, class... Format>
 void append_text(std::string& text, Number number, Format... format) {
   std::array<char, 40> digits;

@@ -12,9 +12,9 @@ namespace geodesic {
 namespace {
 
 constexpr std::string_view kNpyMagic = "\x93NUMPY";
-constexpr std::size_t kNpyPreamble = 10;  // bytes: magic, version, length of the header
+constexpr std::size_t kNpyPreamble = 10;  // number of bytes: magic, version, length of the header
 
-/// Reads one number of a type from its bytes.
+/// Reads one number of type T.
 template <class T>
 double load(const char* bytes) {
   return static_cast<double>(load_number<T>(bytes, std::endian::little));
@@ -133,7 +133,7 @@ class NpyParser {
   }
 
   void require_size(const Array& array, std::size_t number_bytes) const {
-    // Divided: the product of a hostile shape would overflow.
+    // Uses a division, since the product of a hostile shape would overflow.
     const std::size_t numbers = data_.size() / number_bytes;
     const bool fits = data_.size() % number_bytes == 0 && numbers % array.rows == 0 &&
                       numbers / array.rows == array.columns;
@@ -147,7 +147,7 @@ class NpyParser {
   std::string_view bytes_;
   const std::string& name_;
   std::string_view header_;
-  std::string_view data_;  // behind the header
+  std::string_view data_;  // after the header
 };
 
 }  // namespace
@@ -156,7 +156,7 @@ std::string npy_header(std::string_view description, std::string_view shape) {
   std::string text = "{'descr': ";
   text.append(description).append(", 'fortran_order': False, 'shape': ").append(shape);
   text += ", }";
-  // Numbers begin at a multiple of 64 bytes; a line ends the header.
+  // The numbers begin at a multiple of 64 bytes; a line end is the last byte of the header.
   constexpr std::size_t kAlignment = 64;
   while ((kNpyPreamble + text.size() + 1) % kAlignment != 0) text += ' ';
   text += '\n';

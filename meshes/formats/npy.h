@@ -1,7 +1,7 @@
 // Arrays in numpy's .npy files, format version 1.0, little-endian.
 //
-// `numpy.load(file)` gives back an array of numbers, in rows, or a structured array: a table whose
-// columns have names and types of their own.
+// `numpy.load(file)` returns an array of numbers, of one or two dimensions, or a structured array:
+// a table whose columns have their own names and types.
 #pragma once
 
 #include <concepts>
@@ -28,13 +28,13 @@ constexpr std::string_view npy_type() {
   if constexpr (std::same_as<T, double>) return "<f8";
 }
 
-/// The bytes of a file before an array's numbers.
-/// @param description numpy's of an entry: "'<f8'", "[('face', '<u4'), ('level', '<f4')]"
+/// Returns the bytes that precede the numbers of an array in a file.
+/// @param description numpy's type of an entry: "'<f8'", "[('face', '<u4'), ('level', '<f4')]"
 /// @param shape "(7,)", "(7, 3)"
 std::string npy_header(std::string_view description, std::string_view shape);
 
-/// A file of numbers: an array of one dimension or, with `columns`, rows of that many, one row
-/// after the other.
+/// Returns the bytes of a file with an array of numbers. The array has one dimension or, if
+/// `columns` is not 0, two: the numbers are then its rows, one after the other.
 template <class T>
 std::string npy_bytes(std::span<const T> numbers, std::size_t columns = 0) {
   const std::string shape =
@@ -45,7 +45,7 @@ std::string npy_bytes(std::span<const T> numbers, std::size_t columns = 0) {
   return bytes;
 }
 
-/// One column of a table: a member of its rows, its name in the file, stored as type T.
+/// One column of a table: its name in the file and the member of the rows, stored as type T.
 template <class T, class Row, class Member>
 struct NpyColumn {
   using Type = T;
@@ -59,7 +59,7 @@ NpyColumn<T, Row, Member> npy_column(std::string_view name, Member Row::*member)
   return {name, member};
 }
 
-/// A file of a table, as a structured array.
+/// Returns the bytes of a file with a table, as a structured array.
 template <class Row, class... Columns>
 std::string npy_table_bytes(const std::vector<Row>& rows, const Columns&... columns) {
   std::string description;
@@ -85,16 +85,16 @@ struct Array {
 };
 
 /// Reads a two-dimensional array of little-endian '<i2', '<i4', '<f4' or '<f8' in C order.
-/// @param name of the file, for messages
-/// @throws MeshError for anything else, a shape that does not fit the file's size, and numbers that
-///         are not finite
+/// @param name the file's name, for messages
+/// @throws MeshError for any other array, for a shape that does not fit the file's size, and for
+///         numbers that are not finite
 Array parse_npy(std::string_view bytes, const std::string& name);
 
-/// Whether the bytes begin as a .npy file does.
+/// Returns whether the bytes begin like a .npy file.
 bool is_npy(std::string_view bytes);
 
-/// All numbers of an array of any shape, in the order of the file; they need not be finite.
-/// @param name of the file, for messages
+/// Reads all numbers of an array of any shape, in the order of the file; they need not be finite.
+/// @param name the file's name, for messages
 /// @throws MeshError for anything but an array of the types of parse_npy
 std::vector<double> parse_npy_numbers(std::string_view bytes, const std::string& name);
 

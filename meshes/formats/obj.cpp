@@ -1,6 +1,6 @@
-// Wavefront OBJ: v and f statements. Everything about appearance is skipped, other geometry (lines,
-// points, free-form surfaces) is reported. OBJ holds no counts, so a file cut off between two lines
-// looks whole; a file cut off inside its last line leaves at least a warning.
+// Wavefront OBJ: v and f statements. Appearance is skipped; other geometry (lines, points,
+// free-form surfaces) is reported. OBJ files contain no counts: a file cut off between two lines
+// seems complete, and a file cut off inside its last line causes at least a warning.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -63,7 +63,7 @@ class ObjParser {
     }
   }
 
-  // x y z, then a weight or a colour, or both.
+  // Reads x y z, then a weight or a colour, or both.
   void vertex() {
     Vec3 position;
     position[0] = reader_.number("x coordinate");
@@ -89,8 +89,8 @@ class ObjParser {
     polygons_.end_polygon(reader_.line());
   }
 
-  // v, v/vt, v//vn or v/vt/vn, the last of which may lack behind their slash: numbers from 1, or
-  // from -1 backwards from the last one read.
+  // Reads v, v/vt, v//vn or v/vt/vn, where a number may be missing after its slash. Numbers count
+  // from 1, or backwards from -1, the last vertex read.
   Index corner(std::string_view word) const {
     const std::size_t slash = std::min(word.find('/'), word.size());
     const std::int64_t number = reader_.to_integer(word.substr(0, slash), "vertex of a face");
@@ -99,7 +99,7 @@ class ObjParser {
     return to_index(number > 0 ? number - 1 : number < 0 ? read + number : -1);
   }
 
-  // Texture and normal of a corner: vt, /vn or vt/vn, each of which may be empty.
+  // Checks the texture and the normal of a corner: vt, /vn or vt/vn, each of which may be empty.
   void check_references(std::string_view references) const {
     const std::size_t slash = std::min(references.find('/'), references.size());
     const std::string_view texture = references.substr(0, slash);

@@ -1,10 +1,10 @@
-// OFF (Geomview): a header, three counts, the vertices and the faces, as text or binary. White
-// space separates numbers, be it a line end or not, with two exceptions. What follows a face's
-// corners on their line is its colour, unless fewer lines are left than faces: then it is the next
-// face. And a vertex's colour has four numbers, or three where the line ends behind them. The
-// variants with texture coordinates, colours and normals a vertex (ST, C, N before OFF) are read
-// too, those in another dimension are refused. Binary are 32-bit integers and floats, the highest
-// byte first; a face then has the count of its colour's numbers behind its corners.
+// OFF (Geomview): a header, three counts, the vertices and the faces, as text or binary. Any white
+// space separates numbers, including line ends, with two exceptions. The words after a face's
+// corners on the same line are its colour, unless fewer lines are left than faces: then they are
+// the next face. The colour of a vertex has four numbers, or three if the line ends after them. The
+// variants with texture coordinates, colours and normals per vertex (ST, C, N before OFF) are also
+// read; those in another dimension are rejected. Binary files have 32-bit integers and floats in
+// big-endian order; the corners of a face are followed by the count of its colour's numbers.
 #include <optional>
 #include <utility>
 
@@ -50,7 +50,7 @@ class OffParser {
                    ") are not supported");
     }
     remove_prefix(word, "OFF");
-    // Some writers put the counts directly behind the keyword: OFF490 518 0.
+    // Some writers put the counts directly after the keyword: OFF490 518 0.
     if (word.empty() && reader_.at_line_end() && !reader_.next_line()) {
       reader_.fail_truncated("the counts");
     }
@@ -70,9 +70,9 @@ class OffParser {
     if (!reader_.at_line_end()) reader_.fail("a header has three counts: vertices, faces, edges");
   }
 
-  // Nothing is allocated for counts that the rest of the file cannot hold: a vertex takes at least
-  // six bytes ("0 0 0" and a line end, which only the last line may lack), a face eight; a binary
-  // triangle has five numbers.
+  // Rejects counts that the rest of the file cannot hold, before memory is allocated. A vertex
+  // takes at least six bytes ("0 0 0" and a line end, which only the last line may lack), a face
+  // eight; a binary triangle has five numbers.
   void check_room() {
     const std::size_t vertex = binary_ ? 4 * vertex_numbers_ : 6;
     const std::size_t face = binary_ ? 4 * 5 : 8;
@@ -122,7 +122,7 @@ class OffParser {
     polygons_.end_polygon(line);
   }
 
-  // Asked behind a face that does not end its line, and found once.
+  // Called after a face that does not end its line; computed once.
   bool faces_share_lines() {
     if (!share_lines_) {
       TextReader rest = reader_;
@@ -144,7 +144,7 @@ class OffParser {
     if (!reader_.ends_with_line_end()) file_.warnings.push_back(kNoLineEnd);
   }
 
-  // Returns the line of a vertex or face; 0 in a binary file.
+  // Begins a vertex or face and returns its line; 0 in a binary file.
   std::uint32_t begin(std::string_view element) {
     element_ = element;
     if (binary_) return 0;
@@ -172,7 +172,7 @@ class OffParser {
     return found;
   }
 
-  // What is wrong with a line may become apparent far behind it.
+  // An error in a line may become apparent only much later.
   void remark_on_line() {
     if (std::exchange(remarked_, true)) return;
     reader_.add_to_messages(" (line " + std::to_string(reader_.line()) +
@@ -180,7 +180,7 @@ class OffParser {
                             "announces colours of vertices, NOFF normals)");
   }
 
-  // The next binary number.
+  // Reads the next binary number.
   template <class T>
   T load() {
     if (bytes_.size() - offset_ < sizeof(T)) {
@@ -213,14 +213,14 @@ class OffParser {
   MeshFile file_;
   Polygons polygons_;
   bool binary_ = false;
-  std::size_t offset_ = 0;  // of the next binary number
+  std::size_t offset_ = 0;  // position of the next binary number
   std::size_t vertices_ = 0;
   std::size_t faces_ = 0;
-  std::size_t vertex_numbers_ = 3;  // coordinates and what the header announces
-  bool colours_ = false;            // the last number of a vertex in text may lack
-  std::string_view element_;        // what is being read, "vertex" or "face", and the how manieth
+  std::size_t vertex_numbers_ = 3;  // coordinates and the numbers that the header announces
+  bool colours_ = false;            // the last number of a vertex in text may be missing
+  std::string_view element_;        // present element, "vertex" or "face"; number_ is its index
   std::size_t number_ = 0;
-  std::optional<bool> share_lines_;  // faces do, once known
+  std::optional<bool> share_lines_;  // whether faces share lines, once known
   bool remarked_ = false;
 };
 

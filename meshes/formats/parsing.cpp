@@ -14,7 +14,7 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; 
 
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
-// The next one of a character, or the end.
+// Returns the next occurrence of a character, or the end.
 const char* find(const char* begin, const char* end, char c) {
   if (begin == end) return end;
   const void* const found = std::memchr(begin, c, static_cast<std::size_t>(end - begin));
@@ -109,7 +109,7 @@ double TextReader::to_number(std::string_view word, std::string_view what) const
   double value = 0;
   std::errc error = parse(digits, value);
   if (error == std::errc::result_out_of_range) {
-    // Too small or too large for a double; the wider type decides which.
+    // Too small or too large for a double; the wider type tells which.
     long double wide = 0;
     error = parse(digits, wide);
     value = static_cast<double>(wide);

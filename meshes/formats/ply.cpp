@@ -1,10 +1,10 @@
-// PLY (Turk 1994): ASCII, binary little-endian and binary big-endian. Read are the x, y, z of the
-// element "vertex", and the lists "vertex_indices" (or "vertex_index") of the elements "face" and
-// "tristrips"; other properties and elements are skipped.
+// PLY (Turk 1994): ASCII, binary little-endian and binary big-endian. The parser reads x, y, z of
+// the element "vertex", and the lists "vertex_indices" (or "vertex_index") of the elements "face"
+// and "tristrips"; it skips other properties and elements.
 //
-// A list of "tristrips" holds triangle strips, as range scanners write them: each vertex makes a
-// triangle with the two before it, every second one turned, and -1 starts a new strip. A triangle
-// that names a vertex twice joins two parts of a strip and is not part of the surface.
+// A list of "tristrips" contains triangle strips, as range scanners write them: each vertex forms a
+// triangle with the previous two, every second triangle is reversed, and -1 starts a new strip. A
+// triangle that names a vertex twice joins two parts of a strip and is not part of the surface.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -16,7 +16,7 @@
 namespace geodesic {
 namespace {
 
-/// Of a number in the file; every value is exact as a double.
+/// Type of a number in the file; every value is exact as a double.
 struct Type {
   std::size_t bytes;
   bool real;
@@ -48,13 +48,13 @@ constexpr std::array<std::pair<std::string_view, Type>, 16> kPlyTypes = {
      {"double", ply_type<double>()},
      {"float64", ply_type<double>()}}};
 
-/// What the reader does with the values of a property.
+/// The use of a property's values.
 enum class Role { skip, x, y, z, polygon, strips };  // x, y, z: a coordinate's number plus one
 
 struct Property {
   std::string name;
   Type type;
-  std::optional<Type> count_type;  // of a list
+  std::optional<Type> count_type;  // type of the length of a list
   Role role = Role::skip;
 };
 
@@ -77,7 +77,7 @@ class HeaderParser {
 
   PlyHeader parse() {
     next_line();
-    reader_.word();  // "ply", which recognised the format
+    reader_.word();  // "ply", which was checked before
     next_line();
     read_format();
     while (true) {
@@ -105,7 +105,7 @@ class HeaderParser {
   void read_format() {
     if (reader_.word() != "format") reader_.fail("expected the line 'format ...'");
     constexpr std::array<std::string_view, 3> kNames = {"ascii", "binary_little_endian",
-                                                        "binary_big_endian"};  // as Encoding
+                                                        "binary_big_endian"};  // by Encoding
     const std::string_view encoding = reader_.word();
     const auto found = std::ranges::find(kNames, encoding);
     if (found == kNames.end()) {
@@ -194,10 +194,10 @@ class HeaderParser {
   PlyHeader header_;
 };
 
-// The values behind the header: numbers in words, a line a row, or binary.
+// The values after the header: numbers as words, one row per line, or binary.
 class Values {
  public:
-  /// @param reader behind the header
+  /// @param reader a reader whose header was read
   Values(TextReader& reader, std::string_view bytes, Encoding encoding, const std::string& name)
       : reader_(reader),
         bytes_(bytes),
@@ -207,14 +207,14 @@ class Values {
         name_(name) {}
 
   std::size_t bytes_left() const {
-    return ascii_ ? reader_.bytes_left() + 1  // the last line end may lack
+    return ascii_ ? reader_.bytes_left() + 1  // the last line end may be missing
                   : bytes_.size() - offset_;
   }
-  /// Of a property in a row.
+  /// Least number of bytes of a property in a row.
   std::size_t least_bytes(const Property& property) const {
     return ascii_ ? 2 : property.count_type.value_or(property.type).bytes;
   }
-  /// 0 in a binary file.
+  /// Line of the row; 0 in a binary file.
   std::uint32_t line() const { return ascii_ ? reader_.line() : 0; }
 
   void begin_row(std::string_view element, std::uint64_t number) {
@@ -266,7 +266,7 @@ class Values {
   bool ascii_;
   std::endian order_;
   const std::string& name_;
-  std::string_view element_;  // the row that is being read, for messages
+  std::string_view element_;  // the present row, for messages
   std::uint64_t number_ = 0;
 };
 
@@ -292,7 +292,7 @@ class BodyParser {
   }
 
  private:
-  // Nothing is allocated for a count that the rest of the file cannot hold.
+  // Rejects a count that the rest of the file cannot hold, before memory is allocated.
   void check_room(const Element& element) {
     std::size_t row = 0;
     for (const Property& property : element.properties) row += values_.least_bytes(property);
@@ -306,7 +306,7 @@ class BodyParser {
     if (element.name == "face") polygons_.reserve(element.count);
   }
 
-  /// @return what the row says of x, y and z
+  /// @return x, y and z of the row
   Vec3 read_row(const Element& element, std::uint64_t i) {
     values_.begin_row(element.name, i);
     Vec3 position = {};
@@ -393,7 +393,7 @@ class BodyParser {
   Values values_;
   MeshFile& file_;
   Polygons& polygons_;
-  std::size_t joints_ = 0;  // triangles of strips without three vertices
+  std::size_t joints_ = 0;  // triangles of strips that name a vertex twice
 };
 
 }  // namespace
@@ -404,7 +404,7 @@ MeshFile parse_ply(std::string_view bytes, const std::string& name) {
   MeshFile file;
   Polygons polygons;
   constexpr std::array kFormats = {"PLY ASCII", "PLY binary little-endian",
-                                   "PLY binary big-endian"};  // as Encoding
+                                   "PLY binary big-endian"};  // by Encoding
   file.format = kFormats[static_cast<std::size_t>(header.encoding)];
   BodyParser(Values(reader, bytes, header.encoding, name), file, polygons).parse(header.elements);
   polygons.triangulate(file);

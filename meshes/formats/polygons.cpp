@@ -10,12 +10,12 @@ namespace {
 
 using FlatPoint = std::array<double, 2>;
 
-// Twice the signed area of a triangle, positive when it is counter-clockwise.
+// Returns twice the signed area of a triangle, positive if it is counter-clockwise.
 double area2(const FlatPoint& a, const FlatPoint& b, const FlatPoint& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-// The sum of the cross products of a polygon's sides, twice its area along its normal (Newell).
+// The sum of the cross products of a polygon's sides: twice its area along its normal (Newell).
 Vec3 newell_normal(std::span<const Vec3> positions, std::span<const Index> corners) {
   Vec3 sum = {0, 0, 0};
   const Vec3& origin = positions[corners[0]];
@@ -26,7 +26,7 @@ Vec3 newell_normal(std::span<const Vec3> positions, std::span<const Index> corne
   return sum;
 }
 
-// The polygon without the coordinate in which its normal is longest, counter-clockwise.
+// Returns the polygon, counter-clockwise, without the coordinate in which its normal is longest.
 std::vector<FlatPoint> project(std::span<const Vec3> positions, std::span<const Index> corners,
                                const Vec3& normal) {
   std::size_t axis = 0;
@@ -41,7 +41,7 @@ std::vector<FlatPoint> project(std::span<const Vec3> positions, std::span<const 
   return points;
 }
 
-// Whether all triangles from one corner are as the polygon is, counter-clockwise.
+// Returns whether all triangles from one corner are counter-clockwise, like the polygon.
 bool fan_is_unfolded(std::span<const FlatPoint> points, std::size_t apex) {
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
     const FlatPoint& a = points[(apex + i) % points.size()];
@@ -65,7 +65,7 @@ bool append_polygon(std::span<const Vec3> positions, std::span<const Index> corn
   const bool usable = std::all_of(corners.begin(), corners.end(), [&](Index v) {
     return v < positions.size() && is_finite(positions[v]);
   });
-  if (!usable) {  // find_defects will say so
+  if (!usable) {  // find_defects will report it
     append_fan(corners, 0, triangles);
     return true;
   }
@@ -102,7 +102,7 @@ void Polygons::triangulate(MeshFile& file) {
     return;
   }
   triangles.reserve(triangles_.size() + larger_corners_.size() - 2 * larger_.size());
-  std::size_t taken = 0;  // of triangles_
+  std::size_t taken = 0;  // number of triangles_ taken
   const auto take_to = [&](std::size_t end) {
     const auto from = static_cast<std::ptrdiff_t>(taken), to = static_cast<std::ptrdiff_t>(end);
     triangles.insert(triangles.end(), triangles_.begin() + from, triangles_.begin() + to);

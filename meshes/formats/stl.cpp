@@ -1,4 +1,4 @@
-// STL, ASCII and binary. The format repeats a corner's coordinates in every triangle; corners of
+// STL, ASCII and binary. The format repeats a corner's coordinates in every triangle. Corners with
 // equal coordinates become one vertex, numbered by first appearance.
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@
 namespace geodesic {
 namespace {
 
-// Binary: 80 bytes of anything, a count, and 50 bytes a triangle (normal, three corners,
+// A binary file has 80 arbitrary bytes, a count, and 50 bytes per triangle (normal, three corners,
 // attribute).
 constexpr std::size_t kHeaderBytes = 84;
 constexpr std::size_t kTriangleBytes = 50;
@@ -25,7 +25,7 @@ std::uint32_t triangle_count(std::string_view bytes) {
   return load_number<std::uint32_t>(bytes.data() + 80, std::endian::little);
 }
 
-// Numbers points by first appearance. They are compared by bits, so that a NaN equals itself.
+// Numbers points by first appearance. Points are compared by bits, so that a NaN equals itself.
 class PointJoiner {
  public:
   explicit PointJoiner(std::vector<Vec3>& positions) : positions_(positions) {}
@@ -66,7 +66,7 @@ class AsciiStlParser {
     file_.format = "STL ASCII";
   }
 
-  // One or more of: solid [name], facets, endsolid [name].
+  // Parses one or more of: solid [name], facets, endsolid [name].
   MeshFile parse() {
     while (reader_.next_line()) {
       expect("solid");

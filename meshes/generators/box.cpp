@@ -1,4 +1,4 @@
-// A closed box of square cells, and its distances.
+// Generates a closed box of square cells, and computes its distances.
 #include <algorithm>
 #include <array>
 
@@ -9,7 +9,7 @@ namespace geodesic {
 namespace {
 
 /// The lattice points on the surface of a box of a x b x c unit cells, numbered layer by layer in
-/// z: the whole of the first and last layer, the border of those between.
+/// z: all points of the first and last layer, the border of the others.
 class BoxSurface {
  public:
   BoxSurface(Index a, Index b, Index c) : size_{a, b, c} {
@@ -40,7 +40,7 @@ class BoxSurface {
  private:
   Index layer() const { return (size_[0] + 1) * (size_[1] + 1); }
   Index border() const { return 2 * (size_[0] + size_[1]); }
-  /// Border points of a layer in the order of for_each_point.
+  /// Index of a border point of a layer in the order of for_each_point.
   Index along_border(Index x, Index y) const {
     const auto [a, b, c] = size_;
     if (y == 0) return x;
@@ -54,7 +54,7 @@ class BoxSurface {
 /// Adds the side with normal +`axis` or -`axis`.
 void add_side(TriangleSoup& soup, const BoxSurface& box, std::size_t axis, bool positive,
               Diagonal diagonal) {
-  // Right-handed (u, v, axis) for the positive side, mirrored for the negative one.
+  // (u, v, axis) is right-handed for the positive side, and mirrored for the negative one.
   const std::size_t u = (axis + (positive ? 1 : 2)) % 3, v = (axis + (positive ? 2 : 1)) % 3;
   const Sheet sheet{.columns = box.size()[u], .rows = box.size()[v], .diagonal = diagonal};
   const auto vertex_of = [&](Index id) {
@@ -92,8 +92,8 @@ struct Side {
   std::size_t number() const { return 2 * axis + (far ? 1 : 0); }
 };
 
-/// A side laid into the plane: a point `anchor` of it at `image`, unit steps along the three axes
-/// as `steps` (the one along its normal is not used).
+/// A side unfolded into the plane: its point `anchor` lies at `image`, and unit steps along the
+/// three axes become `steps` (the one along its normal is not used).
 struct Layout {
   Side side;
   Vec3 anchor;
@@ -117,7 +117,7 @@ struct Gate {
 };
 
 /// A chain of sides unfolded from the source, which lies at (0, 0): the last side, and the edges
-/// crossed on the way.
+/// crossed before it.
 struct Unfolding {
   Layout last;
   std::vector<Gate> gates;
@@ -173,7 +173,7 @@ class Unfolder {
     corner[to] = next.far ? size_[to] : 0;
     Vec3 other = corner;
     other[along] = size_[along];
-    // Beyond the edge the path continues against the outer normal of the side that is left.
+    // Beyond the edge the path continues against the outer normal of the previous side.
     Layout there = {next, corner, here.lay_out(corner), here.steps};
     const Real sign = here.side.far == next.far ? -1 : 1;
     there.steps[from] = {sign * here.steps[to].x, sign * here.steps[to].y};
@@ -198,12 +198,12 @@ class Unfolder {
 
   Vec3 size_;
   std::vector<Unfolding> unfoldings_;
-  std::vector<Gate> gates_;  // of the chain that is being unfolded, as is `entered_`
+  std::vector<Gate> gates_;  // of the present chain, like `entered_`
   std::array<bool, 6> entered_ = {};
 };
 
-/// The least straight line over all unfoldings of a chain of sides. A shortest path crosses no side
-/// of a box twice (Sharir, Schorr 1986: it crosses no face of a convex polyhedron twice).
+/// Distances by the shortest straight line over all unfoldings of chains of sides. A shortest path
+/// crosses no side of a box twice (Sharir, Schorr 1986: no face of a convex polyhedron).
 std::vector<double> box_distances(const CheckedParameters& /*parameters*/, const TriangleSoup& soup,
                                   Index source) {
   // The corner opposite to the origin is the last vertex.

@@ -22,7 +22,7 @@ double nested_series(double x, int k) {
 CirclePoint circle_point(double turns) {
   const double fraction = turns - std::floor(turns);
   const double quarter = std::floor(4 * fraction + 0.5);
-  // Exact (Sterbenz); the rest lies within an eighth of a turn of a coordinate axis.
+  // The difference is exact (Sterbenz) and within an eighth of a turn of a coordinate axis.
   const double x = (fraction - quarter / 4) * kTwoPi;
   const double cosine = nested_series(x, 1);
   const double sine = x * nested_series(x, 2);

@@ -1,5 +1,5 @@
-// The cone (total angle below 360 degrees) and the saddle (above) of planar sectors around vertex
-// 0, whose distances are those of an unrolled fan.
+// Generates the cone (total angle below 360 degrees) and the saddle (above) of planar sectors
+// around vertex 0. Their distances are those of an unrolled fan.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -14,16 +14,16 @@ namespace {
 /// Id of the first vertex of ring r >= 1.
 Index first_of_ring(Index sectors, Index r) { return 1 + sectors * (r * (r - 1) / 2); }
 
-/// Vertex k of sector i in ring r, k = r being the first of the next sector.
+/// Id of vertex k of sector i in ring r; k = r is the first vertex of the next sector.
 Index fan_vertex(Index sectors, Index r, Index i, Index k) {
   return r == 0 ? 0 : first_of_ring(sectors, r) + (i * r + k) % (sectors * r);
 }
 
-/// A closed fan: sector i is the planar triangle from the origin between directions i and i + 1
-/// (the last one between the last and the first), cut into `rings`^2 similar triangles.
+/// Returns a closed fan. Sector i, cut into `rings`^2 similar triangles, is the planar triangle of
+/// the origin and directions i and i + 1 (of the last sector, the last and the first).
 ///
-/// Vertex 0 is the origin; ring r = 1 ... rings follows with r vertices a sector: its vertex
-/// i r + k lies k / r of the way from r / rings * directions[i] to r / rings * directions[i + 1].
+/// Vertex 0 is the origin. Rings r = 1 ... rings follow with r vertices per sector: vertex i r + k
+/// of a ring lies k / r of the way from r / rings * directions[i] to r / rings * directions[i + 1].
 TriangleSoup sector_fan(const std::vector<Vec3>& directions, Index rings) {
   const auto sectors = static_cast<Index>(directions.size());
   check_face_count(1.0 * sectors * rings * rings);
@@ -56,12 +56,12 @@ TriangleSoup sector_fan(const std::vector<Vec3>& directions, Index rings) {
   return soup;
 }
 
-/// Unit vectors at equal angles `sector_turns` from one to the next: around the z axis, all
-/// equally far below the plane z = 0, or above and below it in turn.
+/// Returns unit vectors around the z axis at equal angles `sector_turns` from one to the next. All
+/// are equally far below the plane z = 0, or alternately below and above it.
 std::vector<Vec3> ring_of_directions(Index count, double sector_turns, bool alternating) {
-  // |u_i - u_i+1|: the chord of a sector's angle. Seen from above, neighbours are a chord of
-  // 2 c sin(pi / count) apart, c their distance from the axis; alternating, also 2 sqrt(1 - c^2)
-  // apart in height.
+  // |u_i - u_i+1| is the chord of a sector's angle. Let c be the distance of the ends from the
+  // axis. Seen from above, neighbours are 2 c sin(pi / count) apart; alternating ones are also 2
+  // sqrt(1 - c^2) apart in height.
   const double half_chord = circle_point(sector_turns / 2).sine;
   const double half_step = circle_point(0.5 / count).sine;
   const double c2 = alternating ? (1 - half_chord * half_chord) / (1 - half_step * half_step)
@@ -98,14 +98,14 @@ struct Polar {
   Real angle = 0;  ///< about the apex, from the first leg
 };
 
-/// The angle at the origin between two points.
+/// Returns the angle at the origin between two points.
 Real angle_between(const std::array<Real, 3>& a, const std::array<Real, 3>& b) {
   const auto [x, y, z] = cross(a, b);
   return std::atan2(std::hypot(x, y, z), dot(a, b));
 }
 
 /// The unrolled fan: every vertex in polar coordinates about the apex, vertex 0. Neighbours on a
-/// ring lie in one plane with the apex: angles add up.
+/// ring lie in one plane with the apex, so that angles add up.
 class UnrolledFan {
  public:
   UnrolledFan(const TriangleSoup& soup, Index sectors, Index rings) : polar_(1) {
@@ -137,8 +137,8 @@ class UnrolledFan {
   Real total_ = 0;  // angle around the apex
 };
 
-/// Planar sectors around vertex 0, unrolled: a straight line where the lesser angle at the apex is
-/// below 180 degrees, else the way through the apex. The corners of the rim are convex, so that the
+/// Distances on the unrolled sectors around vertex 0: a straight line if the lesser angle at the
+/// apex is below 180 degrees, else the way through the apex. The corners of the rim are convex: the
 /// straight line never leaves the mesh.
 std::vector<double> fan_distances(const CheckedParameters& parameters, const TriangleSoup& soup,
                                   Index source) {

@@ -1,12 +1,12 @@
-// A plate of needles around a convex arc: every corner of the arc sends windows over all needles
-// behind it, the worst case of window counts (Mitchell, Mount, Papadimitriou 1987, section 4).
+// Generates a plate of needles around a convex arc. Every corner sends windows over all needles
+// behind it: the worst case of window counts (Mitchell, Mount, Papadimitriou 1987, section 4).
 #include "meshes/generators/families.h"
 #include "meshes/plane.h"
 
 namespace geodesic {
 namespace {
 
-/// Corner k of the arc is vertex k, that of the rim behind it corners + 1 + k.
+/// Corner k of the arc is vertex k; the vertex of the rim behind it is corners + 1 + k.
 TriangleSoup make_involute(const CheckedParameters& parameters) {
   const Index corners = parameters.integer("corners");
   // With three corners or more the rim stays outside of the arc, at any angle and width.
@@ -30,7 +30,7 @@ TriangleSoup make_involute(const CheckedParameters& parameters) {
 /// A string from the source around the corners of the arc, pulled taut.
 class TautString {
  public:
-  /// @param side 1 where the string runs counter-clockwise, with the arc to its left; else -1
+  /// @param side 1 if the string runs counter-clockwise, with the arc to its left; else -1
   TautString(const PlanePoint& source, int side) : side_(side), bends_{{source, 0}} {}
 
   Real length_to(const PlanePoint& end) const {

@@ -1,4 +1,4 @@
-// Vertices moved at random.
+// Moves vertices at random.
 #include <span>
 
 #include "meshes/connectivity.h"
@@ -8,7 +8,7 @@
 namespace geodesic {
 namespace {
 
-/// Over undirected edges, each counted once.
+/// Returns the mean length of undirected edges, each counted once.
 double mean_edge_length(const TriangleSoup& soup) {
   double sum = 0;
   double count = 0;
@@ -19,7 +19,7 @@ double mean_edge_length(const TriangleSoup& soup) {
   return sum / count;
 }
 
-/// The sum of the normals of a vertex's faces, each as long as twice the face's area.
+/// The sum of the normals of each vertex's faces, where a normal is as long as twice the area.
 std::vector<Vec3> vertex_normals(const TriangleSoup& soup) {
   std::vector<Vec3> normals(soup.positions.size(), Vec3{});
   for (const Triangle& face : soup.triangles) {

@@ -1,4 +1,4 @@
-// Open sheets over a square or rectangle: flat, with holes, or with bumps.
+// Generates open sheets over a square or rectangle: flat, with holes, or with bumps.
 #include <algorithm>
 #include <array>
 
@@ -17,7 +17,7 @@ TriangleSoup make_grid(const CheckedParameters& parameters) {
 
 PlanePoint seen_from_above(const Vec3& p) { return {p[0], p[1]}; }
 
-/// A convex piece of a plane: the straight line.
+/// The distances are straight lines in a convex part of a plane.
 std::vector<double> grid_distances(const CheckedParameters& /*parameters*/,
                                    const TriangleSoup& soup, Index source) {
   const PlanePoint from = seen_from_above(soup.positions[source]);
@@ -25,8 +25,8 @@ std::vector<double> grid_distances(const CheckedParameters& /*parameters*/,
       soup, [&](Index v) { return distance(from, seen_from_above(soup.positions[v])); });
 }
 
-/// Of the triangle on edge (i, j) - (i + 1, j), whose third vertex lies at that height over the
-/// edge's middle: in the face above, so that the sheet stays flat and its cells stay covered once.
+/// Adds a triangle on each inner edge (i, j) - (i + 1, j). Its third vertex is at the height "cap"
+/// over the edge's middle, in the face above: the sheet stays flat and cells stay covered once.
 TriangleSoup make_capped_grid(const CheckedParameters& parameters) {
   Sheet sheet = sheet_of(parameters, "columns", "rows");
   const double height = parameters.real("cap");
@@ -66,8 +66,8 @@ class Hole {
 
   const std::array<PlanePoint, 4>& corners() const { return corners_; }
 
-  /// Whether the segment enters the square: no axis of the square, and not the segment's own
-  /// normal, separates the two. Exact for integer coordinates below 2^30.
+  /// Whether the segment enters the square: neither an axis of the square nor the segment's own
+  /// normal separates the two. Exact for integer coordinates below 2^30.
   bool blocks(const PlanePoint& p, const PlanePoint& q) const {
     if (std::max(p.x, q.x) <= low_ || std::min(p.x, q.x) >= high_) return false;
     if (std::max(p.y, q.y) <= low_ || std::min(p.y, q.y) >= high_) return false;
@@ -76,7 +76,7 @@ class Hole {
            std::any_of(corners_.begin(), corners_.end(), [&](auto& c) { return side(c) < 0; });
   }
 
-  /// Distances of the corners from `source`: straight, or onwards along the hole's sides.
+  /// Returns the distances of the corners from `source`: straight, or along the hole's sides.
   std::array<Real, 4> corner_distances(const PlanePoint& source) const {
     std::array<Real, 4> reached;
     for (std::size_t c = 0; c < 4; ++c) {
@@ -98,8 +98,8 @@ class Hole {
   std::array<PlanePoint, 4> corners_;  // neighbours in order
 };
 
-/// Straight where the hole is not in the way, else by its corners (the shortest paths of a
-/// visibility graph: Lozano-Perez, Wesley 1979).
+/// Distances are straight lines if the hole does not block them, else paths over its corners (the
+/// shortest paths of a visibility graph: Lozano-Perez, Wesley 1979).
 std::vector<double> square_with_hole_distances(const CheckedParameters& parameters,
                                                const TriangleSoup& soup, Index source) {
   const Index rim = parameters.integer("rim");
@@ -118,7 +118,7 @@ std::vector<double> square_with_hole_distances(const CheckedParameters& paramete
   });
 }
 
-/// From the middle of the hole in its period of `pitch` cells to the middle of cell k, in cells.
+/// Offset, in cells, of the middle of cell k from the middle of the hole of its `pitch` cells.
 double from_hole_centre(Index k, Index pitch) { return k % pitch + 0.5 - 0.5 * pitch; }
 
 TriangleSoup make_holed_plate(const CheckedParameters& parameters) {

@@ -1,4 +1,4 @@
-// The unit sphere's triangulation, and a mesh of two components that contains one.
+// Generates triangulated spheres, and a mesh of two components that contains one.
 #include <array>
 #include <cmath>
 #include <map>
@@ -29,7 +29,7 @@ constexpr std::array<Triangle, 20> kFaces = {
      {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
      {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
 
-/// The icosahedron with every face cut into frequency^2 triangles. Ids: the 12 corners, then the
+/// The icosahedron with every face split into frequency^2 triangles. Ids: the 12 corners, then the
 /// inner vertices of the edges, then those of the faces.
 class Icosphere {
  public:
@@ -57,7 +57,7 @@ class Icosphere {
     return add(add(scale(n_ - i - j, kCorners[a]), scale(i, kCorners[b])), scale(j, kCorners[c]));
   }
 
-  /// Vertex k / n of the way from corner a to corner b, made at the first call.
+  /// Returns the vertex k / n of the way from corner a to corner b; creates it at the first call.
   Index on_edge(Index a, Index b, Index k) {
     if (k == 0) return a;
     if (k == n_) return b;

@@ -1,4 +1,4 @@
-// Open terrains: of fractal value noise, and of measured heights.
+// Generates open terrains from fractal value noise and from measured heights.
 #include <cmath>
 #include <utility>
 
@@ -10,8 +10,8 @@
 namespace geodesic {
 namespace {
 
-// Fractal value noise: random heights on the points of ever finer square lattices, blended with the
-// quintic of Perlin 2002, "Improving noise", and added with falling amplitude.
+// Fractal value noise: random heights on the points of increasingly fine square lattices, blended
+// with the quintic of Perlin 2002, "Improving noise", and added with decreasing amplitude.
 
 /// 0 at 0, 1 at 1, with first and second derivatives of 0 at both.
 double fade(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }
@@ -38,7 +38,7 @@ class Octave {
   }
 
  private:
-  /// The lattice's values between row `row` (t = 0) and the next (t = 1).
+  /// Computes the lattice's values between row `row` (t = 0) and the next (t = 1).
   void blend_rows(std::uint64_t row, double t) {
     blended_.resize(static_cast<std::size_t>(frequency_) + 2);
     for (std::size_t k = 0; k < blended_.size(); ++k) {
@@ -84,7 +84,7 @@ TriangleSoup make_terrain(const CheckedParameters& parameters) {
 }
 
 /// Second derivatives m of the spline: m[i-1] + 4 m[i] + m[i+1] = 6 (y[i-1] - 2 y[i] + y[i+1]) at
-/// the inner samples, 0 at both ends. Thomas's elimination; the matrix is diagonally dominant.
+/// the inner samples, 0 at both ends. Thomas's algorithm; the matrix is diagonally dominant.
 std::vector<double> second_derivatives(const std::vector<double>& y) {
   const std::size_t n = y.size();
   std::vector<double> m(n, 0), upper(n, 0);
@@ -97,10 +97,10 @@ std::vector<double> second_derivatives(const std::vector<double>& y) {
   return m;
 }
 
-// Measured heights. The grid is an array as maps are stored: its first row lies in the north, its
-// first column in the west. x runs east along a row, y north against the order of rows.
+// Measured heights. The grid is an array like a map: its first row lies in the north, its first
+// column in the west. x runs east along a row, y runs north, against the order of rows.
 
-/// Every row resampled at `count` + 1 points, as the columns of a transposed array.
+/// Resamples every row at `count` + 1 points; the results are the columns of a transposed array.
 Array resample_rows(const Array& array, std::size_t count) {
   Array result{.rows = count + 1, .columns = array.rows, .values = {}};
   result.values.resize(result.rows * result.columns);
@@ -118,7 +118,7 @@ TriangleSoup make_elevation(const CheckedParameters& parameters) {
   check_face_count(2.0 * sheet.columns * sheet.rows);
   const std::string& file = parameters.text("input");
   const Array samples = parse_npy(read_bytes(file), file);
-  // Metres from vertex to vertex.
+  // Distances between neighbouring vertices, in metres.
   const double dx =
       parameters.real("spacing-x") * (static_cast<double>(samples.columns - 1) / sheet.columns);
   const double dy =
@@ -146,7 +146,7 @@ std::vector<double> NaturalSpline::resampled(std::size_t count) const {
   std::vector<double> values;
   values.reserve(count + 1);
   for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t steps = k * (samples_.size() - 1);  // of 1 / count
+    const std::size_t steps = k * (samples_.size() - 1);  // in units of 1 / count
     values.push_back(
         at(steps / count, static_cast<double>(steps % count) / static_cast<double>(count)));
   }

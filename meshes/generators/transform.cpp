@@ -1,5 +1,5 @@
-// A mesh moved to where solvers have trouble: other units, far from the origin, cut open, in
-// several parts, pinched, with isolated vertices.
+// Transforms a mesh into one that is difficult for solvers: other units, far from the origin, cut
+// open, in several parts, pinched, with isolated vertices.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -10,7 +10,7 @@
 namespace geodesic {
 namespace {
 
-/// Removes the first faces, and vertices that are isolated then.
+/// Removes the first faces, and vertices that then are isolated.
 void drop_first_faces(TriangleSoup& soup, Index count) {
   const auto dropped = std::min<std::size_t>(count, soup.triangles.size());
   if (dropped == 0) return;
@@ -19,7 +19,7 @@ void drop_first_faces(TriangleSoup& soup, Index count) {
   drop_isolated_vertices(soup);
 }
 
-/// Every face gets three vertices of its own.
+/// Gives every face its own three vertices.
 void separate_faces(TriangleSoup& soup) {
   std::vector<Vec3> corners;
   for (Triangle& face : soup.triangles) {
@@ -31,7 +31,7 @@ void separate_faces(TriangleSoup& soup) {
   soup.positions = std::move(corners);
 }
 
-/// Adds the image of the mesh in its vertex 0, the only vertex that both have.
+/// Adds the mesh reflected at its vertex 0, the only vertex of both parts.
 void pinch(TriangleSoup& soup) {
   const auto count = static_cast<Index>(soup.positions.size());
   const std::size_t faces = soup.triangles.size();
@@ -44,7 +44,7 @@ void pinch(TriangleSoup& soup) {
   }
 }
 
-/// Adds copies side by side along x, as far apart as the mesh is wide.
+/// Adds copies next to each other along x, separated by the width of the mesh.
 void repeat(TriangleSoup& soup, Index copies) {
   check_face_count(1.0 * static_cast<double>(soup.triangles.size()) * copies);
   const TriangleSoup first = soup;
@@ -57,7 +57,7 @@ void repeat(TriangleSoup& soup, Index copies) {
   }
 }
 
-/// Adds vertices of no face, above the mesh.
+/// Adds vertices without faces, above the mesh.
 void add_isolated(TriangleSoup& soup, Index count) {
   const Box box = box_around(soup.positions);
   const double step = 2 * box.half_extent();

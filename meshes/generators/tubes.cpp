@@ -1,4 +1,4 @@
-// Tubes: cylinders and needles open at both ends, tori and torus knots closed.
+// Generates tubes: cylinders and needles with open ends, closed tori and torus knots.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -21,7 +21,7 @@ TriangleSoup make_cylinder(const CheckedParameters& parameters) {
   });
 }
 
-/// The strip that the tube unrolls to, the shorter way round.
+/// Distances on the strip that the tube unrolls to, by the shorter way around.
 std::vector<double> cylinder_distances(const CheckedParameters& parameters,
                                        const TriangleSoup& soup, Index source) {
   const Index sides = parameters.integer("sides");
@@ -67,7 +67,7 @@ TriangleSoup make_torus(const CheckedParameters& parameters) {
   });
 }
 
-// The (p, q) torus knot: p times round the axis of a torus, q times through its hole.
+// The (p, q) torus knot: p times around the axis of a torus, q times through its hole.
 
 constexpr double kRingRadius = 2;  // of the torus that the knot lies on
 constexpr double kWindRadius = 1;
@@ -83,13 +83,13 @@ class Knot {
  public:
   Knot(Index p, Index q) : p_(p), q_(q) {}
 
-  /// @param t in [0, 1], once round the knot
+  /// @param t in [0, 1], once around the knot
   Station at(double t) const {
     const CirclePoint round = circle_point(p_ * t), wind = circle_point(q_ * t);
     const double radius = kRingRadius + kWindRadius * wind.cosine;
     const Vec3 normal = {wind.cosine * round.cosine, wind.cosine * round.sine, wind.sine};
-    // Velocity = p radius (-sin, cos, 0) + q winding direction, over 2 pi; both are normal to
-    // `normal` and to one another.
+    // Velocity = p radius (-sin, cos, 0) + q winding direction, divided by 2 pi; both terms are
+    // normal to `normal` and to one another.
     const double u = p_ * radius, w = q_ * kWindRadius;
     const double speed = std::sqrt(u * u + w * w);
     const Vec3 tangent = {(-u * round.sine - w * wind.sine * round.cosine) / speed,
@@ -100,9 +100,9 @@ class Knot {
             cross(normal, tangent)};
   }
 
-  /// `count` stations at equal arc length.
+  /// Returns `count` stations at equal arc lengths.
   std::vector<Station> stations(Index count) const {
-    constexpr Index kSteps = 16;  // of the trapezoid rule a station
+    constexpr Index kSteps = 16;  // of the trapezoid rule per station
     const double steps = 1.0 * count * kSteps;
     std::vector<double> length = {0};
     for (Index k = 0; k < count * kSteps; ++k) {
@@ -130,8 +130,8 @@ class Knot {
   double q_;
 };
 
-/// Turns that the torus's normal makes around the knot against a frame that does not rotate,
-/// rounded: turning back by it leaves a periodic frame that hardly rotates.
+/// Returns the number of turns, rounded, that the torus's normal makes around the knot relative to
+/// a frame without rotation. Turning back by it gives a periodic frame that hardly rotates.
 double whole_twist(const std::vector<Station>& stations) {
   double twist = 0;
   for (std::size_t i = 0; i < stations.size(); ++i) {

@@ -7,7 +7,7 @@
 namespace geodesic {
 namespace {
 
-// By external number of a vertex: neighbour, length.
+// Neighbours and lengths, by external number of a vertex.
 using Graph = std::vector<std::vector<std::pair<Index, Real>>>;
 
 std::vector<Real> shortest_chains(const Graph& graph, std::span<const Source> sources) {

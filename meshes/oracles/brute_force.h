@@ -1,4 +1,4 @@
-// A slow and plain solver: the third opinion where two solvers differ.
+// A slow and simple solver, for cases in which two other solvers differ.
 #pragma once
 
 #include <span>
@@ -10,18 +10,18 @@
 
 namespace geodesic {
 
-/// For meshes of up to some hundred faces.
+/// A solver for meshes of up to some hundred faces.
 ///
 /// A geodesic is a chain of straight segments that bend at vertices. All straight segments between
-/// vertices are found by unfolding every strip of faces that can be seen from a vertex (view.h), as
-/// long as it lies nearer than the farthest vertex along edges; every vertex may be a bend. The
-/// result is the shortest chain. Lengths are kept in `long double`.
+/// vertices are found by unfolding every strip of faces that is visible from a vertex (view.h), up
+/// to the distance of the farthest vertex along edges; every vertex may be a bend. The result is
+/// the shortest chain. Lengths are computed in `long double`.
 class BruteForce {
  public:
-  /// Finds the segments: all the work.
+  /// Finds all segments, which takes almost all of the time.
   explicit BruteForce(const Mesh& mesh);
 
-  /// Distances to all vertices from the nearest source, +infinity where no path leads.
+  /// Returns the distances of all vertices from the nearest source, +infinity where unreachable.
   std::vector<double> distances(std::span<const Source> sources) const;
 
  private:

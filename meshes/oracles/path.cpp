@@ -8,13 +8,13 @@
 namespace geodesic {
 namespace {
 
-// Paths that differ by less, relative to their length, are equally short.
+// Relative difference of lengths below which paths are equally short.
 constexpr Real kTie = 1e-14L;
 
-// Distances that no path has are not traced: relative to the distance.
+// Relative error above which a distance belongs to no path.
 constexpr Real kNoPath = 1e-9L;
 
-// The piece that ends at the target and gives it the least distance.
+// Finds the piece that ends at the target and gives it the least distance.
 class LastPiece {
  public:
   LastPiece(const Mesh& mesh, std::span<const double> distances, Index target)
@@ -31,7 +31,7 @@ class LastPiece {
     return piece_;
   }
 
-  /// Of the path with this piece.
+  /// Length of the path with this piece.
   Real distance() const { return distance_; }
 
  private:
@@ -39,7 +39,7 @@ class LastPiece {
     if (improves(from, straight_distance(mesh_, from, target_))) piece_.crossings.clear();
   }
 
-  // Of equally short pieces the longest: it bends least often.
+  // Of equally short pieces, the longest is taken: its path bends least often.
   bool improves(Index from, Real length) {
     if (!(distances_[from] < distances_[target_])) return false;
     const Real through = distances_[from] + length, slack = kTie * through;
@@ -60,7 +60,7 @@ class LastPiece {
     std::vector<EdgeCrossing> crossings;
     for (const EdgeInView& edge : sight.strip) {
       const Real left = turn({}, p, edge.origin), right = turn({}, p, edge.head);
-      const Real share = right / (right - left);  // of the edge, from its head
+      const Real share = right / (right - left);  // part of the edge from its head
       const Real length = geodesic::distance(edge.origin, edge.head);
       const Real x = edge.head.x + share * (edge.origin.x - edge.head.x);
       const Real y = edge.head.y + share * (edge.origin.y - edge.head.y);

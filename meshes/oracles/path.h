@@ -1,4 +1,4 @@
-// Shortest paths themselves, traced back from distances that are known to be right.
+// Traces shortest paths from exact distances.
 #pragma once
 
 #include <span>
@@ -8,26 +8,25 @@
 
 namespace geodesic {
 
-/// Where a path crosses an edge.
+/// A crossing of a path and an edge.
 struct EdgeCrossing {
-  Index half_edge;   ///< the one whose face the path enters
-  double position;   ///< from its origin, in the mesh's unit of length
-  double travelled;  ///< of the piece, up to here
+  Index half_edge;   ///< half-edge whose face the path enters
+  double position;   ///< distance from its origin, in the mesh's unit of length
+  double travelled;  ///< length of the piece up to this crossing
 };
 
 /// A part of a path that is straight when the faces it crosses are unfolded.
 struct StraightPiece {
   Index from, to;  ///< vertices
   double length;
-  std::vector<EdgeCrossing> crossings;  ///< in order; none when the piece is an edge
+  std::vector<EdgeCrossing> crossings;  ///< in order; empty if the piece is an edge
 };
 
-/// A shortest path from the nearest source to `target`, source first. It is straight but at
-/// vertices: pseudo-sources, or others that it runs through by chance.
-/// Vertices and half-edges go by the mesh's internal numbers.
-/// @param distances of this query, exact
-/// @return empty when the target is a source that no other path reaches sooner, when it is
-///         unreachable, and when the distances belong to no path (relative error above 1e-9)
+/// Returns a shortest path from the nearest source to `target`, source first. It is straight except
+/// at pseudo-sources and other vertices on it. Vertices and half-edges have internal numbers.
+/// @param distances the exact distances of this query
+/// @return empty if the target is a source that no other path reaches sooner, if it is unreachable,
+///         and if the distances belong to no path (relative error above 1e-9)
 std::vector<StraightPiece> shortest_path(const Mesh& mesh, std::span<const InternalSource> sources,
                                          std::span<const double> distances, Index target);
 

@@ -14,20 +14,20 @@
 namespace geodesic {
 namespace {
 
-// Above so many faces nothing makes a mesh larger, and brute force gives way to another solver.
+// Above this number of faces no change adds faces, and another solver replaces brute force.
 constexpr double kManyFaces = 150;
 
-// Factors on counts of cells, one of them for each mesh: what needs room shows on the larger ones.
+// Factors for counts of cells; each mesh has one. Some errors occur on the larger meshes only.
 constexpr double kSizes[] = {1, 1, 1, 1, 1.5, 1.5, 1.5, 2, 2, 3};
 
-// Its functions draw the next numbers: no two of them in the arguments of one call, whose order is
-// the compiler's.
+// The functions of a scene draw the next numbers. The arguments of a call must not contain two of
+// them, since the compiler chooses their order.
 struct Scene {
   Random& random;
   const std::filesystem::path& scratch;
-  double size;  ///< factor on counts of cells
+  double size;  ///< factor for counts of cells
 
-  /// In {least, ..., most times size}.
+  /// Returns a number in {least, ..., most * size}.
   Index cells(Index least, Index most) const {
     const auto end = static_cast<Index>(size * most) + 1;
     return least + random.below(std::max(end, least + 1) - least);
@@ -186,7 +186,7 @@ std::pair<const char*, TriangleSoup> random_surface(const Scene& s) {
   return {surface.name, surface.make(s)};
 }
 
-// By a generator that reads a mesh.
+// Changes a mesh by a generator that reads one.
 TriangleSoup changed_by(const char* generator, const Scene& s, const TriangleSoup& soup,
                         GeneratorParameters parameters) {
   const std::filesystem::path file = s.scratch / "mesh.ply";
@@ -195,7 +195,7 @@ TriangleSoup changed_by(const char* generator, const Scene& s, const TriangleSou
   return generate(generator, parameters);
 }
 
-// Cuts faces at a point inside, anywhere: the nearer to a side, the thinner the new ones.
+// Splits faces at arbitrary inner points: the nearer to a side, the thinner the new faces.
 TriangleSoup with_points_in_faces(TriangleSoup soup, const Scene& s) {
   const std::size_t cuts = 1 + s.random.below(20);
   for (std::size_t cut = 0; cut < cuts; ++cut) {
@@ -224,7 +224,7 @@ TriangleSoup with_vertices_moved_anywhere(TriangleSoup soup, const Scene& s) {
   return soup;
 }
 
-// Makes one vertex of two that share no neighbour: several fans around it.
+// Joins two vertices that share no neighbour: the vertex then has several fans.
 TriangleSoup with_joined_vertices(TriangleSoup soup, const Scene& s) {
   const Index count = static_cast<Index>(soup.positions.size());
   const Index kept = s.random.below(count), gone = s.random.below(count);
@@ -325,14 +325,14 @@ void apply_changes(RandomCase& made, const Scene& s) {
     try {
       changed = change.make(made.soup, s);
     } catch (const std::exception&) {
-      continue;  // a generator that takes no such mesh
+      continue;  // the generator does not accept this mesh
     }
     made.soup = std::move(changed);
     made.recipe += std::string(", ") + change.name;
   }
 }
 
-// One source most often; at times several, with and without initial distances, and a limit.
+// Returns a query with mostly one source, sometimes several, initial distances and a limit.
 Query random_query(const TriangleSoup& soup, Random& random) {
   const auto count = static_cast<Index>(soup.positions.size());
   Query query;
@@ -353,7 +353,7 @@ double longest_edge(const Mesh& mesh) {
   return longest;
 }
 
-// Relative heights of faces over their longest edges: the least.
+// Returns the least height of a face over its longest edge, relative to that edge.
 double least_height(const Mesh& mesh) {
   double least = 1;
   for (Index f = 0; f < mesh.face_count(); ++f) {

@@ -1,4 +1,4 @@
-// Meshes of all kinds with a query each, from a seed and a number.
+// Random meshes of all kinds, each with a query, from a seed and a number.
 #pragma once
 
 #include <filesystem>
@@ -8,26 +8,26 @@
 
 namespace geodesic {
 
-/// What may be expected of distances on a mesh.
+/// Kinds of meshes, which determine the accuracy of distances that tests expect.
 enum class MeshKind : std::uint8_t {
-  clean,         ///< manifold, every face with an area
-  non_manifold,  ///< besides, edges and vertices that no manifold has
+  clean,         ///< manifold, every face has an area
+  non_manifold,  ///< also has non-manifold edges or vertices
   thin,          ///< faces thinner than kThin
   degenerate,    ///< zero-length edges or zero-area faces
 };
 inline constexpr std::size_t kMeshKinds = 4;
 const char* name_of(MeshKind kind);
 
-/// Least height of a face by its longest edge from which on it is not thin.
+/// Least height of a face, relative to its longest edge, with which it is not thin.
 inline constexpr double kThin = 1e-6;
 
-/// The kind of a mesh, from its geometry and topology alone.
+/// Returns the kind of a mesh, from its geometry and topology alone.
 MeshKind kind_of(const Mesh& mesh);
 
-/// Errors on random meshes are relative to the distance, or to this part of the longest edge where
-/// that is more: positions are rounded relative to the lengths that they lie among. Half a unit in
-/// the last place of the largest coordinate, which a change of the origin costs, moves right
-/// distances by 1e-12 of up to 1/349 of the longest edge (docs/reliability.md).
+/// Errors on random meshes are relative to the distance, or to this part of the longest edge if
+/// that is larger: the rounding error of a position is relative to the lengths around it. A change
+/// of the origin costs half a unit in the last place of the largest coordinate, and so moves
+/// correct distances by 1e-12 of up to 1/349 of the longest edge (docs/reliability.md).
 inline constexpr double kEdgePart = 1.0 / 256;
 
 struct RandomCase {
@@ -37,10 +37,10 @@ struct RandomCase {
   double least_distance;  ///< kEdgePart of the longest edge
 };
 
-/// A surface of random_meshes.h or of a generator with random parameters, then up to three changes
-/// (noise, refinement, missing faces, holes, joined vertices, another component, ...), sources and,
-/// at times, initial distances and a limit. The same seed and number give the same bits.
-/// @param scratch a folder for the meshes that generators read; one for each thread
+/// Returns a surface of random_meshes.h or of a generator with random parameters, up to three
+/// changes (noise, refinement, missing faces, holes, joined vertices, another component, ...),
+/// sources and sometimes initial distances and a limit. Seed and number determine every bit.
+/// @param scratch folder for the meshes that generators read; each thread needs its own
 RandomCase random_case(std::uint64_t seed, std::uint64_t number,
                        const std::filesystem::path& scratch);
 

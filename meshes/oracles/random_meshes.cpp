@@ -68,7 +68,7 @@ TriangleSoup rough_torus(std::uint64_t seed, Index around, Index across, double 
 
 TriangleSoup with_holes(TriangleSoup soup, std::uint64_t seed, Index holes) {
   Random random(seed);
-  std::vector<bool> taken = boundary_vertices(soup);  // those at or beside a hole follow
+  std::vector<bool> taken = boundary_vertices(soup);  // then also those at or beside a hole
   const auto touches = [](const Triangle& t, Index v) { return std::ranges::count(t, v) > 0; };
   for (Index made = 0, tries = 0; made < holes && tries < 1000; ++tries) {
     const Index centre = random.below(static_cast<Index>(soup.positions.size()));

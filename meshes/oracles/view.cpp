@@ -12,8 +12,8 @@ std::array<Real, 3> vector_between(const Mesh& mesh, Index a, Index b) {
   return subtract(extended(mesh.position(b)), extended(mesh.position(a)));
 }
 
-// True when the rays through r and l enclose something, up to a half-plane: what a vertex in the
-// middle of an edge (of a face without area) sees across it.
+// Whether the rays through r and l enclose a positive angle, pi included: a vertex in the middle of
+// an edge (of a face without area) has a half-plane across that edge in view.
 bool opens(const PlanePoint& r, const PlanePoint& l) {
   const Real area = turn({}, r, l);
   return area > 0 || (area == 0 && r.x * l.x + r.y * l.y < 0);
@@ -35,7 +35,7 @@ class View {
   void look_from(Index v) {
     for (const Index h : mesh_.outgoing(v)) {
       const PlanePoint right = {straight_distance(mesh_, v, mesh_.head(h)), 0};
-      if (right.x == 0) continue;  // a bend at the other end sees all that lies beyond
+      if (right.x == 0) continue;  // everything beyond is visible from a bend at the other end
       const PlanePoint left = lay_out_apex(mesh_, h, {0, 0}, right);
       entered(h) = true;
       leave(Mesh::next(h), left, right, left, right);
@@ -44,28 +44,27 @@ class View {
   }
 
  private:
-  // Leaves a face through h, into each face beyond.
+  // Leaves a face through h, and enters each face beyond.
   void leave(Index h, const PlanePoint& left, const PlanePoint& right, const PlanePoint& l,
              const PlanePoint& r) {
     mesh_.for_each_sheet(h, [&](Index g) { enter(mesh_.twin(g), left, right, l, r); });
   }
 
-  // Enters the face of h, seen from below between the rays through `l` and `r`. The edge lies with
-  // its origin at `left` and its head at `right` as its own face sees it from outside: h is the
-  // twin, so it runs from left to right with its face above.
+  // Enters the face of h, visible from below between the rays through `l` and `r`. h runs from
+  // `left` to `right` with its face above.
   void enter(Index h, const PlanePoint& left, const PlanePoint& right, const PlanePoint& l,
              const PlanePoint& r) {
     if (!opens(r, l) || nearest(left, right) > reach_) return;
     if (entered(h) || mesh_.half_edge(h).length == 0) return;
-    if (left.x == right.x && left.y == right.y) return;  // a bend at its ends sees as much
+    if (left.x == right.x && left.y == right.y) return;  // a bend at its ends sees the same
     entered(h) = true;
     strip_.push_back({h, left, right});
     const PlanePoint apex = lay_out_apex(mesh_, h, left, right);
-    // The apex splits what is seen; a line through it exactly is continued by the bend there.
+    // The apex splits the visible part. A line exactly through it is continued by the bend there.
     const Index left_edge = Mesh::previous(h), right_edge = Mesh::next(h);
     const Real from_l = turn({}, apex, l), from_r = turn({}, r, apex);
     const bool half_plane =
-        turn({}, r, l) == 0;  // no narrow cone, whose lines both round to the apex
+        turn({}, r, l) == 0;  // not a narrow cone whose lines both round to the apex
     if (half_plane && from_l == 0 && from_r == 0) {
       // A face without area, seen from a point of its line: one of its edges has the half-plane.
       see_({mesh_.apex(h), apex, norm(apex), {}});
@@ -83,7 +82,7 @@ class View {
     entered(h) = false;
   }
 
-  // Of both images of the face, where there are two.
+  // The flag of both images of the face, if there are two.
   std::vector<bool>::reference entered(Index h) {
     return entered_[h / 3 % mesh_.given_face_count()];
   }
@@ -98,10 +97,10 @@ class View {
 }  // namespace
 
 PlanePoint lay_out_apex(const Mesh& mesh, Index h, const PlanePoint& p, const PlanePoint& q) {
-  // Needles cost digits in two places. The area is that of the two shorter sides: of two long ones
-  // it is a difference of products as large as their squares. And the direction from p to q, which
-  // rounding turns where they are close, is made a unit vector by what they are apart in the plane:
-  // a turn changes no length of a line that runs through there, another unit would.
+  // Needles lose digits in two places. The area is computed from the two shorter sides: with two
+  // long sides it is a difference of products as large as their squares. Rounding rotates the
+  // direction from p to q if they are close. It is made a unit vector by their distance in the
+  // plane: a rotation changes no length of a line through there, another unit would.
   const std::array<Real, 3> base = vector_between(mesh, mesh.origin(h), mesh.head(h));
   const std::array<Real, 3> left = vector_between(mesh, mesh.origin(h), mesh.apex(h));
   const std::array<Real, 3> right = vector_between(mesh, mesh.head(h), mesh.apex(h));

@@ -22,16 +22,16 @@ using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Surface>;
 using ShortestPaths = CGAL::Surface_mesh_shortest_path<Traits>;
 
-// CGAL's tolerances are absolute. This power of two brings the mean edge length into [1, 2), which
+// CGAL's tolerances are absolute. This power of two scales the mean edge length to [1, 2), which
 // changes no bit of a mantissa and makes the tolerances relative to the mesh.
 double unit_scale(const Mesh& mesh) {
   const double edge = mesh.mean_edge_length();
   return edge > 0 ? std::ldexp(1.0, -std::ilogb(edge)) : 1.0;
 }
 
-// Memory a vertex grows with the mesh: 37 KB at 48,485 vertices (horse), up to 60 KB at 134,000.
-// This many take about 7 GB, a third of a machine of 24 GB, and a minute; twice as many take all of
-// it.
+// Memory per vertex grows with the mesh: 37 KB at 48,485 vertices (horse), up to 60 KB at 134,000.
+// This number of vertices takes about 7 GB, a third of a machine of 24 GB, and a minute; twice as
+// many take all of its memory.
 constexpr Index kMaxVertices = 120'000;
 
 class Cgal final : public Solver {
@@ -44,7 +44,7 @@ class Cgal final : public Solver {
   using Face = Surface::Face_index;
   using Weights = ShortestPaths::Barycentric_coordinates;
 
-  // CGAL's surface has no isolated vertices; `vertex_` maps the others to its ids.
+  // CGAL's surface has no isolated vertices; `vertex_` maps the others to CGAL's ids.
   const Surface& build_surface() {
     vertex_.assign(mesh().vertex_count(), Surface::null_vertex());
     for (Index v = 0; v < mesh().vertex_count(); ++v) {
@@ -62,8 +62,8 @@ class Cgal final : public Solver {
     return surface_;
   }
 
-  /// CGAL counts the corners of a face from the source of its half-edge. Faces have the same
-  /// numbers in both.
+  /// Converts weights: CGAL counts the corners of a face from the source of its half-edge. Faces
+  /// have the same numbers in both.
   Weights weights_of(const InternalPoint& point) const {
     Index h = 3 * point.face;
     while (vertex_[mesh().origin(h)] != surface_.source(surface_.halfedge(Face(point.face)))) ++h;
@@ -75,8 +75,8 @@ class Cgal final : public Solver {
     return weights;
   }
 
-  /// CGAL 5.5 takes the weights of an edge's ends the wrong way round for sources, and the right
-  /// way for targets: then the source is not at distance 0 from itself.
+  /// CGAL 5.5 swaps the weights of an edge's ends for sources, but not for targets: the source is
+  /// then not at distance 0 from itself.
   void add_point(const InternalPoint& source) {
     const Face face(source.face);
     Weights weights = weights_of(source);
@@ -90,8 +90,8 @@ class Cgal final : public Solver {
     paths_.add_source_point(face, weights);
   }
 
-  // One source after the other: with several at once, CGAL 5.5 can follow a path beyond a boundary
-  // edge, which its own assertions forbid.
+  // Solves one source after the other: with several at once, CGAL 5.5 can follow a path beyond a
+  // boundary edge, which its own assertions forbid.
   void run(const InternalQuery& query, std::span<double> distances,
            Recording* /*recording*/) override {
     for (const InternalSource& source : query.sources) {
@@ -122,14 +122,14 @@ class Cgal final : public Solver {
     }
   }
 
-  /// By the tree of this source; infinite where no path leads.
+  /// Distance by the tree of this source; infinite if unreachable.
   double distance_from(const InternalSource& source, Index v) {
     if (vertex_[v] == Surface::null_vertex()) return kInfinity;
     const double d = paths_.shortest_distance_to_source_points(vertex_[v]).first;
     return d < 0 ? kInfinity : source.distance + d / scale_;  // CGAL's "unreachable" is -1
   }
 
-  /// The points of one of CGAL's paths, from its end on.
+  /// Collects the points of one of CGAL's paths, from its end.
   struct Collector {
     const Cgal& cgal;
     std::vector<InternalPoint> points = {};
@@ -147,7 +147,7 @@ class Cgal final : public Solver {
     }
   };
 
-  // Of several sources, the tree left is that of the last one.
+  // With several sources, the present tree is that of the last one.
   std::vector<InternalPoint> trace_path(const InternalQuery& query,
                                         std::span<const double> distances, Index vertex) override {
     for (const InternalSource& source : query.sources) {
@@ -166,7 +166,7 @@ class Cgal final : public Solver {
   double scale_;
   Surface surface_;
   std::vector<Vertex> vertex_;
-  std::vector<Index> own_;  // vertices by CGAL's ids
+  std::vector<Index> own_;  // internal numbers of vertices, by CGAL's ids
   ShortestPaths paths_;     // last: refers to surface_
 };
 

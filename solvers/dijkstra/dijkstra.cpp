@@ -9,16 +9,16 @@
 namespace geodesic {
 namespace {
 
-/// In mean edge lengths. Narrower buckets are more to pass over, wider ones pop more vertices
-/// twice.
+/// Width of buckets in mean edge lengths. Narrower ones are more to skip; with wider ones more
+/// vertices are popped twice.
 constexpr double kBucketWidth = 1;
 
-/// Calls visit(Index neighbour, double length) for each edge of a vertex, for most of them once.
+/// Calls visit(Index neighbour, double length) for each edge of a vertex, once for most of them.
 template <class Visit>
 void for_each_neighbour(const Mesh& mesh, Index v, const Visit& visit) {
   for (const Index h : mesh.outgoing(v)) {
     visit(mesh.head(h), mesh.half_edge(h).length);
-    // An edge of two faces leaves v in one of them; any other one may only arrive.
+    // An edge of two faces leaves v in one of them; any other edge may only arrive at v.
     const Index into = Mesh::previous(h);
     if (mesh.twin(into) == kNone) visit(mesh.origin(into), mesh.half_edge(into).length);
   }
@@ -56,8 +56,8 @@ std::vector<InternalPoint> Dijkstra::trace_path(const InternalQuery& query,
       return source.at.vertex == v && source.distance == distances[v];
     });
   };
-  // Edges without length lead in circles: vertices as far as the last one are searched, and
-  // `after` leads from each vertex towards the end.
+  // Edges without length form circles. Therefore all vertices as far as the last one are searched;
+  // `after` maps each vertex to the next one towards the end.
   std::vector<Index> waiting = {vertex};
   std::unordered_map<Index, Index> after;
   Index v = vertex;

@@ -17,13 +17,13 @@ namespace {
 
 Point2 minus(const Point2& a, const Point2& b) { return {a.x - b.x, a.y - b.y}; }
 
-/// Of length 1: products with lengths of any unit stay within range.
+/// A vector of length 1: products with lengths of any unit stay within range.
 struct Direction {
   explicit Direction(const Point2& a) : Direction(a, norm(a)) {}
   Direction(const Point2& a, double length) : x(a.x / length), y(a.y / length) {}
 
   double along(const Point2& a) const { return x * a.x + y * a.y; }
-  /// Positive to the left.
+  /// Component across the direction, positive to the left.
   double across(const Point2& a) const { return x * a.y - y * a.x; }
 
   double x, y;
@@ -46,23 +46,23 @@ std::string name_of(const Mesh& mesh, const InternalPoint& own) {
 
 /// One path, from its end back to its source.
 ///
-/// A straight piece is followed with its root in view: where the line enters a face, the direction
-/// of the root decides by which side it leaves, and the root is unfolded into the next face. Errors
-/// do not add up: every face aims anew. A face that has the root on it ends the piece, since
-/// nothing is shorter than a straight line in space.
+/// A straight piece is followed with its root unfolded: where the line enters a face, the direction
+/// to the root selects the side by which it leaves, and the root is unfolded into the next face.
+/// Errors do not accumulate, since every face aims at the root again. A face that contains the root
+/// ends the piece, since nothing is shorter than a straight line in space.
 ///
-/// A line that comes within rounding (kPathThrough) of a vertex runs through it. Where paths may
-/// bend at that vertex, the faces on one side of it do not lead where those on the other do: the
-/// piece ends there, and the vertex's own path continues, which is as short (kPathTie).
+/// A line within rounding (kPathThrough) of a vertex runs through it. If paths may bend at that
+/// vertex, the faces on its two sides lead to different places: the piece ends there, and the path
+/// of the vertex, which is as short (kPathTie), continues it.
 ///
-/// What is remembered was seen within kApexReach, and need not be what a straight line follows
-/// within rounding. Where it is not, the piece is found anew (search.h).
+/// A recorded piece was found with the tolerance kApexReach, and a straight line need not follow it
+/// within rounding. If it does not, the piece is searched (search.h).
 class Paths::Trace {
  public:
   explicit Trace(const Paths& of) : of_(of), mesh_(of.mesh_) {}
 
-  /// A path that is not as long as its end is far is none, and is not given. One whose lines misled
-  /// it, over needles and faces without area, is looked for by distances.
+  /// Returns a path only if its length equals the distance of its end. If lines failed, over
+  /// needles and faces without area, the path is searched by distances.
   Path run(const InternalPoint& end, double distance, const LastSegment& last_segment) {
     const auto off = [&](const Path& path) {
       const double length = path.length() + of_.query_.sources[path.source].distance;
@@ -76,7 +76,7 @@ class Paths::Trace {
       Path found = trace(end, distance, last_segment);
       if (off(found) < off(path)) path = std::move(found);
     } catch (const std::runtime_error&) {
-      // None is found by distances as exact as these: the first one stands, or is lost.
+      // Distances as exact as these give no path: the first one stays, or is rejected below.
     }
     if (off(path) > kPathWrong * (distance + edge)) lost(piece_to(end, distance, last_segment));
     return path;
@@ -102,36 +102,36 @@ class Paths::Trace {
   /// A straight piece. Points are in the frame of a half-edge of the face that it ends in.
   struct Piece {
     InternalPoint end;
-    double distance;  ///< at the end
+    double distance;  ///< distance of the end
     Index half_edge;
     Index root;  ///< as in LastSegment
     Point2 from;
-    Point2 at = {0, 0};                          ///< the end
-    std::span<const InternalPoint> source = {};  ///< images of the root that is no vertex
+    Point2 at = {0, 0};                          ///< position of the end
+    std::span<const InternalPoint> source = {};  ///< images of the root if it is not a vertex
     double length = 0;
     double side = 0;  ///< length of the half-edge
 
-    /// A part of the length, and what rounding does to points of the half-edge.
+    /// A part of the length, plus the rounding error of points of the half-edge.
     double part(double relative) const { return relative * length + kPathRounding * side; }
   };
 
-  /// Where the line of a piece leaves a face, in the frame of the twin of a half-edge; there need
-  /// not be a twin.
+  /// The point where the line of a piece leaves a face, in the frame of the twin of a half-edge.
+  /// The twin may be missing.
   struct Line {
-    Index side;   ///< the half-edge it leaves by
-    double x;     ///< at (x, 0): the distance from the head of `side`
-    Point2 root;  ///< where it leads
+    Index side;   ///< the half-edge by which it leaves
+    double x;     ///< the point is (x, 0): the distance from the head of `side`
+    Point2 root;  ///< the root of the piece
     double step;  ///< its length in the face
   };
 
-  /// Of a line beyond a face.
+  /// The continuation of a line beyond a face.
   struct Way {
     Line line;
     Index through;     ///< the half-edge whose twin it enters: line.side, or of another sheet
-    double travelled;  ///< from the end of the piece
+    double travelled;  ///< length from the end of the piece
   };
 
-  /// A way not taken, and what was known there.
+  /// An alternative way, and the state of the trace at its beginning.
   struct Fork {
     Way way;
     std::size_t points;
@@ -141,10 +141,10 @@ class Paths::Trace {
 
   struct Step {
     enum Kind : std::uint8_t { went_on, ended, failed } kind;
-    Index root = kNone;  ///< where the piece begins, when it has ended
+    Index root = kNone;  ///< root of the piece, if it has ended
   };
 
-  /// Of a face, by one of its half-edges: that itself, the one before it, the one after it.
+  /// A side of a face, relative to one of its half-edges: itself, the previous one, the next one.
   enum class Side : std::uint8_t { own, left, right };
 
   Piece piece_to(const InternalPoint& end, double distance, const LastSegment& last_segment) const {
@@ -181,19 +181,19 @@ class Paths::Trace {
     return piece.end.is_vertex() && piece.end.vertex == piece.root;
   }
 
-  /// True at a point of a face of which nothing is remembered.
+  /// Whether the end is a point of a face without a LastSegment.
   static bool is_unknown(const Piece& piece) {
     return !piece.end.is_vertex() && piece.half_edge == kNone;
   }
 
   /// Adds the points of a piece after its end.
-  /// @return where it begins, as in LastSegment
+  /// @return the root of the piece, as in LastSegment
   Index follow(const Piece& piece) {
     if (!trusts_lines_ || is_unknown(piece)) return search(piece);
     const auto before = points_.size();
     const InternalPoint last = last_;
     const Index root = walk(piece);
-    // A target's path may lead through a corner of its face, as straight as the window beside it.
+    // The path of a target may pass a corner of its face, as straight as the window beside it.
     const bool begins = root >= mesh_.vertex_count() || of_.may_bend(root);
     if (root != kNone && begins && std::ranges::find(passed_, root) == passed_.end()) return root;
     points_.resize(before);
@@ -201,7 +201,7 @@ class Paths::Trace {
     return search(piece);
   }
 
-  /// As follow, when the line of the piece does not lead to its root.
+  /// As follow, if the line of the piece does not lead to its root.
   Index search(const Piece& piece) {
     const Search::Piece found = Search(of_, piece.end, piece.distance, passed_).run();
     const double slack = kPathWrong * (piece.distance + mesh_.mean_edge_length());
@@ -209,7 +209,7 @@ class Paths::Trace {
     for (const Search::End& end : found.ends) add(InternalPoint(end.vertex), end.face, 0);
     for (const Search::Crossing& c : found.crossings) add_crossing(c.side, c.x, c.step);
     add(found.at, found.half_edge / 3, found.rest);
-    // Vertices in one place are as far: the path must not come back.
+    // Vertices at one position have the same distance: the path must not return.
     const bool gains = found.root >= mesh_.vertex_count() || found.before < piece.distance;
     if (gains) passed_.clear();
     if (!gains && piece.end.is_vertex()) passed_.push_back(piece.end.vertex);
@@ -217,7 +217,7 @@ class Paths::Trace {
   }
 
   /// Adds the points of a piece after its end.
-  /// @return where the piece begins; kNone when its line does not lead to its root
+  /// @return the root of the piece; kNone if its line does not lead to the root
   Index walk(const Piece& piece) {
     strayed_ = 0;
     const Index h = piece.half_edge;
@@ -227,7 +227,7 @@ class Paths::Trace {
     const double slack = piece.part(kPathThrough);
     const Direction to_root(minus(piece.from, piece.at), piece.length);
     Line line = leave(h, piece.at, piece.from, to_root, Side::own);
-    double nearest = kInfinity;  // end of h that the line runs through
+    double nearest = kInfinity;  // length to the end of h that the line runs through
     for (const bool head : {false, true}) {
       const Index v = head ? mesh_.head(h) : mesh_.origin(h);
       const Point2 to = minus({head ? mesh_.half_edge(h).length : 0, 0}, piece.at);
@@ -245,9 +245,9 @@ class Paths::Trace {
     return go_on(piece, {line, line.side, line.step}, slack);
   }
 
-  /// Follows a line beyond its first face. Which of several faces beyond an edge it comes from is
-  /// not remembered: they are tried one after the other, until distances show that it is another.
-  /// @return as walk
+  /// Follows a line beyond its first face. If several faces lie beyond an edge, the recording does
+  /// not tell which one is right: they are tried in order, until distances exclude them.
+  /// @return as walk()
   Index go_on(const Piece& piece, Way way, double slack) {
     forks_.clear();
     for (Index faces = 0; faces < mesh_.face_count(); ++faces) {
@@ -259,7 +259,7 @@ class Paths::Trace {
     return kNone;
   }
 
-  /// Crosses the next face of a line's way.
+  /// Crosses the next face on the way of a line.
   Step cross(const Piece& piece, Way& way, double slack) {
     const Line& line = way.line;
     const Index in = mesh_.twin(way.through);
@@ -295,7 +295,7 @@ class Paths::Trace {
     return {Step::went_on};
   }
 
-  /// Keeps the way through the next of the faces beyond an edge, should this one be the wrong one.
+  /// Stores the way through the next face beyond an edge, in case the present one is wrong.
   void remember_other_sheet(const Way& way) {
     if (mesh_.twin(way.through) == kNone) return;
     const Index next = mesh_.next_sheet(way.through);
@@ -303,8 +303,8 @@ class Paths::Trace {
     forks_.push_back({{way.line, next, way.travelled}, points_.size(), last_, strayed_});
   }
 
-  /// Goes back to where another face is left to try.
-  /// @return false when there is none
+  /// Returns to the last fork.
+  /// @return false if there is none
   bool take_other_sheet(Way& way) {
     if (forks_.empty()) return false;
     const Fork& fork = forks_.back();
@@ -316,8 +316,8 @@ class Paths::Trace {
     return true;
   }
 
-  /// Whether a line leaves its first face where the piece ends; it is then made to, to the last
-  /// bit.
+  /// Whether a line leaves its first face at the end of the piece; if so, makes it exact to the
+  /// last bit.
   bool leaves_at_end(const Piece& piece, Line& line) const {
     const Index side = line.side;
     if (piece.end.is_vertex()) {
@@ -332,15 +332,15 @@ class Paths::Trace {
   }
 
   /// Whether a line runs through a vertex, up to rounding.
-  /// @param along, across where the line has the vertex
-  /// @param length to the root
+  /// @param along, across position of the vertex relative to the line
+  /// @param length distance to the root
   static bool is_through(double along, double across, double length, double slack) {
     return std::abs(across) <= slack && along > -slack && along < length + slack;
   }
 
-  /// Where a line crosses a side of a face: how far from a corner at its end.
-  /// @param at a point of the line, as seen from the corner
-  /// @param side of length 1, away from the corner
+  /// Distance from a corner to the point where a line crosses a side of a face.
+  /// @param at a point of the line, relative to the corner
+  /// @param side direction from the corner, of length 1
   double crossing(const Direction& line, const Point2& at, const Point2& side, double length) {
     const double corner = line.across(at), along = line.across(side);
     const double from_corner = corner / along;
@@ -351,8 +351,8 @@ class Paths::Trace {
     return beyond ? length : 0;
   }
 
-  /// How a line leaves the face of h by one of its sides.
-  /// @param at on the line, in the frame of h, as the root
+  /// Returns the point where a line leaves the face of h by one of its sides.
+  /// @param at, root a point of the line and the root, in the frame of h
   Line leave(Index h, const Point2& at, const Point2& root, const Direction& line, Side side) {
     const FaceFrame f = face_frame(mesh_, h);
     if (side == Side::own) {
@@ -369,22 +369,22 @@ class Paths::Trace {
     return {Mesh::next(h), f.right - u, f.to_right(root.x, root.y), norm(minus(out, at))};
   }
 
-  /// Which of two sides a line through their common corner leaves by: the first one, unless it
-  /// runs along it.
-  /// @param first, second how far the root lies beyond them
+  /// Whether a line through the common corner of two sides leaves by the first one: unless it runs
+  /// along that side.
+  /// @param first, second distance of the root beyond the side
   static bool is_first(double first, double second, double slack) {
     return first > slack || first >= second;
   }
 
-  /// Whether a line leaves by the first of two sides, as it is wanted to, or because the second one
-  /// has no face beyond: along a boundary.
+  /// Whether a line leaves by the first of two sides: because it is wanted, or because the second
+  /// one is on the boundary and the line runs along it.
   bool goes_first(Index first, Index second, bool wanted) const {
     if (mesh_.twin(first) == kNone) return false;
     return wanted || mesh_.twin(second) == kNone;
   }
 
-  /// How a line leaves a face through its apex.
-  /// @param right on which side of the apex it seems to pass
+  /// Returns how a line leaves a face through its apex.
+  /// @param right whether the line seems to pass to the right of the apex
   Line leave_through_apex(Index in, const Line& line, bool right, double slack) const {
     const FaceFrame f = face_frame(mesh_, in);
     const Point2 on_left = f.to_left(line.root.x, line.root.y);
@@ -397,7 +397,7 @@ class Paths::Trace {
     return {Mesh::previous(in), f.left, on_left, step};
   }
 
-  /// How a piece's line leaves its first face through an end of its half-edge.
+  /// Returns how the line of a piece leaves its first face through an end of its half-edge.
   Line leave_through_end(const Piece& piece, bool head, double slack) const {
     const Index h = piece.half_edge;
     const FaceFrame f = face_frame(mesh_, h);
@@ -411,7 +411,7 @@ class Paths::Trace {
     return {Mesh::previous(h), 0, beyond, step};
   }
 
-  /// From the end of a piece to that of its half-edge; along a side to the last bit.
+  /// Distance from the end of a piece to an end of its half-edge; exact along a side.
   double to_end(const Piece& piece, bool head) const {
     const Index h = piece.half_edge;
     if (piece.end.is_vertex()) {
@@ -420,7 +420,7 @@ class Paths::Trace {
     return norm(minus({head ? mesh_.half_edge(h).length : 0, 0}, piece.at));
   }
 
-  /// Where the root of a piece lies in the frame of h, if its face has it.
+  /// Position of the root of a piece in the frame of h, if the face of h contains it.
   std::optional<Point2> root_on_face(const Piece& piece, Index h) const {
     const HalfEdge& e = mesh_.half_edge(h);
     if (piece.root < mesh_.vertex_count()) {
@@ -435,9 +435,9 @@ class Paths::Trace {
     return std::nullopt;
   }
 
-  /// Ends a piece in its root, which is on the face of h.
-  /// @param here on the line, in the frame of h
-  /// @param aim, at where the line has the root, and where it is
+  /// Ends a piece at its root, which is on the face of h.
+  /// @param here a point of the line, in the frame of h
+  /// @param aim, at position of the root according to the line, and its actual position
   Index arrive(const Piece& piece, Index h, const Point2& here, const Point2& aim,
                const Point2& at) {
     const double off = norm(minus(aim, at));
@@ -456,8 +456,8 @@ class Paths::Trace {
     return piece.root;
   }
 
-  /// Whether a path that comes from v is as short as the piece, which runs through v.
-  /// @param rest from v to the end of the piece
+  /// Whether the path through v as a bend is as short as the piece, which runs through v.
+  /// @param rest length from v to the end of the piece
   bool turns(const Piece& piece, Index v, double rest) const {
     const double through = of_.distance(v);
     const bool nearer = through < piece.distance || !piece.end.is_vertex();
@@ -465,12 +465,12 @@ class Paths::Trace {
   }
 
   /// Adds the point where a line leaves a face.
-  /// @param x from the head of h, by which it leaves
+  /// @param x distance from the head of h, by which the line leaves
   void add_crossing(Index h, double x, double step) {
     const double length = mesh_.half_edge(h).length;
     const double at_origin = length > 0 ? x / length : 0, at_head = 1 - at_origin;
     InternalPoint point;
-    if (std::min(at_origin, at_head) <= kWeightSum) {  // rounding leaves no other
+    if (std::min(at_origin, at_head) <= kWeightSum) {  // equal to a vertex up to rounding
       point.vertex = at_head > at_origin ? mesh_.head(h) : mesh_.origin(h);
     } else {
       point.face = h / 3;
@@ -480,9 +480,9 @@ class Paths::Trace {
     add(point, h / 3, step);
   }
 
-  /// Adds the next point towards the source, unless it is the one added last.
-  /// @param face it shares with the point before it
-  /// @return the vertex it is
+  /// Adds the next point towards the source, unless it equals the last point.
+  /// @param face shared with the previous point
+  /// @return the vertex at the point, or kNone
   Index add(const InternalPoint& image, Index face, double step) {
     const InternalPoint own = in_given_face(mesh_, image);
     if (!points_.empty() && own == last_) return own.vertex;
@@ -496,7 +496,7 @@ class Paths::Trace {
     return own.vertex;
   }
 
-  /// The whole path, from its source.
+  /// Returns the whole path, from its source.
   Path from_source(Index source) {
     std::ranges::reverse(points_);
     double travelled = 0;
@@ -518,12 +518,12 @@ class Paths::Trace {
 
   const Paths& of_;
   const Mesh& mesh_;
-  std::vector<PathPoint> points_;  // from the end; `travelled` is from the point before
+  std::vector<PathPoint> points_;  // from the end; `travelled` is the length from the previous one
   InternalPoint last_;
-  std::vector<Index> passed_;  // vertices in the place of the last one
-  std::vector<Fork> forks_;    // of the line that is followed
-  bool trusts_lines_ = true;   // false: pieces are looked for by distances alone
-  double strayed_ = 0;         // how far the last line ran beside its faces
+  std::vector<Index> passed_;  // vertices at the position of the last one
+  std::vector<Fork> forks_;    // of the present line
+  bool trusts_lines_ = true;   // false: pieces are searched by distances alone
+  double strayed_ = 0;         // largest distance of the last line from its faces
 };
 
 Paths::Paths(const Mesh& mesh, const Query& query, std::vector<double> distances,
@@ -569,8 +569,8 @@ double Paths::distance_at(const SurfacePoint& point) const {
   return distance_in_face(in_internal_numbers(mesh_, point));
 }
 
-// A search takes the longer the looser its bound. What is found within a bound is the distance,
-// which lies between those over the corners, there and back.
+// A search takes longer with a looser bound. If a search finds a distance within its bound, that is
+// the distance. It lies between bounds from the distances of the corners.
 double Paths::distance_in_face(const InternalPoint& point) const {
   double most = farthest_, least = 0;
   const auto reach = [&](Index h, const Point2&, double length, bool) {

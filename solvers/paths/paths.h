@@ -1,10 +1,9 @@
-// Shortest paths of one solve, traced over the faces from how they arrive
-// (Recording::last_segments).
+// Shortest paths of one solve, traced over the faces from Recording::last_segments.
 //
 // A path is a chain of straight pieces that bend at vertices (Mitchell, Mount, Papadimitriou 1987,
-// section 3). What a vertex remembers of its own path is the last piece: its root, unfolded into
-// the face that the piece arrives in. The line to it is followed from face to face, and the root's
-// own piece continues it. Numbers of vertices and faces are those that the mesh was given.
+// section 3). The recording stores the last piece of the path to each vertex: its root, unfolded
+// into the face in which the piece ends. The line to the root is followed from face to face, and
+// the last piece of the root's own path continues it. Vertices and faces have external numbers.
 #pragma once
 
 #include <optional>
@@ -15,55 +14,55 @@
 
 namespace geodesic {
 
-/// The paths of one solve: 32 bytes a vertex, the distances among them. Constant, so that any
-/// number of threads may ask.
+/// The paths of one solve, in 32 bytes per vertex including the distances. The object is constant:
+/// any number of threads may use it.
 class Paths {
  public:
-  /// @param mesh must outlive it
-  /// @param query that was solved
-  /// @param distances of the solve, one a vertex
-  /// @param recording of the solve, with RecordingKind::paths
-  /// @throws std::invalid_argument when the recording is none of paths, or of another query or mesh
+  /// @param mesh must outlive this object
+  /// @param query the query that was solved
+  /// @param distances the distances of the solve, one per vertex
+  /// @param recording the recording of the solve, with RecordingKind::paths
+  /// @throws std::invalid_argument if the recording has no paths or is of another query or mesh
   Paths(const Mesh& mesh, const Query& query, std::vector<double> distances, Recording recording);
 
-  /// Those of all vertices, as of Solver::solve.
+  /// Distances of all vertices, as from Solver::solve.
   const std::vector<double>& distances() const { return distances_; }
-  /// That of the query's target i, exact wherever it lies; infinite where no path leads.
+  /// Distance of the query's target i, exact at any point; infinite if unreachable.
   double distance_to_target(std::size_t i) const { return targets_.at(i).distance; }
-  /// That of any point, without another solve: infinite where no path leads within the query's
-  /// limit. As exact as the distances of the vertices, from which it is found: the path is searched
-  /// from its end, over the faces around it.
-  /// @throws std::invalid_argument when the point is not of this mesh
+  /// Distance of any point, without another solve; infinite if no path within the query's limit
+  /// exists. It is as exact as the distances of the vertices, from which it is computed: the path
+  /// is searched from its end, over the faces around it.
+  /// @throws std::invalid_argument if the point is not on this mesh
   double distance_at(const SurfacePoint& point) const;
 
-  /// Takes time linear in the faces that the path crosses.
-  /// @throws std::invalid_argument when there is no such vertex, or no path leads there within the
-  ///         query's limit
-  /// @throws std::runtime_error when what the solver remembers is not a path of this mesh
+  /// Returns the path to a vertex, in time linear in the number of faces that it crosses.
+  /// @throws std::invalid_argument if there is no such vertex, or no path to it within the query's
+  ///         limit
+  /// @throws std::runtime_error if the recording does not describe a path of this mesh
   Path to_vertex(Index v) const;
-  /// The same to target i of the query.
+  /// Returns the path to target i of the query, as to_vertex.
   Path to_target(std::size_t i) const;
-  /// The same to any point, which is searched as by `distance_at`.
+  /// Returns the path to any point, which is searched as in `distance_at`.
   Path to_point(const SurfacePoint& point) const;
 
-  /// The query's source that the path to a vertex comes from, by its place in the query; kNone
-  /// where no path leads. @throws std::invalid_argument when there is no such vertex
+  /// The index in the query of the source of the path to a vertex; kNone if it is unreachable.
+  /// @throws std::invalid_argument if there is no such vertex
   Index nearest_source(Index v) const;
-  /// The same of every vertex, in linear time: the exact Voronoi cells of the sources.
+  /// The nearest source of every vertex, in linear time: the exact Voronoi cells of the sources.
   std::vector<Index> nearest_sources() const;
 
  private:
   class Search;
   class Trace;
 
-  // Below, vertices and half-edges go by the mesh's internal numbers.
+  // Below, vertices and half-edges have the mesh's internal numbers.
   double distance(Index v) const { return distances_[mesh_.numbers().external_vertex(v)]; }
   Index internal_vertex(Index given) const;
-  /// @param point not a vertex
+  /// @param point must not be a vertex
   double distance_in_face(const InternalPoint& point) const;
-  /// Whether a path may end a straight piece at v: pseudo-sources, and the query's own.
+  /// Whether a straight piece may end at v: at pseudo-sources and at sources of the query.
   bool may_bend(Index v) const;
-  /// The source of the path to v, when that is straight.
+  /// Source of the path to v; nullopt if the root of its last segment must be followed.
   std::optional<Index> source_here(Index v) const;
 
   const Mesh& mesh_;
@@ -72,13 +71,13 @@ class Paths {
   std::vector<LastSegment> last_segments_;
   std::vector<AtTarget> targets_;
   double farthest_ = kInfinity;                 // vertices farther than this have no distance
-  std::unordered_map<Index, Index> source_at_;  // of vertices: the earliest
-  std::vector<std::vector<InternalPoint>> source_images_;  // by source; none of vertices
+  std::unordered_map<Index, Index> source_at_;  // at a vertex: the source of least distance
+  std::vector<std::vector<InternalPoint>> source_images_;  // by source; empty for one at a vertex
 };
 
 /// Solves a query for its distances and paths.
-/// @param solver that claims paths (Abilities::paths), on this mesh
-/// @throws std::invalid_argument as Solver::solve
+/// @param solver a solver on this mesh that supports paths (Abilities::paths)
+/// @throws std::invalid_argument for the reasons of Solver::solve
 Paths solve_paths(Solver& solver, const Mesh& mesh, const Query& query);
 
 }  // namespace geodesic

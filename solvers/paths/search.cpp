@@ -15,22 +15,22 @@ double distance_between(const Point2& a, const Point2& b) {
 /// A line of sight.
 class Ray {
  public:
-  /// @param otherwise where it leads when it goes through the eye, of length 1
-  /// @param slack by which rounding moves the eye
+  /// @param otherwise direction, of length 1, if `through` is at the eye
+  /// @param slack rounding error of the eye
   Ray(const Point2& eye, const Point2& through, const Point2& otherwise, double slack)
       : eye_(eye), to_{through.x - eye.x, through.y - eye.y} {
     const double length = norm(to_);
     to_ = length > slack ? Point2{to_.x / length, to_.y / length} : otherwise;
     spread_ = length > slack ? slack / length : 0;
   }
-  /// How far a point lies to the left.
+  /// Distance of a point to the left of the ray.
   double across(const Point2& p) const { return to_.x * (p.y - eye_.y) - to_.y * (p.x - eye_.x); }
-  /// By which rounding may move it there, since it turns a line through a point next to the eye.
+  /// Rounding error of the ray at a point: rounding rotates a line through a point next to the eye.
   double spread(const Point2& p) const { return spread_ * distance_between(p, eye_); }
-  /// Where it crosses a side of a face, from the side's corner.
-  /// @param side of length 1, away from the corner
-  /// @param along where it does when it runs along the side
-  /// @param outwards 1 or -1: the way in which rounding may move it
+  /// Distance from a corner to the point where the ray crosses a side of the face.
+  /// @param side direction from the corner, of length 1
+  /// @param along the result if the ray is parallel to the side
+  /// @param outwards 1 or -1: the direction in which the rounding error is added
   double crossing(const Point2& corner, const Point2& side, double length, double along,
                   double outwards) const {
     const double turn = to_.x * side.y - to_.y * side.x;
@@ -45,11 +45,11 @@ class Ray {
   double spread_;  // an angle
 };
 
-/// The first and the last line from the eye to what is seen of an edge.
+/// The first and the last ray from the eye to the visible part of an edge.
 Ray to_begin(const auto& view, double slack) { return {view.eye, {view.begin, 0}, {-1, 0}, slack}; }
 Ray to_end(const auto& view, double slack) { return {view.eye, {view.end, 0}, {1, 0}, slack}; }
 
-/// What rounding does to lines from the eye through a half-edge.
+/// Rounding error of lines from the eye through a half-edge.
 double rounding(const Point2& eye, double length) { return kPathThrough * (norm(eye) + length); }
 
 }  // namespace
@@ -72,7 +72,7 @@ Paths::Search::Piece Paths::Search::run() {
   return piece_from(best_);
 }
 
-/// Considers all roots that are seen from the end.
+/// Considers all roots that are visible from the end.
 void Paths::Search::look_around() {
   ends_.clear();
   views_.clear();
@@ -89,11 +89,11 @@ void Paths::Search::look_around() {
       }
     }
   }
-  // Views are looked through in the order in which they are added.
+  // The loop also visits the views that it adds.
   for (Index view = 0; view < views_.size(); ++view) look_beyond(view);
 }
 
-/// At the end, or at a vertex in the same place: those add themselves to `ends_`.
+/// Starts at the end or at a vertex at the same position; such vertices are appended to `ends_`.
 void Paths::Search::start_at_vertex(Index i) {
   for (const Index outgoing : mesh_.outgoing(ends_[i].vertex)) {
     const Index h = Mesh::next(outgoing), back = Mesh::next(h);
@@ -112,8 +112,8 @@ bool Paths::Search::is_end(Index vertex) const {
   return std::ranges::find(ends_, vertex, &End::vertex) != ends_.end();
 }
 
-/// @param eye in the frame of h, one side of a face of the end
-/// @param under the half-edge on which the end lies; what is beyond it has an image of its own
+/// @param eye the end in the frame of h, which is one side of a face of the end
+/// @param under the half-edge on which the end lies; the face beyond has its own image of it
 void Paths::Search::start(Index h, const Point2& eye, Index under, Index end) {
   const double length = mesh_.half_edge(h).length;
   const Root root{.half_edge = h, .end = end};
@@ -132,7 +132,7 @@ void Paths::Search::look_beyond(Index view) {
   const Root root{.half_edge = seen.in, .view = view, .end = seen.first};
   consider_sources(seen.eye, root);
   const Ray first = to_begin(seen, slack), last = to_end(seen, slack);
-  // Whether the apex is seen, or a side beyond it.
+  // Each is true if the side of that name is visible; the apex is visible if both are.
   const bool left = first.across(apex) <= slack + first.spread(apex);
   const bool right = last.across(apex) >= -slack - last.spread(apex);
   if (left && right) consider_vertex(mesh_.apex(seen.in), apex, seen.eye, root);
@@ -166,12 +166,12 @@ void Paths::Search::see(Index side, const Point2& eye, double begin, double end,
   });
 }
 
-/// Whether the path may run through a view, by the distances of the edge's ends.
+/// Whether the path may run through a view, judged by the distances of the edge's ends.
 bool Paths::Search::may_lead(const View& view) const {
   const double length = mesh_.half_edge(view.in).length;
-  // An edge without length has no frame: its ends do.
+  // An edge without length has no frame; its ends are handled as vertices.
   if (length == 0) return false;
-  // A vertex at the eye has a start of its own, unless it is the middle of a flat cap's side.
+  // A vertex at the eye is an end with its own start, except the middle of a flat cap's side.
   const double here = rounding(view.eye, length);
   if (norm(view.eye) <= here && is_end(mesh_.origin(view.in))) return false;
   if (distance_between(view.eye, {length, 0}) <= here && is_end(mesh_.head(view.in))) return false;
@@ -180,9 +180,9 @@ bool Paths::Search::may_lead(const View& view) const {
   if (nearest > distance_ + slack_) return false;
   for (const bool head : {false, true}) {
     const Index v = head ? mesh_.head(view.in) : mesh_.origin(view.in);
-    const double known = std::min(of_.distance(v), of_.farthest_);  // the vertex is not nearer
+    const double known = std::min(of_.distance(v), of_.farthest_);  // a lower bound
     if (known == kInfinity) continue;
-    // What the distance from the eye exceeds that from the vertex by is least at the far end.
+    // The distance from the eye minus that from the vertex is least at the far end.
     const double far = head ? view.begin : view.end, from_vertex = head ? length - far : far;
     const double from_eye = distance_between(view.eye, {far, 0});
     if (known - from_vertex > distance_ - from_eye + slack_) return false;
@@ -190,8 +190,8 @@ bool Paths::Search::may_lead(const View& view) const {
   return true;
 }
 
-/// Whether another view shows as much, or a line comes into a face for the second time: round the
-/// tip of needles, or among faces without area, lines lead round without end, no shortest path
+/// Whether another view covers this one, or a line enters a face for the second time: around the
+/// tip of needles, or among faces without area, lines continue without end, which no shortest path
 /// does.
 bool Paths::Search::is_seen(const View& view) const {
   for (Index i = view.before; i != kNone; i = views_[i].before) {
@@ -207,11 +207,11 @@ bool Paths::Search::is_seen(const View& view) const {
   });
 }
 
-/// @param place in the frame of the root's half-edge, as the eye
+/// @param place, eye in the frame of the root's half-edge
 void Paths::Search::consider_vertex(Index v, const Point2& place, const Point2& eye, Root root) {
   const double before = of_.distance(v);
   if (before > distance_ || !of_.may_bend(v)) return;
-  // Of the vertices in the place of the end, none but a source is worth going to.
+  // Vertices at the position of the end are skipped, except sources.
   if (is_end(v) && (end_.vertex == v || !of_.source_at_.contains(v))) return;
   if (std::ranges::find(passed_, v) != passed_.end()) return;
   root.root = v;
@@ -248,7 +248,7 @@ void Paths::Search::consider(Root root, double before, const Point2& place, cons
 }
 
 /// Whether the path through the crossings is as long as the straight line of the unfolded strip.
-/// Among faces without area a strip may turn back upon itself, and rounding lets the line pass.
+/// Among faces without area a strip may turn back, and rounding lets the line pass.
 bool Paths::Search::is_straight(const Root& root) const {
   const Piece piece = piece_from(root);
   double length = piece.before + piece.rest;
@@ -267,7 +267,7 @@ Paths::Search::Piece Paths::Search::piece_from(const Root& root) const {
     piece.ends.push_back(ends_[i]);
   }
   std::ranges::reverse(piece.ends);
-  // From the root: the line aims at the end anew in every face.
+  // From the root on, the line is aimed at the end again in every face.
   Point2 ahead = root.place;
   for (Index i = root.view; i != kNone; i = views_[i].before) {
     const View& view = views_[i];

@@ -1,21 +1,20 @@
 // `virtual-source`: round waves, vertex by vertex.
 //
 // After the idea of Trettner, Bommes, Kobbelt 2021, "Geodesic Distance Computation via Virtual
-// Source Propagation" (CGF 40(5)): where a wave comes from is kept as a single point, its virtual
-// source, unfolded into the plane of the face that is crossed, and an offset sigma, the distance of
-// that point from the real source. There are no intervals.
+// Source Propagation" (CGF 40(5)): the origin of a wave is a single point, its virtual source,
+// unfolded into the plane of the face that is crossed, with an offset sigma, the distance of that
+// point from the real source. There are no intervals.
 //
-// Here the point is not kept but found again for each face: a vertex has its distance d and the
-// sigma of the wave that brought it, and the virtual source of an edge is where the circles of
-// radii d - sigma round its ends meet. It is consistent with both distances, so that what the wave
-// has met before does not add up. Where the ends were reached by different waves, the one of the
-// smaller sigma, which has gone straight for longer, takes both distances.
-// The first few edges around a source are crossed by windows too (core/window.h), which are
-// exact.
+// Here the point is not stored but computed for each face: a vertex has its distance d and the
+// sigma of the wave that reached it, and the virtual source of an edge is where the circles of
+// radii d - sigma around its ends meet. It is consistent with both distances: errors of earlier
+// faces do not accumulate. If different waves reached the ends, the wave with the smaller sigma,
+// which has gone straight for longer, determines both distances. Windows also cross the first few
+// edges around a source (core/window.h); they are exact.
 //
-// Vertices are taken in the order of buckets. The later end of an edge crosses the faces on both
-// sides of it. With planar waves, a third vertex that is nearer than that end can only be reached
-// over the edge when its corner is obtuse.
+// Vertices are processed in the order of buckets. The later end of an edge crosses the faces on
+// both sides of it. With planar waves, a third vertex that is nearer than that end can only be
+// reached over the edge if its corner is obtuse.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -36,26 +35,26 @@ class VirtualSource final : public Solver {
         sigma_(mesh.vertex_count()) {}
 
  private:
-  /// In mean edge lengths.
+  /// Width of buckets in mean edge lengths.
   static constexpr double kBucketWidth = 1;
-  /// Vertices that are taken before waves end and only edges are followed, per vertex of the mesh.
-  /// A vertex is taken 1.0 to 1.2 times on most meshes. Waves may feed each other round a vertex,
-  /// with ever smaller distances.
+  /// Vertices that are processed before waves end and only edges are followed, per vertex of the
+  /// mesh. On most meshes a vertex is processed 1.0 to 1.2 times. Waves may feed each other around
+  /// a vertex, with ever smaller distances.
   static constexpr std::uint64_t kMostTaken = 16;
-  /// How far straight lines are followed from a source, in mean edge lengths. Without these lines,
-  /// errors near a source reach 57% on a terrain of 100,000 vertices; with them 7%, and as much
-  /// with a radius of 8.
+  /// Length of the straight lines that are followed from a source, in mean edge lengths. Without
+  /// them, errors near a source reach 57% on a terrain of 100,000 vertices; with them 7%, and 7%
+  /// with a radius of 8 too.
   static constexpr double kStraightRadius = 6;
-  /// Windows that are followed from a source. There may be any number of them where faces are thin.
+  /// Largest number of windows from a source. Thin faces may cause any number of them.
   static constexpr int kMostWindows = 4096;
 
   struct Wave {
-    double sigma;  ///< distance of the vertex that it comes from, where a path may have bent
-    Index source;  ///< whose distance that is
+    double sigma;  ///< distance of the vertex of its origin, where a path may have bent
+    Index source;  ///< the source of that distance
   };
 
   struct Waiting {
-    Index half_edge;  ///< in whose frame the window is
+    Index half_edge;  ///< the window is in its frame
     Window window;
   };
 
@@ -79,8 +78,8 @@ class VirtualSource final : public Solver {
     front_.clear();
   }
 
-  /// Reaches vertices by straight lines over the faces around a source, with windows that no other
-  /// ones trim. Near a source the virtual source of an edge is far off: one of its ends is often
+  /// Reaches vertices by straight lines over the faces around a source, with windows that are not
+  /// trimmed. Near a source the virtual source of an edge is inaccurate: one of its ends is often
   /// reached after the vertices behind it.
   void follow_lines(Index v, const Wave& wave) {
     for (const Index h : mesh().outgoing(v)) {
@@ -97,8 +96,8 @@ class VirtualSource final : public Solver {
     windows_.clear();
   }
 
-  /// Puts a window on the edge of h for the face beyond it, unless it is too far away or no shorter
-  /// than a path along the edge. It is in the frame of the twin of h.
+  /// Adds a window on the edge of h for the face beyond it, unless it is too far away or no shorter
+  /// than a path along the edge. The window is in the frame of the twin of h.
   void land(Index h, Window w) {
     const HalfEdge& edge = mesh().half_edge(h);
     if (edge.twin == kNone || is_void(w, edge.length)) return;
@@ -126,10 +125,10 @@ class VirtualSource final : public Solver {
     }
   }
 
-  /// Follows the edges of v, and crosses those that lead to vertices that are no farther.
+  /// Follows the edges of v, and crosses those whose other end is no farther.
   void take(Index v, bool crosses) {
     const double d = distances_[v];
-    // A path along an edge may bend at its origin, and is a wave of its own then.
+    // A path along an edge may bend at its origin, and then begins a wave.
     const Wave wave = {mesh().is_pseudo_source(v) ? d : sigma_[v], source_of(v)};
     for (const Index h : mesh().outgoing(v)) {
       const Index into = Mesh::previous(h);
@@ -140,7 +139,7 @@ class VirtualSource final : public Solver {
         cross(h, v, head, apex);
       }
       if (distances_[apex] > d) {
-        // An edge of two faces leaves v in one of them; any other one may only arrive.
+        // An edge of two faces leaves v in one of them; any other edge may only arrive at v.
         if (mesh().twin(into) == kNone) reach(apex, d + mesh().half_edge(into).length, wave);
       } else if (crosses) {
         cross(into, apex, v, head);
@@ -148,25 +147,25 @@ class VirtualSource final : public Solver {
     }
   }
 
-  /// From the virtual source of the half-edge h, from a to b, straight to the apex of its face.
+  /// Reaches the apex of the face of h, from a to b, straight from the virtual source of h.
   void cross(Index h, Index a, Index b, Index apex) {
     const double to_a = distances_[a], to_b = distances_[b], to_apex = distances_[apex];
     if (!(to_apex > std::min(to_a, to_b))) return;
-    // Circles round two sources say nothing of either.
+    // Circles around two sources determine neither of them.
     if (source_of(a) != source_of(b)) return;
     const HalfEdge& edge = mesh().half_edge(h);
     const bool is_between = to_apex <= std::max(to_a, to_b);
     const bool is_obtuse = edge.apex_x * (edge.length - edge.apex_x) > edge.apex_y * edge.apex_y;
     if (is_between && !is_obtuse) return;
     const double length = edge.length, sigma = std::min(sigma_[a], sigma_[b]);
-    // The source lies at (x, -y) in the frame of h, y >= 0: on the edge's line where rounding, or
-    // two waves, leave circles that do not meet.
+    // The source lies at (x, -y) in the frame of h, y >= 0. It is on the edge's line if the circles
+    // do not meet, because of rounding or two waves.
     const double from_a = to_a - sigma, from_b = to_b - sigma;
     const double x = ((from_a - from_b) * (from_a + from_b) / length + length) / 2;
     const double y = std::sqrt(std::max(from_a * from_a - x * x, 0.0));
     const double height = edge.apex_y + y;
-    // The line meets the edge at crossing / height. Neither comparison holds of a NaN, which an
-    // edge of no length leads to.
+    // The line meets the edge at crossing / height. Both comparisons are false for a NaN, which an
+    // edge of length 0 causes.
     const double crossing = x * edge.apex_y + edge.apex_x * y;
     const double slack = (is_between ? kSourceSlackBetween : kSourceSlack) * length * height;
     if (height > 0 && crossing >= -slack && crossing <= length * height + slack) {
@@ -186,8 +185,8 @@ class VirtualSource final : public Solver {
   Index source_of(Index v) const { return source_.empty() ? kNone : source_[v]; }
 
   VertexCalendar front_;
-  std::vector<double> sigma_;  // of the wave that brought a vertex its distance
-  std::vector<Index> source_;  // of the same; empty where there is one source
+  std::vector<double> sigma_;  // by vertex: sigma of the wave that determined its distance
+  std::vector<Index> source_;  // by vertex: source of that wave; empty with one source
   std::vector<Waiting> windows_;
   std::span<double> distances_;
 };

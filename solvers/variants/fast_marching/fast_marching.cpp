@@ -1,10 +1,10 @@
 // `fast-marching`: the eikonal equation on the mesh, vertex by vertex.
 //
 // Kimmel, Sethian 1998, "Computing geodesic paths on manifolds" (PNAS 95). Vertices are accepted in
-// the order of their distances. A corner of a face gets the time at which a planar wave reaches it
-// that passed the other two at theirs, if that wave comes through the face; otherwise, it is
-// reached along an edge. Obtuse corners are split (unfolded.h). No bound of the error is known:
-// waves are round, and where they meet they have an edge.
+// the order of their distances. If a planar wave that passed two corners of a face at their times
+// reaches the third one through the face, it determines the time there; otherwise the time is that
+// along an edge. Obtuse corners are split (unfolded.h). No bound of the error is known: waves are
+// round, and have an edge where they meet.
 #include "solvers/core/queues/vertex_heap.h"
 #include "solvers/core/registry.h"
 #include "solvers/variants/fast_marching/unfolded.h"
@@ -12,21 +12,21 @@
 namespace geodesic::fast_marching {
 namespace {
 
-/// A point that the wave has passed, or has not: its time is then infinite.
+/// A point and the time at which the wave passed it; infinite if it has not.
 struct Passed {
   Point2 at;
   double time;  ///< the distance from the source
 };
 
-/// When the wave reaches the corner from one point.
+/// Time at which the wave from one point reaches the corner.
 double last_segment(Point2 corner, const Passed& point) {
   const double dx = point.at.x - corner.x, dy = point.at.y - corner.y;
   return point.time + std::sqrt(dx * dx + dy * dy);
 }
 
-/// When it does from two: the quadratic equation of section 4.1. With a the earlier point, u the
-/// time between the two, and t the time from a to the corner, the wave's direction lies within the
-/// corner if it is upwind of both.
+/// Time at which the wave from two points reaches it: the quadratic equation of section 4.1. With a
+/// the earlier point, u the time between the two, and t the time from a to the corner, the wave's
+/// direction lies within the corner if it is upwind of both.
 double last_segment(Point2 corner, Passed a, Passed b) {
   if (b.time < a.time) std::swap(a, b);
   const double along_an_edge = std::min(last_segment(corner, a), last_segment(corner, b));
@@ -78,7 +78,7 @@ class FastMarching final : public Solver {
     return {at, accepted_[v] != 0 ? distances_[v] : kInfinity};
   }
 
-  /// The corner at the apex of h, from what has been accepted of its neighbours.
+  /// Updates the corner at the apex of h from its accepted neighbours.
   void update_corner(Index h) {
     const Index v = mesh().apex(h);
     if (accepted_[v] != 0) return;

@@ -9,7 +9,7 @@ double scalar_product(Point2 a, Point2 b, Point2 from) {
   return (a.x - from.x) * (b.x - from.x) + (a.y - from.y) * (b.y - from.y);
 }
 
-/// The apex of a half-edge's face, with the half-edge's ends where they have been unfolded to.
+/// Returns the apex of a half-edge's face, given the unfolded ends of the half-edge.
 Point2 unfolded_apex(const HalfEdge& e, Point2 origin, Point2 head) {
   const Point2 along{(head.x - origin.x) / e.length, (head.y - origin.y) / e.length};
   return {origin.x + e.apex_x * along.x - e.apex_y * along.y,
@@ -23,7 +23,7 @@ std::optional<Splitter> split_corner(const Mesh& mesh, Index h) {
   const Point2 corner{opposite.apex_x, opposite.apex_y};
   const Point2 origin{0, 0}, head{opposite.length, 0};
   if (!(scalar_product(origin, head, corner) < 0)) return {};
-  // The section lies between left and right, the ends of the edge that it crosses next.
+  // The section lies between left and right, the ends of the edge that is crossed next.
   Point2 left = origin, right = head;
   Index crossed = h;
   for (int faces = 0; faces < kMostUnfolded; ++faces) {

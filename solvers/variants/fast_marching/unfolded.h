@@ -1,9 +1,9 @@
-// Obtuse corners, each with a neighbour from beyond the opposite edge that splits it.
+// Splits obtuse corners by vertices beyond the opposite edge.
 //
-// A planar wave may enter an obtuse corner without having passed both of its neighbours before.
+// A planar wave may enter an obtuse corner before it has passed both of the corner's neighbours.
 // Kimmel and Sethian 1998, section 4.2, unfold the faces beyond the opposite edge into the corner's
-// plane until a vertex lies in the section of directions that are at acute or right angles to both
-// sides of the corner: with it the corner is two corners that are not obtuse.
+// plane until a vertex lies in the section: the directions at acute or right angles to both sides
+// of the corner. That vertex splits the corner into two that are not obtuse.
 #pragma once
 
 #include <optional>
@@ -21,24 +21,24 @@ struct Splitter {
   Point2 at;       ///< unfolded, in the frame of that half-edge
 };
 
-/// The first vertex in the section of the corner at the apex of h.
-/// @return nothing where the corner is not obtuse, and where the section meets a boundary, a
-///         collapsed edge, or no vertex within kMostUnfolded faces
+/// Finds the first vertex in the section of the corner at the apex of h.
+/// @return nothing if the corner is not obtuse, or if the section meets a boundary, a collapsed
+///         edge, or no vertex within kMostUnfolded faces
 std::optional<Splitter> split_corner(const Mesh& mesh, Index h);
 
-/// More faces than are unfolded on meshes whose angles are not minute.
+/// Largest number of unfolded faces; sufficient for meshes whose angles are not minute.
 inline constexpr int kMostUnfolded = 64;
 
-/// All splitters of a mesh: by corner, and by vertex.
+/// All splitters of a mesh, by corner and by vertex.
 class Splitters {
  public:
   explicit Splitters(const Mesh& mesh);
 
-  /// @return null when the corner at the apex of h has none
+  /// @return null if the corner at the apex of h has none
   const Splitter* of_corner(Index h) const {
     return of_corner_[h] == kNone ? nullptr : &splitters_[of_corner_[h]];
   }
-  /// The corners that v splits.
+  /// The splitters of the corners that v splits.
   std::span<const Splitter> by_vertex(Index v) const {
     return std::span(splitters_).subspan(first_[v], first_[v + 1] - first_[v]);
   }

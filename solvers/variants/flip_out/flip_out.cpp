@@ -1,10 +1,10 @@
 // `flip-out`: Dijkstra's paths, made shorter by flipping edges until they are locally shortest.
 //
 // Sharp, Crane 2020, "You can find geodesic paths in triangle meshes by just flipping edges" (ACM
-// Transactions on Graphics 39(6)). Where a path of edges encloses less than pi with itself at a
-// vertex, the edges between are flipped until the way around them is convex: it is shorter, and the
-// path takes it. What comes out is straight, and need not be the shortest path: it is one that the
-// path along edges can be drawn into without a jump. Distances are those along edges.
+// Transactions on Graphics 39(6)). If the angle of a path of edges at a vertex is less than pi, the
+// edges in it are flipped until the way around them is convex. That way is shorter, and the path
+// takes it. The result is straight, but need not be the shortest path: it is one into which
+// the path along edges can be deformed continuously. Distances are those along edges.
 #include <algorithm>
 #include <functional>
 #include <numbers>
@@ -22,10 +22,10 @@ namespace {
 
 bool is_convex(double angle) { return angle < std::numbers::pi - kFlipStraight; }
 
-/// A path of edges over a triangulation that it changes.
+/// A path of edges in a triangulation that it modifies.
 class EdgePath {
  public:
-  /// @param vertices neighbours of each other in turn, each there once
+  /// @param vertices the path: each vertex a neighbour of the previous one, without repetition
   EdgePath(IntrinsicMesh& mesh, const std::vector<InternalPoint>& vertices,
            std::vector<bool>& on_path)
       : mesh_(mesh), on_path_(on_path) {
@@ -42,7 +42,7 @@ class EdgePath {
   EdgePath(const EdgePath&) = delete;
   EdgePath& operator=(const EdgePath&) = delete;
 
-  /// Makes it locally shortest: the sharpest bend first (section 3.2).
+  /// Makes the path locally shortest, beginning at the sharpest bend (section 3.2).
   void shorten() {
     for (std::size_t i = 1; i < edges_.size(); ++i) enqueue(i);
     while (!bends_.empty()) {
@@ -58,10 +58,10 @@ class EdgePath {
   const std::vector<Index>& edges() const { return edges_; }
 
  private:
-  /// What a path encloses at a vertex on one side.
+  /// The angle of a path at a vertex, on one side.
   struct Wedge {
     Index right, left;  ///< half-edges of the vertex, counter-clockwise
-    double angle;       ///< infinite where there is a boundary between them
+    double angle;       ///< infinite if there is a boundary between them
   };
   using Bend = std::pair<double, Index>;  // angle and vertex
 
@@ -75,7 +75,7 @@ class EdgePath {
     return sum;
   }
 
-  /// At the origin of the edge i, on the side where it is less.
+  /// Returns the wedge at the origin of edge i, on the side where the angle is less.
   Wedge wedge_at(std::size_t i) const {
     const Index back = mesh_.twin(edges_[i - 1]), out = edges_[i];
     const Wedge left{out, back, angle_between(out, back)};
@@ -99,8 +99,8 @@ class EdgePath {
     }
   }
 
-  /// Leads the path around the other end of a wedge at the origin of the edge i, where that is
-  /// shorter, as it is but for rounding.
+  /// Leads the path around a wedge at the origin of edge i if that is shorter, which can only fail
+  /// by rounding.
   void go_around(std::size_t i, const Wedge& wedge) {
     flip_out(wedge);
     std::vector<Index> around;
@@ -129,7 +129,7 @@ class EdgePath {
     for (std::size_t k = first; k < std::min(last, edges_.size()); ++k) enqueue(k);
   }
 
-  /// Leaves out what leads from a vertex back to it.
+  /// Removes loops that lead from a vertex back to it.
   void drop_loops() {
     std::vector<Index> kept;
     for (const Index h : edges_) {

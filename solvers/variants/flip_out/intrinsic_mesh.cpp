@@ -12,13 +12,13 @@ Point2 apex_of(const Mesh& mesh, Index h) {
   return {mesh.half_edge(h).apex_x, mesh.half_edge(h).apex_y};
 }
 
-/// A half-edge in a plane.
+/// A half-edge and its face in a plane.
 struct Laid {
   Index half_edge;
   Point2 origin, head, apex;
 };
 
-/// A vertex where rounding leaves no other.
+/// Returns the point at a distance from the origin of h; a vertex if it is equal up to rounding.
 InternalPoint point_on(const Mesh& mesh, Index h, double from_origin) {
   InternalPoint point;
   point.face = h / 3;
@@ -69,7 +69,7 @@ IntrinsicMesh::Direction IntrinsicMesh::direction_beside(Index h, double angle) 
   Direction direction = known == direction_.end()
                             ? Direction{h, angle}
                             : Direction{known->second.half_edge, known->second.angle + angle};
-  // Angles of the mesh's own faces: those of this one may be flipped.
+  // The loop uses angles of the mesh's own faces: faces of this object may be flipped.
   for (;;) {
     const HalfEdge& e = mesh_.half_edge(direction.half_edge);
     const double corner = std::atan2(e.apex_y, e.apex_x);

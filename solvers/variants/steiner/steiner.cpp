@@ -1,10 +1,10 @@
 // `steiner`: shortest paths in a graph of points on the edges, never too short.
 //
 // Lanthier, Maheshwari, Sack 1997, "Approximating weighted shortest paths on polyhedral surfaces":
-// every edge gets `points` Steiner points at equal distances. Two nodes, vertices or Steiner
-// points, are joined by a straight line when they lie on different edges of one face, and
-// neighbours along an edge by their part of it. Paths of this graph are paths of the surface:
-// Dijkstra's algorithm on it gives upper bounds, and without points it is `dijkstra`.
+// every edge gets `points` equidistant Steiner points. Two nodes (vertices or Steiner points) are
+// joined by a straight line if they lie on different edges of one face; neighbours on one edge are
+// joined by the part between them. Paths of this graph are paths of the surface: Dijkstra's
+// algorithm on it gives upper bounds. Without Steiner points it is `dijkstra`.
 #include <stdexcept>
 
 #include "solvers/core/queues/vertex_heap.h"
@@ -14,12 +14,12 @@
 namespace geodesic::steiner {
 namespace {
 
-/// Nodes by number: the vertices, then the points of each edge from the origin of the one of its
-/// half-edges that names it, which is the smaller one.
+/// Numbers of nodes: first the vertices, then the points of each edge. The smaller half-edge of an
+/// edge names it, and its points are numbered from the origin of that half-edge.
 class Nodes {
  public:
-  /// @param points on every edge
-  /// @throws std::invalid_argument when there are more nodes than an Index can number
+  /// @param points number of points on every edge
+  /// @throws std::invalid_argument if there are more nodes than an Index can number
   Nodes(const Mesh& mesh, Index points)
       : points_(points), vertices_(mesh.vertex_count()), first_(mesh.half_edge_count()) {
     if (points > 0 && mesh.edge_count() > (kNone - vertices_) / points) {
@@ -45,20 +45,20 @@ class Nodes {
 
   /// The half-edge that names the edge of a Steiner point.
   Index half_edge(Index point) const { return half_edges_[(point - vertices_) / points_]; }
-  /// How many steps of its edge a Steiner point lies from the origin of that half-edge.
+  /// Number of steps of its edge from the origin of that half-edge to a Steiner point.
   Index step(Index point) const { return (point - vertices_) % points_ + 1; }
 
-  /// @param step from 1 to points(), from the origin of h
+  /// @param step from 1 to points(), counted from the origin of h
   Index on(const Mesh& mesh, Index h, Index step) const {
     return first_[h] + (mesh.twin(h) < h ? points_ - step : step - 1);
   }
-  /// Part of an edge that so many of its steps are.
+  /// The part of an edge that a number of its steps covers.
   double share(Index steps) const { return steps / static_cast<double>(points_ + 1); }
 
  private:
   Index points_, vertices_;
   std::vector<Index> first_;       // per half-edge, the number of its edge's first point
-  std::vector<Index> half_edges_;  // per edge, the one that names it
+  std::vector<Index> half_edges_;  // per edge, the half-edge that names it
 };
 
 double distance(Point2 a, Point2 b) {
@@ -100,7 +100,7 @@ class Steiner final : public Solver {
   void leave_vertex(Index v) {
     const double d = distances_[v], step = nodes_.share(1);
     for (const Index h : mesh().outgoing(v)) {
-      // Both edges of the corner: a boundary edge leaves v in one face only.
+      // Both edges of the corner, because a boundary edge leaves v in one face only.
       const Index into = Mesh::previous(h);
       const double length = mesh().half_edge(h).length, length_into = mesh().half_edge(into).length;
       reach(mesh().head(h), d + length);
@@ -119,7 +119,7 @@ class Steiner final : public Solver {
       const Index from_origin = h == named ? step : nodes_.points() + 1 - step;
       const HalfEdge& e = mesh().half_edge(h);
       const double d = distances_[point], t = e.length * nodes_.share(from_origin);
-      // Of the two neighbours along the edge, the one towards the head: the twin has the other.
+      // The neighbour on the edge towards the head; the twin reaches the other one.
       reach(from_origin == nodes_.points() ? mesh().head(h) : nodes_.on(mesh(), h, from_origin + 1),
             d + e.length * nodes_.share(1));
       if (mesh().twin(h) == kNone) {
@@ -138,7 +138,7 @@ class Steiner final : public Solver {
     const HalfEdge& e = mesh().half_edge(h);
     reach_points(Mesh::next(h), {e.length, 0}, {e.apex_x, e.apex_y}, from, d);
   }
-  /// Of the edge from the apex to the origin of h.
+  /// Reaches the points of the edge from the apex to the origin of h.
   void reach_previous_edge(Index h, Point2 from, double d) {
     const HalfEdge& e = mesh().half_edge(h);
     reach_points(Mesh::previous(h), {e.apex_x, e.apex_y}, {0, 0}, from, d);

@@ -1,13 +1,13 @@
-// `template`: exact distances in few lines, to start from.
+// `template`: exact distances in few lines, as a starting point.
 //
-// Mitchell, Mount, Papadimitriou 1987, "The discrete geodesic problem", has the ideas:
-// - Unfolded into a plane, a shortest path is straight, but for vertices where it may bend: saddle
-//   vertices and boundaries. Such a vertex is a source again, a pseudo-source.
+// The ideas are those of Mitchell, Mount, Papadimitriou 1987, "The discrete geodesic problem":
+// - Unfolded into a plane, a shortest path is straight except at vertices where it may bend: saddle
+//   vertices and boundary vertices. Such a vertex acts as a source, a pseudo-source.
 // - A window (core/window.h) is an interval of an edge that straight lines from one (pseudo-)source
-//   reach. The face that they enter next has two other edges: the window's children lie there.
-// - A line that another path beats need not go on.
-// Here windows wait first in, first out, and only the ends of their own edge may beat them: right,
-// short and slow.
+//   reach. The next face of these lines has two other edges, which get the window's children.
+// - A line longer than another path to the same point is dropped.
+// Here windows are processed first in, first out, and only paths over the ends of their edge may
+// beat them: correct, short and slow.
 #include <algorithm>
 #include <deque>
 #include <optional>
@@ -28,9 +28,9 @@ class Unfolding final : public Solver {
 
  private:
   struct Waiting {
-    Index half_edge;  ///< the one whose face the lines enter, and in whose frame the window is
-    Index root;       ///< where the lines begin, as in LastSegment (core/recording.h)
-    Index faces;      ///< crossed since
+    Index half_edge;  ///< its face is entered next, and its frame is that of the window
+    Index root;       ///< the root of the lines, as in LastSegment (core/recording.h)
+    Index faces;      ///< number of faces crossed since the root
     Window window;
   };
 
@@ -62,8 +62,8 @@ class Unfolding final : public Solver {
     if (paths_) paths_->finish(distances_, *recording);
   }
 
-  /// From a source: at a vertex, or from a point of a face to its corners and through its sides.
-  /// @param root of a source that is no vertex
+  /// Starts from a source: at a vertex, or from a point of a face to its corners and sides.
+  /// @param root the root of a source that is not a vertex
   void start(const InternalSource& source, Index root) {
     if (source.at.is_vertex()) {
       const Index v = source.at.vertex;
@@ -79,17 +79,17 @@ class Unfolding final : public Solver {
         });
   }
 
-  /// There is a path of this length to v.
-  /// `sends_out`: wherever v lies.
+  /// Updates v with a path of this length.
+  /// @param sends_out makes v a source even if it is not a pseudo-source
   void reach(Index v, double distance, const LastSegment& last_segment, bool sends_out = false) {
     if (!(distance < distances_[v])) return;
-    // Where rounding alone makes a path shorter, the one that is known goes on to count.
+    // If a path is shorter by rounding only, the recorded segment is kept.
     if (paths_ && distance < distances_[v] * (1 - kPathMargin)) paths_->arrived(v, last_segment);
     distances_[v] = distance;
     if (sends_out || mesh().is_pseudo_source(v)) sources_.push_back({InternalPoint(v), distance});
   }
 
-  /// Follows the edges at a (pseudo-)source, and sends a window over the far edge of each face.
+  /// Follows the edges at a (pseudo-)source, and adds a window to the far edge of each face.
   void send_out(const InternalSource& source) {
     const Index v = source.at.vertex;
     for (const Index h : mesh().outgoing(v)) {
@@ -105,8 +105,8 @@ class Unfolding final : public Solver {
     }
   }
 
-  /// Puts a window on the edge of h, for the face beyond it, if there is one. It is in the frame of
-  /// the twin of h.
+  /// Adds a window on the edge of h for the face beyond it, if there is one. The window is in the
+  /// frame of the twin of h.
   void land(Index h, Index root, Index faces, Window w) {
     const HalfEdge& edge = mesh().half_edge(h);
     if (edge.twin == kNone || is_void(w, edge.length)) return;
@@ -115,7 +115,7 @@ class Unfolding final : public Solver {
     windows_.push_back({edge.twin, root, faces, w});
   }
 
-  /// True when the path over an end of the edge is the shorter one for every point of the window.
+  /// Whether a path over an end of the edge is the shorter one for every point of the window.
   bool is_beaten(const Waiting& waiting) const {
     const HalfEdge& edge = mesh().half_edge(waiting.half_edge);
     const Index head = mesh().head(waiting.half_edge);
@@ -149,9 +149,9 @@ class Unfolding final : public Solver {
 
   WindowBudget budget_;
   std::span<double> distances_;
-  std::deque<InternalSource> sources_;  // that have not sent out windows of their distance yet
-  std::deque<Waiting> windows_;         // that have not crossed a face yet
-  std::optional<LastSegments> paths_;   // how paths arrive, where the solve is asked for them
+  std::deque<InternalSource> sources_;  // sources that must still send out windows
+  std::deque<Waiting> windows_;         // windows that must still cross a face
+  std::optional<LastSegments> paths_;   // last segments of paths, if the query needs them
 };
 
 const RegisterSolver<Unfolding> registered{{
