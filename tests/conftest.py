@@ -1,4 +1,4 @@
-"""Of all tests: what they must not inherit from the shell they are started in, and the program."""
+"""Fixtures of all tests; also resets a signal handler that tests must not inherit from the shell."""
 
 import os
 import signal
@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-# Shells have what they start with `&` ignore Ctrl-C, and programs hand that down.
+# Commands that a shell starts with `&` ignore Ctrl-C, and their child processes inherit this.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 

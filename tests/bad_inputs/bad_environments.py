@@ -1,4 +1,4 @@
-"""Disks, rights, streams, interpreters and packages that are not as they should be."""
+"""Bad environments: disks, rights, streams, interpreters and packages with faults."""
 
 from __future__ import annotations
 

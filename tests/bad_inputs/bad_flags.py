@@ -1,4 +1,4 @@
-"""Words on the command lines of all programs."""
+"""Bad arguments of all programs."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ def flag(command: str, *says: str) -> Case:
 
 
 def of(command: str, words: str, *says: str) -> Case:
-    """Words after a command, whose own help is named."""
+    """Arguments of a command. The message must name the help of this command."""
     return flag(f"geodesic-bench {command} {words}", *says, SEE.format(command))
 
 
 def script(command: str, words: str, *says: str) -> Case:
-    """Words after a command that is a Python module."""
+    """Arguments of a command that is a Python module."""
     see = f"; see geodesic-bench {command} --help"
     return flag(f"geodesic-bench {command} {words}", f"geodesic-bench {command}: ", *says, see)
 

@@ -1,4 +1,4 @@
-"""Manifests, as geodesic-bench reads them, for itself and for fetch.py."""
+"""Bad manifests. geodesic-bench reads them, for itself and for fetch.py."""
 
 from __future__ import annotations
 
@@ -60,13 +60,13 @@ def listed_text(what: str, text: str | bytes, *says: str) -> Case:
 
 
 def run_on(what: str, entry: dict[str, Any], *says: str) -> Case:
-    """By a command that needs the mesh."""
+    """Returns a case in which a command needs the mesh."""
     return of("geodesic-bench solve hill --solver mmp --source 0", what,
               lambda manifest: manifest.update(meshes=[entry]), *says)  # fmt: skip
 
 
 CASES = [
-    # What fetch.py passes on
+    # Errors of fetch.py
     Case("fetch.py: nothing there", "fetch.py hill --manifest nowhere.json",
          ["fetch.py: cannot read 'nowhere.json': No such file", "name a manifest, such as"]),
     Case("fetch.py: no program", "fetch.py hill --bench nowhere",
@@ -96,7 +96,7 @@ CASES = [
     fetched("a site without encryption",
             lambda manifest: manifest["sources"]["site"].update(base="http://nowhere.invalid/"),
             "sources: site: base: must be an https:// address", "http://nowhere.invalid/"),
-    # What the program says
+    # Errors of geodesic-bench
     Case("geodesic-bench: nothing there", "geodesic-bench list --manifest nowhere.json",
          ["cannot read 'nowhere.json': No such file", "name a manifest, such as"]),
     Case("geodesic-bench: a folder", "geodesic-bench list --manifest .",

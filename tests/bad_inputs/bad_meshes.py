@@ -1,4 +1,4 @@
-"""Mesh files that are cut, lie, or are something else."""
+"""Mesh files that are truncated, have wrong values, or are no mesh files."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def ply(body: str | bytes, vertices: int = 3, faces: int = 1, encoding: str = "a
 
 
 def stl(triangles: int, corners: bytes) -> bytes:
-    """Binary."""
+    """Returns a binary STL file."""
     return bytes(80) + struct.pack("<I", triangles) + bytes(12) + corners + bytes(2)
 
 
@@ -114,7 +114,7 @@ CASES = [
          "a.stl, byte 80", "declares 4000000000 triangles", WHOLE_COPY),
     mesh("NaN", "a.stl", stl(1, struct.pack("<9f", *8 * [0.0], float("nan"))),
          "a.stl", "not finite", *MEANINGLESS),
-    # Whatever the name
+    # Any file name
     mesh("empty", "a.off", "", "a.off: the file is empty (0 bytes); get a whole copy"),
     mesh("noise", "a.obj", bytes(range(256)), "a.obj", *UNKNOWN),
     mesh("compressed", "a.ply", b"\x1f\x8b\x08\x00", "a.ply: a compressed file", "unpack it first"),

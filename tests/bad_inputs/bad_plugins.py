@@ -1,4 +1,4 @@
-"""Plug-ins that are none; tests/package/test_plugins.py builds those that are, and are refused."""
+"""Files that are not plug-ins. tests/package/test_plugins.py builds plug-ins that are refused."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sources and targets that are no points of the mesh, as words and in files."""
+"""Sources and targets that are not points of the mesh, as arguments and in files."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Result files, as geodesic-bench and the scripts of plots/ read them."""
+"""Bad result files. geodesic-bench and the scripts of plots/ read them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Suites that say something they must not."""
+"""Suites with invalid contents."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A bad input as a row of a table: how it is made, what is typed, and what is said of it."""
+"""A bad input as a row of a table: its files, the command, and the expected error output."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from dataclasses import dataclass, field
 class Case:
     name: str
     command: str
-    """What is typed into bash, in an empty folder that holds `files` and `hill.obj`, a good mesh.
-    Every program of the project is on the PATH by its name, and so are the words of bin/."""
+    """Bash command. It runs in a folder that contains only `files` and `hill.obj`, a valid mesh. The PATH
+    has every program of the project by its name, and the commands of bin/."""
     says: list[str]
-    """Words of the error output: the thing (file and place, flag and value, key) and what to do."""
+    """Words of the error output: the cause (file and place, flag and value, or key) and the remedy."""
     code: int = 1
     files: Mapping[str, str | bytes] = field(default_factory=dict)
     given: str = ""
-    """What bash does before."""
+    """Commands that bash runs before."""
     lines: int = 1
-    """Of the error output."""
+    """Number of lines of the error output."""
     needs: str = ""
-    """A word of bin/ that not every machine permits; where it does not, the test is skipped."""
+    """A command of bin/ that some machines do not permit. The test is skipped on these machines."""

@@ -1,4 +1,4 @@
-"""Makes the tables beside this file importable; an empty folder, and a PATH with every program."""
+"""Makes the tables of this folder importable. Fixtures run commands with every program on the PATH."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from shell import ANSWERS, BENCH, HERE, ROOT, SYSTEM_PATH, Bash, Ended  # noqa: 
 
 SCRIPTS = ["run_all.sh", "run_tests.sh", "check_performance.sh", "new_solver.sh"]
 MODULES = {"plots": "plots", "check_run.py": "gate.check_run", "report.py": "plots.report"}
-"""Commands of Python packages, by the name that their messages begin with."""
+"""Python modules that are commands, by the name at the beginning of their messages."""
 HILL = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
 SECONDS = 300
-"""That a command may take on a busy machine: none of them waits for anybody."""
+"""Time limit of a command on a busy machine. No command waits for a user."""
 
 
 @pytest.fixture(scope="session")
 def checkout(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """What the scripts need of one, without the program; they write their logs to it."""
+    """The files of a checkout that the scripts need, without the program. The scripts write logs there."""
     copy = tmp_path_factory.mktemp("checkout")
     for name in SCRIPTS:
         shutil.copy(ROOT / name, copy)
@@ -36,13 +36,13 @@ def checkout(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="session")
 def programs(checkout: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder for the PATH: every program by its name, and the words of bin/."""
+    """Folder for the PATH. It has every program by its name, and the commands of bin/."""
     if not BENCH.exists():
         pytest.skip(f"no program at {BENCH}")
     folder = tmp_path_factory.mktemp("bin")
     scripts = [checkout / name for name in SCRIPTS]
     for program in [*scripts, *(HERE / "bin").iterdir(), ROOT / "datasets" / "fetch.py"]:
-        # By a script of its own: the shell scripts look for the checkout beside themselves.
+        # A small script calls each program, because the shell scripts expect the checkout in their own folder.
         bench = f' --bench "{BENCH.resolve()}"' * (program.name == "fetch.py")
         (folder / program.name).write_text(f'#!/bin/sh\nexec "{program}"{bench} "$@"\n')
         (folder / program.name).chmod(0o755)
@@ -55,7 +55,7 @@ def programs(checkout: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def shell_in(folder: Path, programs: Path, checkout: Path) -> Bash:
-    """bash(command) runs it in `here`, a new folder in this one, which holds a good mesh only."""
+    """Returns a function that runs a command in `here`, a new subfolder that contains only a valid mesh."""
     here = folder / "here"
     here.mkdir()
     (here / "hill.obj").write_text(HILL)
@@ -83,7 +83,7 @@ def bash(tmp_path: Path, programs: Path, checkout: Path) -> Bash:
 
 @pytest.fixture(scope="session")
 def plain(programs: Path, checkout: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder of a shell in which the commands of ANSWERS were run with their name `plain`."""
+    """Folder in which the commands of ANSWERS were run with the file name `plain`."""
     folder = tmp_path_factory.mktemp("plain")
     bash = shell_in(folder, programs, checkout)
     for command in ANSWERS:

@@ -1,4 +1,4 @@
-"""What rows are typed into, and whether the machine lets them do what they need."""
+"""Types and paths of the shell that runs the commands, and a check of what the machine permits."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ ANSWERS = [
     "geodesic-bench solve {0}.off --solver mmp --source 0 --output {0}.txt",
     f"plots table_5_1 --run '{GOLDEN.parent}' --out {{0}}",
 ]
-"""Commands whose files are the same bytes wherever they are run, by the name of the files."""
+"""Commands that write the same bytes in every environment. `{0}` is the name of their files."""
 
 Ended = subprocess.CompletedProcess[str]
 Bash = Callable[..., Ended]
@@ -28,7 +28,7 @@ Bash = Callable[..., Ended]
 
 @cache
 def permitted(word: str) -> bool:
-    """Whether the machine lets a word of bin/ do what it does."""
+    """Returns whether a command of bin/ works on this machine."""
     probes = {
         "unprivileged": "touch f; chmod 000 f; ! unprivileged cat f && unprivileged true",
         "with-disk": "with-disk size=8k true",

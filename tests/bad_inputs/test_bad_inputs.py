@@ -1,4 +1,4 @@
-"""Every row of the tables: its exit code, and one line that names the thing and what to do."""
+"""Every row of the tables: the exit code, and the error output with cause and remedy."""
 
 from __future__ import annotations
 

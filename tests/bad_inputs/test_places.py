@@ -1,4 +1,4 @@
-"""What must work wherever it happens: locales, names, terminals, and missing variables."""
+"""Commands must work with all locales, names and terminals, and with missing variables."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def german(tmp_path: Path) -> None:
     target = tmp_path / "here" / "de_DE.UTF-8"
     if shutil.which("localedef") is None:
         pytest.skip("there is no localedef to compile a locale with")
-    # Without the sources, localedef of glibc 2.41 leaves a locale that nothing can use.
+    # Without the sources, localedef of glibc 2.41 writes an unusable locale.
     sources = [Path("/usr/share/i18n", name) for name in ("locales/de_DE", "charmaps/UTF-8.gz")]
     if not all(source.exists() for source in sources):
         pytest.skip("localedef has no sources of de_DE (Debian: locales)")
@@ -86,7 +86,7 @@ def test_a_name_that_is_no_text_can_be_solved(bash: Bash, tmp_path: Path) -> Non
 
 
 def golden_run_with(mesh: str) -> str:
-    """The golden run with another name, as JSON has it, for a mesh of another file."""
+    """Returns the golden run, in which rocker-arm has the name `mesh` (escaped for JSON) and the file a.obj."""
     text = GOLDEN.read_text(encoding="utf-8")
     return text.replace('"rocker-arm.obj"', '"a.obj"').replace("rocker-arm", mesh)
 

@@ -1,4 +1,4 @@
-"""What is written where, and that nothing out of a file is ever run (SECURITY.md)."""
+"""Programs write only to the intended places and never execute text from a file (SECURITY.md)."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ SOLVE = "geodesic-bench solve hill.obj --solver mmp --source 0 --output"
 PYTHON = ["datasets", "gate", "plots", "results"]
 CPP = ["harness", "solvers", "meshes", "geodesic"]
 FORBIDDEN = {"eval", "exec", "compile", "system", "popen", "mktemp", "Unpickler"}
-"""Functions of Python that run words, or make files of names that others can foresee."""
+"""Python functions that execute text or create files with predictable names."""
 
 
 def tree(folder: Path) -> set[str]:
@@ -59,7 +59,7 @@ def test_a_link_in_place_of_a_file_is_replaced_and_not_followed(
 ) -> None:
     victim = tmp_path / "victim"
     victim.write_text("precious\n")
-    # exec keeps the process's number, which the name of the unfinished file ends in.
+    # exec keeps the process id. The name of the unfinished file contains it.
     ended = bash(
         "ln -s ../victim d.txt.$$.part; ln -s ../victim e.txt;"
         f" {SOLVE} e.txt >/dev/null && exec {SOLVE} d.txt"
@@ -129,7 +129,7 @@ def test_the_program_starts_no_shell(folder: str) -> None:
 
 
 def verifying(folder: Path) -> subprocess.Popen[bytes]:
-    """`verify` at work, in a session of its own, with its temporary files in the folder."""
+    """Starts `verify` in a new session, with its temporary files in the folder."""
     folder.mkdir()
     process = subprocess.Popen(
         [BENCH, "verify", "--solver", "template"], cwd=folder, start_new_session=True,
@@ -140,7 +140,7 @@ def verifying(folder: Path) -> subprocess.Popen[bytes]:
 
 
 def members(process: subprocess.Popen[bytes]) -> list[int]:
-    """Numbers of the processes of its session that have not ended."""
+    """Returns the ids of all processes in the session of a process that have not ended."""
     found = []
     for folder in Path("/proc").glob("[0-9]*"):
         try:

@@ -1,4 +1,4 @@
-"""Makes datasets/ and the helpers beside this file importable."""
+"""Makes datasets/ and the helpers of this folder importable."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ sys.path[:0] = [str(HERE), str(HERE.parents[1] / "datasets")]
 from fetch_world import Missing, World  # noqa: E402  (needs the path above)
 from http_site import Site, serving  # noqa: E402
 
-# Where the real files are, read before any test changes it.
+# The mirror with the real files. It is read before a test changes the variable.
 REAL_MIRROR = os.environ.get("GEODESIC_DATASETS_MIRROR")
 
 
@@ -23,14 +23,14 @@ REAL_MIRROR = os.environ.get("GEODESIC_DATASETS_MIRROR")
 def world(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> World:
     monkeypatch.setenv("GEODESIC_DATASETS_MIRROR", "")  # restored afterwards
     monkeypatch.setenv("NO_PROXY", "127.0.0.1")
-    monkeypatch.setattr(sys, "argv", ["fetch.py"])  # what its messages begin with
+    monkeypatch.setattr(sys, "argv", ["fetch.py"])  # messages begin with this name
     return World(tmp_path)
 
 
 @pytest.fixture
 def missing(world: World, capsys: pytest.CaptureFixture[str]) -> Missing:
-    """missing(MIRROR) fetches the world's only mesh, which cannot be had: says why, on one line.
-    Nothing is left behind."""
+    """missing(MIRROR) fetches the only mesh of the world, which must fail and leave no file. It returns
+    the reason, one line."""
 
     def reason(mirror: str = "") -> str:
         assert world.fetch(mirror=mirror) == 3
@@ -45,7 +45,7 @@ def missing(world: World, capsys: pytest.CaptureFixture[str]) -> Missing:
 
 @pytest.fixture
 def site(world: World) -> Iterator[Site]:
-    """The mirror of the world, over HTTP."""
+    """The mirror of the world, served over HTTP."""
     with serving(world.mirror) as served:
         yield served
 

@@ -1,4 +1,4 @@
-"""Small manifests, mirrors and a stand-in for geodesic-bench, in a folder of the test's own."""
+"""Small manifests, mirrors and a stand-in for geodesic-bench, in a temporary folder of each test."""
 
 from __future__ import annotations
 
@@ -29,14 +29,14 @@ COMMITTED: dict[str, Any] = json.loads((ROOT / "datasets" / "manifest.json").rea
 Missing = Callable[..., str]
 """The fixture `missing` of conftest.py."""
 
-# The program itself reads the manifest.
+# The stand-in for geodesic-bench. It forwards `list`, which reads the manifest, to the real program.
 LISTING = """#!/bin/sh
 [ "$1" = list ] && exec "${0%/*}/program" "$@"
 for last; do :; done
 echo called >> "$(dirname "$0")/calls"
 """
 
-# Writes its arguments, or its input and those behind it, as the mesh, so that tests see them.
+# Writes its arguments, with the contents of the input file before them, as the mesh. Tests read them there.
 FAKE_BENCH = LISTING + """
 [ "$2" = broken ] && { echo "geodesic-bench: no such thing" >&2; exit 1; }
 case $3 in
@@ -89,9 +89,9 @@ def packaged(name: str, upstream: bytes, mesh: bytes, package: dict[str, str]) -
 def generated(
     name: str, generator: str = "grid", size: int = 4, contents: bytes = b"", **more: Any
 ) -> dict[str, Any]:
-    """What the stand-in makes.
+    """Returns the manifest entry of a mesh that the stand-in makes.
 
-    @param contents of its input"""
+    @param contents contents of the input file"""
     return entry(
         name,
         "generated",
@@ -104,12 +104,12 @@ def generated(
 
 
 def derived(name: str, source: str, contents: bytes) -> dict[str, Any]:
-    """What the stand-in makes of `source`, whose file has these contents."""
+    """Returns the manifest entry of a mesh that the stand-in makes from `source`, a file with these contents."""
     return generated(name, "cut", contents=contents, inputs={"input": source})
 
 
 def tgz_of(members: Mapping[str, bytes], kind: bytes = tarfile.REGTYPE) -> bytes:
-    """@param kind of the members; links lead to /etc/passwd"""
+    """@param kind type of the members; links point to /etc/passwd"""
     packed = io.BytesIO()
     with tarfile.open(fileobj=packed, mode="w:gz") as opened:
         for name, data in members.items():
@@ -148,19 +148,19 @@ class World:
         self.elevation_grids: list[dict[str, Any]] = []
 
     def put(self, path: str, data: bytes) -> Path:
-        """A file of the mirror."""
+        """Writes a file of the mirror."""
         file = self.mirror / path
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_bytes(data)
         return file
 
     def put_mesh(self, name: str, data: bytes = TRIANGLE) -> Path:
-        """A mesh of the manifest that is a file of the mirror."""
+        """Adds a mesh to the manifest and its file to the mirror."""
         self.meshes.append(downloaded(name, f"site/{name}.obj", data))
         return self.put(f"site/{name}.obj", data)
 
     def add_grid(self, name: str, data: bytes) -> None:
-        """An elevation grid of the manifest that is a file of the mirror."""
+        """Adds an elevation grid to the manifest and its file to the mirror."""
         grid = downloaded(name, f"site/{name}.npy", data, file=f"{name}.npy")
         for key in ["vertices", "faces", "genus", "boundary_loops", "components", "tags"]:
             del grid[key]
@@ -182,7 +182,7 @@ class World:
         self.manifest.write_text(json.dumps(self.data()))
 
     def words(self, *words: str) -> list[str]:
-        """Those of a command line of fetch.py; --corpus all when none are given."""
+        """Writes the manifest; returns the arguments of fetch.py. Without `words` they have --corpus all."""
         self.write()
         return [
             *(words or ("--corpus", "all")),
@@ -191,22 +191,22 @@ class World:
         ]
 
     def fetch(self, *words: str, mirror: str | None = "") -> int:
-        """Runs datasets/fetch.py in this process, from the mirror's folder unless told otherwise;
-        None: without a mirror."""
+        """Runs datasets/fetch.py in this process. An empty `mirror` means the mirror of this world, None
+        means no mirror."""
         os.environ.pop("GEODESIC_DATASETS_MIRROR", None)
         if mirror is not None:
             os.environ["GEODESIC_DATASETS_MIRROR"] = mirror or str(self.mirror)
         return fetch.main(self.words(*words))
 
     def start(self, mirror: str = "") -> subprocess.Popen[str]:
-        """Starts datasets/fetch.py --corpus all as a process of its own."""
+        """Starts datasets/fetch.py --corpus all as a separate process."""
         command = [sys.executable, str(ROOT / "datasets" / "fetch.py"), *self.words()]
         environment = dict(os.environ, GEODESIC_DATASETS_MIRROR=mirror)
         pipe = subprocess.PIPE
         return subprocess.Popen(command, env=environment, stdout=pipe, stderr=pipe, text=True)
 
     def cached(self) -> list[str]:
-        """Names in the cache, sorted."""
+        """Names of the files in the cache, sorted."""
         if not self.cache.exists():
             return []
         return sorted(path.name for path in self.cache.iterdir() if path.name != WORK)

@@ -1,4 +1,4 @@
-"""A site on this machine that serves a folder, well or badly."""
+"""An HTTP server on this machine that serves a folder, with or without faults."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from pathlib import Path
 
 @dataclass
 class Site:
-    """How a folder is served, and what was asked of it."""
+    """Options of the server of a folder, and the requests that it received."""
 
     folder: Path
     url: str = ""
     ranges: bool = True  # whether it can send the rest of a file
-    cut_after: int | None = None  # bytes of a body after which it closes the connection
+    cut_after: int | None = None  # number of bytes of a body after which it closes the connection
     with_length: bool = True
-    stalls: bool = False  # after `cut_after` bytes it keeps the connection open and is silent
-    status: int | None = None  # to answer everything with
-    shifted: bool = False  # sends another range than was asked for
+    stalls: bool = False  # whether it sends nothing after `cut_after` bytes and keeps the connection open
+    status: int | None = None  # status of all answers; None: the usual ones
+    shifted: bool = False  # whether it sends another range than the requested one
     asked: list[str] = field(default_factory=list)  # "/path" or "/path bytes=9-"
     done: threading.Event = field(default_factory=threading.Event)
 
@@ -52,7 +52,7 @@ class Handler(BaseHTTPRequestHandler):
         if partial:
             self.send_header("Content-Range", f"bytes {begin}-{len(data) - 1}/{len(data)}")
         self.end_headers()
-        with suppress(ConnectionError):  # of a client that wants no more
+        with suppress(ConnectionError):  # the client has closed the connection
             self.wfile.write(body[: self.site.cut_after])
             self.wfile.flush()
         if self.site.stalls:

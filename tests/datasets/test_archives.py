@@ -1,4 +1,4 @@
-"""Taking a mesh out of an archive, whatever the archive holds."""
+"""Extraction of a mesh from good and bad archives."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ PACK_OR_GZ: dict[str, Pack] = {**PACK, "a.obj.gz": gz_of}
 
 
 def put(world: World, file: str, packed: bytes, member: str = "a.obj") -> None:
-    """A mesh of the manifest that comes in this archive, and should be the triangle."""
+    """Makes the mesh in this archive the only mesh of the manifest. It must be the triangle."""
     world.put(f"site/{file}", packed)
     more = {} if file.endswith(".gz") else {"archive_member": member}
     mesh = downloaded("a", f"site/{file}", packed, **more)

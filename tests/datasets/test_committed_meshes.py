@@ -1,7 +1,7 @@
-"""The meshes of the committed manifest are what it says, as far as they are to be had here.
+"""The available meshes of the committed manifest agree with it.
 
-Those that are generated from nothing always are. The others need GEODESIC_DATASETS_MIRROR in the
-environment, and are then fetched for real, from the folder and over HTTP.
+Meshes that are generated without inputs are always available. The others need GEODESIC_DATASETS_MIRROR
+in the environment. They are then really fetched, from the folder and over HTTP.
 """
 
 from __future__ import annotations
@@ -17,13 +17,13 @@ from fetch_world import BENCH, COMMITTED, World, committed
 from http_site import serving
 
 FACTS = ["vertices", "faces", "genus", "boundary_loops", "components"]
-MANY_VERTICES = 200_000  # what is larger takes a test under sanitizers too long
+MANY_VERTICES = 200_000  # a test with sanitizers takes too long on larger meshes
 
 pytestmark = pytest.mark.skipif(not BENCH.exists(), reason=f"no program at {BENCH}")
 
 
 def origins(mesh: dict[str, Any]) -> set[str]:
-    """The kinds of what a mesh is made from in the end."""
+    """Returns the kinds of a mesh and of its inputs, direct and indirect."""
     inputs = mesh.get("inputs", {}).values()
     return {mesh["kind"]}.union(*(origins(committed(name)) for name in inputs))
 
@@ -45,7 +45,7 @@ def fetch_into(cache: Path, names: list[str]) -> int:
 
 
 def wrong_facts(cache: Path, names: list[str]) -> dict[str, dict[str, tuple[int, int]]]:
-    """By mesh, the facts that differ: (in the manifest, found by geodesic-bench mesh)."""
+    """Returns the differing facts, by mesh, as (in the manifest, found by geodesic-bench mesh)."""
     wrong = {}
     for name in names:
         mesh = committed(name)

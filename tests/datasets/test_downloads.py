@@ -1,4 +1,4 @@
-"""Fetching over HTTP, from a site on this machine that behaves well or badly."""
+"""Fetching over HTTP from a server on this machine, with or without faults."""
 
 from __future__ import annotations
 

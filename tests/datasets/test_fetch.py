@@ -1,5 +1,5 @@
-"""datasets/fetch.py against a folder as mirror and a program made by the test. What is wrong with its
-command line or around it is in tests/bad_inputs."""
+"""datasets/fetch.py with a folder as mirror and a program made by the test. tests/bad_inputs has the bad
+command lines and environments."""
 
 from __future__ import annotations
 
@@ -94,7 +94,7 @@ def test_a_generator_that_fails_gives_its_line(
 
 @contextmanager
 def without_root() -> Iterator[None]:
-    """As nobody, where permissions would not bind the user."""
+    """Runs the block as the user nobody if the user is root, because permissions do not restrict root."""
     user = os.geteuid()
     if user == 0:
         os.seteuid(65534)
@@ -110,7 +110,7 @@ def test_a_read_only_cache_is_one_line_and_stays_usable(
 ) -> None:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        folder.chmod(0o755)  # anybody may read it
+        folder.chmod(0o755)  # all users may read it
         world = World(folder)
         world.meshes = [generated("g")]
         assert world.fetch() == 0
@@ -137,7 +137,7 @@ def test_a_full_disk_costs_only_the_meshes_that_do_not_fit(
 ) -> None:
     world.put_mesh("large", TRIANGLE * 10_000)
     world.put_mesh("small")
-    # A limit on the size of a file makes write() fail as a full disk does.
+    # A limit on the size of a file makes write() fail, as on a full disk.
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, limits[1]))
     try:
@@ -213,7 +213,7 @@ def test_an_elevation_grid_is_an_input_like_a_mesh(world: World) -> None:
     assert world.fetch("heights") == 0
 
 
-# While it makes the mesh, it waits for the file "go" beside it, though not for ever.
+# While it makes the mesh, it waits for the file "go" in its folder, for a limited time.
 SLOW_BENCH = LISTING + """
 here=$(dirname "$0")
 echo half > "$last"
@@ -224,7 +224,7 @@ echo "$2 $3" > "$last"
 
 
 def generating(world: World) -> subprocess.Popen[str]:
-    """A fetch that makes the mesh g until there is the file "go"."""
+    """Starts a fetch that makes the mesh g. It ends when the file "go" exists."""
     world.meshes = [generated("g")]
     world.bench.write_text(SLOW_BENCH)
     process = world.start()

@@ -1,4 +1,4 @@
-"""The manifest: the committed one is sound, and a wrong one is refused with the place."""
+"""The committed manifest is valid. A wrong manifest is refused with the place of the error."""
 
 from __future__ import annotations
 
@@ -116,7 +116,7 @@ def test_no_file_of_the_cache_is_tracked() -> None:
 
 
 def set_in(place: str, *values: Any) -> Damage:
-    """Sets one key, 'meshes/0/file', to a value; without one, removes it."""
+    """Sets a key, such as 'meshes/0/file', to a value. Without a value, removes it."""
 
     def damage(data: Any) -> None:
         *path, key = [int(step) if step.isdecimal() else step for step in place.split("/")]
@@ -131,7 +131,7 @@ def set_in(place: str, *values: Any) -> Damage:
 
 
 # Meshes 0 to 3 are a (downloaded), p (in a package), g (generated), d (generated from a).
-# What a schema cannot say is marked by the last column.
+# The last column: whether the schema refuses the manifest, too.
 @pytest.mark.parametrize(
     ("damage", "message", "in_schema"),
     [
@@ -221,7 +221,7 @@ def test_a_wrong_manifest_is_refused_with_the_place(
 
 
 def listed(*words: str) -> str:
-    """What the program prints of the committed manifest."""
+    """Returns the output of `list` for the committed manifest."""
     command = [str(BENCH), "list", *words, "--manifest", str(ROOT / "datasets" / "manifest.json")]
     return subprocess.run(command, capture_output=True, text=True, check=True).stdout
 

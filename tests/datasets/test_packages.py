@@ -12,7 +12,7 @@ from fetch_world import TRIANGLE, Missing, World, executable, packaged, tgz_of
 PACKED = gzip.compress(TRIANGLE, mtime=0)
 NPM_PACKAGE = {"manager": "npm", "name": "shapes", "version": "1.2.3", "file": "models/a.obj.gz"}
 
-# Packs the tarball beside it, like `npm pack --json ... --pack-destination FOLDER`.
+# Copies the tarball in its folder, like `npm pack --json ... --pack-destination FOLDER`.
 FAKE_NPM = """#!/bin/sh
 for last; do :; done
 here=$(dirname "$0")
@@ -24,7 +24,7 @@ echo '[]'
 
 @pytest.fixture
 def npm(world: World, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """The stand-in, which is found before any other npm."""
+    """The stand-in for npm. It is first on the PATH."""
     file = executable(world.folder / "bin" / "npm", FAKE_NPM)
     monkeypatch.setenv("PATH", str(file.parent), prepend=":")
     file.with_name("tarball").write_bytes(tgz_of({"package/models/a.obj.gz": PACKED}))
@@ -72,7 +72,7 @@ def test_another_file_than_the_expected_is_not_used(world: World, missing: Missi
 def python_package(
     world: World, monkeypatch: pytest.MonkeyPatch, name: str, data: Path | None = None
 ) -> Path:
-    """The folder of data of an installed package, which says where that is or fails to import."""
+    """Returns the data folder of an installed package. The package states this folder, or its import fails."""
     package = world.folder / "python" / name
     folder = data or package
     for path in (package, folder / "models"):

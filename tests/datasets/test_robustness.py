@@ -1,4 +1,4 @@
-"""The thesis's solvers are right on every case of the robustness corpus."""
+"""The solvers of the thesis are right on every case of the robustness corpus."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""build_solver.py FOLDER: builds solvers/variants/FOLDER of a checkout alone, as a plug-in, which the
-checkout's build/release/geodesic-bench loads from then on. Takes seconds where building everything
-takes minutes. GEODESIC_BUILD names the build folder of the program under test."""
+"""build_solver.py FOLDER: builds only solvers/variants/FOLDER of a checkout, as a plug-in. The checkout's
+build/release/geodesic-bench loads it from then on. This takes seconds. A build of everything takes
+minutes. GEODESIC_BUILD names the build folder of the program under test."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Makes the helpers beside this file importable; a checkout for pages to be followed in."""
+"""Makes the helpers of this folder importable. Provides a checkout in which tests follow pages."""
 
 from __future__ import annotations
 

@@ -1,16 +1,16 @@
-"""Pages of docs/ that tell a reader what to type, and doing what they say in a copy of the checkout.
+"""Reads pages of docs/ that contain commands, and follows them in a copy of the checkout.
 
-Of a page's fenced blocks
+The fenced blocks of a page are:
 
-- ```sh is run by bash, from the root of the checkout; it must end with exit code 0. Output is
-  what it prints on either stream.
-- ```text right after it is what it prints, whole. In it, ... stands for anything in a line, and a
-  line of nothing else for any number of lines.
-- ```diff is a change to files, applied with git.
-- a block whose first line names a language and a path, as in ```python plots/x.py, is a whole file.
+- ```sh: Bash runs it in the root of the checkout. The exit code must be 0. The output is that of
+  both streams.
+- ```text right after it: the complete output. In it, ... stands for any text in a line, and a line
+  that is only ... stands for any number of lines.
+- ```diff: a change to files, applied with git.
+- a block whose first line names a language and a path, as in ```python plots/x.py: a complete file.
 
-Other blocks are only read. Where a reader's command takes minutes, a comment right before its block
-holds what the test does instead, and why; its output is then not compared:
+Other blocks have no effect. If a command takes minutes, a comment right before its block contains the
+commands that the test runs instead, and the reason. The output is then not compared:
 
     <!-- The test does this instead, since a build takes minutes:
     commands
@@ -36,13 +36,13 @@ BLOCK = re.compile(
 
 
 class PageError(Exception):
-    """A page says something that is not so: "docs/page.md:12: what happened"."""
+    """A page is wrong. The message is "docs/page.md:12: what happened"."""
 
 
 @dataclass(frozen=True)
 class Block:
     line: int
-    """Of its first fence, from 1."""
+    """Line of the opening fence, counted from 1."""
     language: str
     path: str | None
     text: str
@@ -69,12 +69,12 @@ def blocks(page: str) -> list[Block]:
 
 
 def checkout_files(pattern: str = "*") -> list[Path]:
-    """The files that git tracks or would track, seen from the root of the checkout."""
+    """Returns the files that git tracks or would track, relative to the root of the checkout."""
     command = ["git", "-C", str(ROOT), "ls-files", "-z", "--cached", "--others"]
     command += ["--exclude-standard", pattern]
     listed = subprocess.run(command, check=True, capture_output=True, text=True).stdout
     files = [Path(name) for name in listed.split("\0") if name]
-    return [file for file in files if (ROOT / file).is_file()]  # one may have just been removed
+    return [file for file in files if (ROOT / file).is_file()]  # a file may have been removed
 
 
 def copy_checkout(target: Path) -> None:
@@ -85,8 +85,8 @@ def copy_checkout(target: Path) -> None:
 
 
 def follow(page: Path, checkout: Path, environment: dict[str, str]) -> None:
-    """Does what the page says, from top to bottom. Raises PageError at the first thing that is not
-    as it says."""
+    """Follows the blocks of a page in order. Raises PageError at the first block that fails or whose output
+    differs."""
     printed: str | None = None
     for block in blocks(page.read_text("utf-8")):
         try:
@@ -99,7 +99,7 @@ def follow(page: Path, checkout: Path, environment: dict[str, str]) -> None:
 
 
 def _do(block: Block, checkout: Path, environment: dict[str, str]) -> str | None:
-    """Returns what was printed, where the page is to be compared with it."""
+    """Follows a block. Returns its output if it must be compared with the page, otherwise None."""
     if block.path is not None:
         file = checkout / block.path
         file.parent.mkdir(parents=True, exist_ok=True)

@@ -18,7 +18,7 @@ Ended = subprocess.CompletedProcess[str]
 
 
 def doxygen(out: Path, *settings: str) -> Ended:
-    """As the target docs, into another folder."""
+    """Runs Doxygen as the target docs does, with another output folder."""
     words = [(ROOT / "docs" / "Doxyfile").read_text("utf-8"), f'OUTPUT_DIRECTORY = "{out}"', *settings]
     return subprocess.run(
         [str(DOXYGEN), "-"], cwd=ROOT, input="\n".join(words), capture_output=True, text=True

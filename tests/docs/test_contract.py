@@ -13,7 +13,7 @@ OF_CTEST = re.compile(r"add_test\(NAME (\w+)\.(\w+)")
 NAMED = re.compile(r"`([A-Z]\w+)\.(\*|\w+)(?<!\.txt)`")
 PROPERTY = re.compile(r'^      \{"([a-z0-9-]+)",|^.* kDistancesProperty = "([a-z0-9-]+)";$', re.MULTILINE)
 NAMED_PROPERTY = re.compile(r"`((?:[a-z0-9]+-){2,}[a-z0-9]+|\*(?:-[a-z0-9]+)+|[a-z0-9]+(?:-[a-z0-9]+)*-\*)`")
-"""A whole name, or a pattern with * at one end."""
+"""Name of a property, or a pattern with * at one end."""
 
 
 def existing() -> set[tuple[str, str]]:
@@ -54,12 +54,12 @@ def test_a_property_that_the_page_names_exists(pattern: str) -> None:
 
 @pytest.mark.parametrize("name", sorted(PROPERTIES))
 def test_no_property_is_left_out(name: str) -> None:
-    """Every property holds a promise, so the page has it."""
+    """Every property checks a promise, so the page must name it."""
     assert any(fnmatch(name, pattern) for pattern in PATTERNS)
 
 
 def test_no_suite_for_every_solver_is_left_out() -> None:
-    """Every suite that runs for every solver holds a promise, so the page has it."""
+    """Every suite that runs for every solver checks a promise, so the page must name it."""
     suites = set()
     for file in (ROOT / "tests" / "verify").glob("*_test.cpp"):
         suites |= set(re.findall(r"^FOR_EVERY_SOLVER\((\w+)\)", file.read_text("utf-8"), re.M))

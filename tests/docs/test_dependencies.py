@@ -13,7 +13,7 @@ from pages import ROOT
 INCLUDE = re.compile(r'^\s*#\s*include\s+(?:"([^"]+)"|<([^>]+)>)', re.MULTILINE)
 
 CONTRACT = {f"solvers/core/{name}" for name in ("solver", "contract", "registry")}
-"""Files of core, without extension, that make up the contract: the rest of core knows none of them."""
+"""Files of the contract, without extension. Other files of core do not include them."""
 
 ORDER = [
     "solvers/core",
@@ -35,13 +35,13 @@ ORDER = [
     "harness/commands",
     "harness/main",
 ]
-"""A file includes files of its own layer and of layers to the left."""
+"""Layers. A file includes files of its own layer and of earlier layers."""
 
 HARNESS_ONLY = {"family", "variant"}
-"""Layers that nothing to their right includes: solvers are reached through the registry."""
+"""Layers that only these layers include. Other layers reach the solvers through the registry."""
 
 FOLDERS = ("solvers", "meshes", "geodesic", "python", "harness")
-"""Where C++ is."""
+"""Folders of the C++ files."""
 
 LIBRARIES = {
     "hwy/": {"solvers/core", "family", "variant"},
@@ -53,13 +53,13 @@ LIBRARIES = {
     "pybind11/": {"python"},
     "CLI/": {"harness/commands", "harness/main"},
 }
-"""Third-party headers and the layers or folders that include them; every other `<...>` is a system
-header."""
+"""Third-party headers and the layers or folders that may include them. Every other `<...>` must be a
+system header."""
 
 SYSTEM = re.compile(r"[a-z_0-9]+(\.h)?|sys/[a-z]+\.h")
 
 Includes = dict[str, list[str]]
-"""By file, relative to the root: what it includes."""
+"""Included files, by file. Paths of files are relative to the root."""
 
 
 def layer(file: str) -> str:
@@ -79,7 +79,7 @@ def layer(file: str) -> str:
 
 
 def family(file: str) -> Path:
-    """The folder of a family or of a variant."""
+    """Returns the folder of a family or of a variant."""
     parts = Path(file).parts
     return Path(*parts[: 3 if parts[1] == "variants" else 2])
 
@@ -98,7 +98,7 @@ def is_own(included: str) -> bool:
 
 
 def reason_against(file: str, included: str) -> str:
-    """Why `file` must not include `included`; empty when it may."""
+    """Returns the reason why `file` must not include `included`; empty if it may."""
     here = layer(file)
     if not is_own(included):
         for prefix, layers in LIBRARIES.items():
@@ -174,7 +174,7 @@ def test_peers_see_the_contract_only() -> None:
 
 
 def imported(files: Iterable[Path]) -> set[str]:
-    """Top-level names of the modules that Python files import."""
+    """Returns the top-level names of the modules that Python files import."""
     names = set()
     for file in files:
         for node in ast.walk(ast.parse(file.read_text("utf-8"))):
@@ -194,7 +194,7 @@ PACKAGES = {
     "datasets": {"fetching", "results"},
     "peers": {"fetching", "results"},
 }
-"""By Python package, the others that it imports; `fetching` is what datasets is made of."""
+"""Other packages that a package may import, by Python package. datasets consists of the package `fetching`."""
 
 
 @pytest.mark.parametrize("package", PACKAGES)

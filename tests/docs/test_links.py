@@ -1,4 +1,4 @@
-"""Links and paths in the documentation lead somewhere."""
+"""The targets of links and paths in the documentation exist."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ CODE = re.compile(r"`([^`\n]+)`")
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
 ELSEWHERE = re.compile(r"[a-z]+:")
 MADE_LATER = re.compile(r"(build|datasets/cache|results/(runs|ranks))\b|.*\bmy[-_]|.*[<*{]")
-"""Paths that are in no fresh checkout: what commands make, and what readers will."""
+"""Paths that a fresh checkout does not contain, because commands or readers make them."""
 
 
 PAGES = [ROOT / name for name in checkout_files("*.md")]
@@ -23,7 +23,7 @@ PAGES = [ROOT / name for name in checkout_files("*.md")]
 
 @cache
 def anchors(page: Path) -> set[str]:
-    """Of the headings, as GitHub makes them."""
+    """Returns the anchors of the headings. They have the form that GitHub uses."""
     found: Counter[str] = Counter()
     names = set()
     text = FENCED.sub("", page.read_text("utf-8"))
@@ -48,7 +48,7 @@ def dead_links(page: Path) -> list[str]:
 
 
 def dead_paths(page: Path) -> list[str]:
-    """Among words in code style, those that begin like a path of this checkout, and are none."""
+    """Returns the words in code style that begin with a folder of this checkout but are no existing path."""
     folders = {path.name for path in ROOT.iterdir() if path.is_dir()}
     words = CODE.findall(FENCED.sub("", page.read_text("utf-8")))
     paths = [word for word in words if "/" in word and word.split("/")[0] in folders]

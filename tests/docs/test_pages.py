@@ -1,4 +1,4 @@
-"""The tutorials do what they say, and following a page that is wrong fails at the right line."""
+"""Tests follow the tutorials. A wrong page fails at the right line."""
 
 from __future__ import annotations
 

@@ -19,7 +19,7 @@ ROWS = json.loads(GOLDEN.read_text())["benchmarks"]
 ACTION = "github-action-benchmark"
 COMPARE = Path("/usr/share/benchmark/compare.py")
 PYTHON = "/usr/bin/python3"
-"""Debian's, which has what its compare.py imports."""
+"""Debian's Python. It has the modules that Debian's compare.py imports."""
 
 
 def cells(outcome: str | None = None) -> set[str]:

@@ -1,4 +1,4 @@
-"""External programs as solvers: what they are asked, how they are timed, and what goes wrong."""
+"""External programs as solvers: their requests, their times and their failures."""
 
 from __future__ import annotations
 
@@ -47,19 +47,19 @@ REPORT = "print('prepare_time', 0.25); print('solve_time', 0.125)"
 
 
 def program(folder: Path, report: str = "", empty: str = "", name: str = "mine.py") -> str:
-    """A command with a program that follows edges."""
+    """Writes a program that follows edges. Returns its command."""
     file = folder / name
     file.write_text(ALONG_EDGES.replace("EMPTY", empty).replace("REPORT", report))
     return f"{shlex.quote(sys.executable)} {shlex.quote(str(file))} {PLACES}"
 
 
 def bench(*words: object, **options: Any) -> subprocess.CompletedProcess[str]:
-    """@param options of subprocess.run"""
+    """@param options options of subprocess.run"""
     return subprocess.run([BENCH, *map(str, words)], capture_output=True, text=True, **options)
 
 
 def solving(folder: Path, external: object, *words: object) -> list[object]:
-    """Words of the program: the program mine, on the squares."""
+    """Returns the arguments that solve the squares with the external program as solver `mine`."""
     return ["solve", mesh_file(folder), "--external", external, "--solver", "mine", *words]
 
 
@@ -68,7 +68,7 @@ def is_running(command: str) -> bool:
 
 
 def mesh_file(folder: Path) -> Path:
-    """Two squares that nothing joins."""
+    """Writes a mesh of two squares that are not connected."""
     file = folder / "squares.obj"
     lines = [f"v {x} {y} {z}" for z in (0, 5) for x, y in [(0, 0), (1, 0), (1, 1), (0, 1)]]
     lines += ["f 1 2 3", "f 1 3 4", "f 5 6 7", "f 5 7 8"]
@@ -77,7 +77,7 @@ def mesh_file(folder: Path) -> Path:
 
 
 def run(folder: Path, command: str, *words: object, **options: Any) -> list[dict[str, Any]]:
-    """Rows of a run with the program, named mine."""
+    """Returns the rows of a run with the program as solver `mine`."""
     ended = bench("run", "--external", f"mine={command}", "--solvers", "mine", "--repetitions", 2,
                   "--sources", 1, "--meshes", mesh_file(folder), "--out", folder / "out", *words, **options)  # fmt: skip
     assert (folder / "out" / "run.json").is_file(), ended.stderr
@@ -138,7 +138,7 @@ def test_a_description_says_what_the_program_promises(tmp_path: Path) -> None:
     def check(**promise: Any) -> subprocess.CompletedProcess[str]:
         about = {"name": "mine", "command": command, "remarks": "follows edges", **promise}
         (folder / "solver.json").write_text(json.dumps(about))
-        # Along edges it takes 2 to the opposite corner of a square.
+        # Along edges, the distance to the opposite corner of a square is 2.
         return bench(*solving(tmp_path, folder, "--source", 1, "--check"))
 
     assert check().returncode == check(promise="upper_bound").returncode == 0
@@ -196,7 +196,7 @@ def test_a_program_that_does_not_end_is_stopped_and_its_files_are_removed(tmp_pa
     assert time.monotonic() - start < 100
     assert row["outcome"] == "time-out"
     assert not is_running(sleep)
-    # The killed process could not; the next one does.
+    # The killed process could not remove its files. The next one removes them.
     solve = solving(tmp_path, f"mine={program(tmp_path)}", "--source", 0)
     assert bench(*solve, env=env).returncode == 0
     assert list(temporary.iterdir()) == []

@@ -1,4 +1,4 @@
-"""Published distances: the program of the page tells right ones from wrong ones, in any rounding."""
+"""Published distances: the program of the page accepts right ones and refuses wrong ones, in any rounding."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ DISTANCES = np.concatenate([[0.0, np.inf], RANDOM.uniform(0, 3, 20000)])
 
 @pytest.fixture
 def program(tmp_path: Path) -> Path:
-    """That of the page, beside a file with one mesh."""
+    """The program of the page, in a folder with the fingerprints of one mesh."""
     code = re.search(r"```python\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
     assert code
     published = {"a": {"sources": {"0": fingerprints.fingerprint(DISTANCES)}}}

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fuzzes everything that reads a user's files. See --help.
+# Fuzzes all readers of a user's files. See --help.
 set -euo pipefail
 
 program=fuzz.sh
@@ -47,13 +47,13 @@ take_word() {
   esac
 }
 
-# As many rounds as it takes, `jobs` targets in each, share the seconds.
+# Prints the seconds of a target: all rounds of `jobs` targets share the time equally.
 share() {
   local rounds=$(((${#targets[@]} + jobs - 1) / jobs))
   echo $((seconds > rounds ? seconds / rounds : 1))
 }
 
-# start TARGET SECONDS: in the background, as the process $!.
+# start TARGET SECONDS: starts a fuzzer in the background. Its process is $!.
 start() {
   local folder="$work/$1"
   rm -rf "$folder/findings"
@@ -86,7 +86,7 @@ run_targets() {
   done
 }
 
-# last TARGET PATTERN: the number behind the last occurrence of the pattern in the log.
+# last TARGET PATTERN: prints the number after the last occurrence of the pattern in the log.
 last() {
   { grep -aoE "$2 *[0-9]+" "$work/$1/log" || echo "-"; } | tail -n 1 | grep -oE '[0-9]+$|-'
 }
@@ -103,7 +103,7 @@ report() {
   done
 }
 
-# Says where each finding is and how to see it again; fails when there is one.
+# Prints where each finding is and how to reproduce it. Fails if there is one.
 list_findings() {
   local target file found=0
   for target in "${targets[@]}"; do

@@ -1,4 +1,4 @@
-"""Makes the helpers beside this file importable; a world to run the gate in."""
+"""Makes the helpers of this folder importable. Provides a World in which the gate runs."""
 
 from __future__ import annotations
 

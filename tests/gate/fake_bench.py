@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Stands in for geodesic-bench: answers `list` and `run` from a description in JSON.
 
-It lies beside the program as `<program>.json`: {"solvers": {name: facts}}, where facts may hold
-"propagations", "peak_bytes", "outcome" and "cpu_ms" (a list: one a pair of `run --program`).
+The description is the file `<program>.json`: {"solvers": {name: facts}}. Facts may contain "propagations",
+"peak_bytes", "outcome" and "cpu_ms" (a list has one time for each pair of `run --program`).
 """
 
 import json

@@ -1,4 +1,4 @@
-"""Two fake programs, a baseline that fits them, and the gate run on them."""
+"""Runs the gate on two fake programs and a baseline of their values."""
 
 from __future__ import annotations
 
@@ -39,11 +39,11 @@ def first(verdict: Verdict) -> str:
 
 
 def unchanged(_: dict[str, Any]) -> None:
-    """The world as it is."""
+    """Changes nothing."""
 
 
 class World:
-    """gate(head=change, ...) judges a changed head against a base; keywords are revisions.Options."""
+    """gate(head=change, ...) compares a changed head with a base. Other keywords are revisions.Options."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder

@@ -1,4 +1,4 @@
-"""Small result files, made from the golden run: interleaved, separate, slower by a known amount."""
+"""Small result files, made from the golden run: interleaved, separate, slower by a known factor."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Data = dict[str, Any]
 
 
 def row(solver: str, mesh: str, repetition: int, milliseconds: float, **more: Any) -> Data:
-    """Counters and memory stand in the first repetition only, as in an interleaved run."""
+    """Returns a row. Only the first repetition has counters and memory, as in an interleaved run."""
     name = f"{solver}/{mesh}/src:0"
     counted = {"window_propagations": 1000, "solver_peak_bytes": 1_000_000}
     return {
@@ -39,7 +39,7 @@ def failed(solver: str, mesh: str, outcome: str, **more: Any) -> Data:
 
 
 def times(ratio: float, spread: float, seed: int, count: int = 15) -> list[float]:
-    """About 20 ms times `ratio`, with a drift that is the same for every seed."""
+    """Returns times of about 20 ms times `ratio`. They have the same drift for every seed."""
     drift = 20 * np.exp(np.linspace(0, 0.3, count))
     noise = np.exp(np.random.default_rng(seed).normal(0, spread, count))
     return [float(t) for t in drift * ratio * noise]
@@ -65,7 +65,7 @@ def of_solvers(
     ratios: dict[str, float | list[float]], spread: float = 0.01, pairs: int = 15,
     change: Callable[[list[Data]], object] = len,
 ) -> Data:
-    """An interleaved run; a ratio is of all meshes, or one a mesh."""
+    """Returns an interleaved run. A ratio is a number for all meshes, or a list with one for each mesh."""
     rows = []
     for index, mesh in enumerate(MESHES):
         for number, (solver, ratio) in enumerate(ratios.items()):
@@ -77,7 +77,7 @@ def of_solvers(
 
 
 def of_programs(ratio: float, spread: float = 0.02, seed: int = 0, pairs: int = 15) -> Data:
-    """One solver on every mesh; the head takes `ratio` of the base's time."""
+    """Returns a run of one solver on every mesh. The head takes `ratio` times the base's time."""
     rows = []
     for index, mesh in enumerate(MESHES):
         for name, factor in (("base", 1.0), ("head", ratio)):
@@ -91,7 +91,7 @@ def of_programs(ratio: float, spread: float = 0.02, seed: int = 0, pairs: int = 
 
 
 def separate(ratio: float, spread: float = 0.02, seed: int = 0, count: int = 5) -> Data:
-    """An ordinary run of one solver."""
+    """Returns an ordinary run of one solver."""
     rows = [
         row("mmp", mesh, repetition, ms)
         for index, mesh in enumerate(MESHES)

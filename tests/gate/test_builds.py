@@ -1,4 +1,4 @@
-"""Which solvers the gate builds: those that it judges."""
+"""The gate builds only the solvers that it compares."""
 
 from __future__ import annotations
 

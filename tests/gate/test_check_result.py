@@ -1,4 +1,4 @@
-"""A result that stands beside others: what is wrong with one is said in a line, and what is right passes."""
+"""The check of a contributed result. Each error is a line. A valid result passes."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Data = dict[str, Any]
 
 
 def write(file: Path, data: Data) -> Path:
-    """With the checksum that it should have."""
+    """Writes the data with the correct checksum."""
     data["context"]["geodesic_bench"]["checksum"] = checksum.computed(json.dumps(data))
     file.write_text(json.dumps(data, indent=1))
     return file
@@ -28,7 +28,7 @@ def write(file: Path, data: Data) -> Path:
 
 @pytest.fixture
 def result() -> Data:
-    """One that passes."""
+    """A result that passes."""
     data: Data = json.loads(GOLDEN.read_text())
     data["benchmarks"] = [row for row in data["benchmarks"] if row["mesh"] == "horse"]
     ours(data)["meshes"] = [mesh for mesh in ours(data)["meshes"] if mesh["name"] == "horse"]
@@ -54,7 +54,7 @@ Check = Callable[[Path], tuple[int, str]]
 
 @pytest.fixture
 def check(capsys: pytest.CaptureFixture[str]) -> Check:
-    """check(FILE) is the exit code and what is said."""
+    """check(FILE) returns the exit code and the output."""
     return lambda file: (check_result.main([str(file)]), capsys.readouterr().out)
 
 

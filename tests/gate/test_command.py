@@ -1,4 +1,4 @@
-"""check_performance.sh from outside, in small repositories; nothing of this project is built."""
+"""check_performance.sh as a command, in small repositories. Nothing of this project is built."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 Ended = subprocess.CompletedProcess[str]
 
-# "Builds" a revision: installs the fake program with the world that the revision holds.
+# Stands in for the build of a revision: installs the fake program with the world of the revision.
 CMAKE = f"""#!/bin/sh
 test -f broken && {{ echo "main.cpp:7: error: expected ';'"; exit 1; }}
 case "$*" in
@@ -35,7 +35,7 @@ esac
 
 
 class Repository:
-    """A checkout with the scripts and the gate, whose solvers are fake."""
+    """A checkout with the scripts, the gate and fake solvers."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder / "a path with spaces"
@@ -87,7 +87,7 @@ def repository(tmp_path: Path) -> Repository:
 
 
 def error_of(ended: Ended) -> str:
-    """The one line that says what is wrong."""
+    """Returns the line that states the error."""
     assert ended.returncode == ERROR, ended.stdout + ended.stderr
     assert ended.stdout == ""
     return ended.stderr.splitlines()[-1]

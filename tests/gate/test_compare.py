@@ -1,4 +1,4 @@
-"""Comparing two runs, or two programs of one run: what is resolved, what fails, what is refused."""
+"""Comparison of two runs, or of two programs of one run: resolved differences, failures and refusals."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ LIMITS = parse_limits("time=10%,counters=1%,memory=2%")
 
 
 def separate_runs(old: Data, new: Data, revision: str = 40 * "a") -> Comparison:
-    """@param revision of the new one"""
+    """@param revision revision of the new run"""
     new["context"]["geodesic_bench"]["revision"] = revision
     return compare(run(old, "old.json"), run(new, "new.json"))
 
@@ -45,7 +45,7 @@ def test_what_pairs_do_not_decide_is_named_with_its_interval() -> None:
 
 
 def test_a_cell_of_two_separate_runs_never_fails_on_time_and_a_mean_may() -> None:
-    """A drift that hits one mesh is no regression; one of all meshes may be."""
+    """A drift on one mesh is no regression. A drift on all meshes may be one."""
     old, new = separate(1.0), separate(1.0, seed=1)
     for row in new["benchmarks"]:
         row["cpu_time"] *= 2 if row["mesh"] == "horse" else 1

@@ -1,4 +1,4 @@
-"""Each level fails by itself, with its exit code, and says what grew; nothing else turns it red."""
+"""Each level fails alone, with its exit code, and names what grew. Nothing else makes it fail."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ def test_no_answer_as_in_the_base_is_a_warning(world: World) -> None:
 def test_counters_fail_above_one_percent_and_memory_above_two_percent_and_64_kib(
     world: World, solver: str, key: str, value: int, code: int, found: list[tuple[int, Weight]]
 ) -> None:
-    """On both meshes; every change of a counter is reported."""
+    """Every change of a counter is reported, on both meshes."""
     verdict = world.gate(fact(solver, key, value))
     assert verdict.exit_code == code
     assert [(finding.level, finding.weight) for finding in verdict.findings] == 2 * found
@@ -84,7 +84,7 @@ def test_counters_fail_above_one_percent_and_memory_above_two_percent_and_64_kib
 
 
 def counts(monkeypatch: pytest.MonkeyPatch, head: int) -> None:
-    """Callgrind's answers: 1,000,000 for the base."""
+    """Replaces the counts of Callgrind. The base has 1,000,000 instructions."""
     monkeypatch.setattr("shutil.which", lambda name: name)
     monkeypatch.setattr(levels, "CALLGRIND_MESHES", ("cube",))
     of = {"base": 1_000_000, "head": head}

@@ -1,4 +1,4 @@
-"""A run as it stands beside others': nobody's folders are in it, every number is, and it passes."""
+"""A published run has no folders of its author, has all numbers, and passes the check."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ HOME = "/home/ada/my scans"
 
 @pytest.fixture
 def run_file(result: Data, tmp_path: Path) -> Path:
-    """Of a run with folders in every text that may have one."""
+    """File of a run with folders in every text that may contain one."""
     result["context"] |= {"host_name": "ada-laptop", "executable": f"{HOME}/bin/geodesic-bench"}
     ours(result)["command"] = (
         f"'{HOME}/bin/geodesic-bench' run --meshes '{HOME}/a.ply,{HOME}/b.ply' --program 'x={HOME}/c'"

@@ -1,4 +1,4 @@
-"""Rankings of runs that never were: order, means, ties, failures, and what is written."""
+"""Rankings of synthetic runs: order, means, ties, failures and output."""
 
 from __future__ import annotations
 

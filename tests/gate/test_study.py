@@ -1,4 +1,4 @@
-"""The gate finds each fault that does not depend on the clock, in real programs, at its level."""
+"""The gate finds each fault that does not depend on the clock in real programs, at the right level."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Level 4: which rows are timed, and what pairs decide. No test depends on a clock."""
+"""Level 4: the choice of the timed rows, and the decisions from pairs. No test depends on a clock."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ A, B, C = (Cell("mmp", mesh, 0) for mesh in ("cube", "hill", "torus"))
 
 
 def made(ratio: float, spread: float, seed: int, pairs: int = PAIRS) -> Pairs:
-    """Pairs whose ratios scatter around `ratio`; both times drift alike."""
+    """Returns pairs whose ratios scatter around `ratio`. Both times have the same drift."""
     random = np.random.default_rng(seed)
     base = 20 * np.exp(np.linspace(0, 0.5, pairs))
     head = base * ratio * np.exp(random.normal(0, spread, pairs))
@@ -38,7 +38,7 @@ def verdict_of(timed: Timing, strict: bool = False) -> Verdict:
 
 
 class Machine:
-    """Sessions on a machine where the head takes `ratios` of the base's time."""
+    """A machine on which the head takes `ratios` times the base's time."""
 
     def __init__(self, ratios: dict[Cell, float], spread: float, seed: int = 0) -> None:
         self.ratios, self.spread, self.seed = ratios, spread, 1000 * seed
@@ -53,7 +53,7 @@ class Machine:
         }
 
     def verdict(self, most: int = 6, **options: Any) -> Verdict:
-        """@param most sessions before the budget is spent"""
+        """@param most largest number of sessions"""
         timed = Timing(1.1, options.get("grown", {}))
         timed.add(self.session(list(self.ratios)))
         while (suspects := timed.suspects()) and len(self.sessions) < most:
@@ -112,7 +112,7 @@ def test_a_median_above_the_margin_is_not_resolved_when_the_budget_is_spent() ->
 
 
 def test_a_solver_that_is_slower_on_the_mean_is_a_regression() -> None:
-    """Each row alone is too noisy."""
+    """The noise of each single row is too large."""
     timed = Timing(1.1, {})
     for _ in range(2):
         timed.add({A: made(1.2, 0.15, 1), B: made(1.2, 0.15, 2), C: made(1.2, 0.15, 3)})

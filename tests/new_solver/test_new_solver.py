@@ -1,5 +1,5 @@
-"""new_solver.sh, in a copy of the checkout: what it makes, and what it refuses. That it builds is tested
-outside the tree (tests/package) and by the tutorial; --help with that of the other scripts (tests/scripts)."""
+"""new_solver.sh in a copy of the checkout: the files that it makes, and its errors. tests/package and the
+tutorial test that new solvers build. tests/scripts tests --help."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ def sums(folder: Path) -> dict[str, str]:
 
 @pytest.fixture(scope="module")
 def checkout(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """With a solver of each start, made from another folder, in a path with spaces. Each is a new folder
-    of three files, and nothing else changes."""
+    """A checkout in a path with spaces, with a new solver of each start. The script ran in another folder.
+    Each solver is a new folder of three files, and nothing else changes."""
     copy = tmp_path_factory.mktemp("new_solver") / "a path with spaces"
     copy.mkdir()
     shutil.copy(ROOT / "new_solver.sh", copy)

@@ -1,4 +1,4 @@
-"""Makes the helpers beside this file importable; the tree installed, once for all tests."""
+"""Makes the helpers of this folder importable. Installs the tree once for all tests."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ Once = Callable[[str, Callable[[Path], object]], Path]
 
 @pytest.fixture(scope="session")
 def once(tmp_path_factory: pytest.TempPathFactory) -> Once:
-    """once(NAME, make) is a folder that `make` has filled in one process of pytest-xdist, for which the
-    others wait. Tests must not change it."""
+    """once(NAME, make) returns a folder that `make` fills in one process of pytest-xdist. The other
+    processes wait for it. Tests must not change the folder."""
     base = tmp_path_factory.getbasetemp()
     if "PYTEST_XDIST_WORKER" in os.environ:
         base = base.parent

@@ -1,4 +1,4 @@
-"""The tree that the tests belong to, installed, and projects built against it."""
+"""Installs the tree of these tests and builds projects against it."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 WARNINGS = "-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Werror"
-"""For projects outside the tree, as the tree itself has them."""
+"""Warning flags for projects outside the tree. The tree has the same ones."""
 
 
 def cmake(*words: str | Path) -> None:
@@ -40,7 +40,7 @@ class Installed:
         return self.prefix / "bin" / "geodesic-bench"
 
     def bench(self, folder: Path, *words: str | Path) -> subprocess.CompletedProcess[str]:
-        """Runs the installed program in a folder, as somebody without a checkout."""
+        """Runs the installed program in a folder, without variables of a checkout."""
         environment = {k: v for k, v in os.environ.items() if not k.startswith("GEODESIC_")}
         return subprocess.run(
             [self.program, *words], cwd=folder, env=environment, capture_output=True, text=True,
@@ -57,7 +57,7 @@ class Installed:
             "CMAKE_CXX_COMPILER": self.built["CMAKE_CXX_COMPILER"],
             "CMAKE_CXX_COMPILER_LAUNCHER": self.built.get("CMAKE_CXX_COMPILER_LAUNCHER", ""),
             "CMAKE_CXX_FLAGS": f"{self.built['CMAKE_CXX_FLAGS']} {WARNINGS}",
-            flags: f"{self.built[flags]} -O1",  # tests ask what it does, not how fast
+            flags: f"{self.built[flags]} -O1",  # tests do not need a fast build
         }
         cmake("-S", source, "-B", build, "-G", "Ninja", *(f"-D{k}={v}" for k, v in settings.items()))
         cmake("--build", build)
@@ -65,7 +65,7 @@ class Installed:
 
 
 def install(build: Path, prefix: Path) -> Installed:
-    """What is built already, in a prefix that was moved after it was made."""
+    """Installs the build into another prefix and moves that to `prefix`."""
     made = prefix.with_name("made first")
     cmake("--install", build, "--prefix", made)
     made.rename(prefix)

@@ -1,4 +1,4 @@
-"""An installed copy stands alone: its program, its library and its headers."""
+"""The program, the library and the headers of an installed copy work without the checkout."""
 
 from __future__ import annotations
 
@@ -133,8 +133,8 @@ def test_library_takes_a_mesh_of_openmesh_and_gives_distances_back_to_it(
 def test_headers_compile_alone_and_need_the_standard_library_only(
     installed: Installed, tmp_path: Path
 ) -> None:
-    """Those that need Google Highway or OpenMesh besides say so. A source of the library that includes its own
-    header first has shown already that this one compiles alone."""
+    """Headers that also need Google Highway or OpenMesh name them. If a source of the library includes its own
+    header first, the build has already shown that this header compiles alone."""
     headers = sorted(installed.include.rglob("*.h"))
     assert installed.include / "solvers" / "core" / "solver.h" in headers
     plain = [h for h in headers if not re.search("Google Highway|OpenMesh", h.read_text())]
@@ -164,8 +164,8 @@ def test_headers_compile_alone_and_need_the_standard_library_only(
 
 
 def chains(headers: list[str]) -> list[list[str]]:
-    """The headers in few units. A header compiles after one that it includes anyway if, and only if,
-    it compiles alone: all includes come before the first line of its own."""
+    """Groups the headers into few translation units. After a header that it includes, a header compiles if
+    and only if it compiles alone, because its includes precede its other lines."""
     found: list[list[str]] = []
     for header in sorted(headers, key=lambda name: len(included_by(name))):
         chain = next((one for one in reversed(found) if one[-1] in included_by(header)), None)

@@ -1,4 +1,4 @@
-"""What new_solver.sh makes outside the tree builds against an installed copy, and is right."""
+"""A solver that new_solver.sh makes outside the tree builds against an installed copy and is right."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ import pytest
 from installed import ROOT, Installed
 
 RIVALS = {"template": "mmp", "mmp": "mmp"}
-"""By what a solver begins as: one whose distances it must give. docs/adding-a-solver.md, which is a
-test too, begins as the others."""
+"""Solver whose distances the new solver must have, by the start of the new solver. The test of
+docs/adding-a-solver.md has the other starts."""
 
 
 @pytest.mark.parametrize("start", RIVALS)
@@ -38,7 +38,7 @@ def test_a_new_solver_builds_is_listed_runs_and_is_right(
     )  # fmt: skip
     assert run.returncode == 0, run.stderr
 
-    # One property: the solvers that it is a copy of are held to all of them by conformance_tests.
+    # One property only: conformance_tests check all properties of the solvers that were copied.
     verified = installed.bench(
         tmp_path, "--plugin", plugin, "verify", "--solver", name, "--property",
         "distances-equal-the-reference",

@@ -1,5 +1,5 @@
-"""Plug-ins built against an installed copy: what one brings, and why one is refused.
-tests/bad_inputs/bad_plugins.py has those that are none."""
+"""Plug-ins built against an installed copy: their solvers, and the reasons of refusals.
+tests/bad_inputs/bad_plugins.py has files that are not plug-ins."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ STRIP = (
     "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\n"
     "f 1 2 5\nf 1 5 4\nf 2 3 5\nf 3 6 5\n"
 )
-"""A straight line across it crosses two edges."""
+"""A strip of two squares. A straight line across it crosses two edges."""
 SOURCES = {
     "wrong": EXAMPLE.replace('"my-solver"', '"wrong"').replace("upper_bound", "exact"),
     "taken": EXAMPLE.replace('"my-solver"', '"mmp"'),
@@ -109,7 +109,7 @@ def test_option_stands_before_the_command_or_after_it(
 def test_run_measures_the_solver_and_records_the_plugin(
     installed: Installed, my_solver: Path, tmp_path: Path, tetrahedron: Path
 ) -> None:
-    # From the folder of the plug-in: the processes of cells get an absolute path.
+    # It runs in the folder of the plug-in. The processes of cells get an absolute path.
     ended = installed.bench(
         my_solver.parent, "--plugin", my_solver.name, "run", "--meshes", tetrahedron, "--solvers",
         "my-solver", "--sources", "1", "--repetitions", "1", "--min-time", "0.001",

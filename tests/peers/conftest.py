@@ -1,4 +1,4 @@
-"""Makes the helpers beside this file importable."""
+"""Makes the helpers of this folder importable."""
 
 import sys
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""A small peer of the tests: its authors' archive in a mirror, its description, its adapter."""
+"""A small peer for the tests: the archive of its authors in a mirror, its description and its adapter."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ target_include_directories(NAME PRIVATE ${PEER_SOURCES}/codes)
 
 
 class PeerWorld:
-    """A folder of peers with one, `fake`, and a mirror with its authors' archive."""
+    """A folder of peers that contains the peer `fake`, and a mirror with the archive of its authors."""
 
     def __init__(self, folder: Path, bench: Path) -> None:
         self.bench = bench
@@ -100,9 +100,9 @@ class PeerWorld:
     def add(
         self, name: str, adapter: str = ADAPTER, packages: Sequence[str] = (), **upstream: Any
     ) -> None:
-        """A peer, or another one in its place: as it should be but for what is given.
+        """Writes a peer; replaces an earlier one of this name. It is correct except for the given values.
 
-        @param upstream of the authors' repository"""
+        @param upstream values of the description of the authors' repository"""
         sha256 = hashlib.sha256(AUTHORS.encode()).hexdigest()
         repository = {
             "repository": "somebody/codes", "commit": COMMIT, "licence": "MIT",
@@ -136,7 +136,7 @@ class PeerWorld:
         )  # fmt: skip
 
     def run(self, *words: str) -> subprocess.CompletedProcess[str]:
-        """geodesic-bench with the plug-in."""
+        """Runs geodesic-bench with the plug-in."""
         return subprocess.run(
             [self.bench, "--plugin", self.plugin, *words],
             capture_output=True, text=True, check=False,

@@ -1,4 +1,4 @@
-"""Peers: their descriptions, what is said of one that cannot be had, and one that misbehaves."""
+"""Peers: their descriptions, the messages for peers that cannot be built, and peers with faults."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ MISSING: dict[str, tuple[dict[str, Any], str]] = {
     ),
     "broken": ({"adapter": '#include "missing.h"\n'}, "does not compile with -O1: "),
 }
-"""By the name of a peer: what is wrong with it, and how its reason begins."""
+"""Faults of a peer, and the beginning of the reason in the output, by the name of the peer."""
 
 
 def test_a_peer_that_cannot_be_had_is_one_line_with_the_reason(world: PeerWorld) -> None:

@@ -17,12 +17,12 @@ def is_installed() -> bool:
 
 
 def start() -> Any:
-    """A driver, which the caller quits."""
+    """Returns a new driver. The caller must quit it."""
     options: Any = Options()
     options.binary_location = str(BROWSER)
     for argument in [
         "--headless=new",
-        "--no-sandbox",  # which root cannot have
+        "--no-sandbox",  # root cannot use the sandbox
         "--use-angle=swiftshader",
         "--enable-unsafe-swiftshader",
         "--disable-dev-shm-usage",

@@ -1,4 +1,4 @@
-"""The golden run and copies of it that a test may break; makes the helpers here importable."""
+"""The golden run and copies of it that a test may change. Makes the helpers of this folder importable."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ from synthetic import INEXACT, mean_edge_length, plane, record, torus  # noqa: E
 
 GOLDEN = HERE / "golden"
 PHASES = {"propagation": 0.45, "trimming": 0.2, "queue": 0.3, "timer_overhead": 0.1}
-"""Shares of the timed solve; a twentieth is left."""
+"""Shares of the timed solve. Without timer_overhead, their sum is 0.95."""
 SHAPES = {"rocker-arm": torus(108, 93), "flat-grid": plane(21, 21)}
-"""What is recorded; as many vertices and faces as the golden run says that these meshes have."""
+"""Recorded meshes. Their numbers of vertices and faces are those of the golden run."""
 
 Change = Callable[[dict[str, Any]], object]
 
@@ -49,7 +49,7 @@ def golden_run(golden_folder: Path) -> Run:
 
 @pytest.fixture
 def changed(golden_folder: Path, tmp_path: Path) -> Callable[[Change], Path]:
-    """changed(f) is the folder of a copy of the golden run on which f was called."""
+    """changed(f) calls f on a copy of the golden run and returns the folder of the copy."""
 
     def make(change: Change) -> Path:
         data = json.loads((golden_folder / "run.json").read_text())
@@ -66,7 +66,7 @@ def mean_edge_of(mesh: str) -> float:
 
 
 def complete(data: dict[str, Any]) -> None:
-    """What the golden run's old rows lack."""
+    """Adds the values that the old rows of the golden run lack."""
     for row in data["benchmarks"]:
         if row["outcome"] == "ok" and row["solver"] in THESIS_SOLVERS:
             seconds = row["cpu_time"] / 1000
@@ -90,7 +90,7 @@ def complete(data: dict[str, Any]) -> None:
 
 @pytest.fixture(scope="session")
 def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with recordings of the meshes, from the vertices 7 and 0."""
+    """Folder with recordings of SHAPES, with the source vertices 7 and 0."""
     folder = tmp_path_factory.mktemp("recorded")
     for source, (mesh, geometry) in zip([7, 0], SHAPES.items(), strict=True):
         vertices, _ = geometry
@@ -100,7 +100,7 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def completed(folder: Path, recorded: Path) -> Run:
-    """The golden run with all that figures need, recordings too, in a folder."""
+    """Returns the golden run with all data that figures need, with recordings, written to `folder`."""
     data = json.loads((GOLDEN / "run" / "run.json").read_text())
     complete(data)
     (folder / "run.json").write_text(json.dumps(data))
@@ -117,7 +117,7 @@ def coarse_pictures() -> Iterator[None]:
 
 @pytest.fixture(scope="session")
 def complete_run(recorded: Path, tmp_path_factory: pytest.TempPathFactory) -> Run:
-    """Not to be changed."""
+    """The completed golden run. Tests must not change it."""
     return completed(tmp_path_factory.mktemp("complete"), recorded)
 
 
@@ -140,8 +140,7 @@ def browser() -> Iterator[Any]:
 
 @pytest.fixture
 def page(browser: Any, address: str) -> Iterator[Any]:
-    """What is at the module's address, opened; whatever a test did on it, the console must have stayed
-    empty."""
+    """The browser with the page at the module's address. The console must be empty after the test."""
     browser.get(address)
     yield browser
     assert browser.get_log("browser") == []
@@ -149,7 +148,7 @@ def page(browser: Any, address: str) -> Iterator[Any]:
 
 @pytest.fixture
 def with_width(browser: Any) -> Iterator[Callable[[int], None]]:
-    """with_width(pixels) gives the browser such a screen: that of a phone where it is narrow."""
+    """with_width(pixels) sets the width of the screen. A width below 500 pixels emulates a phone."""
 
     def resize(width: int) -> None:
         metrics = {"width": width, "height": 800, "deviceScaleFactor": 1, "mobile": width < 500}
@@ -161,7 +160,7 @@ def with_width(browser: Any) -> Iterator[Callable[[int], None]]:
 
 @pytest.fixture(scope="session")
 def with_three() -> None:
-    """three.js is there, or the test is skipped."""
+    """Makes three.js available or skips the test."""
     if not three.is_there():
         try:
             three.fetch(None)

@@ -1,8 +1,8 @@
-"""Runs with other rows; meshes with known distances, and recordings of runs that never were, in the
-recordings' formats.
+"""Synthetic test data: runs with other rows, meshes with known distances, and recordings in the formats
+of real ones.
 
-The windows on a solver's wavefront are the edges that cross a level, moved off it by a spread of
-the solver's own.
+The windows on the wavefront of a solver are the edges that cross a level after each edge has been moved
+by a random offset. The standard deviation of the offsets depends on the solver.
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ from results.reader import Mesh, Run, Solver, Source
 
 SAMPLES = 64
 SPREAD = {"mmp": 0.2, "ich": 0.25, "edge-based": 0.5, "fwp-mmp": 0.7, "fwp-ch": 0.8}
-"""Mean edge lengths."""
+"""Standard deviation of the distances on the wavefront, in mean edge lengths, by solver."""
 INEXACT, EXCESS = "dijkstra", 0.05
 
 Geometry = tuple[Floats, Integers]
 Data = dict[str, Any]
 Changed = Callable[[Callable[[Data], object]], Path]
-"""Of the fixture `changed`."""
+"""Type of the fixture `changed`."""
 
 
 def solver(name: str, exactness: str = "exact", **more: Any) -> Solver:
@@ -38,12 +38,12 @@ def solver(name: str, exactness: str = "exact", **more: Any) -> Solver:
 
 
 def mesh(name: str, vertices: int = 100) -> Mesh:
-    """One that is no model of the thesis."""
+    """Returns a mesh that is not a model of the thesis."""
     return Mesh(name, 64 * "0", vertices, 2 * vertices, 1.0, None, False)
 
 
 def row(of: str, on: str, source: Source = 0, **more: Any) -> Data:
-    """Of an answer to solver and mesh; a millisecond for each time that is not given."""
+    """Returns the row of one answer. CPU time and real time are 1 ms unless `more` has others."""
     return {
         "solver": of, "mesh": on, "source": source, "repetition_index": 0, "outcome": "ok",
         "processor": "P", "cpu_time": 1.0, "real_time": 1.0, "prepare_time": 0.0, "threads": 1,
@@ -53,9 +53,9 @@ def row(of: str, on: str, source: Source = 0, **more: Any) -> Data:
 def run_of(
     solvers: Iterable[Solver], meshes: Iterable[Mesh], rows: Sequence[Data], **ours: Any
 ) -> Run:
-    """With the solvers, meshes and sources that rows are of.
+    """Returns a run of the rows, with those solvers, meshes and sources that the rows name.
 
-    @param ours of the context"""
+    @param ours members of `geodesic_bench` in the context"""
     sources: dict[str, list[Source]] = {}
     for one in rows:
         known = sources.setdefault(one["mesh"], [])
@@ -70,8 +70,8 @@ def run_of(
 
 
 def with_rows(run: Run, rows: Sequence[Data], **others: Any) -> Run:
-    """@param rows as they are in JSON
-    @param others members of the run"""
+    """@param rows rows in the form of the JSON file
+    @param others other members of the run"""
     return replace(run, columns=Columns.of(rows), **others)
 
 
@@ -98,7 +98,7 @@ def of_solvers(run: Run, *names: str) -> Run:
 
 
 def grid(columns: int, rows: int, *, closed: bool) -> Integers:
-    """Faces of columns x rows vertices; closed: both directions come round to where they began."""
+    """Returns the faces of a grid of columns x rows vertices. If `closed`, both directions are periodic."""
     i, j = np.meshgrid(
         np.arange(columns - (not closed)), np.arange(rows - (not closed)), indexing="ij"
     )
@@ -110,7 +110,7 @@ def grid(columns: int, rows: int, *, closed: bool) -> Integers:
 
 
 def plane(columns: int, rows: int) -> Geometry:
-    """The unit square."""
+    """Returns a unit square."""
     x, y = np.meshgrid(np.linspace(0, 1, columns), np.linspace(0, 1, rows), indexing="ij")
     vertices = np.column_stack([x.ravel(), y.ravel(), np.zeros(x.size)])
     return vertices, grid(columns, rows, closed=False)
@@ -126,7 +126,7 @@ def torus(columns: int, rows: int, radius: float = 1.0, tube: float = 0.4) -> Ge
 
 
 def sphere(rings: int, segments: int, radius: float = 1.0) -> Geometry:
-    """Outward faces; the first vertex is the north pole (z), the last the south pole."""
+    """Returns a sphere with outward faces. The first vertex is the north pole (z), the last the south pole."""
     theta, phi = np.meshgrid(
         np.arange(1, rings + 1) * np.pi / (rings + 1), np.arange(segments) * 2 * np.pi / segments,
         indexing="ij",
@@ -155,8 +155,8 @@ def mean_edge_length(vertices: Floats, faces: Integers) -> float:
 def record(
     run_folder: Path, mesh: str, source: int, geometry: Geometry, distances: Floats
 ) -> dict[str, str]:
-    """Writes RUN/recordings/<mesh> and gives the `recordings` of each of the thesis's solvers. Beside them
-    are those of INEXACT, whose distances are too long by EXCESS in the farther half."""
+    """Writes RUN/recordings/<mesh>. Returns the `recordings` of each solver of the thesis. Also records
+    INEXACT, whose distances are too long by EXCESS in the farther half."""
     vertices, faces = geometry
     folder = run_folder / "recordings" / mesh / f"src{source}"
     folder.mkdir(parents=True)
@@ -175,7 +175,7 @@ def record(
 
 
 def _record_paths(folder: Path, vertices: Floats, source: int) -> None:
-    """Straight lines in space, and cells by the distance in space."""
+    """Records straight lines in space as paths. Vertices belong to cells by their distance in space."""
     targets = (source + 1 + np.arange(4) * (len(vertices) // 5)) % len(vertices)
     shares = np.linspace(0, 1, 9)[:, None]
     lines = [vertices[source] + shares * (vertices[to] - vertices[source]) for to in targets]

@@ -1,4 +1,4 @@
-"""Rows as columns are the rows; damaged columns are named; many meshes are drawn as one crowd."""
+"""Columns contain the same rows as JSON. Errors name damaged columns. Many meshes are drawn together."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Change = Callable[[dict[str, Any]], object]
 
 @pytest.fixture
 def stored(golden_folder: Path, tmp_path: Path) -> Path:
-    """The golden run with its rows as columns; its rows are named as geodesic-bench names them."""
+    """The golden run with its rows as columns. The names of its rows are those of geodesic-bench."""
     data = json.loads((golden_folder / "run.json").read_text())
     return merge.write(data["context"], Columns.of(data["benchmarks"]), tmp_path, 0).parent
 
@@ -88,7 +88,7 @@ def test_damaged_columns_are_named(
 
 
 def crowd(golden_folder: Path, meshes: int) -> Run:
-    """The horse of the golden run under many names; the n-th takes each solver n times as long."""
+    """Returns the golden run with the horse under many names. On the n-th mesh, mmp takes n times as long."""
     data = json.loads((golden_folder / "run.json").read_text())
     ours = data["context"]["geodesic_bench"]
     [horse] = [mesh for mesh in ours["meshes"] if mesh["name"] == "horse"]

@@ -1,5 +1,5 @@
-"""A solver with parameters, `avtp?lambda=32&threads=2`, keeps its name in everything drawn of a run;
-several threads are timed by the wall, and wrong answers show their errors."""
+"""A solver with parameters, `avtp?lambda=32&threads=2`, keeps its name in all figures and tables of a run.
+Several threads are timed by real time, and wrong answers show their errors."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ IN_LATEX = r"avtp?lambda=32\&threads=2"
 
 
 def with_parameters(data: dict[str, Any]) -> None:
-    """What the golden run has of dijkstra becomes a bounded solver of two threads."""
+    """Changes dijkstra of the golden run into a bounded solver with two threads."""
     solvers = data["context"]["geodesic_bench"]["solvers"]
     dijkstra = next(solver for solver in solvers if solver["name"] == "dijkstra")
     dijkstra |= {"name": NAME, "exactness": "bounded", "error_bound": 0.01, "threads": 2}

@@ -1,4 +1,4 @@
-"""What pages say of the contributed results is what these files hold."""
+"""The pages about the contributed results agree with these files."""
 
 from __future__ import annotations
 

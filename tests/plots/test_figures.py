@@ -1,4 +1,4 @@
-"""Every figure: refused without its data, whole with it, and the numbers where they belong."""
+"""Every figure is refused without its data and complete with it. Its numbers are at the right places."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ NEEDS = {
     "time_over_vertices": ["cpu_time"],
     "windows_over_limit": ["window_propagations"],
 }
-"""Numbers of a row without which there is no figure. The others are drawn from recordings."""
+"""Numbers of a row that a figure needs, by figure. Other figures are drawn from recordings."""
 SHOWN: dict[str, set[str]] = {
     "break_even": set(), "error_map": set(), "frontier": set(THESIS_SOLVERS) - {"fwp-ch"},
     "figure_5_7": {"edge-based"}, "figure_6_4": set(), "paths": set(), "cells": set(),
@@ -57,7 +57,7 @@ SHOWN: dict[str, set[str]] = {
     "figure_a_5": {"fwp-ch"}, "speedup": set(THESIS_SOLVERS) - {"mmp"},
     "time_over_vertices": set(THESIS_SOLVERS) - {"fwp-ch"},
 }  # fmt: skip
-"""Figures that do not show all of the thesis's solvers, and those they show."""
+"""Solvers of the thesis that a figure shows, by figure. Other figures show all of them."""
 SERIES = {"horse": "surface-48k", "rocker-arm": "surface-10k", "flat-grid": "surface-400"}
 
 
@@ -70,7 +70,7 @@ def with_number(run: Run, solver: str, mesh: str, key: str, value: Any) -> Run:
 
 
 def renamed(run: Run, meshes: dict[str, str], solvers: dict[str, str] | None = None) -> Run:
-    """The run with other names of meshes and solvers."""
+    """Returns the run with other names of meshes and solvers."""
     named = {mesh.name: mesh.name for mesh in run.meshes.values()} | meshes
     called = {name: name for name in run.solvers} | (solvers or {})
     return with_rows(
@@ -83,7 +83,7 @@ def renamed(run: Run, meshes: dict[str, str], solvers: dict[str, str] | None = N
 
 
 def suited(name: str, run: Run) -> Run:
-    """The run, as a series of one surface or with a heat method for the figure that needs one."""
+    """Returns the run with the meshes, solvers and values that this figure needs."""
     grown: dict[str, Callable[[Run], Run]] = {
         "break_even": lambda run: with_inexact(run, "my-heat"),
         "peers_overview": with_peers,
@@ -103,7 +103,7 @@ LONGER = PATHS | {"further_time": 1.5, "max_excess": 0.04, "mean_excess": 1e-3, 
 
 
 def with_paths(run: Run) -> Run:
-    """The run with paths of all solvers, exact or not."""
+    """Returns the run with paths of all solvers, exact or not."""
     return changed_rows(
         run,
         lambda row: row | {"paths": PATHS if run.solvers[row["solver"]].exact else LONGER}
@@ -112,7 +112,7 @@ def with_paths(run: Run) -> Run:
 
 
 def with_sets(run: Run) -> Run:
-    """The run with a set of sources on each mesh beside its first vertex."""
+    """Returns the run with two sources on each mesh: the first one and a set of sources."""
     first = {mesh: sources[0] for mesh, sources in run.sources.items()}
     rows = [without_recordings(row) for row in data_of(run) if row["source"] == first[row["mesh"]]]
     of_sets = [row | {"source": "random:8"} for row in rows]
@@ -126,7 +126,7 @@ def with_sets(run: Run) -> Run:
 
 
 def with_peers(run: Run) -> Run:
-    """The run with public codes: an exact one, and a heat method."""
+    """Returns the run with two public codes: an exact solver and a heat method."""
     rows = [row | {"solver": "vtp"} for row in data_of(run) if row["solver"] == "mmp"]
     grown = with_inexact(run, "gc-heat")
     vtp = replace(run.solvers["mmp"], name="vtp")
@@ -140,7 +140,7 @@ def with_peers(run: Run) -> Run:
 
 
 def with_inexact(run: Run, *names: str) -> Run:
-    """The run with solvers that are slow to prepare and then take no time."""
+    """Returns the run with inexact solvers that prepare for 10 s and then take almost no time."""
     numbers = {"max_relative_error": 0.1, "mean_relative_error": 0.01, "prepare_time": 1e4, "cpu_time": 1e-6}
     rows = [
         row | numbers | {"solver": name}
@@ -163,7 +163,7 @@ def legend(figure: Figure) -> list[str]:
 
 
 def cut_texts(figure: Figure) -> list[str]:
-    """The texts that reach over the edge of the page by more than a pixel."""
+    """Returns the texts that extend beyond the edge of the page by more than a pixel."""
     figure.canvas.draw()
     page = figure.bbox.padded(1)
     renderer = figure.canvas.get_renderer()
@@ -183,7 +183,7 @@ def cut_texts(figure: Figure) -> list[str]:
 
 
 def touching_labels(figure: Figure) -> list[tuple[str, str]]:
-    """Neighbours among the labels on an axis of a drawn figure, with less than a pixel between them."""
+    """Returns neighbouring labels on an axis of a drawn figure with less than a pixel between them."""
     renderer = figure.canvas.get_renderer()
     hidden = beyond_the_axis(figure)
     found = []
@@ -200,7 +200,7 @@ def touching_labels(figure: Figure) -> list[tuple[str, str]]:
 
 
 def beyond_the_axis(figure: Figure) -> set[Text]:
-    """Labels of ticks that exist but are not drawn."""
+    """Returns the labels of ticks that exist but are not drawn."""
     labels = {text for axes in figure.axes if not axes.axison for text in axes.findobj(Text)}
     labels -= {axes.title for axes in figure.axes}
     for axis in [axis for axes in figure.axes for axis in (axes.xaxis, axes.yaxis)]:
@@ -224,12 +224,12 @@ def drawn_numbers(figure: Figure) -> list[float]:
 
 
 def drawn_texts(figure: Figure) -> list[str]:
-    """What a reader sees: every text of the page as SVG, mathematics laid out."""
+    """Returns the visible texts: every text of the page as SVG, with typeset mathematics."""
     file = io.BytesIO()
     with matplotlib.rc_context({"svg.fonttype": "none"}):
         figure.savefig(file, format="svg")
     texts = ElementTree.fromstring(file.getvalue()).iter("{http://www.w3.org/2000/svg}text")
-    # Pieces that begin a line are the file's indentation: some versions write one line a glyph.
+    # Pieces that begin with a line break are indentation. Some versions write one line per glyph.
     return ["".join(piece for piece in text.itertext() if piece[:1] != "\n" or piece.strip()).strip()
             for text in texts]  # fmt: skip
 
@@ -240,7 +240,7 @@ def dots_of(figure: Figure, marker: str) -> list[Line2D]:
 
 @pytest.fixture(scope="module", params=FIGURES)
 def drawn(request: pytest.FixtureRequest, complete_run: Run) -> tuple[str, Drawing]:
-    """Every figure, by name."""
+    """Name and drawing of every figure."""
     return request.param, FIGURES[request.param](suited(request.param, complete_run))
 
 
@@ -273,7 +273,7 @@ def test_a_figure_says_what_it_shows(drawn: tuple[str, Drawing]) -> None:
 class TestEveryFigure:
     @pytest.fixture
     def run(self, complete_run: Run) -> Run:
-        """Not to be changed."""
+        """The completed golden run. Tests must not change it."""
         return complete_run
 
     def test_many_solvers_and_long_names_still_fit(self, name: str, run: Run) -> None:

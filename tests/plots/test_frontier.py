@@ -1,4 +1,4 @@
-"""The frontier, which solver to take, and the map of errors: the numbers that they are about."""
+"""The numbers of the frontier, of the choice of a solver, and of the map of errors."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def run_of(solvers: list[Solver], rows: list[Data], *plugins: str) -> Run:
 
 
 def sweep() -> Run:
-    """Exact in 10 ms; Steiner points in 2, 4, 30 ms; a heat method that prepares for a second."""
+    """Exact in 10 ms, Steiner points in 2, 4, 30 ms, bounded in 5 ms, and a heat method that prepares for 1 s."""
     return run_of(
         [EXACT, *STEINER, HEAT, BOUNDED],
         [
@@ -105,7 +105,7 @@ def test_over_meshes_times_are_ratios_and_errors_the_largest_and_the_mean() -> N
 
 
 def marks(axes: Axes) -> dict[float, tuple[float, bool]]:
-    """By time in milliseconds: the error of a drawn mark, and whether it is filled."""
+    """Returns the error of each drawn mark and whether it is filled, by time in milliseconds."""
     return {
         round(1000 * float(line.get_ydata()[0]), 6): (
             float(line.get_xdata()[0]), to_hex(line.get_markerfacecolor()) != "#ffffff",
@@ -171,11 +171,11 @@ def test_a_run_of_one_inexact_setting_is_no_frontier() -> None:
             draw(run)
 
 
-# ---- which one to take
+# ---- which solver to take
 
 
 def choices(table: Table) -> dict[float, list[Field]]:
-    """By level: the solvers for 1, 10 and 1,000 sources."""
+    """Returns the solvers for 1, 10 and 1,000 sources, by level."""
     return {float(str(line[2].value)): line[3::2] for line in table.rows}
 
 
@@ -191,7 +191,7 @@ def test_the_fastest_that_keeps_the_level_is_taken() -> None:
 def test_a_footnote_says_where_the_level_is_not_promised() -> None:
     largest = choices(frontier.which_to_take(sweep()))
     assert largest[0][0].note == ""
-    for level in (1e-2, 5e-2):  # it promises 0.03, and Steiner points nothing
+    for level in (1e-2, 5e-2):  # the bounded solver promises 0.03, Steiner points promise nothing
         assert "does not promise" in largest[level][0].note
     near = run_of([EXACT, HEAT, BOUNDED], [row(EXACT, 9), row(HEAT, 9, 1), row(BOUNDED, 5, 0.005)])
     assert choices(frontier.which_to_take(near))[5e-2][0].note == ""
@@ -228,7 +228,7 @@ def test_the_map_says_how_large_errors_are_near_the_source_and_far_from_it(run: 
 
 
 def test_the_map_of_a_solver_is_of_the_setting_nearest_to_one_per_cent(run: Run) -> None:
-    """Beside one with an error of 5% the same solver with one of 0.9%, too short."""
+    """The run has one setting with an error of 5%, and another with distances that are 0.9% too short."""
     folder = run.file.parent / "recordings"
     (first, *_) = [r for r in run.rows if r.solver == INEXACT and r.recordings]
     name = f"{INEXACT}?points=9"

@@ -1,4 +1,4 @@
-"""Growth: exponents of a known law, and a clear refusal of meshes that are no series."""
+"""Growth: exponents of a known law, and the refusal of meshes that are no series."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ SIZES = {"m10": 10_000, "m100": 100_000, "m1000": 1_000_000}
 
 
 def series_of(sizes: dict[str, int], exponent: float) -> Run:
-    """A run in which time (ns) and windows are n to the exponent: a nanosecond a window.
+    """Returns a run in which the time (ns) and the number of windows are n**exponent: 1 ns per window.
 
-    @param sizes vertices by mesh"""
+    @param sizes number of vertices, by mesh"""
     rows = [
         row("fast", name, cpu_time=1e-6 * n**exponent, window_propagations=round(n**exponent))
         for name, n in sizes.items()

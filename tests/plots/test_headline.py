@@ -1,4 +1,4 @@
-"""The first sentences of a report and of a terminal, and the ratios that both are made of."""
+"""The first sentences of a report and of the terminal output, and the ratios in both."""
 
 from __future__ import annotations
 

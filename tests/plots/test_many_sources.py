@@ -32,7 +32,7 @@ def row(solver: str, mesh: str, source: Source, time: float, error: float) -> di
 
 
 def run_of(sources: Sequence[Source], folder: Path = Path()) -> Run:
-    """On mesh m; `e` takes 1, 2, 3, ... ms from the sources in turn, `heat` half of it."""
+    """Returns a run on mesh m. `e` takes 1, 2, 3, ... ms from the sources in order, `heat` half of that."""
     rows = [
         row(name, "m", source, (i + 1) / (1 if name == "e" else 2), 0 if name == "e" else 0.1)
         for i, source in enumerate(sources)

@@ -1,4 +1,4 @@
-"""The overview picture (test_figures.py has what holds for every figure)."""
+"""The overview picture. test_figures.py has the tests of every figure."""
 
 from __future__ import annotations
 

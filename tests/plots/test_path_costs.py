@@ -1,4 +1,4 @@
-"""What paths cost and how long they are: in numbers, in words, and drawn."""
+"""Costs and lengths of paths: numbers, sentences and the figure."""
 
 from __future__ import annotations
 

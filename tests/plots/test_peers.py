@@ -39,7 +39,7 @@ def run_of(rows: list[Data], meshes: Mapping[str, Mesh] = MESHES) -> Run:
 
 
 def cells(table: Table, **where: str) -> dict[str, Field]:
-    """The first row with these texts, by the header."""
+    """Returns the fields of the first row with these texts, by column."""
     for line in table.rows:
         named = dict(zip(table.header, line, strict=True))
         if all(named[key].text == text for key, text in where.items()):
@@ -132,7 +132,7 @@ def test_without_a_twin_there_is_no_table() -> None:
         twins.table(run_of([row("edge-based"), row("my-heat")]))
 
 
-# ---- who is right on which case
+# ---- which solver is right on which case
 
 REPORT = "https://github.com/libigl/libigl/issues/2554"
 CASES = {
@@ -259,7 +259,7 @@ def test_both_have_taken_the_same_time_after_the_break_even(
 
 
 def heat_run() -> Run:
-    """4.5 sources on the small mesh; on the large one the exact solver is always faster."""
+    """Break-even at 4.5 sources on the small mesh. On the large mesh the exact solver is always faster."""
     errors: Data = {"max_relative_error": 0.9, "mean_relative_error": 0.04}
     return run_of(
         [
@@ -293,7 +293,7 @@ def test_one_mesh_has_no_break_even_over_size() -> None:
         break_even.figure(run)
 
 
-# ---- ours beside the public codes, on one picture
+# ---- own solvers and public codes in one figure
 
 
 def peers_run(**ours: Any) -> Run:

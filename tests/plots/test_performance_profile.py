@@ -1,4 +1,4 @@
-"""Performance profiles: shares of questions, by the error that answers keep."""
+"""Performance profiles: shares of questions, by the error level of the answers."""
 
 from __future__ import annotations
 

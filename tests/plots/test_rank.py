@@ -13,7 +13,7 @@ from results.reader import ResultError
 
 MESHES = ["horse", "rocker-arm", "flat-grid"]
 RATIOS = {"edge-based": [0.5, 0.33, 0.4], "ich": [0.99, 1.02, 1.01], "mmp": [2.0, 2.5, 1.6]}
-"""Time relative to the candidate's, on each mesh."""
+"""Time divided by that of the candidate, on each mesh."""
 
 
 def dot(value: float, *, resolved: bool = True) -> Dot:
@@ -23,7 +23,7 @@ def dot(value: float, *, resolved: bool = True) -> Dot:
 def ranking(
     ratios: dict[str, list[float]],
 ) -> tuple[str, dict[str, dict[str, Dot]], dict[str, Dot]]:
-    """The arguments of draw; on the mean each solver is as on its first mesh."""
+    """Returns the arguments of draw. The mean of each solver is its value on the first mesh."""
     meshes = {
         mesh: {
             solver: dot(values[i], resolved=solver != "ich")

@@ -1,4 +1,4 @@
-"""Figures from recordings: what must be in them (test_figures.py has what holds for all)."""
+"""Contents of figures from recordings. test_figures.py has the tests of every figure."""
 
 from __future__ import annotations
 
@@ -32,11 +32,11 @@ NEEDS = {
     "paths": "path_points.npy",
     "cells": "cell_sources.npy",
 } | {name: f"{solver}/snapshot-50.npy" for name, solver in APPENDIX.items()}
-"""A file of each figure."""
+"""A recorded file that a figure needs, by figure."""
 
 
 def all_inside(axes: Axes) -> bool:
-    """Whether no point of a line is beyond the axes."""
+    """Returns whether all points of the lines are inside the axes."""
     points = np.vstack([line.get_xydata() for line in axes.lines])
     (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
     low, high = points.min(axis=0), points.max(axis=0)
@@ -44,7 +44,7 @@ def all_inside(axes: Axes) -> bool:
 
 
 def own_recordings(run: Run) -> Path:
-    """The folder of the first mesh and source, which the test may change."""
+    """Copies the recordings. Returns the folder of the first mesh and source, which the test may change."""
     folder = run.file.parent / "recordings"
     shared = folder.resolve()
     folder.unlink()

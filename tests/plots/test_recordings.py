@@ -1,4 +1,4 @@
-"""The reader of recordings: what it gives, and that it refuses truncated and invalid files."""
+"""The reader of recordings: its values, and its refusal of truncated and invalid files."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SIDE = 21
 
 @pytest.fixture
 def recording(tmp_path: Path) -> Recording:
-    """Of a square from a corner of it, whose distances are known."""
+    """Recording of a square. The source is a corner, and the distances are known."""
     vertices, faces = plane(SIDE, SIDE)
     paths = record(tmp_path, "square", 0, (vertices, faces), np.linalg.norm(vertices, axis=1))
     edge = mean_edge_length(vertices, faces)
@@ -160,7 +160,7 @@ def test_vertices_that_cannot_be_reached_are_no_error(recording: Recording) -> N
 
 
 def with_recordings(run: Run, of: dict[str, list[str]], source: int | None = None) -> Run:
-    """The run, whose rows say that these solvers recorded on these meshes."""
+    """Returns the run with rows that state recordings of these solvers on these meshes."""
 
     def change(row: Data) -> Data:
         mine = row["outcome"] == "ok" and row["solver"] in of.get(row["mesh"], ())

@@ -1,4 +1,4 @@
-"""The report page: whole, alone, and with everything that failed."""
+"""The report page is complete, needs no other files, and lists all failures."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from results.table import Field, Table
 
 
 class Page(HTMLParser):
-    """What a reader needs of it: tags with their attributes, and the text."""
+    """Tags of a page, with their attributes, and its text."""
 
     def __init__(self, html: str) -> None:
         super().__init__()
@@ -47,7 +47,7 @@ def report_of(folder: Path) -> Page:
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Of the golden run, with its report."""
+    """Folder of the golden run with its report."""
     folder = tmp_path_factory.mktemp("run")
     shutil.copy(Path(__file__).parent / "golden" / "run" / "run.json", folder)
     report_of(folder)

@@ -1,4 +1,4 @@
-"""The report in a browser: opens from disk, sorts, shows a figure, fits a phone."""
+"""The report in a browser: it opens from disk, sorts tables, shows a figure and fits a phone."""
 
 from __future__ import annotations
 
@@ -108,7 +108,7 @@ def test_nothing_reaches_over_the_edge_of_the_page(
 
 
 def test_the_table_of_results_is_as_wide_as_the_page(page: Any) -> None:
-    """At 1280 pixels every solver and number of it is in sight without scrolling sideways."""
+    """At 1280 pixels all its solvers and numbers are visible without horizontal scrolling."""
     shown, all_of_it = page.execute_script(
         """const box = document.querySelector('#summary_by_mesh .scroll');
            return [box.clientWidth, box.scrollWidth]"""

@@ -1,4 +1,4 @@
-"""The reader takes what the schema describes, and says in one line what is wrong with the rest."""
+"""The reader accepts files that match the schema. For other files it states the error in one line."""
 
 from __future__ import annotations
 
@@ -190,7 +190,7 @@ def test_recordings_of_a_real_run_are_as_the_readme_describes(real_run: Path) ->
         distances = np.load(folder.parent / "distances.npy")
         assert (vertices.dtype, faces.dtype, distances.dtype) == ("<f4", "<u4", "<f8")
         assert vertices.shape == (64, 3) and faces.shape == (98, 3) and distances.shape == (64,)
-        if "dijkstra" in folder.as_posix():  # no windows: an inexact solver leaves its distances
+        if "dijkstra" in folder.as_posix():  # no windows: an inexact solver records its distances
             assert not (folder / "curve.npy").exists()
             continue
         curve = np.load(folder / "curve.npy")

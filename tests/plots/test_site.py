@@ -1,4 +1,4 @@
-"""Pages of many runs: what they show, and that they work in a browser from disk."""
+"""Pages of many runs: their contents, and that they work in a browser from disk."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from results.reader import read_run
 
 GOLDEN = Path(__file__).parent / "golden" / "run" / "run.json"
 PHONE = 360
-"""Pixels."""
+"""Width of a phone, in pixels."""
 
 
 def a_run(file: Path, change: Callable[[dict[str, Any], list[dict[str, Any]]], None]) -> Path:
@@ -43,7 +43,7 @@ def elsewhere(ours: dict[str, Any], rows: list[dict[str, Any]]) -> None:
 
 @pytest.fixture(scope="module")
 def pages(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Of three runs: two revisions on one processor, and another processor."""
+    """Pages of three runs: two revisions on one processor, and another processor."""
     folder = tmp_path_factory.mktemp("many runs")
     runs = [a_run(folder / "b.json", faster), a_run(folder / "c.json", elsewhere)]
     shutil.copy(GOLDEN, folder / "a.json")

@@ -1,4 +1,4 @@
-"""The renderer: what is nearer hides what is farther, surfaces and lines alike."""
+"""The renderer: nearer surfaces hide farther surfaces and lines."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from plots.wavefronts import draw_points
 from plots.zbuffer import NOTHING, ZBuffer, z_buffer
 
 FRONT = np.eye(3)
-"""Looks down the z axis: x is right, y up."""
+"""View down the z axis: x is right, y up."""
 
 
 def square(side: float, z: float) -> Geometry:
@@ -53,7 +53,7 @@ def test_a_nearer_square_hides_a_farther_one_in_any_order(nearer_first: bool) ->
 
 
 def test_faces_that_intersect_are_told_apart_pixel_by_pixel() -> None:
-    """Which no order of whole faces could do."""
+    """No order of whole faces could show this."""
     left_up, right_up = square(2, 0), square(2, 0)
     left_up[0][:, 2], right_up[0][:, 2] = -left_up[0][:, 0], right_up[0][:, 0]
     buffer = buffer_of(together(left_up, right_up))
@@ -175,7 +175,7 @@ def test_colours_of_vertices_are_shaded_and_blend_across_a_face() -> None:
 
 
 def test_no_pixel_falls_through_the_seam_of_two_faces() -> None:
-    """Whose centres lie on edges: the far side of the ball would show."""
+    """Centres of pixels lie on edges. A missed pixel would show the far side of the ball."""
     vertices, faces = sphere(20, 40)
     buffer = buffer_of((vertices, faces), width=150)
     seen = buffer.face[buffer.face != NOTHING]

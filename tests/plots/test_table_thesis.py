@@ -1,4 +1,4 @@
-"""The comparison with the thesis: means of the models that have both numbers, apart for stand-ins."""
+"""The comparison with the thesis: means of the models that have both numbers, separately for stand-ins."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from results.reader import ResultError, Run
 
 
 def texts(run: Run) -> dict[tuple[str, str], list[str]]:
-    """By group and solver: the cells from the time on."""
+    """Returns the texts from the time column on, by group and solver."""
     rows = table_thesis.table(run).rows
     return {(str(row[0].value), row[1].text): [cell.text for cell in row[2:]] for row in rows}
 

@@ -1,4 +1,4 @@
-"""The tables of the golden run, in every format, and that nothing which failed is left out.
+"""The tables of the golden run, in every format. They contain all failures.
 
 After an intended change: python3 -m plots summary summary_by_mesh every_solver table_thesis \\
   table_5_1 table_5_2 table_5_2_ratios table_5_2_claims table_5_3 --run tests/plots/golden/run \\
@@ -35,7 +35,7 @@ NAMES = [
 
 
 def rows_of(table: Table, name: str) -> list[list[str]]:
-    """The texts of the rows whose first column belongs to `name`."""
+    """Returns the texts of the rows whose first column has the value or text `name`."""
     return [[c.text for c in row] for row in table.rows if name in (row[0].value, row[0].text)]
 
 
@@ -79,7 +79,7 @@ def test_out_of_memory_of_the_thesis_is_shown(changed: Changed) -> None:
 
 
 def paper_like(data: dict[str, Any]) -> None:
-    """Meshes of the run in another order than the thesis's, two of them for one model, one huge."""
+    """Orders the meshes differently from the thesis. Two meshes belong to one model, one mesh is huge."""
     ours = data["context"]["geodesic_bench"]
     horse = next(mesh for mesh in ours["meshes"] if mesh["name"] == "horse")
     large: dict[str, Any] = {"vertices": 1575425, "faces": 3145728, "stand_in": True}
@@ -171,7 +171,7 @@ def test_run_in_which_everything_failed_still_has_its_tables(changed: Changed) -
         ]
 
     run = read_run(changed(change))
-    compared = {"table_thesis", "summary_by_mesh"}  # of numbers alone
+    compared = {"table_thesis", "summary_by_mesh"}  # they contain numbers only
     assert all(TABLES[name](run).name == name for name in NAMES if name not in compared)
     table = table_5_2.table(run)
     assert cell_of(table, "horse", "Time (s)", "mmp").text == "crashed"

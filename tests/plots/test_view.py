@@ -1,4 +1,4 @@
-"""The page of `geodesic-bench view`, before a browser sees it: its arrays, its text, its messages."""
+"""The page of `geodesic-bench view` without a browser: its arrays, text and messages."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def unpacked(array: dict[str, str]) -> Any:
 
 
 def covered(half_edge: int, low: float, high: float) -> set[tuple[int, int, int]]:
-    """The parts of an edge, by its vertices, that a segment covers."""
+    """Returns the parts of an edge that a segment covers, as (smaller vertex, larger vertex, part)."""
     a, b = FACES.ravel()[half_edge], np.roll(FACES, -1, axis=1).ravel()[half_edge]
     ends = sorted([round(low), round(high)] if a < b else [PARTS - round(high), PARTS - round(low)])
     return {(min(a, b), max(a, b), part) for part in range(*ends)}

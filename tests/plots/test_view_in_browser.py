@@ -24,7 +24,7 @@ from selenium.webdriver.support.wait import WebDriverWait
 
 pytestmark = pytest.mark.usefixtures("with_three")
 SECONDS = 60
-"""For what a software renderer does on a busy machine."""
+"""Time limit for a software renderer on a busy machine."""
 
 
 def until(holds: Callable[[], object]) -> None:
@@ -36,7 +36,7 @@ def is_drawn(page: Any) -> bool:
 
 
 def picture(page: Any) -> Any:
-    """Of the models, at rest."""
+    """Returns a picture of the models at rest."""
     until(lambda: is_drawn(page))
     return imread(io.BytesIO(page.find_element(By.ID, "views").screenshot_as_png))[:, :, :3]
 

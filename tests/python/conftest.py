@@ -1,4 +1,4 @@
-"""Makes the helpers beside this file and the package importable."""
+"""Makes the helpers of this folder and the package importable."""
 
 from __future__ import annotations
 

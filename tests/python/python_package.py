@@ -1,4 +1,4 @@
-"""Where the package is that the build folder has, and a mesh to ask it about."""
+"""Finds the Python package in the build folder, and makes a mesh for its tests."""
 
 from __future__ import annotations
 
@@ -20,27 +20,27 @@ Arrays = tuple[NDArray[np.float64], NDArray[np.int64]]
 
 
 def find_package() -> None:
-    """Makes it importable, unless the build has none that an interpreter could load: a module with
-    sanitizers ends a process without them."""
+    """Makes the package importable if it is a Release build. An interpreter without sanitizers cannot load
+    a module with sanitizers: the process ends."""
     cache = BUILD / "CMakeCache.txt"
     if cache.exists() and "CMAKE_BUILD_TYPE:STRING=Release" in cache.read_text():
         sys.path.insert(0, str(BUILD / "python"))
 
 
 def write_obj(file: Path, vertices: ArrayLike, faces: ArrayLike) -> None:
-    """So that coordinates come back as the same bits."""
+    """Writes a mesh. Its coordinates are read back as the same bits."""
     lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in np.asarray(vertices).tolist()]
     lines += [f"f {a} {b} {c}" for a, b, c in (np.asarray(faces) + 1).tolist()]
     file.write_text("\n".join(lines) + "\n")
 
 
 def solve(*words: object) -> None:
-    """By the program."""
+    """Runs `geodesic-bench solve`."""
     subprocess.run([BENCH, "solve", *map(str, words)], check=True, capture_output=True)
 
 
 def rough_ground(side: int) -> Arrays:
-    """Vertices and faces of a square of side x side vertices at random heights: many saddles."""
+    """Returns a square of side x side vertices at random heights. It has many saddle vertices."""
     x, y = np.divmod(np.arange(side * side), side)
     height = np.random.default_rng(side).uniform(0, 2, side * side)
     corner = np.arange(side * side).reshape(side, side)[:-1, :-1].reshape(-1, 1)
@@ -49,7 +49,7 @@ def rough_ground(side: int) -> Arrays:
 
 
 def make_source_distribution(folder: Path) -> Path:
-    """In the folder, from a copy of what it is made of: making it writes beside its sources."""
+    """Makes the source distribution in the folder, from a copy of the sources, because this writes beside them."""
     source = folder / "source"
     unwanted = shutil.ignore_patterns("__pycache__", "runs", "ranks", "baseline", "*.egg-info")
     for name in ("cmake", "geodesic", "meshes", "python", "results", "solvers"):

@@ -1,4 +1,4 @@
-"""Distances from Python: the bits of the program's, whatever arrays they are asked with."""
+"""Distances from Python have the same bits as those of the program, for all types of arrays."""
 
 from __future__ import annotations
 
@@ -114,7 +114,7 @@ def test_a_bar_counts_the_rows(mesh: Any, capsys: pytest.CaptureFixture[str]) ->
 
 
 def test_a_matrix_without_room_is_refused_with_its_size() -> None:
-    """Of more bytes than a process has addresses."""
+    """The matrix has more bytes than a process has addresses."""
     many = np.zeros(4_500_000, np.uint8)
     with pytest.raises(MemoryError, match=r"^no room for a matrix of 4500000 rows and 4500000 col"):
         gb.Mesh(np.eye(3), [[0, 1, 2]]).distance_matrix(many, many)
@@ -162,7 +162,7 @@ def test_what_no_path_leads_to_is_infinite() -> None:
 def test_arrays_of_any_type_order_and_flag_give_the_same_bits_and_are_not_written_to(
     ground: Arrays,
 ) -> None:
-    """Of coordinates and indices that every type has."""
+    """Every type can represent these coordinates and indices."""
     chance = random.Random(22)
     vertices, faces = np.round(ground[0] * 8), ground[1]
     expected = gb.Mesh(vertices, faces).distance_matrix([0, 60, 99])
@@ -235,7 +235,7 @@ def resident_bytes() -> int:
 
 
 def test_a_thousand_queries_and_meshes_do_not_make_the_process_grow() -> None:
-    """Of one kept array of distances a query there would be 13 MB more, of a kept mesh 600 MB."""
+    """One array of distances kept per query would need 13 MB more, one mesh kept per query 600 MB."""
     arrays = rough_ground(40)
     mesh = gb.Mesh(*arrays)
 

@@ -1,4 +1,4 @@
-"""Python functions as solvers: measured beside others, checked, and ended when they do not end."""
+"""Python functions as solvers: they are measured, checked, and stopped if they do not end."""
 
 from __future__ import annotations
 

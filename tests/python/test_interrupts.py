@@ -1,4 +1,4 @@
-"""Ctrl-C ends a call while its solve goes on in a thread of its own, and nothing else ends with it."""
+"""Ctrl-C ends a call and nothing else. The solve of the call continues in its own thread."""
 
 from __future__ import annotations
 

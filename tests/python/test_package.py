@@ -1,4 +1,4 @@
-"""The package: what it says of itself, and that its source distribution builds without a checkout."""
+"""The package: its documentation and metadata, and a build of its source distribution without a checkout."""
 
 from __future__ import annotations
 
@@ -109,7 +109,7 @@ def test_the_source_distribution_has_what_a_build_reads_and_nothing_built(tmp_pa
 
 
 def found_in_the_system(wheel: Path, folder: Path) -> set[str]:
-    """The libraries, without ".so" and version, that the module of the wheel loads from elsewhere."""
+    """Returns the libraries, without ".so" and version, that the module loads from outside the wheel."""
     zipfile.ZipFile(wheel).extractall(folder)
     (module,) = folder.glob("geodesic_bench/_native*.so")
     said = subprocess.run(["ldd", module], capture_output=True, text=True, check=True).stdout

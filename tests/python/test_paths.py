@@ -1,4 +1,4 @@
-"""Paths from Python: as long as the distances, over the faces that they name."""
+"""Paths from Python have the lengths of the distances and lie in the faces that they name."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What cannot be answered is refused with one sentence, the program's where it has one."""
+"""Invalid requests are refused with one sentence. It is that of the program if the program has one."""
 
 from __future__ import annotations
 
@@ -138,7 +138,7 @@ def test_any_numbers_in_arrays_of_any_shape_are_answered_or_refused(ground: Arra
 def test_a_file_is_refused_with_the_sentence_of_the_program(
     name: str, text: str, tmp_path: Path
 ) -> None:
-    """But for the option, by its name in Python."""
+    """Only the option differs: it has its name in Python."""
     file = tmp_path / name
     file.write_text(text)
     solve: list[str | Path] = [BENCH, "solve", file, "--solver", "mmp", "--source", "0"]

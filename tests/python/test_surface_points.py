@@ -1,4 +1,4 @@
-"""Points in faces are taken wherever vertices are: the bits of the program's, by every solver."""
+"""Points in faces are accepted wherever vertices are. Every solver gives the same bits as the program."""
 
 from __future__ import annotations
 
@@ -163,7 +163,7 @@ def test_a_point_that_is_none_is_refused(mesh: Any, source: object, message: str
         mesh.path(source, 0)
     assert str(refusal.value) == message
     if "three weights" in message and not isinstance(source, tuple):
-        return  # a list of vertices elsewhere
+        return  # other functions read it as a list of vertices
     for ask in (mesh.distances, mesh.distance_matrix):
         with pytest.raises(ValueError) as refusal:
             ask([7, source] if isinstance(source, tuple) else source)

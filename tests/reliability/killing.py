@@ -1,6 +1,6 @@
 """Runs that are killed at random moments and resumed until they end.
 
-A run here is small and does everything that a run can do: several meshes, sources and solvers,
+These runs are small and use everything that a run can have: several meshes, sources and solvers,
 repetitions, recordings.
 """
 
@@ -24,16 +24,16 @@ VARYING = (
     "timer_overhead process_peak_bytes date started finished checksum mhz_per_cpu executable "
     "memory_limit stolen_share involuntary_switches_per_s solver_peak_bytes"
 ).split()
-"""Keys whose values are times, or follow from them, or from what else the machine does.
-solver_peak_bytes: malloc adds 16 bytes to a block where the rest of a free chunk is too small to be
-split off, which depends on what was freed before."""
+"""Keys whose values are times or depend on times or on other processes of the machine. solver_peak_bytes
+is one of them: malloc adds 16 bytes to a block if the rest of a free chunk is too small to be split off.
+This depends on earlier calls of free."""
 
 _VARYING_LINE = re.compile(r'^\s*"(' + "|".join(VARYING) + r')": .*$', re.MULTILINE)
 _LOAD = re.compile(r'"load_avg": \[[^\]]*\]')
 
 
 class Lost(Exception):
-    """What a kill destroyed, left running or changed."""
+    """A kill destroyed or changed data, or left a process running."""
 
 
 def without_times(text: str) -> str:
@@ -41,7 +41,7 @@ def without_times(text: str) -> str:
 
 
 def contents(run: Path) -> dict[str, bytes]:
-    """Every file of a run by its path, times apart."""
+    """Returns the contents of all files of a run, by path, without times."""
     files = {}
     for file in sorted(run.rglob("*")):
         if file.is_file():
@@ -53,19 +53,19 @@ def contents(run: Path) -> dict[str, bytes]:
 
 
 def processes_of(folder: Path) -> list[int]:
-    """Processes whose command lines name the folder."""
+    """Returns the processes whose command lines contain the folder."""
     found = []
     for entry in Path("/proc").iterdir():
         try:
             if entry.name.isdigit() and str(folder).encode() in (entry / "cmdline").read_bytes():
                 found.append(int(entry.name))
         except OSError:
-            continue  # it has ended meanwhile
+            continue  # the process has ended
     return found
 
 
 def two_meshes(bench: Path, folder: Path) -> str:
-    """Makes a box and a terrain in a folder; what `run --meshes` takes of them."""
+    """Generates a box and a terrain in a folder. Returns their files as an argument of `run --meshes`."""
     sizes = {
         "box": ["--x-cells", "6", "--y-cells", "5", "--z-cells", "4"],
         "terrain": ["--columns", "12", "--rows", "9"],
@@ -82,7 +82,7 @@ class Tally:
     kills: dict[str, int] = field(default_factory=dict)
     runs: int = 0
     cells_kept: int = 0
-    """Cells that were saved when a kill came, summed over kills."""
+    """Number of cells that were saved at a kill, summed over kills."""
 
     @property
     def total(self) -> int:
@@ -105,8 +105,8 @@ class Killing:
         self.expected = contents(whole / "run")
 
     def _work(self) -> Path:
-        """Of the same length for every run: where the heap has holes depends on the names that were
-        in it, and with them the peak of what malloc takes."""
+        """Returns the folder of a run. All its names have the same length, because the lengths of earlier
+        names change the free blocks of the heap and the peak of malloc."""
         return self.folder / f"run-{self.tally.runs:04}"
 
     def _start(self, work: Path, resume: bool) -> subprocess.Popen[str]:
@@ -122,8 +122,8 @@ class Killing:
             )  # fmt: skip
 
     def until_killed(self, most: int) -> None:
-        """Runs from start to end, killed again and again, until there were `most` kills. Each must
-        end as if it had not been killed. Raises Lost where one does not."""
+        """Kills and resumes runs until there were `most` kills. Each run must end with the files of an
+        uninterrupted run. Raises Lost if one does not."""
         while self.tally.total < most:
             self.tally.runs += 1
             self._one_run(most)
@@ -145,7 +145,7 @@ class Killing:
         shutil.rmtree(work)
 
     def _kill(self, process: subprocess.Popen[str]) -> None:
-        """At a moment of the run, early ones more often: a resumed run has less to do."""
+        """Kills a run at a random moment. Early moments are more likely, because a resumed run is shorter."""
         delay = self.seconds * self.random.random() ** 2
         try:
             process.wait(delay)
@@ -156,7 +156,7 @@ class Killing:
             self.tally.kills[name] = self.tally.kills.get(name, 0) + 1
 
     def _look_after(self, work: Path, code: int) -> None:
-        """The killed process says what it owes, and nothing runs on."""
+        """Checks the exit code and the message of a killed process, and that no process is left."""
         errors = (work / "errors").read_text("utf-8")
         own = {130: signal.SIGINT, 143: signal.SIGTERM}
         if code in own:
@@ -165,7 +165,7 @@ class Killing:
         elif code not in [-each for each in SIGNALS]:
             raise Lost(f"exit code {code}:\n{errors}")
         deadline = time.monotonic() + 5
-        while left := processes_of(self.folder):  # the meshes lie there
+        while left := processes_of(self.folder):  # it contains the meshes
             if time.monotonic() > deadline:
                 raise Lost(f"processes {left} run on after exit code {code}")
             time.sleep(0.01)

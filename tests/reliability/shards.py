@@ -1,4 +1,4 @@
-"""A small run, in one piece and in shards, and whether both have the same rows."""
+"""Measures a small run as a whole and in shards, and compares the rows of both."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Sharded:
         return self.bench_says("run", *self.words(*more))
 
     def shards(self, of: int, *more: str) -> Path:
-        """The folder that they are in, as "1", "2", ..."""
+        """Runs all shards. Returns the folder that contains them as "1", "2", ..."""
         for index in range(1, of + 1):
             ended = self.run("--shard", f"{index}/{of}", "--out", f"shards/{index}", *more)
             assert ended.returncode == 0, ended.stderr
@@ -50,7 +50,7 @@ def without_times(run: Run) -> list[dict[str, Any]]:
 
 
 def differences(whole: Path, merged: Path) -> list[str]:
-    """What two run folders differ in, apart from times; the context too."""
+    """Returns the differences of two run folders, in rows and context, without times."""
     first, second = read_run(whole), read_run(merged)
     found = [
         f"{a} / {b}"

@@ -1,4 +1,4 @@
-"""Nothing is lost by a kill: a short form of tools/kill_study.py, and that it would find a loss."""
+"""A kill loses nothing: a short form of tools/kill_study.py, and a test that it finds a loss."""
 
 from __future__ import annotations
 

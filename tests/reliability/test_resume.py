@@ -1,4 +1,4 @@
-"""Runs that stop early keep what they have, say how to go on, and go on."""
+"""Runs that stop early keep their cells and print how to resume them. They can be resumed."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class World:
         )  # fmt: skip
 
     def unfinished(self) -> None:
-        """A run that lacks its last cell."""
+        """Makes a run that lacks its last cell."""
         assert self.run().returncode == 0
         (self.out / "run.json").unlink()
         (self.out / "cells" / "ich__tetrahedron__src3.json").unlink(missing_ok=True)
@@ -184,7 +184,7 @@ def test_a_run_whose_folder_is_removed_ends_with_a_line(world: World) -> None:
         shutil.rmtree(world.out)
         _, errors = process.communicate(timeout=60)
     assert process.returncode == 1
-    # Whichever the run had to do next: take up what a cell's process left, or write itself.
+    # The next step of the run was to read the file of a cell's process, or to write a file.
     assert re.search(r"cannot (read|write) '", errors.splitlines()[-1])
 
 

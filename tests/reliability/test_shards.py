@@ -1,4 +1,4 @@
-"""Shards of a run, merged, are the run in one piece; what is not one run is named."""
+"""Merged shards equal the whole run. An error names shards that are not of one run."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def sharded(bench: Path, tmp_path: Path) -> Sharded:
 
 @pytest.fixture(scope="module")
 def three(bench: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A run in one piece, `whole`, and three `shards` of it; not to be changed."""
+    """A run as a whole, `whole`, and in three `shards`. Tests must not change them."""
     world = Sharded(bench, tmp_path_factory.mktemp("three"))
     assert world.run("--out", "whole", "--recordings", "all").returncode == 0
     world.shards(3, "--recordings", "all")
@@ -143,8 +143,8 @@ def test_a_run_of_its_own_is_not_written_over(sharded: Sharded, three: Path) -> 
 
 
 def on_another_processor(cell: Path) -> None:
-    """As if it had been measured there, checksum included. The numbers keep their digits: Python would
-    write some of them with others."""
+    """Changes the processor and the checksum of a cell. Edits the text, because Python would write some
+    numbers with other digits."""
     text = cell.read_text()
     stated = checksum.stated(text)
     assert stated is not None and stated == checksum.computed(text)

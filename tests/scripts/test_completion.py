@@ -1,4 +1,4 @@
-"""Completion of command lines, as the shells ask for it."""
+"""Completion of command lines, as the shells request it."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ CASES = [
 
 @pytest.fixture
 def environment(tmp_path: Path) -> dict[str, str]:
-    """A PATH on which geodesic-bench is the program under test, and a mesh file."""
+    """Environment whose PATH has the program under test as geodesic-bench. Its folder has a mesh file."""
     (tmp_path / "spot-own.ply").touch()
     (tmp_path / "geodesic-bench").symlink_to(BENCH.resolve())
     return dict(os.environ, PATH=f"{tmp_path}:{os.environ['PATH']}")

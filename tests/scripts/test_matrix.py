@@ -1,5 +1,5 @@
-"""`solve --matrix`: rows as those of single solves, in files that NumPy and SciPy read; what was
-interrupted is continued."""
+"""`solve --matrix`: its rows equal single solves, NumPy and SciPy read its files, and an interrupted matrix
+is continued."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def single(mesh: Path, source: str) -> NDArray[np.float64]:
 
 
 def has_a_row(part: Path) -> bool:
-    """Of an unfinished file: the numbers, a flag a row, and 64 characters of the problem."""
+    """Returns whether an unfinished file has a row. Its end is one flag per row and 64 characters of the problem."""
     return part.exists() and any(part.read_bytes()[-64 - 150 : -64])
 
 
@@ -78,7 +78,7 @@ def test_a_limit_leaves_infinity_beyond_it(hill: Path, precision: list[str]) -> 
 
 @pytest.mark.parametrize("words", [["m.npy"], ["m.npy", "--limit", "0.2"]])
 def test_an_interrupted_matrix_is_gone_on_with(words: list[str], tmp_path: Path) -> None:
-    grid = tmp_path / "grid.obj"  # of seconds: the signal comes before the end
+    grid = tmp_path / "grid.obj"  # takes seconds, so that the signal comes before the end
     command: list[str | Path] = [BENCH, "generate", "terrain", "--columns=40", "--rows=40", "-o", grid]
     subprocess.run(command, check=True, capture_output=True)
     sources = ",".join(map(str, range(150)))

@@ -1,4 +1,4 @@
-"""The shell scripts' options and set-up, in a copy of the checkout's scripts; nothing is built."""
+"""Options and set-up of the shell scripts, in a copy of them. Nothing is built."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ FakePath = Callable[..., dict[str, str]]
 
 @pytest.fixture
 def checkout(tmp_path: Path) -> Path:
-    """What the scripts need, without solvers, in a folder whose name has spaces."""
+    """The files that the scripts need, without solvers, in a folder whose name has spaces."""
     copy = tmp_path / "a path with spaces"
     copy.mkdir()
     for name in [*SCRIPTS, "new_solver.sh"]:
@@ -36,7 +36,7 @@ def checkout(tmp_path: Path) -> Path:
 
 
 def program(file: Path, text: str) -> Path:
-    """A script of bash in place of what the file may be."""
+    """Writes a Bash script. Replaces an existing file."""
     file.parent.mkdir(parents=True, exist_ok=True)
     file.unlink(missing_ok=True)
     file.write_text(f"#!/bin/bash\n{text}\n")
@@ -46,7 +46,7 @@ def program(file: Path, text: str) -> Path:
 
 @pytest.fixture
 def fake_path(tmp_path: Path) -> FakePath:
-    """fake_path(name="script", ...) is an environment whose PATH has the basic tools and these."""
+    """fake_path(name="script", ...) returns an environment whose PATH has the basic tools and these scripts."""
 
     def make(**commands: str) -> dict[str, str]:
         folder = tmp_path / "bin"
@@ -61,12 +61,12 @@ def fake_path(tmp_path: Path) -> FakePath:
 
 
 def before_others(command: Path) -> dict[str, str]:
-    """An environment whose PATH begins with the command's folder."""
+    """Returns an environment whose PATH begins with the folder of the command."""
     return dict(os.environ, PATH=f"{command.parent}:{os.environ['PATH']}")
 
 
 def bench(checkout: Path, writes: str = "run.json", code: int = 0) -> None:
-    """Has geodesic-bench print what it is asked for, and write a file into the folder that it names last."""
+    """Replaces geodesic-bench by a script that prints its arguments and writes a file into the last one, a folder."""
     program(checkout / "build" / "release" / "geodesic-bench",
             f'echo "asked: $*"\nmkdir -p "${{@: -1}}"; echo >"${{@: -1}}/{writes}"; exit {code}')  # fmt: skip
 
@@ -304,8 +304,8 @@ PYTEST = '<testsuites><testsuite name="pytest" errors="0" failures="0" skipped="
 
 @pytest.fixture
 def ci(checkout: Path) -> Callable[..., Ended]:
-    """ci(SCRIPT, NAME=EXIT_CODE...) runs .ci/SCRIPT with stand-ins for the scripts, which end with these
-    codes; `crashed` and `cases` say what has become of two programs of GoogleTest."""
+    """ci(SCRIPT, NAME=EXIT_CODE...) runs .ci/SCRIPT. Stand-ins for the scripts end with these exit codes.
+    `crashed` and `cases` are the results of two programs of GoogleTest."""
     shutil.copytree(ROOT / ".ci", checkout / ".ci")
 
     def start(script: str, crashed: str = "run", cases: str = "run", **ends: object) -> Ended:
@@ -340,7 +340,7 @@ def ci(checkout: Path) -> Callable[..., Ended]:
 def test_ci_ends_with_the_number_of_tests_and_runs_the_job_whatever_they_say(
     ci: Callable[..., Ended], ends: dict[str, Any], last: str
 ) -> None:
-    """Those of a program of GoogleTest one by one, unless it ended without a report."""
+    """Counts the tests of a GoogleTest program one by one, unless the program ended without a report."""
     ended = ci("run", **ends)
     assert ended.returncode == (0 if last.endswith(" 0 failed") else 1)
     assert "4 tests skipped" in ended.stdout and ended.stdout.splitlines()[-1] == last

@@ -1,7 +1,7 @@
-"""A Slurm cluster on this machine: a controller and some nodes, with a folder of their own.
+"""A Slurm cluster on this machine: a controller and some nodes, with their own folder.
 
-Needs Debian's packages slurmctld, slurmd and munge, and root, as whom the jobs run; daemons of Slurm
-that the machine may have are not touched. Everything listens on 127.0.0.1 only.
+Needs Debian's packages slurmctld, slurmd and munge. Needs root, and the jobs run as root. Other Slurm
+daemons of the machine are not changed. All daemons listen on 127.0.0.1 only.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ from types import TracebackType
 
 PROGRAMS = ("munged", "slurmctld", "slurmd", "sbatch", "squeue", "scancel", "scontrol")
 LOW, HIGH = "low", "high"
-"""Partitions: jobs of the second take the nodes from those of the first, which are queued again."""
+"""Partitions. Jobs of HIGH preempt jobs of LOW, which are queued again."""
 MEMORY = 600
-"""Megabytes of a node."""
+"""Memory of a node, in megabytes."""
 SECONDS = 30
-"""In which the cluster must be up."""
+"""Time limit for the start of the cluster, in seconds."""
 
 CONFIGURATION = """
 ClusterName=geodesic
@@ -65,7 +65,7 @@ PartitionName={high} Nodes=ALL PriorityTier=2 PreemptMode=OFF
 
 
 def why_not() -> str:
-    """Why there can be no cluster here; empty when there can."""
+    """Returns the reason why no cluster can run here; empty if one can."""
     missing = [name for name in PROGRAMS if _found(name) is None]
     if missing:
         return (
@@ -80,7 +80,7 @@ def _found(name: str) -> str | None:
 
 
 class Cluster:
-    """To be used in a `with`; `environment` is what commands of Slurm need."""
+    """A context manager that runs a cluster. Commands of Slurm need its `environment`."""
 
     def __init__(self, nodes: int = 3) -> None:
         self.nodes = nodes
@@ -119,7 +119,7 @@ class Cluster:
             print(f"the cluster's logs are in {self.folder}", file=sys.stderr)
 
     def call(self, *words: object, check: bool = True) -> str:
-        """What a command of Slurm prints."""
+        """Runs a command of Slurm and returns its output."""
         ended = subprocess.run(
             [str(word) for word in words], env=self.environment, capture_output=True, text=True,
             timeout=60,
@@ -129,14 +129,14 @@ class Cluster:
         return ended.stdout
 
     def start_delayed(self) -> None:
-        """Jobs that were queued again wait two minutes for their node to be put in order."""
+        """Starts the jobs that were queued again. Slurm delays them by two minutes, to put their node in order."""
         for line in self.call("squeue", "-h", "-r", "-t", "PENDING", "-o", "%A|%r").splitlines():
             job, reason = line.split("|")
             if reason == "BeginTime":
                 self.call("scontrol", "update", f"JobId={job}", "StartTime=now", check=False)
 
     def running_on(self, name: str) -> list[str]:
-        """Nodes on which jobs run whose name has the word."""
+        """Returns the nodes that run jobs whose name contains `-name-`."""
         text = self.call("squeue", "-h", "-r", "-t", "RUNNING,COMPLETING", "-o", "%j|%N")
         jobs = (line.split("|") for line in text.splitlines())
         return [node for job, node in jobs if f"-{name}-" in job]
@@ -146,10 +146,10 @@ class Cluster:
         self._start(f"slurmd-n{node}", "-D", "-N", f"n{node}")
 
     def stop_node(self, node: int) -> None:
-        """As if its power failed: the daemon and the jobs that run there are gone at once."""
+        """Simulates a power failure: kills the daemon and the jobs of the node at once."""
         self._stop(f"slurmd-n{node}", signal.SIGKILL)
         processes = self._processes_of(node)
-        # Stopped first: none of them sees another one end, and writes down that it crashed.
+        # They are stopped first. Otherwise one could see another one end and record a crash.
         for how in (signal.SIGSTOP, signal.SIGKILL):
             for process in processes:
                 try:
@@ -158,7 +158,7 @@ class Cluster:
                     continue
 
     def _processes_of(self, node: int) -> list[int]:
-        """Of this cluster's jobs on the node, with what started them."""
+        """Returns the process ids of this cluster's jobs on the node, with the processes that started them."""
         wanted = (f"SLURM_CONF={self.folder}/slurm.conf", f"SLURMD_NODENAME=n{node}")
         found = []
         for entry in Path("/proc").iterdir():
@@ -168,7 +168,7 @@ class Cluster:
                 variables = (entry / "environ").read_bytes().decode(errors="replace").split("\0")
                 words = (entry / "cmdline").read_bytes().decode(errors="replace")
             except OSError:
-                continue  # it has ended meanwhile
+                continue  # the process has ended
             is_step = words.startswith("slurmstepd") and wanted[0] in variables
             if set(wanted) <= set(variables) or (is_step and f"SLURM_NODE=n{node}" in variables):
                 found.append(int(entry.name))
@@ -241,7 +241,7 @@ class Cluster:
 
 
 def _free_ports(count: int) -> list[int]:
-    """Neighbours, none of which is in use."""
+    """Returns consecutive ports that are not in use."""
     for first in range(21000 + os.getpid() % 1000 * 10, 65000, count):
         try:
             for port in range(first, first + count):

@@ -1,4 +1,4 @@
-"""A cluster for the tests of this folder, which tests/slurm/slurm.sh starts."""
+"""The cluster fixture for the tests of this folder. tests/slurm/slurm.sh starts them."""
 
 from __future__ import annotations
 

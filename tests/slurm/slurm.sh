@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs on a Slurm of its own, with the faults of a cluster. See --help.
+# Tests runs on a temporary Slurm cluster with faults. See --help.
 set -euo pipefail
 
 program=slurm.sh

@@ -1,4 +1,4 @@
-"""Runs on a real Slurm: whatever happens to their jobs, the merged run is the run in one piece."""
+"""Runs on a real Slurm cluster. After each fault of their jobs, the merged run equals the whole run."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ from results.reader import read_run
 ROOT = Path(__file__).resolve().parents[2]
 SHARDS = 3
 SECONDS = 90
-"""That a run may take, of which most pass between a fault and Slurm's next step."""
+"""Time limit of a run. Most of the time passes between a fault and Slurm's next step."""
 
 
 class World:
-    """Small meshes, a run on them in one piece, and a cluster."""
+    """Small meshes, a whole run on them, and a cluster."""
 
     def __init__(self, cluster: Cluster, bench: Path, folder: Path) -> None:
         self.cluster, self.folder = cluster, folder
@@ -46,7 +46,7 @@ class World:
 
 
 class Following:
-    """tools/slurm.py, running."""
+    """A process of tools/slurm.py."""
 
     def __init__(self, world: World, out: Path, words: list[str]) -> None:
         self.world, self.out = world, out
@@ -57,8 +57,8 @@ class Following:
         )  # fmt: skip
 
     def wait(self) -> tuple[int, str]:
-        """The exit code, and what was said. Meanwhile jobs that are queued again start at once,
-        which Slurm has them wait two minutes for."""
+        """Returns the exit code and the output. Meanwhile starts jobs that were queued again at once, which
+        Slurm would delay by two minutes."""
         deadline = time.monotonic() + SECONDS
         while self.process.poll() is None:
             self.world.cluster.start_delayed()
@@ -137,7 +137,7 @@ def processes_are_killed(world: World, following: Following) -> None:
 
 
 def task_is_cancelled(world: World, following: Following) -> None:
-    """By somebody else: Slurm does not queue it again."""
+    """Cancels a task as another user would. Slurm does not queue it again."""
     jobs = world.cluster.call("squeue", "-h", "-r", "-t", "RUNNING", "-o", "%i")
     world.cluster.call("scancel", jobs.split()[0])
 
@@ -209,7 +209,7 @@ def test_a_script_that_was_submitted_by_hand_is_followed(world: World) -> None:
 
 
 def test_a_shard_that_never_gets_on_is_given_up_and_goes_on_with_more_memory(world: World) -> None:
-    """Slurm looks at memory once a second, and kills the whole job of a cell that takes more."""
+    """Slurm checks memory once a second, and kills the whole job of a cell that takes more."""
     slow = world.sharded.words("--recordings", "none", "--memory-limit", "4G", min_time="0.4")
     following = world.submit("greedy", "--mem=5M", words=slow)
     code, said = following.wait()
