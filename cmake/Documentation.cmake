@@ -1,4 +1,4 @@
-# docs  API documentation, where doxygen is installed
+# docs  API documentation, if doxygen is installed
 find_program(DOXYGEN_PROGRAM doxygen)
 if(DOXYGEN_PROGRAM)
   add_custom_target(

@@ -1,11 +1,11 @@
-# find_package(GeodesicBench) gives
+# find_package(GeodesicBench) provides
 #   GeodesicBench::geodesic        the solvers as a library
-#   GeodesicBench::meshes          files of meshes, their defects and repair; static, with the solvers;
+#   GeodesicBench::meshes          mesh files, their defects and repair; static; links to the solvers and
 #                                  needs OpenMesh
-#   GeodesicBench::openmesh        meshes/editing/open_mesh.h: OpenMesh's meshes as meshes of the library;
-#                                  the component `openmesh`, there where OpenMesh is
+#   GeodesicBench::openmesh        meshes/editing/open_mesh.h: conversion between meshes of OpenMesh
+#                                  and of the library; the component `openmesh`, if OpenMesh is found
 #   GeodesicBench::geodesic-bench  the program
-#   geodesic_add_solver            solvers of one's own, as a plug-in of the program
+#   geodesic_add_solver            function that builds new solvers as a plug-in of the program
 find_package(OpenMesh QUIET)
 include(${CMAKE_CURRENT_LIST_DIR}/GeodesicBenchTargets.cmake)
 if(OpenMesh_FOUND)
@@ -18,8 +18,8 @@ endif()
 
 # geodesic_add_solver(NAME [BY_NAME_ONLY] SOURCES...)
 #
-# The plug-in libNAME.so, for geodesic-bench --plugin. With BY_NAME_ONLY its solvers run only when
-# they are named.
+# Builds the plug-in libNAME.so for geodesic-bench --plugin. With BY_NAME_ONLY, its solvers run only
+# if they are named.
 function(geodesic_add_solver name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "BY_NAME_ONLY" "" "")
   add_library(${name} MODULE ${arg_UNPARSED_ARGUMENTS})
@@ -27,8 +27,8 @@ function(geodesic_add_solver name)
     target_compile_definitions(${name} PRIVATE GEODESIC_BY_NAME_ONLY)
   endif()
   target_link_libraries(${name} PRIVATE GeodesicBench::geodesic)
-  # Contraction off: the same bits on every processor, as in the program. Hidden: a class of the
-  # plug-in that is named like one of the program's stays the plug-in's.
+  # Contraction off: the same bits on every processor, as in the program. Hidden visibility: a class of
+  # the plug-in is not replaced by a class of the program with the same name.
   target_compile_options(${name} PRIVATE -ffp-contract=off)
   set_target_properties(${name} PROPERTIES PREFIX lib CXX_VISIBILITY_PRESET hidden
                                            VISIBILITY_INLINES_HIDDEN ON)

@@ -1,5 +1,5 @@
-# What `cmake --install` gives: the library with its headers and the package GeodesicBench, the
-# program, and below share/geodesic-bench what the program reads, laid out as in the checkout.
+# Files of `cmake --install`: the library with its headers and the package GeodesicBench, the program,
+# and in share/geodesic-bench the files that the program reads, in the folders of the checkout.
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/GeodesicBench)
 
@@ -32,7 +32,7 @@ install(FILES results/__init__.py results/checksum.py results/columns.py results
 install(DIRECTORY gate plots view docs examples DESTINATION ${GEODESIC_DATA_FOLDER}
         USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE PATTERN build EXCLUDE)
 
-# Completion for shells, where they look for it. words.sh finds the words by the program.
+# Completion files, in the folders where shells look for them. words.sh gets the words from the program.
 install(PROGRAMS tools/completion/words.sh DESTINATION ${GEODESIC_DATA_FOLDER}/completion)
 install(FILES tools/completion/geodesic-bench.bash RENAME geodesic-bench
         DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)

@@ -1,11 +1,11 @@
-// What a refused call says.
+// Error messages of calls that are refused.
 #pragma once
 
 #include <string>
 
 namespace geodesic {
 
-/// The message of the Error that a call throws; "nothing was thrown" when it throws none.
+/// The message of the Error that a call throws, or "nothing was thrown".
 template <class Error, class Call>
 std::string message_of(const Call& call) {
   try {

@@ -8,8 +8,8 @@
 
 namespace geodesic {
 
-/// A closed fan of `count` faces around vertex 0 at the origin; the vertices of its rim lie at two
-/// heights in turn.
+/// A closed fan of `count` faces around vertex 0 at the origin. The heights of the other vertices
+/// alternate between `even` and `odd`.
 inline TriangleSoup fan(Index count, double even, double odd) {
   TriangleSoup soup{{{0, 0, 0}}, {}};
   for (Index i = 0; i < count; ++i) {
@@ -20,8 +20,7 @@ inline TriangleSoup fan(Index count, double even, double odd) {
   return soup;
 }
 
-/// A closed band of `count` quadrilaterals, two triangles each, that turns over once where it is a
-/// Moebius strip.
+/// A closed band of `count` quadrilaterals, two triangles each. A Moebius strip turns over once.
 inline TriangleSoup band(Index count, bool moebius) {
   TriangleSoup soup;
   for (Index i = 0; i < count; ++i) {

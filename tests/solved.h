@@ -1,4 +1,4 @@
-// One solve by a solver's name.
+// Solves with a solver that is given by its name.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ inline std::vector<double> distances_by(std::string_view solver, const Mesh& mes
   return distances;
 }
 
-/// The number of windows that are propagated.
+/// The number of windows that the solve propagates.
 inline std::uint64_t propagated_by(std::string_view solver, const Mesh& mesh, const Query& query) {
   Recording recording;
   distances_by(solver, mesh, query, &recording);

@@ -1,9 +1,9 @@
-# Script, run at every build: writes OUTPUT from TEMPLATE, only when something in it has changed.
-# In: SOURCE_FOLDER, TEMPLATE, OUTPUT, and VERSION, COMPILER, COMPILER_FLAGS, BUILD_TYPE, INSTALLED_DATA as they are.
+# Script of every build: writes OUTPUT from TEMPLATE, but only if its text changes.
+# Input: SOURCE_FOLDER, TEMPLATE, OUTPUT; VERSION, COMPILER, COMPILER_FLAGS, BUILD_TYPE, INSTALLED_DATA are copied.
 set(REVISION "unknown")
 set(MODIFIED "std::nullopt")
 
-# An empty prefix: the checkout itself, and not a folder unpacked inside somebody else's.
+# The prefix is empty in the root of a checkout, and not in a folder unpacked inside another checkout.
 execute_process(
   COMMAND git -C ${SOURCE_FOLDER} rev-parse --show-prefix
   OUTPUT_VARIABLE prefix OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE no_git)

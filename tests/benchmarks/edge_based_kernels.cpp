@@ -11,7 +11,7 @@
 namespace geodesic::edge_based {
 namespace {
 
-/// A batch of `range(0)` windows, the face it crosses and room for what becomes of it.
+/// A batch of `range(0)` windows, the face that it crosses and memory for the results.
 struct Crossing {
   Crossing(const benchmark::State& state, InstructionSet set)
       : kernels(kernels_of(set, Carried::nothing)) {
@@ -26,7 +26,7 @@ struct Crossing {
 
   void gather() {
     batch.count = 0;
-    kernels.gather(*segment, EndpointBounds(face.length, 2.2, 2.2), batch);  // beaten by none
+    kernels.gather(*segment, EndpointBounds(face.length, 2.2, 2.2), batch);  // removes no window
   }
 
   const Kernels& kernels;
@@ -60,7 +60,7 @@ void add(const std::string& path, InstructionSet set) {
   });
 }
 
-/// Two windows that overlap, their sources the wrong way round: one trims the other.
+/// Two overlapping windows whose sources are not in order: one trims the other.
 void trim_overlapping_pair(benchmark::State& state) {
   const EdgeBelow edge{1, 0.5, -0.8};
   const Window near{0.1, 0.7, 0.4, -1, 0}, far{0.4, 0.9, 0.2, -1.2, 0.3};

@@ -1,4 +1,4 @@
-// Time per item, and the windows that the benchmarks of kernels work on.
+// Time per item, and windows and a face for the benchmarks of kernels.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -13,14 +13,14 @@
 namespace geodesic::microbench {
 
 /// Adds the time per item to the time per iteration.
-/// @param items windows, queue entries, ... that one iteration deals with
+/// @param items number of windows, queue entries, ... of one iteration
 inline void report_per_item(benchmark::State& state, const char* counter, std::int64_t items) {
   state.counters[counter] =
       benchmark::Counter(static_cast<double>(items), benchmark::Counter::kIsIterationInvariantRate |
                                                          benchmark::Counter::kInvert);
 }
-/// Windows that share an edge of length 1 evenly. Their sources spread a little, in order: as they
-/// do where a pencil has passed several saddles.
+/// Windows of equal width on an edge of length 1. Their sources lie in order and close together, as
+/// after a pencil of windows has passed several saddle vertices.
 inline std::vector<Window> windows_in_order(std::size_t count) {
   std::vector<Window> windows;
   const double width = 1 / static_cast<double>(count);
@@ -32,7 +32,7 @@ inline std::vector<Window> windows_in_order(std::size_t count) {
   return windows;
 }
 
-/// An uneven triangle above that edge.
+/// A scalene triangle above the edge of windows_in_order().
 inline FaceFrame crossed_face_frame() {
   FaceFrame face{};
   face.length = 1;

@@ -11,8 +11,8 @@
 namespace geodesic {
 namespace {
 
-/// From the first vertex of a surface to others by chance, which no path has made the cache know.
-/// @param solver its name
+/// Traces paths from the first vertex to random vertices, whose faces are not in the cache.
+/// @param solver name of the solver
 void trace_paths(benchmark::State& state, const Mesh& mesh, const char* solver) {
   const auto solve = make_solver(solver, mesh);
   const Paths paths = solve_paths(*solve, mesh, {.sources = {{.at = 0}}});
@@ -37,7 +37,7 @@ void trace_path(benchmark::State& state) {
 }
 BENCHMARK(trace_path)->Arg(32)->Arg(224);
 
-/// With a face that stands on an edge of every other face: paths cross edges of three faces.
+/// A terrain with a fin on an edge of every second face: paths cross edges of three faces.
 void trace_path_over_sheets(benchmark::State& state) {
   TriangleSoup soup = terrain(state);
   const std::size_t faces = soup.triangles.size();

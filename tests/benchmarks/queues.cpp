@@ -1,4 +1,4 @@
-// Queues under the load of a wavefront: as many pops as pushes, keys that move on.
+// Queues under the load of a wavefront: as many pops as pushes, with advancing keys.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -13,11 +13,11 @@
 namespace geodesic {
 namespace {
 
-constexpr double kEdge = 1;              // mean edge length of the mesh that is imagined
-constexpr double kVertices = 50000;      // its size, which buckets' widths depend on
-constexpr std::size_t kSteps = 1 << 16;  // random numbers, used round and round
+constexpr double kEdge = 1;              // mean edge length of the imagined mesh
+constexpr double kVertices = 50000;      // its size, which determines the bucket width
+constexpr std::size_t kSteps = 1 << 16;  // random numbers, used cyclically
 
-/// How much farther a window's children are than the window, up to an edge.
+/// Random differences between the keys of a window and of its children, up to an edge length.
 const std::vector<double>& steps_ahead() {
   static const std::vector<double> steps = [] {
     std::mt19937 random(1);
@@ -28,7 +28,7 @@ const std::vector<double>& steps_ahead() {
   return steps;
 }
 
-/// A pop and a push an iteration, with range(0) items waiting.
+/// One pop and one push per iteration, with range(0) items waiting.
 template <class Queue>
 void pop_and_push(benchmark::State& state, Queue queue) {
   const std::vector<double>& steps = steps_ahead();
@@ -43,7 +43,7 @@ void pop_and_push(benchmark::State& state, Queue queue) {
     keys[item] += steps[at++ % kSteps];
     queue.push(keys[item], item);
   };
-  for (std::size_t i = 0; i < 2 * keys.size(); ++i) turn();  // until it is as in a long solve
+  for (std::size_t i = 0; i < 2 * keys.size(); ++i) turn();  // to the state of a long solve
   for (auto _ : state) turn();
 }
 
@@ -59,7 +59,7 @@ BENCHMARK(calendar_queue)->Arg(1000)->Arg(20000)->Arg(400000);
 BENCHMARK(bucket_queue)->Arg(1000)->Arg(20000)->Arg(400000);
 BENCHMARK(fifo_queue)->Arg(20000);
 
-/// A pop, a push of another vertex and two decreases an iteration, with range(0) vertices waiting.
+/// One pop, one push and two decreases per iteration, with range(0) vertices waiting.
 void vertex_heap(benchmark::State& state) {
   const std::vector<double>& steps = steps_ahead();
   const auto waiting = static_cast<Index>(state.range(0));

@@ -1,4 +1,4 @@
-// Where solvers keep their windows, and the mesh that they share.
+// Memory of solvers for their windows, and the construction of the mesh.
 #include <benchmark/benchmark.h>
 
 #include <vector>
@@ -14,8 +14,8 @@
 namespace geodesic {
 namespace {
 
-/// Two batches of range(0) windows arrive at an edge, one at either end; the list of an edge that
-/// was filled a thousand edges ago is consumed.
+/// Two batches of range(0) windows arrive at an edge, one at each end. The list of an edge that was
+/// filled a thousand edges earlier is consumed.
 void window_lists(benchmark::State& state) {
   constexpr Index kEdges = 1024;
   edge_based::WindowLists lists(kEdges, edge_based::kDepth);
@@ -66,7 +66,7 @@ void segment_pool(benchmark::State& state) {
 }
 BENCHMARK(segment_pool);
 
-/// Chen-Han: a window leaves its slot and two take one, alternating with two that leave.
+/// Chen-Han: in each iteration two windows leave their slots and two new ones take slots.
 void window_slots(benchmark::State& state) {
   Pool<chen_han::StoredWindow<NoDepth>> pool;
   const chen_han::StoredWindow<NoDepth> window{};
@@ -85,7 +85,7 @@ void window_slots(benchmark::State& state) {
 }
 BENCHMARK(window_slots);
 
-/// A terrain of range(0) by range(0) cells.
+/// Builds the mesh of a terrain of range(0) by range(0) cells.
 void mesh_construction(benchmark::State& state) {
   const ParameterValue cells = state.range(0);
   const TriangleSoup soup = generate("terrain", {{"columns", cells}, {"rows", cells}});

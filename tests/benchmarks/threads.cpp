@@ -1,4 +1,4 @@
-// What a solve by regions would take on more threads than a machine has: a prediction.
+// Predicts the time of a solve by regions on more threads than the machine has.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 namespace geodesic {
 namespace {
 
-/// The time in which a step's turns are done when each of `threads` takes the next turn as soon as
-/// it is free, the long ones first.
+/// Time of a step on `threads` threads. Each thread takes the next turn as soon as it is free, and
+/// long turns come first.
 double time_of_step(std::vector<double> turns, std::size_t threads) {
   std::ranges::sort(turns, std::ranges::greater{});
   std::vector<double> busy(threads);
@@ -22,9 +22,9 @@ double time_of_step(std::vector<double> turns, std::size_t threads) {
   return *std::ranges::max_element(busy);
 }
 
-/// A terrain of range(0) by range(0) cells. The turns of one thread are measured, and shared out
-/// among more threads, which wait for each other after each step. What threads cost each other
-/// (caches, memory) is not in it: the counters are bounds, by the time of the serial solver.
+/// Solves on a terrain of range(0) by range(0) cells. The turns of one thread are measured and then
+/// distributed to more threads, which wait for each other after each step. Contention (caches,
+/// memory) is not included: the counters are bounds, relative to the time of the serial solver.
 void predicted_threads(benchmark::State& state) {
   const ParameterValue cells = state.range(0);
   const Mesh mesh(generate("terrain", {{"columns", cells}, {"rows", cells}}),

@@ -1,5 +1,5 @@
-// Nearly flat surfaces: paths that bend by less than 1e-8 are as long as straight ones in double
-// precision, so that it is chance which of two windows is dropped. No vertex may get lost between.
+// Nearly flat surfaces. In double precision, paths that bend by less than 1e-8 are as long as
+// straight ones, so that either of two windows may be dropped. No vertex may be missed in between.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ TriangleSoup rough_grid(double height, double shift, std::uint64_t seed) {
   return soup;
 }
 
-// How much more than the length of an edge the distances of its ends differ.
+// The largest amount by which the distances of an edge's ends differ by more than its length.
 double worst_edge_violation(const Mesh& mesh, const std::vector<double>& distances) {
   double worst = 0;
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {

@@ -11,8 +11,8 @@
 namespace geodesic::chen_han {
 namespace {
 
-/// `faces` equal triangles around vertex 0 whose angles add up to `angle`: embedded as a zigzag
-/// cone, which bends up and down at every second spoke so that the angle may exceed 2 pi.
+/// `faces` equal triangles around vertex 0 whose angles add up to `angle`. They form a zigzag cone,
+/// which bends up and down at every second spoke so that the angle may exceed 2 pi.
 Mesh fan(Index faces, double angle, bool closed) {
   const double corner = angle / faces;
   const double turn = std::min(corner, 2 * std::numbers::pi / faces);
@@ -68,8 +68,8 @@ TEST(ChenHanShadow, OfASourceIsEverything) {
 }
 
 TEST(ChenHanShadow, AtABoundaryLiesBeyondAStraightLine) {
-  // Six faces of 60 degrees with a slit between the last and the first spoke: a line that arrives
-  // at angle a from the slit leaves 180 degrees + a of the other side lit.
+  // Six faces of 60 degrees with a slit between the last and the first spoke. For a line that
+  // arrives at angle a from the slit, 180 degrees + a of the other side are lit.
   const Mesh mesh = fan(6, 2 * std::numbers::pi, false);
   for (const double part : {0.1, 0.5, 0.9}) {
     const double from_slit = part * std::numbers::pi / 3;

@@ -19,7 +19,7 @@ std::vector<double> random_keys(std::size_t count) {
   return keys;
 }
 
-/// A queue whose first phase, at key 0, is over. What is pushed before that may be sorted by key.
+/// A queue whose first phase, at key 0, is over. Before that, pushed items may be sorted by key.
 BucketQueue<int> running(double width) {
   BucketQueue<int> queue(width);
   queue.push(0, -1);
@@ -53,12 +53,12 @@ TEST(BucketQueue, what_the_phase_covers_is_due) {
   BucketQueue<int> queue(1);
   for (int i = 0; i < 20; ++i) queue.push(5.5, i);
   queue.push(7.5, 20);
-  queue.pop();  // starts a phase that goes as far as there are items, to key 8
+  queue.pop();  // starts a phase that covers all items, up to key 8
   EXPECT_TRUE(queue.is_due(7.9));
   EXPECT_FALSE(queue.is_due(8.1));
 }
 
-// As a wavefront does: what is pushed lies ahead of what was popped.
+// Keys as in a wavefront: pushed items are not nearer than the last popped item.
 TEST(BucketQueue, knows_a_key_below_all_to_come) {
   Random random(1);
   BucketQueue<double> queue(0.1);
@@ -96,7 +96,7 @@ TEST(BucketQueue, shows_the_items_of_a_phase_before_their_turn) {
   }
 }
 
-// A propagation as solvers do it: an item bears others with larger keys.
+// A propagation as in solvers: each item produces items with larger keys.
 std::vector<int> propagate(BucketQueue<int>& queue, double unit) {
   Random random(4);
   std::vector<double> key = {0};

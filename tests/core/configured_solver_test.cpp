@@ -1,4 +1,4 @@
-// Solvers with parameters, by name: one canonical name, what is refused, and threads.
+// Solvers with parameters in their names: canonical names, refused values, and threads.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace geodesic {
 namespace {
 
-// Its distances are its parameters.
+// A solver whose distances are its parameters.
 class Dial final : public Solver {
  public:
   Dial(const Mesh& mesh, const Description& description)
@@ -118,7 +118,7 @@ TEST(ConfiguredSolver, refuses_what_it_does_not_understand_in_one_line_that_says
   }
 }
 
-// Meant for the thread sanitizer (preset thread) as much as for what it compares.
+// Also a test for the thread sanitizer (preset thread).
 TEST(ConfiguredSolver, threads_may_ask_for_any_values_at_the_same_time) {
   constexpr std::size_t kThreads = 8, kValues = 40;
   std::vector<std::set<const Description*>> found(kThreads);
@@ -161,7 +161,7 @@ TEST(Registration, refuses_a_description_that_cannot_be_used) {
          "neither a number nor a choice");
 }
 
-// Counts how often it was renewed.
+// A solver that counts its renewals.
 class Renewed final : public Solver {
  public:
   Renewed(const Mesh& mesh, const Description& description) : Solver(mesh, description) {}

@@ -232,7 +232,7 @@ TEST(Mesh, one_fan_at_every_vertex_is_manifold) {
 }
 
 TEST(Mesh, corners_of_a_zero_area_face_are_pseudo_sources) {
-  // A flat fan; one of its faces is squeezed onto the leg from 0 to 1.
+  // A flat fan. One of its faces is collapsed onto the leg from 0 to 1.
   TriangleSoup soup = fan(6, 0, 0);
   soup.positions[2] = {0.5, 0, 0};
   const Mesh mesh(soup);

@@ -9,7 +9,7 @@
 namespace geodesic {
 namespace {
 
-/// Stands still but for the work that a test does, and for what a reading of it costs.
+/// A clock that advances only by the work of a test and by the cost of a reading.
 struct FakeClock {
   static constexpr std::uint64_t kReading = 3;
   static inline std::uint64_t now = 0;
@@ -25,7 +25,7 @@ constexpr double kTick = 1e-3;
 
 TEST(PhaseTimer, GivesEachPhaseItsWorkAndItsReadings) {
   FakeTimer timer;
-  FakeClock::work(999);  // outside
+  FakeClock::work(999);  // outside all phases
   {
     const Scope whole(timer, Phase::propagation);
     FakeClock::work(100);
@@ -70,7 +70,7 @@ TEST(PhaseTimer, OfTheRealClockAddsUpToNoMoreThanTheTimeThatPassed) {
   EXPECT_LE(times.propagation.seconds + times.queue.seconds, passed * 1.01);
 }
 
-// What can be done while compiling reads no clock.
+// A constant expression cannot read a clock.
 constexpr bool enters_and_leaves_every_phase(const NoRecorder& recorder) {
   const auto whole = recorder.enter(Phase::propagation);
   const auto trimming = recorder.enter(Phase::trimming);

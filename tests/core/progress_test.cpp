@@ -1,4 +1,4 @@
-// Progress: vertices reached of those that can be, in equal steps.
+// Progress: the share of reachable vertices that are reached, in equal steps.
 #include "solvers/core/progress.h"
 
 #include <gtest/gtest.h>

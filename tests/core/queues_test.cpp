@@ -20,7 +20,7 @@ std::vector<int> drain(Queue& queue) {
   return items;
 }
 
-// Widths from "all in one bucket" to "most beyond the ring".
+// Widths from "all items in one bucket" to "most items beyond the ring".
 TEST(CalendarQueue, equals_a_stable_sort_whatever_the_width_while_items_come_and_go) {
   for (const double width : {0.0, 1e9, 3.0, 0.1, 1e-3, 1e-300}) {
     Random random(1);
@@ -50,7 +50,7 @@ TEST(CalendarQueue, an_item_is_due_when_no_other_has_a_smaller_key) {
   }
 }
 
-// As a wavefront does: what is pushed lies ahead of what was popped.
+// Keys as in a wavefront: pushed items are not nearer than the last popped item.
 TEST(CalendarQueue, knows_a_key_below_all_to_come_and_less_than_a_bucket_behind) {
   for (const double width : {3.0, 0.1}) {
     Random random(1);
@@ -102,7 +102,7 @@ TEST(FifoQueue, pops_in_order_of_insertion_whatever_the_keys) {
   EXPECT_EQ(drain(queue), (std::vector{5, 1, 4, 2, 3}));
 }
 
-// A queue of a user's own, with no more than the concept needs.
+// A queue of a user, with only the functions that the concept requires.
 struct Lifo {
   std::vector<Index> items;
   bool empty() const { return items.empty(); }

@@ -76,7 +76,7 @@ std::vector<SurfacePoint> random_points(const Mesh& mesh, int count) {
   return points;
 }
 
-// A point of one numbering is never taken for one of the other; a number alone is an external one.
+// Points of the two numberings do not convert to each other; a mere number is an external one.
 static_assert(!std::is_convertible_v<SurfacePoint, InternalPoint> &&
               !std::is_convertible_v<InternalPoint, SurfacePoint> &&
               std::is_convertible_v<Index, SurfacePoint> &&
@@ -109,7 +109,7 @@ TEST(SurfacePoint, spreads_to_every_corner_and_side_of_its_faces_at_their_distan
         [&](Index h, const Point2& from) {
           ++sides;
           EXPECT_LE(from.y, 0);
-          // In the frame of the twin, which starts at the head of h.
+          // `from` is in the frame of the twin, which starts at the head of h.
           EXPECT_NEAR(std::hypot(from.x, from.y), space_between(at, mesh.position(mesh.head(h))),
                       1e-14);
           EXPECT_NEAR(std::hypot(from.x - mesh.half_edge(h).length, from.y),

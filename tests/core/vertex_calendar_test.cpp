@@ -76,7 +76,7 @@ TEST(VertexCalendar, differs_from_a_search_for_the_least_by_a_bucket_at_most_whi
     Random random(2);
     VertexCalendar calendar(200, width);
     for (int round = 0; round < 200; ++round) {
-      std::map<Index, double> waiting, keys;  // of all vertices that have had one
+      std::map<Index, double> waiting, keys;  // keys: of all vertices that had one
       double last = 0;                        // the greatest key popped
       for (int i = 0; i < 200 || !waiting.empty(); ++i) {
         if (i < 200 && (random.below(3) != 0 || waiting.empty())) {

@@ -21,7 +21,7 @@ TEST(VertexHeap, is_as_new_when_cleared) {
   EXPECT_EQ(heap.least_key(), 5);
 }
 
-// The smaller number among equal keys; larger keys change nothing.
+// Among equal keys, the smaller vertex number comes first. Larger keys change nothing.
 TEST(VertexHeap, equals_a_search_for_the_least_while_keys_decrease) {
   Random random(2);
   VertexHeap heap(200);

@@ -1,4 +1,4 @@
-// The window kernel against plain geometry in the plane.
+// Compares the window kernel with elementary plane geometry.
 #include "solvers/core/window.h"
 
 #include <gtest/gtest.h>
@@ -120,7 +120,7 @@ TEST(Unfolding, moves_points_rigidly_with_the_edge_onto_the_x_axis) {
   }
 }
 
-// A path neither stretches nor shrinks where it crosses a short side between two long ones.
+// A path keeps its length where it crosses a short side between two long ones.
 TEST(Unfolding, over_a_short_side_of_a_needle_keeps_lengths) {
   for (double width = 1e-3; width > 1e-15; width /= 7) {
     const Vec3 tip = {-0.7, 0.9, 0.4}, end = {0, 0, 0};
@@ -142,7 +142,7 @@ TEST(Unfolding, leaves_the_face_below_the_edge_it_came_through) {
   }
 }
 
-// All three vertices on a line: what lies beyond is still where it should be.
+// All three vertices lie on a line. The face beyond is still unfolded correctly.
 TEST(Unfolding, of_a_face_without_area_continues_straight) {
   const FaceFrame f = Triangle2{{2, 0}, {0.5, 0}}.frame();
   const Window w = {.begin = 0, .end = 2, .x = 1, .y = -1, .sigma = 0};
@@ -219,7 +219,7 @@ TEST(WindowDistance, is_least_at_the_foot_of_the_perpendicular_or_the_nearer_end
   EXPECT_EQ(least_distance({1, 3, 6, -4, 0.5}), 5.5);
 }
 
-// Against the least of two-leg paths over many crossing points.
+// Compares with the shortest of many sampled paths with two legs.
 TEST(WindowDistance, beyond_the_edge_is_straight_or_bent_at_an_end) {
   for (const Window& w : kWindows) {
     for (const Point2 target : {Point2{0.5, 1}, Point2{-4, 0.5}, Point2{6, 2}, Point2{0.1, 0}}) {

@@ -1,5 +1,5 @@
-// The dial from exact to coarse. What every solver promises besides, the conformance properties
-// check with the default tolerance.
+// The effect of the tolerance. The conformance properties check the other promises of solvers, with
+// the default tolerance.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The kernels, of every instruction set: they give the same bits, those of their scalar forms.
+// The kernels of every instruction set give the same bits as their scalar forms.
 #include "solvers/edge_based/kernels.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ struct Problem {
   double at_origin, at_head;
 };
 
-/// Windows that share an edge in order, of sources that are hardly so.
+/// Windows in order along an edge. Their sources are only roughly in order.
 Problem random_problem(Random& random, std::size_t count) {
   Problem problem{.windows = {}, .face = random_face(random), .at_origin = 0, .at_head = 0};
   problem.at_origin = random.between(0.8, 2.5);
@@ -30,7 +30,7 @@ Problem random_problem(Random& random, std::size_t count) {
   return problem;
 }
 
-/// All kernels over one list of windows.
+/// Runs all kernels on one list of windows.
 Steps run(const Problem& p, InstructionSet set = compiled_for(InstructionSet::plain)) {
   const Kernels& kernels = kernels_of(set, Carried::nothing);
   WindowLists lists(1, kDepth);
@@ -71,7 +71,7 @@ Steps run(const Problem& p, InstructionSet set = compiled_for(InstructionSet::pl
   return steps;
 }
 
-/// Calls check(problem, steps) for lists of all lengths around those of vectors.
+/// Calls check(problem, steps) for lists of all lengths up to several vectors.
 template <class Check>
 void for_each_problem(std::uint64_t seed, Check&& check) {
   Random random(seed);

@@ -1,5 +1,5 @@
-// What merge.h promises of a merged window, against the two that it stands for, in the plane of the
-// edge and the face beyond.
+// Compares a merged window with the two windows that it replaces, as merge.h promises, in the plane
+// of the edge and of the face beyond it.
 #include "solvers/edge_based/merge.h"
 
 #include <gtest/gtest.h>
@@ -11,14 +11,14 @@
 namespace geodesic::edge_based {
 namespace {
 
-constexpr double kOff = 1e-12;  // by rounding
+constexpr double kOff = 1e-12;  // error by rounding
 
 struct Neighbours {
   MergedWindow first, second;
 };
 
-/// Neighbours whose intervals meet or overlap, of sources that are near to one another, as after
-/// passing a vertex on both sides; some with different pseudo-sources.
+/// Neighbours whose intervals meet or overlap. Their sources are close together, as after passing a
+/// vertex on both sides; some have different pseudo-sources.
 Neighbours random_neighbours(Random& random) {
   const double begin = random.between(0, 0.3), tie = random.between(0.4, 0.6);
   const double end = random.between(0.7, 1), overlap = random.below(2) * random.between(0, 0.05);
@@ -63,7 +63,7 @@ TEST(Merge, makes_no_distance_longer_in_the_face_or_on_the_edge) {
     for (const MergedWindow& of : {pair.first, pair.second}) {
       const Window& w = of.window;
       for (int k = 0; k <= 16; ++k) {
-        // A line of the window, to a point of the face.
+        // (x, y) lies on a line of the window, on the edge or in the face.
         const double t = w.begin + (w.end - w.begin) * k / 16;
         const double beyond = k % 2 == 0 ? 0 : random.between(0, 1);
         const double x = t + (t - w.x) * beyond, y = -w.y * beyond;
@@ -78,7 +78,7 @@ TEST(Merge, makes_no_distance_shorter_than_the_shortfall_says) {
     const Window &a = pair.first.window, &b = pair.second.window;
     for (int k = 0; k <= 64; ++k) {
       const double t = a.begin + (b.end - a.begin) * k / 64;
-      double most = kInfinity;  // that the truth can be
+      double most = kInfinity;  // upper bound of the true distance
       if (t <= a.end) most = std::min(most, distance_at(a, t) + double{pair.first.shortfall});
       if (t >= b.begin) most = std::min(most, distance_at(b, t) + double{pair.second.shortfall});
       EXPECT_GE(distance_at(m.window, t) + double{m.shortfall}, most - kOff);

@@ -1,5 +1,5 @@
-// Regions of a mesh, and the wavefronts that work on them side by side. That distances are right is
-// tested by every property (tests/verify/property_test.cpp).
+// Regions of a mesh, and the wavefronts that process them in parallel. The properties test that the
+// distances are right (tests/verify/property_test.cpp).
 #include "solvers/edge_based/regions.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ std::vector<Mesh> meshes() {
   all.emplace_back(terrain, Numbering::along_surface);
   all.emplace_back(terrain);
   all.emplace_back(generate("torus", {}));
-  all.emplace_back(generate("cylinder", {}));  // paths of the same length without end
+  all.emplace_back(generate("cylinder", {}));  // many paths of equal length
   all.emplace_back(side_by_side(terrain, generate("two-components")));
   return all;
 }
@@ -179,7 +179,7 @@ TEST(Regions, give_the_same_bits_on_random_meshes_with_every_number_of_threads) 
     const RandomCase made = random_case(1, number, ::testing::TempDir());
     const Mesh mesh(made.soup);
     Query query = made.query;
-    query.limit = kInfinity;  // where a query ends early, there is one thread
+    query.limit = kInfinity;  // a query that ends early uses one thread
     const auto expected = distances_by("edge-based?threads=2&region-size=8", mesh, query);
     for (const char* solver :
          {"edge-based?threads=3&region-size=8", "edge-based?threads=16&region-size=8"}) {

@@ -1,4 +1,4 @@
-// What the kernels make of a list of windows.
+// Results of the kernels for a list of windows.
 #pragma once
 
 #include <bit>
@@ -14,8 +14,8 @@ namespace geodesic::edge_based {
 struct Steps {
   std::vector<Window> gathered;
   std::vector<Window> trimmed;
-  std::vector<bool> suspects;     ///< by the first of two neighbours
-  std::vector<bool> left, right;  ///< which sides of the apex the lines of a gathered window pass
+  std::vector<bool> suspects;     ///< by the first window of a pair
+  std::vector<bool> left, right;  ///< sides of the apex that a gathered window passes
   ApexWinner winner;
   std::vector<bool> contested;
   std::vector<Window> to_left, to_right;

@@ -1,5 +1,5 @@
-// Strategies I and II against the argument that they rest on: a line may be dropped only where it
-// meets a shorter path of the other window before it has reached what it is dropped from.
+// Strategies I and II, checked against the argument behind them: a line may be dropped only if it
+// meets a shorter path of the other window before it reaches the edge from which it is dropped.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,10 +10,10 @@
 namespace geodesic::edge_based {
 namespace {
 
-constexpr int kPositions = 33;  // looked at on an interval
+constexpr int kPositions = 33;  // number of intervals between tested positions
 constexpr double kRounding = 1e-12;
 
-/// Everything lies in one plane: the face below reaches below all sources.
+/// The face below reaches below all sources, so that everything lies in one plane.
 constexpr EdgeBelow kBelow{.length = 1, .below_x = 0.5, .below_y = -1e4};
 
 /// @param k 0 to kPositions
@@ -27,14 +27,14 @@ Window random_window(Random& random) {
           random.between(0, 0.5)};
 }
 
-/// The least of (length of a path by `rival`) - (length of the line) over the points of the line
-/// that leaves `w` through position t which are seen by `rival`. The difference of the distances is
-/// convex along the line, and what `rival` sees of it is an interval.
-/// @param beyond how far the line is followed, by the length from its source to the edge
+/// The line leaves `w` through position t. Returns the minimum of (length of a path by `rival`) -
+/// (length of the line) over the points of the line that `rival` sees. The difference is convex
+/// along the line, and these points form an interval. Returns infinity if `rival` sees no point.
+/// @param beyond length of the line, in units of its length from the source to the edge
 double lead_of(const Window& w, double t, double beyond, const Window& rival) {
   double from = 0, to = beyond;
   const auto at = [&](double s) { return Point2{w.x + s * (t - w.x), w.y - s * w.y}; };
-  const auto keep_where = [&](auto&& value) {  // linear in s, and not negative
+  const auto keep_where = [&](auto&& value) {  // keeps the s with value >= 0; value is linear in s
     const double first = value(at(0)), slope = value(at(1)) - first;
     if (slope > 0) from = std::max(from, -first / slope);
     if (slope < 0) to = std::min(to, -first / slope);
@@ -110,7 +110,7 @@ TEST(TrimPair, does_not_depend_on_the_order_of_the_windows) {
     Window first = a, second = b, other_first = b, other_second = a;
     trim_pair(first, second, kBelow);
     trim_pair(other_first, other_second, kBelow);
-    if (in_order(a, b) || in_order(b, a)) continue;  // not looked at in that order
+    if (in_order(a, b) || in_order(b, a)) continue;  // windows in order are not trimmed
     ASSERT_NEAR(first.begin, other_second.begin, kRounding) << pair;
     ASSERT_NEAR(first.end, other_second.end, kRounding) << pair;
     ASSERT_NEAR(second.begin, other_first.begin, kRounding) << pair;
@@ -139,7 +139,7 @@ Side side_seen(const Window& w, const FaceFrame& face) {
   return t < w.begin ? Side::right : t > w.end ? Side::left : Side::both;
 }
 
-/// How far the line through t goes until it has left the face, by its length to the edge.
+/// Length of the line through t up to where it leaves the face, in units of its length to the edge.
 double to_far_edge(const Window& w, double t, const FaceFrame& f) {
   const bool left = right_of(w, t, f.apex_x, f.apex_y) > 0;
   const double on = left ? f.on_left(w, t) : f.on_right(w, t);
@@ -147,7 +147,7 @@ double to_far_edge(const Window& w, double t, const FaceFrame& f) {
   return 1 + y / -w.y;
 }
 
-// On a lattice of 708 x 708 vertices: the source of both is vertex 0, 1,500 faces away.
+// Windows from a lattice of 708 x 708 vertices. Their common source is vertex 0, 1,500 faces away.
 TEST(TrimPair, leaves_windows_alone_that_see_one_source_in_two_places) {
   const Window left{0.75000000000077727, 0.75968992248147016, -652.99999999997499,
                     -504.99999999997772, 0};
@@ -173,7 +173,7 @@ TEST(SidesKept, takes_only_lines_that_the_path_to_the_apex_beats_inside_the_face
                             .distance = distance_through(best, face.apex_x, face.apex_y),
                             .crossing = crossing(best, face)};
     if (seen == Side::both && distance_through(w, face.apex_x, face.apex_y) < winner.distance) {
-      continue;  // w gives the separating path
+      continue;  // w itself gives the separating path
     }
     const Side kept = sides_kept(w, seen, winner, best, face, 0);
     for (int k = 1; k < kPositions; ++k) {

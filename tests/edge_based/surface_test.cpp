@@ -1,5 +1,5 @@
-// Sources next to corners, and how a propagation ends where edges are long. What every solver of
-// surface points is tested for is in tests/surface_points.
+// Sources next to corners, and the end of a propagation over long edges. The tests of all solvers
+// for surface points are in tests/surface_points.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ constexpr const char* kSolver = "edge-based";
 
 double space_between(const Vec3& a, const Vec3& b) { return norm(subtract(a, b)); }
 
-/// A square of unit cells, its inner vertices moved in the plane.
+/// A square of unit cells whose inner vertices are moved in the plane.
 TriangleSoup shaken_square(Index cells) {
   TriangleSoup soup = generate("grid", {{"columns", cells}, {"rows", cells}});
   Random random(5);
@@ -28,8 +28,8 @@ TriangleSoup shaken_square(Index cells) {
   return soup;
 }
 
-/// The point of the face of h that lies `near` away from the origin of h, opposite to vertex w but
-/// for a turn by some radians; no point when that is outside the face.
+/// The point of the face of h at distance `near` from the origin of h, opposite to vertex w except
+/// for a rotation by `turn` radians. Returns no point if it lies outside the face.
 SurfacePoint opposite_to(const Mesh& mesh, Index w, Index h, double near, double turn) {
   const Vec3 corner = mesh.position(mesh.origin(h));
   const Vec3 away = subtract(corner, mesh.position(w));
@@ -47,7 +47,7 @@ SurfacePoint opposite_to(const Mesh& mesh, Index w, Index h, double near, double
   return point;
 }
 
-// Rounding turns the lines that pass the corner on its two sides, by as much as a radian.
+// Rounding turns the lines that pass the corner on its two sides by up to a radian.
 TEST(EdgeBasedSurface, sources_next_to_a_corner_see_what_lies_behind_it) {
   const Mesh mesh(shaken_square(10));
   Random random(1);
@@ -70,7 +70,7 @@ TEST(EdgeBasedSurface, sources_next_to_a_corner_see_what_lies_behind_it) {
   }
 }
 
-// A ladder of which every vertex is far away: only windows come to the target.
+// A ladder whose vertices are all far away: only windows reach the target.
 TEST(EdgeBasedSurface, a_limit_is_reached_over_edges_whose_ends_are_beyond_it) {
   constexpr Index kRungs = 60;
   TriangleSoup soup;
@@ -90,7 +90,7 @@ TEST(EdgeBasedSurface, a_limit_is_reached_over_edges_whose_ends_are_beyond_it) {
   const std::vector<double> distances = distances_by(kSolver, mesh, query, &recording);
   EXPECT_NEAR(recording.targets[0].distance, expected, 1e-12);
   EXPECT_EQ(std::ranges::count(distances, kInfinity), 2 * (kRungs + 1));
-  // One window a face: 60 faces to the target and a few beyond, 20 to the boundary behind.
+  // One window per face: 60 faces to the target and a few beyond, 20 to the boundary behind.
   EXPECT_LE(propagated_by(kSolver, mesh, query), 90u);
 }
 
@@ -106,7 +106,7 @@ TEST(EdgeBasedSurface, a_limit_does_not_depend_on_how_long_edges_are_elsewhere) 
     return static_cast<double>(propagated_by(kSolver, Mesh(soup), asked));
   };
   const double expected = windows(square, query);
-  // Not the same: buckets are as wide as edges are long on the average.
+  // Not equal, since the width of the buckets depends on the mean edge length.
   EXPECT_LE(windows(spiked, query), 1.1 * expected);
   EXPECT_LE(expected, 0.3 * windows(square, {query.sources}));
 }

@@ -1,5 +1,5 @@
-// Which vertices split obtuse corners; planar waves are exact, and round ones nearly. What the
-// solver promises besides, the conformance properties check.
+// Which vertices split obtuse corners; planar waves are exact, round waves nearly so. The
+// conformance properties check the other promises of the solver.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,8 +13,8 @@
 namespace geodesic::fast_marching {
 namespace {
 
-// An obtuse corner at vertex 0 above the edge from (0, 0) to (4, 0), half-edge 0, and below it
-// `below`, the other vertices of a fan of triangles.
+// A face with an obtuse corner at vertex 0, above half-edge 0 from (0, 0) to (4, 0). A fan of
+// triangles with the further vertices `below` lies below this edge.
 Mesh corner_above(const std::vector<Vec3>& below, const std::vector<Triangle>& faces) {
   TriangleSoup soup{{{2, 1, 0}, {0, 0, 0}, {4, 0, 0}}, {{1, 2, 0}}};
   soup.positions.insert(soup.positions.end(), below.begin(), below.end());
@@ -52,7 +52,7 @@ TEST(SplitCorner, finds_none_for_other_corners_and_at_a_boundary) {
   EXPECT_FALSE(split_corner(corner_above({}, {}), 0));
 }
 
-/// Unit cells of two right triangles each, sheared along x: rows keep their heights.
+/// A grid of unit cells of two right triangles each, sheared along x: rows keep their heights.
 TriangleSoup sheared_grid(double shear) {
   TriangleSoup soup = generate("grid", {{"columns", 40}, {"rows", 8}});
   for (Vec3& p : soup.positions) p[0] += shear * p[1];
@@ -69,7 +69,7 @@ TEST(FastMarching, is_exact_for_planar_waves_through_obtuse_corners_too) {
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
       const Vec3& p = mesh.position(v);
       if (p[1] == 0) query.sources.push_back({v});
-      // Far from the other sides, which the wave must not have come from.
+      // Vertices far from the other sides, so that the wave did not come from there.
       const double column = p[0] - shear * p[1];
       if (p[1] > 0 && std::abs(column - 20) < 1 && std::abs(p[0] - 20) < 19) tested.push_back(v);
     }

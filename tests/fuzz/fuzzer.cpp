@@ -1,4 +1,4 @@
-// What libFuzzer calls. An exception ends the process, which libFuzzer takes for a finding.
+// Entry point for libFuzzer. An exception ends the process, which libFuzzer reports as a finding.
 #include <cstddef>
 #include <cstdint>
 

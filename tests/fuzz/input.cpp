@@ -10,7 +10,7 @@
 namespace geodesic::harness::fuzz {
 namespace {
 
-// Bytes on the heap: some for a byte of the file, and some for any file.
+// Allowed heap bytes: per byte of the file, and a constant for every file.
 constexpr std::int64_t kPerByte = 1000;
 constexpr std::int64_t kForAnyFile = 1 << 20;
 

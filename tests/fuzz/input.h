@@ -1,20 +1,19 @@
-// A fuzz target reads a file from its bytes and does with it what the program does before a solver
-// sees anything. Two programs are made of each: a fuzzer (fuzzer.cpp) and one that replays files
-// (replay.cpp).
+// A fuzz target reads the bytes of a file and processes them as the program does before it calls a
+// solver. Each target is built into two programs: a fuzzer (fuzzer.cpp) and a program that replays
+// files (replay.cpp).
 #pragma once
 
 #include <string_view>
 
 namespace geodesic::harness::fuzz {
 
-/// What a target defines.
-/// @throws HarnessError or MeshError for a file that is refused; whatever else leaves it is a
-/// finding
+/// Defined by each target.
+/// @throws HarnessError or MeshError for a file that is refused; any other exception is a finding
 void read_input(std::string_view bytes);
 
-/// Calls read_input and holds it to what every reader promises: a file that is refused is refused
-/// with one line, and memory is in proportion to the file.
-/// @throws std::logic_error for a broken promise, and findings of read_input
+/// Calls read_input and checks the promises of every reader: the message of a refusal is one line,
+/// and the memory is in proportion to the file.
+/// @throws std::logic_error for a broken promise; findings of read_input pass through
 void check_input(std::string_view bytes);
 
 }  // namespace geodesic::harness::fuzz

@@ -1,4 +1,4 @@
-// Manifests of meshes, and what is asked of them.
+// Fuzz target: manifests of meshes, and look-ups in them.
 #include "harness/corpus/manifest.h"
 
 #include "tests/fuzz/input.h"

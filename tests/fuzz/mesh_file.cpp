@@ -1,5 +1,5 @@
-// Files of one mesh format, as `geodesic-bench mesh` and `solve` take them. FUZZED_MESH is the name
-// of a file of that format: its extension is the hint.
+// Fuzz target: files of one mesh format, read as `geodesic-bench mesh` and `solve` read them.
+// FUZZED_MESH is a file name whose extension gives the format.
 #include "meshes/load.h"
 #include "meshes/summary.h"
 #include "solvers/core/mesh.h"
@@ -8,7 +8,7 @@
 namespace geodesic::harness {
 namespace {
 
-// What has been loaded is fit for a solver: the constructor of Mesh refuses nothing.
+// A loaded mesh is valid for a solver: the constructor of Mesh does not refuse it.
 void hand_over(const MeshFile& file, const LoadOptions& options) {
   const LoadedMesh loaded = load_mesh(file, FUZZED_MESH, options);
   Mesh(loaded.soup, Numbering::along_surface);
@@ -18,7 +18,7 @@ void hand_over(const MeshFile& file, const LoadOptions& options) {
 
 void fuzz::read_input(std::string_view bytes) {
   const MeshFile file = parse_mesh(bytes, FUZZED_MESH);
-  summarize(file.soup);  // also of a mesh that is then refused
+  summarize(file.soup);  // also works for a mesh that is refused below
   try {
     hand_over(file, {.repair = false});
   } catch (const MeshError&) {

@@ -1,4 +1,4 @@
-// Arrays of elevations.
+// Fuzz target: .npy arrays of elevations.
 #include "meshes/formats/npy.h"
 
 #include "tests/fuzz/input.h"

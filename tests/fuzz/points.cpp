@@ -1,4 +1,4 @@
-// Files of sources and targets, and what a command line has of them.
+// Fuzz target: files of sources and targets.
 #include "harness/corpus/points.h"
 
 #include "tests/fuzz/input.h"

@@ -1,5 +1,5 @@
-// Replays inputs without a fuzzer: replay_<target> FOLDER reads every file of the folder. Fails at
-// the first finding, whose file it names.
+// Replays inputs without a fuzzer: replay_<target> FOLDER reads every file of the folder. It fails
+// at the first finding and names the file.
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
   }
   int files = 0;
   for (const fs::directory_entry& file : fs::directory_iterator(argv[1])) {
-    // Written before it is read: some findings end the process.
+    // The name is written before the file is read: some findings end the process.
     std::cout << file.path().filename().string() << std::endl;
     try {
       fuzz::check_input(geodesic::read_bytes(file.path()));

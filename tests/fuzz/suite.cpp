@@ -1,4 +1,4 @@
-// Suites.
+// Fuzz target: suites.
 #include "harness/corpus/suite.h"
 
 #include "tests/fuzz/input.h"

@@ -1,4 +1,4 @@
-// Solver::solve as it is, with the fault that $GEODESIC_FAULT names around every solve.
+// Compiles Solver::solve with a fault around every solve. $GEODESIC_FAULT names the fault.
 #include <cstdint>
 #include <cstdlib>
 #include <ctime>
@@ -15,10 +15,10 @@
 
 namespace {
 
-// The faults. $GEODESIC_FAULT_AMOUNT says how much of the first three.
-//   slower        per cent more time and no more instructions, as by more cache misses
-//   instructions  more of them
-//   memory        more bytes
+// The faults. A is the number in $GEODESIC_FAULT_AMOUNT.
+//   slower        A per cent more time but no more instructions, as by more cache misses
+//   instructions  A more instructions
+//   memory        A more bytes
 //   windows       5% more propagations are counted
 //   wrong         one distance of one solver is off by 1e-9
 bool has_fault(std::string_view name) {
@@ -26,7 +26,7 @@ bool has_fault(std::string_view name) {
   return chosen != nullptr && name == chosen;
 }
 
-constexpr const char* kWrongSolver = "mmp";  // the others are what it is verified by
+constexpr const char* kWrongSolver = "mmp";  // the other solvers verify it
 
 double thread_seconds() {
   timespec now;
@@ -39,7 +39,7 @@ std::size_t amount() {
   return text == nullptr ? 0 : std::strtoull(text, nullptr, 10);
 }
 
-// Under valgrind the clock runs differently, and what is modelled here costs no instructions.
+// Does nothing under valgrind, where the clock differs; the wait stands for no instructions.
 void wait_for_percent_of(double seconds) {
   if (RUNNING_ON_VALGRIND) return;
   const double end = thread_seconds() + seconds * static_cast<double>(amount()) / 100;
@@ -48,7 +48,7 @@ void wait_for_percent_of(double seconds) {
 }
 
 void execute(std::size_t instructions) {
-  for (std::size_t i = instructions / 2; i > 0; --i) asm volatile("");  // two each: sub, jne
+  for (std::size_t i = instructions / 2; i > 0; --i) asm volatile("");  // two per turn: sub, jne
 }
 
 template <class Run>
@@ -67,7 +67,7 @@ void run_with_fault(const Run& run, const geodesic::Description& solver,
 
 }  // namespace
 
-// A macro is not expanded again inside of itself: the inner `run` is the solver's.
+// A macro is not expanded inside itself: the inner `run` is the solver's.
 #define run(query, distances, recording) \
   run_with_fault([&] { run(query, distances, recording); }, description_, distances, recording)
 #include "solvers/core/solver.cpp"  // NOLINT(bugprone-suspicious-include)

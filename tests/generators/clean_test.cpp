@@ -1,4 +1,4 @@
-// Cleaning: each kind of defect alone, all together, and random triangles.
+// Cleaning of meshes: each kind of defect alone, all kinds together, and random triangles.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,9 +24,9 @@ Vec3 between(const Vec3& a, const Vec3& b, double t) {
   return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
 }
 
-/// The ways in which a test spoils a mesh; each adds to the end and leaves the rest in its place.
+/// Functions that add a defect to a mesh. Each appends vertices and faces and keeps other indices.
 
-/// Cuts the first side of a face by a vertex at one of its ends: an edge of length zero.
+/// Splits the first side of a face at one of its ends, which makes an edge of length zero.
 void add_zero_length_edge(TriangleSoup& soup, Index face) {
   const auto [a, b, c] = soup.triangles[face];
   const auto beyond =
@@ -41,7 +41,7 @@ void add_zero_length_edge(TriangleSoup& soup, Index face) {
   soup.triangles.insert(soup.triangles.end(), {{a, m, c}, {m, a, d}});
 }
 
-/// Puts a vertex on the first side of a face that the face beyond does not know of.
+/// Puts a vertex on the first side of a face, but not on the face beyond that side.
 void add_flat_face(TriangleSoup& soup, Index face, double t) {
   const auto [a, b, c] = soup.triangles[face];
   const Index m = add_vertex(soup, between(soup.positions[a], soup.positions[b], t));
@@ -77,8 +77,8 @@ class Clean : public InputFiles {
         << "not said: " << expected;
   }
 
-  /// What every cleaned mesh must be: without any defect, in the eyes of the harness and of the
-  /// solvers, and the same after another cleaning.
+  /// Expects that the harness and the solvers find no defect in a cleaned mesh, and that another
+  /// cleaning changes nothing.
   void expect_measurable(const TriangleSoup& soup) {
     for (const Defect& defect : find_defects(soup).defects) {
       EXPECT_EQ(defect.kind, DefectKind::several_components) << defect.text();
@@ -148,7 +148,7 @@ TEST_F(Clean, DropsAFlatFaceOnTheBoundary) {
   EXPECT_EQ(summarize(result).boundary_edges, 33u);
 }
 
-/// Fills the side between two places of a row on a line with random faces without area.
+/// Adds random faces without area between two positions of a row of vertices on a line.
 void add_flat_pile(TriangleSoup& soup, const std::vector<Index>& row, std::size_t first,
                    std::size_t last, std::mt19937& random) {
   if (last == first + 1) return;
@@ -158,8 +158,7 @@ void add_flat_pile(TriangleSoup& soup, const std::vector<Index>& row, std::size_
   add_flat_pile(soup, row, middle, last, random);
 }
 
-// A large triangle of which each side is a row of n vertices with a small face for each part
-// beyond.
+// A large triangle. Each side is a row of n vertices, with a small face beyond each part of it.
 TEST_F(Clean, UnfoldsPilesOfFlatFaces) {
   for (const Index n : {2u, 3u, 5u, 9u, 64u}) {
     for (unsigned seed = 0; seed < 20; ++seed) {
@@ -187,8 +186,8 @@ TEST_F(Clean, UnfoldsPilesOfFlatFaces) {
   }
 }
 
-// A vertex of three faces that lies in the middle of the opposite edge of one of them: flipping it
-// away lays two faces back to back.
+// A vertex of three faces lies in the middle of the opposite edge of one of them. After the flip of
+// that edge, two faces lie back to back.
 TEST_F(Clean, RemovesAFoldThatAFlipUncovers) {
   TriangleSoup soup = plate_;
   const Index face = 2 * 8 * 3 + 6;
@@ -214,7 +213,7 @@ TEST_F(Clean, TakesAFinOff) {
 TEST_F(Clean, CancelsFlaps) {
   TriangleSoup soup = sphere_;
   for (const Index face : {3u, 50u}) add_flap(soup, face);
-  // A flap between vertices that the surface has, as collapsed edges leave it.
+  // A flap between existing vertices, as collapsed edges leave it.
   soup.triangles.insert(soup.triangles.end(), {{5, 30, 60}, {30, 5, 60}});
   expect_same(cleaned(soup), sphere_);
   expect_remark("faces removed that lay back to back on the same three vertices: 6");
@@ -291,7 +290,7 @@ TEST_F(Clean, CleansEverythingAtOnce) {
   EXPECT_EQ(summarize(largest).boundary_loops, 1u);
 }
 
-// Random triangles on a small lattice: vertices at one place, on one line, many faces at an edge.
+// Random triangles on a small lattice: coinciding or collinear vertices, many faces at an edge.
 TEST_F(Clean, MakesAnyTrianglesMeasurableOrRefusesThem) {
   std::size_t refused = 0;
   for (unsigned seed = 0; seed < 400; ++seed) {
@@ -317,7 +316,7 @@ TEST_F(Clean, MakesAnyTrianglesMeasurableOrRefusesThem) {
   EXPECT_LT(refused, 40u);
 }
 
-// The same on sheets, where flat faces have neighbours: vertices are moved onto others or half-way.
+// The same on sheets, where flat faces have neighbours. Vertices move onto others or half-way.
 TEST_F(Clean, MakesCollapsedSheetsMeasurable) {
   std::size_t flipped = 0;
   for (unsigned seed = 0; seed < 200; ++seed) {

@@ -1,4 +1,4 @@
-// Terrain from a grid of heights: the spline, the reader of .npy files, and which way is north.
+// Terrain from a grid of heights: the spline, the reader of .npy files, and the north direction.
 #include <gtest/gtest.h>
 
 #include <cmath>

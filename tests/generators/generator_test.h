@@ -1,4 +1,4 @@
-// What the tests of generators share.
+// Functions and a fixture for the tests of generators.
 #pragma once
 
 #include <cstdio>
@@ -15,7 +15,7 @@
 
 namespace geodesic {
 
-/// An OFF file with the exact coordinates; unlike the writer, it takes any index and any number.
+/// An OFF file with the exact coordinates. Unlike the writer, it accepts any index and any number.
 inline std::string off_text(const TriangleSoup& soup) {
   std::string text = "OFF\n" + std::to_string(soup.positions.size()) + " " +
                      std::to_string(soup.triangles.size()) + " 0\n";
@@ -30,7 +30,7 @@ inline std::string off_text(const TriangleSoup& soup) {
   return text;
 }
 
-/// Starts generators from meshes.
+/// Runs generators that read an input mesh.
 class InputFiles : public harness::TemporaryFolder {
  protected:
   TriangleSoup made(const std::string& generator, const TriangleSoup& input,
@@ -40,7 +40,7 @@ class InputFiles : public harness::TemporaryFolder {
     return generate(generator, parameters, &remarks_);
   }
 
-  std::vector<std::string> remarks_;  // of the last mesh that was made
+  std::vector<std::string> remarks_;  // of the last call of made()
 };
 
 inline double area_of(const TriangleSoup& soup) {
@@ -53,12 +53,12 @@ inline double area_of(const TriangleSoup& soup) {
   return sum;
 }
 
-/// Isolated vertices count.
+/// Includes isolated vertices.
 inline long euler_characteristic(const MeshSummary& summary) {
   return static_cast<long>(summary.vertices + summary.faces) - static_cast<long>(summary.edges);
 }
 
-/// One number for all bits of a mesh: FNV-1a over the bytes of all coordinates and indices.
+/// Hash of a mesh: FNV-1a over the bytes of all coordinates and indices.
 inline std::uint64_t hash_of(const TriangleSoup& soup) {
   std::uint64_t hash = 0xcbf29ce484222325u;
   const auto add = [&hash](const auto& element) {
@@ -71,7 +71,7 @@ inline std::uint64_t hash_of(const TriangleSoup& soup) {
   return hash;
 }
 
-/// Why a generator takes no such parameters.
+/// The message with which a generator refuses the parameters.
 inline std::string refusal(std::string_view generator, const GeneratorParameters& parameters) {
   return message_of<std::invalid_argument>([&] { generate(generator, parameters); });
 }

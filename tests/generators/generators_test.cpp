@@ -1,4 +1,4 @@
-// The generators: shape and counts, the same bits always, one clear line for wrong parameters.
+// The generators: shapes, counts, reproducible bits, and one-line errors for wrong parameters.
 #include "meshes/generators/generators.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace geodesic {
 namespace {
 
-/// A mesh and what it must be.
+/// A generated mesh and its expected properties.
 struct Expected {
   std::string generator;
   GeneratorParameters parameters;
@@ -30,7 +30,7 @@ void PrintTo(const Expected& expected, std::ostream* out) {  // NOLINT: GoogleTe
 
 class Generated : public ::testing::TestWithParam<Expected> {};
 
-/// Positive when a closed surface faces outwards.
+/// Volume of a closed surface; positive if its faces are oriented outwards.
 double volume_of(const TriangleSoup& soup) {
   double volume = 0;
   for (const auto& [a, b, c] : soup.triangles) {
@@ -188,7 +188,7 @@ TEST(Circle, AgreesWithTheLibraryAndHasExactSymmetries) {
   EXPECT_EQ(circle_point(0.375).sine, -circle_point(0.875).sine);
 }
 
-// Wrong input: one line that says what exists.
+// Wrong input gives one line that lists the valid choices.
 
 TEST(GeneratorErrors, UnknownGeneratorListsAll) {
   const std::string message = refusal("gird", {});

@@ -13,7 +13,7 @@
 namespace geodesic {
 namespace {
 
-/// Three faces at one edge, which come apart, and an isolated vertex, which is dropped.
+/// Three faces at one edge, which are separated, and an isolated vertex, which is dropped.
 const TriangleSoup kBook = {
     .positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}, {5, 5, 5}},
     .triangles = {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}}};
@@ -28,7 +28,7 @@ TriangleSoup transformed(TriangleSoup soup) {
   return soup;
 }
 
-/// But for isolated vertices, which are dropped.
+/// Compares the topology without isolated vertices, which are dropped.
 void expect_same_topology(const TriangleSoup& made, const TriangleSoup& of) {
   const MeshSummary before = summarize(of), after = summarize(made);
   EXPECT_EQ(after.genus, before.genus);
@@ -68,7 +68,7 @@ TEST_P(Subdivision, KeepsTheTopology) {
 TEST_P(Subdivision, KeepsAFlatSurfaceFlatWithItsAreaAndOrientation) {
   const TriangleSoup result = subdivided(generate("grid", {{"columns", 5}, {"rows", 4}}));
   for (const Vec3& position : result.positions) EXPECT_EQ(position[2], 0);
-  // Loop's boundary curve rounds the rectangle's corners off.
+  // The boundary curve of Loop's scheme rounds the corners of the rectangle.
   if (std::string(GetParam()) != "loop") {
     EXPECT_NEAR(area_of(result), 20, 1e-13);
   }
@@ -135,7 +135,7 @@ TEST_F(Derived, LoopGivesTheWeightsOfThePaper) {
   EXPECT_EQ(std::count(heights.begin(), heights.end(), 0), 8) << "nothing on the boundary";
 }
 
-/// The greatest sine of half the angle between the normals of neighbouring faces.
+/// The largest sine of half the angle between the normals of adjacent faces.
 double greatest_bend(const TriangleSoup& soup) {
   std::map<std::pair<Index, Index>, Vec3> normals;
   double greatest = 0;

@@ -1,4 +1,4 @@
-// The generator transform: each parameter does what it says, and nothing else.
+// The generator transform: each parameter has its documented effect and no other.
 #include <gtest/gtest.h>
 
 #include "meshes/defects.h"

@@ -1,4 +1,4 @@
-// The library as programs use it that only want distances.
+// The library as used by programs that only need distances.
 #include <geodesic/geodesic.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 const TriangleSoup kSphere = rough_sphere(6, 2, 0.2);
 
-/// A file of its own for each test, which may run at the same time as others.
+/// Uses a separate file for each test, since tests may run at the same time.
 SurfaceMesh read_sphere() {
   const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
   const auto file = std::filesystem::path(testing::TempDir()) / ("geodesic_test_" + test + ".obj");
@@ -54,7 +54,7 @@ TEST(SurfaceMesh, has_the_numbers_of_its_file_while_solvers_have_their_own) {
     elsewhere += of_solvers.position(v) != kSphere.positions[v];
   }
   EXPECT_GT(elsewhere, 0);
-  // A mesh that is gone would leave solvers and fields without theirs.
+  // Otherwise solvers and fields could refer to a temporary mesh that no longer exists.
   EXPECT_FALSE((std::is_convertible_v<SurfaceMesh, const Mesh&>));
 }
 
@@ -120,7 +120,7 @@ TEST(Field, is_as_far_at_points_as_a_solve_from_there_says) {
   }
 }
 
-// Points become vertices: the graph of edges has none in faces.
+// Points become vertices: the graph of edges has no vertices inside faces.
 TEST(Field, is_asked_of_any_points_by_solvers_that_know_vertices_only) {
   const SurfaceMesh mesh = read_sphere();
   const SurfacePoint point = point_in_face(mesh, 7, {.2, .3, .5});

@@ -12,7 +12,7 @@
 namespace geodesic::harness {
 namespace {
 
-/// A block that the compiler must not optimise away.
+/// Allocates a block that the compiler cannot optimise away.
 template <class T>
 std::vector<T> allocated(std::size_t items) {
   std::vector<T> block(items);
@@ -30,7 +30,7 @@ TEST(AllocationMeter, SeesThePeakAndWhatIsLeft) {
   EXPECT_LT(meter.live_bytes(), 9000);
 }
 
-// An allocator that has no block of that size at hand provides a larger one.
+// An allocator without a free block of the requested size returns a larger one.
 TEST(AllocationMeter, CountsWhatIsAskedForWhateverHappenedBefore) {
   std::vector<std::vector<char>> blocks;
   for (std::size_t bytes = 8000; bytes < 8200; bytes += 8) {
@@ -59,7 +59,7 @@ TEST(AllocationMeter, SeesOveralignedBlocks) {
   EXPECT_EQ(meter.live_bytes(), 0);
 }
 
-// Not through the heap: sanitizers keep freed blocks.
+// The memory is mapped and not from the heap: sanitizers keep freed blocks.
 TEST(PeakResidentBytes, ForgetsWhatWasBeforeTheRestart) {
   constexpr std::size_t kBytes = 200 << 20;
   void* block = mmap(nullptr, kBytes, PROT_READ | PROT_WRITE,

@@ -132,7 +132,7 @@ TEST_F(RunTest, RowsOfWindowSolversTellWhereTheTimeWent) {
   }
 }
 
-// The numbers of a .npy file, whatever they are.
+// The data of a .npy file without its header, as bytes.
 std::string npy_numbers(const std::string& file) {
   EXPECT_TRUE(file.starts_with("\x93NUMPY")) << file.substr(0, 80);
   return file.substr(file.find('\n') + 1);
@@ -297,7 +297,7 @@ TEST_F(RunTest, SmallMeshesAndRunsWithoutRecordingsLeaveNone) {
   }
 }
 
-// As on a full disk: where the recordings belong, nothing can be written.
+// The folder of the recordings cannot be written, as on a full disk.
 TEST_F(RunTest, RecordingsThatCannotBeWrittenCostNoTime) {
   std::filesystem::create_directories(out_);
   write("out/recordings", "in the way");
@@ -608,7 +608,7 @@ TEST_F(RunTest, ProgramsAndCellsThatMakeNoSenseAreRefused) {
 }
 
 TEST_F(RunTest, MeshesWithDefectsAreRepairedOnRequest) {
-  // Two triangles that share an edge in the same direction, and one without an area.
+  // Two triangles that share an edge in the same direction, and one without area.
   const auto mesh = write("dirty.off",
                           "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n"
                           "3 0 1 2\n3 1 2 3\n3 0 0 1\n");
@@ -644,7 +644,7 @@ TEST_F(RunTest, AnOracleThatAnotherExactSolverContradictsJudgesNoSolver) {
   EXPECT_NEAR(wrong.value("max_relative_error", -1.0), 1e-9, 1e-12);
 }
 
-// A mesh of the manifest whose distances have a closed form: a box that the program itself makes.
+// A manifest with one mesh: a box that the program generates, with distances in closed form.
 class RunOfABox : public RunTest {
  protected:
   RunOfABox() {
@@ -697,7 +697,7 @@ TEST_F(RunOfABox, IsVerifiedByASolverWhenItsFileIsAnotherMesh) {
   expect_words(run.err, {"'box' cannot be verified by its closed form"});
 }
 
-// A mesh that is made from another one has no parameters that say all about it.
+// The parameters of a mesh that is made from another mesh do not determine its shape.
 TEST_F(RunOfABox, WithAnInputHasNoClosedForm) {
   write("manifest.json", whole_manifest(R"({"corpora": {"quick": ["box"]}, "meshes": [
     {"name": "x", "kind": "generated", "file": "x.ply"},

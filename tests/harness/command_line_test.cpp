@@ -1,4 +1,4 @@
-// list, solve and the errors of the command line, from outside.
+// The commands list and solve, and the errors of the command line, tested by running the program.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,7 @@ namespace {
 
 class CommandLine : public ProgramTest {
  protected:
-  /// What a solve prints, which must succeed.
+  /// Runs solve, expects success and returns the JSON that it prints.
   nlohmann::json solve(std::vector<std::string> words) const {
     words.insert(words.begin(), "solve");
     const Output output = run(PROGRAM, words);
@@ -63,7 +63,7 @@ TEST_F(CommandLine, SolveWritesAJsonObjectAndDistancesInFileOrder) {
   EXPECT_EQ(read(file), "0\n1\n1\n1\n");
 }
 
-// It takes further solves.
+// Counters need further solves.
 TEST_F(CommandLine, SolveCountsWhenAskedAndNotOtherwise) {
   std::vector<std::string> words{"tetrahedron", "--solver", exact_solver(), "--source", "0"};
   const nlohmann::json plain = solve(words);
@@ -262,7 +262,7 @@ TEST_F(CommandLine, DistancesOnStandardOutputLeaveTheJsonObjectToStandardError) 
   EXPECT_EQ(nlohmann::json::parse(printed).at("vertices"), 4);
 }
 
-// Scripts are Python modules of the data folder; `check` is one.
+// Scripts, such as `check`, are Python modules of the data folder.
 TEST_F(CommandLine, ScriptsAreCommandsWithTheirOwnHelpAndExitCode) {
   expect_words(run_plainly(PROGRAM, {"--help"}).out,
                {"compare", "rank", "export", "report", "check"});

@@ -5,7 +5,7 @@
 
 namespace geodesic::harness {
 
-/// The call must throw a HarnessError or a MeshError whose message contains all the words.
+/// Expects that the call throws a HarnessError or a MeshError whose message contains all the words.
 template <class Call>
 void expect_error(Call call, const std::vector<std::string>& words) {
   try {

@@ -1,5 +1,5 @@
-// Solvers that fail in every way that a run must catch and survive. Those that answer at all solve
-// by another solver first, so that only what is wrong on purpose is wrong.
+// Solvers that fail in every way that a run must catch and survive. A solver that returns distances
+// takes them from a sound solver first, so that all errors are deliberate.
 #include <signal.h>
 #include <unistd.h>
 
@@ -37,11 +37,12 @@ struct Asked {
   const InternalQuery& query;
   std::span<double> distances;
   Recording* recording;
-  int solves;                      // before, since the object was made or renewed
-  const std::set<Index>& sources;  // first ones, of these solves and of this one
+  int solves;                      // number of earlier solves since construction or renewal
+  const std::set<Index>& sources;  // first sources of all solves, including this one
 
   Index last_vertex() const { return mesh.numbers().internal_vertex(mesh.vertex_count() - 1); }
-  // Of the last vertex of the file; far above rounding and far below what a plot shows.
+  // Changes the distance of the file's last vertex by far more than rounding and far less than a
+  // plot shows.
   void spoil() const { distances[last_vertex()] *= 1 + 1e-9; }
 
   void solve_soundly(const InternalQuery& same) const {
@@ -79,7 +80,7 @@ class Faulty final : public Solver {
   std::set<Index> sources_;
 };
 
-// As RegisterSolver does.
+// Registers a solver, as RegisterSolver does.
 void add(Description description, Fault fault, bool answers) {
   SolverFactory factory = [=](const Mesh& mesh, const Description& d) {
     return std::make_unique<Faulty>(mesh, d, fault, answers);
@@ -87,12 +88,12 @@ void add(Description description, Fault fault, bool answers) {
   geodesic_register_solver(compiled_contract().c_str(), &description, &factory);
 }
 
-// Right, but for what the fault changes.
+// Computes sound distances, which the fault then changes.
 struct Wrong {
   Wrong(Description description, Fault fault) { add(std::move(description), fault, true); }
 };
 
-// Gives no distances.
+// Computes no distances.
 struct Hostile {
   Hostile(Description description, Fault fault) { add(std::move(description), fault, false); }
 };
@@ -108,7 +109,7 @@ Description only_by_name(const char* name) {
   return {.name = name, .family = kFamily, .paper = "none", .by_name_only = true};
 }
 
-// By name only: the bounds are the harness's to test, not those of every solver.
+// Runs by name only: these bounds serve the tests of the harness, not the tests of all solvers.
 Description inexact(const char* name, Exactness exactness) {
   Description description = faulty(name);
   description.exactness = exactness;
@@ -146,12 +147,12 @@ Description fickle() {
 
 void spoil(const Asked& asked) { asked.spoil(); }
 
-// Keeps state that a second solve trips over.
+// Keeps state that makes every solve but the first wrong.
 void spoil_second(const Asked& asked) {
   if (asked.solves > 0) asked.spoil();
 }
 
-// Every distance by the same part, except those of sources.
+// Scales every distance by the same factor. The distance 0 of a source stays.
 void be_off(const Asked& asked) {
   for (double& d : asked.distances) d *= 1 + asked.description.real("off");
 }
@@ -169,12 +170,12 @@ const Wrong kWrong[] = {
     {inexact("upper", Exactness::upper_bound), be_off},
     {inexact("unbounded", Exactness::unbounded), be_off},
     {oracle(), be_off},
-    // As parallel codes may: other last digits from solve to solve, or another answer.
+    // Like parallel code, gives other last digits in each solve, or other answers if `by` is large.
     {fickle(),
      [](const Asked& asked) {
        for (double& d : asked.distances) d *= 1 + asked.description.real("by") * asked.solves;
      }},
-    // Is right until it was asked for another source.
+    // Wrong after a query from another source.
     {faulty("stale"),
      [](const Asked& asked) {
        if (asked.sources.size() > 1) asked.spoil();
@@ -183,12 +184,12 @@ const Wrong kWrong[] = {
      [](const Asked& asked) {
        if (asked.recording != nullptr) asked.spoil();
      }},
-    // Knows the first source only.
+    // Ignores all sources but the first.
     {faulty("single-minded"),
      [](const Asked& asked) {
        asked.solve_soundly({.sources = {asked.query.sources[0]}, .limit = asked.query.limit});
      }},
-    // Knows no pseudo-sources at boundaries: what lies behind them is not reached.
+    // Has no pseudo-sources on the boundary and does not reach the vertices behind them.
     {faulty("boundary-blind"),
      [](const Asked& asked) {
        asked.solve_soundly({.sources = asked.query.sources});
@@ -201,7 +202,7 @@ const Wrong kWrong[] = {
        }
      }},
     {faulty("not-a-number"), [](const Asked& asked) { asked.distances.back() = std::nan(""); }},
-    // Too long on meshes of some faces, too short on smaller ones: two faults.
+    // Two faults: a distance is too long on meshes of 6 or more faces, too short on smaller ones.
     {faulty("two-faced"),
      [](const Asked& asked) {
        asked.distances[asked.last_vertex()] *= asked.mesh.face_count() < 6 ? 1 - 1e-9 : 1 + 1e-9;
@@ -210,7 +211,7 @@ const Wrong kWrong[] = {
      [](const Asked& asked) {
        if (asked.recording != nullptr) asked.recording->strip_depth = 1;
      }},
-    // Right, and talks like a result file.
+    // Correct, but prints lines that look like results.
     {faulty("printing"),
      [](const Asked&) {
        for (std::ostream* out : {&std::cout, &std::cerr}) {
@@ -220,7 +221,7 @@ const Wrong kWrong[] = {
      }},
 };
 
-// A page and more in every call, used afterwards, so that no compiler makes a loop of it.
+// Uses more than a page of stack per call, and again after it, which prevents a tail call.
 int deeper(int depth, const volatile bool& on) {
   volatile char page[5000];
   page[depth % 5000] = 1;
@@ -231,7 +232,7 @@ constexpr std::size_t kBlock = std::size_t{16} << 20;
 
 const Hostile kHostile[] = {
     {faulty("looping"), loop},
-    // Closes its standard error, which is what a process is waited for by.
+    // Closes its standard error, on which the harness waits for the end of the process.
     {faulty("mute"),
      [](const Asked& asked) {
        close(STDERR_FILENO);
@@ -240,7 +241,7 @@ const Hostile kHostile[] = {
     {faulty("crashing"), [](const Asked&) { std::abort(); }},
     {faulty("throwing"), [](const Asked&) { throw std::runtime_error("ran out of luck"); }},
     {faulty("leaving"), [](const Asked&) { std::_Exit(0); }},
-    // As a library may that takes itself for a program.
+    // Ends the process, as some libraries do.
     {faulty("exiting"), [](const Asked&) { std::exit(0); }},
     {only_by_name("stack-overflow"),
      [](const Asked& asked) {
@@ -251,15 +252,15 @@ const Hostile kHostile[] = {
      [](const Asked&) {
        for (std::list<std::vector<char>> blocks;;) blocks.emplace_back(kBlock, 'x');
      }},
-    // Does not look whether it got what it asked for.
+    // Does not check whether malloc succeeded.
     {only_by_name("hungry-and-blind"),
      [](const Asked&) {
        for (;;) {
-         void* volatile block = std::malloc(kBlock);  // volatile: or nobody would miss it
+         void* volatile block = std::malloc(kBlock);  // volatile keeps the call
          std::memset(block, 'x', kBlock);
        }
      }},
-    // More than any pipe holds, on both outputs.
+    // Writes more than a pipe holds to both outputs.
     {only_by_name("talkative"),
      [](const Asked&) {
        const std::string line(1000, 'x');
@@ -274,7 +275,7 @@ const Hostile kHostile[] = {
      [](const Asked&) {
        for (;;) std::cerr << "and another thing" << std::endl;
      }},
-    // Ends, and leaves a process that holds its standard error and would live on.
+    // Ends and leaves a child process that keeps standard error open and never ends.
     {only_by_name("parent"),
      [](const Asked&) {
        if (fork() == 0) {

@@ -1,4 +1,4 @@
-// What a solver may do to its own cell, and not to any other: limits, and what is told of them.
+// A faulty solver spoils only its own cells: limits, and the messages about them.
 #include <map>
 
 #include "harness/base/process.h"
@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-// Processes whose command line contains the words.
+// Number of processes whose command line contains the words.
 int processes_with(const std::string& words) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
@@ -26,7 +26,7 @@ class IsolationTest : public RunTest {
     if (!kLimitsMemory) GTEST_SKIP() << "sanitizers take signals, memory and time themselves";
     RunTest::SetUp();
   }
-  // The hostile solver first, so that everything it leaves could hit the sound one.
+  // Runs the hostile solver first, so that whatever it leaves behind could affect the sound one.
   Output run_beside_a_sound_one(const std::string& hostile, std::vector<std::string> limits) const {
     limits.insert(limits.end(), {"--solvers", hostile + ",dijkstra", "--meshes", "tetrahedron",
                                  "--sources", "1", "--reference", exact_solver()});

@@ -1,4 +1,4 @@
-// JSON of anybody: what is refused, and with what words.
+// JSON input that is refused, and the messages.
 #include "harness/base/json.h"
 
 #include "tests/harness/expect_error.h"

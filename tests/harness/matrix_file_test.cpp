@@ -16,7 +16,7 @@ class MatrixFileTest : public TemporaryFolder {
   MatrixPlan plan(const std::string& name) const {
     return {.file = folder_ / name, .rows = 3, .columns = 4, .problem = std::string(64, 'p')};
   }
-  // @param gap of the third column
+  // @param gap value of the third column
   static std::vector<double> row(std::size_t number, double gap = kInfinity) {
     const auto first = static_cast<double>(10 * number);
     return {first, first + 0.1, gap, first + 3};

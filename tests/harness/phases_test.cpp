@@ -5,7 +5,7 @@
 namespace geodesic::harness {
 namespace {
 
-// 4 seconds, of which 100 readings.
+// 4 seconds in all, with 100 clock readings.
 constexpr PhaseTimes kFourSeconds{
     .propagation = {2, 40}, .trimming = {1.5, 10}, .queue = {0.5, 50}};
 

@@ -1,4 +1,4 @@
-// How other processes end, and that none runs on after its time.
+// How child processes end, and that none outlives its time limit.
 #include "harness/base/process.h"
 
 #include <gtest/gtest.h>

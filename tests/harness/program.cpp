@@ -15,7 +15,7 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
-// A bumpy grid of n by n vertices, and an isolated vertex before them all.
+// An isolated vertex, followed by a bumpy grid of n by n vertices.
 std::string hill(int n) {
   std::ostringstream off;
   off << "OFF\n" << n * n + 1 << ' ' << 2 * (n - 1) * (n - 1) << " 0\n9 9 9\n";

@@ -10,7 +10,7 @@
 
 namespace geodesic::harness {
 
-/// The program, and words that come before all others.
+/// A program file and the words that come first on its command line.
 struct Program {
   Program(const char* its_file, std::vector<std::string> its_words = {})
       : file(its_file), words(std::move(its_words)) {}
@@ -18,8 +18,8 @@ struct Program {
   std::vector<std::string> words;
 };
 
-/// With solvers that fail in every way that a run must survive (faulty_solvers.cpp), as a
-/// plug-in.
+/// The program with a plug-in of solvers that fail in every way that a run must survive
+/// (faulty_solvers.cpp).
 inline const Program kFaultyProgram(PROGRAM, {"--plugin", FAULTY_SOLVERS});
 
 struct Output {
@@ -28,18 +28,18 @@ struct Output {
   std::string err;
 };
 
-/// A test with two tiny meshes in a manifest of its own: "hill" (open terrain, one isolated vertex)
-/// and "tetrahedron"; "absent" is in the manifest and not in the cache.
+/// A test with its own manifest of two tiny meshes: "hill" (open terrain, one isolated vertex) and
+/// "tetrahedron". A third mesh, "absent", is in the manifest but not in the cache.
 class ProgramTest : public TemporaryFolder {
  protected:
   ProgramTest();
 
-  /// @param arguments the manifest is added to them
+  /// @param arguments without the manifest, which is added
   Output run(const Program& program, std::vector<std::string> arguments) const;
-  /// As `run`, for arguments that take no manifest.
+  /// Same as `run`, for commands without a manifest.
   Output run_plainly(const Program& program, const std::vector<std::string>& arguments) const;
 
-  /// Any exact solver of the program without a limit of size.
+  /// The name of any exact solver of the program that has no limit of mesh size.
   std::string exact_solver() const;
   nlohmann::json read_json(const std::filesystem::path& file) const;
 

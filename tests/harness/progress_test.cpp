@@ -11,7 +11,7 @@
 namespace geodesic::harness {
 namespace {
 
-// Standard error of a captured test is no terminal: what a log gets.
+// The captured standard error is no terminal, so the lines are those of a log.
 TEST(Progress, IsALineACellThatNamesItAndHowLongItTook) {
   Description solver{};
   solver.name = "s";
@@ -32,7 +32,7 @@ TEST(Progress, IsALineACellThatNamesItAndHowLongItTook) {
 }
 
 // CPU milliseconds of a solve from the first source, in a run of corpus quick on a virtual machine
-// (AMD EPYC); 0: unsupported. The knot is nine tenths of the run, and comes in its middle.
+// (AMD EPYC); 0: unsupported. The knot takes nine tenths of the run, in the middle of it.
 struct RecordedSolver {
   const char* name;
   const char* family;
@@ -65,7 +65,7 @@ const std::vector<RecordedMesh> kMeshes{
     {"two-components", 1389, false, {21.56, 0, 0.02838, 0.6844, 1.792, 2.521, 2.827, 3.606}},
 };
 
-// The run again: three repetitions of at least 0.05 s, two sources a mesh.
+// Replays the run: three repetitions of at least 0.05 s, two sources per mesh.
 class Replay {
  public:
   Replay() {
@@ -89,8 +89,8 @@ class Replay {
     for (const Cell& cell : cells_) seconds_.push_back(seconds_of(cell));
   }
 
-  // The largest factor between the estimated and the true time left, from a share of the run's time
-  // on and until little is left.
+  // The largest factor between the estimated and the true remaining time.
+  // @param from share of the run's time before the first comparison; the last 3% are left out
   double worst_factor(double from) const {
     Forecast forecast(cells_, suite_, plan_.solvers);
     double all = 0, elapsed = 0, worst = 1;

@@ -1,4 +1,4 @@
-// Recordings: which cells leave them, and in which folders.
+// Which cells write recordings, and into which folders.
 #include "harness/run/plan.h"
 
 #include <algorithm>

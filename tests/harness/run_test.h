@@ -1,4 +1,4 @@
-// A test of whole runs into the folder out_, with quick measurements.
+// Fixture for tests of whole runs into the folder out_, with quick measurements.
 #pragma once
 
 #include "tests/harness/program.h"
@@ -13,7 +13,7 @@ class RunTest : public ProgramTest {
                      {"--out", out_.string(), "--min-time", "0.0001", "--repetitions", "2"});
     return run(program, arguments);
   }
-  /// A run of the program in which nothing fails.
+  /// Runs the program and asserts that it succeeds.
   void measure(const std::vector<std::string>& arguments) const {
     const Output run = run_suite(PROGRAM, arguments);
     ASSERT_EQ(run.code, 0) << run.err;
@@ -22,7 +22,7 @@ class RunTest : public ProgramTest {
     return read_json(out_ / "run.json").at("context").at("geodesic_bench");
   }
   nlohmann::json rows() const { return read_json(out_ / "run.json").at("benchmarks"); }
-  // The first row of a cell.
+  // The first row of the cell `name`.
   nlohmann::json row(const std::string& name) const {
     for (const nlohmann::json& each : rows()) {
       if (each.at("name") == name) return each;

@@ -11,7 +11,7 @@
 namespace geodesic::harness {
 namespace {
 
-// Of sizes that differ by a factor of a million, as those of a corpus do.
+// Meshes whose sizes differ by a factor of a million, as in a real corpus.
 std::vector<ShardedMesh> corpus() {
   std::vector<ShardedMesh> meshes;
   for (unsigned i = 0; i < 40; ++i) {
@@ -42,7 +42,7 @@ TEST(Shards, HoldEverySourceOfEveryMeshExactlyOnce) {
   }
 }
 
-// Graham's bound for any greedy list: the mean and one more.
+// Graham's bound for greedy list scheduling: the mean load plus one job.
 TEST(Shards, AreAsLargeAsTheMeanButForOneSource) {
   const std::vector<ShardedMesh> meshes = corpus();
   const auto cost = [](const ShardedMesh& mesh) {

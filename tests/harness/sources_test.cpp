@@ -13,7 +13,7 @@
 namespace geodesic::harness {
 namespace {
 
-// A fan of n - 2 triangles around its first vertex; the vertices before it have no face.
+// A fan of n - 2 triangles around its first vertex, after `isolated` vertices without faces.
 TriangleSoup fan(Index isolated, Index n) {
   TriangleSoup soup;
   soup.positions.resize(isolated + n);
@@ -39,7 +39,7 @@ TEST(Sources, StartWithVertexZero) {
 }
 
 TEST(Sources, HaveABoundaryVertexSecond) {
-  // A disc: vertex 0 and vertex 1 inside, a ring of 60 around them.
+  // A disc: vertices 0 and 1 are inside, a ring of 60 vertices is around them.
   TriangleSoup soup;
   soup.positions.resize(62);
   for (Index v = 2; v < 62; ++v) {
@@ -72,7 +72,7 @@ TEST(Sources, FewerAreAPrefixOfMore) {
   EXPECT_TRUE(std::equal(few.begin(), few.end(), many.begin()));
 }
 
-// Two triangles without a common vertex, of vertices 2 to 7; vertices 0 and 1 have no face.
+// Two triangles of vertices 2 to 7 without a common vertex. Vertices 0 and 1 have no face.
 TriangleSoup two_components() {
   TriangleSoup soup;
   soup.positions.resize(8);

@@ -1,4 +1,4 @@
-// Suites that are as they must be; tests/bad_inputs/bad_suites.py has the others.
+// Valid suites; invalid ones are in tests/bad_inputs/bad_suites.py.
 #include "harness/corpus/suite.h"
 
 #include <gtest/gtest.h>

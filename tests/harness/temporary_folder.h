@@ -10,8 +10,8 @@
 
 namespace geodesic::harness {
 
-/// A folder of its own for every test, removed after it. A blank in its name, to catch those who
-/// do not quote.
+/// A temporary folder for each test, removed after the test. The blank in its name reveals commands
+/// without quotes.
 class TemporaryFolder : public ::testing::Test {
  protected:
   TemporaryFolder()

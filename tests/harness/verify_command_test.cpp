@@ -1,5 +1,5 @@
-// verify, from outside: each fault is found by the property that it breaks, the case that is saved
-// is small, and the command that is printed makes it fail again.
+// The command verify, tested by running the program. The property that a fault breaks finds it, the
+// saved case is small, and the printed command reproduces the failure.
 #include <algorithm>
 #include <fstream>
 
@@ -18,7 +18,7 @@ class VerifyCommand : public ProgramTest {
     return run(kFaultyProgram, arguments);
   }
 
-  /// What follows a word in a line of its own.
+  /// The rest of the line that begins with `word`.
   static std::string after(const std::string& word, const std::string& text) {
     const std::size_t at = text.find("\n  " + word);
     if (at == std::string::npos) return {};
@@ -48,12 +48,12 @@ class VerifyCommand : public ProgramTest {
 
 struct Fault {
   std::string solver;
-  std::string property;          ///< that it breaks
-  std::size_t least, most;       ///< faces that the saved mesh may have
-  std::string command;           ///< that the printed line has
-  std::string words;             ///< of the output
-  std::string seconds = "60";    ///< to shrink it
-  std::string time_limit = "2";  ///< seconds that the property may take
+  std::string property;          ///< that the fault breaks
+  std::size_t least, most;       ///< limits of the saved mesh's faces
+  std::string command;           ///< that the printed line names
+  std::string words;             ///< that the output contains
+  std::string seconds = "60";    ///< time to shrink the case
+  std::string time_limit = "2";  ///< of the property, in seconds
 };
 
 const std::string kApart = "another-component-is-infinitely-far";
@@ -79,7 +79,7 @@ TEST_P(VerifyFinds, the_fault_by_the_property_that_it_breaks) {
   const std::string command = after("reproduce it", found.out);
   expect_words(command, {fault.command});
   EXPECT_EQ(found.out.find("did not fail again"), std::string::npos) << found.out;
-  // A shell that a loop would not keep waiting.
+  // `timeout` ends the command if the solver does not end.
   const int status = std::system(("timeout 1 " + command + " >/dev/null 2>&1").c_str());
   EXPECT_NE(status, 0) << command;
 }
@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"leaving", kApart, 1, 1, " verify ", "ended the process: exit code 0"},
         Fault{"looping", kApart, 1, 80, " solve ", "did not end within 0.5 s", "4", "0.5"},
         Fault{"mute", kApart, 1, 80, " solve ", "did not end within 0.5 s", "4", "0.5"},
-        // Smaller meshes fail in another way.
+        // Smaller meshes fail differently.
         Fault{"two-faced", kDistances, 6, 20, " solve ", "relative error 1e-09"},
         Fault{"miscounting", "recordings-of-what-is-counted-are-positive-and-bounded", 1, 320,
               " verify ", "strip_depth: expected at least 4, got 1"}),

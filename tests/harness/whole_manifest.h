@@ -1,4 +1,4 @@
-// Manifests that are written down by what matters to a test.
+// Completes the manifests of tests, which name only the keys that matter to the test.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -6,7 +6,7 @@
 
 namespace geodesic::harness {
 
-/// The manifest with every required key: those that `text` leaves out have any valid value.
+/// The manifest `text` with every required key. Missing keys get an arbitrary valid value.
 inline std::string whole_manifest(const std::string& text) {
   using nlohmann::json;
   const std::string sha256(64, '0');

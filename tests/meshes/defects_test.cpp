@@ -1,4 +1,4 @@
-// Every defect is found, counted, and its first example named.
+// Every defect is found and counted, and its first example is named.
 #include "meshes/defects.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ std::string text_of(const DefectReport& report) {
   return text;
 }
 
-// That a file has one defect, and no other.
+// Expects that a file has one defect and no other.
 void expect_only(const std::string& obj, DefectKind kind, const std::string& text) {
   const DefectReport report = defects_of(obj);
   EXPECT_EQ(text_of(report), text + "\n");

@@ -1,4 +1,4 @@
-// Files that lie, lack their end, or are something else: one clear line, quickly, and no mesh.
+// Files with false counts, without their end or of another type are quickly refused with one line.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -34,7 +34,7 @@ TEST(Hostile, ATruncatedFileIsRefusedOrWarnedAbout) {
         const MeshFile file = parse_mesh(cut, sample.name);
         const bool complete = file.soup.positions == whole.soup.positions &&
                               file.soup.triangles == whole.soup.triangles;
-        // OBJ holds no counts: after a whole line nothing shows that more should follow.
+        // OBJ files have no counts: a file that is cut after a whole line looks complete.
         const bool after_a_line = sample.name == "a.obj" && cut.ends_with('\n');
         EXPECT_TRUE(complete || after_a_line || !file.warnings.empty())
             << sample.name << " cut to " << size << " bytes";
@@ -92,7 +92,7 @@ TEST(Hostile, CountsThatTheFileCannotHoldAreRefusedWithoutMemoryForThem) {
       {"d.ply", ply("ascii", few + "element face 1\n" + corners + "element e 4000000000\n")},
       {"e.ply", ply("binary_little_endian", "element e 4000000000\nproperty char c\n" + few +
                                                 "element face 1\n" + corners)},
-      // One face that claims four billion corners.
+      // The header of one face claims four billion corners.
       {"f.ply", ply("binary_little_endian",
                     few + "element face 1\nproperty list uint uchar vertex_indices\n") +
                     std::string(4, '\xee') + "123"},

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kExact = 1e-12;
 
-// In faces and on edges, next to their corners and sides, several in one place.
+// Points in faces and on edges, also next to corners and sides, several at one place.
 std::vector<SurfacePoint> points_everywhere(const Mesh& mesh, std::uint64_t seed,
                                             std::size_t count) {
   Random random(seed);
@@ -35,13 +35,13 @@ std::vector<SurfacePoint> points_everywhere(const Mesh& mesh, std::uint64_t seed
   return points;
 }
 
-// A measure that cannot be 0 of errors of distances that may be.
+// Relative error, also for distances of 0.
 double relative_error(double distance, double expected) {
   if (distance == expected) return 0;
   return std::abs(distance - expected) / std::max(std::abs(expected), 1e-300);
 }
 
-/// Of the vertices that both have.
+/// Compares the distances of the vertices that both meshes have.
 void expect_same_distances(const Mesh& mesh, const Mesh& finer, const Query& query) {
   const std::vector<double> before = distances_by("edge-based", mesh, query);
   const std::vector<double> after = distances_by("edge-based", finer, query);
@@ -78,7 +78,7 @@ TEST(InsertedPoints, leave_vertices_their_numbers_and_the_surface_its_shape) {
   }
 }
 
-// Points of a flat cap are near the lines of all three edges, and between the ends of two.
+// Points of a flat cap lie near the lines of all three edges, and between the ends of two edges.
 TEST(InsertedPoints, in_faces_without_height_leave_distances_as_they_are) {
   for (const double height : {0.0, 1e-17, 1e-15}) {
     const Mesh mesh(
@@ -110,7 +110,7 @@ TEST(InsertedPoints, of_one_place_are_one_vertex) {
 TEST(InsertedPoints, on_one_edge_from_either_side_split_both_faces) {
   const Mesh mesh(
       TriangleSoup{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {2, 3, 0}}});
-  const SurfacePoint a = point_in_face(mesh, 0, {0.75, 0, 0.25});  // of the edge 0-2
+  const SurfacePoint a = point_in_face(mesh, 0, {0.75, 0, 0.25});  // on the edge 0-2
   const SurfacePoint b = point_in_face(mesh, 1, {0.25, 0, 0.75});
   const SurfacePoint c = point_in_face(mesh, 1, {0.5, 0, 0.5});
   const InsertedPoints inserted(mesh, std::vector{a, b, c});
@@ -128,7 +128,7 @@ TEST(InsertedPoints, far_from_the_origin_of_space_keep_their_digits) {
   EXPECT_LE(InsertedPoints(mesh, points).place(), 1e-14);
 }
 
-// A square has Euclid's distances between all points.
+// On a flat square, the distances of all points are Euclidean.
 TEST(PointSolver, has_exact_distances_from_and_at_any_points) {
   for (const char* solver : {"edge-based", "mmp", "ch", "fwp-ch"}) {
     const Mesh mesh(generate("grid", {{"columns", 4}, {"rows", 5}}), Numbering::along_surface);
@@ -148,7 +148,7 @@ TEST(PointSolver, has_exact_distances_from_and_at_any_points) {
   }
 }
 
-// Where a point's place in space has lost its digits, its weights have them.
+// The weights of a point keep the digits that its position in space has lost.
 TEST(PointSolver, keeps_the_digits_of_distances_within_a_face) {
   const Mesh mesh(generate("grid", {{"columns", 2}, {"rows", 2}}));
   const Triangle corners = mesh.triangle(0);

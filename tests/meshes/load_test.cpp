@@ -1,4 +1,4 @@
-// From file to file: loading refuses, warns or repairs, and writing loses nothing.
+// Loading a mesh refuses it, warns or repairs; writing it and reading it again loses nothing.
 #include "meshes/load.h"
 
 #include <gtest/gtest.h>

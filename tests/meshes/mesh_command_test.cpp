@@ -21,7 +21,7 @@ Outcome run(std::vector<std::string> arguments) {
   CLI::App app;
   add_mesh_command(app);
   arguments.insert(arguments.begin(), "mesh");
-  std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
+  std::reverse(arguments.begin(), arguments.end());  // the order that CLI11 expects
   testing::internal::CaptureStdout();
   std::string error;
   try {

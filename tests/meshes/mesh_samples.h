@@ -1,4 +1,4 @@
-// Small meshes in every format, and what the tests of this folder share.
+// Small meshes in every format, and functions for the tests of this folder.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ inline TriangleSoup tetrahedron() {
           .triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
 }
 
-/// Faces at random on few vertices: they have every defect at once.
+/// Random faces on few vertices. They have every defect at once.
 inline TriangleSoup random_triangles(std::mt19937& random) {
   TriangleSoup soup;
   const std::size_t vertices = 4 + random() % 12;
@@ -78,7 +78,7 @@ std::string binary_ply(std::endian order) {
   return bytes;
 }
 
-/// Counts and coordinates, and faces with a colour of so many numbers each.
+/// The tetrahedron as a binary OFF file. The colour of each face has `colours` numbers.
 inline std::string binary_off(const std::string& header = "OFF BINARY\n", int colours = 0) {
   const TriangleSoup soup = tetrahedron();
   std::string bytes = header;
@@ -125,7 +125,7 @@ inline std::string binary_stl(const std::string& title) {
   return bytes;
 }
 
-/// The bytes are those of the tetrahedron, of which nothing is to be warned.
+/// Expects that the bytes give the tetrahedron, without warnings.
 inline MeshFile expect_tetrahedron(const std::string& bytes, const std::string& name,
                                    const std::string& format) {
   MeshFile file = parse_mesh(bytes, name);
@@ -140,12 +140,12 @@ inline bool contains(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
-/// What reading these bytes throws.
+/// The message of the MeshError that reading the bytes throws.
 inline std::string refusal(const std::string& bytes, const std::string& name) {
   return message_of<MeshError>([&] { parse_mesh(bytes, name); });
 }
 
-/// Reading these bytes throws a message that has this part.
+/// Expects that reading the bytes throws a message that contains `part`.
 inline void expect_refusal(const std::string& bytes, const std::string& name,
                            const std::string& part) {
   const std::string message = refusal(bytes, name);

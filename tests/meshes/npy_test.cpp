@@ -1,4 +1,4 @@
-// .npy files, down to the byte, as numpy writes them.
+// .npy files have exactly the bytes that NumPy writes.
 #include "meshes/formats/npy.h"
 
 #include <gtest/gtest.h>

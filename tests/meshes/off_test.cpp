@@ -98,7 +98,7 @@ TEST(Off, BinaryIsReadWithWhateverItsHeaderAnnounces) {
 
 TEST(Off, NamesTheByteOfWhatIsMalformedInBinary) {
   const auto with = [](std::size_t number,
-                       char byte) {  // which of the 32-bit numbers, and its first
+                       char byte) {  // index of a 32-bit number, its new first byte
     return "OFF BINARY\n" + binary_off("").replace(4 * number, 1, 1, byte);
   };
   const std::vector<std::pair<std::string, std::string>> cases = {

@@ -19,7 +19,7 @@ TEST(Ply, KeepsFullDoublePrecision) {
   const double fine = 0.1234567890123456;
   const std::string body = "0.1234567890123456 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n";
   const std::string faces = "3 1 2 3\n3 2 0 3\n";
-  for (const char* type : {"float", "double"}) {  // an ASCII file's digits count, not its type
+  for (const char* type : {"float", "double"}) {  // ASCII: all digits count, whatever the type
     const MeshFile file = parse_mesh(ply_header("ascii", type) + body + faces, "test.ply");
     EXPECT_EQ(file.soup.positions[0][0], fine) << type;
   }
@@ -29,7 +29,7 @@ TEST(Ply, KeepsFullDoublePrecision) {
   EXPECT_EQ(parse_mesh(binary, "test.ply").soup.positions[0][0], fine);
 }
 
-// Coordinates among other properties, other elements before and behind, lists of other things.
+// A header with other properties beside the coordinates, other elements and other lists.
 std::string rich_header(const std::string& format) {
   return "ply\r\nformat " + format +
          " 1.0\r\ncomment made by hand\r\nobj_info nothing\r\n"
@@ -77,7 +77,7 @@ TEST(Ply, TakesNegativeIndicesAsOutOfRange) {
   EXPECT_EQ(parse_mesh(text, "test.ply").soup.triangles[1][2], kNone);
 }
 
-// Five vertices and lists of triangle strips.
+// A header of five vertices and of lists of triangle strips.
 std::string strip_header(const std::string& format, std::size_t lists,
                          const std::string& types = "int int") {
   return "ply\nformat " + format +

@@ -49,7 +49,7 @@ TEST(Repair, FlipsFacesToRunAsTheFirstOfTheirPart) {
   EXPECT_EQ(counts(repair(soup)), (Counts{{"flipped_faces", 2}}));
   EXPECT_EQ(soup.triangles, tetrahedron().triangles);
 
-  std::swap(soup.triangles[0][1], soup.triangles[0][2]);  // now the first decides otherwise
+  std::swap(soup.triangles[0][1], soup.triangles[0][2]);  // the others are turned to match it
   EXPECT_EQ(counts(repair(soup)), (Counts{{"flipped_faces", 3}}));
   EXPECT_FALSE(find_defects(soup).has_errors());
 }

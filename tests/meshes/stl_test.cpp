@@ -8,7 +8,7 @@
 namespace geodesic {
 namespace {
 
-// By first appearance the tetrahedron's corners come as 0, 2, 1, 3.
+// Vertices are numbered by first appearance: the tetrahedron's corners in the order 0, 2, 1, 3.
 void expect_joined_tetrahedron(const std::string& bytes, const std::string& format) {
   const MeshFile file = parse_mesh(bytes, "test.stl");
   EXPECT_EQ(file.soup.positions, (std::vector<Vec3>{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}}));
@@ -53,7 +53,7 @@ TEST(Stl, JoinsZeroWithMinusZeroAndNotANumberWithItself) {
 }
 
 TEST(Stl, JoinsManyCornersAsOneByOneComparisonWould) {
-  // A strip of triangles: one new corner a triangle, enough of them for the table to grow often.
+  // A strip of triangles, with one new corner per triangle. The table of corners grows often.
   constexpr Index kTriangles = 5000;
   std::string text = "solid\n";
   const auto vertex = [](Index i) {

@@ -110,7 +110,7 @@ TEST(Summary, OfAVertexOfManyFacesCostsNoQuadraticTime) {
 }
 
 TEST(Summary, CountsTheFansOfANonManifoldVertexAsOneComponent) {
-  TriangleSoup soup = tetrahedron();  // and another one that shares vertex 3 only
+  TriangleSoup soup = tetrahedron();  // plus a second one that shares vertex 3 only
   for (const Vec3& p : {Vec3{1, 0, 2}, Vec3{0, 1, 2}, Vec3{0, 0, 2}}) soup.positions.push_back(p);
   for (const Triangle& t : std::vector<Triangle>{{3, 4, 5}, {3, 5, 6}, {3, 6, 4}, {4, 6, 5}}) {
     soup.triangles.push_back(t);
@@ -142,7 +142,7 @@ TEST(Summary, LeavesOutUnusableFacesAndOrientsTheOthers) {
   EXPECT_EQ(s.genus, 0u);
 }
 
-// Euler's formula gives whole numbers only if edges, loops, fans and pieces belong together.
+// Euler's formula gives integers only if the counts of edges, loops, fans and components agree.
 TEST(Summary, OfAnyRepairedTrianglesIsThatOfTheSolversMesh) {
   std::mt19937 random(11);
   for (int round = 0; round < 300; ++round) {

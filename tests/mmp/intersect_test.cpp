@@ -1,4 +1,4 @@
-// Dividing an interval between two windows: against sampling, and the degenerate cases by name.
+// Division of an interval between two windows, compared with sampling, and degenerate cases.
 #include "solvers/mmp/intersect.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ bool challenger_owns(const Division& division, double t) {
   return owns;
 }
 
-/// The largest excess, over sampled positions, of the owner's distance over the lesser one.
+/// The largest excess of the owner's distance over the smaller distance, at sampled positions.
 double worst_choice(const Window& challenger, const Window& incumbent, double from, double to) {
   const Division division = divide(challenger, incumbent, from, to, kNarrowest);
   double worst = 0;
@@ -35,7 +35,7 @@ TEST(Divide, GivesEveryPointToTheNearerOfTwoRandomWindows) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int i = 0; i < 3000; ++i) {
-    // Sources from 1e-3 to 10 away; sigmas that compete with that.
+    // The sources are 1e-3 to 10 away. The sigmas differ by similar amounts.
     const double reach = std::pow(10.0, 2 * uniform(random) - 1);
     const Window a =
         from_source(reach * uniform(random), reach * uniform(random), 2 + uniform(random));
@@ -79,7 +79,7 @@ TEST(Divide, GivesAllToTheShorterWindowWhereRoundingHidesItsLeadAtTheFarEnd) {
 }
 
 TEST(Divide, CutsAtTheVertexThatAPseudoSourceLiesOn) {
-  // 150 degrees round a saddle vertex at (1, 0): the direct window is nearer but there.
+  // 150 degrees round a saddle vertex at (1, 0). The direct window is nearer except at (1, 0).
   const double turn = 150 * std::numbers::pi / 180;
   const Window direct{0, 1, 1 - std::cos(turn), std::sin(turn), 0}, apex{0, 1, 1, 0, 1};
   for (const bool apex_challenges : {false, true}) {
@@ -92,7 +92,7 @@ TEST(Divide, CutsAtTheVertexThatAPseudoSourceLiesOn) {
 }
 
 TEST(Divide, GivesAPartToTheWindowThatWinsAtItsEndWhereItsMiddleTies) {
-  // Beside an edge 10^9 times as long as the sources are apart.
+  // The edge is 10^9 times as long as the distance between the sources.
   const double length = 2040.5247154628253;
   const Window direct{0, length, 2040.5246677159985, 0.86776747693401113, 0};
   const Window bent{0, length, 2040.524667668041, 0.86776747691889888, 4.7957426051804675e-08};

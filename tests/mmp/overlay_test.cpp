@@ -13,7 +13,7 @@ namespace {
 using W = EdgeWindow<NoDepth>;
 static_assert(sizeof(W) == 32, "a stored window is two to a cache line");
 
-/// A list of its own, for overlays without a solver around them.
+/// The windows of one edge, for overlays without a solver.
 class EdgeList {
  public:
   explicit EdgeList(double length) : length_(length), windows_{W::gap(0)} {}
@@ -47,8 +47,8 @@ class EdgeList {
  private:
   double length_;
   std::vector<W> windows_;
-  std::vector<double> sigmas_;  // by number of source
-  std::size_t replaced_ = 0;    // windows by the latest overlay
+  std::vector<double> sigmas_;  // by source number
+  std::size_t replaced_ = 0;    // number of windows, by the latest overlay
 };
 
 TEST(Overlay, BecomesTheLowerEnvelopeWhateverTheOrder) {
@@ -92,7 +92,7 @@ TEST(Overlay, RefusesAWindowThatIsThereAlready) {
 TEST(Overlay, LeavesAloneWhatLiesAroundThePartsThatAreWon) {
   EdgeList list(1);
   for (int k = 0; k < 8; ++k) list.lay({k / 8.0, (k + 1) / 8.0, (k + 0.5) / 8, -1, 1});
-  // Nearer in the fourth window only, though it reaches over all of them.
+  // The new window covers the edge but is nearer only within the fourth window.
   EXPECT_TRUE(list.lay({0, 1, 3.5 / 8, -0.001, 1.99}));
   EXPECT_EQ(list.replaced(), 1u);
   EXPECT_EQ(list.windows().size(), 10u);
@@ -102,7 +102,7 @@ TEST(Overlay, MakesNoPieceNarrowerThanTheTolerance) {
   EdgeList list(1);
   list.lay({0, 0.5, 0.2, -1, 0});
   list.lay({0.5 - 1e-16, 1, 0.2, -1, 0.5});   // overlaps by rounding
-  list.lay({0.5 + 1e-16, 1, 0.2, -1, 0.25});  // and misses by it
+  list.lay({0.5 + 1e-16, 1, 0.2, -1, 0.25});  // leaves a gap by rounding
   ASSERT_EQ(list.windows().size(), 2u);
   EXPECT_EQ(list.windows()[1].begin, 0.5);
   EXPECT_EQ(list.sigma(list.windows()[1]), 0.25);

@@ -11,7 +11,7 @@ namespace geodesic::mmp {
 namespace {
 
 struct Kept {
-  std::vector<std::uint64_t> distances;  // bits
+  std::vector<std::uint64_t> distances;  // as bits
   Recording recording;
   Index windows_kept = 0;
 };
@@ -68,7 +68,7 @@ TEST(OpenLists, are_looked_through_five_times_each_at_most) {
   OpenLists open;
   constexpr Index kLists = 100000;
   std::size_t looks = 0;
-  // None is ever done: the worst case.
+  // The worst case: no list is ever done.
   for (Index list = 0; list < kLists; ++list) {
     open.add(list);
     if (open.is_due()) open.look_through([&](Index) { return ++looks == 0; });

@@ -28,7 +28,7 @@ Interval length_of(const Interval& x, const Interval& y) {
   return length;
 }
 
-// Certainly on the line: positions whose digits cancel exactly.
+// Whether x is certainly 0: digits that cancel exactly.
 bool is_zero(const Interval& x) { return lower(x) == 0 && upper(x) == 0; }
 
 // Positive where b lies to the left of the ray from (0, 0) through a.
@@ -46,7 +46,7 @@ Vector between(const Mesh& mesh, Index a, Index b) {
 
 Interval dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-// Exact squares that vanish are exactly zero: positions that are equal.
+// Exactly zero for the difference of equal positions.
 Interval norm(const Vector& a) { return length_of(length_of(a[0], a[1]), a[2]); }
 
 Vector cross(const Vector& a, const Vector& b) {
@@ -57,7 +57,7 @@ bool is_collapsed(const Mesh& mesh, Index h) {
   return mesh.position(mesh.origin(h)) == mesh.position(mesh.head(h));
 }
 
-// Where a half-edge with a length lies from p to q.
+// Position of the apex of half-edge h, which lies from p to q and is longer than 0.
 Point apex_of(const Mesh& mesh, Index h, const Point& p, const Point& q) {
   const Vector base = between(mesh, mesh.origin(h), mesh.head(h));
   const Vector side = between(mesh, mesh.origin(h), mesh.apex(h));
@@ -67,7 +67,7 @@ Point apex_of(const Mesh& mesh, Index h, const Point& p, const Point& q) {
   return {p.x + along * e.x - across * e.y, p.y + along * e.y + across * e.x};
 }
 
-// Of a point of the edge, from below.
+// A lower bound, in its lower end, of the distance from (0, 0) to the edge from a to b.
 Interval distance_to(const Point& a, const Point& b) {
   const Point d = {b.x - a.x, b.y - a.y};
   const Interval before = -(a.x * d.x + a.y * d.y), behind = b.x * d.x + b.y * d.y;
@@ -76,7 +76,7 @@ Interval distance_to(const Point& a, const Point& b) {
   return may_be_positive(before) && may_be_positive(behind) ? Interval(0) : nearest;
 }
 
-// All that one vertex sees.
+// Finds the lines from one vertex to all vertices that it may see.
 class View {
  public:
   View(const Mesh& mesh, const Bound& reach)
@@ -106,8 +106,8 @@ class View {
     mesh_.for_each_sheet(h, [&](Index g) { enter(mesh_.twin(g), left, right, l, r); });
   }
 
-  // Enters the face above h, which lies from left to right, between the rays through l and r: they
-  // hold all that may be seen.
+  // Enters the face above h, which lies from left to right. All that may be seen lies between the
+  // rays through l and r.
   void enter(Index h, const Point& left, const Point& right, const Point& l, const Point& r) {
     if (entered(h) || is_collapsed(mesh_, h)) return;
     const bool half_plane = is_zero(turn(r, l)) && is_positive(-(r.x * l.x + r.y * l.y));
@@ -117,7 +117,7 @@ class View {
     crossed_.push_back({left, right});
     const Point apex = apex_of(mesh_, h, left, right);
     const Interval right_of_l = turn(apex, l), left_of_r = turn(r, apex);
-    // Of a face without area, seen from a point of its line, one edge has the half-plane.
+    // A point on the line of a face without area sees the half-plane through one of its edges.
     const bool in_line = half_plane && is_zero(left_of_r) && is_zero(right_of_l);
     const bool is_left = in_line || may_be_positive(left_of_r);
     const bool is_right = in_line || may_be_positive(right_of_l);

@@ -1,4 +1,4 @@
-// Intervals that hold the true distances, whatever is rounded: the judge of the other oracles.
+// Intervals that contain the true distances despite rounding. They judge the other oracles.
 #pragma once
 
 #include <boost/multiprecision/mpfi.hpp>
@@ -9,27 +9,27 @@
 
 namespace geodesic {
 
-/// Bounds of 100 digits, rounded outwards by every operation (MPFI).
+/// An interval with bounds of 100 digits, which every operation rounds outwards (MPFI).
 using Interval = boost::multiprecision::number<boost::multiprecision::mpfi_float_backend<100>,
                                                boost::multiprecision::et_off>;
 
-/// For meshes of up to some hundred faces.
+/// Encloses the distances on meshes of up to some hundred faces.
 ///
-/// As BruteForce, this unfolds every strip of faces that can be seen from a vertex, but a line
-/// counts twice: its length bounds the distance from below where it may lie inside the strip, and
-/// from above where it certainly does, seen through each edge of the strip. A line through a vertex
-/// is never certain; the two lines that meet there are as long, and bound it from above.
+/// Like BruteForce, this class unfolds every strip of faces that can be seen from a vertex. The
+/// length of a line is a lower bound of the distance if the line may lie inside the strip. It is an
+/// upper bound if the line certainly crosses each edge of the strip. A line through a vertex is
+/// never certain; the two lines that meet there have the same length and give the upper bound.
 class Enclosures {
  public:
-  /// Finds the lines: all the work.
+  /// Finds all lines between vertices. This takes nearly all of the time.
   explicit Enclosures(const Mesh& mesh);
 
-  /// Of the distances to all vertices from the nearest source: +infinity on both sides where no
-  /// path leads, above alone where no path is certain.
+  /// Intervals of the distances from the nearest source to all vertices. Both bounds are +infinity
+  /// for a vertex without a path; only the upper bound is, if no path is certain.
   std::vector<Interval> distances(std::span<const Source> sources) const;
 
  private:
-  std::vector<std::vector<std::pair<Index, Interval>>> lines_;  // per vertex: to which, and length
+  std::vector<std::vector<std::pair<Index, Interval>>> lines_;  // per vertex: (other end, length)
 };
 
 }  // namespace geodesic

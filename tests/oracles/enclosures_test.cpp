@@ -1,4 +1,4 @@
-// Closed forms, brute force and exact solvers against intervals that hold the true distances.
+// Compares closed forms, brute force and exact solvers with intervals of the true distances.
 #include "tests/oracles/enclosures.h"
 
 #include <gtest/gtest.h>
@@ -21,8 +21,8 @@
 namespace geodesic {
 namespace {
 
-// An interval of 100 digits keeps this many even where needles are unfolded; a wider one says that
-// a line through a vertex has no other way round it.
+// An interval of 100 digits stays narrower than this even where needles are unfolded. It is wider
+// if a line leads through a vertex and no other line leads round that vertex.
 bool is_decided(const Interval& truth) {
   return lower(truth) == upper(truth) || upper(truth) - lower(truth) < 1e-30 * upper(truth);
 }
@@ -31,24 +31,23 @@ double error_of(double distance, const Interval& truth) {
   return static_cast<double>(upper(abs(Interval(distance) - truth)));
 }
 
-// In units of the distance's last place: 0.5 is what rounding to the nearest double costs.
+// The error in units of the last place of the distance. Rounding to the nearest costs up to 0.5.
 double places(double distance, double error) {
   return error == 0 ? 0 : error / (std::nextafter(distance, kInfinity) - distance);
 }
 
-// Rounding of `long double` decides between two doubles that are equally near.
+// Above 0.5, as the rounding of `long double` decides between two doubles that are equally near.
 constexpr double kNearest = 0.501;
 
-// Both sides of a closed form are rounded: its angles, and positions that no longer lie on its
-// cone.
+// The angles of a closed form are rounded, and so are the positions, which leave the cone.
 constexpr double kClosedForm = 1e-15 / std::numeric_limits<double>::epsilon();
 
-// What solvers promise.
+// Exact solvers promise a relative error of at most 1e-12.
 constexpr double kExact = 1e-12 / std::numeric_limits<double>::epsilon();
 
 struct Errors {
-  std::size_t distances = 0, nearest = 0;  // of them the double nearest to the truth
-  double places = 0;                       // the largest
+  std::size_t distances = 0, nearest = 0;  // nearest: how many are the nearest double
+  double places = 0;                       // largest error, in last places
 };
 
 void expect_errors_of_rounding(std::span<const double> distances, std::span<const Interval> truth,
@@ -99,13 +98,13 @@ double number_from(const char* variable, double otherwise) {
   return text != nullptr ? std::atof(text) : otherwise;
 }
 
-// More of them, or others: JUDGED_MESHES, JUDGED_SEED and JUDGED_FACES, the most that one has.
+// Environment: JUDGED_MESHES (number of meshes), JUDGED_SEED, JUDGED_FACES (most faces of a mesh).
 TEST(Enclosures, say_that_exact_distances_on_random_meshes_are_right_but_for_rounding) {
   const auto count = static_cast<std::size_t>(number_from("JUDGED_MESHES", 50));
   const auto seed = static_cast<std::uint64_t>(number_from("JUDGED_SEED", 1));
   const auto most_faces = static_cast<std::size_t>(number_from("JUDGED_FACES", 40));
   const harness::ScratchFolder scratch;
-  std::map<std::pair<bool, std::string>, Errors> errors;  // by whether the mesh is well shaped
+  std::map<std::pair<bool, std::string>, Errors> errors;  // key: mesh is well shaped, solver
   std::array<std::size_t, kMeshKinds> kinds{};
   for (std::uint64_t number = 0, judged = 0; judged < count; ++number) {
     const RandomCase made = random_case(seed, number, scratch.path());

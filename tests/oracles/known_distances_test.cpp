@@ -1,4 +1,4 @@
-// The closed forms of generated meshes against brute force, which knows nothing of their shapes.
+// Compares the closed forms of generated meshes with brute force, which does not use the shapes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ std::ostream& operator<<(std::ostream& out, const Shape& shape) {
 
 class KnownDistances : public ::testing::TestWithParam<Shape> {};
 
-// Both sides work in long double and are rounded once to double.
+// Both sides compute in long double and round once to double.
 constexpr double kRounding = 1e-15;
 
 TEST_P(KnownDistances, equal_brute_force_between_all_vertices) {
@@ -84,9 +84,9 @@ TEST(KnownDistances, exist_for_every_generator_that_states_a_closed_form) {
   EXPECT_FALSE(known_distances("icosphere", {}, generate("icosphere"), 0));
 }
 
-// The spider and the fly: Dudeney 1903. In a room of 30 x 12 x 12 the shortest way between two
-// points, 1 from the ceiling and 1 from the floor in the middles of the end walls, is 40, over five
-// sides of the room.
+// The spider and the fly (Dudeney 1903), in a room of 30 x 12 x 12. One point lies 1 below the
+// ceiling in the middle of an end wall, the other 1 above the floor in the middle of the opposite
+// wall. The shortest path has length 40 and crosses five sides of the room.
 TEST(KnownDistances, of_the_spider_and_the_fly_are_dudeney_s) {
   const GeneratorParameters room = {{"x-cells", 30}, {"y-cells", 12}, {"z-cells", 12}};
   const TriangleSoup soup = generate("box", room);

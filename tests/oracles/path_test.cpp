@@ -1,4 +1,4 @@
-// Shortest paths traced back from distances: as long as these, over the edges that they cross.
+// Shortest paths traced from distances: their lengths, and the edges that they cross.
 #include "meshes/oracles/path.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ Vec3 point_on(const Mesh& mesh, const EdgeCrossing& crossing) {
 
 double distance(const Vec3& a, const Vec3& b) { return norm(subtract(a, b)); }
 
-// On the surface, from point to point.
+// Sum of the distances between successive points of the piece.
 double length_of(const Mesh& mesh, const StraightPiece& piece) {
   Vec3 at = mesh.position(piece.from);
   double length = 0;
@@ -36,7 +36,7 @@ double length_of(const Mesh& mesh, const StraightPiece& piece) {
   return length + distance(at, mesh.position(piece.to));
 }
 
-// Every edge is one of the face that the one before it leads into.
+// Expects that each edge lies on the face behind the edge before it.
 void expect_a_strip(const Mesh& mesh, const StraightPiece& piece) {
   for (std::size_t i = 0; i < piece.crossings.size(); ++i) {
     const Index h = piece.crossings[i].half_edge;
@@ -55,7 +55,7 @@ void expect_a_strip(const Mesh& mesh, const StraightPiece& piece) {
   }
 }
 
-/// @return pieces of all paths
+/// @return number of pieces of all paths
 int expect_paths(const Mesh& mesh, const std::vector<InternalSource>& sources,
                  const std::vector<double>& distances) {
   const auto is_source = [&](Index v) {

@@ -1,4 +1,4 @@
-// Random meshes are the same for everybody, and of every kind.
+// Random meshes depend only on seed and number, and are of every kind.
 #include "meshes/oracles/random_case.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Brute force: by whose numbers it answers, and where its own digits are short.
+// Brute force: the numbering of its results, and its precision on needles.
 #include <gtest/gtest.h>
 
 #include "meshes/oracles/brute_force.h"
@@ -17,8 +17,8 @@ TEST(BruteForce, answers_by_the_numbers_given_however_a_mesh_numbers_itself) {
   for (Index v = 0; v < expected.size(); ++v) EXPECT_NEAR(got[v], expected[v], 1e-15) << v;
 }
 
-// Two needles in one plane that share their short side, through whose middle the way from tip to
-// tip leads.
+// Two needles in one plane share their short side. The straight line from tip to tip crosses the
+// middle of that side.
 TEST(BruteForce, is_straight_across_the_short_side_of_needles) {
   const auto opposite = [](const Vec3& p) { return Vec3{-p[0], -p[1], -p[2]}; };
   const Vec3 tip = {0.7, -0.9, 0.4};

@@ -1,4 +1,4 @@
-// What edge flips make of Dijkstra's paths.
+// Paths that edge flips make from Dijkstra's paths.
 #include <gtest/gtest.h>
 
 #include "harness/verify/path_check.h"
@@ -9,10 +9,10 @@
 namespace geodesic {
 namespace {
 
-/// What an angle of pi less 1e-8 leaves of a straight line.
+/// Tolerance for paths whose angles may be 1e-8 less than pi.
 constexpr harness::Tolerance kStraight{.relative = 1e-7};
 
-/// A solver's paths from a vertex to all others.
+/// The paths of a solver from one vertex to all others.
 std::vector<Path> paths_of(const std::string& solver, const Mesh& mesh, Index source) {
   const Query query{.sources = {{.at = source}}};
   std::vector<double> distances(mesh.vertex_count());

@@ -1,4 +1,4 @@
-// How paths arrive, from brute force: for tests that no solver takes part in.
+// Paths from brute force, for tests without a solver.
 #pragma once
 
 #include <cmath>
@@ -26,7 +26,7 @@ inline LastSegment arrival_of(const Mesh& mesh, const StraightPiece& piece) {
   return {last.half_edge, piece.from, {e.apex_x + stretch * x, e.apex_y + stretch * y}};
 }
 
-/// Of a query from vertices, without targets.
+/// The paths of a query whose sources are vertices and which has no targets.
 inline Paths oracle_paths(const Mesh& mesh, const Query& query) {
   std::vector<double> distances = BruteForce(mesh).distances(query.sources);
   Recording recording;

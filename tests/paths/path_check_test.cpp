@@ -1,4 +1,4 @@
-// The check of paths finds what is wrong with one.
+// The check of paths finds each kind of error in a path.
 #include "harness/verify/path_check.h"
 
 #include <gtest/gtest.h>
@@ -80,7 +80,7 @@ TEST_F(PathCheck, finds_a_line_that_is_not_straight) {
   EXPECT_EQ(finding->what.rfind("the path is not straight: it leaves its line by ", 0), 0u);
 }
 
-// Along two sides of a square instead of its diagonal, and straight on over a flat vertex.
+// A path along two sides of a square instead of its diagonal, and a path straight over a vertex.
 TEST(PathCheckOfAngles, finds_a_bend_that_a_shorter_path_cuts) {
   const Mesh mesh(generate("grid", {{"columns", 2}, {"rows", 2}, {"diagonal", "forward"}}));
   const auto along = [&](const std::vector<Index>& vertices) {

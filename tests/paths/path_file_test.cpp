@@ -1,4 +1,4 @@
-// Files of paths hold every point of every path.
+// Path files contain every point of every path.
 #include "meshes/path_file.h"
 
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ TEST_F(PathFile, as_obj_has_a_line_for_each_path_of_two_points_and_more) {
       for (std::size_t v; words >> v;) lines.back().push_back(v);
     }
   }
-  ASSERT_EQ(lines.size(), 2u);  // a source's own path is a point
+  ASSERT_EQ(lines.size(), 2u);  // the path to a source is a point, not a line
   const Path* const longer[] = {&paths_[0], &paths_[2]};
   for (std::size_t l = 0; l < 2; ++l) {
     ASSERT_EQ(lines[l].size(), longer[l]->points.size());

@@ -1,4 +1,4 @@
-// Paths traced from how they arrive, by no solver of this project.
+// Paths traced from their last segments, which come from brute force and not from a solver.
 #include "solvers/paths/paths.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 std::string wrong_with(const harness::Finding& finding) { return finding ? finding->what : ""; }
 
-// To all vertices that are reached. @return how many
+// Checks the paths to all vertices that are reached. @return their number
 int expect_shortest_paths(const Mesh& mesh, const Query& query) {
   const Paths paths = oracle_paths(mesh, query);
   int traced = 0;
@@ -53,7 +53,7 @@ TEST(Paths, run_through_the_vertices_on_their_line) {
       EXPECT_EQ(path.points[i].at, SurfacePoint(vertices[i]));
     }
   };
-  expect_line(4, {0, 1, 2, 3, 4});  // a border
+  expect_line(4, {0, 1, 2, 3, 4});  // along the border
   expect_line(18, {0, 6, 12, 18});  // diagonals
   expect_line(0, {0});
 }
@@ -64,7 +64,7 @@ TEST(Paths, are_those_of_the_numbers_given_however_a_mesh_numbers_itself) {
   ASSERT_FALSE(renumbered.numbers().is_identity());
   const Query query{.sources = {{.at = 5}}};
   const Paths paths = oracle_paths(as_given, query);
-  // The same recording, in the other mesh's internal numbers.
+  // The same recording in the internal numbers of the other mesh.
   const MeshNumbers& numbers = renumbered.numbers();
   Recording recording;
   recording.kind = RecordingKind::paths;
@@ -96,8 +96,8 @@ TEST(Paths, lead_between_points_in_faces_and_on_edges) {
   const SurfacePoint above = point_in_face(mesh, 1, {0.25, 0.25, 0.5});
   const SurfacePoint middle = point_on_edge(mesh, 0, 2, 0.5);
   const Query query{.sources = {{below, 2}}, .targets = {above, middle, below, 3}};
-  const Index root = mesh.vertex_count(), diagonal = 3;  // of face 1, from 0 to 2
-  // In the frame of its twin.
+  const Index root = mesh.vertex_count(), diagonal = 3;  // half-edge of face 1 from 0 to 2
+  // The start in the frame of its twin, then in its own frame.
   const Point2 from_0 = in_frame(mesh, in_internal_numbers(mesh, below), 2);
   const Point2 from = {mesh.half_edge(diagonal).length - from_0.x, -from_0.y};
   const auto straight = [&](const SurfacePoint& end) {
@@ -136,7 +136,7 @@ TEST(Paths, say_which_source_is_nearest_by_the_numbers_given) {
 
 TEST(Paths, say_which_source_is_nearest) {
   const Mesh mesh(side_by_side(kSquare, rough_sphere(2, 1, 0.1)));
-  // Vertex 1 is a source twice, and is reached from 0 sooner than it starts late.
+  // Vertex 1 is a source twice. Vertex 2 is reached sooner than its own source starts.
   const Query query{.sources = {{1, 0.5}, {0, 0}, {1, 0.25}, {2, 7}}};
   const Paths paths = oracle_paths(mesh, query);
   std::vector<Index> expected(mesh.vertex_count(), kNone);
@@ -170,7 +170,7 @@ TEST(Paths, need_a_recording_of_their_own_query) {
   };
   const std::string refusal = "paths need a recording of paths, of this mesh and query";
   recording.last_segments.resize(4);
-  EXPECT_EQ(paths({.sources = {{.at = 0}}}), refusal);  // of counters
+  EXPECT_EQ(paths({.sources = {{.at = 0}}}), refusal);  // the recording is one of counters
   recording.kind = RecordingKind::paths;
   EXPECT_EQ(paths({.sources = {{.at = 0}}}), "nothing was thrown");
   EXPECT_EQ(paths({.sources = {{.at = 0}}, .targets = {1}}), refusal);
@@ -185,15 +185,15 @@ TEST(Paths, end_in_one_error_where_a_solver_remembers_nonsense) {
     Recording recording;
     recording.kind = RecordingKind::paths;
     recording.last_segments = {{kNone, 0, {0, 0}}, to_1, {1, 0, {0, 0}}, to_3};
-    // Nearer than any path leads, so that no other one is taken.
+    // The distance 0.5 is shorter than any path, so that no other path is taken.
     const Paths paths(mesh, query, {0, 1, std::sqrt(2), 0.5}, recording);
     return message_of<std::runtime_error>([&] { paths.to_vertex(3); });
   };
   const LastSegment fine{2, 0, {std::sqrt(2), 0}};
   const std::string lost = " that does not exist; please report this mesh and query";
   const std::string to_3 = "the solver remembers a path to vertex 3 from ";
-  EXPECT_EQ(with(fine, {3, 0, {0, 0}}), to_3 + "vertex 0" + lost);       // longer than it says
-  EXPECT_EQ(with(fine, {3, 1, {5, 5}}), to_3 + "vertex 1" + lost);       // not beyond
+  EXPECT_EQ(with(fine, {3, 0, {0, 0}}), to_3 + "vertex 0" + lost);       // longer than the distance
+  EXPECT_EQ(with(fine, {3, 1, {5, 5}}), to_3 + "vertex 1" + lost);       // not beyond the edge
   EXPECT_EQ(with(fine, {3, 1, {-9, -1e-3}}), to_3 + "vertex 1" + lost);  // over the border
   EXPECT_EQ(with(fine, {3, 4, {0, -1}}), to_3 + "a source in a face" + lost);
   EXPECT_EQ(with(fine, {99, 0, {0, 0}}), to_3 + "vertex 0" + lost);

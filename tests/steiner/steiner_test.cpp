@@ -1,5 +1,5 @@
-// More points make paths shorter, and none makes them those of Dijkstra. That no path is too short,
-// and what every solver promises besides, the conformance properties check.
+// More Steiner points shorten paths; without any, the paths are those of Dijkstra. The conformance
+// properties check that no path is too short, and all other promises of solvers.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -39,7 +39,7 @@ TEST(Steiner, gives_no_longer_distances_with_points_between_those_there_are) {
   }
 }
 
-// Two triangles that make the unit square, their common edge from (1, 0) to (0, 1).
+// The unit square of two triangles, whose common edge leads from (1, 0) to (0, 1).
 TEST(Steiner, crosses_an_edge_at_its_points) {
   const Mesh mesh(
       TriangleSoup{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 3}, {1, 2, 3}}});

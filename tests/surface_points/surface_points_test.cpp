@@ -1,5 +1,5 @@
-// Every solver that starts at any point of the surface and remembers paths: distances as if the
-// points were vertices, last segments that lead back to a root, an end at the targets.
+// Tests for every solver that accepts any point of the surface and records paths. Distances are as
+// if the points were vertices, last segments lead back to a root, and solves end at the targets.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::vector<std::string> solvers_of_points() {
   return names;
 }
 
-/// In faces and on edges, some of them next to a corner, a side or one another.
+/// Points in faces, on edges and at vertices, some next to a corner, a side or each other.
 std::vector<SurfacePoint> random_points(const Mesh& mesh, Random& random, std::size_t count) {
   std::vector<SurfacePoint> points;
   while (points.size() < count) {
@@ -44,7 +44,7 @@ std::vector<SurfacePoint> random_points(const Mesh& mesh, Random& random, std::s
   return points;
 }
 
-/// From one to four points, nearly equal or not, most of them within reach of each other.
+/// One to four sources, some nearly equal, most within reach of each other.
 Query random_query(const Mesh& mesh, Random& random, std::vector<SurfacePoint> targets) {
   Query query{.sources = {}, .targets = std::move(targets)};
   const std::vector<SurfacePoint> points = random_points(mesh, random, 16);
@@ -83,7 +83,7 @@ void expect_near(double is, double expected, double place) {
   }
 }
 
-/// Without faces that have no area, which are not split for points in them.
+/// Meshes without zero-area faces, which are not split at points inside them.
 std::vector<NamedMesh> meshes() {
   std::vector<NamedMesh> meshes = random_meshes();
   meshes.push_back({"missing_faces", with_missing_faces(rough_terrain(3, 8, 8, 0.5), 3, 5)});
@@ -120,7 +120,7 @@ TEST_P(SurfacePoints, have_the_distances_of_vertices_in_their_place) {
   }
 }
 
-// In the plane distances are Euclid's, whatever is between.
+// In the plane, all distances are Euclidean, whatever faces lie between the points.
 TEST_P(SurfacePoints, on_faces_without_area_are_as_far_as_in_space) {
   const Mesh mesh(with_flat_caps(generate("grid", {{"columns", 6}, {"rows", 5}}), 4, 3));
   ASSERT_TRUE(mesh.has_degenerate_faces());
@@ -141,8 +141,8 @@ TEST_P(SurfacePoints, on_faces_without_area_are_as_far_as_in_space) {
   }
 }
 
-/// Asked without being targets: the distances, and paths as long. Where the limit cuts, rounding
-/// may decide otherwise.
+/// Expects the distances and path lengths of the targets from a solve without them. At the limit,
+/// rounding may decide differently.
 void expect_same_without_targets(Solver& solver, const Mesh& mesh, const Query& query) {
   const Paths with = solve_paths(solver, mesh, query);
   const Paths paths = solve_paths(solver, mesh, {.sources = query.sources, .limit = query.limit});
@@ -240,7 +240,7 @@ TEST_P(SurfacePoints, within_a_limit_are_as_far_as_without) {
   }
 }
 
-// First in, first out, nothing is known of what waits.
+// A first-in first-out queue has no bound on the distances of waiting windows.
 bool ends_early(const std::string& solver) {
   return base_name(solver) != "ch" && base_name(solver) != "template";
 }

@@ -130,7 +130,7 @@ TEST(DistanceCheck, no_edge_joins_distances_that_differ_by_more_than_it_is_long)
   EXPECT_FALSE(nothing(check_edges(mesh, kFromZero, Values{0, 3, std::nan("")})));
 }
 
-// Four by four vertices of a flat square: the exact distances are those of the plane.
+// A flat square of 4 x 4 vertices: the exact distances are those in the plane.
 class VerifyDistances : public ::testing::Test {
  protected:
   static constexpr Index kSide = 4;
@@ -161,7 +161,7 @@ class VerifyDistances : public ::testing::Test {
     along_edges_.push_back(kInfinity);
   }
 
-  // The verdict on `distances`, with right ones to compare with unless others are given.
+  // The verdict on `distances`; the default reference is exact.
   Verdict verdict(const std::vector<double>& distances,
                   Exactness exactness = Exactness::exact) const {
     return verdict(distances, exact_, exactness);
@@ -209,7 +209,7 @@ TEST_F(VerifyDistances, UpperBoundsMayBeLongerButNotShorter) {
                {"vertex 9", "compared with oracle"});
 }
 
-// With a reference that makes the same mistake, the bounds must catch it.
+// The reference has the same error, so that only the bounds can detect it.
 TEST_F(VerifyDistances, CatchesLessThanTheStraightLine) {
   const std::vector<double> wrong = off_by(9, 1 - 1e-9);
   expect_words(verdict(wrong, wrong).error,
@@ -223,7 +223,7 @@ TEST_F(VerifyDistances, CatchesMoreThanAlongEdges) {
 }
 
 TEST_F(VerifyDistances, CatchesABrokenTriangleInequality) {
-  along_edges_[15] = 100;  // or that bound would catch it first
+  along_edges_[15] = 100;  // otherwise this bound would detect the error first
   std::vector<double> wrong = exact_;
   wrong[15] = 9;
   expect_words(verdict(wrong, wrong).error,

@@ -1,4 +1,4 @@
-// What a failure is explained by: the first wrong vertex, its path, and the windows on it.
+// The explanation of a failure: the first wrong vertex, its path, and the windows on the path.
 #include "harness/verify/explain.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace geodesic::harness {
 namespace {
 
-// A room with the source in a corner of the floor: paths to the other end cross many edges.
+// A room whose source is in a corner of the floor: paths to the other end cross many edges.
 class Explain : public ::testing::Test {
  protected:
   Explain() : mesh_(given_.soup), right_(LocalReference(solver(), mesh_).distances(kQuery)) {}

@@ -1,4 +1,4 @@
-// Small meshes that a solver was once wrong on, found at random and repaired, stay right.
+// Regression tests on small random meshes for which a solver once gave wrong distances.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,27 +14,27 @@
 namespace geodesic::harness {
 namespace {
 
-/// Found on random meshes and shrunk; the files have their numbers, of seed 1 unless they say
-/// another.
+/// A failure found on a random mesh, which was then shrunk. The file name has the number of the
+/// random mesh, and the seed if it is not 1.
 struct Pin {
-  const char* mesh;  ///< in meshes/
+  const char* mesh;  ///< name of the file in meshes/
   Index source;
   const char* broke;  ///< solvers, with their largest relative error before the repair
 };
 
 const std::vector<Pin> kPins = {
-    // A source next to edges thousands of times as long as its distances: what rounding of
-    // coordinates decides was a reason to drop a window.
+    // A source next to edges thousands of times as long as its distances. Rounding of coordinates
+    // was a reason to drop a window.
     {"mesh-2598", 0, "edge-based, edge-based-bucket: 5e-7"},
     {"mesh-3872", 0, "edge-based and its variants: 4e-8"},
     {"mesh-4561", 17, "edge-based and its variants: 2e-4"},
     {"mesh-4569", 8, "edge-based: 0.08"},
     {"mesh-5004", 4, "edge-based and its variants: 0.15"},
     {"mesh-7289", 6, "edge-based and its variants: 6e-6"},
-    // A collapsed edge beside a flat face: a source and an apex that both lie on an edge's line saw
-    // each other through it.
+    // A collapsed edge beside a flat face. A source and an apex on the line of an edge saw each
+    // other through this edge.
     {"mesh-7257", 7, "edge-based and its variants: 0.55"},
-    // An edge a billionth as long as those beside it: its direction was no unit vector.
+    // An edge a billionth as long as its neighbours: its direction was no unit vector.
     {"mesh-705", 0, "a lazy variant: 0.07, all but edge-based and edge-based-bucket: 1e-11"},
     {"mesh-705", 17, "template: 8e-12, all but the edge-based: 6e-12"},
     {"mesh-705-again", 10, "template: 8e-10"},
@@ -42,9 +42,9 @@ const std::vector<Pin> kPins = {
     {"mesh-9808", 13, "template: 4e-10"},
     {"mesh-8341", 2, "all: 2e-12"},
     {"mesh-8341", 12, "all but the edge-based: 2e-12"},
-    // Two windows of one source, the later one shorter by less than rounding at an edge's far end.
+    // Two windows of one source. The later one is shorter by less than rounding at the far end.
     {"seed-2-mesh-6031", 3, "fwp-mmp: 1e-9"},
-    // All vertices on a line but for rounding, which said of one that no path bends there.
+    // All vertices lie on a line up to rounding, which excluded one as a pseudo-source.
     {"seed-7-mesh-4989", 5, "mmp and its variants: 0.07"},
 };
 
@@ -58,9 +58,9 @@ TEST_P(PinnedMesh, is_right_by_every_exact_solver_and_instruction_set) {
   const Pin& pin = GetParam();
   const std::string file = std::string(PINNED_MESHES) + "/" + pin.mesh + ".obj";
   const Case given{pin.mesh, read_mesh_file(file).soup, {from(pin.source)}};
-  const Property& property = property_named(kDistancesProperty);  // brute force judges so few faces
+  const Property& property = property_named(kDistancesProperty);  // brute force judges small meshes
   for (const Description* solver : registered_solvers()) {
-    // An independent oracle is not ours to repair.
+    // The errors of independent oracles cannot be repaired here.
     if (solver->exactness != Exactness::exact || solver->independent_oracle) continue;
     for (const InstructionSet set : std::set{InstructionSet::plain, widest_instruction_set()}) {
       set_instruction_set(set);
@@ -78,10 +78,10 @@ INSTANTIATE_TEST_SUITE_P(, PinnedMesh, ::testing::ValuesIn(kPins), [](const auto
   return name;
 });
 
-/// Sources and targets anywhere, and the paths between them.
+/// A failure with sources and targets at any points of a random mesh, and the paths between them.
 struct PinnedPoints {
-  std::uint64_t seed, number;  ///< of the random mesh
-  std::size_t faces;           ///< that it has
+  std::uint64_t seed, number;  ///< that give the random mesh
+  std::size_t faces;           ///< of the random mesh
   std::vector<SurfacePoint> sources, targets;
   const char* broke;
 };

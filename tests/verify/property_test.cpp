@@ -8,7 +8,7 @@
 namespace geodesic::harness {
 namespace {
 
-/// And one that divides every mesh into several regions.
+/// All registered solvers, and one that divides every mesh into several regions.
 std::vector<const Description*> solvers_and_regional_one() {
   std::vector<const Description*> solvers = registered_solvers();
   if (find_solver("edge-based") == nullptr) return solvers;
@@ -18,7 +18,7 @@ std::vector<const Description*> solvers_and_regional_one() {
 
 class PropertyTest : public ::testing::TestWithParam<const Property*> {};
 
-// One process for all solvers. It says which solver it asks, in case that one ends it.
+// One process runs all solvers. It prints each name first, in case the solver ends the process.
 TEST_P(PropertyTest, holds) {
   const Property& property = *GetParam();
   const std::vector<Case> cases = property.cases();

@@ -1,4 +1,4 @@
-// The registry: no solver is lost by the linker, none is hidden by another.
+// The registry: the linker drops no solver, and no solver hides another.
 #include "solvers/core/registry.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace geodesic::harness {
 namespace {
 
-// The folders of solvers/ that are built, from CMake: a list separated by bars.
+// The folders of solvers/ that are built. CMake gives a list separated by bars.
 std::vector<std::filesystem::path> solver_folders() {
   std::istringstream list(GEODESIC_SOLVER_FOLDERS);
   std::vector<std::filesystem::path> folders;

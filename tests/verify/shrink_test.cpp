@@ -1,4 +1,4 @@
-// Shrinking, with failures that are known: what remains is what they need.
+// Shrinking of cases with known failures: only the parts that the failure needs remain.
 #include "harness/verify/shrink.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ std::set<Vec3> places(const Case& given, const std::vector<Index>& vertices) {
   return all;
 }
 
-// Whether the case has a face with these corners in space.
+// Whether the case has a face with corners at these positions.
 bool has_face(const Case& given, const std::set<Vec3>& corners) {
   return std::ranges::any_of(given.soup.triangles, [&](const Triangle& t) {
     return places(given, {t.begin(), t.end()}) == corners;

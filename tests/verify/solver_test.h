@@ -1,5 +1,5 @@
-// What tests of solvers share that are no properties (harness/verify): each is run for every
-// registered solver, by name; no test names one.
+// Fixture for tests of solvers that are not properties (harness/verify). Each test runs for every
+// registered solver; no test names a solver.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -18,11 +18,11 @@ class SolverTest : public ::testing::TestWithParam<std::string> {
   std::unique_ptr<Solver> prepare(const Mesh& mesh) const { return make_solver(GetParam(), mesh); }
 };
 
-/// Success unless something was found.
+/// Success if the finding is empty.
 ::testing::AssertionResult nothing(const Finding& finding);
 
 std::vector<std::string> solver_names();
-/// A name as GoogleTest allows it in a test's: fwp-mmp becomes fwp_mmp.
+/// A solver's name in the characters that GoogleTest allows: fwp-mmp becomes fwp_mmp.
 std::string test_name(std::string name);
 
 }  // namespace geodesic::harness

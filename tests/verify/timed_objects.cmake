@@ -1,5 +1,5 @@
-# Timed solves contain no instrumentation: no object file of a family but *_recorded.cpp
-# (solvers/core/recorders.h) has a symbol of what records. Run by CTest with NM and OBJECTS (a list).
+# Timed solves contain no instrumentation: in a family, only the object files of *_recorded.cpp have
+# symbols of recorders (solvers/core/recorders.h). CTest runs this with NM and OBJECTS (a list).
 set(instrumentation "(Counting|Timing|Wavefront)Recorder|PhaseTimer|geodesic::Progress|sample_wavefront")
 set(leaks)
 set(recorded 0)

@@ -1,4 +1,4 @@
-// Samples and snapshots of the wavefront: windows on edges, at distances that can be.
+// Samples and snapshots of the wavefront: windows lie on edges, at possible distances.
 #include <numeric>
 
 #include "meshes/connectivity.h"
@@ -19,7 +19,7 @@ Recording wish_for_wavefront() {
   return recording;
 }
 
-// The counters alone.
+// The recording with the counters only.
 Recording without_wavefront(Recording recording) {
   recording.kind = RecordingKind::counters;
   recording.snapshots_at.clear();
@@ -35,7 +35,7 @@ std::vector<Index> reached_of_curve(const Recording& recording) {
   return counts;
 }
 
-// The same from Recording::reached_by.
+// The same counts, from Recording::reached_by.
 std::vector<Index> reached_by_sample(const Recording& recording) {
   std::vector<Index> counts(recording.curve.size());
   for (const Index by : recording.reached_by) {
@@ -52,7 +52,7 @@ class Wavefronts : public SolverTest {
     distances_ = solve_with(*prepare(mesh), mesh, from(source), &recording);
     return recording;
   }
-  mutable std::vector<double> distances_;  // of the solve that was recorded last
+  mutable std::vector<double> distances_;  // of the last recorded solve
 };
 
 std::vector<NamedMesh> meshes() {
@@ -132,7 +132,7 @@ TEST_P(Wavefronts, of_a_snapshot_are_those_of_the_sample_at_that_moment) {
 }
 
 TEST_P(Wavefronts, lie_on_edges_no_nearer_than_the_truth) {
-  // A bounded solver's distances and windows may be off in opposite directions.
+  // The distances and windows of a bounded solver may have errors in opposite directions.
   const Description& solver = solver_named(GetParam());
   const double slack = solver.exactness == Exactness::bounded ? 2 * solver.error_bound(solver) : 0;
   for (const auto& [name, soup] : meshes()) {
@@ -145,7 +145,7 @@ TEST_P(Wavefronts, lie_on_edges_no_nearer_than_the_truth) {
         EXPECT_GE(w.begin, 0) << name;
         EXPECT_LT(w.begin, w.end) << name;
         EXPECT_LE(w.end, length) << name;
-        // A point of the edge is at most as much nearer than an end as it is away from it.
+        // A point of the edge is nearer than an end of it by at most their distance on the edge.
         const double from_origin = distances_[mesh.origin(w.half_edge)] - w.end;
         const double from_head = distances_[mesh.head(w.half_edge)] - (length - w.begin);
         EXPECT_GE(w.distance * (1 + slack), std::max(from_origin, from_head) - 1e-9)
@@ -157,9 +157,9 @@ TEST_P(Wavefronts, lie_on_edges_no_nearer_than_the_truth) {
 
 TriangleSoup plane() { return generate("grid", {{"columns", 32}, {"rows", 32}}); }
 
-// A quarter of a circle around the corner. Least distance first leaves the wavefront as wide as an
-// edge is long; in the plane, where windows cross as many faces as they go far, FIFO order does
-// too.
+// A quarter of a circle around the corner. In the order of least distance, the wavefront is as wide
+// as an edge is long. In the plane FIFO order has the same effect, since the number of faces that a
+// window has crossed is proportional to its distance.
 TEST_P(Wavefronts, on_a_plane_lie_near_a_circle) {
   const Mesh mesh(plane());
   if (mesh.vertex_count() > abilities().max_vertices) GTEST_SKIP() << "too many vertices";
@@ -176,7 +176,7 @@ TEST_P(Wavefronts, on_a_plane_lie_near_a_circle) {
 
 FOR_EVERY_SOLVER(Wavefronts);
 
-// Least distance first leaves the wavefront no wider than buckets do.
+// In the order of least distance, the wavefront is at most as wide as with buckets.
 TEST(WavefrontSd, is_least_in_the_order_of_distance) {
   const Mesh mesh(plane());
   const auto sd = [&](const char* solver) {

@@ -1,4 +1,4 @@
-// A solve that goes on without end is told apart from a long one, and ends with an error.
+// An endless solve is distinguished from a long one and ends with an error.
 #include "solvers/core/window_bound.h"
 
 #include "meshes/connectivity.h"
@@ -8,7 +8,7 @@
 namespace geodesic::harness {
 namespace {
 
-constexpr std::uint64_t kFew = 20;  // windows; a triangle needs less, a sphere more
+constexpr std::uint64_t kFew = 20;  // windows; enough for a triangle, too few for a sphere
 
 // A sphere of 80 faces, and a triangle: vertices 42 to 44.
 TriangleSoup sphere_and_triangle() {

@@ -1,5 +1,5 @@
-// How far the distances of one virtual source an edge are off. What the solver promises besides,
-// the conformance properties check.
+// Errors of the distances with one virtual source per edge. The conformance properties check the
+// other promises of the solver.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ std::vector<double> solve(const char* solver, const Mesh& mesh, const std::vecto
   return distances_by(solver, mesh, query);
 }
 
-/// Relative ones, against exact distances.
+/// Relative errors against exact distances.
 struct Errors {
   double mean = 0, largest = 0;
 };
@@ -75,7 +75,7 @@ TEST(VirtualSource, is_off_by_an_edge_at_most_where_waves_of_several_sources_mee
   }
 }
 
-// Where waves of two sources meet, the circles round both say nothing of either.
+// Where waves of two sources meet, the ends of an edge have no common virtual source.
 TEST(VirtualSource, is_off_by_less_than_half_a_percent_in_the_mean_from_a_hundred_sources) {
   const Mesh mesh(generate("terrain"));
   std::vector<Index> sources;
