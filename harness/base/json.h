@@ -2,10 +2,18 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+
+namespace geodesic::harness {
+[[noreturn]] inline void misused_json(const char* condition) { throw std::logic_error(condition); }
+}  // namespace geodesic::harness
+
+// In every build: without it, reading a missing key of a constant object reads foreign memory.
+#define JSON_ASSERT(condition) ((condition) ? void() : geodesic::harness::misused_json(#condition))
+#include <nlohmann/json.hpp>
 
 /// @cond  Doxygen does not find the class that is specialised.
 /// An empty optional is null.

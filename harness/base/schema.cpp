@@ -125,11 +125,12 @@ class Checker {
 
   void check_items(const Json& list, const Json& schema) const {
     if (list.empty() && schema.contains("minItems")) throw HarnessError("must not be empty");
+    const Json& items = keyword(schema, "items");
     std::set<Json> seen;
     for (std::size_t i = 0; i < list.size(); ++i) {
       const Json name = list[i].is_object() ? list[i].value("name", Json()) : Json();
       at_place(name.is_string() ? name.get<std::string>() : std::to_string(i),
-               [&] { check(list[i], schema["items"]); });
+               [&] { check(list[i], items); });
       if (schema.contains("uniqueItems") && !seen.insert(list[i]).second) {
         throw HarnessError(shown(list[i]) + " is listed twice");
       }

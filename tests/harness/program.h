@@ -1,10 +1,10 @@
 // Runs geodesic-bench as a user would.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "harness/base/json.h"
 #include "tests/harness/expect_words.h"
 #include "tests/harness/temporary_folder.h"
 

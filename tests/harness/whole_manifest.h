@@ -1,8 +1,9 @@
 // Completes the manifests of tests, which name only the keys that matter to the test.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
+
+#include "harness/base/json.h"
 
 namespace geodesic::harness {
 
