@@ -47,7 +47,7 @@ struct Abilities {
   Index max_vertices = kNone;       ///< larger meshes take unreasonably long
 };
 
-/// Description of a solver: its name, guarantees, abilities and parameters.
+/// What is known of a solver: its name, guarantees, abilities and parameters.
 struct Description {
   std::string name;            ///< lower case with hyphens, unique: "fwp-mmp"
   std::string family;          ///< "MMP", "CH", "edge-based", ...
