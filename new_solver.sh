@@ -27,10 +27,10 @@ usage() {
 Usage: ./new_solver.sh NAME [--from START] [--outside DIR]
 
 Makes the folder of a new solver, solvers/variants/NAME: registered under NAME, exact, documented,
-and built with everything else; no other file changes. What lies there runs only when it is named.
+and built with everything else; no other file changes. A solver there runs only when it is named.
 
   NAME           lower case letters and digits, in words joined by hyphens: my-variant
-  --from START   what it begins as:
+  --from START   what to start from:
                    template     a whole solver in one short file, slow (default)
                    edge-based   a variant of edge-based propagation, by its policies
                    mmp          a variant of MMP, by its policies

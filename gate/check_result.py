@@ -1,4 +1,4 @@
-"""`geodesic-bench check-result`: whether a result file can stand beside others' results.
+"""`geodesic-bench check-result`: checks whether a result file can be contributed.
 
 Checks that its checksums are right, that its machine and revision are stated, that the distances of every
 time were verified, and that its numbers are plausible compared with each other, the manifest and the

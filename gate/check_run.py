@@ -1,10 +1,10 @@
-"""A short summary of a run, and a check that every cell is there and verified. Exit code 1 and a list
-of what is not.
+"""Prints a short summary of a run, and checks that every cell is present and verified. Otherwise it lists
+the other cells and ends with exit code 1.
 
-Listed without being a failure: a solver that does not support a mesh, an outcome that the suite
-expects, and a solver that was skipped on a mesh for a stated reason. A mesh that was skipped whole is
-a failure, unless --allow-skipped is given. With --others-may-fail, failures of the solvers of plug-ins
-and of oracles are listed as findings, and are no failures of the run.
+Some cells are listed without being failures: a solver that does not support a mesh, an outcome that
+the suite expects, and a solver that was skipped on a mesh for a stated reason. A mesh that was skipped
+by all solvers is a failure, unless --allow-skipped is given. With --others-may-fail, failures of the
+solvers of plug-ins and of oracles are listed as findings and are not failures of the run.
 """
 
 from __future__ import annotations

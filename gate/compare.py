@@ -1,4 +1,4 @@
-"""`geodesic-bench compare`: what differs between two runs, or between the two programs of one run.
+"""`geodesic-bench compare`: the differences between two runs, or between the two programs of one run.
 
 A time fails a limit in two cases only: in an interleaved run, where pairs decide a cell; and as the
 geometric mean over the cells of a solver, whose interval must lie above the limit. A single cell of
@@ -351,7 +351,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("old", type=Path, help="a result file or run folder")
     parser.add_argument(
         "new", type=Path, nargs="?",
-        help="another of the same corpus; without it, old is a run with two --program",
+        help="a second one of the same corpus; if left out, old is a run with two --program",
     )  # fmt: skip
     parser.add_argument(
         "--fail-on", metavar="LIMITS", action="append", default=[],

@@ -1,4 +1,4 @@
-"""`geodesic-bench publish`: the file of a run that can stand in results/contributed/.
+"""`geodesic-bench publish`: writes a run as a file for results/contributed/.
 
 It is the run's file without folders and the name of the host, and with the licence of each mesh that is
 not in datasets/manifest.json. It is written only if `check-result` finds no fault.

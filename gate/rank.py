@@ -68,7 +68,7 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
         "--out", type=Path, metavar="DIR", help="default: results/ranks/<UTC time>-<solver>"
     )
     where.add_argument(
-        "--resume", type=Path, metavar="DIR", help="finish an interrupted ranking, as it was begun"
+        "--resume", type=Path, metavar="DIR", help="finish an interrupted ranking with its options"
     )
     where.add_argument(
         "--run", type=Path, metavar="DIR", help="derive the ranking again; nothing is measured"

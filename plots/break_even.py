@@ -109,8 +109,8 @@ def table(run: Run) -> Table:
         text_columns=2,
         rows=[_row(heat, point) for heat, points in found.items() for point in points],
         remarks=[
-            f"n sources take preparation + n times each further; from the break-even on the heat "
-            f"method takes less in all than {exact}. It is computed for each source and repetition "
+            "The time of n sources is the preparation plus n times each further. From the break-even on, the "
+            f"heat method takes less time in total than {exact}. It is computed for each source and repetition "
             "that both have: medians with 95% bootstrap intervals. Errors are relative, the median "
             "over sources of the mean over vertices, and the largest.",
         ],

@@ -64,7 +64,7 @@ def windows(run: Run) -> Drawing:
             *([f"Left {RIVAL} and {EDGE_BASED}{beside_thesis(run, ' as in the thesis')}, right every "
                "solver that was recorded.",
                *(_fewer(run, recording) for recording in found),
-               beside_thesis(run, "The thesis: close to each other, and most of the time fewer for its own.")]
+               beside_thesis(run, "In the thesis, the curves are close to each other, with fewer windows for its own solver most of the time.")]
               if as_in_thesis else []),
         ),
         figure=figure,
@@ -87,7 +87,7 @@ def spread(run: Run) -> Drawing:
         caption=sentences(
             "Standard deviation of the distances of the windows on the wavefront at equal steps of "
             "the vertices reached"
-            f"{beside_thesis(run, '; its mean over the samples is what Figure 5.10 has for this source')}.",
+            f"{beside_thesis(run, '; Figure 5.10 shows its mean over the samples')}.",
             *(_smoothest(run, recording) for recording in found),
         ),
         figure=figure,

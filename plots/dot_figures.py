@@ -200,8 +200,8 @@ def accuracy(run: Run) -> Drawing:
             "closed form, which is the truth; hollow: against the distances of another solver, "
             "which the run file names. The dashed line is 1e-12, the bound on clean meshes; marks "
             "at 1e-17 are errors of 0 or below it. Upper bounds such as Dijkstra's are left out.",
-            *(f"On {', '.join(meshes)} all differ from {reference} by the same amount: it is {reference}'s "
-              "rounding." for reference, meshes in of_the_reference(run, solvers).items()),
+            *(f"On {', '.join(meshes)} all differ from {reference} by the same amount, which is the rounding "
+              f"error of {reference}." for reference, meshes in of_the_reference(run, solvers).items()),
             without_value(run, solvers),
         ),
         figure=figure,

@@ -152,10 +152,10 @@ def _caption(run: Run, drawn: dict[str, list[Split]]) -> str:
                 failed = failure(run, mesh, solver)
                 absent.append(f"{solver} on {mesh} ({failed.text if failed else ABSENT})")
     return sentences(
-        "A bar is as long as the CPU time of a timed solve, the median over sources and "
-        "repetitions. The phases are those of a solve of their own with timers, whose cost "
-        f"({min(shares):.0%} to {max(shares):.0%} of that solve) is taken out of them. Rest is "
-        "what the timed solve took longer than the phases together.",
+        "The length of a bar is the CPU time of a timed solve, the median over sources and repetitions. "
+        "The phases come from a separate solve with timers; the cost of the timers "
+        f"({min(shares):.0%} to {max(shares):.0%} of that solve) is subtracted. Rest is the time of the "
+        "timed solve minus the phases.",
         f"Not drawn, since the phases differ by more than {APART:.0%} from the timed solve: {', '.join(apart)}."
         if apart
         else "",

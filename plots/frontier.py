@@ -263,12 +263,11 @@ def _how_to_read(run: Run, points: Sequence[Point]) -> str:
         for cost in ("1 source", "each of 1,000 sources")
     ]
     return sentences(
-        "An answer of n sources takes its share of the preparation and a solve. Exact solvers "
-        "stand at 0. Filled: the solver declares a bound of its error, and where it is not exact, a "
-        "line reaches to that from its largest one. Hollow: it declares none. Lines join the "
-        "settings of one solver.",
+        "The time of an answer of n sources is a solve and its share of the preparation. Exact solvers are "
+        "at 0. Filled: the solver declares a bound of its error; if it is not exact, a line joins its largest "
+        "error to the bound. Hollow: it declares no bound. Lines join the settings of one solver.",
         "A star marks public codes." if theirs else "",
-        "The grey line is the front: nothing is both more exact and faster. On it, by the "
+        "The grey line is the front: no point is both more exact and faster. On it, by the "
         f"{error}: {'; '.join(members)}.",
     )
 
@@ -388,10 +387,10 @@ def _choices(run: Run, name: str, which: str) -> Table:
         text_columns=1,
         rows=[row for mesh in _by_size(run) for row in _block(run, mesh, which)],
         remarks=[
-            f"Of the solvers and settings whose {which} relative error on the mesh was at most "
-            "that of the row (0: those that are exact), the one with the least time for so many "
-            "sources, and the time of each answer, preparation shared: medians over sources and "
-            "repetitions, with 95% bootstrap intervals in the CSV.",
+            f"Among the solvers and settings with a {which} relative error on the mesh of at most that of the "
+            "row (0: exact), the one with the least time for this number of sources, and its time per answer "
+            "with a share of the preparation: medians over sources and repetitions, with 95% bootstrap "
+            "intervals in the CSV.",
         ],
     )
 
@@ -425,7 +424,7 @@ def _choice(
     about = run.solvers[best]
     promised = about.exact or (about.error_bound is not None and about.error_bound <= level)
     note = sentences(
-        "" if promised else "It does not promise that: what was measured on these sources.",
+        "" if promised else "The solver does not promise this error: it was measured on these sources.",
         f"Not resolved from {', '.join(rivals)}." if rivals else "",
     )
     value = found[best]

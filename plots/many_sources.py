@@ -114,11 +114,11 @@ def figure(run: Run) -> Drawing:
     return Drawing(
         title="Many sources in one query",
         caption=sentences(
-            f"Distances to the nearest of several vertices, chosen by chance, on {len(run.meshes)} "
+            f"Distances to the nearest of several vertices, chosen at random, on {len(run.meshes)} "
             f"meshes. Left: the time of a solve without preparation, over that of {base} from one "
             "source: medians over repetitions, geometric means over the meshes. Middle and right: "
             "the mean of the mean errors, and the largest error on any mesh, of solvers that are "
-            "not exact. A source that is given another distance than 0 has no relative error.",
+            "not exact. A source with a computed distance other than 0 has no relative error.",
         ),
         figure=picture,
     )
@@ -175,7 +175,7 @@ def table(run: Run) -> Table:
         rows=rows,
         remarks=[
             "Time of a solve without preparation over that of the base from the same sources: medians "
-            "over repetitions. Errors are relative; a source that is given another distance than 0 has none.",
+            "over repetitions. Errors are relative; a source with a computed distance other than 0 has none.",
         ],
     )
 

@@ -63,9 +63,9 @@ def figure(run: Run) -> Drawing:
     return Drawing(
         title="Overview",
         caption=sentences(
-            "Geometric means, a mark a mesh, of each exact solver's CPU time over that of "
-            f"{base}{' (left), and of window propagations over the window limit (right)' * both_panels}; "
-            "ratios are paired by source and repetition. The number is the mean over the meshes "
+            "Geometric means of each exact solver's CPU time over that of "
+            f"{base}{' (left), and of window propagations over the window limit (right)' * both_panels}. "
+            "A mark is one mesh; ratios are paired by source and repetition. The number is the mean over the meshes "
             "that have a mark.",
             BELOW_1
             if both_panels

@@ -147,8 +147,9 @@ def table(run: Run) -> Table:
         text_columns=1,
         rows=rows,
         remarks=[
-            "Time of so many paths from one source over that of the base, without preparation: by a query for each, "
-            "which stops at its target, or by one solve, as takes less. Geometric means over meshes and sources.",
+            "Time of this number of paths from one source over that of the base, without preparation: by a query for "
+            "each, which stops at its target, or by one solve, whichever takes less. Geometric means over meshes and "
+            "sources.",
             REMARK,
         ],
     )
@@ -156,9 +157,9 @@ def table(run: Run) -> Table:
 
 HEADER = ["Mean excess", "Largest excess", "Shortest", "Off the surface", "Failed"]
 REMARK = (
-    "Excess: how much longer paths are than the exact distance, relatively. Shortest: the share that exceeds it by "
-    f"less than {SHORTEST:g}. Off the surface: paths with a piece that lies on no face. Failed: the solver gave up, "
-    "or the path ends elsewhere. Excess is that of the other paths."
+    "Excess: the length of a path beyond the exact distance, relative to it. Shortest: the share of paths with an "
+    f"excess below {SHORTEST:g}. Off the surface: paths with a piece that lies on no face. Failed: the solver gave "
+    "up, or the path ends elsewhere. The excess is that of all other paths."
 )
 
 
@@ -257,11 +258,11 @@ def figure(run: Run) -> Drawing:
     return Drawing(
         title="Paths from one source",
         caption=in_lines(
-            f"On {len(run.meshes)} meshes. Left: the time of so many paths from one source over that of {base}, without "
-            "preparation: by a query for each, which stops at its target, or by one solve, as takes less; geometric "
-            "means over meshes and sources."
-            + (" Right: how much longer paths are than the exact distance, of solvers whose paths are; filled the mean, "
-               "hollow the largest of all paths that lead over the surface, and the share that is the shortest one."
+            f"On {len(run.meshes)} meshes. Left: the time of a number of paths from one source over that of {base}, "
+            "without preparation: by a query for each, which stops at its target, or by one solve, whichever takes "
+            "less; geometric means over meshes and sources."
+            + (" Right: excess of paths over the exact distance, for solvers with longer paths. Filled: the mean; hollow: "
+               "the largest of all paths on the surface; the number is the share of paths that are shortest."
                if longer else ""),
         ),
         figure=picture,

@@ -64,7 +64,7 @@ def cells(run: Run) -> Drawing:
     return Drawing(
         title="Voronoi cells of several sources",
         caption=(
-            f"The vertices that each of several sources is nearest to, exactly: {counts}. A face "
+            f"The vertices nearest to each of several sources, by exact distances: {counts}. A face "
             "between cells is divided among its corners. Sources on the far side are left out."
         ),
         figure=picture,

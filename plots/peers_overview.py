@@ -69,8 +69,8 @@ def figure(run: Run) -> Drawing:
         caption=sentences(
             f"Time of a first answer, preparation and solve, over that of {base}: a dot a mesh, paired "
             "by source and repetition; the bar and the number are the geometric mean over the meshes "
-            "that have a verified answer. On the right, what is known of the distances: where they "
-            "are not exact, relative errors, the mean over vertices and meshes and the largest.",
+            "that have a verified answer. On the right, the guarantee of the distances or, where they are "
+            "not exact, their relative errors: the mean over vertices and meshes, and the largest.",
             footer(run) + ".",
         ),
         figure=picture,

@@ -93,8 +93,8 @@ def figure(run: Run) -> Drawing:
             f"Of {len(questions)} questions, each a mesh and a source, the share that a solver answers "
             "within a factor of the fastest one (Dolan, More 2002): the height at 1 says how often it "
             "is the fastest, the height at the right how often it answers at all. Time: preparation "
-            "and a solve, medians over repetitions. From left to right, answers count up to a largest "
-            "relative error, and compete with those of their panel only.",
+            "and a solve, medians over repetitions. Each panel counts the answers up to a largest relative "
+            "error, and compares them only with each other.",
             f"Most often the fastest: {'; '.join(best)}.",
         ),
         figure=picture,

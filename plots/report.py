@@ -1,4 +1,4 @@
-"""Draws everything of a run and shows it on one page that needs nothing else: RUN/report.html."""
+"""Draws all tables and figures of a run and writes them to one self-contained page: RUN/report.html."""
 
 from __future__ import annotations
 

@@ -42,13 +42,13 @@ def matrix(run: Run) -> Table:
         remarks=[
             "Cases are meshes made by generators of this project, of the kind that the reports are "
             "about, each from the sources that the manifest names, and from sets of them in one "
-            "query. The right answer is a closed "
-            "form or brute force on up to 400 faces. Right: what the solver promises, on all "
-            "sources; off: by its largest relative error, of one that promises no bound. Wrong: by "
-            "the largest relative error, or by how many vertices are reached that must not be, or "
-            f"not reached; imprecise: by less than {LEAST_WRONG:.0e}. Refused: the solver says "
-            "why, and gives no distances; exits: it ends the process without a word. Unsupported: "
-            f"as it declares; one that supports single sources only is judged by these. What is shown of several sources is the worst. {_limit(run)}",
+            "query. The right answer is a closed form or brute force on up to 400 faces. Right: the solver "
+            "keeps its promise from all sources. Off: the largest relative error of a solver that promises no "
+            "bound. Wrong: the largest relative error, or the number of vertices that are reached by mistake "
+            f"or not reached. Imprecise: an error below {LEAST_WRONG:.0e}. Refused: the solver gives a reason "
+            "and no distances. Exits: it ends the process without a message. Unsupported: the solver declares "
+            "it; one for single sources only is judged by these. Of several sources the worst is shown. "
+            f"{_limit(run)}",
         ],
     )
 

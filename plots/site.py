@@ -169,9 +169,9 @@ def results(name: str, title: str, entries: Sequence[Entry], root: str) -> Table
             "CPU time of one solve without preparation, window propagations, measured peak memory of "
             "the solver: medians over sources and repetitions. The base of a run's ratios is "
             f"{EDGE_BASED}, or the first exact solver where it was not measured; ratios are paired by "
-            "source and repetition, with 95% intervals. Times of different processors cannot be "
-            f"compared; what may be, are times over those of {DIJKSTRA} in the same run, from the same "
-            "source. A revision with a + was modified.",
+            "source and repetition, with 95% intervals. Times of different processors cannot be compared. "
+            f"Their ratios to the times of {DIJKSTRA} in the same run and from the same source can. A "
+            "revision with a + was modified.",
         ],
     ), KEPT)  # fmt: skip
 
@@ -246,8 +246,8 @@ def history_table(steps: Sequence[Step]) -> Table:
         ],
         remarks=[
             "Geometric mean over meshes and sources that a run shares with the first one on the same "
-            "processor, with a 95% interval. The runs were not interleaved: what else the machine "
-            "did is in it."
+            "processor, with a 95% interval. The runs were not interleaved: other load of the machine "
+            "affects the ratio."
         ],
     )  # fmt: skip
 
@@ -371,7 +371,7 @@ def write_site(runs: Sequence[Shown], folder: Path) -> None:
     if of_all:
         site.write(
             "frontier.html", pages["frontier.html"],
-            ["Of every run with solvers that are not exact, the newest first.",
+            ["One figure for each run with solvers that are not exact, the newest first.",
              *(f"No figure of the run of {why}." for why in without)],
             drawings=of_all,
         )  # fmt: skip

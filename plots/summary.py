@@ -52,7 +52,7 @@ def overall(run: Run) -> Table:
                 else " Then quantiles over these meshes. Tables of fewer meshes have a line for each: "
                 "python3 -m plots --meshes A,B."
             ),
-            "Verified and without a time: cells, each a mesh and a source.",
+            "The columns Verified and Without a time count cells, each a mesh and a source.",
             *timed_elsewhere(run),
         ],
     )  # fmt: skip

@@ -60,8 +60,8 @@ def table(run: Run) -> Table:
         text_columns=2,
         rows=rows,
         remarks=[
-            f"Geometric means over {', '.join(listed)}, as far as both numbers are there; places "
-            "are by time. Stand-ins are other meshes than the thesis measured: what is published "
+            f"Geometric means over {', '.join(listed)}, if both numbers exist; places are by time. "
+            "Stand-ins are other meshes than the thesis measured: what is published "
             "is context only.",
             f"Published: {published.citation()}, Table 5.2, measured on {published.machine()}. "
             f"{COUNTING}",

@@ -372,7 +372,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--out", type=Path, metavar="DIR", required=True, help="folder to write to")
     parser.add_argument(
         "--allow-gaps", action="store_true",
-        help="merge what there is: check then names what is missing",
+        help="merge the shards that exist; check then names the missing ones",
     )  # fmt: skip
     parser.add_argument(
         "--rows-in-json", type=int, default=MOST_IN_JSON, metavar="N",

@@ -1,4 +1,4 @@
-"""`geodesic-bench view`: one page that turns a model and plays how solvers sweep it.
+"""`geodesic-bench view`: a page that turns a model and plays the wavefronts of solvers.
 
 Takes a run whose recordings have frames (`geodesic-bench run --frames`), or a mesh file, which it
 solves first from its first vertex. The page needs no other file and no network (docs/view.md).

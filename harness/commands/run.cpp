@@ -80,7 +80,7 @@ void add_request_options(CLI::App& command, RunRequest& request, bool& plan_only
   };
   call(
       "--resume", [&](const std::string& folder) { request = saved_request(folder).request; },
-      "continue an interrupted run in this folder, with the options that it had")
+      "continue the interrupted run in this folder, with its options")
       ->type_name("DIR");
   const CLI::Option* const suite_option =
       command
@@ -95,8 +95,7 @@ void add_request_options(CLI::App& command, RunRequest& request, bool& plan_only
         suite.corpus = corpus;
         suite.meshes.clear();  // removes those of the suite
       },
-      "corpus of the manifest, with the options of its suite where harness/suites has one of this "
-      "name")
+      "corpus of the manifest; a suite of the same name in harness/suites gives its options")
       ->type_name("NAME");
   command
       .add_option_function<std::vector<std::string>>(
@@ -110,10 +109,10 @@ void add_request_options(CLI::App& command, RunRequest& request, bool& plan_only
       ->delimiter(',')
       ->excludes("--corpus")
       ->type_name("NAMES");
-  option(
-      "--solvers", suite.solvers,
-      "solvers to measure (default: all that `list` shows as run always); a number after a comma "
-      "is a further value of the parameter before it")
+  option("--solvers", suite.solvers,
+         "solvers to measure (default: all but those that run only when named); a number after a "
+         "comma "
+         "is a further value of the parameter before it")
       ->delimiter(',')
       ->type_name("NAMES");
   option("--cells", request.cells, "only these cells, named as rows: mmp/horse/src:0,...")
@@ -126,8 +125,8 @@ void add_request_options(CLI::App& command, RunRequest& request, bool& plan_only
         suite.meshes = mesh_files_below(*request.folder);
         suite.corpus = as_corpus_name(*request.folder);
       },
-      "every mesh file in this folder and below it, in place of a corpus; what cannot be solved is "
-      "skipped with its reason, or repaired with --repair")
+      "every mesh file in this folder and below it, in place of a corpus; meshes that cannot be "
+      "solved are skipped with a reason, or repaired with --repair")
       ->excludes("--meshes")
       ->excludes("--corpus")
       ->type_name("DIR");
@@ -137,17 +136,17 @@ void add_request_options(CLI::App& command, RunRequest& request, bool& plan_only
       ->type_name("K/N");
   option("--sources", suite.sources, "number of source vertices of each mesh");
   option("--source-sets", suite.source_sets,
-         std::string("sets of sources of each mesh, each solved from in one query: ") +
+         std::string("sets of sources of each mesh; each set is solved in one query: ") +
              kSourceSetForms)
       ->delimiter(',')
       ->type_name("SETS");
   option("--path-targets", suite.path_targets,
-         "number of vertices that paths are measured to, of solvers that have paths (default 0)")
+         "number of targets of the measured paths, for solvers that have paths (default 0)")
       ->check(CLI::NonNegativeNumber);
   option("--repetitions", suite.repetitions, "number of timed repetitions of each cell");
   option("--seed", suite.seed, "seed of the choice of source vertices");
   option("--min-time", suite.min_time, "minimum duration of a repetition in seconds");
-  option("--reference", suite.reference, "exact solver to verify the others by, or 'brute force'")
+  option("--reference", suite.reference, "exact solver to verify the others with, or 'brute force'")
       ->type_name("NAME");
   option("--time-limit", suite.time_limit, "seconds after which a cell is stopped (default 3600)");
   option("--memory-limit", suite.memory_limit,
@@ -174,8 +173,8 @@ void add_request_options(CLI::App& command, RunRequest& request, bool& plan_only
             request.programs.clear();
             for (const std::string& word : words) request.programs.push_back(program_of(word));
           },
-          "build of geodesic-bench to measure instead of this one; give two or more, which "
-          "alternate as solvers do (implies --interleave)")
+          "build of geodesic-bench to measure instead of this one; give two or more: they "
+          "alternate like solvers (implies --interleave)")
       ->allow_extra_args(false)
       ->type_name("NAME=PATH");
   option("--threads", request.threads,

@@ -33,10 +33,10 @@ constexpr Script kScripts[] = {
     {"export", "gate.export", "Convert a run to the format of another tool"},
     {"merge", "results.merge", "Join the shards of a run (run --shard K/N)"},
     {"report", "plots.report", "Draw the tables, figures and the HTML report of a run"},
-    {"view", "view", "Make a page that turns a model and plays how solvers sweep it"},
+    {"view", "view", "Make a page that turns a model and plays the wavefronts of solvers"},
     {"check", "gate.check_run", "Check a run: verified cells, complete counters, known failures"},
-    {"publish", "gate.publish", "Write the file of a run that is to stand beside others"},
-    {"check-result", "gate.check_result", "Check a result file that is to stand beside others"},
+    {"publish", "gate.publish", "Write a run as a file to contribute"},
+    {"check-result", "gate.check_result", "Check a contributed result file"},
     {"site", "plots.site", "Make static pages of many runs, to sort, filter and compare"},
 };
 

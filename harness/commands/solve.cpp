@@ -125,10 +125,9 @@ void add_solve_command(CLI::App& app) {
   const auto flags = std::make_shared<SolveFlags>();
   CLI::App* command = app.add_subcommand("solve", "Compute distances; print times as JSON");
   command
-      ->add_option(
-          "mesh", flags->meshes,
-          "mesh files, or names of the manifest; of several ones each is solved by itself, "
-          "and has an object on a line of its own")
+      ->add_option("mesh", flags->meshes,
+                   "mesh files, or names of the manifest; each is solved separately, and its JSON "
+                   "object is one line if there are several")
       ->required()
       ->type_name("MESH");
   command
@@ -145,7 +144,9 @@ void add_solve_command(CLI::App& app) {
                    "point whose distance is wanted, written as a source, repeatable")
       ->allow_extra_args(false)
       ->type_name("POINT");
-  command->add_option("--targets-file", flags->targets_file, "file of targets, as of sources")
+  command
+      ->add_option("--targets-file", flags->targets_file,
+                   "file of targets, in the formats of --sources-file")
       ->type_name("FILE");
   command->add_flag("--stop-at-targets", flags->stop_at_targets,
                     "end when the targets are reached; vertices farther than all of them are "

@@ -91,8 +91,8 @@ void add_verify_command(CLI::App& app) {
       "verify", "Check a solver for the properties that all solvers promise, and explain failures");
   command
       ->add_option("--solver", request.solvers,
-                   "solver to check (see geodesic-bench list); with --random several, or without "
-                   "it all that promise something")
+                   "solver to check (see geodesic-bench list); with --random there may be several "
+                   "(default: all with a guarantee)")
       ->delimiter(',')
       ->type_name("NAME");
   command->add_option("--property", request.property, "check this property only")
@@ -118,19 +118,22 @@ void add_verify_command(CLI::App& app) {
       ->add_option("--limit", request.limit,
                    "distance beyond which vertices of those meshes are unreachable")
       ->check(zero_or_above());
-  CLI::Option* random = command
-                            ->add_option("--random", flags->random.count,
-                                         "check distances and paths on so many random meshes, and "
-                                         "nothing else")
-                            ->check(CLI::Range(1, 100'000'000))
-                            ->excludes("--property")
-                            ->excludes("--corpus")
-                            ->excludes("--meshes");
-  command->add_option("--seed", flags->random.seed, "of the random meshes (default: 1)")
+  CLI::Option* random =
+      command
+          ->add_option("--random", flags->random.count,
+                       "check only distances and paths, on this many random meshes")
+          ->check(CLI::Range(1, 100'000'000))
+          ->excludes("--property")
+          ->excludes("--corpus")
+          ->excludes("--meshes");
+  command->add_option("--seed", flags->random.seed, "seed of the random meshes (default: 1)")
       ->needs(random);
-  command->add_option("--first", flags->random.first, "number of the first of them (default: 0)")
+  command
+      ->add_option("--first", flags->random.first, "number of the first random mesh (default: 0)")
       ->needs(random);
-  command->add_option("--jobs", flags->random.jobs, "processes at a time for them (default: 1)")
+  command
+      ->add_option("--jobs", flags->random.jobs,
+                   "processes at a time for random meshes (default: 1)")
       ->check(CLI::Range(1, 1000))
       ->needs(random);
   command
