@@ -178,7 +178,7 @@ class Mesh:
             A name of `solvers()`. All exact solvers return the same distances up to rounding.
         return_nearest : bool
             Also return the nearest source of every vertex, where its path begins. The solver must be
-            one that traces paths.
+            one that remembers paths.
         parameters
             Parameters of the solver, if it has any: `Solver.parameters`.
 
@@ -229,7 +229,7 @@ class Mesh:
             As in `distances`.
         solver : str
         parameters
-            As in `distances`; the solver must be one that traces paths.
+            As in `distances`; the solver must be one that remembers paths.
 
         Raises
         ------
