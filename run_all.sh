@@ -64,8 +64,8 @@ Options:
   --help               this text
 
 On a cluster (docs/clusters.md):
-  --slurm              run in shards, as an array job of Slurm: wait for it, submit jobs that end
-                       early again, merge; DIR/slurm.sh is the batch script. Ctrl-C keeps the jobs
+  --slurm              run in shards, as an array job of Slurm: wait for it, resubmit jobs that end
+                       early, merge; DIR/slurm.sh is the batch script. Ctrl-C keeps the jobs
   --slurm-follow DIR   the same with jobs that were submitted before, also by hand
   --slurm-script       write the batch script and stop
   --shards N           (default: 32, or as many as there are pairs of mesh and source)

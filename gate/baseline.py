@@ -13,8 +13,8 @@ from pathlib import Path
 
 from results.reader import Cell, Source
 
-from gate.measured import COUNTERS, Number
 from gate.findings import ERROR, GateError, LevelResult, Weight
+from gate.measured import COUNTERS, Number
 from gate.program import Verified
 
 FOLDER = Path("results") / "baseline"

@@ -19,8 +19,8 @@ if __name__ == "__main__":
     console.prepare("geodesic-bench check-result")  # before imports that may fail
 
 from gate import baseline
-from gate.measured import Measured
 from gate.findings import GateError
+from gate.measured import Measured
 from results import checksum, outcomes
 from results.console import ROOT
 from results.reader import Cell, ResultError, Row, Run, read_run

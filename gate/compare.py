@@ -21,8 +21,8 @@ from results import console
 if __name__ == "__main__":
     console.prepare("geodesic-bench compare")  # before imports that may fail
 
-from gate.measured import COUNTERS, MEMORY, MEMORY_FLOOR, WRONG, Measured, Number, measured, programs
 from gate.findings import REGRESSION, WRONG_ANSWER, GateError
+from gate.measured import COUNTERS, MEMORY, MEMORY_FLOOR, WRONG, Measured, Number, measured, programs
 from results.console import complain
 from results.pairs import interleaved
 from results.reader import Cell, ResultError, Run, read_run

@@ -11,8 +11,8 @@ from concurrent.futures import ThreadPoolExecutor
 
 from results.reader import Cell
 
-from gate.measured import MEMORY, MEMORY_FLOOR, UNSUPPORTED, WRONG, Measured, Number
 from gate.findings import REGRESSION, WRONG_ANSWER, LevelResult, Weight
+from gate.measured import MEMORY, MEMORY_FLOOR, UNSUPPORTED, WRONG, Measured, Number
 from gate.program import NotCountableError, Program, Verified
 
 INSTRUCTIONS_FAIL = 0.02

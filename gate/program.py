@@ -17,8 +17,8 @@ from typing import Any
 from results.pairs import Pairs, interleaved
 from results.reader import Cell, ResultError, Run, read_file
 
-from gate.measured import Measured, measured
 from gate.findings import GateError
+from gate.measured import Measured, measured
 
 MIN_SECONDS = 0.05
 """Least total duration in seconds of the solves that one time is taken from, in each process."""

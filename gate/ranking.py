@@ -20,8 +20,8 @@ from results.statistics import (
     median_interval,
 )
 
-from gate.measured import MEMORY, WRONG, Measured, measured
 from gate.findings import GateError
+from gate.measured import MEMORY, WRONG, Measured, measured
 
 WINDOWS = "window_propagations"
 ERROR = "max_relative_error"

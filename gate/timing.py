@@ -20,8 +20,8 @@ from results.reader import Cell
 from results.statistics import Decision, Estimate, decide, geometric_mean_of_medians
 from results.table import four_digits
 
-from gate.measured import Measured
 from gate.findings import REGRESSION, GateError, LevelResult, Weight
+from gate.measured import Measured
 
 PAIRS = 15
 CONFIRMED = 2

@@ -8,7 +8,10 @@
 #include <string_view>
 
 namespace geodesic::harness {
-[[noreturn]] inline void misused_json(const char* condition) { throw std::logic_error(condition); }
+[[noreturn]] inline void misused_json(const char* condition) {
+  throw std::logic_error(std::string("a fault of this program, please report it: JSON: ") +
+                         condition);
+}
 }  // namespace geodesic::harness
 
 // In every build: without it, reading a missing key of a constant object reads foreign memory.

@@ -111,8 +111,7 @@ void add_request_options(CLI::App& command, RunRequest& request, bool& plan_only
       ->type_name("NAMES");
   option("--solvers", suite.solvers,
          "solvers to measure (default: all but those that run only when named); a number after a "
-         "comma "
-         "is a further value of the parameter before it")
+         "comma is a further value of the parameter before it")
       ->delimiter(',')
       ->type_name("NAMES");
   option("--cells", request.cells, "only these cells, named as rows: mmp/horse/src:0,...")

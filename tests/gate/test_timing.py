@@ -16,8 +16,8 @@ from results.reader import Cell, Row
 from results.statistics import Decision
 
 from gate import revisions, timing
-from gate.measured import Measured
 from gate.findings import GOOD, NOT_RESOLVED, REGRESSION, GateError, Weight
+from gate.measured import Measured
 from gate.program import Verified
 from gate.timing import PAIRS, Timing, timed_cells
 from gate.verdict import Verdict, as_text, judge

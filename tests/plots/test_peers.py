@@ -38,7 +38,7 @@ def run_of(rows: list[Data], meshes: Mapping[str, Mesh] = MESHES) -> Run:
     return replace(run, meshes=dict(meshes), sources={name: [0, 1] for name in meshes})
 
 
-def cells(table: Table, **where: str) -> dict[str, Field]:
+def fields(table: Table, **where: str) -> dict[str, Field]:
     """Returns the fields of the first row with these texts, by column."""
     for line in table.rows:
         named = dict(zip(table.header, line, strict=True))
@@ -48,7 +48,7 @@ def cells(table: Table, **where: str) -> dict[str, Field]:
 
 
 def of_solver(table: Table, solver: str) -> dict[str, Field]:
-    return cells(table, Solver=solver)
+    return fields(table, Solver=solver)
 
 
 # ---- what an answer costs
@@ -111,11 +111,11 @@ def test_twins_are_compared_by_time_and_by_the_windows_that_both_count() -> None
         row("vtp", "knot-100k", cpu_time=15),
     ]
     table = twins.table(run_of(rows))
-    small, large = (cells(table, Mesh=mesh) for mesh in MESHES)
+    small, large = (fields(table, Mesh=mesh) for mesh in MESHES)
     assert small["Time / ours"].value == pytest.approx(6)
     assert small["/ ours"].value == pytest.approx(1.3)
     assert (large["Windows"].text, large["/ ours"].text) == ("\N{EM DASH}", "\N{EM DASH}")
-    assert cells(table, Mesh=twins.ALL)["Time / ours"].value == pytest.approx(3)  # sqrt(6 * 1.5)
+    assert fields(table, Mesh=twins.ALL)["Time / ours"].value == pytest.approx(3)  # sqrt(6 * 1.5)
     (line,) = twins.overall(run_of(rows)).rows
     assert [line[i].value for i in (2, 3)] == pytest.approx([3, 1.3])
     assert line[4].text == "2 of 2"
@@ -124,7 +124,7 @@ def test_twins_are_compared_by_time_and_by_the_windows_that_both_count() -> None
 def test_a_twin_that_fails_is_shown_with_its_outcome() -> None:
     rows = [row("edge-based"), failed("vtp", "knot-1k", "time-out")]
     only = {"knot-1k": MESHES["knot-1k"]}
-    assert cells(twins.table(run_of(rows, only)), Mesh="knot-1k")["Time / ours"].text == "time-out"
+    assert fields(twins.table(run_of(rows, only)), Mesh="knot-1k")["Time / ours"].text == "time-out"
 
 
 def test_without_a_twin_there_is_no_table() -> None:
@@ -158,7 +158,7 @@ def case_run() -> Run:
 
 def test_the_matrix_has_a_word_for_every_solver_and_case() -> None:
     table = robustness.matrix(case_run())
-    apart, pinched = (cells(table, Case=case) for case in CASES)
+    apart, pinched = (fields(table, Case=case) for case in CASES)
     shown = {s: (apart[s].text, pinched[s].text) for s in SOLVERS}
     assert shown == {
         "edge-based": ("right", "right"),
@@ -173,7 +173,7 @@ def test_a_solver_of_single_sources_is_not_judged_by_sets() -> None:
     none = [failed("vtp", "pinched", "unsupported"),
             failed("vtp", "pinched", "unsupported", source="boundary")]  # fmt: skip
     table = robustness.matrix(run_of([row("edge-based", "apart"), *single, *none], CASES))
-    assert [cells(table, Case=case)["vtp"].text for case in CASES] == ["right", "unsupported"]
+    assert [fields(table, Case=case)["vtp"].text for case in CASES] == ["right", "unsupported"]
 
 
 @pytest.mark.parametrize(
@@ -191,12 +191,12 @@ def test_a_solver_of_single_sources_is_not_judged_by_sets() -> None:
 )  # fmt: skip
 def test_an_end_has_its_word(ended: Data, word: str) -> None:
     run = run_of([row("edge-based", "apart"), row("vtp", "apart", source=1), ended], CASES)
-    assert cells(robustness.matrix(run), Case="apart")["vtp"].text == word
+    assert fields(robustness.matrix(run), Case="apart")["vtp"].text == word
 
 
 def test_a_case_says_what_it_stands_for_and_who_reported_it() -> None:
     table = robustness.matrix(case_run())
-    apart, pinched = (cells(table, Case=case) for case in CASES)
+    apart, pinched = (fields(table, Case=case) for case in CASES)
     assert apart["Reported of"].text == "libigl 2554"
     assert apart["Case"].note == f"apart: two parts ({REPORT})."
     assert (pinched["Reported of"].text, pinched["Case"].note) == (
@@ -231,9 +231,9 @@ def test_failures_are_listed_with_what_happened() -> None:
 
 def test_a_skipped_case_and_one_without_rows_are_told() -> None:
     run = run_of([row("edge-based", "apart")], CASES)
-    assert cells(robustness.matrix(run), Case="pinched")["edge-based"].text == "missing"
+    assert fields(robustness.matrix(run), Case="pinched")["edge-based"].text == "missing"
     skipped = replace(run, skipped=[Skip("pinched", None, "no file")])
-    assert cells(robustness.matrix(skipped), Case="pinched")["edge-based"].text == "skipped"
+    assert fields(robustness.matrix(skipped), Case="pinched")["edge-based"].text == "skipped"
 
 
 def test_meshes_that_nobody_reported_on_are_no_cases() -> None:
@@ -273,7 +273,7 @@ def heat_run() -> Run:
 
 def test_break_even_stands_by_mesh_with_the_error_beside_it() -> None:
     table = break_even.table(heat_run())
-    small, large = (cells(table, Mesh=mesh) for mesh in MESHES)
+    small, large = (fields(table, Mesh=mesh) for mesh in MESHES)
     assert small["Break-even (sources)"].text == "4.5 [4.5, 4.5]"
     assert large["Break-even (sources)"].text == "never"
     assert (small["Mean error"].value, small["Largest error"].value) == (0.04, 0.9)

@@ -39,7 +39,7 @@ def rows_of(table: Table, name: str) -> list[list[str]]:
     return [[c.text for c in row] for row in table.rows if name in (row[0].value, row[0].text)]
 
 
-def cell_of(table: Table, name: str, measure: str, column: str) -> Field:
+def field_of(table: Table, name: str, measure: str, column: str) -> Field:
     for row in table.rows:
         if row[0].value == name and row[1].text == measure:
             return row[table.header.index(column)]
@@ -74,7 +74,7 @@ def test_a_run_that_has_nothing_to_do_with_the_thesis_does_not_show_it(golden_ru
 def test_out_of_memory_of_the_thesis_is_shown(changed: Changed) -> None:
     table = table_5_2.table(read_run(changed(paper_like)))
     terrain = "jacksboro-terrain (stand-in for cervino terrain)"
-    cell = cell_of(table, terrain, "Time (s), published for cervino terrain", "mmp")
+    cell = field_of(table, terrain, "Time (s), published for cervino terrain", "mmp")
     assert cell.text == "out of memory"
 
 
@@ -123,8 +123,8 @@ def test_huge_counts_are_grouped_by_thousands(changed: Changed) -> None:
     table = table_5_2.table(read_run(changed(paper_like)))
     terrain = "jacksboro-terrain (stand-in for cervino terrain)"
     assert "F: 3,145,728" in [row[0] for row in rows_of(table, terrain)]
-    assert cell_of(table, terrain, "Window propagations", "edge-based").text == "3,271,799,000"
-    assert re.fullmatch(r"\d,\d{3}\.\d+ .*", cell_of(table, terrain, "Time (s)", "mmp").text)
+    assert field_of(table, terrain, "Window propagations", "edge-based").text == "3,271,799,000"
+    assert re.fullmatch(r"\d,\d{3}\.\d+ .*", field_of(table, terrain, "Time (s)", "mmp").text)
 
 
 def test_solver_that_was_not_run_has_no_column_and_another_gives_the_limit(
@@ -139,7 +139,7 @@ def test_solver_that_was_not_run_has_no_column_and_another_gives_the_limit(
     run = read_run(changed(change))
     table = table_5_2.table(run)
     assert "mmp" not in table.header
-    assert cell_of(table, "horse", "Window propagations", "Window limit").text == "2,870,000"
+    assert field_of(table, "horse", "Window propagations", "Window limit").text == "2,870,000"
     ratios = table_5_2_ratios.ratios(run)
     assert "Time / edge-based" not in {row[0].text for row in ratios.rows}
     assert summary.overall(run).header[1] == "Time / fwp-mmp"
@@ -155,7 +155,7 @@ def test_cell_without_any_row_is_missing(changed: Changed) -> None:
 
     run = read_run(changed(change))
     table = table_5_2.table(run)
-    assert cell_of(table, "horse", "Time (ms)", "edge-based").text == "missing"
+    assert field_of(table, "horse", "Time (ms)", "edge-based").text == "missing"
     assert ["horse", "the thesis's horse", "48,485", "missing", "missing"] in [
         [cell.text for cell in row[:5]] for row in table_5_1.table(run).rows
     ]
@@ -174,7 +174,7 @@ def test_run_in_which_everything_failed_still_has_its_tables(changed: Changed) -
     compared = {"table_thesis", "summary_by_mesh"}  # they contain numbers only
     assert all(TABLES[name](run).name == name for name in NAMES if name not in compared)
     table = table_5_2.table(run)
-    assert cell_of(table, "horse", "Time (s)", "mmp").text == "crashed"
+    assert field_of(table, "horse", "Time (s)", "mmp").text == "crashed"
     claims = table_5_2_ratios.claims(run)
     assert {row[5].text for row in claims.rows} == {"crashed"}
 
