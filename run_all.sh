@@ -58,8 +58,8 @@ Options:
   --repair             repair meshes that cannot be solved, where possible
   --resume DIR         continue an interrupted run with its options
   --run DIR            folder of an old run, for check and plot (default: the newest)
-  --preset NAME        the build to measure: release (default), or ci, the build of the tests
-                       (the same, with warnings as errors)
+  --preset NAME        the build to measure: release (default), or ci (the same with warnings as
+                       errors; it configures the tests too)
   --no-install         never install a package: print the line that would, and stop
   --help               this text
 
@@ -155,7 +155,6 @@ need_bench() {
 
 step_build() {
   build_preset "$preset" --target geodesic-bench
-  want_three
 }
 
 # build_peers OPTION...: runs peers/build.py for the peers of --peers, by default all.

@@ -7,8 +7,8 @@ root=$(unset CDPATH; cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
 # shellcheck source=tools/common.sh
 source "$root/tools/common.sh"
 
-presets=(ci debug release)
-preset=ci
+presets=(release ci debug)
+preset=release
 install=yes
 tests=run_tests
 
@@ -19,8 +19,8 @@ Usage: ./run_tests.sh [OPTION...]
 Builds everything and runs every test: C++ with CTest, Python with pytest.
 
 Options:
-  --preset NAME   ci (default: optimised, warnings are errors), debug (address and
-                  undefined-behaviour sanitizers; slow) or release
+  --preset NAME   release (default: what run_all.sh builds), ci (the same, warnings are
+                  errors) or debug (address and undefined-behaviour sanitizers; slow)
   --nightly       in place of these, only the tests that take too long for every change
   --no-install    never install a package: print the line that would, and stop
   --help          this text
@@ -61,6 +61,6 @@ run_pytest() {
 parse_options "$@"
 start_log run_tests
 set_up "$install" python build test
-build_preset "$preset"
-want_three
+build_preset "$preset" -DGEODESIC_TESTS=ON
+logged "$python" "$root/view/three.py" || say "without three.js: the tests of view are skipped"
 "$tests"

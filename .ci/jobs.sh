@@ -5,16 +5,24 @@ set -uo pipefail
 root=$(unset CDPATH; cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
 passed=0
 failed=0
+skipped=0
 
-# job COMMAND...: the next one runs whatever became of this one.
+# job COMMAND...: runs the command and counts its result. A failure does not stop the jobs after it.
 job() {
+  local status=0
   printf '\n== %s\n' "$*"
-  if "$@"; then
-    passed=$((passed + 1))
-  else
-    printf '== failed: %s\n' "$*"
-    failed=$((failed + 1))
-  fi
+  "$@" || status=$?
+  case $status in
+    0) passed=$((passed + 1)) ;;
+    77)
+      printf '== skipped: %s\n' "$*"
+      skipped=$((skipped + 1))
+      ;;
+    *)
+      printf '== failed: %s\n' "$*"
+      failed=$((failed + 1))
+      ;;
+  esac
 }
 
 # Copies of the upstream meshes, and of the sources of public codes, beside the checkout stand for

@@ -52,7 +52,7 @@ def parse_arguments(words: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("--peers", type=Path, default=PEERS, help="folder of their descriptions")
     parser.add_argument(
         "--words", metavar="SOLVERS", help="build nothing: print the words for geodesic-bench "
-        "run that add the peers to SOLVERS (empty: to those that run always)"
+        "run that add the peers to SOLVERS (empty: to those that run always, and all peers also to cgal)"
     )
     return parser.parse_args(words)
 
@@ -72,10 +72,9 @@ def build_all(builder: Builder, peers: Sequence[Peer]) -> int:
     return missing
 
 
-def words_of_run(bench: Bench, plugins: Sequence[Path], solvers: str) -> list[str]:
+def words_of_run(bench: Bench, plugins: Sequence[Path], solvers: str, oracles: bool) -> list[str]:
     """Returns arguments of `geodesic-bench run`: the plug-ins, and their solvers after `solvers`."""
-    always = [name for name, by_name_only in bench.solvers().items() if not by_name_only]
-    beside = solvers or ",".join(always)
+    beside = solvers or ",".join(bench.beside_peers(oracles))
     names = [beside, *bench.solvers_of(*plugins)]
     return [*loading(plugins), "--solvers", ",".join(names)]
 
@@ -105,7 +104,8 @@ def run(arguments: argparse.Namespace) -> int:
         builder = Builder(folder, sources, Compiler(folder / "package"), bench)
         if arguments.words is not None:
             plugins = plugins_there(builder, peers, named=bool(arguments.names))
-            print("\n".join(words_of_run(bench, plugins, arguments.words)))
+            oracles = not arguments.names  # beside all
+            print("\n".join(words_of_run(bench, plugins, arguments.words, oracles)))
             return 0
         install_package(program.parent, folder / "package")
         bench.make_mesh()

@@ -11,7 +11,7 @@ from results import console
 if __name__ == "__main__":
     console.prepare()  # before imports that may fail
 
-from plots.catalogue import EVERYTHING, NUMBERED, draw, write
+from plots.catalogue import EVERYTHING, NUMBERED, draw_files
 from results.reader import ResultError, read_run, run_folder
 
 
@@ -37,9 +37,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         run = read_run(folder)
         if options.meshes:
             run = run.of_meshes(options.meshes)
-        drawn, left_out = draw(run, options.names)
-        for name, one in drawn.items():
-            write(name, one, folder, options.out)
+        _, left_out = draw_files(run, folder, options.names, options.out)
         if options.names and left_out:
             raise ResultError(next(iter(left_out.values())))
         if left_out:

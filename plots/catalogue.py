@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from concurrent.futures import ProcessPoolExecutor
+from contextlib import ExitStack
+from dataclasses import dataclass, replace
+from functools import partial
+from multiprocessing import get_context
 from pathlib import Path
 from urllib.parse import quote
 
@@ -12,7 +17,7 @@ from plots import (
     growth, many, many_sources, overview, path_costs, paths, peers_overview, performance_profile, robustness, summary, table_5_1, table_5_2,
     table_5_2_ratios, table_5_3, table_thesis, twins, wavefronts,
 )  # fmt: skip
-from plots.drawing import Drawing
+from plots.drawing import Drawing, Picture
 from plots.models import of_thesis
 from plots.ratios import MANY
 from results import table
@@ -112,6 +117,11 @@ OF_MANY: dict[str, Callable[[Run], Table | Drawing]] = {
 OF_MANY_WITH_SECONDS = {"time_over_vertices"}
 
 
+def known_of(run: Run) -> dict[str, Callable[[Run], Table | Drawing]]:
+    """Returns the tables and figures that are drawn of a run, by name."""
+    return EVERYTHING if len(run.meshes) <= MANY else OF_MANY
+
+
 def base_name(name: str) -> str:
     """Returns the name in EVERYTHING or NEUTRAL, without processor and mesh."""
     return name.split(ON)[0].split(OF)[0]
@@ -149,7 +159,7 @@ def draw(run: Run, names: Sequence[str] = ()) -> tuple[dict[str, Table | Drawing
         raise ResultError(f"{run.file}: a run of several programs; the gate compares them")
     drawn: dict[str, Table | Drawing] = {}
     left_out: dict[str, str] = {}
-    known = EVERYTHING if len(run.meshes) <= MANY else OF_MANY
+    known = known_of(run)
     for one in (NUMBERED.get(name, name) for name in names or known):
         if one not in known:
             left_out[one] = (
@@ -179,10 +189,49 @@ def draw(run: Run, names: Sequence[str] = ()) -> tuple[dict[str, Table | Drawing
     }, {_neutral(name): why for name, why in left_out.items()}
 
 
-def write(name: str, drawn: Table | Drawing, run_folder: Path, out: Path | None = None) -> None:
-    """Writes the table or figure in every format and prints the name of the first file."""
-    if isinstance(drawn, Table):
-        file, *others = table.write(drawn, out or run_folder / "tables")
-    else:
-        file, *others = drawing.write(drawn, name, out or run_folder / "figures")
-    print(f"{file} (also {', '.join(other.suffix for other in others)})")
+@dataclass(frozen=True)
+class Files:
+    """Tables and figures that have been written, the reasons for those left out, and lines that name the files."""
+
+    written: dict[str, Table | Picture]
+    left_out: dict[str, str]
+    lines: list[str]
+
+
+def draw_files(
+    run: Run, folder: Path, names: Sequence[str] = (), out: Path | None = None
+) -> tuple[dict[str, Table | Picture], dict[str, str]]:
+    """As `draw`, and writes each table and figure in every format: tables to FOLDER/tables and figures to
+    FOLDER/figures, or all to `out`. Each is drawn on one processor, and all processors are used. Prints
+    the name of the first file of each."""
+    each = list(names) or list(known_of(run))
+    processes = min(len(each), os.cpu_count() or 1)
+    draw_one = partial(_draw_files, run, folder, out)
+    written: dict[str, Table | Picture] = {}
+    left_out: dict[str, str] = {}
+    with ExitStack() as stack:
+        parts = map(draw_one, each)
+        if processes > 1:
+            # Not forked: a process that imported NumPy may have threads.
+            pool = ProcessPoolExecutor(processes, get_context("spawn"))
+            parts = stack.enter_context(pool).map(draw_one, each)
+        for part in parts:
+            for line in part.lines:
+                print(line)
+            written |= part.written
+            left_out |= part.left_out
+    return written, left_out
+
+
+def _draw_files(run: Run, folder: Path, out: Path | None, name: str) -> Files:
+    drawn, left_out = draw(run, [name])
+    written: dict[str, Table | Picture] = {}
+    lines = []
+    for name, one in drawn.items():
+        if isinstance(one, Table):
+            written[name] = one
+            files = table.write(one, out or folder / "tables")
+        else:
+            written[name], files = drawing.write(one, name, out or folder / "figures")
+        lines.append(f"{files[0]} (also {', '.join(file.suffix for file in files[1:])})")
+    return Files(written, left_out, lines)

@@ -19,8 +19,23 @@ class Drawing:
     figure: Figure
 
 
-def write(drawing: Drawing, name: str, folder: Path) -> list[Path]:
-    """Writes the figure as PNG and PDF, its caption as Markdown, and returns the files."""
+@dataclass(frozen=True)
+class Picture:
+    """A figure in a file, with its caption."""
+
+    title: str
+    caption: str
+    png: Path
+    inches: tuple[float, float]
+
+    @classmethod
+    def of(cls, drawing: Drawing, png: Path) -> Picture:
+        width, height = drawing.figure.get_size_inches()
+        return cls(drawing.title, drawing.caption, png, (float(width), float(height)))
+
+
+def write(drawing: Drawing, name: str, folder: Path) -> tuple[Picture, list[Path]]:
+    """Writes the figure as PNG and PDF and its caption as Markdown. Returns it with these files."""
     folder.mkdir(parents=True, exist_ok=True)
     files = [folder / f"{name}{extension}" for extension in (".png", ".pdf", ".md")]
     *pictures, caption = files
@@ -28,4 +43,4 @@ def write(drawing: Drawing, name: str, folder: Path) -> list[Path]:
         style.save(drawing.figure, file)
     title, words = escape_markdown(drawing.title), escape_markdown(drawing.caption)
     caption.write_text(f"## {title}\n\n![{title}]({name}.png)\n\n{words}\n", encoding="utf-8")
-    return files
+    return Picture.of(drawing, files[0]), files

@@ -22,7 +22,7 @@ from results.reader import ResultError, Run, read_run, run_folder
 from results.table import Table, mark
 
 if TYPE_CHECKING:
-    from plots.drawing import Drawing
+    from plots.drawing import Picture
 
 TEMPLATES = Environment(
     loader=FileSystemLoader(Path(__file__).resolve().parent), autoescape=True,
@@ -38,10 +38,7 @@ FEW = 4
 """Largest number of meshes that the title names; the others are counted."""
 
 
-def page(
-    run: Run, drawn: Mapping[str, Table | Drawing], left_out: Mapping[str, str], figures: Path
-) -> str:
-    """@param figures folder of the figures' PNG files"""
+def page(run: Run, drawn: Mapping[str, Table | Picture], left_out: Mapping[str, str]) -> str:
     from plots.catalogue import base_name  # it drew the figures, so it is imported already
 
     places = SECTION_OF | ({} if "summary_by_mesh" in map(base_name, drawn) else {"summary": "results"})
@@ -51,7 +48,7 @@ def page(
         if isinstance(one, Table):
             tables.setdefault(places.get(base_name(name), "tables"), {})[name] = one
         else:
-            pictures[name] = picture(one, figures / f"{name}.png")
+            pictures[name] = picture(one)
     sections = {
         "results": "Results" if "results" in tables or pictures.keys() & set(FIRST) else "",
         "thesis": "Compared with the thesis" if "thesis" in tables else "",
@@ -90,12 +87,12 @@ def page(
     )
 
 
-def picture(drawing: Drawing, png: Path) -> dict[str, Any]:
+def picture(one: Picture) -> dict[str, Any]:
     """Returns the data of a figure for the macro one_figure of parts.html."""
-    width, height = (round(CSS_DPI * inches) for inches in drawing.figure.get_size_inches())
+    width, height = (round(CSS_DPI * inches) for inches in one.inches)
     return {
-        "title": drawing.title, "caption": drawing.caption, "width": width, "height": height,
-        "png": base64.b64encode(png.read_bytes()).decode("ascii"),
+        "title": one.title, "caption": one.caption, "width": width, "height": height,
+        "png": base64.b64encode(one.png.read_bytes()).decode("ascii"),
     }  # fmt: skip
 
 
@@ -158,16 +155,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
         __doc__, "geodesic-bench report", "geodesic-bench report results/runs/mine"
     )
     options = parser.parse_args(arguments)
-    from plots.catalogue import draw, write  # after --help, since matplotlib is slow to import
+    from plots.catalogue import draw_files  # after --help, since matplotlib is slow to import
 
     try:
         folder = run_folder(options.run)
         run = read_run(folder)
-        drawn, left_out = draw(run)
-        for name, one in drawn.items():
-            write(name, one, folder)
+        drawn, left_out = draw_files(run, folder)
         file = folder / "report.html"
-        file.write_text(page(run, drawn, left_out, folder / "figures"), encoding="utf-8")
+        file.write_text(page(run, drawn, left_out), encoding="utf-8")
         if left_out:
             print(f"left out: {len(left_out)} tables and figures; the page says why")
         print(file)

@@ -304,6 +304,7 @@ class Site:
     ) -> None:  # fmt: skip
         """@param file relative to the site's folder, quoted as in a link"""
         from plots import style
+        from plots.drawing import Picture
 
         path = self.folder / unquote(file)
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -313,7 +314,7 @@ class Site:
             for name, one in (drawings or {}).items():
                 png = Path(figures) / f"{name}.png"
                 style.save(one.figure, png)
-                pictures[name] = picture(one, png)
+                pictures[name] = picture(Picture.of(one, png))
         page = TEMPLATES.get_template("site.html").render(
             title=title, summary=summary, root=root, pages=self.pages, tables={table.name: table for table in tables},
             facts=facts or {}, pictures=pictures, mark=mark,

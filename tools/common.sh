@@ -82,17 +82,21 @@ processors() {
   nproc 2>/dev/null || echo 2
 }
 
-# build_preset PRESET [cmake --build options...]
+# build_preset PRESET [-DNAME=VALUE...] [cmake --build options...]
 # Configures a build folder anew if it was moved or copied.
 build_preset() {
-  local preset=$1 cache="$root/build/$1/CMakeCache.txt" fresh=()
+  local preset=$1 cache="$root/build/$1/CMakeCache.txt" fresh=() definitions=()
   shift
+  while [[ ${1:-} == -D* ]]; do
+    definitions+=("$1")
+    shift
+  done
   if [[ -f $cache ]] && ! grep -qxF "CMAKE_CACHEFILE_DIR:INTERNAL=${cache%/*}" "$cache"; then
     fresh=(--fresh)
   fi
   (
     cd "$root" || exit
-    logged cmake "${fresh[@]}" --preset "$preset"
+    logged cmake "${fresh[@]}" --preset "$preset" "${definitions[@]}"
     logged cmake --build --preset "$preset" --parallel "$(processors)" "$@"
   )
 }

@@ -9,6 +9,8 @@ source "$root/tools/common.sh"
 
 roots=${GEODESIC_DEBIAN_ROOTS:-$root/build/debian}
 mirror=
+bare=
+install=yes
 release=
 command=()
 clone=/root/geodesic-bench  # in the chroot
@@ -23,14 +25,17 @@ Usage: tools/on_debian.sh [OPTION...] RELEASE COMMAND [WORD...]
 
 Runs a command in a fresh clone of the checkout's HEAD, in a chroot with a release of Debian:
   tools/on_debian.sh trixie ./run_tests.sh
-The chroot is made by debootstrap and kept, with what was installed in it. The clone stays in it, as
-$clone, until the next command. Uncommitted changes are left out.
+The chroot is made by debootstrap and kept, with what was installed in it; with --bare it is made anew,
+and has only git and certificates. The clone stays in it, as $clone, until the next
+command. Uncommitted changes are left out.
 
 RELEASE is a name that debootstrap knows: bookworm (Debian 12), trixie (Debian 13).
 
 Options:
+  --bare          begin with a chroot that is made anew
   --roots DIR     folder of the chroots, one for each release (default: build/debian)
   --mirror URL    of Debian (default: the one that apt uses here)
+  --no-install    never install debootstrap: print the line that would, and stop
   --help          this text
 
 Environment:
@@ -43,9 +48,9 @@ Environment:
 Variables named GEODESIC_*, CMAKE_*, CCACHE_*, CC, CXX, TERM and *_proxy are passed on, no others.
 The chroot gets apt's options and further certificates (/usr/local/share/ca-certificates) from here.
 
-Needs root, debootstrap, git, and the right to mount (CAP_SYS_ADMIN; a container: --privileged). All
-mounts are in a mount namespace of their own: they are gone when the command has ended, however it
-ends. The exit code is the command's.
+Needs root, git, and the right to mount (CAP_SYS_ADMIN; a container: --privileged): without them the
+exit code is 77. All mounts are in a mount namespace of their own: they are gone when the command has
+ended, however it ends. The exit code is the command's.
 EOF
 }
 
@@ -55,6 +60,8 @@ parse_options() {
     case $1 in
       --help | -h) usage; exit 0 ;;
       --roots=* | --mirror=*) set -- "${1%%=*}" "${1#*=}" "${@:2}" ;;
+      --bare) bare=yes; shift ;;
+      --no-install) install=no; shift ;;
       --roots) take_value "$@"; roots=$value; shift 2 ;;
       --mirror) take_value "$@"; mirror=$value; shift 2 ;;
       -*) unknown_option "$1" ;;
@@ -69,21 +76,15 @@ parse_options() {
   chroot=$roots/$release
 }
 
-check_needs() {
-  [[ $(id -u) == 0 ]] || die "needs root, for debootstrap, mount and chroot"
-  local tool
-  for tool in debootstrap git unshare flock; do
-    type -P "$tool" >/dev/null || die "needs $tool (Debian's package $(package_of "$tool"))"
-  done
-  unshare --mount true 2>/dev/null ||
-    die "may not mount here (CAP_SYS_ADMIN is needed; a container: --privileged)"
+cannot() {
+  printf '%s: %s\n' "$program" "$*" >&2
+  exit 77
 }
 
-package_of() {
-  case $1 in
-    unshare | flock) echo util-linux ;;
-    *) echo "$1" ;;
-  esac
+check_rights() {
+  [[ $(id -u) == 0 ]] || cannot "needs root, for debootstrap, mount and chroot"
+  unshare --mount true 2>/dev/null ||
+    cannot "may not mount here (CAP_SYS_ADMIN is needed; a container: --privileged)"
 }
 
 # repository SUITE: prints the address from which apt of this machine gets the suite, or nothing.
@@ -99,10 +100,11 @@ host_release() {
 find_mirror() {
   [[ -z $mirror ]] || return 0
   mirror=$(repository "$(host_release)")
-  [[ -n $mirror ]] || die "apt says of no mirror of Debian here: name one with --mirror"
+  [[ -n $mirror ]] || die "apt has no mirror of Debian on this machine: name one with --mirror"
 }
 
 make_chroot() {
+  if [[ -n $bare ]]; then rm -rf --one-file-system "${chroot:?}"; fi
   [[ ! -f $chroot/etc/debian_version ]] || return 0
   find_mirror
   printf '%s: making %s with debootstrap\n' "$program" "$chroot"
@@ -226,7 +228,9 @@ if [[ ${1:-} == --inside ]]; then
   exit
 fi
 parse_options "$@"
-check_needs
+check_rights
+start_log on_debian
+set_up "$install" debian
 mkdir -p "$roots"
 exec 9>"$roots/$release.lock"
 flock --nonblock 9 || die "$chroot is in use"

@@ -110,11 +110,6 @@ want_optional() {
   say "without the optional ${optional[*]}: what uses it is left out"
 }
 
-# want_three: fetches three.js, which only `view` needs, or prints a line about how to get it.
-want_three() {
-  logged "$python" "$root/view/three.py" || say "without three.js, which geodesic-bench view needs"
-}
-
 # apt_install PACKAGE...: installs packages; the output of apt goes to build/logs/apt.log. Package
 # lists are fetched if there are none, and again if they are out of date.
 apt_install() {

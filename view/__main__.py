@@ -114,7 +114,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     words = sys.argv[1:] if arguments is None else list(arguments)
     command = shlex.join(["geodesic-bench", "view", *words])
     try:
-        three.import_map()  # before a long solve
+        if not three.is_there():  # asked before a long solve
+            console.say(three.fetch(None), sys.stderr)
         if options.what.is_dir():
             recording = recording_of(options.what, options.mesh)
             solvers = chosen(recording, options.solvers)

@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 """Fetches three.js, which draws the page of `geodesic-bench view`, into view/three/.
 
-npm packs it, at the version and with the SHA-256 sums below. On a machine without npm or network,
-give the file that `npm pack` wrote on another one. What is there already is left alone.
+npm packs it, at the version and with the SHA-256 sums below. The first `view` does this. On a machine
+without npm or network, give the file that `npm pack` wrote on another one. What is there already is
+left alone.
 
 Exit codes: 0 it is there, 3 it could not be had, 1 wrong use or an error of the system.
 """
@@ -65,10 +66,7 @@ def import_map() -> dict[str, dict[str, str]]:
     """Returns an import map in which every module is a data: address, because the page must not need
     other files. @raises Unavailable when three.js is missing"""
     if not is_there():
-        raise Unavailable(
-            f"three.js {VERSION}, which draws the page, is not in {FOLDER}: fetch it with"
-            f" {ROOT / 'view' / 'three.py'} (without npm: {ROOT / 'view' / 'three.py'} --help)"
-        )
+        raise Unavailable(f"three.js {VERSION} is not in {FOLDER}")
     return {"imports": {name: _address(file) for name, file in MODULES.items()}}
 
 
@@ -87,7 +85,7 @@ def fetch(package: Path | None) -> str:
         whole = Path(scratch) / "whole"
         for file in FILES:
             (whole / file).parent.mkdir(parents=True, exist_ok=True)
-        archive = package or npm_package(NAME, VERSION, Path(scratch))
+        archive = package or _packed(Path(scratch))
         extract(archive, {f"package/{file}": whole / file for file in FILES})
         for file, expected in FILES.items():
             if sha256_of(whole / file) != expected:
@@ -95,6 +93,16 @@ def fetch(package: Path | None) -> str:
         shutil.rmtree(FOLDER, ignore_errors=True)
         whole.replace(FOLDER)
     return f"{what}: fetched"
+
+
+def _packed(folder: Path) -> Path:
+    try:
+        return npm_package(NAME, VERSION, folder)
+    except Unavailable as error:
+        raise Unavailable(
+            f"three.js {VERSION}, which draws the page: {error} (a copy from another machine will do:"
+            f" {Path(__file__).resolve()} --help)"
+        ) from None
 
 
 def main(words: Sequence[str] | None = None) -> int:
@@ -107,7 +115,7 @@ def main(words: Sequence[str] | None = None) -> int:
     try:
         console.say(fetch(options.package))
     except Unavailable as error:
-        console.say(f"three.js {VERSION}: missing: {error}", sys.stderr)
+        console.say(f"view/three.py: {error}", sys.stderr)
         return EXIT_MISSING
     except OSError as error:
         console.say(f"view/three.py: {console.reason_of(error)}", sys.stderr)

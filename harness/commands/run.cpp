@@ -177,7 +177,7 @@ void add_request_options(CLI::App& command, RunRequest& request, bool& plan_only
       ->allow_extra_args(false)
       ->type_name("NAME=PATH");
   option("--threads", request.threads,
-         "reference distances to compute at a time; solves are timed "
+         "reference distances to compute at a time (default: one a processor); solves are timed "
          "one by one")
       ->check(from_to(1, 1024));
   option("--out", request.out, "folder to write to (default: results/runs/<UTC time>-<corpus>)")

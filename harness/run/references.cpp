@@ -37,9 +37,11 @@ std::string write_known(const std::string& by, const Cell& cell, bool repair,
 
 }  // namespace
 
-std::string References::solve(const Cell& cell, const std::string& solver,
-                              const std::filesystem::path& file) {
-  if (const std::string* why = cell.mesh->unsupported_by(solver, *cell.source)) return *why;
+Failure References::solve(const Cell& cell, const std::string& solver,
+                          const std::filesystem::path& file) {
+  if (const std::string* why = cell.mesh->unsupported_by(solver, *cell.source)) {
+    return {Outcome::unsupported, *why};
+  }
   ReferenceSpec spec{.solver = solver,
                      .mesh_file = cell.mesh->entry.file.string(),
                      .source = cell.source->vertices.front(),
@@ -48,26 +50,35 @@ std::string References::solve(const Cell& cell, const std::string& solver,
   if (!cell.source->is_single()) {
     spec.sources_file = folder_.parent_path() / source_file(*cell.mesh, *cell.source);
   }
-  const ProcessLimits limits = limits_of(request_.suite);
+  ProcessLimits limits = limits_of(request_.suite);
+  limits.memory_bytes /= at_a_time_;
   const auto waiting = [&] {
     const std::lock_guard lock(mutex_);
     waiting_(solver);
   };
   const Ended ended = run_geodesic_bench({"reference", Json(spec).dump()}, waiting, limits);
   if (ended.succeeded()) return {};
-  const Failure failure = failure_of(ended, limits);
-  return solver + ": " + std::string(name_of(failure.outcome)) + ": " + failure.why;
+  Failure failure = failure_of(ended, limits);
+  failure.why = solver + ": " + std::string(name_of(failure.outcome)) + ": " + failure.why;
+  return failure;
 }
 
-const std::string& References::compute(const Cell& cell, const std::string& solver,
-                                       const std::filesystem::path& file) {
+std::string References::compute(const Cell& cell, const std::string& solver,
+                                const std::filesystem::path& file) {
   std::unique_lock lock(mutex_);
   const auto [at, first] = tried_.try_emplace(file.filename().string());
   lock.unlock();
   if (!first) return at->second;
-  const bool known = solver == kClosedForm || solver == kBruteForce;
-  return at->second =
-             known ? write_known(solver, cell, request_.repair, file) : solve(cell, solver, file);
+  if (solver == kClosedForm || solver == kBruteForce) {
+    return at->second = write_known(solver, cell, request_.repair, file);
+  }
+  const Failure failure = solve(cell, solver, file);
+  at->second = failure.why;
+  if (failure.outcome == Outcome::out_of_memory && at_a_time_ > 1) {
+    lock.lock();
+    tried_.erase(at);  // alone it has more
+  }
+  return failure.why;
 }
 
 std::optional<Reference> References::find_other_than(const Reference& oracle, const Cell& cell) {
@@ -97,22 +108,24 @@ Reference References::find(const Cell& cell, bool oracles) {
     if (!oracles && is_independent_oracle(solver)) continue;
     const std::string name = cell.mesh->entry.name + "__src" + cell.source->name + "__" + solver;
     const std::filesystem::path file = folder_ / (as_file_name(name) + ".distances");
-    const std::string& failure = compute(cell, solver, file);
+    std::string failure = compute(cell, solver, file);
     if (failure.empty()) return {solver, file};
-    failures.push_back(failure);
+    failures.push_back(std::move(failure));
   }
   throw HarnessError("cannot be verified: no other exact solver gave distances (" +
                      (failures.empty() ? "none is registered" : join(failures, "; ")) + ")");
 }
 
-void References::compute_ahead(std::span<const Cell> cells, unsigned threads) {
+void References::compute_ahead(std::span<const Cell* const> cells) {
   std::map<const SourceSet*, std::vector<const Cell*>> by_source;
-  for (const Cell& cell : cells) {
-    if (cell.unsupported() == nullptr) by_source[cell.source].push_back(&cell);
+  for (const Cell* cell : cells) {
+    if (cell->unsupported() == nullptr) by_source[cell->source].push_back(cell);
   }
   std::vector<std::vector<const Cell*>> sources;
   for (auto& [source, of_source] : by_source) sources.push_back(std::move(of_source));
-  do_in_threads(sources.size(), threads, [&]() -> Worker {
+  if (sources.empty()) return;
+  at_a_time_ = sources.size();
+  do_in_threads(sources.size(), static_cast<unsigned>(sources.size()), [&]() -> Worker {
     return [&](std::size_t i) {
       for (const Cell* cell : sources[i]) {
         try {
@@ -122,6 +135,7 @@ void References::compute_ahead(std::span<const Cell> cells, unsigned threads) {
       }
     };
   });
+  at_a_time_ = 1;
 }
 
 }  // namespace geodesic::harness

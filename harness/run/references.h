@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/run/cell.h"
 #include "harness/run/plan.h"
 
 namespace geodesic::harness {
@@ -40,20 +41,22 @@ class References {
   /// is reported on standard error. Nothing when both agree or there is no other reference.
   std::optional<Reference> find_other_than(const Reference& oracle, const Cell& cell);
 
-  /// Computes the references that `find` will need for these cells. Each thread computes those of
-  /// one source at a time. `find` reports failures.
-  void compute_ahead(std::span<const Cell> cells, unsigned threads);
+  /// Computes the references that `find` will need for these cells, of each source in a thread of
+  /// its own. They share the memory limit. `find` reports failures, and tries again those that
+  /// ran out of memory beside others.
+  void compute_ahead(std::span<const Cell* const> cells);
 
  private:
   Reference find(const Cell& cell, bool oracles);
   // Returns why the distances could not be computed; empty when they were.
-  const std::string& compute(const Cell& cell, const std::string& solver,
+  std::string compute(const Cell& cell, const std::string& solver,
                              const std::filesystem::path& file);
-  std::string solve(const Cell& cell, const std::string& solver, const std::filesystem::path& file);
+  Failure solve(const Cell& cell, const std::string& solver, const std::filesystem::path& file);
 
   std::filesystem::path folder_;
   const RunRequest& request_;
   std::function<void(const std::string&)> waiting_;
+  std::size_t at_a_time_ = 1;
   std::mutex mutex_;  // guards the map; each of its values is for one source, used by one thread
   std::map<std::string, std::string> tried_;  // results of `compute`, by file name
 };

@@ -1,9 +1,11 @@
 // The options of a run. The command `run` fills them in; request.json stores them (resume.h).
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "harness/corpus/suite.h"
@@ -47,7 +49,8 @@ struct RunRequest {
 
   // The members below do not change the results.
   std::optional<std::filesystem::path> out = {};  ///< default: `results/runs/<UTC time>-<corpus>`
-  unsigned threads = 1;      ///< references computed at a time; no cell is timed meanwhile
+  /// References computed at a time; no cell is timed meanwhile.
+  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   std::string command = {};  ///< the command line, for the record
   std::optional<std::filesystem::path> resume = {};  ///< folder of the run to resume
   bool accept_changes = false;                       ///< resume even if the request has changed

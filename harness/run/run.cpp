@@ -68,6 +68,7 @@ class Run {
   Progress progress_;
   std::map<std::size_t, std::vector<Row>> kept_;  // by cell
   std::size_t measured_ = 0, ok_ = 0;             // cells
+  std::size_t referenced_ = 0;  // the references of the cells before this one have been computed
   std::vector<Row> rows_;                         // of all cells so far
   // The outcome and source of the first cell that exceeded its memory or time limit.
   std::map<std::tuple<const MeasuredProgram*, const Description*, const PlannedMesh*>, std::string>
@@ -176,14 +177,20 @@ void Run::note_failure(const Cell& cell, const Row& row) {
   }
 }
 
-// Computes the references of the mesh whose first cell this is. With one thread, they are computed
-// when they are needed, so that a run shows its first time sooner.
+// Computes the references of this cell's source and of the next sources of its mesh, one source a
+// thread. With one thread, each is computed when it is needed.
 void Run::compute_references(std::size_t first) {
-  const PlannedMesh* mesh = cells_[first].mesh;
-  if (request_.threads == 1 || (first > 0 && cells_[first - 1].mesh == mesh)) return;
-  std::size_t last = first;
-  while (last < cells_.size() && cells_[last].mesh == mesh) ++last;
-  references_.compute_ahead(std::span(cells_).subspan(first, last - first), request_.threads);
+  if (request_.threads == 1 || first < referenced_) return;
+  std::set<const SourceSet*> sources;
+  std::vector<const Cell*> ahead;
+  for (referenced_ = first; referenced_ < cells_.size(); ++referenced_) {
+    const Cell& cell = cells_[referenced_];
+    if (cell.mesh != cells_[first].mesh) break;
+    sources.insert(cell.source);
+    if (sources.size() > request_.threads) break;
+    if (!kept_.contains(referenced_)) ahead.push_back(&cell);
+  }
+  references_.compute_ahead(ahead);
 }
 
 std::vector<Row> Run::rows_of(std::size_t cell) {
@@ -296,7 +303,7 @@ RunResult run(RunRequest request) {
   check_programs(request.programs);
   if (!request.programs.empty()) request.interleave = true;
   if (!request.suite.memory_limit) {
-    request.suite.memory_limit = available_memory() / request.threads;  // in equal parts
+    request.suite.memory_limit = available_memory();
   }
   Plan plan = make_plan(request);
   warn_of_names(plan, request.manifest);

@@ -20,7 +20,9 @@ std::vector<const Description*> rank_references(const Description& verified,
   for (const Description* solver : solvers) {
     if (solver->exactness != Exactness::exact) continue;
     if (base_name(solver->name) == base_name(verified.name)) continue;
-    if (!solver->by_name_only || solver->name == named) candidates.push_back(solver);
+    if (!solver->by_name_only || solver->independent_oracle || solver->name == named) {
+      candidates.push_back(solver);
+    }
   }
   std::ranges::sort(candidates, {}, [&](const Description* solver) {
     const double time = relative_time(*solver, times);

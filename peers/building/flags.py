@@ -7,6 +7,7 @@ import subprocess
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any, cast
 
 from fetching.program import last_line
 from fetching.reporting import Unavailable
@@ -22,16 +23,23 @@ class Bench:
     program: Path
     mesh: Path
 
-    def solvers(self, *plugins: Path) -> dict[str, bool]:
-        """Returns the solvers of the program and of plug-ins, with whether each one runs only if it is
-        named. Raises Unavailable."""
-        done = self._run("list", "--json", *loading(plugins))
-        return {each["name"]: each["by_name_only"] for each in json.loads(done.stdout)["solvers"]}
+    def beside_peers(self, oracles: bool) -> list[str]:
+        """Returns the solvers of the program that run always and, if asked for, its independent oracles,
+        which others wrote as well. Raises Unavailable."""
+        return [
+            each["name"]
+            for each in self._listed()
+            if not each["by_name_only"] or (oracles and each["independent_oracle"])
+        ]
 
     def solvers_of(self, *plugins: Path) -> list[str]:
         """Returns the names of the solvers of plug-ins. Raises Unavailable."""
-        own = self.solvers()
-        return [solver for solver in self.solvers(*plugins) if solver not in own]
+        own = [each["name"] for each in self._listed()]
+        return [each["name"] for each in self._listed(*plugins) if each["name"] not in own]
+
+    def _listed(self, *plugins: Path) -> list[dict[str, Any]]:
+        listed = json.loads(self._run("list", "--json", *loading(plugins)).stdout)
+        return cast(list[dict[str, Any]], listed["solvers"])
 
     def make_mesh(self) -> None:
         """Generates a torus of 2,048 vertices, a closed mesh because some codes fail on boundaries.

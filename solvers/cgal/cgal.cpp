@@ -175,6 +175,7 @@ const RegisterSolver<Cgal> registered{{
     .family = "CH",
     .paper = "Xin, Wang 2009, Improving Chen and Han's algorithm on the discrete geodesic problem",
     .independent_oracle = true,
+    .by_name_only = true,
     .abilities = {.non_manifold_vertices = false,
                   .degenerate_faces = false,
                   .surface_sources = true,

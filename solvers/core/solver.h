@@ -59,10 +59,12 @@ struct Description {
   /// The same query gives the same bits every time; false for parallel codes that do not guarantee
   /// it.
   bool deterministic = true;
-  bool independent_oracle = false;  ///< shares no kernel with others: preferred for verification
-  bool by_name_only = false;   ///< a variant or an example: runs, and verifies others, only when
-                               ///< named; the build sets it for solvers/variants/
-  int threads = 1;             ///< threads of a solve, unless there is a parameter `threads`
+  /// Shares no kernel with others: preferred for verification, also where it runs by name only.
+  bool independent_oracle = false;
+  /// Runs, and verifies others unless it is an oracle, only when it is named. The build sets it for
+  /// solvers/variants/.
+  bool by_name_only = false;
+  int threads = 1;  ///< threads of a solve, unless there is a parameter `threads`
   bool needs_renewal = false;  ///< keeps state of a query: Solver::renew before the next one
   Abilities abilities = {};
   std::string remarks = {};  ///< licence of what it links, limits, anything a user must know

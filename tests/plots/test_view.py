@@ -132,10 +132,11 @@ def test_what_cannot_be_shown_is_one_line(
     assert says in error and error.count("\n") == 1
 
 
-def test_without_three_js_a_line_says_how_to_get_it(
+def test_the_first_view_fetches_three_js_and_without_npm_a_line_says_how_to_get_it(
     run: Run, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(three, "FOLDER", tmp_path)
+    monkeypatch.setattr(three, "FOLDER", tmp_path / "three")
+    monkeypatch.setenv("PATH", str(tmp_path))
     assert command.main([str(run.file.parent)]) == 1
     error = capsys.readouterr().err
-    assert "three.py" in error and error.count("\n") == 1
+    assert "there is no npm" in error and "three.py --help" in error and error.count("\n") == 1

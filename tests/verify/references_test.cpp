@@ -56,6 +56,11 @@ TEST_F(RankReferences, OneThatRunsOnlyByNameVerifiesOnlyByName) {
   EXPECT_EQ(ranked(verified_, "other").front(), "other");
 }
 
+TEST_F(RankReferences, AnOracleThatRunsOnlyByNameVerifiesAlways) {
+  oracle_.by_name_only = true;
+  EXPECT_EQ(ranked(verified_).front(), "z-oracle");
+}
+
 TEST_F(RankReferences, NobodyVerifiesItself) {
   EXPECT_EQ(ranked(oracle_, "z-oracle").front(), "other");
 }
