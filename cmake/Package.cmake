@@ -28,7 +28,7 @@ install(FILES harness/relative_times.json harness/suite.schema.json
 install(DIRECTORY results/baseline results/published DESTINATION ${GEODESIC_DATA_FOLDER}/results)
 install(FILES results/__init__.py results/checksum.py results/columns.py results/console.py results/merge.py
               results/outcomes.py results/pairs.py results/published.py results/reader.py results/schema.py
-              results/statistics.py results/table.py
+              results/statistics.py results/table.py results/text.py
         DESTINATION ${GEODESIC_DATA_FOLDER}/results)
 install(DIRECTORY gate plots view docs examples DESTINATION ${GEODESIC_DATA_FOLDER}
         USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE PATTERN build EXCLUDE)

@@ -12,6 +12,7 @@ from datetime import date
 from pathlib import Path
 
 from results.reader import Cell, Source
+from results.text import read_text
 
 from gate.findings import ERROR, GateError, LevelResult, Weight
 from gate.measured import COUNTERS, Number
@@ -35,8 +36,7 @@ def read(tree: Path) -> Counters:
     """@raises GateError when the baseline is missing or is not a table of counters"""
     file = tree / FOLDER / FILE
     try:
-        with file.open(encoding="utf-8", newline="") as lines:
-            return dict(_entry(line) for line in csv.DictReader(lines))
+        return dict(_entry(line) for line in csv.DictReader(io.StringIO(read_text(file))))
     except FileNotFoundError:
         raise GateError(
             f"{file}: no baseline of counters; ./check_performance.sh --update-baseline writes it"

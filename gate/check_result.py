@@ -24,6 +24,7 @@ from gate.measured import Measured
 from results import checksum, outcomes
 from results.console import ROOT
 from results.reader import Cell, ResultError, Row, Run, read_run
+from results.text import read_text
 
 LARGEST_ERROR = 1e-9
 """Largest relative error of an exact solver. geodesic-bench accepts a thousandth of it, but the errors
@@ -57,7 +58,7 @@ def problems(run: Run, counters: baseline.Counters, manifest: Mapping[str, Mappi
 
 
 def _sums(run: Run) -> Iterator[str]:
-    text = run.file.read_text(encoding="utf-8")
+    text = read_text(run.file)
     stated = checksum.stated(text)
     if stated is None:
         yield "no checksum: runs have one that this program measured or merged"

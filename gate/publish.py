@@ -24,6 +24,7 @@ from gate import check_result
 from gate.findings import GateError
 from results import checksum, outcomes
 from results.reader import ResultError, Run, newest_run, read_run
+from results.text import read_text
 
 ABSOLUTE = re.compile(r"""(?<![\w.:/~-])/(?:[^\s'",;:=()/]+/)*([^\s'",;:=()/]*)""")
 """Matches an absolute path in a text. Group 1 is its last name."""
@@ -41,7 +42,7 @@ def published(run: Run, licences: Mapping[str, str]) -> str:
         raise ResultError(f"{run.file}: its rows are in {run.rows_file.name}, and a contribution is one file")
     if unknown := [name for name in licences if name not in run.meshes]:
         raise ResultError(f"--licence: the run has no mesh {', '.join(unknown)}")
-    data = json.loads(run.file.read_text(encoding="utf-8"))
+    data = json.loads(read_text(run.file))
     context, ours = data["context"], data["context"]["geodesic_bench"]
     context.pop("host_name", None)
     for plugin in ours.get("plugins", []):

@@ -154,6 +154,7 @@ std::string read_bytes(const fs::path& path) {
 
 MeshFile parse_mesh(std::string_view bytes, const std::string& name) {
   if (bytes.empty()) throw MeshError(name + ": the file is empty (0 bytes); get a whole copy");
+  if (!has_size_of_binary_stl(bytes)) bytes = text_of(bytes, name);  // its header is arbitrary
   const Recognised format = recognise(bytes, name);
   MeshFile file = format.parser(bytes, name);
   const std::string extension = lower_extension(name);

@@ -24,6 +24,7 @@ from .console import ROOT, printable
 from .schema import SCHEMA as SCHEMA
 from .schema import ResultError as ResultError
 from .schema import key_of, validate
+from .text import NotUtf8, read_text
 
 RUNS = ROOT / "results" / "runs"
 
@@ -399,7 +400,7 @@ def _columns(file: Path, data: dict[str, Any], *, check: bool) -> Columns:
 def load(file: Path) -> Any:
     """Reads JSON with finite numbers, and escapes control characters. @raises ResultError"""
     try:
-        text = file.read_text(encoding="utf-8")
+        text = read_text(file)
         data = json.loads(text)
         if _ESCAPED.search(text) or not text.replace("\n", "").isprintable():
             data = _harmless(data)
@@ -407,6 +408,8 @@ def load(file: Path) -> Any:
             _refuse_non_finite(file, data)
     except ResultError:
         raise
+    except NotUtf8 as error:
+        raise ResultError(str(error)) from None
     except RecursionError:
         raise ResultError(f"{file}: nested too deep for a result file") from None
     except FileNotFoundError:

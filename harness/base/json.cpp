@@ -8,6 +8,7 @@
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"
+#include "meshes/formats/parsing.h"
 
 namespace geodesic::harness {
 namespace {
@@ -48,8 +49,11 @@ std::string reason_of(const Json::exception& error) {
 
 Json parse_json(std::string_view text, const std::string& name) {
   try {
+    text = text_of(text, name);
     check_bounds(text);
     return Json::parse(text);
+  } catch (const MeshError& error) {
+    throw HarnessError(error.what());
   } catch (const Json::exception& error) {
     throw HarnessError(name + ": not valid JSON: " + reason_of(error) +
                        "; correct it or get a whole copy");

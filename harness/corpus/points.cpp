@@ -7,6 +7,7 @@
 
 #include "harness/base/error.h"
 #include "meshes/formats/bytes.h"
+#include "meshes/formats/parsing.h"
 #include "meshes/mesh_file.h"
 #include "meshes/nearest_point.h"
 
@@ -195,7 +196,8 @@ std::vector<WrittenPoint> parse_points_file(std::string_view bytes, const std::s
 
 std::vector<WrittenPoint> read_points(const std::filesystem::path& file, const std::string& flag) {
   try {
-    return parse_points_file(read_bytes(file), flag + " '" + file.string() + "'");
+    const std::string bytes = read_bytes(file);
+    return parse_points_file(text_of(bytes, file.string()), flag + " '" + file.string() + "'");
   } catch (const MeshError& error) {
     throw HarnessError(flag + ' ' + error.what());
   }

@@ -109,7 +109,7 @@ std::vector<double> ExternalSolver::read_distances() const {
   if (is_npy(bytes)) {
     distances = parse_npy_numbers(bytes, name);
   } else {
-    TextReader text(bytes, name);
+    TextReader text(text_of(bytes, name), name);
     while (text.next_line()) {
       while (!text.at_line_end()) distances.push_back(text.number("distance"));
     }

@@ -36,6 +36,14 @@ std::errc parse(std::string_view word, Number& value) {
 
 }  // namespace
 
+std::string_view text_of(std::string_view bytes, const std::string& name) {
+  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) {
+    throw MeshError(name + ": the text is UTF-16; save it as UTF-8");
+  }
+  constexpr std::string_view kMark = "\xef\xbb\xbf";
+  return bytes.starts_with(kMark) ? bytes.substr(kMark.size()) : bytes;
+}
+
 TextReader::TextReader(std::string_view text, std::string name, TextRules rules)
     : name_(std::move(name)),
       rules_(rules),

@@ -21,6 +21,12 @@ MeshFile parse_stl_binary(std::string_view bytes, const std::string& name);
 /// Returns whether the size of the file is that of a binary STL file with the triangle count in it.
 bool has_size_of_binary_stl(std::string_view bytes);
 
+/// The text of a file that a user wrote: its bytes without the byte order mark of UTF-8 that some
+/// editors put first.
+/// @param name the file's name, for the message
+/// @throws MeshError for the byte order marks of UTF-16
+std::string_view text_of(std::string_view bytes, const std::string& name);
+
 struct TextRules {
   char comment = '\0';         ///< starts a comment up to the end of the line; '\0': none
   bool continuations = false;  ///< a backslash at the end of a line joins the next one to it

@@ -13,6 +13,7 @@ from fetching.program import find
 from fetching.reporting import FetchError
 
 from results.console import reason_of
+from results.text import NotUtf8, read_text
 
 PEERS = Path(__file__).resolve().parents[1]
 
@@ -69,10 +70,12 @@ def read_peer(folder: Path) -> Peer:
     """Reads a description. Raises FetchError with the fault of the description and its place."""
     file = folder / "peer.json"
     try:
-        data = json.loads(file.read_text("utf-8"))
+        data = json.loads(read_text(file))
         jsonschema.validate(data, json.loads((PEERS / "peer.schema.json").read_text("utf-8")))
     except OSError as error:
         raise FetchError(reason_of(error)) from error
+    except NotUtf8 as error:
+        raise FetchError(str(error)) from error
     except ValueError as error:
         raise FetchError(f"{file} is not JSON: {error}") from error
     except jsonschema.ValidationError as error:

@@ -115,6 +115,11 @@ CASES = [
     mesh("NaN", "a.stl", stl(1, struct.pack("<9f", *8 * [0.0], float("nan"))),
          "a.stl", "not finite", *MEANINGLESS),
     # Any file name
+    *(mesh(f"{encoding} with its byte order mark", file, "\ufeff".encode(encoding) + text.encode(encoding),
+           f"{file}: the text is UTF-16; save it as UTF-8")
+      for encoding in ("utf-16-le", "utf-16-be")
+      for file, text in (("a.obj", OBJ + "f 1 2 3\n"), ("a.off", OFF + "3 0 1 2\n"), ("a.stl", "solid\n"),
+                         ("a.ply", ply("").decode()))),
     mesh("empty", "a.off", "", "a.off: the file is empty (0 bytes); get a whole copy"),
     mesh("noise", "a.obj", bytes(range(256)), "a.obj", *UNKNOWN),
     mesh("compressed", "a.ply", b"\x1f\x8b\x08\x00", "a.ply: a compressed file", "unpack it first"),

@@ -181,6 +181,9 @@ TEST_F(CommandLine, PointsMayBeWrittenInEveryFormAndPlace) {
   EXPECT_EQ(sources({"--source", " 0, edge: 1 - 2 : 0.25 , 1 + 0.5 "}), expected);
   EXPECT_EQ(sources({"--source", "0", "--source", "edge:2-1:0.75", "--source", "1+0.5"}), expected);
   EXPECT_EQ(in_file("0 \"edge:1-2:0.25\"\n1+0.5\n"), expected);
+  EXPECT_EQ(in_file("\xef\xbb\xbf"
+                    "0,edge:1-2:0.25,1+0.5"),
+            expected);
   EXPECT_EQ(in_file(R"([0, "edge:1-2:0.25", "1+0.5"])"), expected);
 }
 

@@ -32,6 +32,14 @@ TEST(ParseJson, BracketsAndColonsInStringsAreText) {
   EXPECT_EQ(parse_json("[\"" + text + "\"]", "a.json").at(0), nested(30) + ":\"");
 }
 
+TEST(ParseJson, TakesUtf8WithAByteOrderMarkAndNoUtf16) {
+  EXPECT_EQ(parse_json("\xef\xbb\xbf[1]", "a.json").at(0), 1);
+  for (const char* mark : {"\xff\xfe", "\xfe\xff"}) {
+    expect_error([&] { parse_json(mark + std::string("[1]"), "a.json"); },
+                 {"a.json: the text is UTF-16; save it as UTF-8"});
+  }
+}
+
 TEST(ParseJson, SaysInOneLineWhatIsNoJson) {
   expect_error([] { parse_json("[1e999]", "a.json"); }, {"a.json: not valid JSON", "1e999"});
   expect_error([] { parse_json("[", "a.json"); }, {"a.json: not valid JSON", "line 1, column 2"});

@@ -128,6 +128,23 @@ TEST(Hostile, OtherFilesAreOfTheWrongFormat) {
   }
 }
 
+TEST(Hostile, TheByteOrderMarkOfUtf8IsNoPartOfTheText) {
+  for (const Sample& sample : all_formats()) {
+    if (sample.name.ends_with(".stl") && sample.name != "ascii.stl") continue;
+    const MeshFile file = parse_mesh("\xef\xbb\xbf" + sample.bytes, sample.name);
+    const MeshFile without = parse_mesh(sample.bytes, sample.name);
+    EXPECT_EQ(file.soup.positions, without.soup.positions) << sample.name;
+    EXPECT_EQ(file.soup.triangles, without.soup.triangles) << sample.name;
+    EXPECT_EQ(file.format, without.format);
+  }
+}
+
+TEST(Hostile, ABinaryHeaderMayBeginWithAnyBytes) {
+  for (const char* mark : {"\xef\xbb\xbf", "\xff\xfe", "\xfe\xff"}) {
+    EXPECT_EQ(parse_mesh(binary_stl(mark), "a.stl").format, "STL binary");
+  }
+}
+
 TEST(Hostile, TheContentDecidesAgainstTheExtensionAndSaysSo) {
   for (const Sample& sample : all_formats()) {
     const bool is_ply = sample.name.ends_with(".ply");

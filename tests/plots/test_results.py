@@ -84,8 +84,19 @@ def test_truncated_file_and_bytes_that_are_no_text_are_no_json(
     golden_folder: Path, tmp_path: Path, length: int | None
 ) -> None:
     whole = (golden_folder / "run.json").read_bytes()
-    (tmp_path / "run.json").write_bytes(b"\xff\xfe{}" if length is None else whole[:length])
+    (tmp_path / "run.json").write_bytes(b"\xff{}" if length is None else whole[:length])
     assert "run.json: not JSON" in error_of(tmp_path)
+
+
+def test_byte_order_mark_of_utf_8_is_no_part_of_the_text_and_utf_16_is_named(
+    golden_folder: Path, tmp_path: Path
+) -> None:
+    file = tmp_path / "run.json"
+    file.write_text((golden_folder / "run.json").read_text(), encoding="utf-8-sig")
+    assert read_run(tmp_path).rows
+    for encoding in ("utf-16-le", "utf-16-be"):
+        file.write_text("\ufeff{}", encoding=encoding)
+        assert error_of(tmp_path) == f"{file}: the text is UTF-16; save it as UTF-8"
 
 
 def row(number: int, **values: Any) -> Change:
