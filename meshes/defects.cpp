@@ -12,8 +12,8 @@ namespace {
 constexpr std::array<DefectType, kDefectKinds> kTypes = {{
     {"index_out_of_range", "face that names a vertex that does not exist",
      "faces that name a vertex that does not exist", Severity::error},
-    {"repeated_vertex", "face that names a vertex twice", "faces that name a vertex twice",
-     Severity::error},
+    {"repeated_vertex", "face of fewer than three different vertices",
+     "faces of fewer than three different vertices", Severity::error},
     {"non_finite_coordinate", "vertex with a coordinate that is not finite or above 1e150",
      "vertices with a coordinate that is not finite or above 1e150", Severity::error},
     {"repeated_face", "repeated face", "repeated faces", Severity::error},

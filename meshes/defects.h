@@ -17,7 +17,7 @@ namespace geodesic {
 /// another surface than the author of the file meant, or none at all. The rest are warnings.
 enum class DefectKind {
   index_out_of_range,     ///< face with a vertex that the file does not contain
-  repeated_vertex,        ///< face that names a vertex twice
+  repeated_vertex,        ///< face that names a vertex twice, or has fewer than three corners
   non_finite_coordinate,  ///< vertex with a coordinate that is NaN, infinite, or so large
                           ///< (kLargestCoordinate) that lengths overflow
   repeated_face,          ///< face of the same three vertices as an earlier one, either way round

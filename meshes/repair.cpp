@@ -17,7 +17,7 @@ std::vector<RepairAction> drop_unusable(TriangleSoup& soup) {
   drop_faces(soup, census.usable);
   return {{"dropped_index_out_of_range", "faces that name a vertex that does not exist dropped",
            census.index_out_of_range.size(), true, DefectKind::index_out_of_range},
-          {"dropped_repeated_vertex", "faces that name a vertex twice dropped",
+          {"dropped_repeated_vertex", "faces of fewer than three different vertices dropped",
            census.repeated_vertex.size(), true, DefectKind::repeated_vertex},
           {"dropped_at_non_finite_vertex", "faces at a vertex that is not finite dropped",
            census.at_non_finite_vertex.size(), true, DefectKind::non_finite_coordinate},

@@ -23,9 +23,9 @@ struct RepairAction {
 };
 
 /// Repairs a mesh in place, in this order:
-///  1. faces with an index out of range, faces that name a vertex twice and faces at a vertex
-///     with a non-finite coordinate are dropped; such a vertex moves to the origin, where it is
-///     isolated and unreachable;
+///  1. faces with an index out of range, faces of fewer than three different vertices and faces at
+///     a vertex with a non-finite coordinate are dropped; such a vertex moves to the origin, where
+///     it is isolated and unreachable;
 ///  2. of faces with the same three vertices (either way round), only the first is kept;
 ///  3. faces are oriented like their neighbours, breadth-first from the face of least index of each
 ///     part that is connected across edges of exactly two faces; that face is not flipped;

@@ -82,10 +82,6 @@ class ObjParser {
 
   void face() {
     while (!reader_.at_line_end()) polygons_.add_corner(corner(reader_.word()));
-    if (polygons_.open_corners() < 3) {
-      reader_.fail("a face has " + std::to_string(polygons_.open_corners()) +
-                   " corners and needs three; remove or complete the line");
-    }
     polygons_.end_polygon(reader_.line());
   }
 

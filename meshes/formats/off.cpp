@@ -72,10 +72,10 @@ class OffParser {
 
   // Rejects counts that the rest of the file cannot hold, before memory is allocated. A vertex
   // takes at least six bytes ("0 0 0" and a line end, which only the last line may lack), a face
-  // eight; a binary triangle has five numbers.
+  // without corners two; a binary one has two numbers.
   void check_room() {
     const std::size_t vertex = binary_ ? 4 * vertex_numbers_ : 6;
-    const std::size_t face = binary_ ? 4 * 5 : 8;
+    const std::size_t face = binary_ ? 4 * 2 : 2;
     const std::size_t left = binary_ ? bytes_.size() - offset_ : reader_.bytes_left();
     if (vertex * vertices_ + face * faces_ > left + (binary_ ? 0 : 1)) {
       fail("the header declares " + std::to_string(vertices_) + " vertices and " +
@@ -103,7 +103,7 @@ class OffParser {
   void read_face() {
     const std::uint32_t line = begin("face");
     const std::int64_t corners = integer("number of corners");
-    if (corners < 3) {
+    if (corners < 0 || (corners < 3 && remarked_)) {  // on a shared line, it is another number
       fail("face " + std::to_string(number_) + " has " + std::to_string(corners) +
            " corners and needs three; remove it and correct the count of faces");
     }

@@ -318,10 +318,10 @@ class BodyParser {
           position[static_cast<std::size_t>(property.role) - 1] = values_.real(property.type);
           break;
         case Role::polygon:
-          read_polygon(property, i);
+          read_polygon(property);
           break;
         case Role::strips:
-          read_strips(property, i);
+          read_strips(property);
           break;
         case Role::skip:
           const std::int64_t count = property.count_type ? list_length(property) : 1;
@@ -344,25 +344,20 @@ class BodyParser {
     return length;
   }
 
-  void read_polygon(const Property& property, std::uint64_t face) {
-    const std::int64_t count = values_.integer(*property.count_type);
-    if (count < 3) {
-      values_.fail("face " + std::to_string(face) + " has " + std::to_string(count) +
-                   " corners and needs three");
-    }
-    for (std::int64_t k = 0; k < count; ++k) {
+  void read_polygon(const Property& property) {
+    for (std::int64_t left = list_length(property); left > 0; --left) {
       polygons_.add_corner(to_index(values_.integer(property.type)));
     }
     polygons_.end_polygon(values_.line());
   }
 
-  void read_strips(const Property& property, std::uint64_t list) {
+  void read_strips(const Property& property) {
     std::array<Index, 2> last = {};
     std::size_t length = 0;
     const auto end_strip = [&] {
-      if (length == 1 || length == 2) {
-        values_.fail("a triangle strip of list " + std::to_string(list) + " has " +
-                     std::to_string(length) + " vertices and needs three");
+      if (length == 1 || length == 2) {  // a face that has too few corners
+        for (std::size_t k = 2 - length; k < 2; ++k) polygons_.add_corner(last[k]);
+        polygons_.end_polygon(values_.line());
       }
       length = 0;
     };

@@ -83,7 +83,8 @@ bool append_polygon(std::span<const Vec3> positions, std::span<const Index> corn
 void Polygons::reserve(std::size_t polygons) { triangles_.reserve(polygons); }
 
 void Polygons::end_polygon(std::uint32_t line) {
-  if (open_.size() == 3) {
+  if (open_.size() <= 3) {
+    open_.resize(3, open_.empty() ? 0 : open_.back());
     triangles_.push_back({open_[0], open_[1], open_[2]});
     if (line > 0) lines_.push_back(line);
   } else {

@@ -14,8 +14,8 @@ class Polygons {
  public:
   void reserve(std::size_t polygons);
   void add_corner(Index vertex) { open_.push_back(vertex); }
-  /// Number of corners since the last `end_polygon`.
-  std::size_t open_corners() const { return open_.size(); }
+  /// A polygon of fewer than three corners becomes a triangle that repeats its last corner (vertex
+  /// 0 if it has none), which find_defects reports and repair drops.
   /// @param line the line of the polygon in the file; 0 in a binary file
   void end_polygon(std::uint32_t line);
 

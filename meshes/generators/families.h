@@ -133,8 +133,9 @@ ParameterDescription input_parameter();
 
 /// Reads the mesh of the parameter "input". Any topology is accepted: non-manifold, several
 /// components, isolated vertices.
-/// @throws MeshError if the file cannot be read or is malformed, for faces that name a vertex twice
-///         or one that does not exist, and for coordinates that are not finite
+/// @throws MeshError if the file cannot be read or is malformed, for faces of fewer than three
+///         different vertices or with one that does not exist, and for coordinates that are not
+///         finite
 TriangleSoup read_input(const CheckedParameters& parameters);
 
 /// The natural cubic spline through equidistant samples: twice continuously differentiable, with

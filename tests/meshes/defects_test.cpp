@@ -42,8 +42,9 @@ TEST(Defects, OfEveryKindAreCountedAndTheFirstIsNamed) {
       kTwoFaces + "f 1 2 9\nf 0 1 2\n", index_out_of_range,
       "2 faces that name a vertex that does not exist (first: face 2 (line 7) of vertices 0, "
       "1, 8; the file has 4 vertices, counted here from 0)");
-  expect_only(kTwoFaces + "f 1 2 2\n", repeated_vertex,
-              "1 face that names a vertex twice (first: face 2 (line 7) of vertices 0, 1, 1)");
+  expect_only(
+      kTwoFaces + "f 1 2 2\n", repeated_vertex,
+      "1 face of fewer than three different vertices (first: face 2 (line 7) of vertices 0, 1, 1)");
   for (const char* coordinate : {"nan", "inf", "-inf", "1e400", "-2e150"}) {
     expect_only(kTwoFaces + "v 0 0 " + coordinate + "\nf 1 4 5\n", non_finite_coordinate,
                 "1 vertex with a coordinate that is not finite or above 1e150 (first: vertex 4 "
@@ -90,7 +91,7 @@ TEST(Defects, ExamplesOfBinaryFilesHaveNoLines) {
   TriangleSoup soup = tetrahedron();
   soup.triangles.push_back({1, 1, 2});
   EXPECT_EQ(text_of(find_defects(soup)),
-            "1 face that names a vertex twice (first: face 4 of vertices 1, 1, 2)\n");
+            "1 face of fewer than three different vertices (first: face 4 of vertices 1, 1, 2)\n");
 }
 
 TEST(Defects, AVertexOfManyFacesCostsNoQuadraticTime) {

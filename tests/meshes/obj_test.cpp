@@ -93,8 +93,6 @@ TEST(Obj, LeavesIndicesOutOfRangeToTheSearchForDefects) {
 
 TEST(Obj, NamesTheLineOfWhatIsMalformed) {
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {kCorners + "f 1 2\n", "test.obj, line 5: a face has 2 corners"},
-      {kCorners + "f\n", "test.obj, line 5: a face has 0 corners"},
       {"v 0 0\nf 1 1 1\n", "test.obj, line 1: the z coordinate is missing"},
       {"v 0 0 x\n", "test.obj, line 1: the z coordinate 'x' is not a number"},
       {"v 0 0 1,5\n", "the z coordinate '1,5' is not a number"},

@@ -142,7 +142,7 @@ TEST(Off, NamesTheLineOfWhatIsMalformed) {
       {"OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 0.5 0.5 0.5\n",
        "line 6: the number of corners '0.5' is not an integer, such as 12 (line 6 is the first"},
       {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 1 2 3 4 5\n", "face 0 has 5 numbers of a colour"},
-      {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1 \n", "line 6: face 0 has 2 corners"},
+      {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n-2 0 1 \n", "line 6: face 0 has -2 corners"},
       {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4 0 1 2\n",
        "line 7: the file ends before the end of face 0 of 1"},
       {"OFF\n", "the file ends before the counts"},

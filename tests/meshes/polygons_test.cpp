@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "meshes/mesh_file.h"
+#include "meshes/load.h"
 #include "solvers/core/geometry.h"
 #include "tests/meshes/mesh_samples.h"
 
@@ -39,6 +39,41 @@ Areas areas(const TriangleSoup& soup) {
     areas.absolute_sum += std::abs(normal[2]) / 2;
   }
   return areas;
+}
+
+// The tetrahedron, with one face of each number of corners below three, in every format of
+// polygons.
+std::vector<std::pair<std::string, std::string>> with_short_faces() {
+  const auto replaced = [](std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+  };
+  const std::string corners = "2 1 3\n1 2\n0\n";
+  std::string off = binary_off();
+  off[off.find('\4', off.find('\4') + 1)] = '\7';
+  std::string ply = replaced(binary_ply<float>(std::endian::little), "face 4", "face 7");
+  for (const int number : {2, 1, 3, 0, 1, 2, 0, 0, 0}) off += bytes_of(number, std::endian::big);
+  for (const auto& [count, vertices] :
+       std::vector<std::pair<char, std::vector<int>>>{{2, {1, 3}}, {1, {2}}, {0, {}}}) {
+    ply += count;
+    for (const int v : vertices) ply += bytes_of(v);
+  }
+  return {{"a.obj", kObj + "f 2 4\nf 3\nf\n"},
+          {"a.off", replaced(kOff, "4 4 6", "4 7 6") + corners},
+          {"binary.off", off},
+          {"ascii.ply", replaced(kPly, "face 4", "face 7") + corners},
+          {"binary.ply", ply}};
+}
+
+TEST(Polygons, OfFewerThanThreeCornersAreFacesThatARepairDrops) {
+  for (const auto& [name, bytes] : with_short_faces()) {
+    const MeshFile file = parse_mesh(bytes, name);
+    std::vector<Triangle> expected = tetrahedron().triangles;
+    expected.insert(expected.end(), {{1, 3, 3}, {2, 2, 2}, {0, 0, 0}});
+    EXPECT_EQ(file.soup.triangles, expected) << name;
+    EXPECT_THROW(load_mesh(file, name, {}), MeshError) << name;
+    EXPECT_EQ(load_mesh(file, name, {.repair = true}).soup.triangles, tetrahedron().triangles)
+        << name;
+  }
 }
 
 TEST(Polygons, ConvexOnesAreFansFromTheirFirstCorner) {
