@@ -2,9 +2,11 @@
 // space separates numbers, including line ends, with two exceptions. The words after a face's
 // corners on the same line are its colour, unless fewer lines are left than faces: then they are
 // the next face. The colour of a vertex has four numbers, or three if the line ends after them. The
-// variants with texture coordinates, colours and normals per vertex (ST, C, N before OFF) are also
-// read; those in another dimension are rejected. Binary files have 32-bit integers and floats in
+// variants with texture coordinates, colours and normals per vertex (ST, C, N before OFF, in any
+// order) are also read, and headers that announce them although each vertex has three numbers;
+// vertices in another dimension are rejected. Binary files have 32-bit integers and floats in
 // big-endian order; the corners of a face are followed by the count of its colour's numbers.
+#include <charconv>
 #include <optional>
 #include <utility>
 
@@ -28,6 +30,8 @@ class OffParser {
   MeshFile parse() {
     read_header();
     check_room();
+    if (!binary_ && vertices_ > 0) check_announced();
+    if (homogeneous_) reject_dimension();
     for (number_ = 0; number_ < vertices_; ++number_) read_vertex();
     for (number_ = 0; number_ < faces_; ++number_) read_face();
     check_end();
@@ -39,17 +43,25 @@ class OffParser {
  private:
   void read_header() {
     if (!reader_.next_line()) reader_.fail_truncated("the header");
-    const std::string_view header = reader_.word();
-    std::string_view word = header;
-    const bool texture = remove_prefix(word, "ST");
-    colours_ = remove_prefix(word, "C");
-    const bool normals = remove_prefix(word, "N");
-    vertex_numbers_ = 3u + (texture ? 2u : 0u) + (normals ? 3u : 0u) + (colours_ ? 4u : 0u);
-    if (word.starts_with("4") || word.starts_with("n")) {
-      reader_.fail("vertices of another dimension than three (" + in_quotes(header) +
-                   ") are not supported");
+    std::string_view word = reader_.word();
+    keyword_ = word.substr(0, word.find("OFF") + 3);
+    while (!remove_prefix(word, "OFF")) {
+      if (remove_prefix(word, "ST")) {
+        vertex_numbers_ += 2;
+      } else if (remove_prefix(word, "N")) {
+        vertex_numbers_ += 3;
+      } else if (remove_prefix(word, "C")) {
+        vertex_numbers_ += 4;
+        colours_ = true;
+      } else if (remove_prefix(word, "4")) {
+        vertex_numbers_ += 1;
+        homogeneous_ = true;
+      } else if (word.starts_with("n")) {
+        reject_dimension();
+      } else {
+        reader_.fail("unknown header " + in_quotes(keyword_) + "; it is [ST][C][N]OFF");
+      }
     }
-    remove_prefix(word, "OFF");
     // Some writers put the counts directly after the keyword: OFF490 518 0.
     if (word.empty() && reader_.at_line_end() && !reader_.next_line()) {
       reader_.fail_truncated("the counts");
@@ -85,6 +97,55 @@ class OffParser {
     file_.soup.positions.reserve(vertices_);
     if (!binary_) file_.lines.vertices.reserve(vertices_);
     polygons_.reserve(faces_);
+  }
+
+  [[noreturn]] void reject_dimension() const {
+    reader_.fail("vertices of another dimension than three (" + in_quotes(keyword_) +
+                 ") are not supported");
+  }
+
+  // Compares the header with the lines of vertices, where these decide it.
+  void check_announced() {
+    const std::optional<std::size_t> numbers = other_numbers_per_vertex();
+    if (!numbers) return;
+    const std::string header = "the header " + in_quotes(keyword_) + " announces " +
+                               std::to_string(vertex_numbers_) + " numbers a vertex";
+    if (*numbers != 3) {
+      reader_.next_line();
+      reader_.fail(header + ", but each has " + std::to_string(*numbers) +
+                   "; correct it: ST announces 2 of a texture, C 4 of a colour, N 3 of a normal");
+    }
+    file_.warnings.push_back(header + ", but each has 3, its coordinates");
+    vertex_numbers_ = 3;
+    colours_ = homogeneous_ = false;
+  }
+
+  // The number of numbers of each vertex, if it is not the announced one and every vertex and every
+  // face has a line of its own. Such a text cannot be read in another way.
+  std::optional<std::size_t> other_numbers_per_vertex() const {
+    TextReader rest = reader_;
+    const auto next_words = [&rest] {
+      std::vector<std::string_view> words;
+      if (rest.next_line()) {
+        while (!rest.at_line_end()) words.push_back(rest.word());
+      }
+      return words;
+    };
+    const std::size_t numbers = next_words().size();
+    if (numbers == vertex_numbers_ || (colours_ && numbers + 1 == vertex_numbers_)) return {};
+    for (std::size_t v = 1; v < vertices_; ++v) {
+      if (next_words().size() != numbers) return {};
+    }
+    for (std::size_t f = 0; f < faces_; ++f) {
+      const std::vector<std::string_view> words = next_words();
+      std::size_t corners = 0;
+      if (!words.empty()) {
+        std::from_chars(words[0].data(), words[0].data() + words[0].size(), corners);
+      }
+      if (corners < 3 || words.size() <= corners) return {};
+    }
+    if (rest.next_line()) return {};
+    return numbers;
   }
 
   void read_vertex() {
@@ -216,8 +277,10 @@ class OffParser {
   std::size_t offset_ = 0;  // position of the next binary number
   std::size_t vertices_ = 0;
   std::size_t faces_ = 0;
+  std::string_view keyword_;        // "STCNOFF"
   std::size_t vertex_numbers_ = 3;  // coordinates and the numbers that the header announces
   bool colours_ = false;            // the last number of a vertex in text may be missing
+  bool homogeneous_ = false;        // a fourth coordinate is announced
   std::string_view element_;        // present element, "vertex" or "face"; number_ is its index
   std::size_t number_ = 0;
   std::optional<bool> share_lines_;  // whether faces share lines, once known

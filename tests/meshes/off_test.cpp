@@ -31,11 +31,42 @@ TEST(Off, ReadsColoursNormalsAndTexturesOfVertices) {
                                                         {"COFF", " 1 0 0"},
                                                         {"NOFF", " 0 0 1"},
                                                         {"CNOFF", " 0 0 1 1 0 0 1"},
+                                                        {"NCOFF", " 0 0 1 1 0 0"},
                                                         {"STOFF", " 0.5 0.5"}}) {
     EXPECT_EQ(parse_mesh(keyword + vertices(extras) + face, "test.off").soup.positions[1],
               (Vec3{1, 0, 0}))
         << keyword << extras;
   }
+}
+
+TEST(Off, AHeaderMayAnnounceMoreThanTheVerticesHave) {
+  for (const char* header : {"COFF", "NOFF", "STOFF", "4OFF", "CNOFF", "NCOFF", "STCNOFF"}) {
+    const MeshFile file = parse_mesh(header + ("\n3 1 0\n" + kBody), "test.off");
+    EXPECT_EQ(file.soup.positions, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})) << header;
+    EXPECT_EQ(file.soup.triangles, (std::vector<Triangle>{{0, 1, 2}})) << header;
+    ASSERT_EQ(file.warnings.size(), 1u) << header;
+    EXPECT_TRUE(contains(file.warnings[0], "but each has 3, its coordinates")) << header;
+  }
+}
+
+TEST(Off, NormalsOnLinesOfTheirOwnAreNotTakenForMissing) {
+  const MeshFile file =
+      parse_mesh("NOFF\n3 1 0\n0 0 0\n0 0 1\n1 0 0\n0 0 1\n0 1 0\n0 0 1\n3 0 1 2\n", "test.off");
+  EXPECT_EQ(file.soup.positions, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  EXPECT_TRUE(file.warnings.empty());
+}
+
+TEST(Off, AHeaderThatAnnouncesOtherNumbersThanTheLinesHaveIsNamed) {
+  const auto with = [](const std::string& header, const std::string& extras) {
+    return header + "\n3 1 0\n0 0 0" + extras + "\n1 0 0" + extras + "\n0 1 0" + extras +
+           "\n3 0 1 2\n";
+  };
+  expect_refusal(
+      with("OFF", " 255 0 0"), "a.off",
+      "line 3: the header 'OFF' announces 3 numbers a vertex, but each has 6; correct it");
+  expect_refusal(with("CNOFF", " 0 0 1"), "a.off",
+                 "line 3: the header 'CNOFF' announces 10 numbers a vertex, but each has 6");
+  expect_refusal(with("COFF", " 7"), "a.off", "announces 7 numbers a vertex, but each has 4");
 }
 
 TEST(Off, SkipsColoursOfFaces) {
@@ -130,14 +161,16 @@ TEST(Off, NamesTheLineOfWhatIsMalformed) {
       {"OFF\n3 x 0\n" + kBody, "the number of faces 'x' is not an integer"},
       {"OFF\n3 1 0 4\n" + kBody, "a header has three counts"},
       {"OFF\n3\n" + kBody, "the number of faces '' is not an integer"},
-      {"4OFF\n3 1 0\n" + kBody, "another dimension"},
+      {"4OFF\n3 1 0\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2\n", "another dimension"},
+      {"4OFF BINARY\n" + binary_off(""), "another dimension"},
+      {"TOFF\n3 1 0\n" + kBody, "line 1: unknown header 'TOFF'; it is [ST][C][N]OFF"},
       {"nOFF\n3\n3 1 0\n" + kBody, "another dimension"},
       {"OFF\n3 1 0\n0 0 0 9 9 9\n1 0 0\n0 1 0\n3 0 1 2\n",
        "line 5: face 0 has 0 corners and needs three; remove it and correct the count of faces "
        "(line 3 is the first that is not one vertex or one face; a header COFF announces colours"},
-      {"COFF\n3 1 0\n" + kBody,
+      {"COFF\n3 1 0\n0 0 0 9 9 9 9\n1 0 0\n0 1 0\n3 0 1 2\n",
        "before the end of vertex 2 of 3: it is truncated; get a whole copy "
-       "(line 3 is the first that is not one vertex or one face"},
+       "(line 4 is the first that is not one vertex or one face"},
       {"OFF\n3 1 0\n0 0  \n1 0 0\n0 1 0\n3 0 1 2\n", "(line 3 is the first"},
       {"OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 0.5 0.5 0.5\n",
        "line 6: the number of corners '0.5' is not an integer, such as 12 (line 6 is the first"},
