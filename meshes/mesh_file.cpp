@@ -63,9 +63,9 @@ struct Recognised {
 Recognised recognise(std::string_view bytes, const std::string& name) {
   refuse_compressed(bytes, name);
   const std::string extension = lower_extension(name);
-  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return {parse_ply, ".ply"};
   if (has_size_of_binary_stl(bytes)) return {parse_stl_binary, ".stl"};
   const std::string_view word = first_word(bytes, name);
+  if (word == "ply") return {parse_ply, ".ply"};
   if (is_off_keyword(word)) return {parse_off, ".off"};
   if (is_binary(bytes)) {
     if (extension == ".stl" || word == "solid") return {parse_stl_binary, ".stl"};

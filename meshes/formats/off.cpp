@@ -154,8 +154,11 @@ class OffParser {
     for (std::size_t k = 0; k < vertex_numbers_; ++k) {
       const bool colour_of_three = colours_ && !binary_ && k + 1 == vertex_numbers_;
       if (colour_of_three && reader_.at_line_end()) break;
-      const double value = real("coordinate");
-      if (k < 3) position[k] = value;
+      if (k < 3) {
+        position[k] = real("coordinate");
+      } else {
+        skip();
+      }
     }
     file_.soup.positions.push_back(position);
     if (line > 0) file_.lines.vertices.push_back(line);
@@ -219,6 +222,14 @@ class OffParser {
 
   double real(std::string_view what) {
     return binary_ ? load<float>() : reader_.to_number(word(), what);
+  }
+  // Passes over a number of a colour, a texture or a normal; it need not be one in a text.
+  void skip() {
+    if (binary_) {
+      load<float>();
+    } else {
+      word();
+    }
   }
   std::int64_t integer(std::string_view what) {
     return binary_ ? load<std::int32_t>() : reader_.to_integer(word(), what);

@@ -16,7 +16,8 @@
 namespace geodesic {
 namespace {
 
-/// Type of a number in the file; every value is exact as a double.
+/// Type of a number in the file. Its values are exact as doubles, except integers of 64 bits above
+/// 2^53, which are no counts or indices of any file.
 struct Type {
   std::size_t bytes;
   bool real;
@@ -30,7 +31,7 @@ constexpr Type ply_type() {
           }};
 }
 
-constexpr std::array<std::pair<std::string_view, Type>, 16> kPlyTypes = {
+constexpr std::array<std::pair<std::string_view, Type>, 18> kPlyTypes = {
     {{"char", ply_type<std::int8_t>()},
      {"int8", ply_type<std::int8_t>()},
      {"uchar", ply_type<std::uint8_t>()},
@@ -43,6 +44,8 @@ constexpr std::array<std::pair<std::string_view, Type>, 16> kPlyTypes = {
      {"int32", ply_type<std::int32_t>()},
      {"uint", ply_type<std::uint32_t>()},
      {"uint32", ply_type<std::uint32_t>()},
+     {"int64", ply_type<std::int64_t>()},
+     {"uint64", ply_type<std::uint64_t>()},
      {"float", ply_type<float>()},
      {"float32", ply_type<float>()},
      {"double", ply_type<double>()},
@@ -78,6 +81,7 @@ class HeaderParser {
   PlyHeader parse() {
     next_line();
     reader_.word();  // "ply", which was checked before
+    if (!reader_.at_line_end()) reader_.fail("expected a line with the word 'ply' alone");
     next_line();
     read_format();
     while (true) {
@@ -144,7 +148,9 @@ class HeaderParser {
     for (const auto& [name, type] : kPlyTypes) {
       if (name == word) return type;
     }
-    reader_.fail("unknown type " + in_quotes(word) + " of a property");
+    reader_.fail("unknown type " + in_quotes(word) +
+                 " of a property; there are (u)char, (u)short, (u)int, (u)int8 to (u)int64, float, "
+                 "double, float32 and float64");
   }
 
   Element* find(std::string_view name) {
@@ -226,7 +232,17 @@ class Values {
     return ascii_ ? reader_.number("value") : type.load(advance(type.bytes), order_);
   }
   std::int64_t integer(const Type& type) {
-    return ascii_ ? reader_.integer("value") : static_cast<std::int64_t>(real(type));
+    if (ascii_) return reader_.integer("value");
+    constexpr double kBeyondAnyFile = 0x1p62;  // the greatest uint64 would not fit
+    return static_cast<std::int64_t>(std::clamp(real(type), -kBeyondAnyFile, kBeyondAnyFile));
+  }
+  // Passes over a value that is not used; it need not be a number.
+  void skip(const Type& type) {
+    if (!ascii_) {
+      advance(type.bytes);
+    } else if (reader_.word().empty()) {
+      fail("the value is missing");
+    }
   }
   void end_row() {
     if (ascii_ && !reader_.at_line_end()) fail("more numbers than the header's properties");
@@ -325,7 +341,7 @@ class BodyParser {
           break;
         case Role::skip:
           const std::int64_t count = property.count_type ? list_length(property) : 1;
-          for (std::int64_t k = 0; k < count; ++k) values_.real(property.type);
+          for (std::int64_t k = 0; k < count; ++k) values_.skip(property.type);
           break;
       }
     }

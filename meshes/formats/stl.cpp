@@ -79,8 +79,7 @@ class AsciiStlParser {
   void read_solid() {
     if (!reader_.next_line()) reader_.fail_truncated("'endsolid'");
     while (true) {
-      const std::string_view word = reader_.word_across_lines();
-      if (word.empty()) reader_.fail_truncated("'endsolid'");
+      const std::string word = keyword("'endsolid'");
       if (same_ignoring_case(word, "endsolid")) return;
       if (!same_ignoring_case(word, "facet")) {
         reader_.fail("expected 'facet' or 'endsolid', found " + in_quotes(word));
@@ -92,15 +91,16 @@ class AsciiStlParser {
   void read_facet() {
     const std::uint32_t line = reader_.line();
     expect("normal");
-    for (int k = 0; k < 3; ++k) coordinate("normal");
-    expect("outer");
+    std::string word = keyword("'outer'");
+    for (int k = 0; k < 3 && !same_ignoring_case(word, "outer"); ++k) word = keyword("'outer'");
+    require(word, "outer");
     expect("loop");
     Triangle triangle;
     for (Index& corner : triangle) {
       expect("vertex");
       const std::uint32_t vertex_line = reader_.line();
       Vec3 point;
-      for (double& c : point) c = coordinate("coordinate");
+      for (double& c : point) c = coordinate();
       corner = joiner_.id(point);
       if (file_.lines.vertices.size() < file_.soup.positions.size()) {
         file_.lines.vertices.push_back(vertex_line);
@@ -112,19 +112,27 @@ class AsciiStlParser {
     file_.lines.triangles.push_back(line);
   }
 
-  double coordinate(std::string_view what) {
+  double coordinate() {
     const std::string_view word = reader_.word_across_lines();
-    if (word.empty()) reader_.fail_truncated("a " + std::string(what));
-    return reader_.to_number(word, what);
+    if (word.empty()) reader_.fail_truncated("a coordinate");
+    return reader_.to_number(word, "coordinate");
   }
 
-  void expect(const std::string& keyword) {
-    const std::string_view word = reader_.word_across_lines();
-    if (word.empty()) reader_.fail_truncated("'" + keyword + "'");
-    if (!same_ignoring_case(word, keyword)) {
-      reader_.fail("expected '" + keyword + "', found " + in_quotes(word));
-    }
+  // The next word; some writers put a blank into "endsolid", "endloop" and "endfacet".
+  // @param expected for the message when the file ends
+  std::string keyword(const std::string& expected) {
+    std::string word(reader_.word_across_lines());
+    if (same_ignoring_case(word, "end")) word += reader_.word_across_lines();
+    if (word.empty()) reader_.fail_truncated(expected);
+    return word;
   }
+
+  void require(const std::string& found, const std::string& expected) const {
+    if (same_ignoring_case(found, expected)) return;
+    reader_.fail("expected '" + expected + "', found " + in_quotes(found));
+  }
+
+  void expect(const std::string& expected) { require(keyword("'" + expected + "'"), expected); }
 
   TextReader reader_;
   MeshFile file_;

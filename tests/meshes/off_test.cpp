@@ -49,6 +49,14 @@ TEST(Off, AHeaderMayAnnounceMoreThanTheVerticesHave) {
   }
 }
 
+TEST(Off, NormalsNeedNotBeNumbers) {
+  for (const char* normal : {" nan inf -inf", " -nan(ind) 1e9999 none"}) {
+    const std::string text = "NOFF\n3 1 0\n0 0 0" + std::string(normal) + "\n1 0 0 0 0 1\n0 1 0" +
+                             normal + "\n3 0 1 2\n";
+    EXPECT_EQ(parse_mesh(text, "test.off").soup.positions[2], (Vec3{0, 1, 0})) << normal;
+  }
+}
+
 TEST(Off, NormalsOnLinesOfTheirOwnAreNotTakenForMissing) {
   const MeshFile file =
       parse_mesh("NOFF\n3 1 0\n0 0 0\n0 0 1\n1 0 0\n0 0 1\n0 1 0\n0 0 1\n3 0 1 2\n", "test.off");

@@ -71,6 +71,55 @@ TEST(Ply, WalksOverOtherPropertiesAndElements) {
   }
 }
 
+TEST(Ply, TheFirstLineMayEndWithBlanks) {
+  for (const char* first : {"ply \n", "ply\t\r\n", "ply \r"}) {
+    expect_tetrahedron(first + kPly.substr(4), "test.ply", "PLY ASCII");
+  }
+  const std::string binary = binary_ply<float>(std::endian::little);
+  expect_tetrahedron("ply \n" + binary.substr(4), "test.ply", "PLY binary little-endian");
+  expect_refusal("ply wood\n" + kPly.substr(4), "a.ply",
+                 "line 1: expected a line with the word 'ply'");
+}
+
+TEST(Ply, ReadsIntegersOf64BitsInEveryRole) {
+  for (const std::string sign : {"", "u"}) {
+    const std::string type = sign + "int64";
+    const std::string elements = "property float x\nproperty float y\nproperty float z\nproperty " +
+                                 type + " label\nelement face 1\nproperty list " + type + " " +
+                                 type + " vertex_indices\nend_header\n";
+    const auto header = [&](const std::string& format) {
+      return "ply\nformat " + format + " 1.0\nelement vertex 3\n" + elements;
+    };
+    EXPECT_EQ(parse_mesh(header("ascii") + "0 0 0 7\n1 0 0 7\n0 1 0 7\n3 0 1 2\n", "a.ply")
+                  .soup.triangles,
+              (std::vector<Triangle>{{0, 1, 2}}));
+    std::string binary = header("binary_big_endian");
+    for (const Vec3& p : {Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}) {
+      for (const double c : p) binary += bytes_of(static_cast<float>(c), std::endian::big);
+      binary += std::string(8, '\xff');
+    }
+    for (const std::uint64_t n : {3U, 0U, 1U}) binary += bytes_of(n, std::endian::big);
+    // The greatest uint64 and the int64 -1 are indices out of range.
+    EXPECT_EQ(parse_mesh(binary + std::string(8, '\xff'), "a.ply").soup.triangles,
+              (std::vector<Triangle>{{0, 1, kNone}}));
+    EXPECT_EQ(
+        parse_mesh(binary + bytes_of(std::uint64_t{2}, std::endian::big), "a.ply").soup.triangles,
+        (std::vector<Triangle>{{0, 1, 2}}));
+  }
+}
+
+TEST(Ply, ValuesThatAreNotUsedNeedNotBeNumbers) {
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+      "property float y\nproperty float z\nproperty float nx\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n0 0 0 ";
+  EXPECT_EQ(
+      parse_mesh(text + "nan\n1 0 0 -1.#IND\n0 1 0 inf\n3 0 1 2\n", "a.ply").soup.positions[2],
+      (Vec3{0, 1, 0}));
+  expect_refusal(text + "nan\n1 0 0\n0 1 0 inf\n3 0 1 2\n", "a.ply",
+                 "line 12: the value is missing");
+}
+
 TEST(Ply, TakesNegativeIndicesAsOutOfRange) {
   const std::string text = ply_header("ascii", "float") +
                            "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 -1\n3 1 2 3\n3 2 0 3\n";
@@ -181,6 +230,9 @@ TEST(Ply, RefusesHeadersThatHoldNoSurface) {
        "more than can be numbered"},
       {header(vertex + face + "element spare 7\n"), "'spare' has no properties"},
       {header("element vertex 3\nproperty colour x\n" + face), "unknown type 'colour'"},
+      {header("element vertex 3\nproperty float128 x\n" + face),
+       "line 4: unknown type 'float128' of a property; there are (u)char,"},
+      {header("element vertex 3\nproperty half x\n" + face), "unknown type 'half'"},
       {header("elements vertex 3\n"), "unknown statement 'elements'"},
       {"ply\nformat ascii 2.0\n", "version '2.0'"},
       {"ply\nformat binary 1.0\n", "unknown encoding 'binary'"},

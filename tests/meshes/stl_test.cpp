@@ -35,6 +35,26 @@ TEST(Stl, ReadsSeveralSolidsAndCapitals) {
   expect_joined_tetrahedron(capitals, "STL ASCII");
 }
 
+std::string replace_all(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+TEST(Stl, TheEndsOfPartsMayHaveABlank) {
+  expect_joined_tetrahedron(replace_all(ascii_stl(), "end", "end "), "STL ASCII");
+  expect_joined_tetrahedron(replace_all(ascii_stl(), "end", "END  "), "STL ASCII");
+}
+
+TEST(Stl, NormalsAreNotUsed) {
+  for (const char* normal : {" nan nan nan", " -1.#IND -1.#IND 1.#QNAN", " inf -inf 1e9999",
+                             " -nan(ind) 0 0", " 0 0", ""}) {
+    expect_joined_tetrahedron(
+        replace_all(ascii_stl(), "normal 0 0 0", std::string("normal") + normal), "STL ASCII");
+  }
+}
+
 TEST(Stl, KeepsFullDoublePrecisionOfAsciiFiles) {
   std::string text = ascii_stl();
   text.replace(text.find("0.000000 1.000000"), 17, "0.1234567890123456 1");
@@ -81,7 +101,14 @@ TEST(Stl, NamesTheLineOfWhatIsMalformed) {
   std::string four_corners = ascii_stl();
   four_corners.insert(four_corners.find(" endloop"), "  vertex 5 5 5\n");
   EXPECT_EQ(refusal(four_corners, "a.stl"), "a.stl, line 7: expected 'endloop', found 'vertex'");
-  expect_refusal("solid\nfacet normal 0 0 x\n", "a.stl", "line 2: the normal 'x' is not a number");
+  expect_refusal("solid\nfacet normal 0 0 0 0\nouter loop\n", "a.stl",
+                 "line 2: expected 'outer', found '0'");
+  std::string without_outer = ascii_stl();
+  without_outer.erase(without_outer.find("outer loop"), 10);
+  expect_refusal(without_outer, "a.stl", "line 4: expected 'outer', found 'vertex'");
+  std::string end_of_another = ascii_stl();
+  end_of_another.replace(end_of_another.find("endfacet"), 8, "end loop");
+  expect_refusal(end_of_another, "a.stl", "line 8: expected 'endfacet', found 'endloop'");
   expect_refusal("solid a\nendsolid\n", "a.stl", "empty mesh");
 }
 
