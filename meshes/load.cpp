@@ -16,7 +16,7 @@ LoadedMesh load_mesh(MeshFile file, DefectReport defects, const std::string& nam
   mesh.soup = std::move(file.soup);
   mesh.format = std::move(file.format);
   mesh.defects = std::move(defects);
-  if (options.repair) mesh.repairs = repair(mesh.soup);
+  if (options.repair) mesh.repairs = repair(mesh.soup, options.non_manifold_edges);
   require_measurable(mesh.soup, mesh.defects, name, options);
   mesh.warnings = std::move(file.warnings);
   for (const Defect& defect : mesh.defects.defects) mesh.warnings.push_back(defect.text());

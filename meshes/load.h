@@ -15,8 +15,8 @@ namespace geodesic {
 
 struct LoadOptions {
   bool repair = false;  ///< repair a mesh with errors instead of rejecting it (see repair.h)
-  /// crossed: non-manifold edges, and edges between inconsistently oriented faces, are not errors.
-  /// With a repair, which cuts them, no such edge remains.
+  /// crossed: non-manifold edges, and edges between inconsistently oriented faces, are not errors,
+  /// and a repair does not cut them.
   NonManifoldEdges non_manifold_edges = NonManifoldEdges::cut;
   std::string repair_option = "--repair";  ///< option that requests a repair, for messages
 };

@@ -30,7 +30,7 @@ std::vector<RepairAction> drop_unusable(TriangleSoup& soup) {
 
 }  // namespace
 
-std::vector<RepairAction> repair(TriangleSoup& soup) {
+std::vector<RepairAction> repair(TriangleSoup& soup, NonManifoldEdges non_manifold_edges) {
   std::vector<RepairAction> done = drop_unusable(soup);
   // Flips do not change which edges have more than two faces.
   const EdgeTable edges(soup);
@@ -38,20 +38,20 @@ std::vector<RepairAction> repair(TriangleSoup& soup) {
   for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
     if (orientation.flipped[f]) soup.triangles[f] = flip(soup.triangles[f]);
   }
-  std::size_t non_manifold = 0;
-  edges.for_each_edge(
-      [&](std::span<const EdgeSide> sides) { non_manifold += sides.size() > 2 ? 1U : 0U; });
-  done.insert(
-      done.end(),
-      {{"flipped_faces", "faces flipped to run the same way round as their neighbours",
-        orientation.flips, true, DefectKind::inconsistent_orientation},
-       {"cut_non_manifold_edges",
-        "non-manifold edges cut, so that paths cross them at their end vertices only", non_manifold,
-        false, DefectKind::non_manifold_edge},
-       {"cut_one_sided_edges",
-        "edges cut because the surface has one side only, so that paths cross them at their end "
-        "vertices only",
-        orientation.one_sided_edges, false, DefectKind::inconsistent_orientation}});
+  done.push_back({"flipped_faces", "faces flipped to run the same way round as their neighbours",
+                  orientation.flips, true, DefectKind::inconsistent_orientation});
+  if (non_manifold_edges == NonManifoldEdges::cut) {
+    std::size_t non_manifold = 0;
+    edges.for_each_edge(
+        [&](std::span<const EdgeSide> sides) { non_manifold += sides.size() > 2 ? 1U : 0U; });
+    done.push_back({"cut_non_manifold_edges",
+                    "non-manifold edges cut, so that paths cross them at their end vertices only",
+                    non_manifold, false, DefectKind::non_manifold_edge});
+    done.push_back({"cut_one_sided_edges",
+                    "edges cut because the surface has one side only, so that paths cross them at "
+                    "their end vertices only",
+                    orientation.one_sided_edges, false, DefectKind::inconsistent_orientation});
+  }
   std::erase_if(done, [](const RepairAction& action) { return action.count == 0; });
   return done;
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "meshes/defects.h"
-#include "solvers/core/geometry.h"
+#include "solvers/core/mesh.h"
 
 namespace geodesic {
 
@@ -31,11 +31,14 @@ struct RepairAction {
 ///     part that is connected across edges of exactly two faces; that face is not flipped;
 ///  4. non-manifold edges, and edges along which a one-sided surface cannot be oriented, are cut:
 ///     the file's triangles stay, and the solvers' Mesh treats the edge as a boundary of each of
-///     its faces, so that paths cross it at its end vertices only.
+///     its faces, so that paths cross it at its end vertices only. If paths are to cross such
+///     edges, this step is left out.
 /// All other defects (zero-area faces, zero-length edges, non-manifold and isolated vertices,
 /// several components) stay: the solvers handle them. Faces keep their order, vertices their ids.
 /// A second repair changes nothing: it only reports the cuts of step 4 again.
+/// @param non_manifold_edges as the constructor of Mesh will get it
 /// @return the changes; empty for a mesh without errors
-std::vector<RepairAction> repair(TriangleSoup& soup);
+std::vector<RepairAction> repair(TriangleSoup& soup,
+                                 NonManifoldEdges non_manifold_edges = NonManifoldEdges::cut);
 
 }  // namespace geodesic

@@ -190,13 +190,11 @@ void add_solve_command(CLI::App& app) {
       "compare with brute force on up to 400 faces, otherwise with another exact solver");
   command->add_flag("--counters", flags->counters,
                     "solve again for counters, phases and the peak of memory");
-  CLI::Option* repair =
-      command->add_flag("--repair", flags->repair, "repair defects of the mesh, and say which");
-  command
-      ->add_flag("--cross-non-manifold", flags->cross_non_manifold,
-                 "paths go from a face into each of the others at an edge of more than two faces, "
-                 "and at one between inconsistently oriented faces")
-      ->excludes(repair);
+  command->add_flag("--repair", flags->repair, "repair defects of the mesh, and say which");
+  command->add_flag(
+      "--cross-non-manifold", flags->cross_non_manifold,
+      "paths go from a face into each of the others at an edge of more than two faces, "
+      "and at one between inconsistently oriented faces; --repair does not cut them then");
   command->add_option("--limit", flags->limit, "distance beyond which vertices are unreachable")
       ->check(zero_or_above());
   command

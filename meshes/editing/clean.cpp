@@ -243,8 +243,9 @@ std::vector<RepairAction> keep_largest_component(TriangleSoup& soup) {
 using CleaningStep = std::vector<RepairAction> (*)(TriangleSoup& soup);
 
 // Welding and flips can make separate faces meet; the next round separates them.
-constexpr CleaningStep kCleaningSteps[] = {cancel_opposite_faces, repair, weld_edges, separate,
-                                           remove_flat_faces};
+constexpr CleaningStep kCleaningSteps[] = {cancel_opposite_faces,
+                                           [](TriangleSoup& soup) { return repair(soup); },
+                                           weld_edges, separate, remove_flat_faces};
 
 /// Far more than any scan needs; each round but the last removes something.
 constexpr int kMostRounds = 100;

@@ -427,7 +427,7 @@ def read_mesh(
     repair : bool
         Repair defects that would be refused (docs/adding-a-mesh.md). Vertices keep their numbers.
     cross_non_manifold : bool
-        As in Mesh; such edges are then not refused.
+        As in Mesh; such edges are then not refused, and a repair does not cut them.
 
     Raises
     ------

@@ -48,8 +48,6 @@ def not_there(what: str, file: str, place: str) -> Case:
 CASES = [
     crossed("a solver that does not cross it", "--solver ich",
             "ich does not cross edges of more than two faces; there are: edge-based, fwp-mmp, mmp"),
-    crossed("a repair would cut it", "--solver mmp --repair",
-            "--repair excludes --cross-non-manifold"),
     # OBJ
     mesh("a coordinate that is no number", "a.obj", OBJ + "v 0 x 0\nf 1 2 3\n",
          "a.obj, line 4: the y coordinate 'x' is not a number, such as 0.5"),

@@ -42,6 +42,18 @@ TEST_F(Load, RepairsWhenAskedAndReportsIt) {
   EXPECT_EQ(Mesh(mesh.soup).edge_count(), 5u);
 }
 
+TEST_F(Load, ARepairLeavesTheEdgesThatAreCrossed) {
+  const std::string fin =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 1 2 4\nf 2 1 5\n";
+  const auto path = write("a.obj", fin + "f 3 2 1\n");
+  const LoadOptions options = {.repair = true, .non_manifold_edges = NonManifoldEdges::crossed};
+  const BuiltMesh built = build_mesh(path, options);
+  ASSERT_EQ(built.loaded.repairs.size(), 1u);
+  EXPECT_EQ(built.loaded.repairs[0].key, "dropped_repeated_face");
+  EXPECT_TRUE(built.mesh->crosses_non_manifold_edges());
+  EXPECT_EQ(built.loaded.soup.triangles, load_mesh(write("b.obj", fin), options).soup.triangles);
+}
+
 TEST_F(Load, WarnsOfTheRestAndKeepsVertexIds) {
   const LoadedMesh mesh =
       load_mesh(write("a.obj", "v 7 7 7\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 4\n"));

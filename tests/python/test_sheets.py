@@ -53,3 +53,15 @@ def test_a_copy_and_a_file_keep_what_is_crossed(tmp_path: Path) -> None:
     with pytest.warns(UserWarning, match="non-manifold edge"):
         read = gb.read_mesh(tmp_path / "book.obj", cross_non_manifold=True)
     np.testing.assert_array_equal(read.distances(2), expected)
+
+
+def test_a_repair_leaves_the_edges_that_are_crossed(tmp_path: Path) -> None:
+    file = tmp_path / "book.obj"
+    write_obj(file, VERTICES, [*FACES, FACES[0], [0, 1, 1]])
+    with pytest.raises(ValueError, match="1 repeated face .*use repair=True"):
+        gb.read_mesh(file, cross_non_manifold=True)
+    with pytest.warns(UserWarning, match="repeated faces dropped, the first of each kept: 1") as warned:
+        read = gb.read_mesh(file, repair=True, cross_non_manifold=True)
+    assert "cut" not in str(warned[0].message)
+    far = np.hypot(2, 1)
+    np.testing.assert_allclose(read.distances(2), [1, np.sqrt(2), 0, 1, 2, far, 2, far], rtol=1e-15)
