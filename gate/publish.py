@@ -18,7 +18,7 @@ from typing import Any
 from results import console
 
 if __name__ == "__main__":
-    console.prepare("geodesic-bench publish")  # before imports that may fail
+    console.prepare("geodesic-bench publish", place="--output")  # before imports that may fail
 
 from gate import check_result
 from gate.findings import GateError
@@ -111,12 +111,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
         help="licence of a mesh of your own; repeatable",
     )  # fmt: skip
     parser.add_argument(
-        "--out", type=Path, metavar="FILE.json",
+        "-o", "--output", type=Path, metavar="FILE.json",
         help="file to write (default: in the current folder, named by date, processor and corpus)",
     )  # fmt: skip
     options = parser.parse_args(arguments)
-    if options.out and options.out.suffix != ".json":
-        parser.error(f"--out {options.out}: a result is written as .json")
+    if options.output and options.output.suffix != ".json":
+        parser.error(f"--output {options.output}: a result is written as .json")
     if wrong := [word for word in options.licence if not re.fullmatch(r"[^=]+=.*\S.*", word)]:
         parser.error(f"--licence {wrong[0]}: not MESH=TEXT")
     try:
@@ -130,9 +130,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
             console.say(f"FAILED: {line}")
         if found:
             return 1
-        file = options.out or Path(default_name(run))
+        file = options.output or Path(default_name(run))
         if file.exists():
-            raise ResultError(f"{file}: is there already: give another --out")
+            raise ResultError(f"{file}: is there already: give another --output")
         file.write_text(text, encoding="utf-8")
         console.say(str(file))
         console.say(NEXT)

@@ -47,7 +47,7 @@ def parse_arguments(words: Sequence[str] | None) -> argparse.Namespace:
         help="program to build them for, in its build folder",
     )  # fmt: skip
     parser.add_argument(
-        "--folder", type=Path, help="folder to build in (default: peers, beside the program)"
+        "--out", type=Path, metavar="DIR", help="folder to build in (default: peers, beside the program)"
     )
     parser.add_argument("--peers", type=Path, default=PEERS, help="folder of their descriptions")
     parser.add_argument(
@@ -95,7 +95,7 @@ def run(arguments: argparse.Namespace) -> int:
         raise FetchError(
             f"there is no {program}: build it (./run_all.sh build) or name it with --bench"
         )
-    folder = (arguments.folder or program.parent / "peers").resolve()
+    folder = (arguments.out or program.parent / "peers").resolve()
     peers = select_peers(arguments.peers, arguments.names)
     bench = Bench(program, folder / "torus.ply")
     origin = origin_from_environment(MIRROR_VARIABLE, github)

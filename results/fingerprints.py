@@ -23,7 +23,7 @@ from typing import Any
 from results import console
 
 if __name__ == "__main__":
-    console.prepare()  # before imports that may fail
+    console.prepare(place="--output")  # before imports that may fail
 
 import numpy as np
 from numpy.typing import NDArray
@@ -98,7 +98,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         "--bench", type=Path, metavar="FILE", help="geodesic-bench; default: that of build/release",
         default=Path(os.environ.get("GEODESIC_BENCH", ROOT / "build" / "release" / "geodesic-bench")),
     )  # fmt: skip
-    parser.add_argument("--out", type=Path, default=FILE, metavar="FILE", help=f"default: {FILE.name}")
+    parser.add_argument(
+        "-o", "--output", type=Path, default=FILE, metavar="FILE", help=f"default: {FILE.name}"
+    )
     options = parser.parse_args(arguments)
     try:
         manifest = json.loads((ROOT / "datasets" / "manifest.json").read_text(encoding="utf-8"))
@@ -110,8 +112,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             found[name] = of_mesh(options.bench, meshes[name])
             console.say(name)
         data = {"steps": STEPS, "meshes": found}
-        options.out.write_text(json.dumps(data, indent=2) + "\n", encoding="utf-8")
-        console.say(str(options.out))
+        options.output.write_text(json.dumps(data, indent=2) + "\n", encoding="utf-8")
+        console.say(str(options.output))
     except (FingerprintError, OSError) as error:
         return console.complain(error)
     return 0

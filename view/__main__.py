@@ -19,7 +19,7 @@ from results import console
 
 if __name__ == "__main__":
     # Before imports that may fail.
-    console.prepare("geodesic-bench view")
+    console.prepare("geodesic-bench view", place="--output")
 
 from plots.recordings import Recording, recordings
 from results.published import THESIS_SOLVERS
@@ -50,7 +50,7 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
         f"file {SOLVER})",
     )  # fmt: skip
     parser.add_argument(
-        "--out", type=Path, metavar="FILE.html",
+        "-o", "--output", type=Path, metavar="FILE.html",
         help="page to write (default: RUN/view-MESH.html, or MESH.html in the current folder)",
     )  # fmt: skip
     parser.add_argument(
@@ -58,8 +58,8 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
         help="axis that points up at first (default: y, of terrain z)",
     )  # fmt: skip
     options = parser.parse_args(arguments)
-    if options.out and options.out.suffix != ".html":
-        parser.error(f"--out {options.out}: the page is written as .html")
+    if options.output and options.output.suffix != ".html":
+        parser.error(f"--output {options.output}: the page is written as .html")
     if options.mesh and options.what.is_file():
         parser.error("--mesh is for a run, and a file is one mesh")
     return options
@@ -121,10 +121,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
             solvers = chosen(recording, options.solvers)
             if not solvers:
                 console.say("no frames are recorded, so nothing moves: run with --frames")
-            file = options.out or options.what / f"view-{recording.folder.parent.name}.html"
+            file = options.output or options.what / f"view-{recording.folder.parent.name}.html"
             write(recording, solvers, options.up, command, file)
         else:
-            file = options.out or Path(f"{options.what.stem}.html")
+            file = options.output or Path(f"{options.what.stem}.html")
             with tempfile.TemporaryDirectory(prefix="geodesic-view-") as scratch:
                 folder = Path(scratch) / "run"
                 if code := solve(options.what, options.solvers or [SOLVER], folder):

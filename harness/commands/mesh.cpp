@@ -167,14 +167,14 @@ void add_mesh_command(CLI::App& app) {
       "mesh has defects that make distances meaningless");
   command->footer(
       "\nExamples:\n  geodesic-bench mesh bunny.ply\n"
-      "  geodesic-bench mesh scan.stl --repair --output scan.ply");
+      "  geodesic-bench mesh scan.stl --repair -o scan.ply");
   command->add_option("FILE", flags->file, "mesh file: OBJ, OFF, PLY or STL")
       ->required()
       ->type_name("");
   command->add_flag("--json", flags->json, "print a JSON object");
   command->add_flag("--repair", flags->repair, "repair the mesh first and say what was done");
   command
-      ->add_option("--output", flags->output,
+      ->add_option("-o,--output", flags->output,
                    "write the mesh (after the repair, if any) as .obj, .off or .ply")
       ->type_name("FILE");
   command->callback([flags] { inspect(*flags); });

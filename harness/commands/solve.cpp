@@ -63,20 +63,20 @@ Json solve_mesh(const SolveFlags& flags, const Description& solver, const Writte
   return json;
 }
 
-/// One file for the distances of each mesh in --output-dir, all different.
+/// One file for the distances of each mesh in --out, all different.
 std::vector<std::string> files_in_folder(const std::filesystem::path& folder,
                                          const std::vector<MeshEntry>& entries) {
   std::vector<std::string> files;
   for (const MeshEntry& entry : entries) {
     const std::string file = folder / (entry.file.stem().string() + ".txt");
     if (std::ranges::count(files, file) > 0) {
-      throw HarnessError("--output-dir: two of the meshes would be written to " + file);
+      throw HarnessError("--out: two of the meshes would be written to " + file);
     }
     files.push_back(file);
   }
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw CannotWrite("--output-dir " + folder.string() + ": " + error.message());
+  if (error) throw CannotWrite("--out " + folder.string() + ": " + error.message());
   return files;
 }
 
@@ -175,13 +175,13 @@ void add_solve_command(CLI::App& app) {
           "enough, otherwise on one source, where the solver can (edge-based)")
       ->check(from_to(1, 1024));
   command
-      ->add_option("--output", flags->output,
+      ->add_option("-o,--output", flags->output,
                    "file for the distances, .txt, .csv or .npy: one a vertex, or with --each a row "
                    "a source; - is standard output, and the JSON object then goes to standard "
                    "error")
       ->type_name("FILE");
   command
-      ->add_option("--output-dir", flags->output_folder,
+      ->add_option("--out", flags->output_folder,
                    "folder for the distances of several meshes: MESH.txt for each")
       ->type_name("DIR")
       ->excludes("--output");
@@ -212,8 +212,7 @@ void add_solve_command(CLI::App& app) {
        {"--source", "--sources-file", "--target", "--targets-file", "--stop-at-targets",
         "--limit"}},
       {"What is written",
-       {"--output", "--output-dir", "--nearest-source", "--paths", "--matrix", "--float32",
-        "--resume"}},
+       {"--output", "--out", "--nearest-source", "--paths", "--matrix", "--float32", "--resume"}},
       {"How it is solved", {"--solver", "--each", "--threads", "--vectors"}},
       {"The mesh", {"--repair", "--cross-non-manifold", "--manifest"}},
       {"What is checked and counted", {"--check", "--counters"}}};
@@ -225,7 +224,7 @@ void add_solve_command(CLI::App& app) {
       "  geodesic-bench solve bunny.ply --source edge:3-7:0.25 --target at:0,0.1,0 --paths p.obj\n"
       "  geodesic-bench solve bunny.ply --solver mmp --source 0,17,99 --each --threads 4\n"
       "  geodesic-bench solve bunny.ply --matrix d.npy --float32\n"
-      "  geodesic-bench solve scans/*.ply --source 0 --output-dir distances");
+      "  geodesic-bench solve scans/*.ply --source 0 --out distances");
   command->callback([flags] { run_solve(*flags); });
 }
 

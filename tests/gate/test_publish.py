@@ -35,7 +35,7 @@ def run_file(result: Data, tmp_path: Path) -> Path:
 
 def publish_run(file: Path, *more: str) -> tuple[int, Path]:
     out = file.with_name("published.json")
-    return publish.main([str(file.parent), "--out", str(out), *more]), out
+    return publish.main([str(file.parent), "--output", str(out), *more]), out
 
 
 def test_no_folder_and_no_host_is_left_and_every_number_is(run_file: Path, result: Data) -> None:

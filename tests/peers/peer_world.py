@@ -130,7 +130,7 @@ class PeerWorld:
         return subprocess.run(
             [
                 sys.executable, ROOT / "peers" / "build.py", "--bench", self.bench,
-                "--peers", self.peers, "--folder", self.built, *words,
+                "--peers", self.peers, "--out", self.built, *words,
             ],
             env=environment, capture_output=True, text=True, check=False,
         )  # fmt: skip

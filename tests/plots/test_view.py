@@ -119,7 +119,7 @@ def test_another_three_js_is_not_taken(
         (["nothing.ply"], "use `geodesic-bench view`"),
         (["{run}", "--mesh", "cow"], "cow"),
         (["{run}", "--solvers", "mmp,dijkstra"], "no frames of dijkstra (those with frames: "),
-        (["{run}", "--out", "/no/such/folder/page.html"], "cannot write"),
+        (["{run}", "--output", "/no/such/folder/page.html"], "cannot write"),
     ],
 )
 def test_what_cannot_be_shown_is_one_line(

@@ -56,7 +56,7 @@ def frame(page: Any) -> int:
 def address(complete_run: Run, tmp_path_factory: pytest.TempPathFactory) -> str:
     file = tmp_path_factory.mktemp("view") / "a page.html"
     words = [str(complete_run.file.parent), "--solvers", "mmp,edge-based", "--mesh", "flat-grid"]
-    assert command.main([*words, "--out", str(file)]) == 0
+    assert command.main([*words, "--output", str(file)]) == 0
     return file.as_uri()
 
 

@@ -40,7 +40,7 @@ def test_of_several_meshes_each_that_can_be_solved_is_written(
         shutil.copy(file, tmp_path / name)
     (tmp_path / "broken.obj").write_text("no mesh")
     files = ["first.obj", "broken.obj", "last.obj"]
-    command: list[str | Path] = [BENCH, "solve", *files, "--source", "7", "--output-dir", "distances"]
+    command: list[str | Path] = [BENCH, "solve", *files, "--source", "7", "--out", "distances"]
     run = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
     assert run.returncode == 1
     assert "broken: " in run.stderr and "1 of 3 meshes" in run.stderr

@@ -121,7 +121,7 @@ void check_combination(const SolveFlags& flags) {
   const bool sources = !flags.sources.empty() || !flags.sources_file.empty();
   if (flags.meshes.size() > 1 &&
       !(flags.output.empty() && flags.paths.empty() && flags.matrix.empty())) {
-    refuse("--output, --paths and --matrix are files of one mesh: with several use --output-dir");
+    refuse("--output, --paths and --matrix are files of one mesh: with several use --out");
   }
   if (!flags.matrix.empty()) return check_matrix(flags);
   if (flags.single_precision || flags.resume) refuse("--float32 and --resume are for --matrix");
