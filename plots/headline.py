@@ -51,14 +51,14 @@ def _speed(run: Run, base: str, ratios: dict[str, Floats]) -> str:
         words = (f"The run does not resolve which of {base} and {second} is faster "
                  f"(ratio {share:.3f}){_on(run, ratios[second])}")  # fmt: skip
         if last:
-            words += f"; {base} takes {_share(ratios[last])} of {last}{_on(run, ratios[last])}"
+            words += f"; {base} {_than(mean(ratios[last]), last)}{_on(run, ratios[last])}"
         return f"{lone}{words}."
-    words = f"{base} takes {_share(ratios[second])} of {named}"
+    words = f"{base} {_than(mean(ratios[second]), named)}"
     if not last:
         return f"{lone}{words}{_on(run, ratios[second])}."
     same = len(ratios[second]) == len(ratios[last])
     middle = "" if same else _on(run, ratios[second])
-    return f"{lone}{words}{middle}, and {_share(ratios[last])} of {last}{_on(run, ratios[last])}."
+    return f"{lone}{words}{middle}, and {_than(mean(ratios[last]), last)}{_on(run, ratios[last])}."
 
 
 def _public(run: Run, base: str, ratios: dict[str, Floats]) -> str:
@@ -69,8 +69,7 @@ def _public(run: Run, base: str, ratios: dict[str, Floats]) -> str:
     solver = min(exact, key=lambda s: mean(ratios[s]))
     fastest = f"Of the exact public codes, {solver} is the fastest"
     one = f"The exact public code is {solver}"
-    return (f"{fastest if len(exact) > 1 else one}: {base} takes "
-            f"{_share(ratios[solver]).replace('the time', 'its time')}{_on(run, ratios[solver])}.")  # fmt: skip
+    return f"{fastest if len(exact) > 1 else one}: {base} {_than(mean(ratios[solver]), 'it')}{_on(run, ratios[solver])}."
 
 
 def _resolved(run: Run, base: str, other: str) -> bool:
@@ -81,10 +80,11 @@ def _resolved(run: Run, base: str, other: str) -> bool:
     return found is None or found.estimate.excludes_one
 
 
-def _share(ratios: Floats) -> str:
-    """Returns the base's time as a share or a multiple of the time of a solver with these ratios."""
-    ratio = mean(ratios)
-    return f"1/{_short(ratio)} of the time" if ratio >= 1 else f"{_short(1 / ratio)} times the time"
+def _than(ratio: float, other: str) -> str:
+    """Returns what is said of a solver beside another one whose time is `ratio` times its own."""
+    if ratio >= 1:
+        return f"is {_short(ratio)} times as fast as {other}"
+    return f"takes {_short(1 / ratio)} times the time of {other}"
 
 
 def _short(ratio: float) -> str:
@@ -103,8 +103,7 @@ def _inexact(run: Run, base: str, ratios: dict[str, Floats]) -> str:
     words = []
     for solver in sorted(found, key=lambda s: mean(ratios[s]))[:INEXACT]:
         ratio, errors = mean(ratios[solver]), errors_of(run, solver)
-        takes = f"1/{_short(1 / ratio)} of" if ratio < 1 else f"{_short(ratio)} times"
-        parts = [f"{solver} takes {takes} the time of {base}", _prepared(run, base, solver, ratio)]
+        parts = [f"{solver} {_than(1 / ratio, base)}", _prepared(run, base, solver, ratio)]
         if len(errors):
             parts.append(f"with errors of up to {percent(errors.max())}")
         words.append(", ".join(filter(None, parts)) + _on(run, ratios[solver]))
@@ -118,7 +117,7 @@ def _prepared(run: Run, base: str, solver: str, ratio: float) -> str:
     pairs = [ratios(run, mesh, solver, base, first) for mesh in run.meshes]
     known = [sample for sample in pairs if sample]
     whole = geometric_mean(known).value if known else ratio
-    return f"{_short(whole)} times with its preparation" if whole > max(1, 2 * ratio) else ""
+    return f"but takes {_short(whole)} times the time of {base} with its preparation" if whole > max(1, 2 * ratio) else ""
 
 
 def _verified(run: Run) -> str:

@@ -28,16 +28,16 @@ def with_times(factor: Callable[[dict[str, Any]], float]) -> Callable[[dict[str,
 
 def test_the_fastest_exact_solver_is_compared_with_the_next_one_and_with_mmp(golden_run: Run) -> None:
     assert headline.sentences(golden_run)[0] == (
-        "edge-based takes 1/1.79 of the time of fwp-mmp, the fastest of the other exact solvers, and "
-        "1/5.0 of the time of mmp, over 3 meshes."
+        "edge-based is 1.79 times as fast as fwp-mmp, the fastest of the other exact solvers, and "
+        "is 5.0 times as fast as mmp, over 3 meshes."
     )
 
 
 def test_without_mmp_the_slowest_is_named_with_the_meshes_that_it_has(golden_run: Run) -> None:
     run = of_solvers(golden_run, "edge-based", "ich", "ch")
     assert headline.sentences(run)[0] == (
-        "edge-based takes 1/5.1 of the time of ich, the fastest of the other exact solvers, over 3 "
-        "meshes, and 1/20 of the time of ch, on 1 of 3 meshes."
+        "edge-based is 5.1 times as fast as ich, the fastest of the other exact solvers, over 3 "
+        "meshes, and is 20 times as fast as ch, on 1 of 3 meshes."
     )
 
 
@@ -82,13 +82,13 @@ def test_two_solvers_that_take_the_same_time_are_not_ranked(changed: Changed) ->
 
     first, *_ = headline.sentences(read_run(changed(change)))
     assert first.startswith("The run does not resolve which of edge-based and fwp-mmp is faster (ratio 1.0")
-    assert first.endswith("; edge-based takes 1/5.0 of the time of mmp, over 3 meshes.")
+    assert first.endswith("; edge-based is 5.0 times as fast as mmp, over 3 meshes.")
 
 
 def test_ratios_are_to_the_fastest_exact_solver_whichever_it_is(changed: Changed) -> None:
     fast = with_times(lambda row: 0.1 if row["solver"] == "mmp" else 1)
     run = read_run(changed(fast))
-    assert headline.sentences(run)[0].startswith("mmp takes 1/2.0 of the time of edge-based")
+    assert headline.sentences(run)[0].startswith("mmp is 2.0 times as fast as edge-based")
     assert summary.overall(run).header[1] == "Time / mmp"
     assert summary.by_mesh(run).header[2] == "mmp, time"
 
@@ -106,7 +106,7 @@ def test_errors_of_inexact_solvers_and_failures_are_told(changed: Changed) -> No
 
     sentences = headline.sentences(read_run(changed(change)))
     assert (
-        "Not exact: dijkstra takes 1/8.5 of the time of edge-based, with errors of up to 29%, over 3 "
+        "Not exact: dijkstra is 8.5 times as fast as edge-based, with errors of up to 29%, over 3 "
         "meshes." in sentences
     )
     assert "3 answers failed or missing; not measured: stanford-bunny." in sentences
@@ -125,10 +125,10 @@ def test_the_fastest_exact_public_code_is_named_and_preparation_is_not_left_out(
 
     sentences = headline.sentences(read_run(changed(change)))
     assert (
-        "Of the exact public codes, fwp-ch is the fastest: edge-based takes 1/3.0 of its time, on 2 of "
+        "Of the exact public codes, fwp-ch is the fastest: edge-based is 3.0 times as fast as it, on 2 of "
         "3 meshes." in sentences
     )
-    assert "of the time of edge-based, 206 times with its preparation, over 3 meshes." in sentences[2]
+    assert "times as fast as edge-based, but takes 206 times the time of edge-based with its preparation, over 3 meshes." in sentences[2]
     assert not any("public" in sentence for sentence in headline.sentences(golden_run))
 
 
