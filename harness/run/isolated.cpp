@@ -2,7 +2,6 @@
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"
-#include "harness/verify/references.h"
 
 namespace geodesic::harness {
 namespace fs = std::filesystem;
@@ -58,22 +57,13 @@ Row failed_row(const Cell& cell, const Failure& failure) {
   return row;
 }
 
-std::vector<Row> measure_cell(const Cell& cell, const CellSpec& spec, References& references,
+std::vector<Row> measure_cell(const Cell& cell, const CellSpec& spec, ReferenceFiles& references,
                               const ProcessLimits& limits, const std::function<void()>& waiting) {
   if (const std::string* why = cell.unsupported()) {
     return {failed_row(cell, {Outcome::unsupported, *why})};
   }
   try {
-    const auto measure = [&](const Reference& reference) {
-      return rows_of_process(cell, spec, reference, limits, waiting);
-    };
-    const Reference reference = references.find(cell);
-    std::vector<Row> rows = measure(reference);
-    const bool wrong = rows.front().outcome == Outcome::wrong_answer;
-    if (wrong && is_independent_oracle(reference.solver)) {
-      if (const auto other = references.find_other_than(reference, cell)) return measure(*other);
-    }
-    return rows;
+    return rows_of_process(cell, spec, references.find(cell), limits, waiting);
   } catch (const CannotWrite&) {
     throw;
   } catch (const HarnessError& error) {

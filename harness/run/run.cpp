@@ -20,7 +20,7 @@
 #include "harness/run/isolated.h"
 #include "harness/run/programs.h"
 #include "harness/run/progress.h"
-#include "harness/run/references.h"
+#include "harness/run/reference_files.h"
 #include "harness/run/resume.h"
 
 namespace geodesic::harness {
@@ -64,7 +64,7 @@ class Run {
   const std::vector<Cell> cells_;
   const fs::path folder_;
   const std::string processor_ = processor();
-  References references_;
+  ReferenceFiles references_;
   Progress progress_;
   std::map<std::size_t, std::vector<Row>> kept_;  // by cell
   std::size_t measured_ = 0, ok_ = 0;             // cells

@@ -82,13 +82,13 @@ class Explanation {
         mesh_(given.build()),
         query_(violation.query),
         got_(violation.got),
-        reference_(solver, mesh_),
-        right_(reference_.distances(query_)) {}
+        reference_(LocalReference(solver, mesh_, given.tolerance).distances(query_)),
+        right_(reference_.values) {}
 
   std::vector<std::string> lines() {
     const Finding finding = check(got_, right_);
     if (!finding) {
-      say("these distances equal those of " + reference_.name() +
+      say("these distances equal those of " + reference_.by +
           " up to rounding: the answer that they were compared with differs from them");
       return lines_;
     }
@@ -98,7 +98,7 @@ class Explanation {
         significant(p[1]) + ", " + significant(p[2]) + "), " + role_of(first, mesh_, query_));
     say("  got       " + significant(got_[first]));
     const bool reached = std::isfinite(right_[first]);
-    say("  expected  " + significant(right_[first]) + " (" + reference_.name() + "), " +
+    say("  expected  " + significant(right_[first]) + " (" + reference_.by + "), " +
         (reached ? "relative error " + significant(relative_error(got_[first], right_[first]), 3)
                  : "no path leads there"));
     if (reached) explain_path(first);
@@ -154,8 +154,8 @@ class Explanation {
   const Mesh mesh_;
   const Query& query_;
   const std::vector<double>& got_;
-  LocalReference reference_;
-  std::vector<double> right_;
+  const ReferenceDistances reference_;
+  const std::vector<double>& right_;
   std::vector<std::string> lines_;
 };
 

@@ -24,8 +24,6 @@ struct Case {
   Tolerance tolerance = {};
   /// Behaviour of paths at non-manifold edges.
   NonManifoldEdges non_manifold_edges = NonManifoldEdges::cut;
-  /// References to choose from when `known` is empty.
-  Judges judges = {};
 
   /// @throws std::invalid_argument when it cannot be built
   Mesh build() const { return Mesh(soup, Numbering::as_given, non_manifold_edges); }
@@ -39,7 +37,7 @@ class Trial {
       : solver_(solver),
         given_(given),
         mesh_(given.build()),
-        reference_(solver, mesh_, given.judges) {}
+        reference_(solver, mesh_, given.tolerance) {}
   Trial(const Trial&) = delete;
   Trial& operator=(const Trial&) = delete;
 
@@ -69,17 +67,6 @@ class Trial {
   /// The right distances on the case's mesh. @throws NoReference
   std::vector<double> expected(const Query& query) const;
 
-  /// The reference on a finer mesh.
-  LocalReference reference_on(const Mesh& finer) const {
-    LocalReference reference(solver_, finer, given_.judges);
-    oracle_judges_ |= reference.is_independent();
-    return reference;
-  }
-  /// Whether the right distances are those of an independent oracle, which may be wrong itself.
-  bool oracle_judges() const {
-    return oracle_judges_ || (!given_.known && reference_.is_independent());
-  }
-
   /// Checks that distances keep the solver's promise (distance_check.h).
   Finding correct(const Query& query, std::span<const double> got,
                   std::span<const double> expected) const {
@@ -96,7 +83,6 @@ class Trial {
   const Case& given_;
   const Mesh mesh_;
   mutable LocalReference reference_;  // caches brute force on the mesh
-  mutable bool oracle_judges_ = false;
   mutable double largest_error_ = 0;
 };
 
@@ -127,7 +113,8 @@ struct Property {
   std::string name;              ///< unique: "refusals-name-the-solver"
   std::string statement;         ///< one sentence
   std::vector<Case> (*cases)();  ///< small meshes first
-  /// Checks one case. Throws a Violation when the property does not hold.
+  /// Checks one case by `require` and `refused` (properties.h). Throws a Violation when the
+  /// property does not hold.
   void (*check)(const Trial& trial) = distances_are_right;
   unsigned needs = kNoClaim;  ///< claims
   bool on_any_mesh = true;    ///< whether it holds on other meshes than its own
@@ -155,8 +142,7 @@ bool too_large(const Case& given, const Description& solver);
 inline constexpr const char* kThrew = "threw: ";
 
 /// Checks one case. The solver must refuse a mesh that it declares unsupported. An exception of the
-/// solver is a violation. An independent oracle may be wrong: where a solver differs from it, brute
-/// force decides on up to 1,500 faces, in some seconds, and another exact solver on larger meshes.
+/// solver is a violation.
 /// @param largest_error raised to Trial::largest_error; may be null
 /// @throws NoReference
 Finding check_case(const Property& property, const Description& solver, const Case& given,

@@ -12,6 +12,7 @@
 
 #include "harness/corpus/manifest.h"
 #include "harness/corpus/solvers.h"
+#include "harness/verify/distance_check.h"
 #include "meshes/oracles/brute_force.h"
 #include "solvers/core/registry.h"
 
@@ -24,6 +25,10 @@ inline constexpr const char* kBruteForce = "brute force";
 /// Largest number of faces on which brute force takes less than a second.
 inline constexpr Index kBruteForceFaces = 400;
 
+/// Largest number of faces on which brute force, in some seconds, decides between two references
+/// that differ: 1,500, and those that inserted points add.
+inline constexpr Index kDecidingFaces = 1600;
+
 /// For more sources, oracles come last. CGAL's time grows with the number of sources: on a plate of
 /// 2,068 vertices a run that it verifies takes 0.4 s from one, 16 s from 480 of the boundary.
 inline constexpr std::size_t kFewSources = 4;
@@ -33,6 +38,7 @@ struct ReferenceSources {
   std::optional<std::string> named = {};  ///< the exact solver that the user names, or kBruteForce
   bool closed_form = false;               ///< the mesh has one
   bool brute_force = false;               ///< the mesh is small enough
+  bool deciding_brute_force = false;      ///< where the first two references differ
   bool many_sources = false;              ///< more than kFewSources: oracles come last
 };
 
@@ -49,7 +55,8 @@ std::vector<const Description*> rank_references(const Description& verified,
 bool is_independent_oracle(const std::string& reference);
 
 /// References that can verify a solver, best first: the named solver, the closed form, brute force,
-/// then the other registered solvers in the order of rank_references.
+/// then the other registered solvers in the order of rank_references. Brute force that only decides
+/// follows the first two.
 std::vector<std::string> reference_candidates(const Description& verified,
                                               const ReferenceSources& sources);
 
@@ -82,34 +89,46 @@ class NoReference : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The references that a LocalReference chooses from.
-struct Judges {
-  Index brute_force_faces = kBruteForceFaces;  ///< most faces for brute force
-  bool oracles = true;                         ///< whether independent oracles are allowed
+/// The distances that a solver's are compared with.
+struct ReferenceDistances {
+  std::string by;              ///< name of a solver, kClosedForm or kBruteForce
+  std::vector<double> values;  ///< one per vertex
+  std::string remark = {};     ///< one line when `by` contradicts an oracle; otherwise empty
 };
 
-/// The best reference that needs neither a manifest nor another process: brute force, or the best
-/// ranked solver that supports the mesh.
+/// Chooses the reference; every command and property does so here. It is the first candidate that
+/// gives distances, unless that is an independent oracle, which may be wrong: the next candidate
+/// must confirm it. Where the two differ, a third decides: the closed form, brute force, or the
+/// next solver.
+/// @param candidates best first (reference_candidates)
+/// @param ask returns the distances of a candidate, or throws NoReference with the reason
+/// @param tolerance for the difference of two right references
+/// @throws NoReference with the reasons of all candidates
+ReferenceDistances choose_reference(
+    const std::vector<std::string>& candidates,
+    const std::function<std::vector<double>(const std::string& candidate)>& ask,
+    const Tolerance& tolerance = {});
+
+/// References that need neither a manifest nor another process: brute force, and the solvers that
+/// support the mesh.
 class LocalReference {
  public:
   /// The mesh must outlive it.
-  LocalReference(const Description& verified, const Mesh& mesh, Judges judges = {});
-
-  /// kBruteForce, a solver's name, or "nothing".
-  const std::string& name() const { return name_; }
-
-  bool is_independent() const { return is_independent_oracle(name_); }
+  LocalReference(const Description& verified, const Mesh& mesh, const Tolerance& tolerance = {});
 
   /// @throws NoReference when there is none
-  std::vector<double> distances(const Query& query);
+  ReferenceDistances distances(const Query& query);
 
   /// For a process that a reference may end. Called with the name of the reference before it
   /// computes, and with an empty name afterwards.
   static inline std::function<void(const std::string& name)> watch = {};
 
  private:
+  std::vector<double> ask(const std::string& candidate, const Query& query);
+
   const Mesh& mesh_;
-  std::string name_ = "nothing";
+  const Tolerance tolerance_;
+  std::vector<std::string> candidates_;
   std::shared_ptr<const BruteForce> brute_force_;  // null until it is needed
 };
 

@@ -229,6 +229,26 @@ TEST_F(VerifyCommand, ListsThePropertiesWithTheirStatements) {
                           "are its edges (needs exact distances) (on its own meshes only)"});
 }
 
+// On this mesh CGAL 5.5 errs by 1e-5.
+TEST_F(VerifyCommand, SolveCallsAnswersOnAFlatGridRightOrWrongAsTheyAre) {
+  const std::string grid = (folder_ / "grid.obj").string();
+  ASSERT_EQ(run_plainly(PROGRAM, {"generate", "grid", "--columns", "15", "--rows", "15",
+                                  "--spacing", "0.1", "--diagonal", "forward", "-o", grid})
+                .code,
+            0);
+  const auto check = [&](const std::string& solver) {
+    return run(kFaultyProgram, {"solve", grid, "--solver", solver, "--source", "0", "--check"});
+  };
+  for (const char* solver : {"edge-based", "mmp", "ich", "dijkstra"}) {
+    const Output sound = check(solver);
+    EXPECT_EQ(sound.code, 0) << sound.err;
+    EXPECT_NE(nlohmann::json::parse(sound.out).at("reference"), "cgal");
+  }
+  const Output wrong = check("wrong");
+  EXPECT_EQ(wrong.code, 2) << wrong.out;
+  expect_words(wrong.err, {"wrong: compared with ", "relative error 1e-09"});
+}
+
 TEST_F(VerifyCommand, SolveComparesDistancesWhenAsked) {
   const auto check = [&](const std::string& solver, const std::vector<std::string>& more) {
     std::vector<std::string> arguments{"solve",    "hill", "--solver", solver,

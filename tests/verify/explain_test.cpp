@@ -15,7 +15,8 @@ namespace {
 // A room whose source is in a corner of the floor: paths to the other end cross many edges.
 class Explain : public ::testing::Test {
  protected:
-  Explain() : mesh_(given_.soup), right_(LocalReference(solver(), mesh_).distances(kQuery)) {}
+  Explain()
+      : mesh_(given_.soup), right_(LocalReference(solver(), mesh_).distances(kQuery).values) {}
 
   static const Description& solver() {
     for (const Description* each : registered_solvers()) {

@@ -135,14 +135,15 @@ Json compare_with_reference(const Problem& problem, const Query& query,
     for (const Source& source : query.sources) points.push_back(source.at);
     const InsertedPoints inserted(as_given, points);
     const Query asked = inserted.translated(query);
-    LocalReference local(problem.solver, inserted.mesh());
-    const std::vector<double> reference = local.distances(asked);
-    std::vector<double> got = reference;  // inserted sources have no distance to compare
+    const ReferenceDistances reference =
+        LocalReference(problem.solver, inserted.mesh()).distances(asked);
+    if (!reference.remark.empty()) warn(problem.entry.name + ": " + reference.remark);
+    std::vector<double> got = reference.values;  // inserted sources have no distance to compare
     std::ranges::copy(distances, got.begin());
     for (std::size_t i = 0; i < at_targets.size(); ++i) {
       got[asked.targets[i].vertex] = at_targets[i];
     }
-    compare(inserted.mesh(), asked, got, {local.name(), reference});
+    compare(inserted.mesh(), asked, got, {reference.by, reference.values});
   }
   return json;
 }

@@ -1,4 +1,4 @@
-#include "harness/run/references.h"
+#include "harness/run/reference_files.h"
 
 #include <iostream>
 
@@ -37,8 +37,8 @@ std::string write_known(const std::string& by, const Cell& cell, bool repair,
 
 }  // namespace
 
-Failure References::solve(const Cell& cell, const std::string& solver,
-                          const std::filesystem::path& file) {
+Failure ReferenceFiles::solve(const Cell& cell, const std::string& solver,
+                              const std::filesystem::path& file) {
   if (const std::string* why = cell.mesh->unsupported_by(solver, *cell.source)) {
     return {Outcome::unsupported, *why};
   }
@@ -63,8 +63,8 @@ Failure References::solve(const Cell& cell, const std::string& solver,
   return failure;
 }
 
-std::string References::compute(const Cell& cell, const std::string& solver,
-                                const std::filesystem::path& file) {
+std::string ReferenceFiles::compute(const Cell& cell, const std::string& solver,
+                                    const std::filesystem::path& file) {
   std::unique_lock lock(mutex_);
   const auto [at, first] = tried_.try_emplace(file.filename().string());
   lock.unlock();
@@ -81,42 +81,37 @@ std::string References::compute(const Cell& cell, const std::string& solver,
   return failure.why;
 }
 
-std::optional<Reference> References::find_other_than(const Reference& oracle, const Cell& cell) {
-  try {
-    const Reference other = find(cell, /*oracles=*/false);
-    const RelativeErrors errors = relative_errors(read_distances(oracle.file, cell.mesh->vertices),
-                                                  read_distances(other.file, cell.mesh->vertices));
-    if (errors.max <= kExactTolerance && errors.unreachable_mismatches == 0) return std::nullopt;
-    std::cerr << cell.mesh->entry.name << ", source " << cell.source->name << ": " << oracle.solver
-              << " differs from " << other.solver << " (largest relative error "
-              << significant(errors.max, 3) << "), which verifies " << cell.solver->name << '\n';
-    return other;
-  } catch (const HarnessError&) {
-    return std::nullopt;
-  }
-}
-
-Reference References::find(const Cell& cell, bool oracles) {
-  std::vector<std::string> failures;
+Reference ReferenceFiles::find(const Cell& cell) {
+  const PlannedMesh& mesh = *cell.mesh;
   const std::optional<std::string>& named = request_.suite.reference;
-  const ReferenceSources sources{
-      .named = named,
-      .closed_form = has_closed_form(cell.mesh->entry),
-      .brute_force = named == kBruteForce && cell.mesh->facts["faces"] <= kBruteForceFaces,
-      .many_sources = cell.source->vertices.size() > kFewSources};
-  for (const std::string& solver : reference_candidates(*cell.solver, sources)) {
-    if (!oracles && is_independent_oracle(solver)) continue;
-    const std::string name = cell.mesh->entry.name + "__src" + cell.source->name + "__" + solver;
-    const std::filesystem::path file = folder_ / (as_file_name(name) + ".distances");
-    std::string failure = compute(cell, solver, file);
-    if (failure.empty()) return {solver, file};
-    failures.push_back(std::move(failure));
+  const Json& faces = mesh.facts["faces"];
+  const ReferenceSources sources{.named = named,
+                                 .closed_form = has_closed_form(mesh.entry),
+                                 .brute_force = named == kBruteForce && faces <= kBruteForceFaces,
+                                 .deciding_brute_force = faces <= kDecidingFaces,
+                                 .many_sources = cell.source->vertices.size() > kFewSources};
+  const auto file_of = [&](const std::string& by) {
+    const std::string name = mesh.entry.name + "__src" + cell.source->name + "__" + by;
+    return folder_ / (as_file_name(name) + ".distances");
+  };
+  const auto ask = [&](const std::string& by) {
+    const std::string failure = compute(cell, by, file_of(by));
+    if (!failure.empty()) throw NoReference(failure);
+    return read_distances(file_of(by), mesh.vertices);
+  };
+  try {
+    const auto [by, distances, remark] =
+        choose_reference(reference_candidates(*cell.solver, sources), ask);
+    const std::string line = mesh.entry.name + ", source " + cell.source->name + ": " + remark;
+    const std::lock_guard lock(mutex_);
+    if (!remark.empty() && reported_.insert(line).second) std::cerr << line << '\n';
+    return {by, file_of(by)};
+  } catch (const NoReference& why) {
+    throw HarnessError("cannot be verified: " + std::string(why.what()));
   }
-  throw HarnessError("cannot be verified: no other exact solver gave distances (" +
-                     (failures.empty() ? "none is registered" : join(failures, "; ")) + ")");
 }
 
-void References::compute_ahead(std::span<const Cell* const> cells) {
+void ReferenceFiles::compute_ahead(std::span<const Cell* const> cells) {
   std::map<const SourceSet*, std::vector<const Cell*>> by_source;
   for (const Cell* cell : cells) {
     if (cell->unsupported() == nullptr) by_source[cell->source].push_back(cell);

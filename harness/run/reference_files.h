@@ -6,7 +6,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
-#include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,25 +21,22 @@ struct Reference {
   std::filesystem::path file;
 };
 
-class References {
+class ReferenceFiles {
  public:
   /// @param folder an existing folder in the run folder
   /// @param request names the reference and has the limits; must outlive this object
   /// @param waiting called about once a second while a solver computes a reference, with its name;
   ///        never by two threads at once
-  References(std::filesystem::path folder, const RunRequest& request,
-             std::function<void(const std::string& solver)> waiting)
+  ReferenceFiles(std::filesystem::path folder, const RunRequest& request,
+                 std::function<void(const std::string& solver)> waiting)
       : folder_(std::move(folder)), request_(request), waiting_(std::move(waiting)) {}
 
-  /// The reference for this cell: the solver that the suite names, the closed form of the mesh,
-  /// brute force if the suite names it and the mesh is small enough, or the best ranked solver
-  /// (verify/references.h) that supports the mesh and succeeds.
+  /// The reference for this cell (choose_reference of verify/references.h) among the solver that
+  /// the suite names, the closed form of the mesh, brute force if the suite names it and the mesh
+  /// is small enough, and the ranked solvers that support the mesh. A contradicted oracle is
+  /// reported on standard error, once a source.
   /// @throws HarnessError with the reason why each candidate failed
-  Reference find(const Cell& cell) { return find(cell, /*oracles=*/true); }
-
-  /// The best reference that is no independent oracle, if it differs from `oracle`. The difference
-  /// is reported on standard error. Nothing when both agree or there is no other reference.
-  std::optional<Reference> find_other_than(const Reference& oracle, const Cell& cell);
+  Reference find(const Cell& cell);
 
   /// Computes the references that `find` will need for these cells, of each source in a thread of
   /// its own. They share the memory limit. `find` reports failures, and tries again those that
@@ -47,18 +44,19 @@ class References {
   void compute_ahead(std::span<const Cell* const> cells);
 
  private:
-  Reference find(const Cell& cell, bool oracles);
   // Returns why the distances could not be computed; empty when they were.
   std::string compute(const Cell& cell, const std::string& solver,
-                             const std::filesystem::path& file);
+                      const std::filesystem::path& file);
   Failure solve(const Cell& cell, const std::string& solver, const std::filesystem::path& file);
 
   std::filesystem::path folder_;
   const RunRequest& request_;
   std::function<void(const std::string&)> waiting_;
   std::size_t at_a_time_ = 1;
-  std::mutex mutex_;  // guards the map; each of its values is for one source, used by one thread
+  // Guards the containers; each value of the map is for one source, used by one thread.
+  std::mutex mutex_;
   std::map<std::string, std::string> tried_;  // results of `compute`, by file name
+  std::set<std::string> reported_;            // lines on standard error
 };
 
 }  // namespace geodesic::harness
