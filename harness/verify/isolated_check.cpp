@@ -38,8 +38,11 @@ class CheckProcess {
     CheckResult result{
         .outcome = CheckOutcome::not_claimed,
         .what = "is limited to " + std::to_string(solver_.abilities.max_vertices) + " vertices"};
+    // The worst result of all cases. One that holds outweighs those that do not concern the solver.
     for (std::size_t i = 0; i < cases.size() && !result.failed(); ++i) {
-      if (!too_large(cases[i], solver_)) result = check(cases[i], i);
+      if (too_large(cases[i], solver_)) continue;
+      const CheckResult next = check(cases[i], i);
+      if (next.outcome >= result.outcome) result = next;
     }
     write(result);
   }
@@ -71,6 +74,8 @@ class CheckProcess {
       const Finding finding = check_case(property_, solver_, given);
       LocalReference::watch = nullptr;
       return finding ? explained(given, *finding, at_case) : sound(given.build());
+    } catch (const NothingCompared& error) {
+      return {.outcome = CheckOutcome::not_claimed, .what = error.what(), .at_case = at_case};
     } catch (const NoReference& error) {
       return {.outcome = CheckOutcome::not_known, .what = error.what(), .at_case = at_case};
     }

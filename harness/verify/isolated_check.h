@@ -19,10 +19,11 @@ GEODESIC_JSON_MEMBERS(Query, sources, limit, targets, stop_at_targets)
 
 namespace geodesic::harness {
 
+/// Results of a check, each worse than those before it.
 enum class CheckOutcome : std::uint8_t {
+  not_claimed,  ///< the property does not concern the solver, or has nothing to compare
   holds,
-  not_claimed,  ///< the property does not concern the solver
-  not_known,    ///< no right distances to compare with
+  not_known,  ///< no right distances to compare with
   wrong,
   crashed,
   timed_out

@@ -121,17 +121,21 @@ Finding check_case(const Property& property, const Description& solver, const Ca
   try {
     const Trial trial(solver, given);
     const std::string why_not = unsupported(solver, trial.mesh());
+    const std::uint64_t before = requirements();
     try {
       why_not.empty() ? property.check(trial) : must_refuse(trial, why_not);
     } catch (Violation& found) {
       found.kind = kind_of(found, trial.mesh());
       return found;
     }
+    if (requirements() == before) throw NothingCompared("has nothing to compare here");
     if (largest_error != nullptr) {
       *largest_error = std::max(*largest_error, trial.largest_error());
     }
     return {};
   } catch (const NoReference&) {
+    throw;
+  } catch (const NothingCompared&) {
     throw;
   } catch (const std::exception& error) {
     const std::string what = kThrew + std::string(error.what());

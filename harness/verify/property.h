@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -141,10 +142,16 @@ bool too_large(const Case& given, const Description& solver);
 /// Prefix of a violation's text when the solver threw an exception.
 inline constexpr const char* kThrew = "threw: ";
 
+/// Thrown when a property has nothing to compare on a case: it neither holds nor fails there.
+class NothingCompared : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// Checks one case. The solver must refuse a mesh that it declares unsupported. An exception of the
 /// solver is a violation.
 /// @param largest_error raised to Trial::largest_error; may be null
-/// @throws NoReference
+/// @throws NoReference, NothingCompared
 Finding check_case(const Property& property, const Description& solver, const Case& given,
                    double* largest_error = nullptr);
 

@@ -96,6 +96,8 @@ class RandomProcess {
                   .kind = finding->kind,
                   .query = finding->query};
       }
+    } catch (const NothingCompared& error) {
+      result = {.outcome = CheckOutcome::not_claimed, .what = error.what()};
     } catch (const NoReference& error) {
       result = {.outcome = CheckOutcome::not_known, .what = error.what()};
     }
@@ -212,9 +214,9 @@ class RandomCheck {
     RandomTally::OfSolver& of = tally_.solvers[ask.solver];
     if (result.outcome == CheckOutcome::not_known) {
       ++of.not_known;
-    } else if (!result.failed()) {
+    } else if (result.outcome == CheckOutcome::holds) {
       ++of.hold;
-    } else {
+    } else if (result.failed()) {
       ++of.failed;
       progress_.clear();
       failed_(

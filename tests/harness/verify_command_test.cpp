@@ -127,6 +127,16 @@ TEST_F(VerifyCommand, DoesNotHoldAgainstASolverWhatItDoesNotClaim) {
   expect_words(large.out, {"not claimed", "is limited to 3 vertices"});
 }
 
+// Vertex 0 of the hill is isolated: no limit separates its distances.
+TEST_F(VerifyCommand, DoesNotCallHoldingWhatComparesNothing) {
+  const Output found =
+      verify("dijkstra", {"--property", "limit-keeps-what-is-nearer-and-drops-what-is-farther",
+                          "--meshes", "hill", "--source", "0"});
+  EXPECT_EQ(found.code, 0) << found.err;
+  expect_words(found.out, {"not claimed", "dijkstra has nothing to compare here",
+                           "dijkstra: 0 hold, 0 fail, 1 not claimed"});
+}
+
 TEST_F(VerifyCommand, AsksForDistancesOnMeshesOfTheUser) {
   const std::vector<std::string> on_hill = {"--property", "distances-equal-the-reference",
                                             "--meshes", "hill"};

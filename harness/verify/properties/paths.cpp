@@ -203,7 +203,8 @@ void require_promise(const std::string& circumstances, const Trial& trial, const
                      std::span<const double> got, std::span<const double> expected,
                      const Tolerance& tolerance) {
   Finding finding = trial.correct(query, got, expected, tolerance);
-  if (finding) require(circumstances, Violation{.what = finding->what});
+  if (finding) finding = Violation{.what = finding->what};
+  require(circumstances, std::move(finding));
 }
 
 constexpr std::size_t kInserted = 8;  // points; both properties use the same finer mesh

@@ -90,7 +90,16 @@ Query within(double limit, Query query) {
   return query;
 }
 
+namespace {
+thread_local std::uint64_t required = 0;
+}
+
+std::uint64_t requirements() { return required; }
+
+void count_requirement() { ++required; }
+
 void require(Finding finding) {
+  count_requirement();
   if (finding) throw *std::move(finding);
 }
 
@@ -99,6 +108,7 @@ void require(const std::string& circumstances, Finding finding) {
 }
 
 void require(bool holds, const std::string& otherwise) {
+  count_requirement();
   if (!holds) throw Violation{.what = otherwise};
 }
 

@@ -1,6 +1,7 @@
 // The groups of properties, and functions that they share.
 #pragma once
 
+#include <cstdint>
 #include <stdexcept>
 
 #include "harness/verify/property.h"
@@ -61,6 +62,13 @@ TriangleSoup scaled(TriangleSoup soup, double factor);
 /// The query with another limit.
 Query within(double limit, Query query);
 
+/// How often this thread has called `require` and `refused`. A check that has called neither has
+/// compared nothing.
+std::uint64_t requirements();
+
+/// Counts a requirement that is not checked by `require`.
+void count_requirement();
+
 /// Throws the violation, if there is one, to end the check of a property.
 void require(Finding finding);
 void require(const std::string& circumstances, Finding finding);
@@ -74,6 +82,7 @@ Finding same_bits(const Query& query, std::span<const double> got,
 /// Requires that the call throws std::invalid_argument. @param what subject of "... was accepted"
 template <class Call>
 void refused(const std::string& what, Call&& call) {
+  count_requirement();
   try {
     call();
   } catch (const std::invalid_argument&) {
