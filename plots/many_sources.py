@@ -13,7 +13,7 @@ from plots.dots import sentences
 from plots.drawing import Drawing
 from plots.logarithmic import logarithmic
 from plots.measures import ERROR, columns, count, percent
-from plots.ratios import fastest_exact, mean
+from plots.ratios import fastest_exact, mean, number
 from results.reader import ResultError, Row, Run, Source
 from results.statistics import Estimate, median
 from results.table import BLANK, Field, Table
@@ -188,4 +188,4 @@ def _numbers(rows: list[Row], bases: list[Row]) -> list[Field]:
     if not bases:
         return [Field("-"), *errors]
     ratio = seconds(rows).value / seconds(bases).value
-    return [Field(f"{ratio:.3g}", ratio), *errors]
+    return [Field(number(ratio), ratio), *errors]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
@@ -13,7 +12,7 @@ from results.pairs import Floats, by_source
 from results.published import THESIS_SOLVERS, Published
 from results.reader import OK, Mesh, Row, Run, Solver, Source
 from results.statistics import Estimate, median
-from results.table import Field, estimate_field
+from results.table import Field, decimals, estimate_field
 
 EDGE_BASED = "edge-based"
 LIMIT_SOLVER = "mmp"
@@ -48,8 +47,7 @@ def time_unit(seconds: Sequence[float]) -> TimeUnit:
     units = {"s": 1.0, "ms": 1e3, "\N{MICRO SIGN}s": 1e6}
     fits = (n for n, scale in units.items() if scale * least >= 0.1 or scale * greatest >= 100)
     name = next(fits, "\N{MICRO SIGN}s")
-    digits = math.floor(math.log10(units[name] * least))
-    return TimeUnit(name, units[name], min(max(0, 2 - digits), 4))
+    return TimeUnit(name, units[name], min(decimals(units[name] * least, 3), 4))
 
 
 def interval(estimate: Estimate, show: Callable[[float], str]) -> str:
@@ -158,7 +156,7 @@ def percent(error: float) -> str:
     """A relative error: 110%, 6.1%, 0.027%, and below that 2e-06."""
     if error < 1e-4:
         return f"{error:.0e}"
-    return f"{100 * error:,.0f}%" if error >= 1 else f"{100 * error:.2g}%"
+    return f"{100 * error:,.0f}%" if error >= 0.995 else f"{100 * error:.2g}%"
 
 
 def values(run: Run, mesh: str, solver: str, measure: Measure) -> dict[tuple[Source, int], float]:

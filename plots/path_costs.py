@@ -184,7 +184,7 @@ def by_mesh(run: Run) -> Table:
             ]
             rows.append([
                 Field(run.meshes[mesh].label), Field(solver),
-                *[Field(f"{time:.3g}", time) for time in times], *_fields(_lengths(by_source)),
+                *[Field(number(time), time) for time in times], *_fields(_lengths(by_source)),
             ])  # fmt: skip
     return Table(
         name="path_numbers",

@@ -19,7 +19,7 @@ from results import published
 from results.pairs import Floats, all_times, paired
 from results.reader import Run
 from results.statistics import Estimate, Sample, geometric_mean
-from results.table import Field, estimate_field
+from results.table import Field, decimals, estimate_field
 
 RIVAL = "the solver in the column"
 MANY = 100
@@ -27,12 +27,12 @@ MANY = 100
 
 
 def plain(value: float) -> str:
-    return f"{value:.3f}" if value < 10 else f"{value:,.1f}"
+    return f"{value:.3f}" if round(value, 3) < 10 else f"{value:,.1f}"
 
 
 def number(value: float) -> str:
     """Returns the value with three significant digits; from 100 on rounded to an integer."""
-    return f"{value:,.0f}" if value >= 100 else f"{value:#.3g}"
+    return f"{value:,.{decimals(value, 3)}f}"
 
 
 def _fewer(value: float) -> str:

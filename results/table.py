@@ -36,10 +36,16 @@ class Field:
 BLANK = Field("")
 
 
+def decimals(value: float, digits: int) -> int:
+    """Returns the number of decimals that shows so many significant digits of the value as it is rounded:
+    9.996 has one decimal in three digits, 10.0. From 10^digits on all digits before the point are shown."""
+    exponent = int(f"{value:.{digits - 1}e}".partition("e")[2])
+    return max(0, digits - 1 - exponent)
+
+
 def four_digits(value: float) -> str:
     """Formats four significant digits, with trailing zeros: 0.4217, 1.780, 14.74, 1234."""
-    digits = 3 - math.floor(math.log10(abs(value))) if value else 3
-    return f"{value:.{max(0, digits)}f}"
+    return f"{value:.{decimals(value, 4)}f}"
 
 
 def estimate_field(estimate: Estimate, text: str, note: str = "") -> Field:

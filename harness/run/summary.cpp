@@ -1,7 +1,6 @@
 #include "harness/run/summary.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -38,11 +37,13 @@ double median(std::vector<double> values) {
   return (*middle + *std::max_element(values.begin(), middle)) / 2;
 }
 
-// The number with `digits` significant digits, including zeros at the end: 2.500, 25.00.
+// The number with `digits` significant digits, including zeros at the end: 2.500, 25.00. The
+// exponent is that of the rounded number: 9.9996 is 10.00.
 std::string fixed_digits(double x, int digits) {
-  const int before_point = x < 1 ? 1 : static_cast<int>(std::log10(x)) + 1;
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(std::max(digits - before_point, 0)) << x;
+  std::ostringstream rounded, text;
+  rounded << std::scientific << std::setprecision(digits - 1) << x;
+  const int exponent = std::stoi(rounded.str().substr(rounded.str().find('e') + 1));
+  text << std::fixed << std::setprecision(std::max(digits - 1 - exponent, 0)) << x;
   return text.str();
 }
 

@@ -124,7 +124,7 @@ def test_a_number_of_sources_without_an_answer_is_left_out() -> None:
 def test_the_table_has_every_set_over_the_base_from_the_same_sources() -> None:
     table = many_sources.table(run_of(SEVERAL))
     texts = [[cell.text for cell in cells] for cells in table.rows]
-    assert ["m", "boundary", "40", "heat", "0.5", "2.0e-01", "1.0e-01"] in texts
+    assert ["m", "boundary", "40", "heat", "0.500", "2.0e-01", "1.0e-01"] in texts
     assert len(texts) == 8
 
 

@@ -18,13 +18,14 @@ from typing import Any
 import pytest
 from synthetic import Changed
 
-from plots import summary, table_5_1, table_5_2, table_5_2_ratios, table_5_3
+from plots import ratios, summary, table_5_1, table_5_2, table_5_2_ratios, table_5_3
 from plots.catalogue import TABLES
+from plots.measures import percent, time_unit
 from results import published
 from results.console import ROOT
 from results.reader import ResultError, Run, read_run
 from results.table import (
-    BLANK, FORMATS, Field, Table, mark, to_csv, to_latex, to_markdown, to_tabular, to_text,
+    BLANK, FORMATS, Field, Table, four_digits, mark, to_csv, to_latex, to_markdown, to_tabular, to_text,
 )  # fmt: skip
 
 ROCKER_ARM = "rocker-arm (stand-in for rocker arm)"
@@ -278,3 +279,29 @@ def test_markdown_and_latex_are_escaped_and_control_characters_shown() -> None:
     assert r"a\_b \& 50\% & 1.5 [1, 2] \\" in to_tabular(SMALL)
     odd = replace(SMALL, rows=[[Field("\x1b[2J"), Field("1")]])
     assert "\x1b" not in to_text(odd) and r"\x1b[2J" in to_text(odd)
+
+
+@pytest.mark.parametrize(
+    ("value", "four", "three", "ratio"),
+    [
+        (0.99996, "1.000", "1.00", "1.000"),
+        (9.9994, "9.999", "10.0", "9.999"),
+        (9.99996, "10.00", "10.0", "10.0"),
+        (99.96, "99.96", "100", "100.0"),
+        (99.996, "100.0", "100", "100.0"),
+        (999.96, "1000", "1,000", "1,000.0"),
+        (0, "0.000", "0.00", "0.000"),
+    ],
+)
+def test_rounding_up_to_a_power_of_ten_adds_no_digit(value: float, four: str, three: str, ratio: str) -> None:
+    assert (four_digits(value), ratios.number(value), ratios.plain(value)) == (four, three, ratio)
+
+
+def test_the_least_time_has_three_digits_also_where_it_is_rounded_up() -> None:
+    assert time_unit([9.996]).text(9.996) == "10.0 s"
+    assert time_unit([9.994]).text(9.994) == "9.99 s"
+    assert time_unit([0.09996]).text(0.09996) == "100 ms"
+
+
+def test_a_percentage_just_below_a_hundred_is_no_power_of_ten() -> None:
+    assert [percent(error) for error in (0.994, 0.9951, 1)] == ["99%", "100%", "100%"]
