@@ -64,24 +64,31 @@ std::string_view base_name(std::string_view name);
 /// @param name as in solver_named, whose exceptions it throws
 std::unique_ptr<Solver> make_solver(std::string_view name, const Mesh& mesh);
 
-/// Whether a solver runs only when it is named: set by geodesic_add_solver
-/// (solvers/CMakeLists.txt).
-#ifdef GEODESIC_BY_NAME_ONLY
-inline constexpr bool kByNameOnly = true;
-#else
-inline constexpr bool kByNameOnly = false;
-#endif
-
 /// Registers S when it is constructed at namespace scope.
-template <class S>
-struct RegisterSolver {
-  explicit RegisterSolver(Description description) {
-    description.by_name_only |= kByNameOnly;
+/// @tparam by_name_only whether the solver runs only when it is named, whatever it declares
+template <class S, bool by_name_only>
+struct SolverRegistration {
+  explicit SolverRegistration(Description description) {
+    description.by_name_only |= by_name_only;
     SolverFactory factory = [](const Mesh& mesh, const Description& d) {
       return std::make_unique<S>(mesh, d);
     };
     geodesic_register_solver(compiled_contract().c_str(), &description, &factory);
   }
 };
+
+// RegisterSolver, as geodesic_add_solver chooses (solvers/CMakeLists.txt). A program contains files
+// of both kinds, so that each has a name of its own.
+#ifdef GEODESIC_BY_NAME_ONLY
+inline namespace registered_by_name {
+template <class S>
+using RegisterSolver = SolverRegistration<S, true>;
+}
+#else
+inline namespace registered_to_run {
+template <class S>
+using RegisterSolver = SolverRegistration<S, false>;
+}
+#endif
 
 }  // namespace geodesic
