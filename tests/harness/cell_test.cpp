@@ -644,6 +644,16 @@ TEST_F(RunTest, AnOracleThatAnotherExactSolverContradictsJudgesNoSolver) {
   EXPECT_NEAR(wrong.value("max_relative_error", -1.0), 1e-9, 1e-12);
 }
 
+TEST_F(RunTest, ErrorsOfInexactSolversAreMeasuredAgainstTheRightReference) {
+  const Output run =
+      run_suite(kFaultyProgram, {"--solvers", "dijkstra", "--meshes", "tetrahedron", "--sources",
+                                 "1", "--reference", "oracle?off=-0.1"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  const json right = row("dijkstra/tetrahedron/src:0");
+  EXPECT_NE(right.at("reference"), "oracle?off=-0.1");
+  EXPECT_LE(right.at("max_relative_error").get<double>(), 1e-15);
+}
+
 // A manifest with one mesh: a box that the program generates, with distances in closed form.
 class RunOfABox : public RunTest {
  protected:
