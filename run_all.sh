@@ -216,9 +216,25 @@ step_run() {
   (cd "$root" && logged "$bench" run "${what[@]}" "${run_options[@]}" "${where[@]}") || status=$?
   # Failed cells are results, which check reports. Only an incomplete run is an error here.
   if [[ $status -ge 128 || ! -f $out/run.json ]]; then
-    if [[ -f $out/request.json ]]; then say "To continue: $0 ${steps[*]} --preset $preset --resume '$out'"; fi
+    if [[ -f $out/request.json ]]; then say "To continue: $(command_to_resume)"; fi
     exit "$status"
   fi
+}
+
+# command_to_resume: prints this command as it was given, with --resume in place of --out.
+command_to_resume() {
+  local word skipped=
+  printf '%q' "$0"
+  for word in "${given[@]}"; do
+    if [[ -n $skipped ]]; then
+      skipped=
+    elif [[ $word == --out || $word == --resume ]]; then
+      skipped=yes
+    elif [[ $word != --out=* && $word != --resume=* ]]; then
+      printf ' %q' "$word"
+    fi
+  done
+  printf ' --resume %q' "$out"
 }
 
 # run_on_slurm OPTION...: runs on Slurm with options of `geodesic-bench run`.
@@ -299,6 +315,7 @@ finish() {
   [[ -z $check_failed ]] || die "check failed: what is wrong is listed above and in $log"
 }
 
+given=("$@")
 parse_options "$@"
 complete_options
 bench="$root/build/$preset/geodesic-bench"

@@ -77,7 +77,11 @@ def _without_folders(command: str, folders: set[str]) -> str:
         folders.add(f"{Path(path).parent}/")
         return Path(path).name
 
-    return shlex.join(re.sub(r"[^,=]+", name, word) for word in shlex.split(command))
+    try:
+        words = shlex.split(command)
+    except ValueError:  # of a version that recorded words without quotes
+        words = command.split()
+    return shlex.join(re.sub(r"[^,=]+", name, word) for word in words)
 
 
 def _cleared(value: Any, folders: Sequence[str]) -> Any:

@@ -57,11 +57,6 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
     how.add_argument("--reference", metavar="NAME", help="exact solver that others are verified by")
     how.add_argument("--vectors", metavar="SET", help="instruction set: auto, plain, avx2 or avx512")
     how.add_argument("--repair", action="store_true", help="repair meshes that need it")
-    how.add_argument("--plugin", metavar="FILE", action="append", default=[], help="a plug-in")
-    how.add_argument(
-        "--external", metavar="NAME=COMMAND", action="append", default=[],
-        help="a program in any language, or a folder with a solver.json",
-    )  # fmt: skip
     how.add_argument("--manifest", metavar="FILE", help="list of meshes and corpora")
     where = parser.add_argument_group("folders")
     where.add_argument(
@@ -107,10 +102,7 @@ def run_command(options: argparse.Namespace, folder: Path) -> list[str]:
     bench = os.environ.get("GEODESIC_BENCH")
     if not bench:
         raise GateError("GEODESIC_BENCH does not name the program: use `geodesic-bench rank`")
-    words = [bench]
-    for name in ("plugin", "external"):
-        words += [word for given in getattr(options, name) for word in (f"--{name}", given)]
-    words.append("run")
+    words = [bench, *console.plugin_words(), "run"]
     if options.resume:
         return [*words, "--resume", str(folder)]
     words += ["--interleave", "--solvers", f"{options.solver},{options.against}"]

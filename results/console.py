@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import io
+import json
 import os
 import signal
 import sys
@@ -95,6 +96,12 @@ class Parser(argparse.ArgumentParser):
 
 
 RUN = "run folder (default: the newest of results/runs)"
+
+
+def plugin_words() -> list[str]:
+    """Returns the words that load the plug-ins of this command into geodesic-bench, which started it."""
+    words: list[str] = json.loads(os.environ.get("GEODESIC_PLUGINS", "[]"))
+    return words
 
 
 def run_parser(description: str | None, *examples: str) -> Parser:

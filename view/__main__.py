@@ -73,7 +73,7 @@ def solve(mesh: Path, solvers: Sequence[str], folder: Path) -> int:
     if not bench:
         raise ResultError("GEODESIC_BENCH does not name the program: use `geodesic-bench view`")
     once = ["--sources", "1", "--repetitions", "1", "--min-time", "0.001"]
-    command = [bench, "run", "--meshes", str(mesh), "--solvers", ",".join(solvers), *once]
+    command = [bench, *console.plugin_words(), "run", "--meshes", str(mesh), "--solvers", ",".join(solvers), *once]
     # A reference of another family that takes no longer. The default reference is ten times slower.
     command += ["--reference", "fwp-ch" if SOLVER in solvers else SOLVER]
     command += ["--recordings", "all", "--frames", "--out", str(folder)]

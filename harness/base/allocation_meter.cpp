@@ -14,8 +14,8 @@
 namespace {
 
 // operator new reads these before any constructor has run, so they are constant-initialised.
-constinit bool metering = false;
-constinit bool large_pages = false;
+constinit std::atomic<bool> metering{false};
+constinit std::atomic<bool> large_pages{false};
 constinit std::atomic<std::int64_t> live{0};
 constinit std::atomic<std::int64_t> peak{0};
 
@@ -57,10 +57,10 @@ void* allocate(std::size_t bytes, std::size_t alignment) {
                       ? std::malloc(bytes)
                       : std::aligned_alloc(alignment, (bytes + alignment - 1) & ~(alignment - 1));
     if (block != nullptr) {
-      if (metering) [[unlikely]] {
+      if (metering.load(std::memory_order_relaxed)) [[unlikely]] {
         count_allocation(block, bytes);
       }
-      if (large_pages && bytes >= kLargeBlock) [[unlikely]] {
+      if (bytes >= kLargeBlock && large_pages.load(std::memory_order_relaxed)) [[unlikely]] {
         ask_for_large_pages(block, bytes);
       }
       return block;
@@ -73,7 +73,7 @@ void* allocate(std::size_t bytes, std::size_t alignment) {
 
 // @param asked requested size; 0 where it is not known
 void release(void* block, std::size_t asked = 0) noexcept {
-  if (metering && block != nullptr) [[unlikely]] {
+  if (metering.load(std::memory_order_relaxed) && block != nullptr) [[unlikely]] {
     live.fetch_sub(counted(block, asked), std::memory_order_relaxed);
   }
   std::free(block);

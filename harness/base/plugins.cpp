@@ -73,7 +73,7 @@ void load_plugin(const fs::path& file) {
     if (std::ranges::find(plugins(), whole.string(), &Plugin::value) != plugins().end()) {
       throw HarnessError("it is loaded already: name it once");
     }
-    note_plugin({.option = "--plugin",
+    note_plugin({.option = kPluginOption,
                  .value = whole,
                  .sha256 = sha256_of_file(whole),
                  .solvers = load_solvers(whole)});
@@ -101,12 +101,18 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
+std::string as_shell_line(const std::vector<std::string>& words) {
+  std::vector<std::string> quoted_words(words.size());
+  std::ranges::transform(words, quoted_words.begin(), quoted);
+  return join(quoted_words, " ");
+}
+
 std::string as_command_line(const std::vector<std::string>& arguments) {
-  std::string line = quoted(program_invocation_name);
-  for (const auto& words : {plugin_arguments(), arguments}) {
-    for (const std::string& word : words) line += ' ' + quoted(word);
+  std::vector<std::string> words{program_invocation_name};
+  for (const auto& more : {plugin_arguments(), arguments}) {
+    words.insert(words.end(), more.begin(), more.end());
   }
-  return line;
+  return as_shell_line(words);
 }
 
 }  // namespace geodesic::harness

@@ -7,8 +7,11 @@
 
 namespace geodesic::harness {
 
+inline constexpr const char* kPluginOption = "--plugin";
+inline constexpr const char* kExternalOption = "--external";
+
 struct Plugin {
-  std::string option;  ///< that loads it: "--plugin" or "--external"
+  std::string option;  ///< that loads it: kPluginOption or kExternalOption
   std::string value;   ///< value of the option; for --plugin the file, absolute and without links
   std::string sha256;
   std::vector<std::string> solvers;  ///< names under which they were registered
@@ -31,6 +34,9 @@ const std::vector<Plugin>& loaded_plugins();
 
 /// A word in the syntax of a shell: unchanged, or between apostrophes.
 std::string quoted(const std::string& word);
+
+/// One line for a shell.
+std::string as_shell_line(const std::vector<std::string>& words);
 
 /// One line for a shell: this program as it was called, its plug-ins, then the arguments.
 std::string as_command_line(const std::vector<std::string>& arguments);

@@ -189,29 +189,6 @@ Child::Exit Child::finish() {
   return exit;
 }
 
-constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
-
-// The number at the start of a file; empty for "max", or if there is no such file.
-std::optional<std::uint64_t> number_in(const char* file) {
-  std::uint64_t number = 0;
-  if (std::ifstream(file) >> number) return number;
-  return std::nullopt;
-}
-
-// Control groups of version 2, and of version 1.
-std::uint64_t left_in_control_group() {
-  constexpr const char* kFiles[][2] = {
-      {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory.current"},
-      {"/sys/fs/cgroup/memory/memory.limit_in_bytes",
-       "/sys/fs/cgroup/memory/memory.usage_in_bytes"}};
-  std::uint64_t left = kUnlimited;
-  for (const auto& [limit_file, used_file] : kFiles) {
-    const auto limit = number_in(limit_file), used = number_in(used_file);
-    if (limit && used) left = std::min(left, *limit - std::min(*limit, *used));
-  }
-  return left;
-}
-
 constexpr std::size_t kKeptLines = 3;
 constexpr double kCallSeconds = 1;  // between two calls of `waiting`
 
@@ -285,12 +262,6 @@ std::vector<char*> argv_of(std::vector<std::string>& words) {
   std::vector<char*> argv(words.size() + 1, nullptr);
   std::ranges::transform(words, argv.begin(), [](std::string& word) { return word.data(); });
   return argv;
-}
-
-std::uint64_t available_memory() {
-  const auto in_system = proc_bytes("/proc/meminfo", "MemAvailable:");
-  const std::uint64_t left = in_system ? static_cast<std::uint64_t>(*in_system) : kUnlimited;
-  return std::min(left, left_in_control_group()) / 10 * 9;
 }
 
 std::string Ended::describe() const {

@@ -32,10 +32,6 @@ struct ProcessLimits {
 /// Words in the form of execv, with a null pointer at the end. The words must outlive the result.
 std::vector<char*> argv_of(std::vector<std::string>& words);
 
-/// Memory in bytes that new processes may use together: nine tenths of what Linux calls available,
-/// or of what the control group of this process has left, if that is less.
-std::uint64_t available_memory();
-
 /// Effects of the rest of the machine on a process.
 struct Disturbance {
   /// Share of all processors' time that the hypervisor took, 0 to 1. It is 0 if /proc/stat counted

@@ -18,23 +18,20 @@ namespace {
 
 // The options load plug-ins while the command line is parsed, before any command runs.
 void add_plugin_options(CLI::App& app) {
-  app.add_option_function<std::vector<std::string>>(
-         "--plugin",
-         [](const std::vector<std::string>& files) {
-           for (const std::string& file : files) load_plugin(file);
-         },
-         "shared library with more solvers; repeatable")
-      ->allow_extra_args(false)
-      ->type_name("FILE");
-  app.add_option_function<std::vector<std::string>>(
-         "--external",
-         [](const std::vector<std::string>& words) {
-           for (const std::string& word : words) add_external_solver(word);
-         },
-         "program in any language as a solver: a command with {mesh}, {sources} and {distances}, "
-         "or a folder with a solver.json; repeatable")
-      ->allow_extra_args(false)
-      ->type_name("NAME=COMMAND");
+  const auto add = [&](const std::string& option, const char* type, const char* help) {
+    app.add_option_function<std::vector<std::string>>(
+           option,
+           [option](const std::vector<std::string>& values) {
+             for (const std::string& value : values) load_by_option(option, value);
+           },
+           help)
+        ->allow_extra_args(false)
+        ->type_name(type);
+  };
+  add(kPluginOption, "FILE", "shared library with more solvers; repeatable");
+  add(kExternalOption, "NAME=COMMAND",
+      "program in any language as a solver: a command with {mesh}, {sources} and {distances}, "
+      "or a folder with a solver.json; repeatable");
 }
 
 void add_commands(CLI::App& app, const std::string& command_line) {
@@ -129,7 +126,7 @@ void occupy_closed_streams() {
 
 int run(CLI::App& app, int argc, char** argv) {
   try {
-    add_commands(app, join({argv, argv + argc}, " "));
+    add_commands(app, as_shell_line({argv, argv + argc}));
     app.parse(argc, argv);
   } catch (const CLI::RuntimeError& finished) {  // its message has been printed
     return finished.get_exit_code();

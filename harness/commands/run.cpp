@@ -212,6 +212,7 @@ void add_run_command(CLI::App& app, const std::string& command_line) {
       throw HarnessError(
           "--shard and --cells both choose a part of the run: leave out one of them");
     }
+    if (request->resume) load_plugins_of(*request->resume);
     request->command = command_line;
     make_absolute(*request);
     if (*plan_only) {

@@ -13,8 +13,10 @@
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"
+#include "harness/base/json.h"
 #include "harness/base/plugins.h"
 #include "harness/base/process.h"
+#include "harness/external/external_program.h"
 
 namespace geodesic::harness {
 namespace fs = std::filesystem;
@@ -72,6 +74,28 @@ void set_environment() {
   }
   setenv("PYTHONPATH", path.c_str(), 1);
   setenv("GEODESIC_BENCH", fs::read_symlink("/proc/self/exe").c_str(), 1);
+  setenv("GEODESIC_PLUGINS", Json(plugin_arguments()).dump().c_str(), 1);
+}
+
+// Loads the plug-ins among the words before "--". Returns the other words.
+std::vector<std::string> load_plugins(const std::vector<std::string>& words) {
+  const auto end = std::ranges::find(words, "--");
+  std::vector<std::string> others;
+  for (auto word = words.begin(); word != end; ++word) {
+    const std::size_t equals = word->find('=');
+    const std::string option = word->substr(0, equals);
+    if (option != kPluginOption && option != kExternalOption) {
+      others.push_back(*word);
+    } else if (equals != std::string::npos) {
+      load_by_option(option, word->substr(equals + 1));
+    } else if (++word != end) {
+      load_by_option(option, *word);
+    } else {
+      throw HarnessError(option + " needs a value");
+    }
+  }
+  others.insert(others.end(), end, words.end());
+  return others;
 }
 
 // Replaces this process, so that the exit code and signals are those of the script.
@@ -79,9 +103,8 @@ void set_environment() {
   const std::string python = find_python();
   // With -P, modules of the current folder cannot replace those of the program.
   std::vector<std::string> words{python, "-P", "-m", script.module};
-  for (const auto& more : {plugin_arguments(), arguments}) {
-    words.insert(words.end(), more.begin(), more.end());
-  }
+  const std::vector<std::string> others = load_plugins(arguments);
+  words.insert(words.end(), others.begin(), others.end());
   const std::vector<char*> argv = argv_of(words);
   set_environment();
   std::cout.flush();

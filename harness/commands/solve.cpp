@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "harness/base/error.h"
+#include "harness/base/interruption.h"
 #include "harness/base/large_pages.h"
 #include "harness/commands/commands.h"
 #include "harness/commands/solving/answers.h"
@@ -94,7 +95,9 @@ void solve_many(const SolveFlags& flags, const Description& solver, const Writte
       std::cout << json.dump() << std::endl;
     } catch (const CannotWrite&) {
       throw;  // the next file cannot be written either
-    } catch (const std::runtime_error& error) {
+    } catch (const Interrupted&) {
+      throw;
+    } catch (const std::exception& error) {  // also what a plug-in throws
       warn(entries[i].name + ": " + error.what());
       ++failed;
     }

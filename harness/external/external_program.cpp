@@ -127,12 +127,20 @@ void add_external_solver(const std::string& word) {
     const ExternalProgram program = read(word);
     add(program);
     const std::string given = program.folder.empty() ? word : program.folder.string();
-    note_plugin({.option = "--external",
+    note_plugin({.option = kExternalOption,
                  .value = given,
                  .sha256 = sum_of(program),
                  .solvers = {program.name}});
   } catch (const std::exception& error) {
     throw HarnessError("external solver '" + excerpt(word) + "': " + error.what());
+  }
+}
+
+void load_by_option(const std::string& option, const std::string& value) {
+  if (option == kPluginOption) {
+    load_plugin(value);
+  } else {
+    add_external_solver(value);
   }
 }
 

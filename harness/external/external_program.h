@@ -27,4 +27,8 @@ struct ExternalProgram {
 ///         sources or the distances, or the name is taken
 void add_external_solver(const std::string& word);
 
+/// Loads what an option of the command line names: kPluginOption as load_plugin, kExternalOption as
+/// add_external_solver.
+void load_by_option(const std::string& option, const std::string& value);
+
 }  // namespace geodesic::harness

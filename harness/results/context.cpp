@@ -113,7 +113,7 @@ Json program_context() {
   const BuildInfo& build = build_info();
   Json plugins = Json::array();
   for (const Plugin& plugin : loaded_plugins()) {
-    plugins.push_back({{plugin.option == "--plugin" ? "file" : "external", plugin.value},
+    plugins.push_back({{plugin.option == kPluginOption ? "file" : "external", plugin.value},
                        {"sha256", plugin.sha256},
                        {"solvers", plugin.solvers}});
   }

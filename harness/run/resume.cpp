@@ -2,12 +2,15 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <iostream>
 #include <set>
 
 #include "harness/base/error.h"
 #include "harness/base/files.h"
 #include "harness/base/json.h"
+#include "harness/base/plugins.h"
+#include "harness/external/external_program.h"
 #include "harness/results/context.h"
 #include "solvers/core/registry.h"
 
@@ -183,6 +186,17 @@ SavedRequest saved_request(const fs::path& folder) {
     return saved;
   } catch (const std::exception& error) {
     throw HarnessError("cannot resume the run: " + file.string() + ": " + error.what());
+  }
+}
+
+void load_plugins_of(const fs::path& folder) {
+  const Json identity = saved_request(folder).identity;
+  for (const Json& plugin : identity.at("program").at("plugins")) {
+    const bool is_library = plugin.contains("file");
+    const std::string value = plugin.at(is_library ? "file" : "external");
+    const auto is_it = [&](const Plugin& loaded) { return loaded.value == value; };
+    if (std::ranges::any_of(loaded_plugins(), is_it)) continue;
+    load_by_option(is_library ? kPluginOption : kExternalOption, value);
   }
 }
 

@@ -32,6 +32,10 @@ Json shard_context(const SavedRequest& saved, const Plan& plan);
 /// Writes request.json.
 void save_request(const SavedRequest& saved, const std::filesystem::path& folder);
 
+/// Loads the plug-ins of the folder's run that are not loaded yet. @throws HarnessError as
+/// load_by_option, and when request.json is missing or invalid
+void load_plugins_of(const std::filesystem::path& folder);
+
 /// Reads request.json. @throws HarnessError when the file is missing or invalid
 SavedRequest saved_request(const std::filesystem::path& folder);
 

@@ -9,6 +9,7 @@
 #include <span>
 #include <tuple>
 
+#include "harness/base/available_memory.h"
 #include "harness/base/error.h"
 #include "harness/base/files.h"
 #include "harness/base/interruption.h"
@@ -69,7 +70,7 @@ class Run {
   std::map<std::size_t, std::vector<Row>> kept_;  // by cell
   std::size_t measured_ = 0, ok_ = 0;             // cells
   std::size_t referenced_ = 0;  // the references of the cells before this one have been computed
-  std::vector<Row> rows_;                         // of all cells so far
+  std::vector<Row> rows_;       // of all cells so far
   // The outcome and source of the first cell that exceeded its memory or time limit.
   std::map<std::tuple<const MeasuredProgram*, const Description*, const PlannedMesh*>, std::string>
       exhausted_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "harness/base/available_memory.h"
 #include "harness/base/error.h"
 #include "harness/base/files.h"
 #include "harness/base/process.h"

@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 
+#include "harness/base/available_memory.h"
 #include "harness/base/error.h"
 #include "harness/base/interruption.h"
 #include "harness/base/status_line.h"

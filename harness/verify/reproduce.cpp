@@ -4,6 +4,7 @@
 #include <functional>
 #include <iostream>
 
+#include "harness/base/available_memory.h"
 #include "harness/base/error.h"
 #include "harness/base/files.h"
 #include "harness/base/plugins.h"

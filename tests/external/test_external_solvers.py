@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shlex
+import shutil
 import signal
 import subprocess
 import sys
@@ -212,6 +214,37 @@ def test_an_interrupted_program_is_ended(tmp_path: Path) -> None:
         process.wait(timeout=60)
     while is_running(sleep):
         time.sleep(0.05)
+
+
+def test_every_command_takes_external_solvers_and_refuses_a_wrong_one(tmp_path: Path) -> None:
+    commands = re.findall(r"^  ([a-z-]+) ", bench("--help").stdout.split("Subcommands:")[1], re.MULTILINE)
+    assert {"solve", "run", "check", "compare", "report", "view"} <= set(commands)
+    for command in commands:
+        ended = bench(command, "--external", "mine=true")
+        assert ended.returncode == 1 and ended.stderr.count("\n") == 1, command
+        assert "external solver 'mine=true': command: it needs {mesh}" in ended.stderr, command
+    run(tmp_path, program(tmp_path))
+    mine = f"mine={program(tmp_path)}"
+    for words in (["check", "--external", mine], [f"--external={mine}", "check"]):
+        ended = bench(*words, tmp_path / "out")
+        assert ended.returncode == 0, ended.stderr
+
+
+def test_a_run_is_resumed_with_its_programs_from_any_folder(tmp_path: Path) -> None:
+    run(tmp_path, program(tmp_path))
+    next((tmp_path / "out" / "cells").iterdir()).unlink()
+    ended = bench("run", "--resume", tmp_path / "out", cwd="/")
+    assert ended.returncode == 0, ended.stderr
+
+
+def test_the_recorded_command_can_be_run_again(tmp_path: Path) -> None:
+    folder = tmp_path / "it's mine twice"
+    folder.mkdir()
+    run(folder, program(folder))
+    recorded = json.loads((folder / "out" / "run.json").read_text())["context"]["geodesic_bench"]["command"]
+    assert shlex.split(recorded)[-2:] == ["--out", str(folder / "out")]
+    shutil.rmtree(folder / "out")
+    assert subprocess.run(recorded, shell=True, capture_output=True).returncode == 0
 
 
 def test_a_run_is_not_resumed_with_another_script(tmp_path: Path) -> None:

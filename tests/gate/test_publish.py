@@ -53,6 +53,15 @@ def test_no_folder_and_no_host_is_left_and_every_number_is(run_file: Path, resul
     assert data["benchmarks"] == result["benchmarks"]
 
 
+def test_a_command_with_an_apostrophe_that_is_not_quoted_has_no_folder_either(
+    run_file: Path, result: Data
+) -> None:
+    ours(result)["command"] = "geodesic-bench run --meshes /home/ada/it's mine/a.ply --sources 2"
+    write(run_file, result)
+    code, out = publish_run(run_file)
+    assert code == 0 and "/home" not in out.read_text()
+
+
 def test_what_is_written_passes_and_is_not_written_over(
     run_file: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -144,8 +144,9 @@ def test_the_ranking_is_derived_again_without_measuring(
 
 def test_the_run_takes_the_options_of_the_ranking(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("GEODESIC_BENCH", "bench")
+    monkeypatch.setenv("GEODESIC_PLUGINS", '["--plugin", "p.so"]')
     options = command.parse(["--solver", "a", "--against", "b,c", "--meshes", "x.obj", "--pairs",
-                             "7", "--seed", "3", "--plugin", "p.so"])  # fmt: skip
+                             "7", "--seed", "3"])  # fmt: skip
     words = " ".join(command.run_command(options, Path("out")))
     assert words.startswith("bench --plugin p.so run --interleave --solvers a,b,c --repetitions 7")
     assert "--meshes x.obj" in words and "--seed 3" in words and "--corpus" not in words

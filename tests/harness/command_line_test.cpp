@@ -131,6 +131,14 @@ TEST_F(CommandLine, ThreadsWithoutSeparateSourcesAreOfTheSolverThatCanUseThem) {
   EXPECT_EQ(solve(words)["solver"], "mmp");
 }
 
+TEST_F(CommandLine, OfSeveralMeshesTheOthersAreSolvedWhateverASolverThrows) {
+  const Output output = run(
+      kFaultyProgram, {"solve", "hill", "tetrahedron", "--solver", "throwing", "--source", "0"});
+  EXPECT_EQ(output.code, 1);
+  expect_words(output.err, {"hill: ran out of luck", "tetrahedron: ran out of luck",
+                            "2 of 2 meshes were not solved"});
+}
+
 TEST_F(CommandLine, OneSourceOfManyThatIsNotThereIsAnErrorWithoutOutput) {
   const auto file = folder_ / "distances.txt";
   const Output refused =

@@ -239,7 +239,7 @@ const Hostile kHostile[] = {
        loop(asked);
      }},
     {faulty("crashing"), [](const Asked&) { std::abort(); }},
-    {faulty("throwing"), [](const Asked&) { throw std::runtime_error("ran out of luck"); }},
+    {faulty("throwing"), [](const Asked&) { throw std::invalid_argument("ran out of luck"); }},
     {faulty("leaving"), [](const Asked&) { std::_Exit(0); }},
     // Ends the process, as some libraries do.
     {faulty("exiting"), [](const Asked&) { std::exit(0); }},
