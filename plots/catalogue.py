@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
@@ -210,7 +210,7 @@ def draw_files(
     written: dict[str, Table | Picture] = {}
     left_out: dict[str, str] = {}
     with ExitStack() as stack:
-        parts = map(draw_one, each)
+        parts: Iterable[Files] = map(draw_one, each)
         if processes > 1:
             # Not forked: a process that imported NumPy may have threads.
             pool = ProcessPoolExecutor(processes, get_context("spawn"))

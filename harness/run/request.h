@@ -51,7 +51,7 @@ struct RunRequest {
   std::optional<std::filesystem::path> out = {};  ///< default: `results/runs/<UTC time>-<corpus>`
   /// References computed at a time; no cell is timed meanwhile.
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
-  std::string command = {};  ///< the command line, for the record
+  std::string command = {};                          ///< the command line, for the record
   std::optional<std::filesystem::path> resume = {};  ///< folder of the run to resume
   bool accept_changes = false;                       ///< resume even if the request has changed
 };

@@ -44,8 +44,8 @@ struct ReferenceSources {
 
 /// Exact solvers that can verify another one, best first: the named solver, independent oracles,
 /// solvers of other families, faster solvers (unknown speed last), then by name. A `by_name_only`
-/// solver that is no oracle must be named. The verified solver with other parameters is left out. Whether a solver
-/// supports the mesh is not considered.
+/// solver that is no oracle must be named. The verified solver with other parameters is left out.
+/// Whether a solver supports the mesh is not considered.
 std::vector<const Description*> rank_references(const Description& verified,
                                                 const std::vector<const Description*>& solvers,
                                                 const std::optional<std::string>& named,

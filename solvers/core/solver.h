@@ -64,7 +64,7 @@ struct Description {
   /// Runs, and verifies others unless it is an oracle, only when it is named. The build sets it for
   /// solvers/variants/.
   bool by_name_only = false;
-  int threads = 1;  ///< threads of a solve, unless there is a parameter `threads`
+  int threads = 1;             ///< threads of a solve, unless there is a parameter `threads`
   bool needs_renewal = false;  ///< keeps state of a query: Solver::renew before the next one
   Abilities abilities = {};
   std::string remarks = {};  ///< licence of what it links, limits, anything a user must know

@@ -13,7 +13,7 @@ import synthetic
 from synthetic import EXCESS, INEXACT, Data, data_of, mesh, solver, with_rows
 
 from plots import catalogue, error_map, frontier, report
-from plots.drawing import Drawing
+from plots.drawing import Drawing, Picture
 from plots.frontier import COSTS, ERRORS, Point
 from results import published
 from results.reader import ResultError, Run, Solver
@@ -260,7 +260,8 @@ def test_the_map_of_a_solver_is_of_the_setting_nearest_to_one_per_cent(run: Run)
 
 
 def test_the_report_shows_how_each_page_is_drawn(tmp_path: Path, run: Run) -> None:
-    drawn = {"frontier_of_small": frontier.figure(sweep())}
-    (tmp_path / "frontier_of_small.png").write_bytes(b"")
-    page = report.page(run, drawn, {}, tmp_path)
+    file = tmp_path / "frontier_of_small.png"
+    file.write_bytes(b"")
+    drawn = {"frontier_of_small": Picture.of(frontier.figure(sweep()), file)}
+    page = report.page(run, drawn, {})
     assert "python3 -m plots frontier --run" in page and 'id="frontier_of_small"' in page

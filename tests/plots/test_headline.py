@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -152,7 +151,7 @@ def test_terminal_and_report_have_the_same_sentences_and_numbers(
 ) -> None:
     check_run.main([str(golden_run.file.parent)])
     printed = capsys.readouterr().out
-    page = report.page(golden_run, {"summary_by_mesh": summary.by_mesh(golden_run)}, {}, Path())
+    page = report.page(golden_run, {"summary_by_mesh": summary.by_mesh(golden_run)}, {})
     for sentence in headline.sentences(golden_run):
         assert sentence in printed
         assert sentence.replace("'", "&#39;") in page

@@ -115,7 +115,7 @@ def test_cells_carry_the_number_they_are_sorted_by_and_their_footnote(golden_run
         [[Field("10 vertices", "horse"), Field("1,234", 1234, note="why")],
          [Field("knot"), Field("crashed")]],
     )  # fmt: skip
-    page = Page(report.page(golden_run, {"t": table}, {}, Path()))
+    page = Page(report.page(golden_run, {"t": table}, {}))
     cells = [attributes for tag, attributes in page.tags if tag == "td"]
     assert [cell.get("data-value") for cell in cells] == ["horse", "1234", None, None]
     assert "#t-a" in page.all_of("href") and "t-a" in page.all_of("id")

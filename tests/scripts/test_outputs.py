@@ -40,7 +40,7 @@ def test_commands() -> None:
         assert any(line.startswith("--out DIR") for line in found[name]), name
 
 
-@pytest.mark.parametrize("words", MODULES, ids=lambda words: words[-1])
+@pytest.mark.parametrize("words", MODULES, ids=[words[-1] for words in MODULES])
 def test_modules(words: list[str]) -> None:
     found = outputs(help_of([sys.executable, *words]))
     assert found and all(ALLOWED.match(line) for line in found)
