@@ -36,6 +36,7 @@ Promise = str | float
 def benchmark(
     functions: Prepare | Mapping[str, Prepare],
     out: str | os.PathLike[str],
+    *,
     against: Sequence[str] = ("edge-based",),
     promise: Promise = "unbounded",
     executable: str | os.PathLike[str] | None = None,
@@ -84,6 +85,7 @@ def benchmark(
 
 def verify(
     function: Prepare,
+    *,
     promise: Promise = "unbounded",
     executable: str | os.PathLike[str] | None = None,
     progress: bool = True,

@@ -133,10 +133,11 @@ class Mesh:
     def distances(
         self,
         sources: SurfacePoints,
+        targets: SurfacePoints | None = ...,
+        *,
         initial: ArrayLike | None = ...,
         limit: float | None = ...,
         solver: str = ...,
-        *,
         return_nearest: Literal[False] = ...,
         **parameters: float | str,
     ) -> NDArray[np.float64]: ...
@@ -144,24 +145,26 @@ class Mesh:
     def distances(
         self,
         sources: SurfacePoints,
+        targets: SurfacePoints | None = ...,
+        *,
         initial: ArrayLike | None = ...,
         limit: float | None = ...,
         solver: str = ...,
-        *,
         return_nearest: Literal[True],
         **parameters: float | str,
     ) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...
     def distances(
         self,
         sources: SurfacePoints,
+        targets: SurfacePoints | None = None,
+        *,
         initial: ArrayLike | None = None,
         limit: float | None = None,
         solver: str = FASTEST,
-        *,
         return_nearest: bool = False,
         **parameters: float | str,
     ) -> NDArray[np.float64] | tuple[NDArray[np.float64], NDArray[np.int64]]:
-        """Returns the distance of every vertex from the nearest source.
+        """Returns the distance of every vertex, or of every target, from the nearest source.
 
         Parameters
         ----------
@@ -170,6 +173,8 @@ class Mesh:
             `(0.1, 0.2, 0.0)` is the point of the surface that is nearest to this place. All solvers
             accept them. For a solver that supports only vertices, each call makes a finer mesh in which
             the points are vertices.
+        targets : (l,) integers, or l points, or one, optional
+            Points whose distances are returned; by default all vertices. The solve ends at the farthest one.
         initial : (k,) numbers or one number, >= 0, optional
             Initial distance of each source, in the unit of the coordinates.
         limit : float, optional
@@ -177,17 +182,17 @@ class Mesh:
         solver : str
             A name of `solvers()`. All exact solvers return the same distances up to rounding.
         return_nearest : bool
-            Also return the nearest source of every vertex, where its path begins. The solver must be
-            one that remembers paths.
+            Also return the nearest source of every vertex or target, where its path begins. The solver
+            must be one that remembers paths.
         parameters
             Parameters of the solver, if it has any: `Solver.parameters`.
 
         Returns
         -------
-        (n,) float64
-            Distances in the unit of the coordinates and the order of the vertices; inf for a vertex that
-            is unreachable or beyond the limit.
-        (n,) int64
+        (n,) float64, or (l,) with targets
+            Distances in the unit of the coordinates and the order of the vertices or targets; inf for one
+            that is unreachable or beyond the limit.
+        (n,) int64, or (l,) with targets
             With `return_nearest`, indices into `sources`; -1 where the distance is inf.
 
         >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
@@ -195,6 +200,8 @@ class Mesh:
         array([0. , 1.5, 4. ])
         >>> mesh.distances(0, limit=3.5)
         array([ 0.,  3., inf])
+        >>> mesh.distances(0, [2, 1])
+        array([4., 3.])
         >>> mesh.distances([1, 2], return_nearest=True)
         (array([3., 0., 0.]), array([0, 0, 1]))
         >>> mesh.distances([2, (0, (1, 1, 0))])
@@ -208,16 +215,19 @@ class Mesh:
                 f"initial distances must be one a source: {begin.size} for {count[0]} sources"
             )
         begin = np.broadcast_to(begin, count)
+        ends = None if targets is None else surface_points(targets, "target", *self._size())
         most = math.inf if limit is None else number(limit, "limit")
         name = _configured(solver, parameters, self.distances)
+        asked = (self._shared, name, points, begin, ends, most)
         if return_nearest:
-            return _native.distances_and_nearest(self._shared, name, points, begin, most)
-        return _native.distances(self._shared, name, points, begin, most)
+            return _native.distances_and_nearest(*asked)
+        return _native.distances(*asked)
 
     def path(
         self,
         source: SurfacePoint,
         target: SurfacePoint,
+        *,
         solver: str = FASTEST,
         **parameters: float | str,
     ) -> Path:
@@ -254,6 +264,7 @@ class Mesh:
         self,
         source: SurfacePoint,
         targets: SurfacePoints,
+        *,
         solver: str = FASTEST,
         **parameters: float | str,
     ) -> list[Path]:
@@ -331,6 +342,7 @@ class Mesh:
         self,
         rows: SurfacePoints,
         columns: SurfacePoints | None = None,
+        *,
         threads: int = 0,
         dtype: DTypeLike = "float64",
         limit: float | None = None,
@@ -417,7 +429,7 @@ class Mesh:
 
 
 def read_mesh(
-    file: str | os.PathLike[str], repair: bool = False, *, cross_non_manifold: bool = False
+    file: str | os.PathLike[str], *, repair: bool = False, cross_non_manifold: bool = False
 ) -> Mesh:
     """Reads an OBJ, OFF, PLY or STL file. The mesh has the vertex numbers of the file.
 

@@ -61,6 +61,7 @@ class Results:
 
 def run(
     out: str | os.PathLike[str],
+    *,
     executable: str | os.PathLike[str] | None = None,
     progress: bool = True,
     **options: Option,

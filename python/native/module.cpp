@@ -199,14 +199,25 @@ py::tuple nearest_points(const SharedMeshPointer& mesh, const Array<double>& pla
                         array_of(std::move(weights), {count, 3}), array_of(std::move(distances)));
 }
 
-/// Sources, their initial distances and the limit of a query, before a mesh is known.
+/// Points that may not be given, which means all vertices.
+using OptionalPoints = std::optional<GivenPoints>;
+using OptionalArrays = std::optional<GivenPoints::Arrays>;
+
+OptionalPoints points_of(const OptionalArrays& arrays) {
+  return arrays ? OptionalPoints(*arrays) : std::nullopt;
+}
+
+/// A query before a mesh is known.
 struct GivenQuery {
   GivenPoints sources;
   std::vector<double> initial;
+  OptionalPoints targets;
   double limit;
 
   Query on(const Mesh& mesh) const {
     Query query{.sources = {}, .limit = limit};
+    if (targets) query.targets = targets->on(mesh);
+    query.stop_at_targets = !query.targets.empty();
     const std::vector<SurfacePoint> points = sources.on(mesh);
     for (std::size_t i = 0; i < points.size(); ++i) {
       query.sources.push_back({.at = points[i], .distance = initial[i]});
@@ -216,43 +227,59 @@ struct GivenQuery {
 };
 
 GivenQuery query_of(const GivenPoints::Arrays& sources, const Array<double>& initial,
-                    double limit) {
-  return {GivenPoints(sources), {initial.data(), initial.data() + initial.size()}, limit};
+                    const OptionalArrays& targets, double limit) {
+  return {GivenPoints(sources),
+          {initial.data(), initial.data() + initial.size()},
+          points_of(targets),
+          limit};
 }
 
+/// The distances of the targets; of all vertices when no targets are given.
 py::array_t<double> distances(const SharedMeshPointer& mesh, const std::string& solver,
                               const GivenPoints::Arrays& sources, const Array<double>& initial,
-                              double limit) {
-  std::vector<double> all = in_background([=, given = query_of(sources, initial, limit)](Task&) {
+                              const OptionalArrays& targets, double limit) {
+  return array_of(in_background([=, given = query_of(sources, initial, targets, limit)](Task&) {
     const Query query = given.on(mesh->mesh());
     std::vector<SurfacePoint> starts;
     for (const Source& source : query.sources) starts.push_back(source.at);
-    const auto inserted = insert_for(solver_named(solver), mesh->mesh(), starts, {});
-    std::vector<double> result(mesh->soup().positions.size());
-    BorrowedSolver(mesh, solver, inserted)->solve(query, result, {});
-    return result;
-  });
-  return array_of(std::move(all));
+    const auto inserted = insert_for(solver_named(solver), mesh->mesh(), starts, query.targets);
+    std::vector<double> all(mesh->soup().positions.size()), at_targets(query.targets.size());
+    BorrowedSolver(mesh, solver, inserted)->solve(query, all, at_targets);
+    return given.targets ? at_targets : all;
+  }));
 }
 
 Paths paths_of(const SharedMeshPointer& mesh, const std::string& solver, const Query& query) {
   return solve_paths(BorrowedSolver(mesh, solver)->solver(), mesh->mesh(), query);
 }
 
-/// The distances, and for each vertex the index of the source of its path, -1 where no path leads.
+/// The distances as from `distances`, and for each the index of the source of its path, -1 where no
+/// path leads.
 py::tuple distances_and_nearest(const SharedMeshPointer& mesh, const std::string& solver,
                                 const GivenPoints::Arrays& sources, const Array<double>& initial,
-                                double limit) {
-  auto [all, nearest] = in_background([=, given = query_of(sources, initial, limit)](Task&) {
-    const Paths paths = paths_of(mesh, solver, given.on(mesh->mesh()));
-    const std::vector<Index> indices = paths.nearest_sources();
-    std::vector<std::int64_t> signed_indices(indices.size(), -1);
-    for (std::size_t v = 0; v < indices.size(); ++v) {
-      if (indices[v] != kNone) signed_indices[v] = indices[v];
-    }
-    return std::pair(paths.distances(), std::move(signed_indices));
-  });
-  return py::make_tuple(array_of(std::move(all)), array_of(std::move(nearest)));
+                                const OptionalArrays& targets, double limit) {
+  auto [reached, nearest] =
+      in_background([=, given = query_of(sources, initial, targets, limit)](Task&) {
+        const Query query = given.on(mesh->mesh());
+        const Paths paths = paths_of(mesh, solver, query);
+        std::vector<double> lengths;
+        std::vector<Index> indices;
+        if (given.targets) {
+          for (std::size_t i = 0; i < query.targets.size(); ++i) {
+            lengths.push_back(paths.distance_to_target(i));
+            indices.push_back(std::isinf(lengths[i]) ? kNone : paths.to_target(i).source);
+          }
+        } else {
+          lengths = paths.distances();
+          indices = paths.nearest_sources();
+        }
+        std::vector<std::int64_t> signed_indices(indices.size(), -1);
+        for (std::size_t i = 0; i < indices.size(); ++i) {
+          if (indices[i] != kNone) signed_indices[i] = indices[i];
+        }
+        return std::pair(std::move(lengths), std::move(signed_indices));
+      });
+  return py::make_tuple(array_of(std::move(reached)), array_of(std::move(nearest)));
 }
 
 /// @return positions of shape (k, 3), the k - 1 faces between them, and the length up to each
@@ -293,7 +320,7 @@ struct Matrix {
   SharedMeshPointer mesh;
   std::string solver;
   GivenPoints rows;
-  std::optional<GivenPoints> columns;
+  OptionalPoints columns;
   unsigned threads;
   double limit = kInfinity;
 
@@ -301,11 +328,8 @@ struct Matrix {
 };
 
 Matrix matrix_of(const SharedMeshPointer& mesh, const std::string& solver,
-                 const GivenPoints::Arrays& rows, const std::optional<GivenPoints::Arrays>& columns,
-                 unsigned threads) {
-  Matrix matrix{mesh, solver, GivenPoints(rows), std::nullopt, threads};
-  if (columns) matrix.columns.emplace(*columns);
-  return matrix;
+                 const GivenPoints::Arrays& rows, const OptionalArrays& columns, unsigned threads) {
+  return {mesh, solver, GivenPoints(rows), points_of(columns), threads};
 }
 
 /// Solves all rows and returns after the last one.
@@ -345,9 +369,8 @@ class Unwritten {
 /// @return array of shape (rows, columns), infinite where no path leads
 template <class T>
 py::array_t<T> dense(const SharedMeshPointer& mesh, const std::string& solver,
-                     const GivenPoints::Arrays& rows,
-                     const std::optional<GivenPoints::Arrays>& columns, unsigned threads,
-                     const Progress& progress) {
+                     const GivenPoints::Arrays& rows, const OptionalArrays& columns,
+                     unsigned threads, const Progress& progress) {
   Matrix matrix = matrix_of(mesh, solver, rows, columns, threads);
   const std::size_t height = matrix.rows.size(), width = matrix.width();
   const auto values = std::make_shared<Unwritten<T>>(height * width);
@@ -367,8 +390,8 @@ py::array_t<T> dense(const SharedMeshPointer& mesh, const std::string& solver,
 /// @return the finite distances as three arrays: values, column indices, and the begin of each row
 template <class T>
 py::tuple sparse(const SharedMeshPointer& mesh, const std::string& solver,
-                 const GivenPoints::Arrays& rows, const std::optional<GivenPoints::Arrays>& columns,
-                 double limit, unsigned threads, const Progress& progress) {
+                 const GivenPoints::Arrays& rows, const OptionalArrays& columns, double limit,
+                 unsigned threads, const Progress& progress) {
   struct Compressed {
     std::vector<T> values;
     std::vector<std::int64_t> columns, begins{0};

@@ -83,9 +83,9 @@ def test_each_row_of_a_matrix_is_the_bits_of_a_single_query(mesh: Any) -> None:
     for threads in (0, 1, 3, 9):
         np.testing.assert_array_equal(mesh.distance_matrix(rows, threads=threads), full)
         np.testing.assert_array_equal(
-            mesh.distance_matrix(rows, columns, threads), full[:, columns]
+            mesh.distance_matrix(rows, columns, threads=threads), full[:, columns]
         )
-        single = mesh.distance_matrix(rows, columns, threads, dtype="float32")
+        single = mesh.distance_matrix(rows, columns, threads=threads, dtype="float32")
         assert single.dtype == np.float32
         np.testing.assert_array_equal(single, full[:, columns].astype(np.float32))
 
@@ -125,6 +125,20 @@ def test_initial_distances_are_added_and_the_least_sum_counts(mesh: Any) -> None
     both = mesh.distances([0, 100], initial=[1.5, 4])
     np.testing.assert_allclose(both, np.minimum(first + 1.5, second + 4), rtol=1e-12)
     np.testing.assert_allclose(mesh.distances(0, initial=2), first + 2, rtol=1e-12)
+
+
+@pytest.mark.parametrize("solver", ["edge-based", "dijkstra"])
+def test_distances_of_targets_are_those_of_all_vertices_and_points(solver: str, mesh: Any) -> None:
+    every = mesh.distances([7, 130], initial=[0, 1.5], solver=solver)
+    for targets in ([3], 3, np.array([3, 3, 99], np.uint8), range(20)):
+        got = mesh.distances([7, 130], targets, initial=[0, 1.5], solver=solver)
+        np.testing.assert_array_equal(got, np.atleast_1d(every[targets]))
+    assert mesh.distances(7, [], solver=solver).shape == (0,)
+    points = [(3, (0.2, 0.3, 0.5)), 12]
+    np.testing.assert_allclose(
+        mesh.distances([7], points, solver=solver), mesh.distance_matrix([7], points, solver=solver)[0], rtol=1e-12
+    )
+    assert np.isinf(mesh.distances(7, 130, limit=2, solver=solver)).tolist() == [True]
 
 
 def test_no_limit_is_an_infinite_one(mesh: Any) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import doctest
 import importlib
+import inspect
 import os
 import re
 import subprocess
@@ -60,6 +61,19 @@ def test_everything_public_has_a_docstring_with_its_parameters() -> None:
         words = method.__doc__
         unsaid = [name for name in method.__annotations__ if f"{name}\n" not in words.replace(" :", "\n")]
         assert unsaid == ["return"] or unsaid == [], method.__name__
+
+
+def test_options_have_names_only_since_other_packages_have_other_orders() -> None:
+    of_the_mesh = {name: method for name, method in vars(gb.Mesh).items() if inspect.isfunction(method)}
+    functions = {name: getattr(gb, name) for name in gb.__all__ if inspect.isfunction(getattr(gb, name))}
+    assert {"distances", "path", "read_mesh", "benchmark"} < {*of_the_mesh, *functions}
+    by_place = {
+        f"{name}.{parameter.name}"
+        for name, function in (of_the_mesh | functions).items() if name[0] != "_" or name == "__init__"
+        for parameter in inspect.signature(function).parameters.values()
+        if parameter.kind == parameter.POSITIONAL_OR_KEYWORD and parameter.default != parameter.empty
+    }  # fmt: skip
+    assert by_place == {"__init__.faces", "distances.targets", "distance_matrix.columns"}
 
 
 def test_the_version_is_that_of_the_project() -> None:

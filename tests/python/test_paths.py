@@ -29,10 +29,18 @@ def test_a_path_is_as_long_as_the_distance_and_lies_on_its_faces(mesh: Any) -> N
 
 def test_the_nearest_source_is_that_of_the_least_row(mesh: Any) -> None:
     sources, initial = [0, 100, 60], [0.5, 0, 1]
-    distances, nearest = mesh.distances(sources, initial, return_nearest=True)
+    distances, nearest = mesh.distances(sources, initial=initial, return_nearest=True)
     rows = mesh.distance_matrix(sources) + np.array(initial)[:, None]
     np.testing.assert_allclose(rows[nearest, np.arange(len(nearest))], rows.min(axis=0), rtol=1e-12)
-    np.testing.assert_array_equal(distances, mesh.distances(sources, initial))
+    np.testing.assert_array_equal(distances, mesh.distances(sources, initial=initial))
+    targets = [99, 3, (7, (1, 1, 1))]
+    ends, of_ends = mesh.distances(sources, targets, initial=initial, return_nearest=True)
+    np.testing.assert_array_equal(of_ends[:2], nearest[targets[:2]])
+    np.testing.assert_array_equal(ends, mesh.distances(sources, targets, initial=initial))
+    between = mesh.distance_matrix(sources, targets[2:])[:, 0] + initial
+    assert of_ends[2] == between.argmin()
+    _, of_none = mesh.distances([0], [143, 0], limit=2, return_nearest=True)
+    assert of_none.tolist() == [-1, 0]
     near, of_near = mesh.distances(sources, limit=2, return_nearest=True)
     np.testing.assert_array_equal(of_near == -1, np.isinf(near))
 
