@@ -4,6 +4,8 @@
 #include <array>
 #include <stdexcept>
 
+#include "solvers/core/messages.h"
+
 namespace geodesic {
 namespace {
 
@@ -39,6 +41,8 @@ Weights projected(const Corners& corners, const Vec3& place) {
   const double b = dot(cross(from_a, ac), normal) / square;
   return {1 - b - c, b, c};
 }
+
+constexpr double kFar = 0.01;  // share of the longest side
 
 // The nearest point so far, by the square of its distance.
 struct Nearest {
@@ -78,6 +82,14 @@ NearestPoint nearest_point(const Mesh& mesh, const Vec3& place) {
   }
   return {point_in_face(mesh, mesh.numbers().external_face(nearest.face), nearest.weights),
           std::sqrt(nearest.square)};
+}
+
+std::string remark_if_far(const Mesh& mesh, double distance) {
+  const double extent = 2 * box_around(mesh.positions()).half_extent();
+  if (distance <= kFar * extent) return {};
+  return "is " + significant(distance, 3) +
+         " from the surface, whose nearest point is taken; the longest side of the mesh is " +
+         significant(extent, 3);
 }
 
 }  // namespace geodesic

@@ -131,39 +131,109 @@ class PointParser {
   std::string_view begin_;  // from the current point on
 };
 
-// Parses the points of a text file: removes quotes and joins the words by commas.
-std::vector<WrittenPoint> parse_text(std::string_view text, const std::string& where) {
-  std::string list;
-  bool between = false;  // inside a separator of two words
-  for (const char c : text) {
-    if (c == '"') continue;
-    const bool separates = c == ',' || c == ' ' || c == '\t' || c == '\n' || c == '\r';
-    if (!separates) {
-      if (between && !list.empty()) list += ',';
-      list += c;
-    }
-    between = separates;
+// A line of a file, or an item of its list in JSON.
+struct Row {
+  std::string where;
+  std::vector<std::string> words;
+
+  std::string text() const { return join(words, ","); }
+  bool has_three_numbers() const {
+    return words.size() == 3 && std::ranges::all_of(words, [](const std::string& word) {
+             return number_in<double>(word).has_value();
+           });
   }
-  if (list.empty()) throw HarnessError(where + ": there is no point in it");
-  return parse_points(list, where);
+  // Whether the words may be vertices.
+  bool is_whole() const {
+    return std::ranges::all_of(words, [](const std::string& word) {
+      return word.find_first_not_of("0123456789") == std::string::npos;
+    });
+  }
+};
+
+// The first line of a table of places.
+constexpr std::string_view kNamesOfCoordinates = "x,y,z";
+
+// A row of three numbers is a place if one of them cannot be a vertex. Three whole numbers may be
+// vertices or a place: they are a place in a table, where each row has three numbers and some of
+// them are not whole.
+// @param named whether the file says that each row is a place
+std::vector<WrittenPoint> points_of(const std::vector<Row>& rows, bool named) {
+  const bool table = named || (std::ranges::all_of(rows, &Row::has_three_numbers) &&
+                               !std::ranges::all_of(rows, &Row::is_whole));
+  std::vector<WrittenPoint> points;
+  for (const Row& row : rows) {
+    const bool three = row.has_three_numbers();
+    if (named && !three) {
+      throw HarnessError(row.where + ": '" + excerpt(row.text()) +
+                         "' is not three numbers, the x, y and z of a place");
+    }
+    if (three && !table && row.is_whole()) {
+      throw HarnessError(row.where + ": '" + row.text() +
+                         "' may be three vertices or a place: write each vertex by itself, or at:" +
+                         row.text());
+    }
+    const std::vector<WrittenPoint> more =
+        parse_points((three ? "at:" : "") + row.text(), row.where);
+    points.insert(points.end(), more.begin(), more.end());
+  }
+  return points;
+}
+
+// The words of a line, between commas or blanks, without quotes.
+std::vector<std::string> words_of(std::string_view line) {
+  std::vector<std::string> words(1);
+  for (const char c : line) {
+    if (c == '"') continue;
+    const bool separates = c == ',' || c == ' ' || c == '\t' || c == '\r';
+    if (!separates) words.back() += c;
+    if (separates && !words.back().empty()) words.emplace_back();
+  }
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
+std::vector<WrittenPoint> parse_text(std::string_view text, const std::string& where) {
+  std::vector<Row> rows;
+  bool named = false;
+  std::size_t number = 0;
+  for (const auto line : std::views::split(text, '\n')) {
+    const std::string at = where + ", line " + std::to_string(++number);
+    Row row{at, words_of({line.begin(), line.end()})};
+    if (row.words.empty()) continue;
+    if (rows.empty() && !named && row.text() == kNamesOfCoordinates) {
+      named = true;
+    } else {
+      rows.push_back(std::move(row));
+    }
+  }
+  if (rows.empty()) throw HarnessError(where + ": there is no point in it");
+  return points_of(rows, named);
 }
 
 std::vector<WrittenPoint> parse_list(const Json& list, const std::string& where) {
   if (!list.is_array()) throw HarnessError(where + ": a list of points is expected");
   if (list.empty()) throw HarnessError(where + ": there is no point in it");
-  std::vector<WrittenPoint> points;
+  std::vector<Row> rows;
   for (const Json& each : list) {
-    const std::string at = where + ", point " + std::to_string(points.size());
-    if (!each.is_string() && !each.is_number()) {
-      throw HarnessError(at + ": " + shown(each) + " is neither a number nor a string");
+    Row row{where + ", point " + std::to_string(rows.size()), {}};
+    if (each.is_array()) {
+      for (const Json& coordinate : each) row.words.push_back(coordinate.dump());
+      if (!row.has_three_numbers()) {
+        throw HarnessError(row.where + ": a list within the list is a place, [x, y, z]");
+      }
+    } else if (each.is_string()) {
+      row.words = {each.get<std::string>()};
+      if (parse_points(row.words[0], row.where).size() > 1) {
+        throw HarnessError(row.where + ": a string holds one point");
+      }
+    } else if (each.is_number()) {
+      row.words = {each.dump()};
+    } else {
+      throw HarnessError(row.where + ": " + shown(each) + " is not a number, a string or a list");
     }
-    const std::string text = each.is_string() ? each.get<std::string>() : each.dump();
-    std::vector<WrittenPoint> one = parse_points(text, at);
-    if (one.size() > 1) throw HarnessError(at + ": a string holds one point");
-    points.push_back(std::move(one.front()));
-    points.back().text = at;
+    rows.push_back(std::move(row));
   }
-  return points;
+  return points_of(rows, false);
 }
 
 SurfacePoint on_surface(const WrittenPoint& point, const Mesh& mesh) {

@@ -8,8 +8,6 @@ from numpy.typing import NDArray
 
 _Indices = NDArray[np.uint32]
 _Progress = Callable[[int], None] | None
-_Points = tuple[_Indices, _Indices, NDArray[np.float64]]
-"""The type arrays.Points."""
 _Compressed = tuple[NDArray[np.floating[Any]], NDArray[np.int64], NDArray[np.int64]]
 
 __version__: str
@@ -21,6 +19,11 @@ class SharedMesh:
     def faces(self) -> _Indices: ...
     @property
     def crosses_non_manifold(self) -> bool: ...
+
+class SurfacePoints:
+    """Points of a mesh's surface."""
+
+    def __len__(self) -> int: ...
 
 class Defect:
     """A kind of defect of a mesh."""
@@ -65,33 +68,37 @@ def read(
 def defects(mesh: SharedMesh) -> list[Defect]: ...
 def unknown_name(kind: str, name: str, known: list[str]) -> str: ...
 def solvers() -> list[Solver]: ...
+def surface_points(
+    mesh: SharedMesh, vertices: _Indices, faces: _Indices, weights: NDArray[np.float64]
+) -> tuple[SurfacePoints, str]:
+    """Converts the arrays of arrays.Points. Returns a remark as well if a place is far from the surface."""
 def distances(
-    mesh: SharedMesh, solver: str, sources: _Points, initial: NDArray[np.float64],
-    targets: _Points | None, limit: float,
+    mesh: SharedMesh, solver: str, sources: SurfacePoints, initial: NDArray[np.float64],
+    targets: SurfacePoints | None, limit: float,
 ) -> NDArray[np.float64]: ...  # fmt: skip
 def distances_and_nearest(
-    mesh: SharedMesh, solver: str, sources: _Points, initial: NDArray[np.float64],
-    targets: _Points | None, limit: float,
+    mesh: SharedMesh, solver: str, sources: SurfacePoints, initial: NDArray[np.float64],
+    targets: SurfacePoints | None, limit: float,
 ) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...  # fmt: skip
 def paths(
-    mesh: SharedMesh, solver: str, source: _Points, targets: _Points
+    mesh: SharedMesh, solver: str, source: SurfacePoints, targets: SurfacePoints
 ) -> list[tuple[NDArray[np.float64], _Indices, NDArray[np.float64]]]: ...
 def nearest_points(
     mesh: SharedMesh, places: NDArray[np.float64]
 ) -> tuple[_Indices, _Indices, NDArray[np.float64], NDArray[np.float64]]: ...
 def dense_float64(
-    mesh: SharedMesh, solver: str, rows: _Points, columns: _Points | None, threads: int,
+    mesh: SharedMesh, solver: str, rows: SurfacePoints, columns: SurfacePoints | None, threads: int,
     progress: _Progress,
 ) -> NDArray[np.float64]: ...  # fmt: skip
 def dense_float32(
-    mesh: SharedMesh, solver: str, rows: _Points, columns: _Points | None, threads: int,
+    mesh: SharedMesh, solver: str, rows: SurfacePoints, columns: SurfacePoints | None, threads: int,
     progress: _Progress,
 ) -> NDArray[np.float32]: ...  # fmt: skip
 def sparse_float64(
-    mesh: SharedMesh, solver: str, rows: _Points, columns: _Points | None, limit: float,
+    mesh: SharedMesh, solver: str, rows: SurfacePoints, columns: SurfacePoints | None, limit: float,
     threads: int, progress: _Progress,
 ) -> _Compressed: ...  # fmt: skip
 def sparse_float32(
-    mesh: SharedMesh, solver: str, rows: _Points, columns: _Points | None, limit: float,
+    mesh: SharedMesh, solver: str, rows: SurfacePoints, columns: SurfacePoints | None, limit: float,
     threads: int, progress: _Progress,
 ) -> _Compressed: ...  # fmt: skip

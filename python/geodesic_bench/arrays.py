@@ -3,7 +3,6 @@ a message of one sentence for invalid arrays."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -48,6 +47,19 @@ def arrays_of(mesh: Any) -> tuple[Any, Any]:
     return mesh.points, np.concatenate([np.zeros((0, 3), np.int64)] + [b.data for b in blocks])
 
 
+class Place(NamedTuple):
+    """A place in space, which stands for the nearest point of the surface. It has a name, since three bare
+    numbers might be vertices.
+
+    >>> Place(0.5, 1, 0)
+    Place(x=0.5, y=1, z=0)
+    """
+
+    x: float
+    y: float
+    z: float
+
+
 class Points(NamedTuple):
     """k points of a surface or in space."""
 
@@ -64,22 +76,24 @@ def surface_points(values: Any, what: str, vertices: int, faces: int) -> Points:
 
     @param what name of the points in messages, such as "source"
     @param vertices, faces numbers of vertices and faces of the mesh"""
+    if isinstance(values, Place):
+        values = numbers(values, f"the coordinates of a {what}").reshape(-1, 3)
     if _names_a_face(values):
         face, weights = _face_and_weights(values, what, faces)
         return Points(np.array([NONE]), np.array([face], np.uint32), weights.reshape(1, 3))
-    if isinstance(values, tuple | list):
-        nested = [isinstance(value, _LISTED) for value in values]
-        if any(nested) and not all(nested) or any(map(_names_a_face, values)):
-            each = [surface_point(value, what, vertices, faces) for value in values]
-            return Points(
-                np.concatenate([point.vertices for point in each]),
-                np.concatenate([point.faces for point in each]),
-                np.concatenate([point.weights for point in each]),
-            )
-    array = _array(values, f"{what} vertices", "integers")
-    if array.dtype.kind == "f" and array.ndim in (1, 2) and array.shape[-1] == 3:
-        none = np.full(array.size // 3, NONE)
-        return Points(none, none, array.reshape(-1, 3).astype(np.float64))
+    if isinstance(values, tuple | list) and any(
+        isinstance(value, Place) or _names_a_face(value) for value in values
+    ):
+        each = [surface_point(value, what, vertices, faces) for value in values]
+        return Points(
+            np.concatenate([point.vertices for point in each]),
+            np.concatenate([point.faces for point in each]),
+            np.concatenate([point.weights for point in each]),
+        )
+    array = _array(values, f"{what}s", "vertices, tuples (face, weights) and Place(x, y, z)")
+    if array.dtype.kind == "f" and array.ndim == 2 and array.shape[1] == 3:
+        none = np.full(len(array), NONE)
+        return Points(none, none, array.astype(np.float64))
     given = _vertex_indices(array, what, vertices)
     return Points(given, np.zeros(len(given), np.uint32), np.zeros((len(given), 3)))
 
@@ -92,17 +106,19 @@ def surface_point(value: object, what: str, vertices: int, faces: int) -> Points
     return point
 
 
-_NO_POINT = "a {} must be a vertex, a face and three weights, or a place of three floats"
+_NO_POINT = "a {} must be a vertex, a tuple (face, three weights), or Place(x, y, z)"
 _LISTED = (tuple, list, np.ndarray)
 
 
 def _names_a_face(point: object) -> bool:
-    """Whether the point has the form of a pair of a face and weights, with valid values or not."""
+    """Whether the point has the form of a face and weights, with valid values or not. It is a tuple, since a
+    list of two is a list of two points."""
     return (
-        isinstance(point, tuple | list)
+        isinstance(point, tuple)
         and len(point) == 2
         and not isinstance(point[0], _LISTED)
         and isinstance(point[1], _LISTED)
+        and not isinstance(point[1], Place)
         and not _names_a_face(point[1])
     )
 
@@ -124,7 +140,7 @@ def _face_and_weights(point: Any, what: str, faces: int) -> tuple[int, NDArray[n
 
 def _vertex_indices(values: ArrayLike, what: str, vertices: int) -> NDArray[np.uint32]:
     """Converts vertex indices to an array of shape (k,)."""
-    array = _integers(values, f"{what} vertices")
+    array = _integers(values, f"{what} vertices", "Place(x, y, z) for a place")
     if array.ndim > 1:
         raise ValueError(
             f"{what} vertices must be a list of indices, not of shape {array.shape};"
@@ -157,14 +173,22 @@ def numbers(values: ArrayLike, what: str) -> NDArray[np.float64]:
     return array.astype(np.float64, order="C", copy=False)
 
 
-def _integers(values: ArrayLike, what: str) -> NDArray[Any]:
-    """Returns an array of any integer type, or of Python integers if they are too large for these."""
+def _integers(values: ArrayLike, what: str, instead: str = "") -> NDArray[Any]:
+    """Returns an array of any integer type, or of Python integers if they are too large for these. Floats are
+    refused even if they are whole: they may be coordinates.
+
+    @param instead what else to write for floats"""
     array = _array(values, what, "integers")
     if not array.size:
         return array.astype(np.int64)
     of_python = array.dtype == object and all(type(value) is int for value in array.flat)
     if array.dtype.kind not in "iu" and not of_python:
-        raise ValueError(f"{what} must be integers, not {array.dtype}")
+        ways = []
+        if array.dtype.kind == "f":
+            whole = bool((array == np.floor(array)).all())
+            ways = [way for way in (whole and ".astype(int) for indices", instead) if way]
+        hint = f": write {', or '.join(ways)}" if ways else ""
+        raise ValueError(f"{what} must be integers, not {array.dtype}{hint}")
     return array
 
 

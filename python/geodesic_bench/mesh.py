@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from geodesic_bench import _native
 from geodesic_bench.arrays import (
     NONE,
+    Place,
     Points,
     arrays_of,
     face_array,
@@ -46,14 +47,13 @@ OF_OTHER_PACKAGES = {
 }
 """Names of arguments in other packages, with the equivalent names here."""
 
-SurfacePoint = ArrayLike | tuple[int, ArrayLike]
-"""A vertex, which is an integer; a point in a face, which is the face and a weight for each of its corners;
-or a place in space, which is three floats and stands for the nearest point of the surface. The weights are
-divided by their sum; on an edge one of them is 0."""
+SurfacePoint = ArrayLike | tuple[int, ArrayLike] | Place
+"""A vertex, which is an integer; a point in a face, which is a tuple of the face and a weight for each of its
+corners; or a Place. The weights are divided by their sum; on an edge one of them is 0."""
 
 SurfacePoints = SurfacePoint | Sequence[SurfacePoint]
-"""One point; an array of vertices, of shape (k,), or of places, (k, 3); or a list of any points. A list of
-a vertex and a place would be read as a face and weights, so put the place first."""
+"""One point; an array of vertices, integers of shape (k,); one of places, floats of shape (k, 3); or a list of
+any points."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -170,8 +170,9 @@ class Mesh:
         ----------
         sources : (k,) integers, or k points, or one
             Vertices, points in faces, and places in space: `(7, (1, 1, 1))` is the middle of face 7,
-            `(0.1, 0.2, 0.0)` is the point of the surface that is nearest to this place. All solvers
-            accept them. For a solver that supports only vertices, each call makes a finer mesh in which
+            `Place(0.1, 0.2, 0)` is the point of the surface that is nearest to this place. Floats of
+            shape (k, 3) are k places; one warning is given if any is far from the surface. All solvers
+            accept all points. For a solver that supports only vertices, each call makes a finer mesh in which
             the points are vertices.
         targets : (l,) integers, or l points, or one, optional
             Points whose distances are returned; by default all vertices. The solve ends at the farthest one.
@@ -207,15 +208,15 @@ class Mesh:
         >>> mesh.distances([2, (0, (1, 1, 0))])
         array([1.5, 1.5, 0. ])
         """
-        points = surface_points(sources, "source", *self._size())
-        count = points.vertices.shape
+        points = self._points(sources, "source")
+        count = (len(points),)
         begin = numbers(0 if initial is None else initial, "initial distances")
         if begin.ndim and begin.shape != count:
             raise ValueError(
                 f"initial distances must be one a source: {begin.size} for {count[0]} sources"
             )
         begin = np.broadcast_to(begin, count)
-        ends = None if targets is None else surface_points(targets, "target", *self._size())
+        ends = None if targets is None else self._points(targets, "target")
         most = math.inf if limit is None else number(limit, "limit")
         name = _configured(solver, parameters, self.distances)
         asked = (self._shared, name, points, begin, ends, most)
@@ -257,8 +258,10 @@ class Mesh:
         >>> round(mesh.path((0, (0, 1, 1)), 1).length, 6)
         0.5
         """
-        end = surface_point(target, "target", *self._size())
-        return self._paths(source, end, _configured(solver, parameters, self.path))[0]
+        end = self._points(target, "target", surface_point)
+        begin = self._points(source, "source", surface_point)
+        name = _configured(solver, parameters, self.path)
+        return Path(*_native.paths(self._shared, name, begin, end)[0])
 
     def paths(
         self,
@@ -288,14 +291,10 @@ class Mesh:
         >>> [path.length for path in mesh.paths(0, [1, 2])]
         [3.0, 4.0]
         """
-        ends = surface_points(targets, "target", *self._size())
-        return self._paths(source, ends, _configured(solver, parameters, self.paths))
-
-    def _paths(self, source: SurfacePoint, targets: Points, solver: str) -> list[Path]:
-        if not len(targets.vertices):
-            return []
-        begin = surface_point(source, "source", *self._size())
-        return [Path(*path) for path in _native.paths(self._shared, solver, begin, targets)]
+        ends = self._points(targets, "target")
+        begin = self._points(source, "source", surface_point)
+        name = _configured(solver, parameters, self.paths)
+        return [Path(*path) for path in _native.paths(self._shared, name, begin, ends)]
 
     @overload
     def nearest_point(self, places: Sequence[float]) -> tuple[SurfacePoint, float]: ...
@@ -310,7 +309,7 @@ class Mesh:
 
         Parameters
         ----------
-        places : (3,) real numbers, or (k, 3)
+        places : (3,) real numbers or a Place, or (k, 3) or k of them
             Coordinates. The time for each place is linear in the number of faces of the mesh.
 
         Returns
@@ -388,8 +387,8 @@ class Mesh:
         array([[3. , 2.5],
                [2.5, 0. ]])
         """
-        sources = surface_points(rows, "row", *self._size())
-        targets = None if columns is None else surface_points(columns, "column", *self._size())
+        sources = self._points(rows, "row")
+        targets = None if columns is None else self._points(columns, "column")
         if not (isinstance(threads, int | np.integer) and 0 <= threads <= MOST_THREADS):
             raise ValueError(
                 f"threads must be an integer between 0 and {MOST_THREADS}, not {threads!r}"
@@ -398,7 +397,7 @@ class Mesh:
         configured = _configured(solver, parameters, self.distance_matrix)
         what = (self._shared, configured, sources, targets)
         workers = threads or os.cpu_count() or 1
-        shape = len(sources.vertices), len((targets or self).vertices)
+        shape = len(sources), len(self.vertices) if targets is None else len(targets)
         if limit is None:
             dense = _native.dense_float64 if name == "float64" else _native.dense_float32
             try:
@@ -416,9 +415,16 @@ class Mesh:
         with _bar(shape[0], progress) as show:
             return csr_matrix(sparse(*what, most, workers, show), shape=shape)
 
-    def _size(self) -> tuple[int, int]:
-        """Returns the numbers of vertices and faces."""
-        return len(self.vertices), len(self.faces)
+    def _points(
+        self, values: SurfacePoints, what: str, convert: Callable[..., Points] = surface_points
+    ) -> _native.SurfacePoints:
+        """Returns the points on the surface, and warns of a place that is far from it. Only public methods
+        call this, so that the warning has the line of their caller."""
+        given = convert(values, what, len(self.vertices), len(self.faces))
+        points, remark = _native.surface_points(self._shared, *given)
+        if remark:
+            warnings.warn(f"a {what} {remark}", stacklevel=3)
+        return points
 
     def __repr__(self) -> str:
         return f"Mesh({len(self.vertices)} vertices, {len(self.faces)} faces)"

@@ -147,45 +147,59 @@ std::vector<Defect> defects(const SharedMeshPointer& mesh) {
   return in_background([=](Task&) { return find_defects(mesh->soup()).defects; });
 }
 
-/// Points in the format of arrays.py: vertices (kNone for another point), faces (kNone for a place
-/// in space), and weights (the coordinates for a place in space).
-class GivenPoints {
- public:
-  using Arrays = std::tuple<Array<Index>, Array<Index>, Array<double>>;
-  explicit GivenPoints(const Arrays& arrays)
-      : vertices_(indices_of(std::get<0>(arrays))),
-        faces_(indices_of(std::get<1>(arrays))),
-        weights_(rows_of(std::get<2>(arrays))) {}
-
-  std::size_t size() const { return vertices_.size(); }
-
-  /// @throws std::invalid_argument for the reasons of point_in_face and nearest_point
-  std::vector<SurfacePoint> on(const Mesh& mesh) const {
-    std::vector<SurfacePoint> points(size());
-    for (std::size_t i = 0; i < size(); ++i) {
-      points[i] = vertices_[i] != kNone ? SurfacePoint(vertices_[i])
-                  : faces_[i] != kNone  ? point_in_face(mesh, faces_[i], weights_[i])
-                                        : nearest_point(mesh, weights_[i]).at;
-    }
-    return points;
-  }
-
- private:
-  std::vector<Index> vertices_, faces_;
-  std::vector<std::array<double, 3>> weights_;
+/// Points of a mesh's surface, as Python objects hold them.
+struct SurfacePoints {
+  std::vector<SurfacePoint> points;
 };
 
-/// The nearest surface points of places, which have shape (k, 3). Returns the arrays of GivenPoints
-/// and the distances between the places and these points.
-py::tuple nearest_points(const SharedMeshPointer& mesh, const Array<double>& places) {
-  const auto found = in_background([=, given = rows_of(places)](Task& task) {
+std::vector<NearestPoint> nearest_to(const SharedMeshPointer& mesh,
+                                     const std::vector<Vec3>& places) {
+  return in_background([=](Task& task) {
     std::vector<NearestPoint> nearest;
-    for (const Vec3& place : given) {
+    for (const Vec3& place : places) {
       task.throw_if_abandoned();
       nearest.push_back(nearest_point(mesh->mesh(), place));
     }
     return nearest;
   });
+}
+
+/// @param vertices, faces, weights the arrays of arrays.Points: vertices (kNone for another point),
+///        faces (kNone for a place in space), and weights (the coordinates of a place in space)
+/// @return the points, and the remark about the place that is farthest from the surface
+/// @throws std::invalid_argument for the reasons of point_in_face and nearest_point
+std::pair<SurfacePoints, std::string> surface_points(const SharedMeshPointer& mesh,
+                                                     const Array<Index>& vertices,
+                                                     const Array<Index>& faces,
+                                                     const Array<double>& weights) {
+  const std::vector<Index> at = indices_of(vertices), in = indices_of(faces);
+  const std::vector<Vec3> numbers = rows_of(weights);
+  std::vector<Vec3> places;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    if (at[i] == kNone && in[i] == kNone) places.push_back(numbers[i]);
+  }
+  std::vector<NearestPoint> nearest;
+  if (!places.empty()) nearest = nearest_to(mesh, places);  // a thread takes time
+  SurfacePoints found;
+  double farthest = 0;
+  auto next = nearest.begin();
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    if (at[i] != kNone) {
+      found.points.emplace_back(at[i]);
+    } else if (in[i] != kNone) {
+      found.points.push_back(point_in_face(mesh->mesh(), in[i], numbers[i]));
+    } else {
+      farthest = std::max(farthest, next->distance);
+      found.points.push_back(next++->at);
+    }
+  }
+  return {std::move(found), places.empty() ? "" : remark_if_far(mesh->mesh(), farthest)};
+}
+
+/// The nearest surface points of places, which have shape (k, 3). Returns the arrays of
+/// arrays.Points and the distances between the places and these points.
+py::tuple nearest_points(const SharedMeshPointer& mesh, const Array<double>& places) {
+  const std::vector<NearestPoint> found = nearest_to(mesh, rows_of(places));
   std::vector<Index> vertices, faces;
   std::vector<double> weights, distances;
   for (const NearestPoint& each : found) {
@@ -200,52 +214,30 @@ py::tuple nearest_points(const SharedMeshPointer& mesh, const Array<double>& pla
 }
 
 /// Points that may not be given, which means all vertices.
-using OptionalPoints = std::optional<GivenPoints>;
-using OptionalArrays = std::optional<GivenPoints::Arrays>;
+using OptionalPoints = std::optional<SurfacePoints>;
 
-OptionalPoints points_of(const OptionalArrays& arrays) {
-  return arrays ? OptionalPoints(*arrays) : std::nullopt;
-}
-
-/// A query before a mesh is known.
-struct GivenQuery {
-  GivenPoints sources;
-  std::vector<double> initial;
-  OptionalPoints targets;
-  double limit;
-
-  Query on(const Mesh& mesh) const {
-    Query query{.sources = {}, .limit = limit};
-    if (targets) query.targets = targets->on(mesh);
-    query.stop_at_targets = !query.targets.empty();
-    const std::vector<SurfacePoint> points = sources.on(mesh);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      query.sources.push_back({.at = points[i], .distance = initial[i]});
-    }
-    return query;
+Query query_of(const SurfacePoints& sources, const Array<double>& initial,
+               const OptionalPoints& targets, double limit) {
+  Query query{.sources = {}, .limit = limit};
+  for (py::ssize_t i = 0; i < initial.size(); ++i) {
+    query.sources.push_back(
+        {.at = sources.points[static_cast<std::size_t>(i)], .distance = initial.data()[i]});
   }
-};
-
-GivenQuery query_of(const GivenPoints::Arrays& sources, const Array<double>& initial,
-                    const OptionalArrays& targets, double limit) {
-  return {GivenPoints(sources),
-          {initial.data(), initial.data() + initial.size()},
-          points_of(targets),
-          limit};
+  if (targets) query.targets = targets->points;
+  query.stop_at_targets = !query.targets.empty();
+  return query;
 }
 
 /// The distances of the targets; of all vertices when no targets are given.
 py::array_t<double> distances(const SharedMeshPointer& mesh, const std::string& solver,
-                              const GivenPoints::Arrays& sources, const Array<double>& initial,
-                              const OptionalArrays& targets, double limit) {
-  return array_of(in_background([=, given = query_of(sources, initial, targets, limit)](Task&) {
-    const Query query = given.on(mesh->mesh());
-    std::vector<SurfacePoint> starts;
-    for (const Source& source : query.sources) starts.push_back(source.at);
-    const auto inserted = insert_for(solver_named(solver), mesh->mesh(), starts, query.targets);
+                              const SurfacePoints& sources, const Array<double>& initial,
+                              const OptionalPoints& targets, double limit) {
+  return array_of(in_background([=, query = query_of(sources, initial, targets, limit)](Task&) {
+    const auto inserted =
+        insert_for(solver_named(solver), mesh->mesh(), sources.points, query.targets);
     std::vector<double> all(mesh->soup().positions.size()), at_targets(query.targets.size());
     BorrowedSolver(mesh, solver, inserted)->solve(query, all, at_targets);
-    return given.targets ? at_targets : all;
+    return targets ? at_targets : all;
   }));
 }
 
@@ -256,15 +248,14 @@ Paths paths_of(const SharedMeshPointer& mesh, const std::string& solver, const Q
 /// The distances as from `distances`, and for each the index of the source of its path, -1 where no
 /// path leads.
 py::tuple distances_and_nearest(const SharedMeshPointer& mesh, const std::string& solver,
-                                const GivenPoints::Arrays& sources, const Array<double>& initial,
-                                const OptionalArrays& targets, double limit) {
+                                const SurfacePoints& sources, const Array<double>& initial,
+                                const OptionalPoints& targets, double limit) {
   auto [reached, nearest] =
-      in_background([=, given = query_of(sources, initial, targets, limit)](Task&) {
-        const Query query = given.on(mesh->mesh());
+      in_background([=, query = query_of(sources, initial, targets, limit)](Task&) {
         const Paths paths = paths_of(mesh, solver, query);
         std::vector<double> lengths;
         std::vector<Index> indices;
-        if (given.targets) {
+        if (targets) {
           for (std::size_t i = 0; i < query.targets.size(); ++i) {
             lengths.push_back(paths.distance_to_target(i));
             indices.push_back(std::isinf(lengths[i]) ? kNone : paths.to_target(i).source);
@@ -298,17 +289,16 @@ py::tuple arrays_of(const Path& path) {
 
 /// @return the path from the only source to each target
 py::list paths(const SharedMeshPointer& mesh, const std::string& solver,
-               const GivenPoints::Arrays& source, const GivenPoints::Arrays& targets) {
-  const std::vector<Path> found =
-      in_background([=, from = GivenPoints(source), to = GivenPoints(targets)](Task&) {
-        const Query query{.sources = {{from.on(mesh->mesh()).at(0), 0}},
-                          .targets = to.on(mesh->mesh()),
-                          .stop_at_targets = to.size() > 0};
-        const Paths all = paths_of(mesh, solver, query);
-        std::vector<Path> to_each;
-        for (std::size_t i = 0; i < to.size(); ++i) to_each.push_back(all.to_target(i));
-        return to_each;
-      });
+               const SurfacePoints& source, const SurfacePoints& targets) {
+  const std::vector<Path> found = in_background([=](Task&) {
+    std::vector<Path> to_each;
+    if (targets.points.empty()) return to_each;
+    const Query query{
+        .sources = {{source.points.at(0), 0}}, .targets = targets.points, .stop_at_targets = true};
+    const Paths all = paths_of(mesh, solver, query);
+    for (std::size_t i = 0; i < query.targets.size(); ++i) to_each.push_back(all.to_target(i));
+    return to_each;
+  });
   py::list arrays;
   for (const Path& each : found) arrays.append(arrays_of(each));
   return arrays;
@@ -319,27 +309,24 @@ py::list paths(const SharedMeshPointer& mesh, const std::string& solver,
 struct Matrix {
   SharedMeshPointer mesh;
   std::string solver;
-  GivenPoints rows;
+  SurfacePoints rows;
   OptionalPoints columns;
   unsigned threads;
   double limit = kInfinity;
 
-  std::size_t width() const { return columns ? columns->size() : mesh->soup().positions.size(); }
+  std::size_t width() const {
+    return columns ? columns->points.size() : mesh->soup().positions.size();
+  }
 };
-
-Matrix matrix_of(const SharedMeshPointer& mesh, const std::string& solver,
-                 const GivenPoints::Arrays& rows, const OptionalArrays& columns, unsigned threads) {
-  return {mesh, solver, GivenPoints(rows), points_of(columns), threads};
-}
 
 /// Solves all rows and returns after the last one.
 /// @param put called once for each row, by several threads at a time
 void solve_rows(const Matrix& matrix, Task& task,
                 const std::function<void(std::size_t row, std::span<const double>)>& put) {
   const Mesh& mesh = matrix.mesh->mesh();
-  const std::vector<SurfacePoint> sources = matrix.rows.on(mesh);
+  const std::vector<SurfacePoint>& sources = matrix.rows.points;
   Query asked{.sources = {}, .limit = matrix.limit};
-  if (matrix.columns) asked.targets = matrix.columns->on(mesh);
+  if (matrix.columns) asked.targets = matrix.columns->points;
   asked.stop_at_targets = !asked.targets.empty();
   const auto inserted = insert_for(solver_named(matrix.solver), mesh, sources, asked.targets);
   const std::size_t count = matrix.width() > 0 ? sources.size() : 0;
@@ -369,13 +356,13 @@ class Unwritten {
 /// @return array of shape (rows, columns), infinite where no path leads
 template <class T>
 py::array_t<T> dense(const SharedMeshPointer& mesh, const std::string& solver,
-                     const GivenPoints::Arrays& rows, const OptionalArrays& columns,
-                     unsigned threads, const Progress& progress) {
-  Matrix matrix = matrix_of(mesh, solver, rows, columns, threads);
-  const std::size_t height = matrix.rows.size(), width = matrix.width();
+                     const SurfacePoints& rows, const OptionalPoints& columns, unsigned threads,
+                     const Progress& progress) {
+  const Matrix matrix{mesh, solver, rows, columns, threads};
+  const std::size_t height = matrix.rows.points.size(), width = matrix.width();
   const auto values = std::make_shared<Unwritten<T>>(height * width);
   in_background(
-      [=, matrix = std::move(matrix)](Task& task) {
+      [=](Task& task) {
         solve_rows(matrix, task, [&](std::size_t row, auto distances) {
           T* value = values->data() + row * width;
           for (const double d : distances) *value++ = static_cast<T>(d);
@@ -390,17 +377,16 @@ py::array_t<T> dense(const SharedMeshPointer& mesh, const std::string& solver,
 /// @return the finite distances as three arrays: values, column indices, and the begin of each row
 template <class T>
 py::tuple sparse(const SharedMeshPointer& mesh, const std::string& solver,
-                 const GivenPoints::Arrays& rows, const OptionalArrays& columns, double limit,
+                 const SurfacePoints& rows, const OptionalPoints& columns, double limit,
                  unsigned threads, const Progress& progress) {
   struct Compressed {
     std::vector<T> values;
     std::vector<std::int64_t> columns, begins{0};
   };
-  Matrix matrix = matrix_of(mesh, solver, rows, columns, threads);
-  matrix.limit = limit;
+  const Matrix matrix{mesh, solver, rows, columns, threads, limit};
   Compressed all = in_background(
-      [matrix = std::move(matrix)](Task& task) {
-        std::vector<Compressed> found(matrix.rows.size());
+      [=](Task& task) {
+        std::vector<Compressed> found(matrix.rows.points.size());
         solve_rows(matrix, task, [&](std::size_t row, auto distances) {
           for (std::size_t column = 0; column < distances.size(); ++column) {
             if (std::isinf(distances[column])) continue;
@@ -467,6 +453,10 @@ PYBIND11_MODULE(_native, module) {
         return mesh.non_manifold_edges() == NonManifoldEdges::crossed;
       });
 
+  py::class_<SurfacePoints>(module, "SurfacePoints").def("__len__", [](const SurfacePoints& self) {
+    return self.points.size();
+  });
+
   py::class_<Defect>(module, "Defect", "A kind of fault that a mesh has.")
       .def_property_readonly("kind", [](const Defect& d) { return type_of(d.kind).key; })
       .def_property_readonly("severity", &severity_of)
@@ -492,6 +482,7 @@ PYBIND11_MODULE(_native, module) {
   module.def("defects", &defects);
   module.def("unknown_name", &unknown_name);
   module.def("solvers", &registered_solvers, py::return_value_policy::reference);
+  module.def("surface_points", &surface_points);
   module.def("distances", &distances);
   module.def("distances_and_nearest", &distances_and_nearest);
   module.def("paths", &paths);

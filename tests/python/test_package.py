@@ -30,7 +30,7 @@ print(gb.__file__, *{mesh.distances([1], solver=name)[2] for name in gb.solvers(
 OF_EVERY_SYSTEM = {"libstdc++", "libgcc_s", "libm", "libc", "ld-linux-x86-64", "ld-linux-aarch64"}
 
 
-@pytest.mark.parametrize("module", ["geodesic_bench", "geodesic_bench.mesh"])
+@pytest.mark.parametrize("module", ["geodesic_bench", "geodesic_bench.arrays", "geodesic_bench.mesh"])
 def test_examples_of_docstrings_do_what_they_say(module: str) -> None:
     failed, tried = doctest.testmod(importlib.import_module(module))
     assert tried > 0 and failed == 0

@@ -45,8 +45,9 @@ def test_the_nearest_source_is_that_of_the_least_row(mesh: Any) -> None:
     np.testing.assert_array_equal(of_near == -1, np.isinf(near))
 
 
+@pytest.mark.filterwarnings("ignore:.* from the surface, whose nearest point is taken")
 def test_paths_by_one_solve_are_those_of_a_solve_each(mesh: Any) -> None:
-    targets = [143, (200, (0.5, 0.5, 0)), 5, (3.0, 7.5, 9.0)]
+    targets = [143, (200, (0.5, 0.5, 0)), 5, gb.Place(3, 7.5, 1)]
     paths = mesh.paths(5, targets)
     for path, target in zip(paths, targets, strict=True):
         alone = mesh.path(5, target)

@@ -38,7 +38,7 @@ NOTHING = "a mesh needs at least one vertex and one face"
         (CORNERS, [[0, 1, 2**32 + 2]], "face 0: vertex 4294967298 is not in the mesh of 3 vertices"),
         (CORNERS, [[0, 1, 2**70]], "face 0: vertex 1180591620717411303424 is not in the mesh of 3"),
         (CORNERS, [[0, 1, 1]], "face 0 names a vertex twice"),
-        (CORNERS, [[0, 1, 2.0]], "faces must be integers, not float64"),
+        (CORNERS, [[0, 1, 2.0]], "faces must be integers, not float64: write .astype(int) for indices"),
         (CORNERS, [[True, False, True]], "faces must be integers, not bool"),
         (CORNERS, [0, 1, 2], "faces must have the shape (n, 3), not (3,)"),
         (CORNERS, None, "a mesh is vertices and faces, or an object that has them, or points and ce"),
@@ -60,7 +60,8 @@ def test_arrays_that_are_no_mesh_are_refused(vertices: Any, faces: Any, sentence
         ({"sources": 2**40}, "source vertex 1099511627776 is not in the mesh of 3 vertices"),
         ({"sources": -(2**70)}, "source vertex -1180591620717411303424 is not in the mesh"),
         ({"sources": np.uint64(2**64 - 1)}, "source vertex 18446744073709551615 is not in the"),
-        ({"sources": [0.0]}, "source vertices must be integers, not float64"),
+        ({"sources": [0.0]}, "source vertices must be integers, not float64: write .astype(int) for indices, or Place"),
+        ({"sources": [1.0, 2.0, 0.0]}, "source vertices must be integers, not float64: write .astype(int) for"),
         ({"sources": None}, "source vertices must be integers, not object"),
         ({"sources": FACE}, "source vertices must be a list of indices, not of shape (1, 3); coordinates of places must be fl"),
         ({"sources": 0, "limit": -1}, "edge-based: the distance limit must not be negative"),
@@ -75,8 +76,8 @@ def test_arrays_that_are_no_mesh_are_refused(vertices: Any, faces: Any, sentence
         ({"sources": 0, "limt": 2}, "no argument named 'limt' (did you mean 'limit'?); there are: "),
         ({"sources": 0, "limit": "2"}, "limit must be a number, not '2'"),
         ({"sources": 0, "solver": None}, "solver must be a name of solvers(), not None"),
-        ({"sources": [np.nan, 0, 0]}, "a place in space must have finite coordinates"),
-        ({"sources": [1e200, 0, 0]}, "a place in space is too far from the mesh"),
+        ({"sources": [[np.nan, 0, 0]]}, "a place in space must have finite coordinates"),
+        ({"sources": gb.Place(1e200, 0, 0)}, "a place in space is too far from the mesh"),
         ({"rows": [9]}, "row vertex 9 is not in the mesh of 3 vertices"),
         ({"rows": [0], "columns": [-2]}, "column vertex -2 is not in the mesh of 3 vertices"),
         ({"rows": [0], "threads": -1}, "threads must be an integer between 0 and 1024, not -1"),
@@ -96,6 +97,7 @@ def test_queries_that_have_no_answer_are_refused(query: dict[str, Any], sentence
     assert mesh.distances(0)[0] == 0
 
 
+@pytest.mark.filterwarnings("ignore:.* from the surface, whose nearest point is taken")
 def test_any_numbers_in_arrays_of_any_shape_are_answered_or_refused(ground: Arrays) -> None:
     chance = random.Random(4)
     values: list[Any] = [0, 1, 2, 5, 143, 144, -1, 2**31, 2**32 - 1, 2**32, 2**63, 2**64, 0.5, 1e300, 1e-300]

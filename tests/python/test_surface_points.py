@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import warnings
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +13,8 @@ import pytest
 from python_package import Arrays, solve
 
 gb = pytest.importorskip("geodesic_bench")
+
+pytestmark = pytest.mark.filterwarnings("ignore:.* from the surface, whose nearest point is taken")
 
 POINTS: list[Any] = [
     5,
@@ -91,21 +95,21 @@ def test_a_place_is_the_point_of_the_program_wherever_points_are_taken(
     file: Path, tmp_path: Path
 ) -> None:
     mesh = gb.read_mesh(file)
-    place, other = (3.25, 4.5, 9.0), (7.5, 2.25, -1.0)
+    place, other = gb.Place(3.25, 4.5, 1), gb.Place(7.5, 2.25, -1.0)
     output = tmp_path / "d.npy"
-    solve(file, "--source", "at:3.25,4.5,9,17,at:7.5,2.25,-1", "--output", output)
+    solve(file, "--source", "at:3.25,4.5,1,17,at:7.5,2.25,-1", "--output", output)
     expected = np.load(output)
-    np.testing.assert_array_equal(mesh.distances([place, 17, np.array(other)]), expected)
+    np.testing.assert_array_equal(mesh.distances([place, 17, other]), expected)
     points, above = mesh.nearest_point([place, other])
     np.testing.assert_allclose(mesh.distances([17, *points]), expected, rtol=1e-12)
     assert mesh.nearest_point(other) == (points[1], above[1])
 
     between = mesh.distance_matrix(np.array([place, other]), columns=[place, 0], limit=20)
     np.testing.assert_allclose(between.toarray(), mesh.distance_matrix(points, [points[0], 0]))
-    path = mesh.path(place, np.array(other, np.float32))
+    path = mesh.path(place, np.array([other], np.float32))
     assert path.length == pytest.approx(mesh.distance_matrix(place, other)[0, 0], rel=1e-12)
     feet = path.points[[0, -1]]
-    np.testing.assert_allclose(np.linalg.norm(feet - [place, other], axis=1), above, rtol=1e-12)
+    np.testing.assert_allclose(np.linalg.norm(feet - np.array([place, other]), axis=1), above, rtol=1e-12)
 
 
 def test_no_point_of_the_surface_is_nearer_than_the_nearest(mesh: Any) -> None:
@@ -130,14 +134,61 @@ def test_one_point_is_a_list_of_it(ground: Arrays) -> None:
     point = (3, (1, 2, 3))
     expected = mesh.distances([point])
     np.testing.assert_array_equal(mesh.distances(point), expected)
-    np.testing.assert_array_equal(mesh.distances([3, [1, 2, 3]]), expected)
     np.testing.assert_array_equal(mesh.distances((point, 7)), mesh.distances([7, point]))
     np.testing.assert_array_equal(mesh.distance_matrix(point, columns=point), [[0]])
     corner = (3, (0, 0, 2))
     np.testing.assert_array_equal(mesh.distances(corner), mesh.distances(ground[1][3][2]))
 
 
-NO_POINT = "a source must be a vertex, a face and three weights, or a place of three floats"
+def test_numbers_are_read_alike_wherever_points_are_taken(mesh: Any) -> None:
+    """Three numbers may be vertices or a place. They are vertices if they are integers, and refused otherwise."""
+    whole, place = np.array([1.0, 2.0, 0.0]), gb.Place(1, 2, 0)
+    asks: list[Callable[[Any], Any]] = [
+        mesh.distances,
+        mesh.distance_matrix,
+        lambda points: mesh.distances(5, points),
+        lambda points: mesh.distance_matrix([5], points),
+        lambda points: [path.length for path in mesh.paths(5, points)],
+    ]
+    for ask in asks:
+        with pytest.raises(ValueError, match=r"float64: write \.astype\(int\) for indices, or Place\(x, y, z\) for a"):
+            ask(whole)
+        with pytest.raises(ValueError, match=r"must be integers, not float64: write Place\(x, y, z\) for a place$"):
+            ask([0.1, 0.2, 0.3])
+        for unclear in ([17, (0.2, 0.3, 0.5)], [(0.1, 0.2, 0.3), 17]):
+            with pytest.raises(ValueError, match=r"s must be an array of vertices, tuples \(face, weights\) and Place"):
+                ask(unclear)
+        np.testing.assert_array_equal(ask(whole.astype(int)), ask([1, 2, 0]))
+        np.testing.assert_array_equal(ask([place]), ask(whole.reshape(1, 3)))
+        np.testing.assert_array_equal(ask(place), ask([place]))
+        np.testing.assert_array_equal(ask([17, place]), ask((17, place)))
+    for wrong in ("1", None, [1, 2]):
+        with pytest.raises(ValueError, match="^the coordinates of a source must be "):
+            mesh.distances(gb.Place(wrong, 0, 0))
+
+
+def test_a_place_far_from_the_surface_gives_one_warning_at_the_line_of_the_caller(mesh: Any) -> None:
+    """The longest side is 11."""
+    near, far, farther = (gb.Place(0, 0, mesh.vertices[0, 2] + above) for above in (0.1, 1, 8))
+    asks: list[tuple[Callable[[], Any], str]] = [
+        (lambda: mesh.distances([far, 3, farther]), "source"),
+        (lambda: mesh.distances(3, farther), "target"),
+        (lambda: mesh.path(3, farther), "target"),
+        (lambda: mesh.paths(farther, [3]), "source"),
+        (lambda: mesh.distance_matrix([farther]), "row"),
+    ]
+    for ask, what in asks:
+        with pytest.warns(UserWarning) as warned:
+            ask()
+        (one,) = warned
+        assert str(one.message).startswith(f"a {what} is ") and one.filename == __file__
+        assert "from the surface, whose nearest point is taken; the longest side of the mesh is 11" in str(one.message)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        mesh.distances([near, 3])
+
+
+NO_POINT = "a source must be a vertex, a tuple (face, three weights), or Place(x, y, z)"
 WEIGHTS = "the weights of a source must be finite, none negative, and not all 0, not "
 
 

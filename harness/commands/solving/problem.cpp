@@ -7,6 +7,7 @@
 
 #include "harness/base/error.h"
 #include "harness/commands/solving/answers.h"
+#include "meshes/nearest_point.h"
 #include "solvers/core/messages.h"
 #include "solvers/core/registry.h"
 
@@ -99,18 +100,6 @@ ThreadShares share_threads(const SolveFlags& flags, const Description& solver,
   return {side_by_side, shares_sources(solver) ? threads / side_by_side : 1};
 }
 
-// A place that is farther from the surface than this share of the mesh's longest side was probably
-// meant in other units or axes.
-constexpr double kFar = 0.01;
-
-void warn_if_far(const WrittenPoint& point, double from_surface, std::span<const Vec3> positions) {
-  const double extent = 2 * box_around(positions).half_extent();
-  if (from_surface <= kFar * extent) return;
-  warn(point.text + " is " + significant(from_surface, 3) +
-       " from the surface, whose nearest point is taken; the longest side of the mesh is " +
-       significant(extent, 3));
-}
-
 }  // namespace
 
 bool wants_paths(const SolveFlags& flags) { return flags.nearest_source || !flags.paths.empty(); }
@@ -163,7 +152,8 @@ Problem read_problem(const SolveFlags& flags, const Description& solver, const M
   const auto placed = [&](const WrittenPoint& point) {
     const PlacedPoint found = place(point, problem.mesh);
     if (found.from_surface) {
-      warn_if_far(point, *found.from_surface, built.mesh->positions());
+      const std::string remark = remark_if_far(problem.mesh, *found.from_surface);
+      if (!remark.empty()) warn(point.text + ' ' + remark);
       problem.places.push_back({{"place", point.numbers},
                                 {"point", written(problem.mesh, found.at)},
                                 {"distance_to_surface", *found.from_surface}});
