@@ -140,7 +140,10 @@ void add_solve_command(CLI::App& app) {
                        "source")
       ->allow_extra_args(false)
       ->type_name("POINT");
-  command->add_option("--sources-file", flags->sources_file, "file of sources: a JSON list, or CSV")
+  command
+      ->add_option("--sources-file", flags->sources_file,
+                   "file of sources: a JSON list, or CSV; a row of three numbers with a decimal "
+                   "point is a place")
       ->type_name("FILE");
   command
       ->add_option("--target", flags->targets,

@@ -10,6 +10,8 @@
 #include "meshes/formats/parsing.h"
 #include "meshes/mesh_file.h"
 #include "meshes/nearest_point.h"
+#include "solvers/core/messages.h"
+#include "solvers/core/number_text.h"
 
 namespace geodesic::harness {
 namespace {
@@ -169,11 +171,15 @@ std::vector<WrittenPoint> points_of(const std::vector<Row>& rows, bool named) {
     }
     if (three && !table && row.is_whole()) {
       throw HarnessError(row.where + ": '" + row.text() +
-                         "' may be three vertices or a place: write each vertex by itself, or at:" +
-                         row.text());
+                         "' may be three vertices or a place: write each vertex by itself, or the "
+                         "place as at:" +
+                         row.text() + ", or places in a table after a first line x,y,z");
     }
     const std::vector<WrittenPoint> more =
         parse_points((three ? "at:" : "") + row.text(), row.where);
+    if (more.size() > row.words.size()) {
+      throw HarnessError(row.where + ": a string holds one point");
+    }
     points.insert(points.end(), more.begin(), more.end());
   }
   return points;
@@ -195,10 +201,10 @@ std::vector<std::string> words_of(std::string_view line) {
 std::vector<WrittenPoint> parse_text(std::string_view text, const std::string& where) {
   std::vector<Row> rows;
   bool named = false;
-  std::size_t number = 0;
-  for (const auto line : std::views::split(text, '\n')) {
-    const std::string at = where + ", line " + std::to_string(++number);
-    Row row{at, words_of({line.begin(), line.end()})};
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    Row row{where + ", line " + std::to_string(number), words_of(line)};
     if (row.words.empty()) continue;
     if (rows.empty() && !named && row.text() == kNamesOfCoordinates) {
       named = true;
@@ -223,9 +229,6 @@ std::vector<WrittenPoint> parse_list(const Json& list, const std::string& where)
       }
     } else if (each.is_string()) {
       row.words = {each.get<std::string>()};
-      if (parse_points(row.words[0], row.where).size() > 1) {
-        throw HarnessError(row.where + ": a string holds one point");
-      }
     } else if (each.is_number()) {
       row.words = {each.dump()};
     } else {

@@ -41,10 +41,12 @@ struct WrittenPoint {
 std::vector<WrittenPoint> parse_points(std::string_view text, const std::string& where);
 
 /// Reads the points of a file, in the forms above. In text (CSV) they are separated by commas or
-/// white space and may be between double quotes. JSON has a list of vertex numbers and of strings
-/// with one point each.
+/// white space and may be between double quotes; a line of three numbers of which one is not whole
+/// is a place, and so is every line after a first one "x,y,z", and in a file of such lines only.
+/// JSON has a list of vertex numbers, of strings with one point each, and of such lists of three.
 /// @param flag option that named the file, for messages
-/// @throws HarnessError when it cannot be read, has no point, or has anything else
+/// @throws HarnessError when it cannot be read, has no point, has three whole numbers that may be
+///         three vertices or a place, or has anything else
 std::vector<WrittenPoint> read_points(const std::filesystem::path& file, const std::string& flag);
 
 /// Like read_points, for the bytes of a file. @param where start of the messages

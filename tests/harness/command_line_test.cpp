@@ -195,6 +195,28 @@ TEST_F(CommandLine, PointsMayBeWrittenInEveryFormAndPlace) {
   EXPECT_EQ(in_file(R"([0, "edge:1-2:0.25", "1+0.5"])"), expected);
 }
 
+TEST_F(CommandLine, RowsOfThreeNumbersInFilesArePlacesUnlessTheyMayBeVertices) {
+  const auto places = [&](const std::string& text) {
+    const nlohmann::json printed = solve({"tetrahedron", "--solver", exact_solver(),
+                                          "--sources-file", write("points", text).string()});
+    nlohmann::json found = nlohmann::json::array();
+    if (!printed.contains("places")) return printed.at("sources").dump();
+    for (const auto& each : printed.at("places")) found.push_back(each.at("place"));
+    return found.dump();
+  };
+  const std::string table = "[[0.0,0.5,0.0],[1.0,0.0,0.0]]";
+  EXPECT_EQ(places("0,0.5,0\n1,0,0\n"), table);
+  EXPECT_EQ(places("0\t5e-1 0\r\n\n\"1\" 0 0"), table);
+  EXPECT_EQ(places("\"x\",\"y\",\"z\"\n0,0.5,0\n1,0,0\n"), table);
+  EXPECT_EQ(places("[[0, 0.5, 0], [1, 0, 0]]"), table);
+  EXPECT_EQ(places("[\"at:0,0.5,0\", [1.0, 0, 0], 3]"), table);
+  EXPECT_EQ(places("x,y,z\n1,0,0\n"), "[[1.0,0.0,0.0]]");
+  EXPECT_EQ(places("3\n0,0,-1\n"), "[[0.0,0.0,-1.0]]");
+  EXPECT_EQ(places("1,2,0,3\n"), "[1,2,0,3]");
+  EXPECT_EQ(places("1\n2\n0\n"), "[1,2,0]");
+  EXPECT_EQ(places("[1, 2, 0]"), "[1,2,0]");
+}
+
 TEST_F(CommandLine, DistancesAtTargetsAreThoseOfThePointsWhateverTheSolverTakes) {
   for (const char* solver : {"mmp", "ich", "dijkstra"}) {
     const Output output =
