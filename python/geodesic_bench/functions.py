@@ -4,30 +4,17 @@ from __future__ import annotations
 
 import json
 import os
-import selectors
+import pickle
 import shlex
-import signal
-import socket
 import subprocess
 import sys
 import tempfile
-import time
-import traceback
-from collections.abc import Callable, Mapping, Sequence
-from contextlib import ExitStack
+from collections.abc import Mapping, Sequence
+from multiprocessing import get_context
 from pathlib import Path
-from typing import Any
-
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from geodesic_bench.program import FAULT, Option, Results, flags, program
-
-Solve = Callable[[NDArray[np.int64]], ArrayLike]
-"""Function that maps source vertices, an array of shape (k,), to a distance for each vertex."""
-
-Prepare = Callable[[NDArray[np.float64], NDArray[np.int64]], Solve]
-"""Function that maps vertices (n, 3) and faces (m, 3) to a function that answers queries."""
+from geodesic_bench.serving import Prepare, serve
 
 Promise = str | float
 """Guarantee for the distances: "exact", "upper_bound", "unbounded", or the largest relative error."""
@@ -51,7 +38,9 @@ def benchmark(
         Each takes vertices, (n, 3) float64, and faces, (m, 3) int64, and returns a function that
         takes source vertices, (k,) int64, and returns n distances, infinite for unreachable vertices.
         The first is timed as preparation, the second as the solve; both times are CPU times. Each
-        query runs in a fork of this process, which a limit of time or memory may end.
+        query runs in a process of its own, which a limit of time or memory may end. These processes
+        find the function by its name: it must be at the top level of a module or a script, and a
+        script calls this under ``if __name__ == "__main__":``.
     out : path
         Folder for the results; it must not contain results yet.
     against : names
@@ -69,13 +58,13 @@ def benchmark(
     Raises
     ------
     ValueError, FileNotFoundError
-        As in `run`.
+        As in `run`, and for a function that other processes cannot find.
     """
     file = Path(out) / "run.json"
     if file.exists():
         raise ValueError(f"{file} is there already: choose another folder")
     with _Served(_named(functions), promise) as served:
-        names = ",".join([*served.functions, *against])
+        names = ",".join([*served.names, *against])
         words = ["run", f"--out={os.fspath(out)}", f"--solvers={names}", *flags(options)]
         said = served.drive([program(executable), *served.words, *words], progress)
     if not file.exists():
@@ -103,10 +92,10 @@ def verify(
     Raises
     ------
     ValueError
-        If properties do not hold, with their names.
+        If properties do not hold, with their names, and for the reasons of `benchmark`.
     """
     with _Served(_named(function), promise) as served, tempfile.TemporaryDirectory() as folder:
-        (name,) = served.functions
+        (name,) = served.names
         words = ["verify", f"--solver={name}", *flags({"out": folder} | options)]
         said = served.drive([program(executable), *served.words, *words], progress)
     failed = [line.split()[1] for line in said if line.startswith("  FAILS ")]
@@ -125,35 +114,48 @@ def _named(functions: Prepare | Mapping[str, Prepare]) -> dict[str, Prepare]:
 
 
 class _Served:
-    """Runs the program and answers its queries to the functions."""
+    """Runs the program, beside a process that answers its queries to the functions. That process is started anew:
+    a fork of this one, which may have threads, could wait forever for a lock that one of them holds."""
 
     def __init__(self, functions: dict[str, Prepare], promise: Promise) -> None:
-        self.functions = functions
+        self.names = list(functions)
         self.promise = promise
         self.code = 0
+        try:
+            self.pickled = pickle.dumps(functions)
+        except (pickle.PicklingError, AttributeError, TypeError) as error:
+            raise _not_found(str(error)) from None
 
     def __enter__(self) -> _Served:
-        self.closing = ExitStack()
-        temporary = tempfile.TemporaryDirectory(prefix="geodesic-bench-")
-        folder = Path(self.closing.enter_context(temporary))
-        self.selector = self.closing.enter_context(selectors.DefaultSelector())
-        self.answering: dict[int, tuple[int, socket.socket]] = {}
+        self.folder = tempfile.TemporaryDirectory(prefix="geodesic-bench-")
         self.words: list[str] = []
-        for name, function in self.functions.items():
-            place = folder / name
+        for name in self.names:
+            place = Path(self.folder.name, name)
             place.mkdir()
-            listener = self.closing.enter_context(socket.socket(socket.AF_UNIX))
-            listener.bind(str(place / "socket"))
-            listener.listen()
-            self.selector.register(listener, selectors.EVENT_READ, (self._accept, function))
             (place / "solver.json").write_text(json.dumps(self._description(name)))
             self.words += ["--external", str(place)]
+        context = get_context("spawn")
+        self.end, other_end = context.Pipe()
+        self.process = context.Process(target=serve, args=(self.pickled, self.folder.name, other_end))
+        try:
+            self.process.start()
+            other_end.close()
+            if fault := self.end.recv():
+                raise _not_found(fault)
+        except BaseException as error:
+            self.__exit__()
+            if isinstance(error, EOFError):
+                raise _not_found("the process has ended") from None
+            if isinstance(error, RuntimeError):  # in the new process, which runs an unguarded script
+                sys.exit(1)
+            raise
         return self
 
     def __exit__(self, *_: object) -> None:
-        for child in list(self.answering):
-            self._end(child)
-        self.closing.close()
+        self.end.close()
+        if self.process.pid is not None:
+            self.process.join()
+        self.folder.cleanup()
 
     def _description(self, name: str) -> dict[str, object]:
         ask = shlex.join([sys.executable, "-I", "-S", str(Path(__file__).with_name("ask.py"))])
@@ -170,93 +172,23 @@ class _Served:
     def drive(self, command: list[str], progress: bool) -> list[str]:
         """Runs the program to its end. @return the lines that the program prints"""
         said: list[str] = []
-        rest = b""
         with subprocess.Popen(
             command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT
         ) as process:
-            output = process.stdout
-            assert output is not None
-            self.selector.register(output, selectors.EVENT_READ, None)
             try:
-                while block := self._next_block(output.fileno()):
-                    *lines, rest = (rest + block).split(b"\n")
-                    for line in lines:
-                        said.append(line.decode(errors="replace"))
-                        if progress and not said[-1].startswith(FAULT):  # errors are raised instead
-                            sys.stderr.write(said[-1] + "\n")
+                for line in process.stdout or ():
+                    said.append(line.decode(errors="replace").removesuffix("\n"))
+                    if progress and not said[-1].startswith(FAULT):  # errors are raised instead
+                        sys.stderr.write(said[-1] + "\n")
             except BaseException:
                 process.terminate()
                 raise
-            finally:
-                self.selector.unregister(output)
         self.code = process.returncode
-        return [*said, rest.decode(errors="replace")] if rest or not said else said
-
-    def _next_block(self, output: int) -> bytes:
-        """Returns the next block of the program's output, empty at its end, and answers queries meanwhile."""
-        while True:
-            for key, _ in self.selector.select():
-                if key.data is None:
-                    return os.read(output, 1 << 16)
-                action, argument = key.data
-                action(key.fileobj, argument)
-
-    def _accept(self, listener: socket.socket, function: Prepare) -> None:
-        connection, _ = listener.accept()
-        with connection.makefile("r", encoding="utf-8") as stream:
-            question = stream.readline()
-        if not question:
-            return connection.close()
-        sys.stdout.flush()
-        sys.stderr.flush()
-        child = os.fork()
-        if child == 0:
-            _answer(connection, function, *json.loads(question))
-        ended = os.pidfd_open(child)
-        self.answering[child] = (ended, connection)
-        # Detects the end of the child, and the end of ask.py when a limit is reached.
-        self.selector.register(ended, selectors.EVENT_READ, (self._ended, child))
-        self.selector.register(connection, selectors.EVENT_READ, (self._ended, child))
-
-    def _ended(self, _: object, child: int) -> None:
-        if child in self.answering:
-            self._end(child)
-
-    def _end(self, child: int) -> None:
-        ended, connection = self.answering.pop(child)
-        os.kill(child, signal.SIGKILL)
-        os.waitpid(child, 0)
-        self.selector.unregister(ended)
-        self.selector.unregister(connection)
-        os.close(ended)
-        connection.close()
+        return said or [""]
 
 
-def _answer(
-    connection: socket.socket, function: Prepare, vertices: str, faces: str, sources: str, out: str
-) -> None:
-    """Answers a query in a child process, and ends this process."""
-    try:
-        answer: Any = _times(function, vertices, faces, sources, out)
-    except BaseException as error:
-        answer = traceback.format_exception_only(type(error), error)[-1].strip()
-    try:
-        connection.sendall(json.dumps(answer).encode() + b"\n")
-    finally:
-        os._exit(0)
-
-
-def _times(
-    function: Prepare, vertices: str, faces: str, sources: str, out: str
-) -> tuple[float, float]:
-    arrays = np.load(vertices), np.load(faces).astype(np.int64)
-    asked = np.array([int(source) for source in sources.split(",") if source], dtype=np.int64)
-    start = time.process_time()
-    solve = function(*arrays)
-    prepared = time.process_time()
-    distances = np.asarray(solve(asked), dtype=np.float64)
-    solved = time.process_time()
-    if distances.shape != (len(arrays[0]),):
-        raise ValueError(f"distances of shape {distances.shape} for {len(arrays[0])} vertices")
-    np.save(out, distances)
-    return prepared - start, solved - prepared
+def _not_found(why: str) -> ValueError:
+    return ValueError(
+        "the process that runs the functions cannot find them: define them at the top level of a module, or of"
+        f" a script that calls this under if __name__ == '__main__' ({why})"
+    )

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import os
 import signal
+import subprocess
+import sys
+import threading
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -16,6 +19,8 @@ from python_package import BENCH
 gb = pytest.importorskip("geodesic_bench")
 
 Solve = Callable[[Any], Any]
+
+LOCK = threading.Lock()
 
 
 def exact(vertices: Any, faces: Any) -> Solve:
@@ -41,6 +46,16 @@ def crashing(vertices: Any, faces: Any) -> Solve:
 
 def endless(vertices: Any, faces: Any) -> Solve:
     return lambda sources: time.sleep(1000)
+
+
+def longer(vertices: Any, faces: Any) -> Solve:
+    solve = exact(vertices, faces)
+    return lambda sources: 1.02 * solve(sources)
+
+
+def locking(vertices: Any, faces: Any) -> Solve:
+    with LOCK:
+        return exact(vertices, faces)
 
 
 def measure(functions: Any, out: Path, file: Path, **options: Any) -> Any:
@@ -93,10 +108,38 @@ def test_a_function_is_checked_for_what_solvers_promise() -> None:
 
 
 def test_a_promise_that_is_a_number_bounds_the_error(tmp_path: Path, file: Path) -> None:
-    def longer(vertices: Any, faces: Any) -> Solve:
-        solve = exact(vertices, faces)
-        return lambda sources: 1.02 * solve(sources)
-
     for bound, outcome in [(0.03, "ok"), (0.01, "wrong answer")]:
         results = measure(longer, tmp_path / str(bound), file, promise=bound, against=[])
         assert {row.outcome for row in results.run.rows} == {outcome}
+
+
+def test_a_function_does_not_wait_for_a_lock_that_a_thread_of_the_caller_holds(
+    tmp_path: Path, file: Path
+) -> None:
+    with LOCK:
+        results = measure(locking, tmp_path / "out", file, against=[], time_limit=3)
+    assert {row.outcome for row in results.run.rows} == {"ok"}
+
+
+def test_a_function_that_other_processes_cannot_find_is_refused_in_one_sentence(
+    tmp_path: Path, file: Path
+) -> None:
+    def local(vertices: Any, faces: Any) -> Solve:
+        return zeros(vertices, faces)
+
+    for function in (local, {"nameless": lambda vertices, faces: zeros(vertices, faces)}):
+        with pytest.raises(ValueError, match=r"^the process that runs the functions cannot find them: define.*<locals>"):
+            measure(function, tmp_path / "out", file)
+    script = tmp_path / "script.py"
+    script.write_text(
+        f"import sys; sys.path[:] = {sys.path!r}\n"
+        "import geodesic_bench as gb\n"
+        "def unguarded(vertices, faces): pass\n"
+        f"gb.verify(unguarded, executable={str(BENCH)!r})\n"
+    )
+    for words in ([str(script)], ["-c", script.read_text()]):
+        command = [sys.executable, *words]
+        ended = subprocess.run(command, capture_output=True, text=True, check=False)
+        *_, last = ended.stderr.splitlines()
+        assert ended.returncode == 1 and ended.stderr.count("Traceback") == 1, ended.stderr
+        assert last.startswith("ValueError: the process that runs the functions cannot find them: define")
