@@ -135,7 +135,7 @@ CASES = [
     flag("run_all.sh --fast", "run_all.sh: unknown option --fast; see run_all.sh --help"),
     flag("run_all.sh --corpus", "run_all.sh: --corpus needs a value; see run_all.sh --help"),
     flag("run_all.sh biuld", "unknown step biuld; steps are build peers fetch run check plot"),
-    flag("run_tests.sh --preset fast", "unknown preset fast; presets are ci debug release"),
+    flag("run_tests.sh --preset fast", "unknown preset fast; presets are release ci debug"),
     flag("new_solver.sh", "give the solver a name: ./new_solver.sh my-variant"),
     flag("new_solver.sh Mine", "invalid solver name 'Mine': use lower case letters", "my-variant"),
     flag("new_solver.sh my-one --from fast", "cannot start from 'fast'; there are template"),

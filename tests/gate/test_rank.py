@@ -151,4 +151,6 @@ def test_the_run_takes_the_options_of_the_ranking(monkeypatch: pytest.MonkeyPatc
     assert words.startswith("bench --plugin p.so run --interleave --solvers a,b,c --repetitions 7")
     assert "--meshes x.obj" in words and "--seed 3" in words and "--corpus" not in words
     again = command.parse(["--resume", "out"])
-    assert command.run_command(again, Path("out")) == ["bench", "run", "--resume", "out"]
+    assert command.run_command(again, Path("out")) == [
+        "bench", "--plugin", "p.so", "run", "--resume", "out"
+    ]  # fmt: skip

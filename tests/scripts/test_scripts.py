@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import shlex
 import shutil
 import subprocess
 from collections.abc import Callable
@@ -149,7 +150,7 @@ NO_NUMBERS = [("--sources", "0"), ("--sources", "-1"), ("--repetitions", "two"),
     ("words", "says"),
     [
         ("run_all.sh biuld", "unknown step biuld; steps are build peers fetch run check plot"),
-        ("run_tests.sh --preset=fast", "unknown preset fast; presets are ci debug release"),
+        ("run_tests.sh --preset=fast", "unknown preset fast; presets are release ci debug"),
         ("run_all.sh --preset debug", "unknown preset debug; presets are release ci"),
         *((f"run_all.sh --{option} --no-install", f"--{option} needs a value") for option in OF_RUN_ALL),
         ("run_all.sh --out", "--out needs a value"),
