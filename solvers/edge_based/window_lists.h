@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "solvers/core/geometry.h"
@@ -155,24 +156,28 @@ class WindowLists {
 
   /// Frees the pool's memory. No windows may wait.
   void release_memory() {
+    for (auto& blocks : spare_) blocks.clear();
     blocks_.clear();
     free_.fill(kNone);
-    used_blocks_ = 0;
     used_ = kBlockUnits;
   }
 
   /// Empties every list; the pool keeps its memory.
   void clear() {
     std::fill(last_.begin(), last_.end(), kNone);
+    // Backwards, so that the next solve takes the blocks in the order in which this one did.
+    for (; !blocks_.empty(); blocks_.pop_back()) {
+      const unsigned bin = bin_of(first_segment(blocks_.back())->room);
+      spare_[is_long(bin) ? bin : 0].push_back(std::move(blocks_.back()));
+    }
     free_.fill(kNone);
-    used_blocks_ = 0;
     used_ = kBlockUnits;
     window_count_ = 0;
   }
 
  private:
-  // Handles count units of 32 bytes; a block holds 2^10 of them, 32 KiB. A longer segment gets
-  // blocks of its own.
+  // Handles count units of 32 bytes; a block holds 2^10 of them, 32 KiB. A longer segment gets a
+  // block of its own. No segment starts at unit 0.
   static constexpr std::size_t kUnit = 32;
   static constexpr unsigned kBlockBits = 10;
   static constexpr std::size_t kBlockUnits = std::size_t{1} << kBlockBits;
@@ -180,53 +185,71 @@ class WindowLists {
   struct alignas(2 * kUnit) CacheLine {
     std::byte bytes[2 * kUnit];
   };
+  using Block = std::unique_ptr<CacheLine[]>;
 
   Segment* at(Index handle) const {
     std::byte* block = blocks_[handle >> kBlockBits][0].bytes;
     return reinterpret_cast<Segment*>(block + kUnit * (handle & (kBlockUnits - 1)));
   }
 
+  static const Segment* first_segment(const Block& block) {
+    return reinterpret_cast<const Segment*>(block[0].bytes + kUnit);
+  }
+
   unsigned bin_of(std::size_t windows) const {
     return static_cast<unsigned>(std::bit_width((windows - 1) >> room_bits_));
   }
 
-  Segment* carve(unsigned bin) {
-    const std::size_t room = std::size_t{1} << (bin + room_bits_);
-    std::size_t units = (sizeof(Segment) + fields_ * room * sizeof(double)) / kUnit;
+  std::size_t room_of(unsigned bin) const { return std::size_t{1} << (bin + room_bits_); }
+
+  std::size_t units_of(unsigned bin) const {
+    const std::size_t room = room_of(bin);
+    const std::size_t units = (sizeof(Segment) + fields_ * room * sizeof(double)) / kUnit;
     // The arrays of each segment start on a cache line, behind its header.
-    if (room % kMostLanes == 0) units += units % 2;
-    if (used_ + units > kBlockUnits) open_block(units);
-    const Index handle = static_cast<Index>((used_blocks_ - 1) << kBlockBits | used_);
+    return room % kMostLanes == 0 ? units + units % 2 : units;
+  }
+
+  /// Whether a segment of this bin has a block of its own.
+  bool is_long(unsigned bin) const { return units_of(bin) >= kBlockUnits; }
+
+  Segment* carve(unsigned bin) {
+    const std::size_t units = units_of(bin);
+    if (used_ + units > kBlockUnits) open_block(bin);
+    const Index handle = static_cast<Index>((blocks_.size() - 1) << kBlockBits | used_);
     used_ += units;
     Segment* segment = at(handle);
     segment->count = 0;
-    segment->room = static_cast<std::uint32_t>(room);
+    segment->room = static_cast<std::uint32_t>(room_of(bin));
     segment->self = handle;
     return segment;
   }
 
-  void open_block(std::size_t units) {
-    if (used_blocks_ == blocks_.size() || units >= kBlockUnits) {
+  void open_block(unsigned bin) {
+    std::vector<Block>& spare = spare_[is_long(bin) ? bin : 0];
+    if (spare.empty()) {
       // Zeroed: vectors read the unused tail of an array.
-      blocks_.insert(blocks_.begin() + static_cast<std::ptrdiff_t>(used_blocks_),
-                     std::make_unique<CacheLine[]>(std::max(units + 2, kBlockUnits) / 2));
+      const std::size_t units = std::max(units_of(bin) + 2, kBlockUnits);
+      blocks_.push_back(std::make_unique<CacheLine[]>(units / 2));
+    } else {
+      blocks_.push_back(std::move(spare.back()));
+      spare.pop_back();
     }
-    ++used_blocks_;
     used_ = 1;
   }
 
   unsigned fields_;
-  unsigned room_bits_;       // room is a multiple of 2 to this power
-  std::vector<Index> last_;  // per half-edge, handle of the last segment; kNone when empty
-  std::vector<std::unique_ptr<CacheLine[]>> blocks_;
+  unsigned room_bits_;         // room is a multiple of 2 to this power
+  std::vector<Index> last_;    // per half-edge, handle of the last segment; kNone when empty
+  std::vector<Block> blocks_;  // in use, in the order of handles
   std::array<Index, kBins> free_ = [] {
     std::array<Index, kBins> none{};
     none.fill(kNone);
     return none;
   }();
-  std::size_t used_blocks_ = 0;
-  std::size_t used_ = kBlockUnits;  // used units of the last used block
+  std::size_t used_ = kBlockUnits;  // used units of the last block
   std::uint64_t window_count_ = 0;
+  // Blocks that `clear` kept: of long segments, by bin; all others, in bin 0.
+  std::vector<std::vector<Block>> spare_{kBins};
 };
 
 }  // namespace geodesic::edge_based
