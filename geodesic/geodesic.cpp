@@ -20,7 +20,7 @@ SurfaceMesh read_mesh(const std::filesystem::path& path, const LoadOptions& opti
   return SurfaceMesh(std::move(*build_mesh(path, options).mesh));
 }
 
-std::span<const double> Field::distances() const {
+std::span<const double> Field::distances() const& {
   return paths_ ? paths_->distances() : *distances_;
 }
 

@@ -38,14 +38,14 @@ class SurfaceMesh {
   Index vertex_count() const { return mesh_.vertex_count(); }
   Index face_count() const { return mesh_.given_face_count(); }
   /// Position of a vertex, whose number is not checked.
-  const Vec3& position(Index vertex) const {
+  Vec3 position(Index vertex) const {
     return mesh_.position(mesh_.numbers().internal_vertex(vertex));
   }
   /// Copies of the positions and triangles.
   TriangleSoup soup() const { return soup_of(mesh_); }
 
   operator const Mesh&() const& { return mesh_; }  // NOLINT: it is one
-  operator const Mesh&() && = delete;
+  operator const Mesh&() const&& = delete;
 
  private:
   Mesh mesh_;
@@ -63,8 +63,11 @@ struct FieldOptions {
 /// threads may use it. Copies share their memory.
 class Field {
  public:
-  /// One distance for each vertex; infinite where no path within the limit exists.
-  std::span<const double> distances() const;
+  /// One distance for each vertex; infinite where no path within the limit exists. They belong to
+  /// the field, which must have a name: `for (double d : solver.from({0}).distances())` would read
+  /// them after their end.
+  std::span<const double> distances() const&;
+  std::span<const double> distances() const&& = delete;
   /// Distance of a vertex, whose number is not checked.
   double operator[](Index vertex) const { return distances()[vertex]; }
 
@@ -105,6 +108,7 @@ class DistanceSolver {
   /// @throws std::invalid_argument for an unknown name (the message lists the known ones), and when
   ///         the mesh needs an ability that the solver lacks
   explicit DistanceSolver(const Mesh& mesh, std::string_view solver = "edge-based");
+  explicit DistanceSolver(const Mesh&& mesh, std::string_view solver = "edge-based") = delete;
 
   /// Distances from vertices and points, at least one. The same solve records the data for paths.
   /// @throws std::invalid_argument when there is no source, one is not of this mesh, or the limit
@@ -116,7 +120,7 @@ class DistanceSolver {
   ///        distance
   /// @throws as above, and for an initial distance that is negative or not finite
   template <std::ranges::input_range Sources>
-  Field from(const Sources& sources, const FieldOptions& options = {}) {
+  Field from(Sources&& sources, const FieldOptions& options = {}) {
     Query query{.sources = {}, .limit = options.limit};
     for (const auto& source : sources) query.sources.push_back(source_at(source));
     return solve(std::move(query));

@@ -28,12 +28,16 @@ class RowSolver {
   }
 
   /// Distances from the last source: of all vertices, and of the targets.
-  std::span<const double> distances() const { return distances_; }
-  std::span<const double> at_targets() const { return at_targets_; }
+  std::span<const double> distances() const& { return distances_; }
+  std::span<const double> at_targets() const& { return at_targets_; }
   /// The row of the last source. Its columns are the targets; without targets, all vertices.
-  std::span<const double> row() const {
+  std::span<const double> row() const& {
     return query_.targets.empty() ? distances() : at_targets();
   }
+  // A temporary object takes them with it.
+  std::span<const double> distances() const&& = delete;
+  std::span<const double> at_targets() const&& = delete;
+  std::span<const double> row() const&& = delete;
 
   InstructionSet instruction_set() const { return solver_->solver().instruction_set(); }
 

@@ -121,9 +121,10 @@ class Mesh {
 
   /// Half-edges that start at vertex v, one per face corner, in no particular order; empty when v
   /// is isolated. The second half of them are mirror images, if the mesh has any.
-  std::span<const Index> outgoing(Index v) const {
+  std::span<const Index> outgoing(Index v) const& {
     return {outgoing_.data() + first_outgoing_[v], outgoing_.data() + first_outgoing_[v + 1]};
   }
+  std::span<const Index> outgoing(Index v) const&& = delete;
 
   /// True where a shortest path may bend: the total angle is above 2 pi, or at a boundary above pi;
   /// several fans share the vertex; or it is a corner of a face so flat (kFlatFace) that rounding
@@ -142,7 +143,8 @@ class Mesh {
   bool has_degenerate_faces() const { return has_degenerate_faces_; }
 
   const Vec3& position(Index v) const { return positions_[v]; }
-  std::span<const Vec3> positions() const { return positions_; }
+  std::span<const Vec3> positions() const& { return positions_; }
+  std::span<const Vec3> positions() const&& = delete;
   /// Starts to load the half-edges of the face of h; h may be kNone.
   void prefetch_face(Index h) const {
     if (h == kNone) return;

@@ -26,7 +26,8 @@ class Paths {
   Paths(const Mesh& mesh, const Query& query, std::vector<double> distances, Recording recording);
 
   /// Distances of all vertices, as from Solver::solve.
-  const std::vector<double>& distances() const { return distances_; }
+  const std::vector<double>& distances() const& { return distances_; }
+  const std::vector<double>& distances() const&& = delete;
   /// Distance of the query's target i, exact at any point; infinite if unreachable.
   double distance_to_target(std::size_t i) const { return targets_.at(i).distance; }
   /// Distance of any point, without another solve; infinite if no path within the query's limit

@@ -6,11 +6,14 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <ranges>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "meshes/oracles/random_meshes.h"
+#include "meshes/row_solver.h"
 
 namespace geodesic {
 namespace {
@@ -54,8 +57,6 @@ TEST(SurfaceMesh, has_the_numbers_of_its_file_while_solvers_have_their_own) {
     elsewhere += of_solvers.position(v) != kSphere.positions[v];
   }
   EXPECT_GT(elsewhere, 0);
-  // Otherwise solvers and fields could refer to a temporary mesh that no longer exists.
-  EXPECT_FALSE((std::is_convertible_v<SurfaceMesh, const Mesh&>));
 }
 
 TEST(DistanceSolver, gives_the_bits_of_a_timed_solve_on_the_file_in_the_fast_numbering) {
@@ -77,6 +78,55 @@ TEST(DistanceSolver, takes_initial_distances) {
   EXPECT_LE(field[5], 0.25);
   EXPECT_GT(field[5], 0);
 }
+
+// A range whose `begin` is not const, as of std::views::filter.
+TEST(DistanceSolver, takes_sources_from_a_filtered_range) {
+  const SurfaceMesh mesh = read_sphere();
+  DistanceSolver solver(mesh);
+  const std::vector<Index> some{5, 6, 17, 18};
+  const auto is_odd = [](Index v) { return v % 2 == 1; };
+  EXPECT_EQ(all(solver.from(some | std::views::filter(is_odd))), all(solver.from({5, 17})));
+}
+
+// What refers to a temporary object does not compile: a range-based for loop would read it after
+// its end.
+template <class Of>
+constexpr bool kLendsDistances = requires(Of&& of) {
+  std::forward<Of>(of).distances();
+};
+template <class Of>
+constexpr bool kLendsPositions = requires(Of&& of) {
+  std::forward<Of>(of).positions();
+};
+template <class Of>
+constexpr bool kLendsOutgoing = requires(Of&& of) {
+  std::forward<Of>(of).outgoing(0);
+};
+template <class Of>
+constexpr bool kLendsTargets = requires(Of&& of) {
+  std::forward<Of>(of).at_targets();
+};
+template <class Of>
+constexpr bool kLendsRow = requires(Of&& of) {
+  std::forward<Of>(of).row();
+};
+
+static_assert(kLendsDistances<const Field&> && !kLendsDistances<Field> &&
+              !kLendsDistances<const Field>);
+static_assert(kLendsDistances<const Paths&> && !kLendsDistances<Paths> &&
+              !kLendsDistances<const Paths>);
+static_assert(kLendsDistances<RowSolver&> && !kLendsDistances<RowSolver>);
+static_assert(kLendsTargets<RowSolver&> && !kLendsTargets<RowSolver>);
+static_assert(kLendsRow<RowSolver&> && !kLendsRow<RowSolver>);
+static_assert(kLendsPositions<const Mesh&> && !kLendsPositions<Mesh> &&
+              !kLendsPositions<const Mesh>);
+static_assert(kLendsOutgoing<const Mesh&> && !kLendsOutgoing<Mesh> && !kLendsOutgoing<const Mesh>);
+static_assert(!std::is_reference_v<decltype(std::declval<SurfaceMesh>().position(0))>);
+template <class From>
+constexpr bool kSolvesOn = std::is_constructible_v<DistanceSolver, From>;
+static_assert(kSolvesOn<const SurfaceMesh&> && !kSolvesOn<SurfaceMesh> &&
+              !kSolvesOn<const SurfaceMesh>);
+static_assert(kSolvesOn<const Mesh&> && !kSolvesOn<Mesh> && !kSolvesOn<const Mesh>);
 
 TEST(Field, has_the_numbers_of_the_file) {
   const SurfaceMesh mesh = read_sphere();
