@@ -64,7 +64,7 @@ int main(int argument_count, char** arguments) try {
   for (const std::string& warning : loaded.warnings) {
     std::fprintf(stderr, "warning: %s\n", warning.c_str());
   }
-  const Mesh mesh(loaded.soup.positions, loaded.soup.triangles);
+  const Mesh mesh(loaded.soup, Numbering::along_surface);
   std::vector<Index> sources;
   for (int i = 2; i < argument_count; ++i) {
     const unsigned long source = std::stoul(arguments[i]);

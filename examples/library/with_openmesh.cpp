@@ -9,7 +9,7 @@ int main(int argc, char** argv) {
   OpenMesh::TriMesh_ArrayKernelT<> model;
   if (argc != 2 || !OpenMesh::IO::read_mesh(model, argv[1])) return 1;
 
-  const geodesic::Mesh mesh(geodesic::soup_of(model));
+  const geodesic::Mesh mesh(geodesic::soup_of(model), geodesic::Numbering::along_surface);
   std::vector<double> distances(mesh.vertex_count());
   geodesic::make_solver("edge-based", mesh)->solve({.sources = {{.at = 0}}}, distances);
 

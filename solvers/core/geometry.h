@@ -62,6 +62,13 @@ struct Box {
   Vec3 low{kInfinity, kInfinity, kInfinity};
   Vec3 high{-kInfinity, -kInfinity, -kInfinity};
 
+  void include(const Vec3& p) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  }
+
   /// Half the longest side, 0 without points. The whole side of a finite box may overflow.
   double half_extent() const {
     double extent = 0;
@@ -72,12 +79,7 @@ struct Box {
 
 inline Box box_around(std::span<const Vec3> positions) {
   Box box;
-  for (const Vec3& p : positions) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      box.low[k] = std::min(box.low[k], p[k]);
-      box.high[k] = std::max(box.high[k], p[k]);
-    }
-  }
+  for (const Vec3& p : positions) box.include(p);
   return box;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -75,11 +76,19 @@ Mesh::Mesh(Part part)
 
 void Mesh::number_along_surface(std::span<const Vec3> positions,
                                 std::span<const Triangle> triangles) {
-  const std::vector<OnCurve> on_curve = cells_along_curve(positions);
-  std::vector<Index> vertices(on_curve.size()), own(on_curve.size());
+  std::vector<std::uint8_t> is_corner(positions.size(), 0);
+  for (const Triangle& t : triangles) {
+    for (const Index v : t) is_corner[v] = 1;
+  }
+  std::vector<Index> vertices(positions.size()), own(positions.size());
+  std::iota(vertices.begin(), vertices.end(), Index{0});
+  // Isolated vertices come last.
+  const auto isolated =
+      std::ranges::stable_partition(vertices, [&](Index v) { return is_corner[v] != 0; });
+  const std::span corners(vertices.begin(), isolated.begin());
+  std::ranges::transform(cells_along_curve(positions, corners), corners.begin(), &OnCurve::vertex);
   positions_.resize(vertices.size());
   for (Index v = 0; v < vertices.size(); ++v) {
-    vertices[v] = on_curve[v].vertex;
     own[vertices[v]] = v;
     positions_[v] = positions[vertices[v]];
   }

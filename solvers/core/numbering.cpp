@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 
 namespace geodesic {
@@ -18,37 +20,59 @@ std::uint32_t spread(std::uint32_t x) {
   return (x | x << 2) & 0x09249249u;
 }
 
-/// Returns the cells of all vertices, in the order of vertices.
-std::vector<OnCurve> cells_of(std::span<const Vec3> positions) {
-  const Box box = box_around(positions);
+/// Returns the cells of some vertices, in their order.
+std::vector<OnCurve> cells_of(std::span<const Vec3> positions, std::span<const Index> vertices) {
+  Box box;
+  for (const Index v : vertices) box.include(positions[v]);
   const double extent = box.half_extent();
   const double greatest = (1u << kBits) - 1;
-  std::vector<OnCurve> cells(positions.size());
-  for (Index v = 0; v < positions.size(); ++v) {
+  std::vector<OnCurve> cells;
+  cells.reserve(vertices.size());
+  for (const Index v : vertices) {
     std::uint32_t cell = 0;
     for (std::size_t k = 0; extent > 0 && k < 3; ++k) {
       const double share = (positions[v][k] / 2 - box.low[k] / 2) / extent;
       cell |= spread(static_cast<std::uint32_t>(share * greatest)) << k;
     }
-    cells[v] = {cell, v};
+    cells.push_back({cell, v});
   }
   return cells;
+}
+
+/// Sorts the vertices of each cell that has many of them along a curve in their own box, as where
+/// one part of a mesh is far from all others.
+/// @param cells in order
+void refine(std::span<OnCurve> cells, std::span<const Vec3> positions) {
+  constexpr std::ptrdiff_t kMany = 256;
+  for (auto first = cells.begin(); first != cells.end();) {
+    const auto end = std::find_if(
+        first, cells.end(), [cell = first->cell](const OnCurve& c) { return c.cell != cell; });
+    if (end - first > kMany && end - first < std::ssize(cells)) {
+      std::vector<Index> vertices;
+      for (auto c = first; c != end; ++c) vertices.push_back(c->vertex);
+      for (const OnCurve& c : cells_along_curve(positions, vertices)) (first++)->vertex = c.vertex;
+    }
+    first = end;
+  }
+}
+
+std::vector<Index> inverse(const std::vector<Index>& order) {
+  std::vector<Index> places(order.size());
+  for (Index i = 0; i < order.size(); ++i) places[order[i]] = i;
+  return places;
 }
 
 }  // namespace
 
 MeshNumbers::MeshNumbers(std::vector<Index> given_vertices, std::vector<Index> given_faces)
-    : given_(std::move(given_vertices)), given_faces_(std::move(given_faces)), own_(given_.size()) {
-  for (Index v = 0; v < given_.size(); ++v) own_[given_[v]] = v;
-}
+    : given_(std::move(given_vertices)),
+      given_faces_(std::move(given_faces)),
+      own_(inverse(given_)),
+      own_faces_(inverse(given_faces_)) {}
 
-Index MeshNumbers::internal_face(Index given) const {
-  if (given_faces_.empty()) return given;
-  return static_cast<Index>(std::ranges::find(given_faces_, given) - given_faces_.begin());
-}
-
-std::vector<OnCurve> cells_along_curve(std::span<const Vec3> positions) {
-  std::vector<OnCurve> cells = cells_of(positions), sorted(cells.size());
+std::vector<OnCurve> cells_along_curve(std::span<const Vec3> positions,
+                                       std::span<const Index> vertices) {
+  std::vector<OnCurve> cells = cells_of(positions, vertices), sorted(cells.size());
   for (unsigned shift = 0; shift < kCurveBits; shift += kBits) {
     std::array<Index, (1u << kBits) + 1> first{};
     const auto digit = [shift](const OnCurve& c) { return c.cell >> shift & ((1u << kBits) - 1); };
@@ -57,6 +81,7 @@ std::vector<OnCurve> cells_along_curve(std::span<const Vec3> positions) {
     for (const OnCurve& c : cells) sorted[first[digit(c)]++] = c;
     cells.swap(sorted);
   }
+  refine(cells, positions);
   return cells;
 }
 

@@ -33,26 +33,30 @@ class MeshNumbers {
   Index external_vertex(Index own) const { return given_.empty() ? own : given_[own]; }
   Index external_face(Index own) const { return given_faces_.empty() ? own : given_faces_[own]; }
   Index internal_vertex(Index given) const { return own_.empty() ? given : own_[given]; }
-  /// Searches linearly: meant for the few points of a query.
-  Index internal_face(Index given) const;
+  Index internal_face(Index given) const { return own_faces_.empty() ? given : own_faces_[given]; }
 
  private:
   std::vector<Index> given_, given_faces_;  // by internal number
-  std::vector<Index> own_;                  // by external number
+  std::vector<Index> own_, own_faces_;      // by external number
 };
 
-/// A vertex and its cell: a box of 1/1024 of the bounding box in each direction.
+/// A vertex and its cell: a box of 1/1024 of the bounding box of all vertices on the curve in each
+/// direction.
 struct OnCurve {
   std::uint32_t cell;  ///< its position on the curve in kCurveBits bits; each bit halves a box
   Index vertex;
 };
 inline constexpr unsigned kCurveBits = 30;
 
-/// Returns all vertices in the order in which a space-filling curve meets them (Morton 1966, "A
-/// computer oriented geodetic data base"). Vertices of one cell keep their given order. A radix
-/// sort: time and memory are linear.
-/// @param positions finite
-std::vector<OnCurve> cells_along_curve(std::span<const Vec3> positions);
+/// Returns some vertices in the order in which a space-filling curve meets them (Morton 1966, "A
+/// computer oriented geodetic data base"). Those of one cell keep their given order; if they are
+/// many, they are sorted in the same way in their own box. A radix sort: time and memory are
+/// linear, times the number of such boxes inside each other.
+/// @param positions of all vertices, finite
+/// @param vertices those to sort. Isolated vertices should not be among them: their positions may
+///        be far away and mean nothing.
+std::vector<OnCurve> cells_along_curve(std::span<const Vec3> positions,
+                                       std::span<const Index> vertices);
 
 /// Faces in the order of their least vertex; those of one vertex keep their given order. Linear.
 std::vector<Index> order_by_least_vertex(std::span<const Triangle> triangles, Index vertices);

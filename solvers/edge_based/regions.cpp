@@ -15,29 +15,38 @@ namespace {
 class BoxCutter {
  public:
   BoxCutter(const Mesh& mesh, Index most) : most_(most), region_of_(mesh.vertex_count()) {
-    cut(cells_along_curve(mesh.positions()), kCurveBits);
+    std::vector<Index> corners;
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      if (!mesh.outgoing(v).empty()) corners.push_back(v);
+    }
+    cut(cells_along_curve(mesh.positions(), corners), kCurveBits);
+    count_ = std::max(count_, Index{1});
   }
   std::vector<Index> regions() && { return std::move(region_of_); }
   Index count() const { return count_; }
 
  private:
   /// @param vertices of one box, in order along the curve
-  /// @param bits number of bits of cells in which they differ
+  /// @param bits number of bits of cells in which they may differ; vertices of one cell are cut by
+  ///        number
   void cut(std::span<const OnCurve> vertices, unsigned bits) {
     if (vertices.empty()) return;
-    if (vertices.size() <= most_ || bits == 0) {
+    if (vertices.size() <= most_) {
       for (const OnCurve& v : vertices) region_of_[v.vertex] = count_;
       ++count_;
       return;
     }
     const auto in_first_half = [bits](const OnCurve& v) { return (v.cell >> (bits - 1) & 1) == 0; };
-    const auto middle = std::ranges::partition_point(vertices, in_first_half) - vertices.begin();
-    cut(vertices.first(static_cast<std::size_t>(middle)), bits - 1);
-    cut(vertices.subspan(static_cast<std::size_t>(middle)), bits - 1);
+    const auto half = bits > 0 ? std::ranges::partition_point(vertices, in_first_half)
+                               : vertices.begin() + std::ssize(vertices) / 2;
+    const auto middle = static_cast<std::size_t>(half - vertices.begin());
+    const unsigned left = bits > 0 ? bits - 1 : 0;
+    cut(vertices.first(middle), left);
+    cut(vertices.subspan(middle), left);
   }
 
   std::size_t most_;
-  std::vector<Index> region_of_;
+  std::vector<Index> region_of_;  // isolated vertices are in the first region
   Index count_ = 0;
 };
 

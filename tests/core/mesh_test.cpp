@@ -46,6 +46,20 @@ TEST(Mesh, numbered_along_the_surface_translates_to_the_given_numbers_and_back) 
   }
 }
 
+TEST(Mesh, is_numbered_along_the_surface_as_if_isolated_vertices_were_not_there) {
+  const TriangleSoup soup = fan(50, 0.3, -0.3);
+  const Mesh alone(soup, Numbering::along_surface);
+  TriangleSoup more = soup;
+  more.positions.insert(more.positions.begin(), {{1e9, 0, 0}, {0, 20, -3}});
+  for (Triangle& t : more.triangles) {
+    for (Index& v : t) v += 2;
+  }
+  const Mesh beside(more, Numbering::along_surface);
+  for (Index v = 0; v < alone.vertex_count(); ++v) {
+    EXPECT_EQ(beside.numbers().external_vertex(v), alone.numbers().external_vertex(v) + 2);
+  }
+}
+
 TEST(Mesh, walks_around_a_face) {
   const Mesh mesh(square());
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {

@@ -28,8 +28,9 @@ bool is_permutation_of_all(std::vector<Index> order, std::size_t count) {
 }
 
 std::vector<Index> order_along_curve(const std::vector<Vec3>& points) {
-  std::vector<Index> order;
-  for (const OnCurve& c : cells_along_curve(points)) order.push_back(c.vertex);
+  std::vector<Index> order(points.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::ranges::transform(cells_along_curve(points, order), order.begin(), &OnCurve::vertex);
   return order;
 }
 
@@ -59,6 +60,28 @@ TEST(OrderAlongCurve, puts_neighbours_of_a_grid_a_tenth_as_far_apart_as_chance) 
     chance += distance(static_cast<Index>(i - 1), static_cast<Index>(i));
   }
   EXPECT_LT(along, 0.1 * chance);
+}
+
+// Two groups of points and another point, so far from each other that each group lies in one cell.
+TEST(OrderAlongCurve, of_groups_far_from_each_other_is_that_of_each_alone) {
+  std::vector<Vec3> near = random_points(1000, 1);
+  for (Vec3& p : near) {
+    for (double& c : p) c = std::round(c * 0x1p20) * 0x1p-20;  // exact far away, too
+  }
+  std::vector<Vec3> both = near;
+  for (const Vec3& p : near) both.push_back(add(p, {0x1p20, 0x1p20, 0x1p20}));
+  std::vector<Index> expected = order_along_curve(near);
+  for (Index i = 0; i < near.size(); ++i) expected.push_back(expected[i] + 1000);
+  both.push_back({0x1p21, 0x1p21, 0x1p21});
+  expected.push_back(2000);
+  EXPECT_EQ(order_along_curve(both), expected);
+}
+
+// Each point is a thousand times as far away as the one before.
+TEST(OrderAlongCurve, holds_every_vertex_once_where_boxes_lie_inside_each_other) {
+  std::vector<Vec3> points(2000, Vec3{1, 2, 3});
+  for (int i = 0; i < 90; ++i) points.push_back({std::pow(1e3, i - 45), 0, 0});
+  EXPECT_TRUE(is_permutation_of_all(order_along_curve(points), points.size()));
 }
 
 TEST(OrderByLeastVertex, sorts_faces_and_keeps_the_order_of_equal_ones) {

@@ -96,6 +96,31 @@ TEST(Regions, have_all_copies_of_a_vertex) {
   }
 }
 
+// As where repair puts vertices of a scan in map coordinates at the origin.
+TEST(Regions, are_the_same_beside_an_isolated_vertex_far_away) {
+  TriangleSoup soup = generate("terrain", {{"columns", 45}, {"rows", 45}});
+  const Regions alone(Mesh(soup), 50, 2);
+  soup.positions.push_back({-5e6, -5e6, 0});
+  const Regions beside(Mesh(soup), 50, 2);
+  ASSERT_EQ(beside.size(), alone.size());
+  for (Index r = 1; r < alone.size(); ++r) EXPECT_EQ(beside[r].vertices, alone[r].vertices);
+}
+
+TEST(Regions, are_small_where_another_component_is_far_away) {
+  TriangleSoup soup = generate("terrain", {{"columns", 45}, {"rows", 45}});
+  const Index first = static_cast<Index>(soup.positions.size());
+  soup.positions.insert(soup.positions.end(),
+                        {{5e6, 5e6, 0}, {5e6 + 1, 5e6, 0}, {5e6, 5e6 + 1, 0}});
+  soup.triangles.push_back({first, first + 1, first + 2});
+  EXPECT_GT(Regions(Mesh(soup), 50, 2).size(), soup.positions.size() / 50);
+}
+
+TEST(Regions, hold_the_vertices_of_a_mesh_without_faces) {
+  const Regions regions(Mesh(TriangleSoup{{{0, 0, 0}, {1, 0, 0}}, {}}), 50, 2);
+  ASSERT_EQ(regions.size(), 1u);
+  EXPECT_EQ(regions[0].vertices.size(), 2u);
+}
+
 Query random_query(const Mesh& mesh, std::uint64_t seed) {
   Random random(seed);
   Query query{.sources = {{random.below(mesh.vertex_count()), random.between(0, 1)}}};
