@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "solvers/core/messages.h"
+#include "solvers/core/numbering.h"
 
 namespace geodesic {
 namespace {
@@ -44,48 +49,157 @@ Weights projected(const Corners& corners, const Vec3& place) {
 
 constexpr double kFar = 0.01;  // share of the longest side
 
+// The square of the distance from a place to a box, 0 inside. Rounding is monotonic: the square
+// that is computed for a point of the box is at least this.
+double square_to(const Box& box, const Vec3& place) {
+  Vec3 away;
+  for (std::size_t k = 0; k < 3; ++k) {
+    away[k] = std::max({box.low[k] - place[k], place[k] - box.high[k], 0.0});
+  }
+  return dot(away, away);
+}
+
+void include(Box& box, const Box& other) {
+  box.include(other.low);
+  box.include(other.high);
+}
+
 // The nearest point so far, by the square of its distance.
 struct Nearest {
-  Index face = kNone;
+  const Vec3& place;
+  Index face = 0;
   Weights weights = {};
-  double square = kInfinity;
+  double square = kInfinity;  // infinite: none
 
-  void offer(const Corners& corners, Index of_face, const Weights& at, const Vec3& place) {
+  void offer(const Corners& corners, Index of_face, const Weights& at) {
     const Vec3 away = subtract(place, at_weights(corners, at));
     const double found = dot(away, away);
-    if (found < square) *this = {of_face, at, found};
+    if (found < square || (found == square && of_face < face)) {
+      face = of_face;
+      weights = at;
+      square = found;
+    }
   }
 };
 
 }  // namespace
 
-NearestPoint nearest_point(const Mesh& mesh, const Vec3& place) {
+// Boxes of successive faces along a curve. Successive faces of the mesh may lie anywhere.
+class NearestPointSearch::Tree {
+ public:
+  explicit Tree(const Mesh& mesh) : mesh_(mesh), faces_(faces_along_curve(mesh)) {
+    levels_.emplace_back((faces_.size() + kLeaf - 1) / kLeaf);
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      include(levels_[0][i / kLeaf], box_of(faces_[i]));
+    }
+    while (levels_.back().size() > 1) {
+      const std::vector<Box>& below = levels_.back();
+      std::vector<Box> level((below.size() + 1) / 2);
+      for (std::size_t i = 0; i < below.size(); ++i) include(level[i / 2], below[i]);
+      levels_.push_back(std::move(level));
+    }
+  }
+
+  const Box& whole() const { return levels_.back().front(); }
+
+  Nearest nearest_to(const Vec3& place) const {
+    Nearest nearest{place};
+    search(levels_.size() - 1, 0, nearest);
+    return nearest;
+  }
+
+ private:
+  static constexpr std::size_t kLeaf = 8;  // faces
+
+  static std::vector<Index> faces_along_curve(const Mesh& mesh) {
+    std::vector<Vec3> middles(mesh.given_face_count());
+    std::vector<Index> faces(middles.size());
+    for (Index f = 0; f < faces.size(); ++f) {
+      faces[f] = f;
+      for (const Index v : mesh.triangle(f)) {
+        middles[f] = add(middles[f], scale(1.0 / 3, mesh.position(v)));
+      }
+    }
+    std::ranges::transform(cells_along_curve(middles, faces), faces.begin(), &OnCurve::vertex);
+    return faces;
+  }
+
+  // A box around all points of a face as at_weights computes them: the roundings add up to less
+  // than 2^-48 of the largest coordinate.
+  Box box_of(Index face) const {
+    Box box;
+    for (const Index v : mesh_.triangle(face)) box.include(mesh_.position(v));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double rounding = 0x1p-48 * std::max(std::abs(box.low[k]), std::abs(box.high[k]));
+      box.low[k] -= rounding;
+      box.high[k] += rounding;
+    }
+    return box;
+  }
+
+  void visit(Index face, Nearest& nearest) const {
+    Corners corners;
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = mesh_.position(mesh_.triangle(face)[k]);
+    const Weights inside = projected(corners, nearest.place);
+    if (std::ranges::all_of(inside, [](double w) { return w > 0; })) {
+      nearest.offer(corners, face, inside);
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      nearest.offer(corners, face, nearest_on_side(corners, k, nearest.place));
+    }
+  }
+
+  // A box that is as far as the nearest point so far may hold one of a lesser face.
+  void search(std::size_t level, std::size_t node, Nearest& nearest) const {
+    if (level == 0) {
+      const std::size_t end = std::min((node + 1) * kLeaf, faces_.size());
+      for (std::size_t i = node * kLeaf; i < end; ++i) visit(faces_[i], nearest);
+      return;
+    }
+    const std::vector<Box>& boxes = levels_[level - 1];
+    std::size_t near = 2 * node, far = std::min(2 * node + 1, boxes.size() - 1);
+    double to_near = square_to(boxes[near], nearest.place);
+    double to_far = square_to(boxes[far], nearest.place);
+    if (to_far < to_near) {
+      std::swap(near, far);
+      std::swap(to_near, to_far);
+    }
+    if (to_near <= nearest.square) search(level - 1, near, nearest);
+    if (far != near && to_far <= nearest.square) search(level - 1, far, nearest);
+  }
+
+  const Mesh& mesh_;
+  const std::vector<Index> faces_;
+  // levels_[0] has a box for every kLeaf faces in turn, each other level has one for every two
+  // boxes of the level before, and the last has one box.
+  std::vector<std::vector<Box>> levels_;
+};
+
+NearestPointSearch::NearestPointSearch(const Mesh& mesh) : mesh_(mesh) {}
+NearestPointSearch::~NearestPointSearch() = default;
+
+const NearestPointSearch::Tree& NearestPointSearch::tree() const {
+  std::call_once(built_, [this] { tree_ = std::make_unique<const Tree>(mesh_); });
+  return *tree_;
+}
+
+NearestPoint NearestPointSearch::nearest_to(const Vec3& place) const {
   if (!is_finite(place)) {
     throw std::invalid_argument("a place in space must have finite coordinates");
   }
-  Nearest nearest;
-  for (Index f = 0; f < mesh.given_face_count(); ++f) {
-    Corners corners;
-    for (std::size_t k = 0; k < 3; ++k) corners[k] = mesh.position(mesh.triangle(f)[k]);
-    const Weights inside = projected(corners, place);
-    if (std::ranges::all_of(inside, [](double w) { return w > 0; })) {
-      nearest.offer(corners, f, inside, place);
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
-      nearest.offer(corners, f, nearest_on_side(corners, k, place), place);
-    }
+  if (mesh_.face_count() == 0) {
+    throw std::invalid_argument("a mesh without faces has no surface");
   }
-  if (nearest.face == kNone) {
-    throw std::invalid_argument(mesh.face_count() == 0
-                                    ? "a mesh without faces has no surface"
-                                    : "a place in space is too far from the mesh");
+  const Nearest nearest = tree().nearest_to(place);
+  if (nearest.square == kInfinity) {
+    throw std::invalid_argument("a place in space is too far from the mesh");
   }
-  return {point_in_face(mesh, mesh.numbers().external_face(nearest.face), nearest.weights),
+  return {point_in_face(mesh_, mesh_.numbers().external_face(nearest.face), nearest.weights),
           std::sqrt(nearest.square)};
 }
 
-std::string remark_if_far(const Mesh& mesh, double distance) {
-  const double extent = 2 * box_around(mesh.positions()).half_extent();
+std::string NearestPointSearch::remark_if_far(double distance) const {
+  const double extent = 2 * tree().whole().half_extent();
   if (distance <= kFar * extent) return {};
   return "is " + significant(distance, 3) +
          " from the surface, whose nearest point is taken; the longest side of the mesh is " +

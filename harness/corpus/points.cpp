@@ -276,11 +276,13 @@ std::vector<WrittenPoint> read_points(const std::filesystem::path& file, const s
   }
 }
 
-PlacedPoint place(const WrittenPoint& point, const Mesh& mesh) {
+PlacedPoint place(const WrittenPoint& point, const NearestPointSearch& surface) {
   try {
     const double initial = point.initial.value_or(0);
-    if (point.kind != Kind::place) return {.at = on_surface(point, mesh), .initial = initial};
-    const NearestPoint nearest = nearest_point(mesh, point.numbers);
+    if (point.kind != Kind::place) {
+      return {.at = on_surface(point, surface.mesh()), .initial = initial};
+    }
+    const NearestPoint nearest = surface.nearest_to(point.numbers);
     return {.at = nearest.at, .initial = initial, .from_surface = nearest.distance};
   } catch (const std::invalid_argument& error) {
     throw HarnessError(point.text + ": " + error.what());

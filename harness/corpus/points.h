@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "harness/base/json.h"
+#include "meshes/nearest_point.h"
 #include "solvers/core/query.h"
 
 namespace geodesic::harness {
@@ -60,8 +61,9 @@ struct PlacedPoint {
   std::optional<double> from_surface = {};
 };
 
+/// @param surface for places in space; its mesh is that of all points
 /// @throws HarnessError when the mesh has no such vertex, edge or face
-PlacedPoint place(const WrittenPoint& point, const Mesh& mesh);
+PlacedPoint place(const WrittenPoint& point, const NearestPointSearch& surface);
 
 /// Writes a point in the forms above, with all digits of its numbers: "12", "edge:3-7:0.25" with
 /// the smaller vertex first, ...

@@ -28,7 +28,6 @@
 #include "meshes/defects.h"
 #include "meshes/load.h"
 #include "meshes/messages.h"
-#include "meshes/nearest_point.h"
 #include "meshes/row_solver.h"
 #include "meshes/threads.h"
 #include "python/native/background.h"
@@ -158,7 +157,7 @@ std::vector<NearestPoint> nearest_to(const SharedMeshPointer& mesh,
     std::vector<NearestPoint> nearest;
     for (const Vec3& place : places) {
       task.throw_if_abandoned();
-      nearest.push_back(nearest_point(mesh->mesh(), place));
+      nearest.push_back(mesh->surface().nearest_to(place));
     }
     return nearest;
   });
@@ -193,7 +192,7 @@ std::pair<SurfacePoints, std::string> surface_points(const SharedMeshPointer& me
       found.points.push_back(next++->at);
     }
   }
-  return {std::move(found), places.empty() ? "" : remark_if_far(mesh->mesh(), farthest)};
+  return {std::move(found), places.empty() ? "" : mesh->surface().remark_if_far(farthest)};
 }
 
 /// The nearest surface points of places, which have shape (k, 3). Returns the arrays of

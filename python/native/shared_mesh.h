@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "meshes/nearest_point.h"
 #include "meshes/point_solver.h"
 #include "solvers/core/mesh.h"
 
@@ -23,6 +24,7 @@ class SharedMesh {
 
   const TriangleSoup& soup() const { return soup_; }
   const Mesh& mesh() const { return *mesh_; }
+  const NearestPointSearch& surface() const { return surface_; }
   NonManifoldEdges non_manifold_edges() const { return non_manifold_edges_; }
 
  private:
@@ -30,6 +32,7 @@ class SharedMesh {
 
   const TriangleSoup soup_;
   const std::unique_ptr<const Mesh> mesh_;
+  const NearestPointSearch surface_{*mesh_};
   const NonManifoldEdges non_manifold_edges_;
   std::mutex mutex_;  // guards all members below
   std::string idle_name_;

@@ -149,10 +149,11 @@ Problem read_problem(const SolveFlags& flags, const Description& solver, const M
                   {}};
   problem.query.limit = flags.limit;
   problem.query.stop_at_targets = flags.stop_at_targets;
+  const NearestPointSearch surface(problem.mesh);
   const auto placed = [&](const WrittenPoint& point) {
-    const PlacedPoint found = place(point, problem.mesh);
+    const PlacedPoint found = place(point, surface);
     if (found.from_surface) {
-      const std::string remark = remark_if_far(problem.mesh, *found.from_surface);
+      const std::string remark = surface.remark_if_far(*found.from_surface);
       if (!remark.empty()) warn(point.text + ' ' + remark);
       problem.places.push_back({{"place", point.numbers},
                                 {"point", written(problem.mesh, found.at)},
