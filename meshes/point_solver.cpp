@@ -46,7 +46,7 @@ double straight_length(const Mesh& mesh, const std::vector<InFace>& from,
       const HalfEdge& e = mesh.half_edge(3 * a.face + k);
       const Index head = (k + 1) % 3, apex = (k + 2) % 3;
       const double x = b.weights[head] - a.weights[head], y = b.weights[apex] - a.weights[apex];
-      least = std::min(least, std::hypot(x * e.length + y * e.apex_x, y * e.apex_y));
+      least = std::min(least, norm(Point2{x * e.length + y * e.apex_x, y * e.apex_y}));
     }
   }
   return least;

@@ -1,8 +1,6 @@
 // Dijkstra's algorithm on the edges of the mesh and on straight lines across one edge, from the
 // corner of a face to the far corner of the face beyond it. An upper bound of the geodesic
 // distance.
-#include <cmath>
-
 #include "solvers/core/queues/vertex_heap.h"
 #include "solvers/core/registry.h"
 
@@ -46,7 +44,7 @@ class MySolver final : public Solver {
     const double dx = near.length - far.apex_x - near.apex_x;
     const double dy = near.apex_y + far.apex_y;
     const double crossing = near.apex_x + dx * near.apex_y / dy;
-    return crossing >= 0 && crossing <= near.length ? std::hypot(dx, dy) : kInfinity;
+    return crossing >= 0 && crossing <= near.length ? norm(Point2{dx, dy}) : kInfinity;
   }
 
   VertexHeap front_;

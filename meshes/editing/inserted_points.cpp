@@ -22,7 +22,7 @@ bool comes_before(const std::pair<SurfacePoint, Index>& a,
   return order_of(a.first) < order_of(b.first);
 }
 
-double distance(const Point2& a, const Point2& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double distance(const Point2& a, const Point2& b) { return norm(Point2{a.x - b.x, a.y - b.y}); }
 
 // Height of p above the line from a to b, positive on its left.
 double height(const Point2& a, const Point2& b, const Point2& p) {
@@ -170,13 +170,13 @@ class Inserter {
     Index edge = kNone;
     for (Index h = 3 * own.face; h < 3 * own.face + 3; ++h) {
       const Point2 at = in_frame(mesh_, own, h);
-      if (std::hypot(at.x, at.y) <= place_) {
+      if (norm(at) <= place_) {
         vertices_[i] = external_vertex(mesh_.origin(h));
         return;
       }
       // In a face without height all edges lie on nearly the same line.
       const double beyond = std::max({-at.x, at.x - mesh_.half_edge(h).length, 0.0});
-      if (std::hypot(beyond, at.y) <= place_) edge = h;
+      if (norm(Point2{beyond, at.y}) <= place_) edge = h;
     }
     if (edge == kNone) {
       in_faces_[own.face].push_back({i, own});
