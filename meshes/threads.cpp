@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -47,8 +48,11 @@ void do_in_threads(std::size_t count, unsigned threads,
   Pieces pieces(count);
   {
     std::vector<std::jthread> others;  // joined at the end of the block
-    for (std::size_t i = 1; i < std::min<std::size_t>(threads, count); ++i) {
-      others.emplace_back([&] { pieces.work(make_worker); });
+    try {
+      for (std::size_t i = 1; i < std::min<std::size_t>(threads, count); ++i) {
+        others.emplace_back([&] { pieces.work(make_worker); });
+      }
+    } catch (const std::system_error&) {  // no more threads: the existing ones do the pieces
     }
     pieces.work(make_worker);
   }

@@ -1,10 +1,12 @@
 #include "meshes/threads.h"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include <atomic>
 #include <set>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -42,6 +44,34 @@ TEST(Threads, HaveAWorkerEachAndNoneForNoWork) {
   workers = 0;
   do_in_threads(2, 8, make);
   EXPECT_EQ(workers, 2);
+}
+
+// Threads of the default size need more memory than there is, so that none can start.
+class NoMoreThreads {
+ public:
+  NoMoreThreads() {
+    pthread_getattr_default_np(&before_);
+    pthread_attr_t attributes = before_;
+    pthread_attr_setstacksize(&attributes, std::size_t{1} << 50);
+    pthread_setattr_default_np(&attributes);
+  }
+  ~NoMoreThreads() {
+    pthread_setattr_default_np(&before_);
+    pthread_attr_destroy(&before_);
+  }
+  NoMoreThreads(const NoMoreThreads&) = delete;
+  NoMoreThreads& operator=(const NoMoreThreads&) = delete;
+
+ private:
+  pthread_attr_t before_;
+};
+
+TEST(Threads, DoEveryPieceOnceWhereNoMoreCanStart) {
+  std::vector<int> done(23);
+  const NoMoreThreads no_more;
+  ASSERT_THROW(std::jthread([] {}), std::system_error);
+  do_in_threads(done.size(), 4, [&] { return [&](std::size_t i) { ++done[i]; }; });
+  EXPECT_EQ(done, std::vector<int>(23, 1));
 }
 
 TEST(Threads, PassOnAnExceptionAndStop) {
