@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace geodesic {
 namespace {
@@ -18,6 +19,15 @@ void check_recording(const Recording& recording, const Description& solver) {
   if (recording.kind != RecordingKind::windows) return;
   if (!solver.final_windows) refuse(solver, "does not keep the windows of all edges");
   if (recording.read_windows == nullptr) refuse(solver, "Recording::read_windows is not set");
+}
+
+/// Leaves only what the caller sets.
+void forget_results(Recording& recording) {
+  Recording empty;
+  empty.kind = recording.kind;
+  empty.snapshots_at = std::move(recording.snapshots_at);
+  empty.read_windows = recording.read_windows;
+  recording = std::move(empty);
 }
 
 void check_point(const SurfacePoint& point, const char* kind, const Mesh& mesh,
@@ -92,6 +102,7 @@ void Solver::solve(const Query& query, std::span<double> distances, Recording* r
   if (distances.size() != mesh_.vertex_count()) {
     refuse(description_, "needs room for one distance a vertex");
   }
+  if (recording != nullptr) forget_results(*recording);
   renew();
   used_ = true;
   const InternalQuery own = in_internal_numbers(mesh_, query);

@@ -94,7 +94,8 @@ class Solver {
   /// same query gives the same bits every time.
   /// @param distances one entry per vertex
   /// @param recording null for a timed solve, which then carries no instrumentation; otherwise
-  ///        filled with what the solver counts; no distance changes
+  ///        filled with what the solver counts, which replaces what an earlier solve recorded; no
+  ///        distance changes
   /// @throws std::invalid_argument when the query has no source, a source or target that is not in
   ///        the mesh, a negative or non-finite initial distance or a negative limit; stops at
   ///        targets and has none; or needs an ability that the solver lacks; when `recording` is

@@ -80,6 +80,15 @@ TEST_P(Wavefronts, change_no_distance_and_no_counter) {
   }
 }
 
+TEST_P(Wavefronts, are_the_same_in_a_recording_that_was_used_before) {
+  for (const auto& [name, soup] : meshes()) {
+    const Mesh mesh(soup);
+    Recording used = record(mesh, 0);
+    solve_with(*prepare(mesh), mesh, from(4), &used);
+    EXPECT_EQ(used, record(mesh, 4)) << name;
+  }
+}
+
 TEST_P(Wavefronts, have_a_curve_of_progress_whose_sds_have_the_counted_mean) {
   for (const auto& [name, soup] : meshes()) {
     const Mesh mesh(soup);
