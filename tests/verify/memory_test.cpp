@@ -8,7 +8,6 @@ namespace {
 
 class MemoryOfAnObject : public SolverTest {};
 
-// Edges of this mesh have up to 1,100 windows.
 TEST_P(MemoryOfAnObject, is_the_same_after_the_same_solves_again) {
   const Mesh mesh(generate("involute", {{"corners", 1100}}));
   if (mesh.vertex_count() > abilities().max_vertices || description().independent_oracle ||
