@@ -44,8 +44,8 @@ void add_run_command(CLI::App& app, const std::string& command_line);
 void add_cell_commands(CLI::App& app);
 
 /// The commands that are Python modules (the table in scripts.cpp). `geodesic-bench rank WORDS...`
-/// becomes `python3 -m gate.rank WORDS...`. Plug-ins among the words are loaded, so that a wrong one
-/// is refused, and left out. In its environment PYTHONPATH begins with the data folder
+/// becomes `python3 -m gate.rank WORDS...`. Plug-ins among the words are loaded, so that a wrong
+/// one is refused, and left out. In its environment PYTHONPATH begins with the data folder
 /// (base/files.h), GEODESIC_BENCH is this program, and GEODESIC_PLUGINS has the words that load the
 /// plug-ins into it, as a list in JSON.
 void add_script_commands(CLI::App& app);
