@@ -123,8 +123,9 @@ TriangleSoup read_input(const CheckedParameters& parameters) {
     if (std::ranges::max(soup.triangles[f]) >= soup.positions.size()) {
       refuse("face", f, "names a vertex that does not exist");
     }
-    if (names_a_vertex_twice(soup.triangles[f]))
+    if (names_a_vertex_twice(soup.triangles[f])) {
       refuse("face", f, "has fewer than three different vertices");
+    }
   }
   for (Index v = 0; v < soup.positions.size(); ++v) {
     if (!is_finite(soup.positions[v])) refuse("vertex", v, "is not finite");
