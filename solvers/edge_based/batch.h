@@ -65,8 +65,8 @@ class Batch {
   /// Set by the kernels: the sides on which a window's lines pass the apex. Both are marked if
   /// lines pass through the apex.
   Marks passes_left, passes_right;
-  /// Windows out of order with the next one; windows that sides_kept (split.h) decides.
-  Marks suspects, contested;
+  /// Windows that sides_kept (split.h) decides.
+  Marks contested;
 
   unsigned fields() const { return fields_; }
   double* array(unsigned field) { return arrays_.get() + field * room_; }
@@ -114,7 +114,7 @@ inline void Batch::reserve(std::size_t windows) {
   }
   arrays_ = std::move(larger);
   room_ = room;
-  for (Marks* marks : {&passes_left, &passes_right, &suspects, &contested}) marks->reserve(room);
+  for (Marks* marks : {&passes_left, &passes_right, &contested}) marks->reserve(room);
 }
 
 }  // namespace geodesic::edge_based

@@ -169,64 +169,47 @@ void gather(const Segment& segment, const EndpointBounds& bounds, Batch& batch) 
   batch.count = out;
 }
 
-/// Vector form of right_of_line's sign: positive when (px, py) lies right of the line through t.
-struct Side2 {
-  Vec value, noise;
-};
-inline Side2 right_of(Vec x, Vec y, Vec t, Vec px, Vec py) {
-  const Vec a = hn::Mul(hn::Sub(px, x), hn::Neg(y));
-  const Vec b = hn::Mul(hn::Sub(t, x), hn::Sub(py, y));
-  return {hn::Sub(a, b), hn::Mul(all(kOnLine), hn::Add(hn::Abs(a), hn::Abs(b)))};
-}
-
-inline bool find_suspects(Batch& batch) {
-  std::uint8_t* suspects = batch.suspects.groups();
-  const double* begin = batch.array(kBegin);
-  const double* end = batch.array(kEnd);
-  const double* xs = batch.array(kX);
-  const double* ys = batch.array(kY);
-  unsigned any = 0;
-  for (std::size_t i = 0; i + 1 < batch.count; i += kLanes) {
-    const Vec x1 = hn::LoadU(kTag, xs + i), x2 = hn::LoadU(kTag, xs + i + 1);
-    const Vec y1 = hn::LoadU(kTag, ys + i), y2 = hn::LoadU(kTag, ys + i + 1);
-    const Vec end1 = hn::LoadU(kTag, end + i), begin2 = hn::LoadU(kTag, begin + i + 1);
-    const Side2 first = right_of(x2, y2, begin2, x1, y1);
-    const Side2 second = right_of(x1, y1, end1, x2, y2);
-    const Mask sources =
-        hn::And(hn::Lt(first.value, first.noise), hn::Gt(second.value, hn::Neg(second.noise)));
-    const Mask ends = hn::And(hn::Le(hn::LoadU(kTag, begin + i), begin2),
-                              hn::Le(end1, hn::LoadU(kTag, end + i + 1)));
-    const unsigned group =
-        bits(hn::AndNot(hn::And(sources, ends), hn::FirstN(kTag, batch.count - 1 - i)));
-    set_marks(suspects, i, group);
-    any |= group;
+/// The neighbours among windows `base` to `last`, at most 64 after it, that are out_of_order: bit i
+/// for windows base + i and base + i + 1.
+HWY_INLINE std::uint64_t find_suspects(const Batch& batch, std::size_t base, std::size_t last) {
+  const double *begins = batch.array(kBegin), *ends = batch.array(kEnd);
+  std::uint64_t suspects = 0;
+  for (std::size_t i = base; i < last; i += kLanes) {
+    const Vec begin1 = hn::LoadU(kTag, begins + i), begin2 = hn::LoadU(kTag, begins + i + 1);
+    const Vec end1 = hn::LoadU(kTag, ends + i), end2 = hn::LoadU(kTag, ends + i + 1);
+    const Vec narrower = hn::Min(hn::Sub(end1, begin1), hn::Sub(end2, begin2));
+    const Vec protrusion = hn::Max(hn::Sub(begin1, begin2), hn::Sub(end1, end2));
+    const Mask suspect =
+        hn::Or(hn::Le(end2, begin1), hn::Gt(protrusion, hn::Mul(all(kLeastProtrusion), narrower)));
+    suspects |= std::uint64_t{bits(hn::And(suspect, hn::FirstN(kTag, last - i)))} << (i - base);
   }
-  return any != 0;
+  return suspects;
 }
 
-/// The first window from `i` on that is out of order with the one before it, or the batch's count.
-inline std::size_t next_suspect(const Batch& batch, std::size_t i) {
-  return batch.suspects.next(i - 1, batch.count - 1) + 1;
-}
-
-/// Trims suspicious pairs with trim_pair, in order, and the windows after one that changed.
-/// Compiled here, because it handles a fifth of the windows: scalar code of AVX2 has fewer moves.
+/// Trims neighbours that are out of order with trim_pair, and after a window that changed the next
+/// one. Compiled here, because scalar code of AVX2 has fewer moves.
 inline void trim(Batch& batch, const EdgeBelow& edge) {
-  if (batch.count < 2 || !find_suspects(batch)) return;
-  for (std::size_t i = next_suspect(batch, 1); i < batch.count;) {
-    const Window original = batch.window(i);
-    Window second = original;
-    bool keeps = true;
-    for (std::size_t before = i; keeps && before-- > 0;) {
-      if (batch.is_struck_out(before)) continue;
-      Window first = batch.window(before);
-      trim_pair(first, second, edge);
-      keeps = !is_void(second, edge.length);
-      if (batch.put_back(before, first, edge.length)) break;
+  for (std::size_t base = 0, last; base + 1 < batch.count; base = last) {
+    last = std::min(base + 64, batch.count - 1);
+    for (std::uint64_t suspects = find_suspects(batch, base, last); suspects != 0;) {
+      const std::uint64_t lowest = suspects & (~suspects + 1);
+      suspects ^= lowest;
+      const std::size_t i = base + static_cast<std::size_t>(std::countr_zero(lowest)) + 1;
+      const Window original = batch.window(i);
+      Window second = original;
+      bool keeps = true;
+      for (std::size_t before = i; keeps && before-- > 0;) {
+        if (batch.is_struck_out(before)) continue;
+        Window first = batch.window(before);
+        if (first.begin <= second.begin && first.end <= second.end) break;
+        trim_pair(first, second, edge);
+        keeps = !is_void(second, edge.length);
+        if (batch.put_back(before, first, edge.length)) break;
+      }
+      batch.put_back(i, second, edge.length);
+      const bool changed = !keeps || second.begin != original.begin || second.end != original.end;
+      if (changed && i < last) suspects |= lowest << 1;
     }
-    batch.put_back(i, second, edge.length);
-    const bool changed = !keeps || second.begin != original.begin || second.end != original.end;
-    i = changed ? i + 1 : next_suspect(batch, i + 1);
   }
 }
 
@@ -301,12 +284,11 @@ inline ApexWinner classify(Batch& batch, const FaceFrame& face) {
     const Vec squared = hn::Add(hn::Mul(across, across), hn::Mul(up, up));
     const Vec sigma = hn::LoadU(kTag, batch.array(kSigma) + i);
     hn::Store(hn::Add(sigma, hn::Sqrt(squared)), kTag, distance);
-    for (std::size_t lane = 0; straddling != 0; ++lane, straddling >>= 1) {
-      if ((straddling & 1) == 0) continue;
-      if (distance[lane] < best.distance) {
-        best.window = i + lane;
-        best.distance = distance[lane];
-      }
+    for (; straddling != 0; straddling &= straddling - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(straddling));
+      const bool is_less = distance[lane] < best.distance;
+      best.window = is_less ? i + lane : best.window;
+      best.distance = is_less ? distance[lane] : best.distance;
     }
   }
   if (best.window != SIZE_MAX) {

@@ -17,8 +17,8 @@ struct Kernels {
   /// Appends the windows of a segment that EndpointBounds::beat does not reject.
   void (*gather)(const Segment& segment, const EndpointBounds& bounds, Batch& batch);
 
-  /// Strategy I over the whole list: applies trim_pair to the pairs that are not `in_order`, and
-  /// strikes out windows that are beaten wholly.
+  /// Strategy I over the whole list: applies trim_pair to the neighbours that are
+  /// `out_of_order`, and strikes out windows that are beaten wholly.
   void (*trim)(Batch& batch, const EdgeBelow& edge);
 
   /// Marks the sides on which the lines of each window pass the apex.

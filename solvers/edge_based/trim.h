@@ -57,13 +57,18 @@ inline bool has_no_side(const Window& w, double t, double px, double py, double 
   return std::abs(right_of(w, t, px, py)) <= (rounding + kSourceRounding * lengths) * lengths;
 }
 
-/// True when the windows follow one another: their ends are in order, and each source lies on its
-/// own side of the line that bounds the other window's pencil. Neither can then beat more of the
-/// other than their overlap behind the bisector, which is not worth trimming.
-inline bool in_order(const Window& first, const Window& second) {
-  return first.begin <= second.begin && first.end <= second.end &&
-         is_left_of_line(second, second.begin, first.x, first.y) &&
-         is_right_of_line(first, first.end, second.x, second.y);
+/// Neighbours of which each protrudes beyond the other by less than this share of the narrower one
+/// are not trimmed. All lines are real paths, so what is not cut changes no distance, only the time:
+/// with 0.25 in place of 0, less than half as many pairs are trimmed, and windows rise by less than
+/// 1%. From 0.15 to 0.6 the times are alike.
+inline constexpr double kLeastProtrusion = 0.25;
+
+/// True when neighbours of a list are worth trimming: the second lies before the first, or the ends
+/// of one are out of order by more than kLeastProtrusion.
+inline bool out_of_order(const Window& first, const Window& second) {
+  const double narrower = std::min(first.end - first.begin, second.end - second.begin);
+  const double protrusion = std::max(first.begin - second.begin, first.end - second.end);
+  return second.end <= first.begin || protrusion > kLeastProtrusion * narrower;
 }
 
 namespace internal {
@@ -193,7 +198,6 @@ inline void settle_overlap(Window& first, Window& second, const Pair& begin, con
 /// apart, where their boundary lines cross inside the face below. If the source of one touches the
 /// edge, both remain unchanged.
 inline void trim_pair(Window& first, Window& second, const EdgeBelow& edge) {
-  if (in_order(first, second)) return;
   if (source_on_edge(first, edge.length) || source_on_edge(second, edge.length)) return;
   if (first.end <= second.begin) return internal::trim_apart(first, second, edge);
   if (second.end <= first.begin) return internal::trim_apart(second, first, edge);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/edge_based/steps.h"
 
 namespace geodesic::edge_based {
@@ -14,15 +16,16 @@ struct Problem {
   double at_origin, at_head;
 };
 
-/// Windows in order along an edge. Their sources are only roughly in order.
+/// Windows along an edge, some of which protrude beyond the next one. Their sources are only
+/// roughly in order.
 Problem random_problem(Random& random, std::size_t count) {
   Problem problem{.windows = {}, .face = random_face(random), .at_origin = 0, .at_head = 0};
   problem.at_origin = random.between(0.8, 2.5);
   problem.at_head = random.between(0.8, 2.5);
   const double share = 1 / static_cast<double>(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const double begin = static_cast<double>(i) * share;
-    problem.windows.push_back({begin, begin + share * random.between(0.5, 1.2),
+    const double begin = (static_cast<double>(i) + random.between(0, 0.5)) * share;
+    problem.windows.push_back({begin, begin + share * random.between(0.3, 3),
                                begin + random.between(-0.4, 0.4), random.between(-2, -0.5),
                                random.between(0, 0.3)});
     problem.windows.back().end = std::min(problem.windows.back().end, 1.0);
@@ -57,7 +60,6 @@ Steps run(const Problem& p, InstructionSet set = compiled_for(InstructionSet::pl
   if (count == 0) return steps;
   kernels.trim(trimmed, {p.face.length, p.face.apex_x, -p.face.apex_y});
   steps.trimmed = windows_of(trimmed);
-  steps.suspects = flags(trimmed.suspects, count - 1);
   steps.winner = kernels.classify(batch, p.face);
   steps.left = flags(batch.passes_left, count);
   steps.right = flags(batch.passes_right, count);
@@ -112,15 +114,19 @@ TEST(Gather, keeps_what_no_path_over_an_end_of_the_edge_beats_everywhere) {
   });
 }
 
-TEST(Trim, looks_at_the_pairs_that_are_not_in_order) {
-  int found = 0;
+TEST(Trim, changes_a_list_only_if_neighbours_are_out_of_order) {
+  int in_order = 0, changed = 0;
   for_each_problem(3, [&](const Problem&, const Steps& steps) {
-    for (std::size_t i = 0; i < steps.suspects.size(); ++i) {
-      ASSERT_EQ(steps.suspects[i], !in_order(steps.gathered[i], steps.gathered[i + 1]));
-      found += steps.suspects[i];
-    }
+    const bool any =
+        std::ranges::adjacent_find(steps.gathered, out_of_order) != steps.gathered.end();
+    const bool same = bits_of(steps.trimmed) == bits_of(steps.gathered);
+    ASSERT_TRUE(any || same);
+    in_order += !any;
+    changed += !same;
   });
-  EXPECT_GT(found, 1000);
+  EXPECT_GT(in_order, 100);
+  EXPECT_GT(changed,
+            500);  // of 2,000: `Kernels` compares instruction sets on lists that are trimmed
 }
 
 TEST(Classify, finds_the_least_distance_to_the_apex_and_who_sees_it) {

@@ -14,7 +14,6 @@ namespace geodesic::edge_based {
 struct Steps {
   std::vector<Window> gathered;
   std::vector<Window> trimmed;
-  std::vector<bool> suspects;     ///< by the first window of a pair
   std::vector<bool> left, right;  ///< sides of the apex that a gathered window passes
   ApexWinner winner;
   std::vector<bool> contested;
@@ -33,7 +32,7 @@ inline std::vector<std::uint64_t> bits_of(const std::vector<Window>& windows) {
 
 inline std::vector<std::uint64_t> bits_of(const Steps& steps) {
   std::vector<std::uint64_t> bits = bits_of(steps.gathered);
-  for (const auto* flags : {&steps.suspects, &steps.left, &steps.right, &steps.contested}) {
+  for (const auto* flags : {&steps.left, &steps.right, &steps.contested}) {
     bits.insert(bits.end(), flags->begin(), flags->end());
   }
   bits.push_back(steps.winner.window);

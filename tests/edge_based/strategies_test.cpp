@@ -110,7 +110,6 @@ TEST(TrimPair, does_not_depend_on_the_order_of_the_windows) {
     Window first = a, second = b, other_first = b, other_second = a;
     trim_pair(first, second, kBelow);
     trim_pair(other_first, other_second, kBelow);
-    if (in_order(a, b) || in_order(b, a)) continue;  // windows in order are not trimmed
     ASSERT_NEAR(first.begin, other_second.begin, kRounding) << pair;
     ASSERT_NEAR(first.end, other_second.end, kRounding) << pair;
     ASSERT_NEAR(second.begin, other_first.begin, kRounding) << pair;
@@ -118,13 +117,12 @@ TEST(TrimPair, does_not_depend_on_the_order_of_the_windows) {
   }
 }
 
-TEST(TrimPair, leaves_windows_of_one_source_and_windows_in_order_alone) {
+TEST(TrimPair, leaves_windows_of_one_source_alone) {
   Random random(4);
-  for (int pair = 0; pair < 5000; ++pair) {
+  for (int pair = 0; pair < 2500; ++pair) {
     const Window a = random_window(random);
     Window b = random_window(random);
-    if (pair % 2 == 0) b = {b.begin, b.end, a.x, a.y, a.sigma};
-    if (pair % 2 == 1 && !in_order(a, b)) continue;
+    b = {b.begin, b.end, a.x, a.y, a.sigma};
     Window first = a, second = b;
     trim_pair(first, second, kBelow);
     EXPECT_EQ(first.begin, a.begin);
