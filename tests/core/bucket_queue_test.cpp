@@ -49,6 +49,22 @@ TEST(BucketQueue, an_item_born_during_a_phase_waits_for_the_next) {
   EXPECT_TRUE(queue.empty());
 }
 
+// The wavefront grows: each item gives two, behind all that wait.
+TEST(BucketQueue, a_phase_stays_short_however_many_items_wait) {
+  BucketQueue<int> queue(1);
+  double farthest = 0;
+  queue.push(farthest, 0);
+  const auto grow = [&] {
+    for (int k = 0; k < 2; ++k) queue.push(farthest += 0.125, 0);
+    return queue.pop();
+  };
+  while (queue.size() < 20'000) grow();
+  queue.push(0, 1);  // the next phase begins with it
+  int waited = 0;
+  while (grow() == 0) ++waited;
+  EXPECT_LE(waited, 1000 + 8);  // the bound of K, and the rest of a bucket
+}
+
 TEST(BucketQueue, what_the_phase_covers_is_due) {
   BucketQueue<int> queue(1);
   for (int i = 0; i < 20; ++i) queue.push(5.5, i);

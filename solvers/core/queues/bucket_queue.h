@@ -5,7 +5,8 @@
 // buckets by floor(key / width). A phase takes the first buckets that together hold at least K
 // windows, first in first out inside a bucket; windows created during a phase wait for the next
 // one. K adapts: it grows after a phase whose children mostly lie above its upper bound, and
-// shrinks otherwise.
+// shrinks otherwise. The authors' later programs bound K on both sides. Without an upper bound a
+// phase grows to nearly the whole wavefront, which then is no longer sorted.
 //
 // The buckets are a ring (bucket_ring.h) that starts at the running phase. Keys beyond its far end
 // (another source's initial distance, a very long edge) wait in a heap until the ring reaches them.
@@ -82,7 +83,8 @@ class BucketQueue {
   }
 
  private:
-  static constexpr std::ptrdiff_t kMinimum = 6;     // K never falls below
+  static constexpr std::ptrdiff_t kMinimum = 6;     // K stays between these
+  static constexpr std::ptrdiff_t kMaximum = 1000;
   static constexpr int kAhead = 8;                  // items between the next one and `upcoming`
   static constexpr std::int64_t kRing = 1 << 14;    // buckets; a power of two
   static constexpr std::int64_t kNoPhase = -kRing;  // everything lies beyond the ring
@@ -97,7 +99,7 @@ class BucketQueue {
   }
 
   void start_phase() {
-    target_ = is_narrow_ ? kMinimum : std::max(kMinimum, target_ + balance_);
+    target_ = is_narrow_ ? kMinimum : std::clamp(target_ + balance_, kMinimum, kMaximum);
     balance_ = 0;
     advance();
     phase_span_ = 0;
