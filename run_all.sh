@@ -210,8 +210,6 @@ step_run() {
   if [[ -n $resumed ]]; then
     what=()
     where=(--resume "$resumed")
-  elif [[ -e $out/run.json ]]; then
-    die "$out already contains a run; remove it, or give another --out"
   fi
   (cd "$root" && logged "$bench" run "${what[@]}" "${run_options[@]}" "${where[@]}") || status=$?
   # Failed cells are results, which check reports. Only an incomplete run is an error here.
@@ -264,6 +262,21 @@ step_check() {
 # Its hundred files are listed only in the log, so that the output of check stays visible.
 step_plot() {
   PYTHONPATH=${PYTHONPATH:+$PYTHONPATH:}$root "$python" -m plots.report "$out" >>"$log"
+}
+
+# check_words: refuses names and folders that do not exist, before the first step.
+check_words() {
+  local words=()
+  if has_step run && [[ -z $resumed && -z $slurm && -e $out/run.json ]]; then
+    die "$out already contains a run; remove it, or give another --out"
+  fi
+  if [[ -n $folder ]]; then words+=(--folder "$folder"); else words+=(--corpus "$corpus"); fi
+  if [[ -n $meshes ]]; then words+=(--meshes "$meshes"); fi
+  if [[ -n $solvers ]]; then words+=(--solvers "$solvers"); fi
+  if [[ -n $peers ]]; then words+=(--peers "$peers"); fi
+  if [[ -n $resumed ]]; then words+=(--resume "$resumed"); fi
+  if [[ -n $old_run ]]; then words+=(--run "$old_run"); fi
+  "$python" "$root/tools/check_words.py" "${words[@]}"
 }
 
 # choose_out: sets `out`, the folder that `run` writes and that check and plot read.
@@ -325,6 +338,8 @@ trap report_failure EXIT
 groups=(python)
 if has_step build; then groups+=(build); fi
 if has_step peers; then groups+=(peers); fi
+find_python || set_up "$install" python
+check_words
 set_up "$install" "${groups[@]}"
 run_steps
 finish

@@ -24,6 +24,7 @@ if __name__ == "__main__":
 from gate.findings import REGRESSION, WRONG_ANSWER, GateError
 from gate.measured import COUNTERS, MEMORY, MEMORY_FLOOR, WRONG, Measured, Number, measured, programs
 from results.console import complain
+from results.names import unknown_name
 from results.pairs import interleaved
 from results.reader import Cell, ResultError, Run, read_run
 from results.statistics import Decision, Estimate, decide, rank_test
@@ -200,9 +201,8 @@ def parse_limits(text: str) -> Limits:
     for word in text.split(","):
         kind, _, percent = word.partition("=")
         if kind not in ("counters", "memory", "time"):
-            raise GateError(
-                f"--fail-on: no kind of limit named '{kind}'; there are counters, memory, time"
-            )
+            kinds = ("counters", "memory", "time")
+            raise GateError(f"--fail-on: {unknown_name('kind of limit', kind, kinds)}")
         if not re.fullmatch(r"\d+(\.\d*)?%", percent):
             raise GateError(f"--fail-on: '{word}' must have the form {kind}=10%")
         limits[kind] = float(percent[:-1]) / 100

@@ -11,6 +11,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
+from results.names import unknown_name
 from results.pairs import Pairs
 from results.reader import Cell
 
@@ -107,11 +108,8 @@ def verify(program: Program, options: Options) -> Verified:
     known = program.solvers(options.solvers)
     solvers = [name for name in known if not options.solvers or name in options.solvers]
     if program.name == "head":
-        unknown = sorted(set(options.solvers) - set(known))
-        if unknown:
-            raise GateError(
-                f"the head has no solver {', '.join(unknown)}; there are {', '.join(known)}"
-            )
+        for name in sorted(set(options.solvers) - set(known)):
+            raise GateError(f"the head: {unknown_name('solver', name, known)}")
     if not solvers:  # all named solvers are new
         return Verified()
     return program.verify(_chosen(options, solvers), _empty(options.out / program.name))

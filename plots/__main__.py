@@ -12,6 +12,7 @@ if __name__ == "__main__":
     console.prepare()  # before imports that may fail
 
 from plots.catalogue import EVERYTHING, NUMBERED, draw_files
+from results.names import unknown_name
 from results.reader import ResultError, read_run, run_folder
 
 
@@ -30,8 +31,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         help="folder for what is drawn (default: tables to RUN/tables, figures to RUN/figures)",
     )  # fmt: skip
     options = parser.parse_args(arguments)
-    if unknown := [name for name in options.names if NUMBERED.get(name, name) not in EVERYTHING]:
-        parser.error(f"unknown table or figure: {', '.join(unknown)}")
+    for name in options.names:
+        if NUMBERED.get(name, name) not in EVERYTHING:
+            parser.error(unknown_name("table or figure", name, [*EVERYTHING, *NUMBERED]))
     try:
         folder = run_folder(options.run)
         run = read_run(folder)

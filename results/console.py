@@ -9,6 +9,7 @@ import argparse
 import io
 import json
 import os
+import re
 import signal
 import sys
 from pathlib import Path
@@ -17,6 +18,8 @@ from typing import TYPE_CHECKING, NoReturn, TextIO
 
 if TYPE_CHECKING:
     from _typeshed import SupportsWrite
+
+from results.names import unknown_name
 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGES = "python3-jinja2, python3-jsonschema, python3-matplotlib, python3-numpy and python3-scipy"
@@ -92,6 +95,9 @@ class Parser(argparse.ArgumentParser):
         sys.stdout.flush()
 
     def error(self, message: str) -> NoReturn:
+        if word := re.match(r"unrecognized arguments: (--[^ =]+)", message):
+            options = [name for name in self._option_string_actions if name.startswith("--")]
+            message = unknown_name("option", word[1], options)
         self.exit(1, f"{self.prog}: {printable(message)}; see {self.prog} --help\n")
 
 

@@ -21,6 +21,7 @@ import numpy as np
 from .columns import OK as OK
 from .columns import SOURCE, Array, Columns
 from .console import ROOT, printable
+from .names import unknown_name
 from .schema import SCHEMA as SCHEMA
 from .schema import ResultError as ResultError
 from .schema import key_of, validate
@@ -321,7 +322,7 @@ class Run:
         """Returns the run with only these meshes. @raises ResultError for an unknown mesh"""
         for name in names:
             if name not in self.meshes:
-                raise ResultError(f"{self.file}: no mesh {name!r}; it has {', '.join(self.meshes)}")
+                raise ResultError(f"{self.file}: {unknown_name('mesh', name, self.meshes)}")
         return replace(
             self,
             meshes={name: mesh for name, mesh in self.meshes.items() if name in names},

@@ -66,8 +66,39 @@ take_preset() {
   preset=$value
 }
 
+# unknown_option WORD: names the option of the script's usage that is nearest, if one is near.
 unknown_option() {
-  die "unknown option $1; see $program --help"
+  local least=$((1 + ${#1} / 4)) nearest='' word
+  while read -r word; do
+    edit_distance "$1" "$word" "$least"
+    if [[ $distance -le $least ]]; then least=$((distance - 1)) nearest=$word; fi
+  done < <(usage | grep -oE -- '--[a-z][a-z-]*')
+  die "unknown option $1${nearest:+ (did you mean $nearest?)}; see $program --help"
+}
+
+# edit_distance A B MOST: sets `distance` to the number of insertions, deletions, substitutions and
+# swaps of neighbours that turn A into B, or to more than MOST.
+edit_distance() {
+  local a=$1 b=$2 i j cost above=() before=()
+  distance=$(($3 + 1))
+  [[ $((${#a} - ${#b})) -le $3 && $((${#b} - ${#a})) -le $3 ]] || return 0
+  local edits=()
+  for ((j = 0; j <= ${#b}; j++)); do edits[j]=$j; done
+  for ((i = 1; i <= ${#a}; i++)); do
+    above=("${edits[@]}")
+    edits[0]=$i
+    for ((j = 1; j <= ${#b}; j++)); do
+      [[ ${a:i-1:1} == "${b:j-1:1}" ]] && cost=0 || cost=1
+      edits[j]=$((above[j - 1] + cost))
+      ((edits[j - 1] + 1 >= edits[j])) || edits[j]=$((edits[j - 1] + 1))
+      ((above[j] + 1 >= edits[j])) || edits[j]=$((above[j] + 1))
+      if [[ $i -gt 1 && $j -gt 1 && ${a:i-1:1} == "${b:j-2:1}" && ${a:i-2:1} == "${b:j-1:1}" ]]; then
+        ((before[j - 2] + 1 >= edits[j])) || edits[j]=$((before[j - 2] + 1))
+      fi
+    done
+    before=("${above[@]}")
+  done
+  distance=${edits[${#b}]}
 }
 
 # absolute PATH: prints the absolute path, relative to the folder in which the user started the script.

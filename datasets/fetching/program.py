@@ -10,6 +10,8 @@ from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Any, TypeVar
 
+from results.names import unknown_name
+
 from .reporting import FetchError, Unavailable
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -128,5 +130,5 @@ def last_line(done: subprocess.CompletedProcess[str]) -> str:
 def find(known: Mapping[str, Value], name: str, kind: str) -> Value:
     """Returns the value of a name. Raises FetchError with all names for an unknown one."""
     if name not in known:
-        raise FetchError(f"no {kind} named '{name}'; there are: {', '.join(sorted(known))}")
+        raise FetchError(unknown_name(kind, name, known))
     return known[name]

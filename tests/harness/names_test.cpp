@@ -9,7 +9,9 @@ namespace {
 
 TEST(UnknownName, ListsWhatExistsAndGuessesWhatWasMeant) {
   EXPECT_EQ(unknown_name("solver", "mpm", {"ch", "ich", "mmp"}),
-            "no solver named 'mpm'; there are: ch, ich, mmp");
+            "no solver named 'mpm' (did you mean 'mmp'?); there are: ch, ich, mmp");
+  EXPECT_EQ(unknown_name("solver", "dial", {"ch", "ich", "mmp"}),
+            "no solver named 'dial'; there are: ch, ich, mmp");
   EXPECT_EQ(unknown_name("solver", "edge-base", {"ch", "edge-based"}),
             "no solver named 'edge-base' (did you mean 'edge-based'?); there are: ch, edge-based");
 }

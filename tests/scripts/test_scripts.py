@@ -15,6 +15,11 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 SCRIPTS = ["run_all.sh", "run_tests.sh", "check_performance.sh", "tests/fuzz/fuzz.sh", "tools/lint.sh"]
+KNOWN_BY = [
+    "datasets/manifest.json", "peers/vtp/peer.json", "peers/pvtp/peer.json",
+    "solvers/mmp/mmp.cpp", "solvers/chen_han/chen_han.cpp",
+]  # fmt: skip
+"""Files that say which names there are."""
 GOLDEN = ROOT / "tests" / "plots" / "golden" / "run"
 
 Ended = subprocess.CompletedProcess[str]
@@ -23,10 +28,10 @@ FakePath = Callable[..., dict[str, str]]
 
 @pytest.fixture
 def checkout(tmp_path: Path) -> Path:
-    """The files that the scripts need, without solvers, in a folder whose name has spaces."""
+    """The files that the scripts need, in a folder whose name has spaces."""
     copy = tmp_path / "a path with spaces"
     copy.mkdir()
-    for name in [*SCRIPTS, "new_solver.sh"]:
+    for name in [*SCRIPTS, "new_solver.sh", *KNOWN_BY]:
         (copy / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, copy / name)
     for folder in ["tools", "gate", "plots", "results/published"]:
@@ -244,6 +249,27 @@ def test_failed_check_still_draws_an_old_run_where_it_is_and_ends_in_error(check
     assert not (checkout / "results" / "runs").exists()
 
 
+@pytest.mark.parametrize(
+    ("words", "says"),
+    [
+        ("--corpsu quick", "unknown option --corpsu (did you mean --corpus?)"),
+        ("--corpus quik", "--corpus: no corpus named 'quik' (did you mean 'quick'?)"),
+        ("--solvers mmp,mpm", "--solvers: no solver named 'mpm' (did you mean 'mmp'?)"),
+        ("--solvers mmp?k=1,x,mmp --meshes hors", "--meshes: no mesh named 'hors' (did you mean 'horse'?)"),
+        ("--peers foo", "--peers: no peer named 'foo'"),
+        ("--folder nowhere", "--folder: no such folder: "),
+        ("--resume plots", "/plots has no request.json: no run began there"),
+        ("plot --run plots", "/plots has no run.json: it is no run that has ended"),
+    ],
+)  # fmt: skip
+def test_names_and_folders_are_checked_before_the_first_step(
+    checkout: Path, words: str, says: str
+) -> None:
+    ended = run(checkout / "run_all.sh", *words.split(), "--no-install", cwd=str(checkout))
+    assert ended.returncode == 1 and says in ended.stderr and ended.stderr.count("\n") == 1
+    assert ended.stdout == ""
+
+
 def test_run_folder_that_holds_results_is_not_written_to(checkout: Path) -> None:
     bench(checkout)
     shutil.copytree(GOLDEN, checkout / "old")
@@ -279,7 +305,6 @@ def test_options_reach_the_program(checkout: Path) -> None:
 def test_peers_are_built_and_run_beside_the_solvers(checkout: Path) -> None:
     bench(checkout)
     build = checkout / "peers" / "build.py"
-    build.parent.mkdir()
     build.write_text(
         "import sys\nwords = sys.argv[3:]\n"
         "at = words.index('--words') + 1 if '--words' in words else 0\n"

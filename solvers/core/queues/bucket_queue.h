@@ -83,7 +83,7 @@ class BucketQueue {
   }
 
  private:
-  static constexpr std::ptrdiff_t kMinimum = 6;     // K stays between these
+  static constexpr std::ptrdiff_t kMinimum = 6;  // K stays between these
   static constexpr std::ptrdiff_t kMaximum = 1000;
   static constexpr int kAhead = 8;                  // items between the next one and `upcoming`
   static constexpr std::int64_t kRing = 1 << 14;    // buckets; a power of two

@@ -1,0 +1,20 @@
+"""Names that nothing has, in messages: the same text as solvers/core/messages.h writes."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+
+
+def unknown_name(kind: str, name: str, known: Iterable[str]) -> str:
+    """Returns "no corpus named 'quik' (did you mean 'quick'?); there are: quick, tiny"."""
+    names = sorted(known)
+    message = f"no {kind} named '{name}'"
+    if not names:
+        return f"{message}; there are: none"
+    if nearest := difflib.get_close_matches(name, names, n=1):
+        message += f" (did you mean '{nearest[0]}'?)"
+    if len(names) <= 50:
+        return f"{message}; there are: {', '.join(names)}"
+    near = difflib.get_close_matches(name, names, n=8, cutoff=0)
+    return f"{message}; the nearest of {len(names)}: {', '.join(near)}"
