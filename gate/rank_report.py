@@ -73,7 +73,7 @@ def _explanation(ranking: Ranking) -> str:
     return (
         f"Ratios are the solver's numbers over those of {name}: above 1 the solver takes more."
         " Times are CPU times of a solve in interleaved pairs; ~ marks a difference from"
-        f" {name} that they do not resolve. Solvers of one rank are not resolved from each other."
+        f" {name} that they do not resolve. Solvers of different ranks are resolved from each other."
     )
 
 

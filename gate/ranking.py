@@ -6,6 +6,7 @@ docs/ranking.md describes the numbers, docs/measuring.md the pairs.
 
 from __future__ import annotations
 
+import math
 import statistics
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -193,21 +194,24 @@ def _order(standing: Standing, candidate: str) -> float:
     """Returns the time relative to the candidate; infinity for a solver that has no place."""
     if standing.time is not None:
         return standing.time.estimate.value
-    return 1.0 if standing.solver == candidate and standing.right else float("inf")
+    return 1.0 if standing.solver == candidate and standing.right else math.inf
 
 
 def _give_ranks(ranking: Ranking) -> None:
-    """Assigns the ranks. A solver whose time is not resolved from the first of a rank shares the rank."""
-    first: Standing | None = None
-    for place, standing in enumerate(ranking.standings, 1):
-        if _order(standing, ranking.candidate) == float("inf"):
-            continue
-        if first is not None:
-            between = ranking.measurements.mean(first.solver, standing.solver)
-            if between is not None and not between.resolved:
-                standing.rank = first.rank
-                continue
-        first, standing.rank = standing, place
+    """Assigns the ranks. A rank begins where the pairs resolve each solver before from each behind it.
+    Too few pairs for an interval give no ranks."""
+    placed = [one for one in ranking.standings if _order(one, ranking.candidate) < math.inf]
+    if not any(one.time is not None and one.time.has_interval for one in placed):
+        return
+    rank = 1
+    for place, standing in enumerate(placed):
+        between = (
+            ranking.measurements.mean(before.solver, behind.solver)
+            for before in placed[:place] for behind in placed[place:]
+        )  # fmt: skip
+        if all(one is None or one.resolved for one in between):
+            rank = place + 1
+        standing.rank = rank
 
 
 def _failures(ranking: Ranking) -> list[str]:

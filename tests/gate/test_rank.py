@@ -66,10 +66,23 @@ def test_solvers_that_tie_with_each_other_and_not_with_the_candidate_share_a_ran
     assert sorted(one.rank or 0 for one in ranking.standings) == [1, 2, 2]
 
 
-def test_too_few_pairs_have_no_interval() -> None:
+def test_a_rank_begins_only_where_all_before_are_resolved_from_all_behind() -> None:
+    ranking, _ = of(of_solvers({"new": 1.0, "a": 1.001, "b": 1.012, "slow": 2.0}, spread=0.03))
+
+    def resolved(first: str, second: str) -> bool:
+        mean = ranking.measurements.mean(first, second)
+        return mean is not None and mean.resolved
+
+    assert resolved("new", "b") and not resolved("new", "a") and not resolved("a", "b")
+    assert [(one.solver, one.rank) for one in ranking.standings] == [
+        ("new", 1), ("a", 1), ("b", 1), ("slow", 4)
+    ]  # fmt: skip
+
+
+def test_too_few_pairs_have_neither_intervals_nor_ranks() -> None:
     ranking, made = of(of_solvers({"new": 1.0, "a": 2.0}, pairs=1))
     text = as_markdown(ranking, made)
-    assert "| a | 1 | ~ 2.0" in text and "fewer than 6 pairs resolve nothing" in text
+    assert "| a | - | ~ 2.0" in text and "fewer than 6 pairs resolve nothing" in text
     assert " to " not in text.split("## horse")[1].split("\n\n")[1]
     assert json.loads(as_json(ranking))["standings"][1]["time"]["low"] is None
 
