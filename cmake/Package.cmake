@@ -26,7 +26,7 @@ install(DIRECTORY harness/suites DESTINATION ${GEODESIC_DATA_FOLDER}/harness)
 install(FILES harness/relative_times.json harness/suite.schema.json
         DESTINATION ${GEODESIC_DATA_FOLDER}/harness)
 install(DIRECTORY results/baseline results/published DESTINATION ${GEODESIC_DATA_FOLDER}/results)
-install(FILES results/__init__.py results/checksum.py results/columns.py results/console.py results/merge.py
+install(FILES results/__init__.py results/checksum.py results/columns.py results/console.py results/merge.py results/names.py
               results/outcomes.py results/pairs.py results/published.py results/reader.py results/schema.py
               results/statistics.py results/table.py results/text.py
         DESTINATION ${GEODESIC_DATA_FOLDER}/results)

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, NoReturn, TextIO
 if TYPE_CHECKING:
     from _typeshed import SupportsWrite
 
-from results.names import unknown_name
+from .names import unknown_name
 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGES = "python3-jinja2, python3-jsonschema, python3-matplotlib, python3-numpy and python3-scipy"
