@@ -99,22 +99,31 @@ Finding check_distances(const Query& query, std::span<const double> got,
   const auto error = [&](std::size_t v) {
     return excess(got[v], expected[v], relation, tolerance.least);
   };
-  std::size_t wrong = 0, first = 0;
+  std::size_t wrong = 0, first = 0, infinite = 0;  // or undefined
   double largest = 0;
   for (std::size_t v = 0; v < got.size(); ++v) {
     const double e = error(v);
     if (e <= allowed) continue;
     if (wrong++ == 0 || expected[v] < expected[first]) first = v;
-    largest = std::max(largest, e);
+    if (std::isfinite(e)) {
+      largest = std::max(largest, e);
+    } else {
+      ++infinite;
+    }
   }
   if (wrong == 0) return {};
-  Violation found = violation(
-      query, got,
-      std::to_string(wrong) + " of " + counts + (wrong == 1 ? " is wrong" : " are wrong") +
-          sources_of(query) + ", first at vertex " + std::to_string(first) + ": " +
-          significant(got[first]) + " instead of " + significant(expected[first]) +
-          " (relative error " + significant(error(first), 3) +
-          (wrong > 1 ? ", largest " + significant(largest, 3) : "") + ")");
+  std::vector<std::string> sizes;
+  if (std::isfinite(error(first))) {
+    sizes.push_back("relative error " + significant(error(first), 3));
+  }
+  if (wrong > 1 && infinite < wrong) sizes.push_back("largest " + significant(largest, 3));
+  if (infinite > 0) sizes.push_back("infinite or undefined: " + std::to_string(infinite));
+  Violation found =
+      violation(query, got,
+                std::to_string(wrong) + " of " + counts +
+                    (wrong == 1 ? " is wrong" : " are wrong") + sources_of(query) +
+                    ", first at vertex " + std::to_string(first) + ": " + significant(got[first]) +
+                    " instead of " + significant(expected[first]) + " (" + join(sizes, ", ") + ")");
   found.kind =
       relation == Relation::same_bits ? "other bits" : direction(got[first], expected[first]);
   found.vertex = static_cast<Index>(first);

@@ -98,9 +98,11 @@ class Explanation {
         significant(p[1]) + ", " + significant(p[2]) + "), " + role_of(first, mesh_, query_));
     say("  got       " + significant(got_[first]));
     const bool reached = std::isfinite(right_[first]);
-    say("  expected  " + significant(right_[first]) + " (" + reference_.by + "), " +
-        (reached ? "relative error " + significant(relative_error(got_[first], right_[first]), 3)
-                 : "no path leads there"));
+    const double error = relative_error(got_[first], right_[first]);
+    say("  expected  " + significant(right_[first]) + " (" + reference_.by + ")" +
+        (!reached               ? ", no path leads there"
+         : std::isfinite(error) ? ", relative error " + significant(error, 3)
+                                : ""));
     if (reached) explain_path(first);
     return lines_;
   }

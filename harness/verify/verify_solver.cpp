@@ -168,8 +168,8 @@ class Verification {
                 << " did not end (--property NAME checks one, --time-limit gives more time)\n";
     }
     if (count_.failed > static_cast<int>(failed_.size())) {
-      std::cout << "the first " << failed_.size()
-                << " that fail are shown (--property NAME shows one)\n";
+      std::cout << count_.failed << " of " << count_.hold + count_.failed << " fail; begin with "
+                << failed_.front().name << " (--property NAME explains another one)\n";
     }
   }
 

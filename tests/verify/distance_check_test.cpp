@@ -1,6 +1,7 @@
 #include "harness/verify/distance_check.h"
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "tests/harness/expect_words.h"
@@ -121,6 +122,17 @@ TEST(DistanceCheck, failures_name_where_it_went_wrong_first_and_the_largest_erro
             "(relative error 0.25, largest 0.25)");
   EXPECT_EQ(finding->got, got);
   EXPECT_EQ(finding->query.sources.front().at.vertex, 3u);
+}
+
+TEST(DistanceCheck, failures_count_distances_that_are_infinite_on_one_side_apart) {
+  const auto what = [](const Values& got, const Values& want) {
+    return check_distances(kFromZero, got, want).value().what.substr(std::strlen("2 of 3 dist"));
+  };
+  const std::string where = "ances are wrong from vertex 0, first at vertex 1: ";
+  EXPECT_EQ(what({0, kInfinity, kInfinity}, {0, 1, 2}),
+            where + "inf instead of 1 (infinite or undefined: 2)");
+  EXPECT_EQ(what({0, 1.5, kInfinity}, {0, 1, 2}),
+            where + "1.5 instead of 1 (relative error 0.5, largest 0.5, infinite or undefined: 1)");
 }
 
 TEST(DistanceCheck, no_edge_joins_distances_that_differ_by_more_than_it_is_long) {

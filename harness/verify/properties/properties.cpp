@@ -9,10 +9,11 @@ namespace geodesic::harness {
 const std::vector<Property>& all_properties() {
   static const std::vector<Property> all = [] {
     std::vector<Property> properties;
+    // The most basic ones first, since the first ones that fail are explained.
     for (const auto& group :
-         {query_properties(), component_properties(), repetition_properties(),
-          recording_properties(), invariance_properties(), closed_form_properties(),
-          unclean_mesh_properties(), extreme_mesh_properties(), rough_mesh_properties(),
+         {closed_form_properties(), rough_mesh_properties(), invariance_properties(),
+          component_properties(), query_properties(), repetition_properties(),
+          recording_properties(), unclean_mesh_properties(), extreme_mesh_properties(),
           path_properties(), sheet_properties()}) {
       properties.insert(properties.end(), group.begin(), group.end());
     }
