@@ -4,6 +4,8 @@
 #include <iostream>
 #include <map>
 #include <numeric>
+#include <optional>
+#include <stdexcept>
 #include <string_view>
 
 #include "harness/base/error.h"
@@ -14,8 +16,10 @@
 #include "harness/corpus/solvers.h"
 #include "harness/corpus/sources.h"
 #include "harness/verify/random_check.h"
+#include "harness/verify/references.h"
 #include "harness/verify/reproduce.h"
 #include "meshes/mesh_file.h"
+#include "meshes/oracles/random_meshes.h"
 
 namespace geodesic::harness {
 namespace {
@@ -74,6 +78,43 @@ void print_line(const std::string& outcome, const std::string& name, const std::
   std::cout.flush();
 }
 
+/// Windows that a solver propagates on a terrain and a sphere; nothing if it counts none or
+/// refuses.
+std::optional<double> windows_propagated(const std::string& solver) {
+  double windows = 0;
+  for (const TriangleSoup& soup : {rough_terrain(1, 24, 24, 1.0), rough_sphere(1, 3, 0.2)}) {
+    Recording recording;
+    try {
+      solve_once(solver, Mesh(soup), query_from({0}), &recording);
+    } catch (const std::invalid_argument&) {
+      return {};
+    }
+    if (!recording.window_propagations) return {};
+    windows += static_cast<double>(*recording.window_propagations);
+  }
+  return windows;
+}
+
+/// What a solver does that is not wrong but useless: windows taken far out of order, or kept where
+/// others beat them, cost time only. @return empty if it propagates few more than its family
+std::string waste_of(const Description& solver) {
+  constexpr double kMostWindows = 2;  // times those of another exact solver of its family
+  const std::optional<double> own = windows_propagated(solver.name);
+  for (const Description* other : registered_solvers()) {
+    if (!own || other == &solver || other->family != solver.family ||
+        other->exactness != solver.exactness || other->independent_oracle) {
+      continue;
+    }
+    const std::optional<double> theirs = windows_propagated(other->name);
+    if (!theirs || *own <= kMostWindows * *theirs) continue;
+    return solver.name + " propagates " + significant(*own / *theirs, 3) +
+           " times the windows of " + other->name +
+           ", of the same family: right, but does it take windows in the order of " +
+           "distance, and drop those that are beaten?";
+  }
+  return {};
+}
+
 std::filesystem::path failure_folder(const VerifyRequest& request) {
   if (!request.out.empty()) return request.out;
   return request.random ? "failures" : "failures-" + as_file_name(request.solvers.front());
@@ -99,6 +140,11 @@ class Verification {
     for (const MeshEntry& mesh : meshes) check(property, mesh);
     for (const FailedProperty& failed : failed_) report_.show(check_, failed);
     summarise();
+    if (request_.property.empty() && count_.failed == 0) {
+      if (const std::string waste = waste_of(check_.solver()); !waste.empty()) {
+        std::cout << "warning: " << waste << '\n';
+      }
+    }
     const int failures = count_.failed;
     if (failures == 0 && count_.not_known > 0) {
       throw HarnessError(std::to_string(count_.not_known) + " not known, as listed above");

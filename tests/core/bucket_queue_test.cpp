@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 #include <vector>
 
 #include "meshes/random.h"
@@ -47,6 +48,12 @@ TEST(BucketQueue, an_item_born_during_a_phase_waits_for_the_next) {
   for (int i = 1; i < 20; ++i) EXPECT_EQ(queue.pop(), i);
   EXPECT_EQ(queue.pop(), 100);
   EXPECT_TRUE(queue.empty());
+}
+
+TEST(BucketQueue, a_width_that_is_negative_or_not_a_number_is_refused) {
+  for (const double width : {-1.0, -1e-300, std::nan("")}) {
+    EXPECT_THROW(BucketQueue<int>{width}, std::invalid_argument) << width;
+  }
 }
 
 // The wavefront grows: each item gives two, behind all that wait.

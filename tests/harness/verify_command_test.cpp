@@ -118,6 +118,18 @@ TEST_F(VerifyCommand, OfASoundSolverSaysThatAPropertyHolds) {
   EXPECT_FALSE(std::filesystem::exists(out()));
 }
 
+TEST_F(VerifyCommand, WarnsOfASolverThatPropagatesFarMoreWindowsThanItsFamily) {
+  if (run(kFaultyProgram, {"list"}).out.find("fwp-ch") == std::string::npos) {
+    GTEST_SKIP() << "built without the family of Chen and Han";
+  }
+  const std::string warning = "times the windows of fwp-ch, of the same family";
+  const Output unordered = verify("ch", {});
+  EXPECT_EQ(unordered.code, 0) << unordered.err;
+  EXPECT_NE(unordered.out.find("warning: ch propagates "), std::string::npos) << unordered.out;
+  EXPECT_NE(unordered.out.find(warning), std::string::npos) << unordered.out;
+  EXPECT_EQ(verify("ich", {}).out.find("warning"), std::string::npos);
+}
+
 TEST_F(VerifyCommand, DoesNotHoldAgainstASolverWhatItDoesNotClaim) {
   const Output found = verify("dijkstra", {"--property", "distances-are-symmetric"});
   EXPECT_EQ(found.code, 0) << found.out << found.err;

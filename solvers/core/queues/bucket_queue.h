@@ -28,7 +28,7 @@ template <class Item>
 class BucketQueue {
  public:
   /// @param width keys covered by one bucket, in the keys' unit; published_bucket_width is the
-  ///        usual choice. If it is not positive, one bucket takes everything.
+  ///        usual choice. If it is 0, one bucket takes everything.
   explicit BucketQueue(double width) : numbers_(width), ring_(kRing) {}
 
   bool empty() const { return phase_.empty() && ring_.empty() && far_.empty(); }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <vector>
 
 #include "solvers/core/mesh.h"
@@ -26,9 +27,12 @@ inline double published_bucket_width(const Mesh& mesh) {
 /// a number share the last bucket.
 class BucketNumbers {
  public:
-  /// @param width keys covered by one bucket; if not positive, one bucket takes everything
+  /// @param width keys covered by one bucket; if 0, one bucket takes everything
+  /// @throws std::invalid_argument if it is negative or not a number
   explicit BucketNumbers(double width)
-      : per_width_(width > 0 ? std::min(1 / width, kGreatestFactor) : 0) {}
+      : per_width_(width > 0 ? std::min(1 / width, kGreatestFactor) : 0) {
+    if (!(width >= 0)) throw std::invalid_argument("the width of a bucket is not 0 or positive");
+  }
 
   /// @param key not negative
   std::int64_t of(double key) const {

@@ -24,7 +24,7 @@ namespace geodesic {
 class VertexCalendar {
  public:
   /// @param vertices number of vertices; ids run from 0 to vertices - 1
-  /// @param width keys covered by one bucket, in the keys' unit; not positive: all are in one
+  /// @param width keys covered by one bucket, in the keys' unit; 0: all are in one
   VertexCalendar(Index vertices, double width)
       : numbers_(width), slots_(kSlots), marks_(vertices, kAbsent) {}
 
