@@ -40,6 +40,7 @@ class Pool {
     }
     const Index slot = free_;
     std::memcpy(&free_, &slots_[slot], sizeof free_);
+    prefetch(free_);  // for the next call
     slots_[slot] = item;
     return slot;
   }

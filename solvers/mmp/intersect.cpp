@@ -84,8 +84,8 @@ Crossings crossings(const Window& a, const Window& b) {
   return {.count = 2, .at = {a.x + std::min(t, u), a.x + std::max(t, u)}};
 }
 
-Division divide_at_crossings(Window challenger, Window incumbent, double from, double to,
-                             double narrowest, int at_from, int at_to) {
+Division divide_at_crossings(const Window& challenger, const Window& incumbent, double from,
+                             double to, double narrowest, int at_from, int at_to) {
   if (at_from * at_to > 0) {
     const Window& winner = at_from < 0 ? challenger : incumbent;
     const Window& other = at_from < 0 ? incumbent : challenger;

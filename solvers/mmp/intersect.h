@@ -20,22 +20,27 @@ struct Division {
   double at[2] = {};  ///< ascending, strictly inside the interval
 };
 
+/// Values at both ends of an interval, or the ends themselves, to be computed at once.
+using Ends = double __attribute__((vector_size(16)));
+inline Ends swapped(Ends a) { return __builtin_shufflevector(a, a, 1, 0); }
+
+/// Bit 0 for the first end, bit 1 for the second.
+template <class Mask>
+unsigned bits(Mask mask) {
+  return (static_cast<unsigned>(mask[0]) & 1) | (static_cast<unsigned>(mask[1]) & 2);
+}
+
 /// The distances of a window at both ends of an interval of the edge.
 struct EndDistances {
-  double leg_from, leg_to;  ///< from its source
-  double from, to;          ///< including sigma
+  Ends along;  ///< from the source to the ends, along the edge
+  Ends leg;    ///< from the source
+  Ends whole;  ///< including sigma
 
-  EndDistances(const Window& w, double t_from, double t_to)
-      : leg_from(leg(w, t_from)),
-        leg_to(leg(w, t_to)),
-        from(w.sigma + leg_from),
-        to(w.sigma + leg_to) {}
+  EndDistances(const Window& w, Ends t)
+      : along(t - w.x), leg(root(along * along + w.y * w.y)), whole(leg + w.sigma) {}
 
  private:
-  static double leg(const Window& w, double t) {
-    const double dx = t - w.x;
-    return std::sqrt(dx * dx + w.y * w.y);
-  }
+  static Ends root(Ends a) { return Ends{std::sqrt(a[0]), std::sqrt(a[1])}; }
 };
 
 /// -1 if the challenger is shorter, 1 if the incumbent is, 0 if they tie.
@@ -47,17 +52,18 @@ inline int nearer(double challenger, double incumbent) {
 /// Sufficient test that a window that is not shorter at either end of an interval is so nowhere
 /// between; it misses few cases. Distances are convex along an edge: the loser's lies above its
 /// tangents, the winner's below its chord. Multiplied by the loser's leg to avoid a division.
-inline bool stays_behind(const Window& loser, const EndDistances& lost, const EndDistances& won,
-                         double from, double to) {
-  const double width = to - from, tie = kPathMargin * won.from;
-  return (lost.from - won.to + tie) * lost.leg_from + (from - loser.x) * width >= 0 ||
-         (lost.to - won.from + tie) * lost.leg_to - (to - loser.x) * width >= 0;
+/// @param width of the interval
+inline bool stays_behind(const EndDistances& lost, const EndDistances& won, double width) {
+  const Ends towards_the_other_end{width, -width};
+  return bits((lost.whole - swapped(won.whole) + kPathMargin * won.whole) * lost.leg +
+                  lost.along * towards_the_other_end >=
+              0) != 0;
 }
 
 /// The part of `divide` for intervals that the ends do not decide.
 /// @param at_from, at_to result of `nearer` at the ends of the interval
-Division divide_at_crossings(Window challenger, Window incumbent, double from, double to,
-                             double narrowest, int at_from, int at_to);
+Division divide_at_crossings(const Window& challenger, const Window& incumbent, double from,
+                             double to, double narrowest, int at_from, int at_to);
 
 /// Divides the interval [from, to] of an edge between two windows: each gets the points where it is
 /// shorter. The challenger must be shorter by kPathMargin, relative; the incumbent keeps ties, so
@@ -65,14 +71,18 @@ Division divide_at_crossings(Window challenger, Window incumbent, double from, d
 /// @param narrowest parts narrower than this go to their neighbour; unit of length
 inline Division divide(const Window& challenger, const Window& incumbent, double from, double to,
                        double narrowest) {
-  const EndDistances c(challenger, from, to), i(incumbent, from, to);
-  const int at_from = nearer(c.from, i.from), at_to = nearer(c.to, i.to);
-  if (at_from >= 0 && at_to >= 0) {
-    if (stays_behind(challenger, c, i, from, to)) return {};
-  } else if (at_from <= 0 && at_to <= 0) {
-    if (stays_behind(incumbent, i, c, from, to)) return {.challenger_first = true};
+  const EndDistances c(challenger, Ends{from, to}), i(incumbent, Ends{from, to});
+  const Ends lead = c.whole - i.whole, margin = kPathMargin * i.whole;
+  const unsigned behind = bits(lead > margin), ahead = bits(lead < -margin);
+  if (ahead == 0) {
+    if (stays_behind(c, i, to - from)) return {};
+  } else if (behind == 0) {
+    if (stays_behind(i, c, to - from)) return {.challenger_first = true};
   }
-  return divide_at_crossings(challenger, incumbent, from, to, narrowest, at_from, at_to);
+  const auto sign = [&](unsigned bit) {
+    return static_cast<int>((behind & bit) != 0) - static_cast<int>((ahead & bit) != 0);
+  };
+  return divide_at_crossings(challenger, incumbent, from, to, narrowest, sign(1), sign(2));
 }
 
 /// The positions on the edge's line where two windows give equal distances, ascending, regardless

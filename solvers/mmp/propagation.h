@@ -6,9 +6,8 @@
 //
 // The queue holds windows and pseudo-sources. A window from the queue is unfolded across the face
 // that it enters. Its children are inserted among the windows of the two edges on which they land
-// (overlay.h), and the parts that they win are queued. A pseudo-source sends windows into all its
-// faces. A waiting window that loses its nearest point gets a new key: it is re-inserted
-// (edge_window.h).
+// (wavefront.h), and the parts that they win are queued. A pseudo-source sends windows into all its
+// faces.
 #pragma once
 
 #include <algorithm>
@@ -49,15 +48,14 @@ class Propagation {
       }
       budget_.spend(1);
       if (keep == Keep::wavefront) wavefront_.release_passed(mesh_, distances_);
-      if (const auto taken = wavefront_.take(mesh_)) {
-        if (taken->vertex != kNone) {
-          emit(taken->vertex);
-        } else {
-          propagate(*taken);
-        }
+      const W w = wavefront_.take(mesh_);
+      if (w.state == State::waits) {
+        propagate(w);
+      } else if (w.state == State::vertex) {
+        emit(w.into);
       }
       if constexpr (Recorder::kRecords) {
-        if (progress_.made_step()) wavefront_.sample(mesh_, progress_);
+        if (progress_.made_step()) wavefront_.sample(progress_);
       }
     }
     if constexpr (Recorder::kRecords) recorder_.recording.window_limit = wavefront_.windows_left();
@@ -65,20 +63,15 @@ class Propagation {
 
   /// The windows of the last solve on an edge (FinalWindows). It must have kept all windows.
   void copy_windows(Index half_edge, std::vector<Window>& windows) const {
-    const Index edge = list_of(half_edge, mesh_.twin(half_edge));
-    wavefront_.copy_windows(edge, mesh_.half_edge(edge).length, windows);
+    wavefront_.copy_windows(list_of(half_edge, mesh_.twin(half_edge)), windows);
   }
 
  private:
-  using Depth = typename Recorder::Depth;
   using Front = Wavefront<typename Policy::Queue, Recorder>;
-  using Taken = typename Front::Taken;
+  using W = typename Front::W;
+  using Origin = typename Front::Origin;
+  using Root = typename Origin::Root;
   using LastSegment = LastSegmentOf<Recorder>;
-  /// Data that a window's children inherit, besides the geometry.
-  struct WindowOrigin {
-    Index source;  ///< number of the pseudo-source
-    Depth depth;
-  };
 
   void start(const InternalQuery& query, std::span<double> distances) {
     distances_ = distances;
@@ -89,7 +82,6 @@ class Propagation {
     stops_ = query.stop_at_targets;
     if (stops_) wavefront_.keep_sorted();
     stop_rule_ = StopRule(mesh_, query, distances_);
-    roots_.clear();
     Index beyond_vertices = mesh_.vertex_count();
     for (const InternalSource& source : query.sources) {
       const Index root = beyond_vertices++;
@@ -113,7 +105,7 @@ class Propagation {
   /// and lie along its edge if it is on one.
   [[gnu::cold, gnu::noinline]] void spread(const InternalSource& source, Index root) {
     const double d = source.distance;
-    const Index number = add_source(d, root);
+    const Origin origin{Root(root), {}}, beyond = origin.next();
     const auto reach_corner = [&](Index h, const Point2& from, double rest, bool is_next)
         __attribute__((cold)) {
       if (is_next) {
@@ -124,9 +116,8 @@ class Propagation {
     };
     const auto cross_side = [&](Index h, const Point2& from) __attribute__((cold)) {
       const double length = mesh_.half_edge(h).length;
-      const WindowOrigin beyond{number, Depth{}.next()};
       const Window across = turned({0, length, from.x, from.y, d}, length);
-      land(h, across, beyond);
+      land(h, across, false, beyond);
       cross_at_once(h, across, beyond);
       row_ = 0;
     };
@@ -134,23 +125,11 @@ class Propagation {
     const Index under = edge_under(source.at);
     if (under == kNone) return;
     const double length = mesh_.half_edge(under).length;
-    land(under, {0, length, in_frame(mesh_, source.at, under).x, 0, d}, {number, {}});
+    land(under, {0, length, in_frame(mesh_, source.at, under).x, 0, d}, false, origin);
   }
 
   /// True when no more distances can change.
   [[gnu::noinline]] bool is_over() { return stop_rule_.is_over(wavefront_.least_key()); }
-
-  /// @param root as in LastSegment (core/recording.h)
-  Index add_source(double sigma, Index root) {
-    if constexpr (Recorder::kRemembers) roots_.push_back(root);
-    return wavefront_.add_source(sigma);
-  }
-
-  /// Root of a window's source; kNone unless the recorder stores roots.
-  Index root_of(const WindowOrigin& origin) const {
-    if constexpr (Recorder::kRemembers) return roots_[origin.source];
-    return kNone;
-  }
 
   void set_distance(Index v, double distance) {
     if constexpr (Recorder::kRecords) progress_.reach(distances_[v]);
@@ -182,21 +161,20 @@ class Propagation {
     if (!has_news(v)) return;
     const double d = distances_[v];
     emitted_[v] = d;
-    const Index source = add_source(d, v);
-    const WindowOrigin along{source, {}}, beyond{source, Depth{}.next()};
+    const Origin along{Root(v), {}}, beyond = along.next();
     for (const Index h : mesh_.outgoing(v)) {
       const Index opposite = Mesh::next(h), into = Mesh::previous(h);
       const double out = mesh_.half_edge(h).length, in = mesh_.half_edge(into).length;
       reach_neighbour(into, d, out, {into, v, {in, 0}});
       reach_neighbour(h, d, in, {h, v, {0, 0}});
-      land(h, {0, out, 0, 0, d}, along);
+      land(h, {0, out, 0, 0, d}, false, along);
       // The edge has no half-edge that leaves v.
-      if (mesh_.twin(into) == kNone) land(into, {0, in, in, 0, d}, along);
+      if (mesh_.twin(into) == kNone) land(into, {0, in, in, 0, d}, false, along);
       const HalfEdge& e = mesh_.half_edge(opposite);
       const double height = std::max(e.apex_y, kTouchingHeight * e.length);
       const Window across{0, e.length, e.apex_x, height, d};
       const EndpointBounds bounds(e.length, distances_[e.origin], distances_[mesh_.head(opposite)]);
-      if (!bounds.beat_whole(d + out, d + in)) land(opposite, across, beyond);
+      if (!bounds.beat_whole(d + out, d + in)) land(opposite, across, false, beyond);
       cross_at_once(opposite, across, beyond);
       row_ = 0;
     }
@@ -207,13 +185,12 @@ class Propagation {
   /// still not see the surface beyond. The window then loses, but its children must be kept. They
   /// may reach another such edge. Out of line, so that cross_face is compiled as without it.
   /// @param w in the frame of h, whose face it leaves
-  [[gnu::cold, gnu::noinline]] void cross_at_once(Index h, const Window& w,
-                                                  const WindowOrigin& origin) {
+  [[gnu::cold, gnu::noinline]] void cross_at_once(Index h, const Window& w, const Origin& origin) {
     const HalfEdge& e = mesh_.half_edge(h);
     const bool on_edge = w.y > 0 && w.y <= kFlatFace * e.length && w.begin < w.x && w.x < w.end;
     if (!on_edge || e.twin == kNone || row_ == kMostInRow) return;
     ++row_;
-    const WindowOrigin beyond{origin.source, origin.depth.next()};
+    const Origin beyond = origin.next();
     mesh_.for_each_sheet(h, [&](Index g) {
       budget_.spend(1);
       recorder_.propagated(1, beyond.depth);
@@ -221,17 +198,16 @@ class Propagation {
     });
   }
 
-  void propagate(const Taken& taken) {
-    const WindowOrigin origin{taken.source, taken.depth.next()};
+  void propagate(const W& w) {
+    const Origin origin = w.origin.next();
     recorder_.propagated(1, origin.depth);
-    const bool enters_twin = !(taken.window.y < 0);
-    const Index h = enters_twin ? mesh_.twin(taken.edge) : taken.edge;
-    const double length = mesh_.half_edge(h).length;
-    Window w = enters_twin ? turned(taken.window, length) : taken.window;
-    if (-w.y < kNextToEdge * rounding_) [[unlikely]] {
-      widen(w, length);
+    const double length = mesh_.half_edge(w.into).length;
+    Window entering = mirrored_if(w.y > 0, w, length);
+    entering.y = -std::abs(w.y);
+    if (-entering.y < kNextToEdge * rounding_) [[unlikely]] {
+      widen(entering, length);
     }
-    cross_face(h, w, origin);
+    cross_face(w.into, entering, origin);
   }
 
   /// Windows end where others begin. If rounding turns the lines at such an end, the lines of both
@@ -244,75 +220,94 @@ class Propagation {
   }
 
   /// @param w in the frame of h, whose face it enters; y < 0
-  void cross_face(Index h, const Window& w, const WindowOrigin& origin) {
-    if constexpr (Recorder::kRemembers) recorder_.crossing(h, w, root_of(origin));
-    const FaceFrame face = face_frame(mesh_, h);
-    const WindowSight sight(w, {face.apex_x, face.apex_y});
-    if (sight.reaches()) {
-      reach(mesh_.apex(h), least_distance_to(w, face.apex_x, face.apex_y),
-            {h, root_of(origin), {w.x, w.y}});
+  void cross_face(Index h, const Window& w, const Origin& origin) {
+    if constexpr (Recorder::kRemembers) recorder_.crossing(h, w, origin.root);
+    const HalfEdge& e = mesh_.half_edge(h);
+    const WindowSight sight(w, {e.apex_x, e.apex_y});
+    const bool left = sight.left(), right = sight.right();
+    if (sight.reaches()) [[unlikely]] {
+      reach(mesh_.apex(h), least_distance_to(w, e.apex_x, e.apex_y), {h, origin.root, {w.x, w.y}});
     }
-    if (sight.left()) {
-      const double end = sight.right() ? face.left : face.on_left(w, w.end);
-      land_child(Mesh::previous(h), {face.on_left(w, w.begin), end}, face.to_left(w.x, w.y),
-                 face.left, w.sigma, origin);
-    }
-    if (sight.right()) {
-      const double begin = sight.left() ? 0.0 : face.on_right(w, w.begin);
-      land_child(Mesh::next(h), {begin, face.on_right(w, w.end)}, face.to_right(w.x, w.y),
-                 face.right, w.sigma, origin);
+    if (left && right) [[unlikely]] {
+      land_child(h, false, w, true, origin);
+      land_child(h, true, w, true, origin);
+    } else if (left || right) {
+      land_child(h, right, w, false, origin);
     }
   }
 
-  struct Interval {
-    double begin, end;
-  };
-
-  /// Inserts a child that leaves its face through h, given in the frame of h's twin.
-  void land_child(Index h, Interval on, const Point2& source, double length, double sigma,
-                  const WindowOrigin& origin) {
+  /// Inserts a child on the left edge of a face, from the origin of h to the apex, or on the right
+  /// one, from the head of h: the same, mirrored. Which one is hard to predict: no branch decides.
+  /// @param w in the frame of h, whose face it enters
+  /// @param to_apex the child ends at the apex
+  void land_child(Index h, bool right, const Window& w, bool to_apex, const Origin& origin) {
+    const Index corner = right ? Mesh::next(h) : h, before = Mesh::previous(corner);
+    const Index side = right ? corner : before;
+    const double length = mesh_.half_edge(side).length, to_corner = mesh_.half_edge(before).length;
+    // The direction of the child's edge from the corner. An edge of length zero takes no window.
+    const double cosine = mesh_.half_edge(corner).apex_x / to_corner;
+    const double sine = mesh_.half_edge(corner).apex_y / to_corner;
+    const Window seen = mirrored_if(right, w, mesh_.half_edge(h).length);
+    const double height = -w.y;
+    // The lines through both ends meet the child's edge, counted from the corner.
+    const Ends t{seen.begin, seen.end};
+    const Ends denominator = height * cosine - (t - seen.x) * sine, limit{length, length};
+    Ends on = height * t / denominator;
+    on = on > 0 ? on : Ends{};
+    on = on < limit ? on : limit;
+    on = denominator > 0 ? on : limit;
+    if (to_apex) on[1] = length;
     // Rounding must not move the source across the edge.
-    const Window child =
-        turned({on.begin, on.end, source.x, std::min(source.y, 0.0), sigma}, length);
-    land(h, child, origin);
+    const Window child{on[0], on[1], seen.x * cosine - height * sine,
+                       std::max(height * cosine + seen.x * sine, 0.0), w.sigma};
+    land(side, child, !right, origin);
     if (row_ > 0) [[unlikely]] {
-      cross_at_once(h, child, origin);
+      cross_at_once(side, mirrored_if(!right, child, length), origin);
     }
   }
 
-  /// @param w in the frame of h, whose face it leaves; y >= 0
-  void land(Index h, const Window& w, const WindowOrigin& origin) {
+  /// @param w in the frame of h, whose face it leaves, or `mirrored`; y >= 0
+  void land(Index h, const Window& w, bool mirrored, const Origin& origin) {
     const double length = mesh_.half_edge(h).length;
     if (is_void(w, length)) return;
-    insert(h, length, w, origin);
+    insert(h, length, w, mirrored, origin);
     if (mesh_.crosses_non_manifold_edges()) [[unlikely]] {
-      insert_on_other_sheets(h, length, w, origin);
+      insert_on_other_sheets(h, length, w, mirrored, origin);
     }
   }
 
   [[gnu::cold, gnu::noinline]] void insert_on_other_sheets(Index h, double length, const Window& w,
-                                                           const WindowOrigin& origin) {
+                                                           bool mirrored, const Origin& origin) {
     if (!(w.y > 0)) return;
     mesh_.for_each_sheet(h, [&](Index g) {
-      if (g != h) insert(g, length, w, origin);
+      if (g != h) insert(g, length, w, mirrored, origin);
     });
   }
 
-  /// @param w in the frame of h, or of any half-edge of the edge in the same direction
-  void insert(Index h, double length, const Window& w, const WindowOrigin& origin) {
-    const Index twin = mesh_.twin(h);
-    const bool goes_on = twin != kNone && w.y > 0;
-    if (list_of(h, twin) == h) {
-      wavefront_.insert(h, length, w, origin.source, origin.depth, goes_on);
-    } else {
-      wavefront_.insert(twin, length, turned(w, length), origin.source, origin.depth, goes_on);
-    }
+  /// @param w as for `land`, in the frame of any half-edge of the edge in the direction of h
+  void insert(Index h, double length, const Window& w, bool mirrored, const Origin& origin) {
+    const Index twin = mesh_.twin(h), list = list_of(h, twin);
+    const bool turns = list != h;
+    W listed{mirrored_if(turns != mirrored, w, length), w.y > 0 ? twin : kNone, State::waits,
+             origin};
+    listed.y *= kSign[turns];
+    wavefront_.insert(list, length, listed);
   }
 
   /// Converts a window from the frame of a half-edge to the frame of its twin.
   static Window turned(const Window& w, double length) {
     return {length - w.end, length - w.begin, length - w.x, -w.y, w.sigma};
   }
+
+  /// A window with its edge in the other direction, if that is asked for. Without a branch, which
+  /// would be mispredicted in half of all cases.
+  static Window mirrored_if(bool asked, const Window& w, double length) {
+    const double sign = kSign[asked], from = kShare[asked] * length;
+    const double one = from + sign * w.begin, other = from + sign * w.end;
+    return {std::min(one, other), std::max(one, other), from + sign * w.x, w.y, w.sigma};
+  }
+
+  static constexpr double kSign[] = {1, -1}, kShare[] = {0, 1};  // as it is, mirrored
 
   // Rows of faces without area are short, except on meshes that lie on a line.
   static constexpr int kMostInRow = 32;
@@ -326,8 +321,7 @@ class Propagation {
   std::vector<double> emitted_;  // distance of the windows that each vertex sent out last
   int row_ = 0;                  // faces that the current window has crossed at once
   StopRule stop_rule_;
-  bool stops_ = false;        // the query stops at targets
-  std::vector<Index> roots_;  // by number of source; empty in timed solves
+  bool stops_ = false;  // the query stops at targets
   [[no_unique_address]] typename Recorder::Progress progress_;
 };
 

@@ -11,7 +11,7 @@ void Mmp<Policy>::solve_recorded(const Mesh& mesh, const InternalQuery& query,
   solve_recording(mesh, query, distances, recording, [&](auto recorder) {
     if constexpr (recorder.kRecords) {
       recording.reinsertions = 0;
-      recording.window_bytes = sizeof(EdgeWindow<NoDepth>);
+      recording.window_bytes = sizeof(EdgeWindow<WindowOrigin<NoRecorder>>) + sizeof(ListedWindow);
     }
     Propagation<Policy, decltype(recorder)>(mesh, recorder).run(query, distances);
   });

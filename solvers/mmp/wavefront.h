@@ -1,10 +1,17 @@
 // The windows on all edges, and the queue of those that are not propagated yet.
+//
+// A new window is laid over those of its edge: each part goes to the window that is shorter there
+// (MMP's trimming: Surazhsky et al. 2005, section 3.3). Parts narrower than kWindowWidth of the
+// edge are never made: they stay with the window from which they would be cut.
+//
+// The queue holds numbers of windows only, and is never searched. A waiting window that loses
+// everything stays in the pool as a dead one until its turn comes. When its key grows, it is queued
+// by the new key when its turn by the old one comes.
 #pragma once
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -16,31 +23,25 @@
 #include "solvers/core/tolerance.h"
 #include "solvers/mmp/edge_lists.h"
 #include "solvers/mmp/edge_window.h"
-#include "solvers/mmp/overlay.h"
+#include "solvers/mmp/intersect.h"
 
 namespace geodesic::mmp {
 
-/// @tparam Queue queue of event numbers
+/// @tparam Queue queue of numbers of windows
 template <class Queue, class Recorder>
 class Wavefront {
   static_assert(WindowQueueByKey<Queue>,
                 "the policy's Queue lacks a member of WindowQueueByKey (core/queues/concepts.h)");
 
  public:
-  using Depth = typename Recorder::Depth;
-
-  /// A pseudo-source or window from the queue.
-  struct Taken {
-    Index vertex = kNone;  ///< a pseudo-source; kNone for a window
-    Index edge = kNone;    ///< the list of the window, which is in the frame of that half-edge
-    Window window = {};    ///< y > 0: it enters the twin's face
-    Index source = kNone;
-    Depth depth = {};
-  };
+  using Origin = WindowOrigin<Recorder>;
+  using W = EdgeWindow<Origin>;
 
   /// @param recorder must outlive this
   Wavefront(Index half_edges, Queue queue, Recorder& recorder)
-      : lists_(half_edges), queue_(std::move(queue)), recorder_(recorder) {}
+      : lists_(half_edges), queue_(std::move(queue)), recorder_(recorder) {
+    start(kInfinity);
+  }
 
   /// Clears all state.
   void start(double limit) {
@@ -48,9 +49,9 @@ class Wavefront {
     open_lists_.clear();
     windows_released_ = {};
     queue_.clear();
-    events_.clear();
+    windows_.clear();
+    windows_.add({{0, 0, 0, 1, kGapSigma}, kNone, State::gap, {}});
     pipeline_.clear();
-    sigmas_.clear();
     waiting_ = {};
     // A window whose key exceeds the limit by rounding may reach a vertex that lies on it.
     limit_ = limit * (1 + kPathMargin);
@@ -64,80 +65,114 @@ class Wavefront {
 
   void push_vertex(Index v, double distance) {
     if (distance > limit_) return;
-    push(distance, events_.add({Event::kVertex, 0, v, 0, false}));
+    push(distance, windows_.add({{}, v, State::vertex, {}}));
   }
 
-  /// Adds a pseudo-source, for its windows. @return its number
-  Index add_source(double sigma) {
-    sigmas_.push_back(sigma);
-    return static_cast<Index>(sigmas_.size() - 1);
-  }
-
-  /// Takes the next pseudo-source or window, which then no longer waits. Returns nothing if it has
-  /// been cancelled or is queued again. The wavefront must not be empty.
-  std::optional<Taken> take(const Mesh& mesh) {
+  /// Takes the next window or pseudo-source. One that waits is to be propagated now; one in
+  /// another state, a vertex excepted, has been dealt with. The wavefront must not be empty.
+  W take(const Mesh& mesh) {
     const auto timed = recorder_.enter(Phase::queue);
     const Index number = queue_.pop();
     prefetch_ahead(mesh);
-    const Event event = events_[number];
-    if (!event.is_window()) {
-      events_.release(number);
-      if (event.is_cancelled()) return std::nullopt;
-      return Taken{.vertex = event.id};
+    W w = windows_[number];
+    if (w.state == State::outdated) {
+      const double key = least_distance(w);
+      if (!queue_.is_due(key)) {
+        windows_[number].state = State::waits;
+        queue_.push(key, number);
+        return w;
+      }
+      w.state = State::waits;
     }
-    const double length = mesh.half_edge(event.id).length;
-    const std::span<W> list = lists_.windows(event.id);
-    const std::size_t i = find(list, event);
-    W& w = list[i];
-    const Window window = w.geometry(end_of(list, i, length), sigmas_[w.source]);
-    if (event.outdated && postpone(number, window)) return std::nullopt;
-    events_.release(number);
-    w.event = kNone;
-    if constexpr (Recorder::kRecords) --waiting_;
-    return Taken{.edge = event.id, .window = window, .source = w.source, .depth = w.depth};
+    if (w.state == State::waits) {
+      windows_[number].state = State::done;
+      if constexpr (Recorder::kRecords) --waiting_;
+    } else {
+      windows_.release(number);
+    }
+    return w;
   }
 
-  /// Inserts a window among those of its list and queues the parts that it wins.
-  /// @param edge the half-edge that names the list; w is in its frame
-  /// @param source number of the source of w
-  /// @param goes_on whether there is a face beyond the edge
-  void insert(Index edge, double length, const Window& w, Index source, Depth depth, bool goes_on) {
+  /// Lays a window over those of its list and queues the parts that it wins. Which pieces there are
+  /// is hard to predict, so most of this has no branches.
+  /// @param edge the half-edge that names the list; w is in its frame and waits
+  [[gnu::noinline]] void insert(Index edge, double length, const W& w) {
     const auto timed = recorder_.enter(Phase::trimming);
-    if (lists_.windows(edge).empty()) {
+    if (lists_[edge].size == 0) [[unlikely]] {
       if (lists_.is_closed(edge)) return;
-      const W gap = W::gap(0);
-      lists_.replace(edge, 0, 0, {&gap, 1});
+      lists_.open(edge, length, kGap);
       open_lists_.add(edge);
     }
-    const std::span<const W> list = lists_.windows(edge);
-    const W challenger{w.begin, w.x, w.y, source, kNoEventYet, depth};
-    if (!overlay(list, length, challenger, w.end, std::span<const double>(sigmas_), overlay_)) {
-      return;
+    const EdgeList list = lists_[edge];
+    const double narrowest = kWindowWidth * length;
+    std::size_t first = list.at(w.begin + narrowest), k = first;
+    if (pieces_.size() < kMostPieces * (list.size - first) + 1) [[unlikely]] {
+      pieces_.resize(2 * kMostPieces * (list.size - first) + 1);
     }
-    const std::span<const W> replaced =
-        list.subspan(overlay_.first, overlay_.last - overlay_.first);
-    if constexpr (Recorder::kRecords) waiting_ -= count_waiting(replaced);
-    // Cancelled until one of the pieces takes the event over.
-    for (const W& old : replaced) {
-      if (old.waits()) events_[old.event].id = kNone;
-    }
-    const std::span<W> pieces = overlay_.pieces();
-    for (std::size_t k = 0; k < pieces.size(); ++k) {
-      W& piece = pieces[k];
-      if (!piece.waits()) continue;
-      const double end = overlay_.piece_end(k);
-      const auto index = static_cast<Index>(overlay_.first + k);
-      if (piece.event == kNoEventYet) {
-        accept(edge, index, piece, end, w.sigma, goes_on);
+    ListedWindow* const pieces = pieces_.data();  // in place of windows [first, k)
+    std::size_t count = 0, parts = 0;             // of the pieces, of those that are the newcomer's
+    std::size_t part = 0;                         // the newcomer's last one
+    bool goes_on = false;                         // the last piece is the newcomer's
+    double from = list.windows[k].begin;
+    from = w.begin - from < narrowest ? from : w.begin;
+    // Beyond `again` the newcomer is laid over the list once more.
+    double stop = w.end - narrowest, again = w.end;
+    do {
+      const ListedWindow old = list.windows[k];
+      const double old_end = list.end_of(k), to = old_end < w.end + narrowest ? old_end : w.end;
+      const Division division = divide(w, windows_[old.number], from, to, narrowest);
+      if (!division.challenger_first && division.cuts == 0) {
+        pieces[count] = old;
+        count += count > 0 ? 1 : 0;
+        first += count > 0 ? 0 : 1;
+        goes_on = false;
       } else {
-        keep_queued(edge, index, piece, end);
+        const bool leads = division.challenger_first;
+        double begin = from, end = to;  // of the newcomer's part
+        if (division.cuts > 0) {
+          begin = leads ? from : division.at[0];
+          end = leads ? division.at[0] : to;
+          if (division.cuts == 2) [[unlikely]] {
+            (leads ? again : end) = division.at[1];
+            stop = leads ? end : stop;
+          }
+        }
+        const bool before = begin > old.begin, behind = end < old_end;  // parts that are left
+        const Index rest = before & behind ? split(old.number, end) : old.number;
+        if (before | behind) {
+          trim(old.number, before, before ? begin : end);
+        } else {
+          drop(old.number);
+        }
+        pieces[count] = old;
+        count += before;
+        goes_on = goes_on & !before;
+        pieces[count] = {begin, kNone};
+        part = goes_on ? part : count;
+        count += !goes_on;
+        parts += !goes_on;
+        pieces[count] = {end, rest};
+        count += behind;
+        goes_on = !behind;
       }
+      from = to;
+      ++k;
+    } while (k < list.size && list.windows[k].begin < stop);
+    if (parts == 0) return;
+    pieces[count].begin = list.windows[k].begin;
+    pieces[part].number = accept(w, pieces[part].begin, pieces[part + 1].begin);
+    for (std::size_t j = 0; parts > 1; ++j) {
+      if (pieces[j].number != kNone) continue;
+      pieces[j].number = accept(w, pieces[j].begin, pieces[j + 1].begin);
+      --parts;
     }
-    if constexpr (Recorder::kRecords) {
-      waiting_ += count_waiting(pieces);
-      recorder_.wavefront_size(waiting_);
+    if constexpr (Recorder::kRecords) recorder_.wavefront_size(waiting_);
+    lists_.replace(edge, first, k, {pieces, count});
+    if (again < w.end) [[unlikely]] {
+      W rest = w;
+      rest.begin = again;
+      insert(edge, length, rest);
     }
-    lists_.replace(edge, overlay_.first, overlay_.last, pieces);
   }
 
   /// From time to time closes the lists that the wavefront has passed, and frees their memory. All
@@ -154,35 +189,36 @@ class Wavefront {
       const double farthest =
           std::min(0.5 * (at_origin + at_head + length), std::min(at_origin, at_head) + length);
       if (!(farthest < to_come)) return false;
-      const std::span<const W> list = lists_.windows(edge);
-      if (!std::all_of(list.begin(), list.end(), is_propagated)) return false;
+      const std::span<const ListedWindow> list = lists_[edge].all();
+      // The gap is not done: it may be a sliver left by rounding.
+      const auto is_done = [&](const ListedWindow& w) {
+        return windows_[w.number].state == State::done;
+      };
+      if (!std::ranges::all_of(list, is_done)) return false;
+      for (const ListedWindow& w : list) windows_.release(w.number);
       if constexpr (Recorder::kRecords) windows_released_ += list.size();
       lists_.close(edge);
       return true;
     });
   }
 
-  /// Passes the waiting windows to the recorder.
-  void sample(const Mesh& mesh, const Progress& progress) {
+  /// Passes the waiting windows to the recorder, edge by edge.
+  void sample(const Progress& progress) {
     recorder_.sample(progress, [&](auto&& visit) {
       for (Index edge = 0; edge < lists_.edge_bound(); ++edge) {
-        const std::span<const W> list = lists_.windows(edge);
-        for (std::size_t i = 0; i < list.size(); ++i) {
-          if (!list[i].waits()) continue;
-          const double end = end_of(list, i, mesh.half_edge(edge).length);
-          visit(edge, list[i].geometry(end, sigmas_[list[i].source]));
+        for (const ListedWindow& listed : lists_[edge].all()) {
+          const W& w = windows_[listed.number];
+          if (w.is_queued()) visit(edge, w);
         }
       }
     });
   }
 
   /// Copies the windows of a list.
-  void copy_windows(Index edge, double length, std::vector<Window>& windows) const {
+  void copy_windows(Index edge, std::vector<Window>& windows) const {
     windows.clear();
-    const std::span<const W> list = lists_.windows(edge);
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      if (list[i].is_gap()) continue;
-      windows.push_back(list[i].geometry(end_of(list, i, length), sigmas_[list[i].source]));
+    for (const ListedWindow& w : lists_[edge].all()) {
+      if (w.number != kGap) windows.push_back(windows_[w.number]);
     }
   }
 
@@ -190,134 +226,122 @@ class Wavefront {
   std::uint64_t windows_left() const {
     std::uint64_t left = windows_released_;
     for (Index edge = 0; edge < lists_.edge_bound(); ++edge) {
-      for (const W& w : lists_.windows(edge)) left += w.is_gap() ? 0u : 1u;
+      for (const ListedWindow& w : lists_[edge].all()) left += w.number != kGap ? 1u : 0u;
     }
     return left;
   }
 
  private:
-  using W = EdgeWindow<Depth>;
+  static constexpr Index kGap = 0;  // the number added first
+  static constexpr double kGapSigma = 1e300;
+  // Of one window: the part before the newcomer, the newcomer's, and the part behind.
+  static constexpr std::size_t kMostPieces = 3;
 
   /// Starts to load what the next takes will read, in stages. The addresses for each stage are in
-  /// the data of the stage before: event, list, window and faces, its sigma and the lists into
-  /// which its children are inserted.
+  /// the data of the stage before: window, faces, the lists into which its children are inserted,
+  /// their ends, the windows there.
   void prefetch_ahead(const Mesh& mesh) {
     pipeline_.advance(upcoming(queue_));
-    if (pipeline_[0] != kNone) events_.prefetch(pipeline_[0]);
-    if (const Event* event = upcoming_event(1)) {
-      mesh.prefetch_face(event->id);
-      lists_.prefetch_list(event->id);
-    }
-    if (const Event* event = upcoming_event(2)) {
-      prefetch(likely_window(*event));
-      mesh.prefetch_face(mesh.twin(event->id));
-    }
-    if (const Event* event = upcoming_event(3)) {
-      if (const W* w = likely_window(*event)) {
-        prefetch(sigmas_.data() + w->source);
-        for_each_target(mesh, event->id, *w, [&](Index edge) { lists_.prefetch_list(edge); });
+    if (pipeline_[0] != kNone) windows_.prefetch(pipeline_[0]);
+    if (const W* w = upcoming_window(1)) mesh.prefetch_face(w->into);
+    for_each_target(mesh, 2, [&](Index edge) { lists_.prefetch_list(edge); });
+    for_each_target(mesh, 3, [&](Index edge) { lists_.prefetch_ends(edge); });
+    for_each_target(mesh, 4, [&](Index edge) {
+      const std::span<const ListedWindow> list = lists_[edge].all();
+      if (list.size() < 2) return;
+      for (const std::size_t k :
+           {std::size_t{0}, std::size_t{1}, list.size() - 2, list.size() - 1}) {
+        windows_.prefetch(list[k].number);
       }
-    }
-    if (const Event* event = upcoming_event(4)) {
-      if (const W* w = likely_window(*event)) {
-        for_each_target(mesh, event->id, *w, [&](Index edge) { lists_.prefetch_windows(edge); });
-      }
-    }
+    });
   }
 
-  /// The event of a window at a stage of prefetch_ahead; null when there is none.
-  const Event* upcoming_event(std::size_t stage) {
+  /// The window at a stage of prefetch_ahead; null when there is none.
+  const W* upcoming_window(std::size_t stage) const {
     const Index number = pipeline_[stage];
-    return number == kNone || !events_[number].is_window() ? nullptr : &events_[number];
+    return number == kNone || !windows_[number].is_queued() ? nullptr : &windows_[number];
   }
 
-  /// The window of an event or, since lists change, one near it; null when the list has meanwhile
-  /// been closed.
-  const W* likely_window(const Event& event) const {
-    const std::span<const W> list = lists_.windows(event.id);
-    return list.empty() ? nullptr : &list[event.likely_index(list.size())];
-  }
-
-  /// Calls visit(edge) for the two edges into which the children of a window, given with its list,
-  /// will be inserted.
+  /// Calls visit(edge) for the lists on the other two edges of the face which the window at a stage
+  /// enters.
   template <class Visit>
-  void for_each_target(const Mesh& mesh, Index edge, const W& w, Visit&& visit) {
-    const Index into = w.y < 0 ? edge : mesh.twin(edge);
-    if (into == kNone) return;
-    for (const Index h : {Mesh::next(into), Mesh::previous(into)}) {
+  void for_each_target(const Mesh& mesh, std::size_t stage, Visit&& visit) const {
+    const W* w = upcoming_window(stage);
+    if (w == nullptr) return;
+    for (const Index h : {Mesh::next(w->into), Mesh::previous(w->into)}) {
       visit(list_of(h, mesh.twin(h)));
     }
   }
 
-  /// Index of the window of an event in its list.
-  static std::size_t find(std::span<const W> list, const Event& event) {
-    std::size_t i = event.likely_index(list.size());
-    while (list[i].begin > event.begin) --i;
-    while (list[i].begin < event.begin) ++i;
-    return i;
-  }
-
-  /// Queues a window again if its key has grown, unless it is due by the new key too.
-  bool postpone(Index number, const Window& window) {
-    const double key = least_distance(window);
-    if (queue_.is_due(key)) return false;
-    events_[number].outdated = false;
-    queue_.push(key, number);
-    return true;
-  }
-
-  void push(double key, Index event) {
+  void push(double key, Index number) {
     const auto timed = recorder_.enter(Phase::queue);
-    queue_.push(key, event);
+    queue_.push(key, number);
   }
 
-  /// Queues a part that the challenger has won.
-  void accept(Index edge, Index index, W& piece, double end, double sigma, bool goes_on) {
+  /// Adds a part that the newcomer has won, and queues it. @return its number
+  Index accept(const W& newcomer, double begin, double end) {
     recorder_.valid(1);
-    piece.event = kNone;
-    const Window part = piece.geometry(end, sigma);
+    W part = newcomer;
+    part.begin = begin;
+    part.end = end;
     const double key = least_distance(part);
-    if (!goes_on || key > limit_) return;
-    piece.event = events_.add({piece.begin, nearest_position(part), edge, index, false});
-    push(key, piece.event);
-  }
-
-  /// The first piece of a waiting window keeps its event; other pieces are queued separately. A
-  /// piece with another nearest point counts as re-inserted now, though its entry stays.
-  void keep_queued(Index edge, Index index, W& piece, double end) {
-    const Window part = piece.geometry(end, sigmas_[piece.source]);
-    const double nearest = nearest_position(part);
-    Event& event = events_[piece.event];
-    if (!event.is_cancelled()) {
-      recorder_.reinserted(1);
-      piece.event = events_.add({piece.begin, nearest, edge, index, false});
-      push(least_distance(part), piece.event);
-      return;
+    if (part.into == kNone || key > limit_) {
+      part.state = State::done;
+      return windows_.add(part);
     }
-    const bool moved = nearest != event.nearest;
-    if (moved) recorder_.reinserted(1);
-    event = {piece.begin, nearest, edge, index, event.outdated || moved};
+    const Index number = windows_.add(part);
+    if constexpr (Recorder::kRecords) ++waiting_;
+    push(key, number);
+    return number;
   }
 
-  static std::uint64_t count_waiting(std::span<const W> windows) {
-    return static_cast<std::uint64_t>(
-        std::count_if(windows.begin(), windows.end(), [](const W& w) { return w.waits(); }));
+  /// A window keeps the part before `cut`, or behind it. If it waits and thereby loses its nearest
+  /// point, it counts as re-inserted now, though it is queued again later.
+  void trim(Index number, bool before, double cut) {
+    W& w = windows_[number];
+    const double nearest = nearest_position(w);
+    const bool moves = w.is_queued() & (before ? nearest > cut : nearest < cut);
+    (before ? w.end : w.begin) = cut;
+    w.state = moves ? State::outdated : w.state;
+    recorder_.reinserted(moves);
   }
 
-  // Also false for slivers left by rounding.
-  static bool is_propagated(const W& w) { return !w.waits() && !w.is_gap(); }
+  /// The part of a window from `begin` on becomes a window of its own, queued if the window waits.
+  /// @return its number
+  Index split(Index number, double begin) {
+    if (number == kGap) return kGap;
+    W part = windows_[number];
+    part.begin = begin;
+    if (!part.is_queued()) return windows_.add(part);
+    part.state = State::waits;
+    const Index added = windows_.add(part);
+    if constexpr (Recorder::kRecords) ++waiting_;
+    recorder_.reinserted(1);
+    push(least_distance(part), added);
+    return added;
+  }
 
-  EdgeLists<W> lists_;
+  /// A window has lost everything.
+  void drop(Index number) {
+    W& w = windows_[number];
+    if (w.state == State::done) {
+      windows_.release(number);
+    } else if (w.is_queued()) {
+      w.state = State::dead;
+      if constexpr (Recorder::kRecords) --waiting_;
+    }
+  }
+
+  EdgeLists lists_;
   OpenLists open_lists_;
   Queue queue_;
-  Pool<Event> events_;
-  PrefetchPipeline<5> pipeline_;  // events in the stages of prefetch_ahead
-  std::vector<double> sigmas_;    // by number of source
+  Pool<W> windows_;
+  PrefetchPipeline<5> pipeline_;  // windows in the stages of prefetch_ahead
   double limit_ = kInfinity;
   Recorder& recorder_;
   [[no_unique_address]] typename Recorder::Count waiting_{};           // windows that wait
   [[no_unique_address]] typename Recorder::Count windows_released_{};  // of closed lists
-  Overlay<W> overlay_;                                                 // scratch memory of insert
+  std::vector<ListedWindow> pieces_;                                   // scratch memory of insert
 };
 
 }  // namespace geodesic::mmp

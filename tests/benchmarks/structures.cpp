@@ -8,7 +8,7 @@
 #include "solvers/core/pool.h"
 #include "solvers/core/recorders.h"
 #include "solvers/edge_based/window_lists.h"
-#include "solvers/mmp/edge_window.h"
+#include "solvers/mmp/edge_lists.h"
 #include "tests/benchmarks/microbench.h"
 
 namespace geodesic {
@@ -43,10 +43,10 @@ BENCHMARK(window_lists)->Arg(1)->Arg(4)->Arg(8)->Arg(17)->Arg(64);
 
 /// MMP: an edge's list outgrows its segment and moves to the next larger one.
 void segment_pool(benchmark::State& state) {
-  using Pool = SegmentPool<mmp::EdgeWindow<NoDepth>>;
+  using Pool = SegmentPool<mmp::ListedWindow>;
   constexpr std::size_t kEdges = 4096;
   struct List {
-    mmp::EdgeWindow<NoDepth>* windows;
+    mmp::ListedWindow* windows;
     std::uint32_t capacity;
   };
   Pool pool;
