@@ -28,30 +28,22 @@ struct ListedWindow {
   Index number;  ///< of the window
 };
 
-/// The windows of an edge, in order. Behind the last one the list has the edge's end.
-struct EdgeList {
-  ListedWindow* windows = nullptr;
-  std::uint32_t size = 0;  ///< without the edge's end
-  std::uint32_t room_before = 0, capacity = 0;
+/// End of window k of an edge's list. Behind the last window the array has the edge's end.
+inline double end_of(std::span<const ListedWindow> list, std::size_t k) {
+  return list.data()[k + 1].begin;
+}
 
-  std::span<const ListedWindow> all() const { return {windows, size}; }
-  double end_of(std::size_t i) const { return windows[i + 1].begin; }
-
-  /// Index of the last window that begins at t or before. Nearly all searches end at the first
-  /// window or at one of the last two; the others are binary. The list must not be empty.
-  std::size_t at(double t) const {
-    const std::size_t likely =
-        windows[1].begin > t ? 0 : size - 1u - (windows[size - 1].begin > t ? 1u : 0u);
-    if (windows[likely].begin <= t) [[likely]] {
-      return likely;
-    }
-    const auto begins_behind = [](double position, const ListedWindow& w) {
-      return position < w.begin;
-    };
-    const auto next = std::upper_bound(windows + 1, windows + size, t, begins_behind);
-    return static_cast<std::size_t>(next - windows) - 1;
+/// Index of the last window of a list that begins at t or before. Nearly all searches end at the
+/// first window or at one of the last two; the others are binary. The list must not be empty.
+inline std::size_t place_of(std::span<const ListedWindow> list, double t) {
+  const std::size_t last = list.size() - 1;
+  const std::size_t likely = end_of(list, 0) > t ? 0 : last - (list[last].begin > t ? 1 : 0);
+  if (list[likely].begin <= t) [[likely]] {
+    return likely;
   }
-};
+  const auto next = std::ranges::upper_bound(list, t, {}, &ListedWindow::begin);
+  return static_cast<std::size_t>(next - list.begin()) - 1;
+}
 
 /// Lists by the half-edges that name them. A list is empty until it is opened. Its windows then
 /// partition the edge, until the list is closed; it then stays empty.
@@ -60,11 +52,13 @@ class EdgeLists {
   explicit EdgeLists(Index half_edges) : lists_(half_edges) {}
 
   void clear() {
-    std::fill(lists_.begin(), lists_.end(), EdgeList{});
+    std::fill(lists_.begin(), lists_.end(), List{});
     segments_.clear();
   }
 
-  const EdgeList& operator[](Index edge) const { return lists_[edge]; }
+  std::span<const ListedWindow> operator[](Index edge) const {
+    return {lists_[edge].windows, lists_[edge].size};
+  }
   /// Upper bound of the names of edges, whether reached or not.
   Index edge_bound() const { return static_cast<Index>(lists_.size()); }
 
@@ -73,7 +67,7 @@ class EdgeLists {
   /// Gives an empty list its first window, over the whole edge.
   void open(Index edge, double length, Index window) {
     const std::uint32_t capacity = Segments::capacity_for(kFirstRoom), room = capacity / 2 - 1;
-    EdgeList& list = lists_[edge] = {segments_.take(capacity) + room, 1, room, capacity};
+    List& list = lists_[edge] = {segments_.take(capacity) + room, 1, room, capacity};
     list.windows[0] = {0, window};
     list.windows[1] = {length, kNone};
   }
@@ -81,7 +75,7 @@ class EdgeLists {
   /// Replaces windows [first, last) of an edge's list by windows stored elsewhere. Of the parts
   /// before and behind them, the shorter one moves.
   void replace(Index edge, std::size_t first, std::size_t last, std::span<const ListedWindow> by) {
-    EdgeList& list = lists_[edge];
+    List& list = lists_[edge];
     const std::size_t used = list.size + 1u, behind = used - last;
     const std::ptrdiff_t more = std::ssize(by) - static_cast<std::ptrdiff_t>(last - first);
     const bool front_moves = first < behind;
@@ -103,7 +97,7 @@ class EdgeLists {
 
   /// Closes a list that holds windows.
   void close(Index edge) {
-    EdgeList& list = lists_[edge];
+    List& list = lists_[edge];
     segments_.give_back(list.windows - list.room_before, list.capacity);
     list = {.capacity = kClosed};
   }
@@ -121,6 +115,12 @@ class EdgeLists {
   static constexpr std::uint32_t kFirstRoom = 8;
   using Segments = SegmentPool<ListedWindow>;
 
+  struct List {
+    ListedWindow* windows = nullptr;
+    std::uint32_t size = 0;  // without the edge's end, which follows
+    std::uint32_t room_before = 0, capacity = 0;
+  };
+
   // A few windows, for which a call takes longer.
   static void move(const ListedWindow* from, ListedWindow* to, std::size_t windows) {
     if (to < from) {
@@ -130,11 +130,12 @@ class EdgeLists {
     }
   }
 
-  // Moves a list into an array with room for at least `more` windows at both ends.
+  // Moves a list into an array with room for at least `more` windows at both ends, and for half as
+  // many windows as it has.
   // @param used what the list holds, with the edge's end
-  void move_to_larger(EdgeList& list, std::size_t used, std::size_t more) {
+  void move_to_larger(List& list, std::size_t used, std::size_t more) {
     const std::uint32_t capacity =
-        Segments::capacity_for(static_cast<std::uint32_t>(used + 2 * more));
+        Segments::capacity_for(static_cast<std::uint32_t>(used + used / 2 + 2 * more + 2));
     const std::uint32_t room = (capacity - static_cast<std::uint32_t>(used)) / 2;
     ListedWindow* const larger = segments_.take(capacity);
     std::copy(list.windows, list.windows + used, larger + room);
@@ -142,7 +143,7 @@ class EdgeLists {
     list = {larger + room, list.size, room, capacity};
   }
 
-  std::vector<EdgeList> lists_;
+  std::vector<List> lists_;
   Segments segments_;
 };
 

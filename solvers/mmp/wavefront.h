@@ -98,28 +98,28 @@ class Wavefront {
   /// @param edge the half-edge that names the list; w is in its frame and waits
   [[gnu::noinline]] void insert(Index edge, double length, const W& w) {
     const auto timed = recorder_.enter(Phase::trimming);
-    if (lists_[edge].size == 0) [[unlikely]] {
+    if (lists_[edge].empty()) [[unlikely]] {
       if (lists_.is_closed(edge)) return;
       lists_.open(edge, length, kGap);
       open_lists_.add(edge);
     }
-    const EdgeList list = lists_[edge];
+    const std::span<const ListedWindow> list = lists_[edge];
     const double narrowest = kWindowWidth * length;
-    std::size_t first = list.at(w.begin + narrowest), k = first;
-    if (pieces_.size() < kMostPieces * (list.size - first) + 1) [[unlikely]] {
-      pieces_.resize(2 * kMostPieces * (list.size - first) + 1);
+    std::size_t first = place_of(list, w.begin + narrowest), k = first;
+    if (pieces_.size() < kMostPieces * list.size() + 1) [[unlikely]] {
+      pieces_.resize(2 * kMostPieces * list.size() + 1);
     }
     ListedWindow* const pieces = pieces_.data();  // in place of windows [first, k)
     std::size_t count = 0, parts = 0;             // of the pieces, of those that are the newcomer's
     std::size_t part = 0;                         // the newcomer's last one
     bool goes_on = false;                         // the last piece is the newcomer's
-    double from = list.windows[k].begin;
+    double from = list[k].begin;
     from = w.begin - from < narrowest ? from : w.begin;
     // Beyond `again` the newcomer is laid over the list once more.
     double stop = w.end - narrowest, again = w.end;
     do {
-      const ListedWindow old = list.windows[k];
-      const double old_end = list.end_of(k), to = old_end < w.end + narrowest ? old_end : w.end;
+      const ListedWindow old = list[k];
+      const double old_end = end_of(list, k), to = old_end < w.end + narrowest ? old_end : w.end;
       const Division division = divide(w, windows_[old.number], from, to, narrowest);
       if (!division.challenger_first && division.cuts == 0) {
         pieces[count] = old;
@@ -157,9 +157,9 @@ class Wavefront {
       }
       from = to;
       ++k;
-    } while (k < list.size && list.windows[k].begin < stop);
+    } while (k < list.size() && list[k].begin < stop);
     if (parts == 0) return;
-    pieces[count].begin = list.windows[k].begin;
+    pieces[count].begin = end_of(list, k - 1);
     pieces[part].number = accept(w, pieces[part].begin, pieces[part + 1].begin);
     for (std::size_t j = 0; parts > 1; ++j) {
       if (pieces[j].number != kNone) continue;
@@ -189,7 +189,7 @@ class Wavefront {
       const double farthest =
           std::min(0.5 * (at_origin + at_head + length), std::min(at_origin, at_head) + length);
       if (!(farthest < to_come)) return false;
-      const std::span<const ListedWindow> list = lists_[edge].all();
+      const std::span<const ListedWindow> list = lists_[edge];
       // The gap is not done: it may be a sliver left by rounding.
       const auto is_done = [&](const ListedWindow& w) {
         return windows_[w.number].state == State::done;
@@ -206,7 +206,7 @@ class Wavefront {
   void sample(const Progress& progress) {
     recorder_.sample(progress, [&](auto&& visit) {
       for (Index edge = 0; edge < lists_.edge_bound(); ++edge) {
-        for (const ListedWindow& listed : lists_[edge].all()) {
+        for (const ListedWindow& listed : lists_[edge]) {
           const W& w = windows_[listed.number];
           if (w.is_queued()) visit(edge, w);
         }
@@ -217,7 +217,7 @@ class Wavefront {
   /// Copies the windows of a list.
   void copy_windows(Index edge, std::vector<Window>& windows) const {
     windows.clear();
-    for (const ListedWindow& w : lists_[edge].all()) {
+    for (const ListedWindow& w : lists_[edge]) {
       if (w.number != kGap) windows.push_back(windows_[w.number]);
     }
   }
@@ -226,7 +226,7 @@ class Wavefront {
   std::uint64_t windows_left() const {
     std::uint64_t left = windows_released_;
     for (Index edge = 0; edge < lists_.edge_bound(); ++edge) {
-      for (const ListedWindow& w : lists_[edge].all()) left += w.number != kGap ? 1u : 0u;
+      for (const ListedWindow& w : lists_[edge]) left += w.number != kGap ? 1u : 0u;
     }
     return left;
   }
@@ -247,10 +247,9 @@ class Wavefront {
     for_each_target(mesh, 2, [&](Index edge) { lists_.prefetch_list(edge); });
     for_each_target(mesh, 3, [&](Index edge) { lists_.prefetch_ends(edge); });
     for_each_target(mesh, 4, [&](Index edge) {
-      const std::span<const ListedWindow> list = lists_[edge].all();
-      if (list.size() < 2) return;
-      for (const std::size_t k :
-           {std::size_t{0}, std::size_t{1}, list.size() - 2, list.size() - 1}) {
+      const std::span<const ListedWindow> list = lists_[edge];
+      if (list.empty()) return;
+      for (const std::size_t k : {std::size_t{0}, list.size() - 1}) {
         windows_.prefetch(list[k].number);
       }
     });
@@ -281,17 +280,15 @@ class Wavefront {
   /// Adds a part that the newcomer has won, and queues it. @return its number
   Index accept(const W& newcomer, double begin, double end) {
     recorder_.valid(1);
-    W part = newcomer;
-    part.begin = begin;
-    part.end = end;
+    const Window part{begin, end, newcomer.x, newcomer.y, newcomer.sigma};
     const double key = least_distance(part);
-    if (part.into == kNone || key > limit_) {
-      part.state = State::done;
-      return windows_.add(part);
+    const bool is_queued = newcomer.into != kNone && !(key > limit_);
+    const Index number = windows_.add(
+        {part, newcomer.into, is_queued ? State::waits : State::done, newcomer.origin});
+    if (is_queued) {
+      if constexpr (Recorder::kRecords) ++waiting_;
+      push(key, number);
     }
-    const Index number = windows_.add(part);
-    if constexpr (Recorder::kRecords) ++waiting_;
-    push(key, number);
     return number;
   }
 
