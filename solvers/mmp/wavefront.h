@@ -138,7 +138,7 @@ class Wavefront {
           }
         }
         const bool before = begin > old.begin, behind = end < old_end;  // parts that are left
-        const Index rest = before & behind ? split(old.number, end) : old.number;
+        const Index rest = (before & behind) ? split(old.number, end) : old.number;
         if (before | behind) {
           trim(old.number, before, before ? begin : end);
         } else {
