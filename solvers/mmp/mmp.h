@@ -39,7 +39,7 @@ class Mmp final : public Solver {
     if (recording != nullptr && recording->kind != RecordingKind::windows) {
       return solve_recorded(mesh(), query, distances, *recording);
     }
-    propagation_.run(query, distances, recording != nullptr ? Keep::all : Keep::wavefront);
+    propagation_.run(query, distances, recording != nullptr ? Keep::for_readers : Keep::wavefront);
     if (recording != nullptr) hand_over_windows(*recording->read_windows);
   }
 

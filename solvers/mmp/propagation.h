@@ -22,8 +22,12 @@
 
 namespace geodesic::mmp {
 
-/// The windows that stay in memory until the end of a solve.
-enum class Keep : std::uint8_t { all, wavefront };
+/// The windows that a solve leaves in memory.
+enum class Keep : std::uint8_t {
+  wavefront,    ///< lists that the wavefront has passed are freed
+  all,          ///< none is freed
+  for_readers,  ///< all, and windows along edges
+};
 
 /// The state of one solve, reusable. @tparam Policy as in mmp.h
 template <class Policy, class Recorder>
@@ -41,6 +45,7 @@ class Propagation {
   /// @param keep whether to keep windows that the wavefront has passed
   void run(const InternalQuery& query, std::span<double> distances, Keep keep = Keep::wavefront) {
     const auto timed = recorder_.enter(Phase::propagation);
+    keep_ = keep;
     start(query, distances);
     while (!wavefront_.empty()) {
       if (stops_ && is_over()) [[unlikely]] {
@@ -125,7 +130,7 @@ class Propagation {
     const Index under = edge_under(source.at);
     if (under == kNone) return;
     const double length = mesh_.half_edge(under).length;
-    land(under, {0, length, in_frame(mesh_, source.at, under).x, 0, d}, false, origin);
+    land_along(under, {0, length, in_frame(mesh_, source.at, under).x, 0, d}, origin);
   }
 
   /// True when no more distances can change.
@@ -156,7 +161,7 @@ class Propagation {
   /// False when v has already sent out windows of its distance, up to rounding.
   bool has_news(Index v) const { return distances_[v] < emitted_[v] * (1 - kPathMargin); }
 
-  /// Sends windows from v to the opposite edges of its faces and along its own edges.
+  /// Sends windows from v to the opposite edges of its faces, and along its own edges.
   void emit(Index v) {
     if (!has_news(v)) return;
     const double d = distances_[v];
@@ -167,9 +172,9 @@ class Propagation {
       const double out = mesh_.half_edge(h).length, in = mesh_.half_edge(into).length;
       reach_neighbour(into, d, out, {into, v, {in, 0}});
       reach_neighbour(h, d, in, {h, v, {0, 0}});
-      land(h, {0, out, 0, 0, d}, false, along);
+      land_along(h, {0, out, 0, 0, d}, along);
       // The edge has no half-edge that leaves v.
-      if (mesh_.twin(into) == kNone) land(into, {0, in, in, 0, d}, false, along);
+      if (mesh_.twin(into) == kNone) land_along(into, {0, in, in, 0, d}, along);
       const HalfEdge& e = mesh_.half_edge(opposite);
       const double height = std::max(e.apex_y, kTouchingHeight * e.length);
       const Window across{0, e.length, e.apex_x, height, d};
@@ -266,6 +271,12 @@ class Propagation {
     }
   }
 
+  /// A window along its own edge is of use only to those who read all windows in the end: it enters
+  /// no face, and what it takes from others is soon taken by other windows too.
+  void land_along(Index h, const Window& w, const Origin& origin) {
+    if (keep_ == Keep::for_readers) land(h, w, false, origin);
+  }
+
   /// @param w in the frame of h, whose face it leaves, or `mirrored`; y >= 0
   void land(Index h, const Window& w, bool mirrored, const Origin& origin) {
     const double length = mesh_.half_edge(h).length;
@@ -321,6 +332,7 @@ class Propagation {
   std::vector<double> emitted_;  // distance of the windows that each vertex sent out last
   int row_ = 0;                  // faces that the current window has crossed at once
   StopRule stop_rule_;
+  Keep keep_ = Keep::wavefront;
   bool stops_ = false;  // the query stops at targets
   [[no_unique_address]] typename Recorder::Progress progress_;
 };
