@@ -1,0 +1,173 @@
+#include "solvers/straight_graph/builder.h"
+
+#include <bit>
+#include <cstring>
+
+#include "solvers/core/thread_team.h"
+#include "solvers/straight_graph/sectors.h"
+#include "solvers/straight_graph/unfold.h"
+
+namespace geodesic::straight_graph {
+namespace {
+
+class Builder {
+ public:
+  Builder(const Mesh& mesh, const Sectors& sectors, double angle)
+      : mesh_(mesh),
+        sectors_(sectors),
+        slack_(kSlack * angle),
+        unfolder_(mesh, angle),
+        first_(mesh.vertex_count(), {kNone, 0}) {}
+
+  /// Appends the block of a vertex and its links.
+  void append_block(Index v, std::vector<std::byte>& bytes) {
+    find_links(v);
+    Block block{};
+    edges_.clear();
+    links_.clear();
+    std::array<std::uint32_t, kSectors> leaving{};
+    unsigned last = 0;
+    for (const Line& line : lines_) {
+      if (line.target == kNone) continue;
+      const Link link = link_along(line);
+      if (line.is_edge) {
+        edges_.push_back(link);
+        continue;
+      }
+      links_.push_back(link);
+      // Rounding must not put a link into an earlier sector than its predecessor.
+      last = std::max(last, sectors_.sector(v, line.out + rough_angle(line.to.y, line.to.x)));
+      ++leaving[last];
+    }
+    block.edge_count = static_cast<std::uint32_t>(edges_.size());
+    block.link_count = static_cast<std::uint32_t>(links_.size());
+    block.unit = static_cast<std::uint8_t>(std::bit_width(block.link_count >> 8));
+    std::uint32_t sum = 0;
+    for (unsigned s = 0; s < kSectors; ++s) {
+      block.before[s] = static_cast<std::uint8_t>(sum >> block.unit);
+      sum += leaving[s];
+    }
+    sectors_.set_straight_on(v, slack_, block);
+    append(bytes, std::as_bytes(std::span(&block, 1)));
+    append(bytes, std::as_bytes(std::span(edges_)));
+    append(bytes, std::as_bytes(std::span(links_)));
+  }
+
+ private:
+  /// A straight line from the vertex, in the plane of its corner: the vertex is at the origin, the
+  /// corner's half-edge along the x axis.
+  struct Line {
+    Index target;  ///< kNone if another one to this vertex is shorter
+    bool is_edge;
+    float out;        ///< direction of the x axis at the vertex
+    float in;         ///< direction at the target of the half-edge that leaves along `back`
+    Point2 to, back;  ///< the target; a vector in the face there
+    double length;
+  };
+  struct First {
+    Index of;  ///< the vertex whose line it is
+    Index at;
+  };
+
+  static void append(std::vector<std::byte>& bytes, std::span<const std::byte> more) {
+    bytes.insert(bytes.end(), more.begin(), more.end());
+  }
+
+  /// Sets lines_ to all lines from v, in the order of their directions.
+  void find_links(Index v) {
+    lines_.clear();
+    corners_.assign(mesh_.outgoing(v).begin(), mesh_.outgoing(v).end());
+    std::ranges::sort(corners_, {}, [&](Index h) { return sectors_.direction(h); });
+    for (const Index h : corners_) {
+      const HalfEdge& e = mesh_.half_edge(h);
+      const auto out = static_cast<float>(sectors_.direction(h));
+      const Index next = Mesh::next(h), into = Mesh::previous(h);
+      const HalfEdge& far = mesh_.half_edge(next);
+      const Point2 apex = {e.apex_x, e.apex_y};
+      const double back = sectors_.direction(next) + corner_angle(far);
+      add({mesh_.head(h), true, out, static_cast<float>(back), {e.length, 0}, {-1, 0}, e.length},
+          v);
+      // An edge of one of the ends lets no line through.
+      if (e.length > 0 && mesh_.half_edge(into).length > 0) {
+        unfolder_.follow(mesh_.twin(next), apex, {e.length, 0},
+                         [&](Index entered, const Point2& to, const Point2& left) {
+                           const auto in =
+                               static_cast<float>(sectors_.direction(Mesh::previous(entered)));
+                           add({mesh_.apex(entered),
+                                false,
+                                out,
+                                in,
+                                to,
+                                {left.x - to.x, left.y - to.y},
+                                norm(to)},
+                               v);
+                         });
+      }
+      if (mesh_.twin(into) == kNone) {
+        add({mesh_.origin(into),
+             true,
+             out,
+             static_cast<float>(sectors_.direction(into)),
+             apex,
+             {-apex.x, -apex.y},
+             mesh_.half_edge(into).length},
+            v);
+      }
+    }
+  }
+
+  /// Adds a line from v. Of two to one vertex the shorter one stays.
+  void add(const Line& line, Index v) {
+    if (line.target == v) return;
+    First& first = first_[line.target];
+    if (first.of == v) {
+      if (!(line.length < lines_[first.at].length)) return;
+      lines_[first.at].target = kNone;
+    }
+    first = {v, static_cast<Index>(lines_.size())};
+    lines_.push_back(line);
+  }
+
+  Link link_along(const Line& line) const {
+    const Point2 home = {-line.to.x, -line.to.y};
+    const double turn = rough_angle(cross(line.back, home), dot(line.back, home));
+    return {line.target, line.length, sectors_.sector(line.target, line.in + turn)};
+  }
+
+  const Mesh& mesh_;
+  const Sectors& sectors_;
+  double slack_;
+  Unfolder unfolder_;
+  std::vector<First> first_;  // by vertex: the line that reaches it
+  std::vector<Index> corners_;
+  std::vector<Line> lines_;
+  std::vector<Link> edges_, links_;
+};
+
+}  // namespace
+
+Graph build_graph(const Mesh& mesh, double angle, unsigned threads) {
+  Graph graph(mesh.vertex_count());
+  const Sectors sectors(mesh);
+  const std::size_t count = graph.piece_count();
+  ThreadTeam::run(threads, count, [&](ThreadTeam& team, unsigned thread) {
+    Builder builder(mesh, sectors, angle);
+    std::vector<std::byte> bytes;
+    std::vector<std::size_t> begins;
+    const auto build = [&](std::size_t piece) {
+      bytes.clear();
+      begins.clear();
+      const std::size_t first = piece * Graph::kPiece;
+      const std::size_t end = std::min<std::size_t>(first + Graph::kPiece, mesh.vertex_count());
+      for (std::size_t v = first; v < end; ++v) {
+        begins.push_back(bytes.size());
+        builder.append_block(static_cast<Index>(v), bytes);
+      }
+      graph.set_piece(piece, bytes, begins);
+    };
+    team.share(thread, count, team.in_equal_parts(count), build, [] {});
+  });
+  return graph;
+}
+
+}  // namespace geodesic::straight_graph

@@ -1,0 +1,102 @@
+#include "solvers/straight_graph/search.h"
+
+#include <algorithm>
+
+namespace geodesic::straight_graph {
+namespace {
+
+/// Width of buckets in mean edge lengths.
+constexpr double kBucketWidth = 1;
+
+/// Least angle of a source's own wedges, in radians, for each source: near a source paths have few
+/// links, so that errors do not cancel out. All sources together unfold about as much as one.
+constexpr double kFanAngle = 0.01;
+
+}  // namespace
+
+Search::Search(const Mesh& mesh, const Graph& graph, double angle)
+    : mesh_(mesh), graph_(graph), angle_(angle), front_(kBucketWidth * mesh.mean_edge_length()) {}
+
+void Search::run(const InternalQuery& query, std::span<double> distances) {
+  labels_ = distances;
+  Unfolder fan(mesh_, std::min(angle_, kFanAngle * static_cast<double>(query.sources.size())));
+  for (const InternalSource& source : query.sources) leave_source(source, fan);
+  StopRule stop_rule(mesh_, query, distances);
+  while (front_.advance() && !stop_rule.is_over(front_.least_distance())) {
+    const std::vector<Index>& bucket = front_.bucket();
+    for (std::size_t i = 0; i < bucket.size(); ++i) {
+      prefetch(bucket, i);
+      leave(bucket[i]);
+    }
+  }
+  front_.clear();
+  for (double& d : distances) d = Label(d).distance();
+  for (const InternalSource& source : query.sources) {
+    if (!source.at.is_vertex()) continue;
+    double& own = distances[source.at.vertex];
+    own = std::min(own, source.distance);
+  }
+}
+
+void Search::leave_source(const InternalSource& source, Unfolder& fan) {
+  const auto reach_straight = [&](Index h, const Point2& apex, const Point2& /*left*/) {
+    reach(mesh_.apex(h), source.distance + norm(apex), kAnySector);
+  };
+  if (!source.at.is_vertex()) {
+    spread_from(
+        mesh_, source.at,
+        [&](Index h, const Point2& /*from*/, double distance, bool /*is_next*/) {
+          reach(mesh_.apex(h), source.distance + distance, kAnySector);
+        },
+        [&](Index h, const Point2& from) {
+          const double length = mesh_.half_edge(h).length;
+          fan.follow(mesh_.twin(h), {-from.x, -from.y}, {length - from.x, -from.y}, reach_straight);
+        });
+    return;
+  }
+  const Index v = source.at.vertex;
+  reach(v, source.distance, kAnySector);
+  for (const Index h : mesh_.outgoing(v)) {
+    const HalfEdge& e = mesh_.half_edge(h);
+    if (!(e.length > 0 && mesh_.half_edge(Mesh::previous(h)).length > 0)) continue;
+    fan.follow(mesh_.twin(Mesh::next(h)), {e.apex_x, e.apex_y}, {e.length, 0}, reach_straight);
+  }
+}
+
+void Search::improve(Index v, double distance, unsigned sector) {
+  const Label old(labels_[v]), label(distance, sector);
+  // Edges without length form circles: an equal distance is no reason to go round again.
+  if (!(distance < old.distance())) return;
+  labels_[v] = label.stored();
+  const std::int64_t bucket = front_.bucket_of(label.distance());
+  const bool waits_there = !old.has_left() && front_.bucket_of(old.distance()) == bucket;
+  if (!waits_there) front_.push(v, bucket);
+}
+
+/// Starts to load what the next turns need.
+void Search::prefetch(const std::vector<Index>& bucket, std::size_t at) const {
+  constexpr std::size_t kBlockAhead = 6, kLinksAhead = 2;
+  if (at + kBlockAhead < bucket.size()) graph_.prefetch_block(bucket[at + kBlockAhead]);
+  if (at + kLinksAhead < bucket.size()) {
+    const Index v = bucket[at + kLinksAhead];
+    graph_.block(v).prefetch_for(Label(labels_[v]).sector());
+  }
+}
+
+void Search::leave(Index v) {
+  Label label(labels_[v]);
+  if (label.has_left()) return;
+  label.set_left();
+  labels_[v] = label.stored();
+  const Block& block = graph_.block(v);
+  const auto scan = [&](std::span<const Link> links) {
+    for (const Link& link : links) {
+      reach(link.target(), label.distance() + link.length(), link.sector());
+    }
+  };
+  scan(block.edges());
+  if (label.sector() == kAnySector) return scan(block.links());
+  block.for_straight_on(label.sector(), scan);
+}
+
+}  // namespace geodesic::straight_graph

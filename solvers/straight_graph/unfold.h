@@ -1,0 +1,102 @@
+// Straight lines from a point over the faces of a mesh, until neighbouring lines part.
+//
+// A wedge holds the lines from the point between two rays that cross one edge. Where it sees the
+// apex of the face beyond the edge, the apex is reached and the wedge is split there; where it does
+// not, it goes on through the edge that it does see. A wedge narrower than a given angle ends. No
+// wedge is trimmed, and none begins at a saddle vertex. In the plane the vertices of a lattice that
+// are reached form the Stern-Brocot tree of directions, cut off at that angle.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "solvers/core/window.h"
+
+namespace geodesic::straight_graph {
+
+inline double cross(const Point2& a, const Point2& b) { return a.x * b.y - a.y * b.x; }
+inline double dot(const Point2& a, const Point2& b) { return a.x * b.x + a.y * b.y; }
+
+class Unfolder {
+ public:
+  /// @param angle least angle of a wedge in radians, below pi / 2
+  Unfolder(const Mesh& mesh, double angle) : mesh_(mesh), tangent_(std::tan(angle)) {}
+
+  /// Follows all lines from the origin of a plane through an edge.
+  /// @param enter half-edge of the face behind the edge; kNone: there is none
+  /// @param left, right its origin and its head in the plane; the angle between them is at most pi
+  /// @param reach called as (Index h, Point2 apex, Point2 left), from right to left, for each apex
+  ///        that a line reaches straight: the half-edge h through which it enters the apex's face,
+  ///        the apex and the origin of h in the plane
+  template <class Reach>
+  void follow(Index enter, const Point2& left, const Point2& right, const Reach& reach) {
+    Wedge w{enter, left, right, left, right};
+    bool is_alive = is_wide(right, left);
+    for (int faces = 0;;) {
+      if (is_alive && w.enter != kNone && mesh_.half_edge(w.enter).length > 0 &&
+          ++faces <= kMostFaces) {
+        is_alive = cross_face(w);
+        continue;
+      }
+      if (splits_.empty()) return;
+      const Split& split = splits_.back();
+      reach(split.enter, split.apex, split.left.left);
+      w = split.left;
+      is_alive = split.goes_on;
+      splits_.pop_back();
+    }
+  }
+
+ private:
+  /// Thin faces may cause any number of wedges.
+  static constexpr int kMostFaces = 1000;
+
+  struct Wedge {
+    Index enter;
+    Point2 left, right;          // ends of the edge
+    Point2 left_ray, right_ray;  // points of the rays that bound the wedge
+  };
+  struct Split {
+    Index enter;
+    Point2 apex;
+    Wedge left;  // the part of the wedge on the left of the apex
+    bool goes_on;
+  };
+
+  bool is_wide(const Point2& right, const Point2& left) const {
+    const double d = dot(right, left);
+    return !(d > 0) || cross(right, left) > tangent_ * d;
+  }
+
+  /// A ray through a vertex reaches what lies behind that vertex, which is none of the wedge's.
+  static bool is_left(const Point2& right, const Point2& left) {
+    return cross(right, left) > kApexTolerance * std::abs(dot(right, left));
+  }
+
+  /// Crosses the face that the wedge enters. @return whether it, or its right part, goes on
+  bool cross_face(Wedge& w) {
+    const HalfEdge& e = mesh_.half_edge(w.enter);
+    const double per = 1 / e.length, x = e.apex_x * per, y = e.apex_y * per;
+    const Point2 along = {w.right.x - w.left.x, w.right.y - w.left.y};
+    const Point2 apex = {w.left.x + along.x * x - along.y * y,
+                         w.left.y + along.y * x + along.x * y};
+    const Index into_right = mesh_.twin(Mesh::next(w.enter));
+    const Index into_left = mesh_.twin(Mesh::previous(w.enter));
+    const bool is_left_of_right = is_left(w.right_ray, apex);
+    if (is_left_of_right && is_left(apex, w.left_ray)) {
+      splits_.push_back(
+          {w.enter, apex, {into_left, w.left, apex, w.left_ray, apex}, is_wide(apex, w.left_ray)});
+      w = {into_right, apex, w.right, apex, w.right_ray};
+      return is_wide(w.right_ray, apex);
+    }
+    w.enter = is_left_of_right ? into_right : into_left;
+    (is_left_of_right ? w.left : w.right) = apex;
+    return true;
+  }
+
+  const Mesh& mesh_;
+  double tangent_;
+  std::vector<Split> splits_;  // those whose left parts wait
+};
+
+}  // namespace geodesic::straight_graph

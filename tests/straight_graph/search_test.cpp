@@ -1,0 +1,149 @@
+// Distances over the links. The conformance properties check that no distance is too short, and all
+// other promises of solvers.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "meshes/generators/generators.h"
+#include "meshes/oracles/random_meshes.h"
+#include "solvers/core/thread_team.h"
+#include "tests/solved.h"
+
+namespace geodesic {
+namespace {
+
+/// Greatest share by which a link is longer than its line.
+constexpr double kRounding = 1.0 / (1 << 17);
+
+std::vector<double> solve(std::string_view solver, const Mesh& mesh, Index source) {
+  return distances_by(solver, mesh, {.sources = {{source}}});
+}
+
+double largest_error(const Mesh& mesh, Index source) {
+  const std::vector<double> exact = solve("edge-based", mesh, source);
+  const std::vector<double> distances = solve("straight-graph", mesh, source);
+  double largest = 0;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (exact[v] > 0) largest = std::max(largest, distances[v] / exact[v] - 1);
+  }
+  return largest;
+}
+
+TEST(StraightGraph, is_nowhere_below_the_distance_and_nowhere_above_that_along_edges) {
+  for (const NamedMesh& each : random_meshes()) {
+    const Mesh mesh(each.soup);
+    const std::vector<double> exact = solve("edge-based", mesh, 0);
+    const std::vector<double> distances = solve("straight-graph", mesh, 0);
+    const std::vector<double> along_edges = solve("dijkstra", mesh, 0);
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      EXPECT_GE(distances[v], exact[v] * (1 - 1e-12)) << each.name << ", vertex " << v;
+      EXPECT_LE(distances[v], along_edges[v] * (1 + kRounding + 1e-12))
+          << each.name << ", vertex " << v;
+    }
+  }
+}
+
+// Squares of side n, each between two of five axes, around a vertex: a cube that stands on a plane.
+TEST(StraightGraph, is_exact_up_to_rounding_where_paths_bend_at_a_saddle_vertex) {
+  constexpr std::array<Vec3, 5> axes = {{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {1, 0, 0}}};
+  constexpr Index n = 6;
+  TriangleSoup soup{{{0, 0, 0}}, {}};
+  // Vertex i a + j b of quadrant k, i > 0 or both 0, j >= 0; the next quadrant has those with i =
+  // 0.
+  const auto vertex = [](Index k, Index i, Index j) {
+    if (i == 0 && j == 0) return Index{0};
+    if (i == 0) return 1 + ((k + 1) % 5) * n * (n + 1) + (j - 1) * (n + 1);
+    return 1 + k * n * (n + 1) + (i - 1) * (n + 1) + j;
+  };
+  for (Index k = 0; k < 5; ++k) {
+    for (Index i = 1; i <= n; ++i) {
+      for (Index j = 0; j <= n; ++j) {
+        soup.positions.push_back(add(scale(i, axes[k]), scale(j, axes[(k + 1) % 5])));
+      }
+    }
+    for (Index i = 0; i < n; ++i) {
+      for (Index j = 0; j < n; ++j) {
+        const Index a = vertex(k, i, j), b = vertex(k, i + 1, j), c = vertex(k, i + 1, j + 1),
+                    d = vertex(k, i, j + 1);
+        soup.triangles.insert(soup.triangles.end(), {{a, b, c}, {a, c, d}});
+      }
+    }
+  }
+  const Mesh mesh(soup);
+  // From 63 degrees on the upper side of one wall to 297 degrees on the plane: 233 of 450.
+  const Index source = vertex(0, 1, 2), target = vertex(3, 2, 1);
+  const double straight = 2 * std::sqrt(5);
+  EXPECT_NEAR(solve("edge-based", mesh, source)[target], straight, 1e-14);
+  const double found = solve("straight-graph", mesh, source)[target];
+  EXPECT_GE(found, straight * (1 - 1e-15));
+  EXPECT_LE(found, straight * (1 + kRounding));
+}
+
+// The corner of the hole is a vertex of the boundary with an angle of 270 degrees.
+TEST(StraightGraph, is_exact_up_to_rounding_where_paths_bend_at_a_corner_of_the_boundary) {
+  TriangleSoup soup = generate("grid", {{"columns", 8}, {"rows", 8}});
+  std::erase_if(soup.triangles, [&](const Triangle& t) {
+    double x = 0, y = 0;
+    for (const Index v : t) {
+      x += soup.positions[v][0] / 3;
+      y += soup.positions[v][1] / 3;
+    }
+    return x > 4 && y > 4;
+  });
+  const Mesh mesh(soup);
+  const auto at = [](Index x, Index y) { return y * 9 + x; };
+  const double found = solve("straight-graph", mesh, at(5, 2))[at(2, 5)];
+  const double direct = std::sqrt(18), bent = 2 * std::sqrt(5);
+  EXPECT_GE(found, direct);
+  EXPECT_LE(found, direct * (1 + kRounding));
+  const double round = solve("straight-graph", mesh, at(6, 3))[at(3, 6)];
+  EXPECT_GE(round, bent * (1 - 1e-15));
+  EXPECT_LE(round, bent * (1 + kRounding));
+}
+
+// A path that crosses a flat lattice is too long by at most 1 / cos(alpha / 2) - 1.
+TEST(StraightGraph, is_off_by_half_a_percent_at_most_in_the_plane) {
+  TriangleSoup soup = generate("grid", {{"columns", 60}, {"rows", 50}});
+  for (Vec3& p : soup.positions) p[0] += 0.3 * p[1];
+  EXPECT_LT(largest_error(Mesh(soup), 1234), 1 / std::cos(0.1) - 1);
+}
+
+TEST(StraightGraph, is_off_by_two_percent_at_most_where_faces_have_no_area) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const Mesh mesh(with_flat_caps(rough_terrain(seed, 20, 20, 0.3), seed, 3));
+    ASSERT_TRUE(mesh.has_degenerate_faces());
+    EXPECT_LT(largest_error(mesh, 7), 0.02) << seed;
+  }
+}
+
+TEST(StraightGraph, is_off_by_less_than_one_percent_on_curved_surfaces) {
+  for (const char* name : {"icosphere", "torus", "terrain"}) {
+    EXPECT_LT(largest_error(Mesh(generate(name)), 0), 0.01) << name;
+  }
+}
+
+// Buckets are as wide as a mean edge: the second source lies 10^15 of them ahead.
+TEST(StraightGraph, ends_at_once_with_an_initial_distance_of_any_size) {
+  TriangleSoup soup = generate("grid", {{"columns", 3}, {"rows", 3}});
+  soup.positions.insert(soup.positions.end(), {{9, 0, 0}, {10, 0, 0}, {9, 1, 0}});
+  soup.triangles.push_back({16, 17, 18});
+  const std::vector<double> distances =
+      distances_by("straight-graph", Mesh(soup), {.sources = {{0}, {16, 1e15}}});
+  EXPECT_EQ(distances[16], 1e15);
+  EXPECT_NEAR(distances[17], 1e15 + 1, 1e15 * 1e-12);
+}
+
+TEST(StraightGraph, has_the_same_bits_with_any_number_of_threads) {
+  const Mesh mesh(generate("terrain"));
+  ASSERT_GT(mesh.vertex_count(), 2048U);
+  const std::vector<double> one = solve("straight-graph", mesh, 5);
+  for (const char* solver : {"straight-graph?threads=2", "straight-graph?threads=3"}) {
+    const DelayedPieces delayed;
+    EXPECT_EQ(solve(solver, mesh, 5), one) << solver;
+  }
+}
+
+}  // namespace
+}  // namespace geodesic
