@@ -19,6 +19,7 @@ Search::Search(const Mesh& mesh, const Graph& graph, double angle)
 
 void Search::run(const InternalQuery& query, std::span<double> distances) {
   labels_ = distances;
+  front_.clear();
   Unfolder fan(mesh_, std::min(angle_, kFanAngle * static_cast<double>(query.sources.size())));
   for (const InternalSource& source : query.sources) leave_source(source, fan);
   StopRule stop_rule(mesh_, query, distances);
@@ -29,7 +30,6 @@ void Search::run(const InternalQuery& query, std::span<double> distances) {
       leave(bucket[i]);
     }
   }
-  front_.clear();
   for (double& d : distances) d = Label(d).distance();
   for (const InternalSource& source : query.sources) {
     if (!source.at.is_vertex()) continue;
@@ -75,7 +75,7 @@ void Search::improve(Index v, double distance, unsigned sector) {
 
 /// Starts to load what the next turns need.
 void Search::prefetch(const std::vector<Index>& bucket, std::size_t at) const {
-  constexpr std::size_t kBlockAhead = 6, kLinksAhead = 2;
+  constexpr std::size_t kBlockAhead = 12, kLinksAhead = 4;
   if (at + kBlockAhead < bucket.size()) graph_.prefetch_block(bucket[at + kBlockAhead]);
   if (at + kLinksAhead < bucket.size()) {
     const Index v = bucket[at + kLinksAhead];
