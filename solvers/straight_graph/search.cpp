@@ -58,7 +58,10 @@ void Search::leave_source(const InternalSource& source, Unfolder& fan) {
   reach(v, source.distance, kAnySector);
   for (const Index h : mesh_.outgoing(v)) {
     const HalfEdge& e = mesh_.half_edge(h);
-    if (!(e.length > 0 && mesh_.half_edge(Mesh::previous(h)).length > 0)) continue;
+    const double to_apex = mesh_.half_edge(Mesh::previous(h)).length;
+    reach(mesh_.head(h), source.distance + e.length, kAnySector);
+    reach(mesh_.apex(h), source.distance + to_apex, kAnySector);
+    if (!(e.length > 0 && to_apex > 0)) continue;
     fan.follow(mesh_.twin(Mesh::next(h)), {e.apex_x, e.apex_y}, {e.length, 0}, reach_straight);
   }
 }
