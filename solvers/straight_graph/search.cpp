@@ -9,7 +9,8 @@ namespace {
 constexpr double kBucketWidth = 1;
 
 /// Least angle of a source's own wedges, in radians, for each source: near a source paths have few
-/// links, so that errors do not cancel out. All sources together unfold about as much as one.
+/// links, so that errors do not cancel out. All sources together unfold about as much as one, as
+/// long as that is finer than the links of vertices.
 constexpr double kFanAngle = 0.01;
 
 }  // namespace
@@ -20,8 +21,16 @@ Search::Search(const Mesh& mesh, const Graph& graph, double angle)
 void Search::run(const InternalQuery& query, std::span<double> distances) {
   labels_ = distances;
   front_.clear();
-  Unfolder fan(mesh_, std::min(angle_, kFanAngle * static_cast<double>(query.sources.size())));
-  for (const InternalSource& source : query.sources) leave_source(source, fan);
+  const double fan_angle = kFanAngle * static_cast<double>(query.sources.size());
+  Unfolder fan(mesh_, std::min(angle_, fan_angle));
+  for (const InternalSource& source : query.sources) {
+    if (!source.at.is_vertex()) {
+      leave_point(source, fan);
+      continue;
+    }
+    reach(source.at.vertex, source.distance, kAnySector);
+    if (fan_angle < angle_) leave_vertex(source, fan);
+  }
   StopRule stop_rule(mesh_, query, distances);
   while (front_.advance() && !stop_rule.is_over(front_.least_distance())) {
     const std::vector<Index>& bucket = front_.bucket();
@@ -38,32 +47,32 @@ void Search::run(const InternalQuery& query, std::span<double> distances) {
   }
 }
 
-void Search::leave_source(const InternalSource& source, Unfolder& fan) {
-  const auto reach_straight = [&](Index h, const Point2& apex, const Point2& /*left*/) {
-    reach(mesh_.apex(h), source.distance + norm(apex), kAnySector);
+void Search::leave_point(const InternalSource& source, Unfolder& fan) {
+  const auto reach_corner = [&](Index h, const Point2& /*from*/, double distance, bool /*next*/) {
+    reach(mesh_.apex(h), source.distance + distance, kAnySector);
   };
-  if (!source.at.is_vertex()) {
-    spread_from(
-        mesh_, source.at,
-        [&](Index h, const Point2& /*from*/, double distance, bool /*is_next*/) {
-          reach(mesh_.apex(h), source.distance + distance, kAnySector);
-        },
-        [&](Index h, const Point2& from) {
-          const double length = mesh_.half_edge(h).length;
-          fan.follow(mesh_.twin(h), {-from.x, -from.y}, {length - from.x, -from.y}, reach_straight);
-        });
-    return;
-  }
-  const Index v = source.at.vertex;
-  reach(v, source.distance, kAnySector);
-  for (const Index h : mesh_.outgoing(v)) {
+  spread_from(mesh_, source.at, reach_corner, [&](Index h, const Point2& from) {
+    follow(source, fan, mesh_.twin(h), {-from.x, -from.y},
+           {mesh_.half_edge(h).length - from.x, -from.y});
+  });
+}
+
+void Search::leave_vertex(const InternalSource& source, Unfolder& fan) {
+  for (const Index h : mesh_.outgoing(source.at.vertex)) {
     const HalfEdge& e = mesh_.half_edge(h);
     const double to_apex = mesh_.half_edge(Mesh::previous(h)).length;
     reach(mesh_.head(h), source.distance + e.length, kAnySector);
     reach(mesh_.apex(h), source.distance + to_apex, kAnySector);
     if (!(e.length > 0 && to_apex > 0)) continue;
-    fan.follow(mesh_.twin(Mesh::next(h)), {e.apex_x, e.apex_y}, {e.length, 0}, reach_straight);
+    follow(source, fan, mesh_.twin(Mesh::next(h)), {e.apex_x, e.apex_y}, {e.length, 0});
   }
+}
+
+void Search::follow(const InternalSource& source, Unfolder& fan, Index enter, const Point2& left,
+                    const Point2& right) {
+  fan.follow(enter, left, right, [&](Index h, const Point2& apex, const Point2& /*left*/) {
+    reach(mesh_.apex(h), source.distance + norm(apex), kAnySector);
+  });
 }
 
 void Search::improve(Index v, double distance, unsigned sector) {

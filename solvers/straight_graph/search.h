@@ -46,7 +46,13 @@ class Search {
     std::uint64_t bits_;
   };
 
-  void leave_source(const InternalSource& source, Unfolder& fan);
+  /// Reaches all vertices that a source in a face sees, and its corners.
+  void leave_point(const InternalSource& source, Unfolder& fan);
+  /// The same from a vertex.
+  void leave_vertex(const InternalSource& source, Unfolder& fan);
+  /// Follows the lines of a source through an edge, as Unfolder::follow.
+  void follow(const InternalSource& source, Unfolder& fan, Index enter, const Point2& left,
+              const Point2& right);
   void reach(Index v, double distance, unsigned sector) {
     if (distance < labels_[v]) improve(v, distance, sector);
   }
