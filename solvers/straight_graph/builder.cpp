@@ -116,13 +116,15 @@ class Builder {
     }
   }
 
-  /// Adds a line from v. Of two to one vertex the shorter one stays.
+  /// Adds a line from v. Of two to one vertex the edge stays, else the shorter one. No line is
+  /// shorter than an edge but by rounding.
   void add(const Line& line, Index v) {
     if (line.target == v) return;
     First& first = first_[line.target];
     if (first.of == v) {
-      if (!(line.length < lines_[first.at].length)) return;
-      lines_[first.at].target = kNone;
+      Line& other = lines_[first.at];
+      if (other.is_edge || (!line.is_edge && other.length <= line.length)) return;
+      other.target = kNone;
     }
     first = {v, static_cast<Index>(lines_.size())};
     lines_.push_back(line);

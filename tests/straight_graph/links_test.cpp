@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include "meshes/generators/generators.h"
@@ -106,8 +107,17 @@ TEST(Links, are_never_shorter_than_they_are_and_zero_only_if_they_are) {
   }
 }
 
-TEST(Links, lead_to_every_neighbour_once_and_never_back) {
-  for (const NamedMesh& each : random_meshes()) {
+// On the back of a plate, lines to a neighbour are as long as the edge on the front, up to
+// rounding.
+TEST(Links, along_edges_lead_to_all_neighbours_and_no_two_links_to_one_vertex) {
+  std::vector<NamedMesh> meshes = random_meshes();
+  for (Index i = 0; i < 20; ++i) {
+    const Vec3 corner = {1 + 0.1 * i, 1 + 0.07 * i, 0};
+    meshes.push_back({"plate " + std::to_string(i),
+                      {{{0, 0, 0}, {1, 0, 0}, corner, {0, 1, 0}},
+                       {{0, 1, 2}, {0, 2, 3}, {1, 0, 3}, {1, 3, 2}}}});
+  }
+  for (const NamedMesh& each : meshes) {
     const Mesh mesh(each.soup);
     const Graph graph = build_graph(mesh, 0.2, 1);
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
@@ -123,8 +133,8 @@ TEST(Links, lead_to_every_neighbour_once_and_never_back) {
       all.insert(all.end(), edges.begin(), edges.end());
       std::ranges::sort(edges);
       std::ranges::sort(all);
+      EXPECT_EQ(edges, neighbours) << each.name << ", vertex " << v;
       EXPECT_EQ(std::ranges::adjacent_find(all), all.end()) << each.name << ", vertex " << v;
-      EXPECT_TRUE(std::ranges::includes(all, neighbours)) << each.name << ", vertex " << v;
       EXPECT_FALSE(std::ranges::binary_search(all, v)) << each.name << ", vertex " << v;
     }
   }
