@@ -84,12 +84,13 @@ class Builder {
       const Index next = Mesh::next(h), into = Mesh::previous(h);
       const HalfEdge& far = mesh_.half_edge(next);
       const Point2 apex = {e.apex_x, e.apex_y};
+      const FaceFrame face = face_frame(mesh_, h);
       const double back = sectors_.direction(next) + corner_angle(far);
       add({mesh_.head(h), true, out, static_cast<float>(back), {e.length, 0}, {-1, 0}, e.length},
           v);
       // An edge of one of the ends lets no line through.
       if (e.length > 0 && mesh_.half_edge(into).length > 0) {
-        unfolder_.follow(mesh_.twin(next), apex, {e.length, 0},
+        unfolder_.follow(mesh_.twin(next), apex, {e.length, 0}, {face.right_x, face.right_y},
                          [&](Index entered, const Point2& to, const Point2& left) {
                            const auto in =
                                static_cast<float>(sectors_.direction(Mesh::previous(entered)));

@@ -53,7 +53,7 @@ void Search::leave_point(const InternalSource& source, Unfolder& fan) {
   };
   spread_from(mesh_, source.at, reach_corner, [&](Index h, const Point2& from) {
     follow(source, fan, mesh_.twin(h), {-from.x, -from.y},
-           {mesh_.half_edge(h).length - from.x, -from.y});
+           {mesh_.half_edge(h).length - from.x, -from.y}, {1, 0});
   });
 }
 
@@ -64,13 +64,15 @@ void Search::leave_vertex(const InternalSource& source, Unfolder& fan) {
     reach(mesh_.head(h), source.distance + e.length, kAnySector);
     reach(mesh_.apex(h), source.distance + to_apex, kAnySector);
     if (!(e.length > 0 && to_apex > 0)) continue;
-    follow(source, fan, mesh_.twin(Mesh::next(h)), {e.apex_x, e.apex_y}, {e.length, 0});
+    const FaceFrame face = face_frame(mesh_, h);
+    follow(source, fan, mesh_.twin(Mesh::next(h)), {e.apex_x, e.apex_y}, {e.length, 0},
+           {face.right_x, face.right_y});
   }
 }
 
 void Search::follow(const InternalSource& source, Unfolder& fan, Index enter, const Point2& left,
-                    const Point2& right) {
-  fan.follow(enter, left, right, [&](Index h, const Point2& apex, const Point2& /*left*/) {
+                    const Point2& right, const Point2& along) {
+  fan.follow(enter, left, right, along, [&](Index h, const Point2& apex, const Point2& /*left*/) {
     reach(mesh_.apex(h), source.distance + norm(apex), kAnySector);
   });
 }

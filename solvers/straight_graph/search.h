@@ -52,7 +52,7 @@ class Search {
   void leave_vertex(const InternalSource& source, Unfolder& fan);
   /// Follows the lines of a source through an edge, as Unfolder::follow.
   void follow(const InternalSource& source, Unfolder& fan, Index enter, const Point2& left,
-              const Point2& right);
+              const Point2& right, const Point2& along);
   void reach(Index v, double distance, unsigned sector) {
     if (distance < labels_[v]) improve(v, distance, sector);
   }

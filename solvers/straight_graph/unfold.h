@@ -17,6 +17,11 @@ namespace geodesic::straight_graph {
 inline double cross(const Point2& a, const Point2& b) { return a.x * b.y - a.y * b.x; }
 inline double dot(const Point2& a, const Point2& b) { return a.x * b.x + a.y * b.y; }
 
+/// A vector given in a frame whose x axis has this direction.
+inline Point2 turned(const Point2& axis, const Point2& v) {
+  return {axis.x * v.x - axis.y * v.y, axis.y * v.x + axis.x * v.y};
+}
+
 class Unfolder {
  public:
   /// @param angle least angle of a wedge in radians, below pi / 2
@@ -28,16 +33,17 @@ class Unfolder {
   /// Follows all lines from the origin of a plane through an edge.
   /// @param enter half-edge of the face behind the edge; kNone: there is none
   /// @param left, right its origin and its head in the plane; the angle between them is at most pi
+  /// @param along unit vector from left to right
   /// @param reach called as (Index h, Point2 apex, Point2 left), from right to left, for each apex
   ///        that a line reaches straight: the half-edge h through which it enters the apex's face,
   ///        the apex and the origin of h in the plane
   template <class Reach>
-  void follow(Index enter, const Point2& left, const Point2& right, const Reach& reach) {
-    Wedge w{enter, left, right, left, right};
+  void follow(Index enter, const Point2& left, const Point2& right, const Point2& along,
+              const Reach& reach) {
+    Wedge w{enter, left, right, along, left, right};
     bool is_alive = is_wide(right, left);
     for (int faces = 0;;) {
-      if (is_alive && w.enter != kNone && mesh_.half_edge(w.enter).length > 0 &&
-          ++faces <= most_faces_) {
+      if (is_alive && w.enter != kNone && ++faces <= most_faces_) {
         is_alive = cross_face(w);
         continue;
       }
@@ -59,6 +65,7 @@ class Unfolder {
   struct Wedge {
     Index enter;
     Point2 left, right;          // ends of the edge
+    Point2 along;                // unit vector between them, with more digits than their difference
     Point2 left_ray, right_ray;  // points of the rays that bound the wedge
   };
   struct Split {
@@ -80,22 +87,25 @@ class Unfolder {
 
   /// Crosses the face that the wedge enters. @return whether it, or its right part, goes on
   bool cross_face(Wedge& w) {
-    const HalfEdge& e = mesh_.half_edge(w.enter);
-    const double per = 1 / e.length, x = e.apex_x * per, y = e.apex_y * per;
-    const Point2 along = {w.right.x - w.left.x, w.right.y - w.left.y};
-    const Point2 apex = {w.left.x + along.x * x - along.y * y,
-                         w.left.y + along.y * x + along.x * y};
+    const FaceFrame face = face_frame(mesh_, w.enter);
+    const Point2 to_apex = turned(w.along, {face.apex_x, face.apex_y});
+    const Point2 apex = {w.left.x + to_apex.x, w.left.y + to_apex.y};
+    const Point2 along_right = turned(w.along, {face.right_x, face.right_y});
+    const Point2 along_left = turned(w.along, {face.left_x, face.left_y});
     const Index into_right = mesh_.twin(Mesh::next(w.enter));
     const Index into_left = mesh_.twin(Mesh::previous(w.enter));
     const bool is_left_of_right = is_left(w.right_ray, apex);
     if (is_left_of_right && is_left(apex, w.left_ray)) {
-      splits_.push_back(
-          {w.enter, apex, {into_left, w.left, apex, w.left_ray, apex}, is_wide(apex, w.left_ray)});
-      w = {into_right, apex, w.right, apex, w.right_ray};
+      splits_.push_back({w.enter,
+                         apex,
+                         {into_left, w.left, apex, along_left, w.left_ray, apex},
+                         is_wide(apex, w.left_ray)});
+      w = {into_right, apex, w.right, along_right, apex, w.right_ray};
       return is_wide(w.right_ray, apex);
     }
     w.enter = is_left_of_right ? into_right : into_left;
     (is_left_of_right ? w.left : w.right) = apex;
+    w.along = is_left_of_right ? along_right : along_left;
     return true;
   }
 

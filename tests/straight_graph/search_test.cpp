@@ -46,6 +46,35 @@ TEST(StraightGraph, is_nowhere_below_the_distance_and_nowhere_above_that_along_e
   }
 }
 
+// From a source beside a short edge, faces a million times as long as wide: the places of the
+// edge's ends come from far vertices, and their difference lacks the digits that unfolding needs.
+// Distances far shorter than the edges are accurate relative to a 256th of an edge
+// (kCoordinateRounding).
+TEST(StraightGraph, is_nowhere_below_the_distance_among_needles_in_the_plane) {
+  constexpr double kLong = 1.2e6;
+  TriangleSoup soup = generate("grid", {{"columns", 5}, {"rows", 12}});
+  for (Index v = 0; v < soup.positions.size(); ++v) {
+    Vec3& p = soup.positions[v];
+    p = {kLong * p[0] + 0.013 * (v * 7 % 11), 0.3 * p[1] + 0.021 * (v * 5 % 13), 0};
+  }
+  const Mesh mesh(soup);
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::array<double, 3> weights = {1e-7, 1e-7, 1e-7};
+      weights[k] = 1;
+      const SurfacePoint source = point_in_face(mesh, f, weights);
+      const Vec3 at = position_of(mesh, source);
+      const std::vector<double> distances =
+          distances_by("straight-graph", mesh, {.sources = {{source}}});
+      for (Index v = 0; v < mesh.vertex_count(); ++v) {
+        const double line = norm(subtract(mesh.position(v), at));
+        EXPECT_GE(distances[v], line - 1e-12 * std::max(line, kLong / 256))
+            << "face " << f << ", corner " << k << ", vertex " << v;
+      }
+    }
+  }
+}
+
 // Squares of side n, each between two of five axes, around a vertex: a cube that stands on a plane.
 TEST(StraightGraph, is_exact_up_to_rounding_where_paths_bend_at_a_saddle_vertex) {
   constexpr std::array<Vec3, 5> axes = {{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {1, 0, 0}}};
