@@ -270,7 +270,11 @@ check_words() {
   if has_step run && [[ -z $resumed && -z $slurm && -e $out/run.json ]]; then
     die "$out already contains a run; remove it, or give another --out"
   fi
-  if [[ -n $folder ]]; then words+=(--folder "$folder"); else words+=(--corpus "$corpus"); fi
+  if [[ -n $folder ]]; then
+    words+=(--folder "$folder")
+  elif has_step fetch || has_step run; then
+    words+=(--corpus "$corpus")
+  fi
   if [[ -n $meshes ]]; then words+=(--meshes "$meshes"); fi
   if [[ -n $solvers ]]; then words+=(--solvers "$solvers"); fi
   if [[ -n $peers ]]; then words+=(--peers "$peers"); fi

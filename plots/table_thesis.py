@@ -63,6 +63,9 @@ def table(run: Run) -> Table:
             f"Geometric means over {', '.join(listed)}, if both numbers exist; places are by time. "
             "Stand-ins are other meshes than the thesis measured: what is published "
             "is context only.",
+            "Ratios of time differ from the thesis's for reasons of the programs: here edge-based takes several "
+            "windows at a time by vector instructions, where the processor has them; docs/performance.md has its "
+            "time without them, and what else differs.",
             f"Published: {published.citation()}, Table 5.2, measured on {published.machine()}. "
             f"{COUNTING}",
         ],

@@ -11,6 +11,7 @@ import json
 import re
 import sys
 from pathlib import Path
+from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
@@ -62,13 +63,21 @@ def check_folder(option: str, folder: Path, file: str, without: str) -> None:
         raise WordError(f"{option}: {folder} has no {file}: {without}")
 
 
+def read_manifest() -> Any:
+    try:
+        return json.loads((ROOT / "datasets" / "manifest.json").read_text("utf-8"))
+    except (OSError, ValueError) as error:
+        raise WordError(f"datasets/manifest.json of the checkout cannot be read: {error}") from None
+
+
 def check(options: dict[str, str]) -> None:
     """@param options by their names without dashes. @raises WordError"""
-    manifest = json.loads((ROOT / "datasets" / "manifest.json").read_text("utf-8"))
-    if "corpus" in options:
-        check_name("--corpus", "corpus", options["corpus"], set(manifest["corpora"]))
-    if "meshes" in options:
-        check_meshes(options["meshes"], {mesh["name"] for mesh in manifest["meshes"]})
+    if {"corpus", "meshes"} & options.keys():
+        manifest = read_manifest()
+        if "corpus" in options:
+            check_name("--corpus", "corpus", options["corpus"], set(manifest["corpora"]))
+        if "meshes" in options:
+            check_meshes(options["meshes"], {mesh["name"] for mesh in manifest["meshes"]})
     if options.get("peers", "all") != "all":
         for name in options["peers"].split(","):
             check_name("--peers", "peer", name, peers())

@@ -146,11 +146,12 @@ CASES = [
     flag("check_performance.sh HEAD --out /dev/null", "cannot write", "/dev/null", "--out"),
     # Python programs
     flag("fetch.py", "fetch.py: name a --corpus or meshes; see fetch.py --help"),
-    flag("fetch.py --corpsu tiny", "unrecognized arguments: --corpsu", "see fetch.py --help"),
-    flag("fetch.py --corpus tinny", "fetch.py: no corpus named 'tinny'; there are: break-even"),
-    flag(r"fetch.py $'\e[31mred'", r"fetch.py: no mesh named '\x1b[31mred'; there are: beetle-alt"),
-    flag("check_run.py --runs", "geodesic-bench check: unrecognized arguments: --runs; see "
-         "geodesic-bench check --help"),
+    flag("fetch.py --corpsu tiny", "no option named '--corpsu' (did you mean '--corpus'?); there are: ",
+         "see fetch.py --help"),
+    flag("fetch.py --corpus tinny", "fetch.py: no corpus named 'tinny' (did you mean 'tiny'?); there are: "),
+    flag(r"fetch.py $'\e[31mred'", r"fetch.py: no mesh named '\x1b[31mred'; the nearest of "),
+    flag("check_run.py --runs", "geodesic-bench check: no option named '--runs'; there are: ",
+         "see geodesic-bench check --help"),
     flag("plots table_5_1 --run nowhere", "plots: nowhere: no such folder; ./run_all.sh run"),
     flag("report.py a b", "geodesic-bench report: unrecognized arguments: b"),
     flag("plots overview --out", "argument --out: expected one argument; see plots --help"),
