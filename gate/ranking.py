@@ -6,6 +6,7 @@ docs/ranking.md describes the numbers, docs/measuring.md the pairs.
 
 from __future__ import annotations
 
+import itertools
 import math
 import statistics
 from collections.abc import Sequence
@@ -203,13 +204,14 @@ def _give_ranks(ranking: Ranking) -> None:
     placed = [one for one in ranking.standings if _order(one, ranking.candidate) < math.inf]
     if not any(one.time is not None and one.time.has_interval for one in placed):
         return
-    rank = 1
+    tied = [
+        (first, second)
+        for first, second in itertools.combinations(range(len(placed)), 2)
+        if (mean := ranking.measurements.mean(placed[first].solver, placed[second].solver))
+        and not mean.resolved
+    ]
     for place, standing in enumerate(placed):
-        between = (
-            ranking.measurements.mean(before.solver, behind.solver)
-            for before in placed[:place] for behind in placed[place:]
-        )  # fmt: skip
-        if all(one is None or one.resolved for one in between):
+        if not any(first < place <= second for first, second in tied):
             rank = place + 1
         standing.rank = rank
 

@@ -100,8 +100,9 @@ std::optional<double> windows_propagated(const std::string& solver) {
 std::string waste_of(const Description& solver) {
   constexpr double kMostWindows = 2;  // times those of another exact solver of its family
   const std::optional<double> own = windows_propagated(solver.name);
+  if (!own) return {};
   for (const Description* other : registered_solvers()) {
-    if (!own || other == &solver || other->family != solver.family ||
+    if (other == &solver || other->family != solver.family ||
         other->exactness != solver.exactness || other->independent_oracle) {
       continue;
     }

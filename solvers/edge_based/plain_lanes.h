@@ -26,7 +26,6 @@ inline Vec Mul(Vec a, Vec b) { return a * b; }
 inline Vec Div(Vec a, Vec b) { return a / b; }
 inline Vec Neg(Vec a) { return -a; }
 inline Vec Sqrt(Vec a) { return Vec{std::sqrt(a[0]), std::sqrt(a[1])}; }
-inline Vec Abs(Vec a) { return Vec{std::abs(a[0]), std::abs(a[1])}; }
 inline Vec Min(Vec a, Vec b) { return a < b ? a : b; }
 inline Vec Max(Vec a, Vec b) { return a > b ? a : b; }
 

@@ -16,7 +16,7 @@ namespace geodesic::straight_graph {
 
 class Front {
  public:
-  /// @param width distances covered by a bucket; not positive: all are in one
+  /// @param width distances covered by a bucket; 0: all are in one
   explicit Front(double width) : numbers_(width), slots_(kSlots) {}
 
   /// The number of the bucket of a distance.

@@ -56,6 +56,12 @@ TEST(BucketQueue, a_width_that_is_negative_or_not_a_number_is_refused) {
   }
 }
 
+TEST(BucketQueue, a_mesh_without_vertices_has_one_bucket) {
+  const double width = published_bucket_width(Mesh{TriangleSoup{}});
+  EXPECT_EQ(width, 0);
+  EXPECT_TRUE(BucketQueue<int>(width).empty());
+}
+
 // The wavefront grows: each item gives two, behind all that wait.
 TEST(BucketQueue, a_phase_stays_short_however_many_items_wait) {
   BucketQueue<int> queue(1);

@@ -18,9 +18,11 @@
 
 namespace geodesic {
 
-/// The bucket width that Xu, Wang, Liu, Liu, He 2015 publish for FWP, in the mesh's unit of length.
+/// The bucket width that Xu, Wang, Liu, Liu, He 2015 publish for FWP, in the mesh's unit of length;
+/// 0 for a mesh without edges.
 inline double published_bucket_width(const Mesh& mesh) {
-  return mesh.mean_edge_length() / std::sqrt(static_cast<double>(mesh.vertex_count()));
+  const double vertices = std::max(static_cast<double>(mesh.vertex_count()), 1.0);
+  return mesh.mean_edge_length() / std::sqrt(vertices);
 }
 
 /// Numbers of buckets of equal width, from 0; they do not decrease as keys grow. Keys too large for

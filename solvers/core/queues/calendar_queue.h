@@ -19,7 +19,7 @@ namespace geodesic {
 /// How a calendar queue sorts keys into buckets.
 struct CalendarBuckets {
   double width;  ///< keys covered by one, in the keys' unit; best when a bucket holds only a few
-                 ///< items. Not positive: one heap takes everything.
+                 ///< items. 0: one heap takes everything.
   std::size_t count;  ///< of the ring, a power of two from 8 on; best when few items lie beyond
 };
 
