@@ -8,8 +8,12 @@
 
 namespace geodesic {
 
-/// Starts to load the cache line at an address; any address is allowed.
-inline void prefetch(const void* address) { __builtin_prefetch(address); }
+/// Starts to load the cache line at an address; any address is allowed. The empty volatile statement
+/// is a side effect: without one, GCC takes functions that only prefetch for pure, and drops calls.
+inline void prefetch(const void* address) {
+  __builtin_prefetch(address);
+  asm volatile("");
+}
 
 /// The items that a queue has announced (`upcoming`), one per turn. Their data is loaded in stages:
 /// the address for each stage is in the data that the stage before has loaded.
