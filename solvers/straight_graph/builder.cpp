@@ -19,8 +19,8 @@ class Builder {
         unfolder_(mesh, angle),
         first_(mesh.vertex_count(), {kNone, 0}) {}
 
-  /// Appends the block of a vertex and its links.
-  void append_block(Index v, std::vector<std::byte>& bytes) {
+  /// Appends the block of a vertex and its links, in whole cache lines.
+  void append_block(Index v, std::vector<Block>& lines) {
     find_links(v);
     Block block{};
     edges_.clear();
@@ -48,9 +48,11 @@ class Builder {
       sum += leaving[s];
     }
     sectors_.set_straight_on(v, slack_, block);
-    append(bytes, std::as_bytes(std::span(&block, 1)));
-    append(bytes, std::as_bytes(std::span(edges_)));
-    append(bytes, std::as_bytes(std::span(links_)));
+    lines.push_back(block);
+    edges_.insert(edges_.end(), links_.begin(), links_.end());
+    const std::size_t at = lines.size(), bytes = edges_.size() * sizeof(Link);
+    lines.resize(at + (bytes + kCacheLine - 1) / kCacheLine);
+    if (bytes > 0) std::memcpy(&lines[at], edges_.data(), bytes);
   }
 
  private:
@@ -68,10 +70,6 @@ class Builder {
     Index of;  ///< the vertex whose line it is
     Index at;
   };
-
-  static void append(std::vector<std::byte>& bytes, std::span<const std::byte> more) {
-    bytes.insert(bytes.end(), more.begin(), more.end());
-  }
 
   /// Sets lines_ to all lines from v, in the order of their directions.
   void find_links(Index v) {
@@ -155,18 +153,18 @@ Graph build_graph(const Mesh& mesh, double angle, unsigned threads) {
   const std::size_t count = graph.piece_count();
   ThreadTeam::run(threads, count, [&](ThreadTeam& team, unsigned thread) {
     Builder builder(mesh, sectors, angle);
-    std::vector<std::byte> bytes;
+    std::vector<Block> lines;
     std::vector<std::size_t> begins;
     const auto build = [&](std::size_t piece) {
-      bytes.clear();
+      lines.clear();
       begins.clear();
       const std::size_t first = piece * Graph::kPiece;
       const std::size_t end = std::min<std::size_t>(first + Graph::kPiece, mesh.vertex_count());
       for (std::size_t v = first; v < end; ++v) {
-        begins.push_back(bytes.size());
-        builder.append_block(static_cast<Index>(v), bytes);
+        begins.push_back(lines.size());
+        builder.append_block(static_cast<Index>(v), lines);
       }
-      graph.set_piece(piece, bytes, begins);
+      graph.set_piece(piece, lines, begins);
     };
     team.share(thread, count, team.in_equal_parts(count), build, [] {});
   });

@@ -19,8 +19,9 @@
 
 namespace geodesic::straight_graph {
 
-/// Number of equal sectors into which the directions around a vertex are divided.
-inline constexpr unsigned kSectors = 61;
+/// Number of equal sectors into which the directions around a vertex are divided: as many as make
+/// the header of a block fill a cache line.
+inline constexpr unsigned kSectors = 53;
 
 /// Stands for an arrival after which a path may go on in every direction.
 inline constexpr unsigned kAnySector = 63;
@@ -52,9 +53,11 @@ class Link {
   std::uint32_t packed_;  // a float whose last bits are the sector
 };
 
+inline constexpr std::size_t kCacheLine = 64;  ///< bytes
+
 /// What leaves a vertex: this header, the links along its edges, then all others in the order of
 /// their directions. They lie in memory one after the other.
-struct Block {
+struct alignas(kCacheLine) Block {
   std::uint32_t edge_count;
   std::uint32_t link_count;  ///< of the other links
   /// A path that arrives in sector s goes on in the sectors from s + shift on, `width` of them;
@@ -83,7 +86,7 @@ struct Block {
     if (sector >= kSectors) return;
     const Link* straight = links().data() + begin_of(in_circle(sector + shift));
     prefetch(straight);
-    prefetch(straight + 6);
+    prefetch(straight + kCacheLine / sizeof(Link) - 1);
   }
 
  private:
@@ -97,7 +100,7 @@ struct Block {
     return links().subspan(begin, end - begin);
   }
 };
-static_assert(sizeof(Block) == 72 && sizeof(Link) == 8 && alignof(Link) <= alignof(Block));
+static_assert(sizeof(Block) == kCacheLine && sizeof(Link) == 8);
 
 /// The blocks of all vertices. Successive vertices lie in one piece of memory.
 class Graph {
@@ -112,25 +115,24 @@ class Graph {
   const Block& block(Index v) const { return *blocks_[v]; }
   /// Starts to load a block and its first edges.
   void prefetch_block(Index v) const {
-    const auto* block = reinterpret_cast<const std::byte*>(blocks_[v]);
-    prefetch(block);
-    prefetch(block + 64);
+    prefetch(blocks_[v]);
+    prefetch(blocks_[v] + 1);
   }
 
   /// Sets the blocks of the vertices from piece * kPiece on. Threads may set different pieces.
-  /// @param bytes the blocks with their links; @param begins where each block begins in them
-  void set_piece(std::size_t piece, std::span<const std::byte> bytes,
+  /// @param lines the blocks, each followed by its links
+  /// @param begins for each block, the index of its line
+  void set_piece(std::size_t piece, std::span<const Block> lines,
                  std::span<const std::size_t> begins) {
-    pieces_[piece].assign(bytes.begin(), bytes.end());
+    pieces_[piece].assign(lines.begin(), lines.end());
     for (std::size_t i = 0; i < begins.size(); ++i) {
-      blocks_[piece * kPiece + i] =
-          reinterpret_cast<const Block*>(pieces_[piece].data() + begins[i]);
+      blocks_[piece * kPiece + i] = &pieces_[piece][begins[i]];
     }
   }
 
  private:
-  std::vector<std::vector<std::byte>> pieces_;
-  std::vector<const Block*> blocks_;  // by vertex
+  std::vector<std::vector<Block>> pieces_;  // of cache lines, most of which hold links
+  std::vector<const Block*> blocks_;        // by vertex
 };
 
 }  // namespace geodesic::straight_graph
