@@ -107,16 +107,17 @@ class Graph {
  public:
   static constexpr Index kPiece = 512;  ///< vertices
 
-  explicit Graph(Index vertices) : pieces_(vertices / kPiece + 1), blocks_(vertices) {}
+  explicit Graph(Index vertices) : pieces_(vertices / kPiece + 1), places_(vertices) {}
   Graph(Graph&&) = default;
   Graph& operator=(Graph&&) = default;
 
   std::size_t piece_count() const { return pieces_.size(); }
-  const Block& block(Index v) const { return *blocks_[v]; }
+  const Block& block(Index v) const { return pieces_[v / kPiece][places_[v]]; }
   /// Starts to load a block and its first edges.
   void prefetch_block(Index v) const {
-    prefetch(blocks_[v]);
-    prefetch(blocks_[v] + 1);
+    const Block* at = &block(v);
+    prefetch(at);
+    prefetch(at + 1);
   }
 
   /// Sets the blocks of the vertices from piece * kPiece on. Threads may set different pieces.
@@ -126,13 +127,13 @@ class Graph {
                  std::span<const std::size_t> begins) {
     pieces_[piece].assign(lines.begin(), lines.end());
     for (std::size_t i = 0; i < begins.size(); ++i) {
-      blocks_[piece * kPiece + i] = &pieces_[piece][begins[i]];
+      places_[piece * kPiece + i] = static_cast<std::uint32_t>(begins[i]);
     }
   }
 
  private:
   std::vector<std::vector<Block>> pieces_;  // of cache lines, most of which hold links
-  std::vector<const Block*> blocks_;        // by vertex
+  std::vector<std::uint32_t> places_;       // by vertex: the line of its block in its piece
 };
 
 }  // namespace geodesic::straight_graph
