@@ -115,9 +115,10 @@ void add(const ExternalProgram& program) {
       .abilities = {.initial_distances = false},
       .remarks =
           program.remarks.empty() ? "an external program: " + program.command : program.remarks};
-  register_solver(std::move(description), [&kept](const Mesh& mesh, const Description& d) {
-    return std::make_unique<ExternalSolver>(mesh, d, kept);
-  });
+  register_solver(std::move(description),
+                  [&kept](const Mesh& mesh, const Description& d, PreparedReader* /*saved*/) {
+                    return std::make_unique<ExternalSolver>(mesh, d, kept);
+                  });
 }
 
 }  // namespace

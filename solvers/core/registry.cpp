@@ -162,10 +162,16 @@ const Description& solver_named(std::string_view name) {
   throw std::invalid_argument(unknown_name("solver", base_name(name), known));
 }
 
-std::unique_ptr<Solver> make_solver(std::string_view name, const Mesh& mesh) {
+std::unique_ptr<Solver> make_solver(std::string_view name, const Mesh& mesh,
+                                    PreparedReader* saved) {
   const Description& description = solver_named(name);
-  return entries().find(base_name(name))->second.factory(mesh, description);
+  if (saved != nullptr && !description.abilities.saves) {
+    throw std::invalid_argument(description.name + ": has no preparation that was saved");
+  }
+  return entries().find(base_name(name))->second.factory(mesh, description, saved);
 }
+
+std::unique_ptr<Solver> Solver::another() const { return make_solver(description_.name, mesh_); }
 
 }  // namespace geodesic
 

@@ -2,17 +2,21 @@
 //
 //   const RegisterSolver<Dijkstra> registered{{.name = "dijkstra", ...}};
 //
-// where `Dijkstra` is constructible from (const Mesh&, const Description&).
+// where `Dijkstra` is constructible from (const Mesh&, const Description&). If it is also
+// constructible from (const Mesh&, const Description&, PreparedReader&), the third argument is what
+// its `save` wrote, and Abilities::saves is set.
 #pragma once
 
 #include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "solvers/core/contract.h"
+#include "solvers/core/prepared_file.h"
 #include "solvers/core/solver.h"
 
 /// Adds a solver that was compiled against `contract` (contract.h). The other arguments are read
@@ -25,8 +29,9 @@ extern "C" void geodesic_register_solver(const char* contract, void* description
 
 namespace geodesic {
 
-using SolverFactory =
-    std::function<std::unique_ptr<Solver>(const Mesh& mesh, const Description& description)>;
+/// @param saved null, or what Solver::save wrote
+using SolverFactory = std::function<std::unique_ptr<Solver>(
+    const Mesh& mesh, const Description& description, PreparedReader* saved)>;
 
 /// Adds a solver.
 /// @throws std::logic_error when the name is taken or a parameter is described wrongly
@@ -62,15 +67,25 @@ std::string_view base_name(std::string_view name);
 
 /// Prepares a solver for a mesh. The mesh must outlive the solver.
 /// @param name as in solver_named, whose exceptions it throws
-std::unique_ptr<Solver> make_solver(std::string_view name, const Mesh& mesh);
+/// @param saved null to prepare; or what Solver::save wrote, of a solver of this name on this mesh
+/// @throws std::invalid_argument for a mesh that the solver does not support, and for saved data
+///         that is not as it was written
+std::unique_ptr<Solver> make_solver(std::string_view name, const Mesh& mesh,
+                                    PreparedReader* saved = nullptr);
 
 /// Registers S when it is constructed at namespace scope.
 /// @tparam by_name_only whether the solver runs only when it is named, whatever it declares
 template <class S, bool by_name_only>
 struct SolverRegistration {
   explicit SolverRegistration(Description description) {
+    constexpr bool saves =
+        std::is_constructible_v<S, const Mesh&, const Description&, PreparedReader&>;
     description.by_name_only |= by_name_only;
-    SolverFactory factory = [](const Mesh& mesh, const Description& d) {
+    description.abilities.saves = saves;
+    SolverFactory factory = [](const Mesh& mesh, const Description& d, PreparedReader* saved) {
+      if constexpr (saves) {
+        if (saved != nullptr) return std::make_unique<S>(mesh, d, *saved);
+      }
       return std::make_unique<S>(mesh, d);
     };
     geodesic_register_solver(compiled_contract().c_str(), &description, &factory);

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,6 +23,8 @@
 #include "solvers/core/recording.h"
 
 namespace geodesic {
+
+class PreparedWriter;
 
 /// What a solver guarantees about its distances. In every case they are 0 at sources and infinite
 /// where no path leads.
@@ -43,6 +46,7 @@ struct Abilities {
   bool concurrent_objects = true;   ///< objects may solve in several threads at the same time
   bool surface_sources = false;     ///< sources on edges and faces; else at vertices only
   bool paths = false;               ///< records the last segments of paths (RecordingKind::paths)
+  bool saves = false;               ///< preparation can be saved; set by the registry
   bool traces = false;              ///< traces paths by a method of its own (Solver::trace)
   Index max_vertices = kNone;       ///< larger meshes take unreasonably long
 };
@@ -82,6 +86,13 @@ struct Description {
   int thread_count() const;
 };
 
+/// Errors that a solver has measured on its own mesh while it was prepared.
+struct Certificate {
+  Index sources = 0;  ///< random vertices whose distances were compared with an exact solver's
+  /// Relative errors over all vertices that are reached, the sources left out.
+  double mean_error = 0, largest_error = 0;
+};
+
 /// Computes distances on one mesh. A solver family derives from it and implements `run`.
 class Solver {
  public:
@@ -115,6 +126,19 @@ class Solver {
   /// solve, call it before the solve.
   void renew();
 
+  /// Returns another object with the same preparation, for another thread. It may be called while
+  /// this object solves. Solvers whose preparation takes long share it; others prepare anew.
+  virtual std::unique_ptr<Solver> another() const;
+
+  /// Writes the preparation, of a solver with Abilities::saves (core/prepared_file.h).
+  virtual void save(PreparedWriter& /*to*/) const {}
+
+  /// Errors measured during preparation; none unless a parameter of the solver requested it.
+  virtual std::optional<Certificate> certificate() const { return std::nullopt; }
+
+  const Mesh& mesh() const { return mesh_; }
+  const Description& description() const { return description_; }
+
   /// The vector instructions that this object solves with: those chosen when it was constructed
   /// (core/instruction_set.h), as far as the solver is compiled for them.
   virtual InstructionSet instruction_set() const { return InstructionSet::plain; }
@@ -123,7 +147,6 @@ class Solver {
   /// @param description must outlive the solver (registered descriptions do)
   /// @throws std::invalid_argument when the mesh needs an ability that the solver lacks
   Solver(const Mesh& mesh, const Description& description);
-  const Mesh& mesh() const { return mesh_; }
 
  private:
   /// As `solve`, in the mesh's internal numbers. The query is already checked, and `distances`

@@ -154,14 +154,14 @@ Graph build_graph(const Mesh& mesh, double angle, unsigned threads) {
   ThreadTeam::run(threads, count, [&](ThreadTeam& team, unsigned thread) {
     Builder builder(mesh, sectors, angle);
     std::vector<Block> lines;
-    std::vector<std::size_t> begins;
+    std::vector<std::uint32_t> begins;
     const auto build = [&](std::size_t piece) {
       lines.clear();
       begins.clear();
       const std::size_t first = piece * Graph::kPiece;
       const std::size_t end = std::min<std::size_t>(first + Graph::kPiece, mesh.vertex_count());
       for (std::size_t v = first; v < end; ++v) {
-        begins.push_back(lines.size());
+        begins.push_back(static_cast<std::uint32_t>(lines.size()));
         builder.append_block(static_cast<Index>(v), lines);
       }
       graph.set_piece(piece, lines, begins);

@@ -16,6 +16,7 @@
 
 #include "solvers/core/geometry.h"
 #include "solvers/core/prefetch.h"
+#include "solvers/core/prepared_file.h"
 
 namespace geodesic::straight_graph {
 
@@ -111,6 +112,12 @@ class Graph {
   Graph(Graph&&) = default;
   Graph& operator=(Graph&&) = default;
 
+  /// Reads what `save` wrote for a mesh of that many vertices.
+  /// @throws std::invalid_argument as PreparedReader; no link leads out of the mesh, and no block
+  ///         out of its piece
+  Graph(Index vertices, PreparedReader& from);
+  void save(PreparedWriter& to) const;
+
   std::size_t piece_count() const { return pieces_.size(); }
   const Block& block(Index v) const { return pieces_[v / kPiece][places_[v]]; }
   /// Starts to load a block and its first edges.
@@ -124,11 +131,9 @@ class Graph {
   /// @param lines the blocks, each followed by its links
   /// @param begins for each block, the index of its line
   void set_piece(std::size_t piece, std::span<const Block> lines,
-                 std::span<const std::size_t> begins) {
+                 std::span<const std::uint32_t> begins) {
     pieces_[piece].assign(lines.begin(), lines.end());
-    for (std::size_t i = 0; i < begins.size(); ++i) {
-      places_[piece * kPiece + i] = static_cast<std::uint32_t>(begins[i]);
-    }
+    std::ranges::copy(begins, places_.begin() + static_cast<std::ptrdiff_t>(piece * kPiece));
   }
 
  private:

@@ -1,4 +1,7 @@
 // `straight-graph`: a graph of straight links, prepared once, for many sources on one mesh.
+#include <cmath>
+#include <random>
+
 #include "solvers/core/registry.h"
 #include "solvers/straight_graph/builder.h"
 #include "solvers/straight_graph/search.h"
@@ -6,22 +9,80 @@
 namespace geodesic::straight_graph {
 namespace {
 
+/// Compares distances from random vertices with exact ones.
+/// @param sources at least 1; vertices may be drawn more than once
+Certificate compare_with_exact(Solver& solver, Index sources) {
+  const Mesh& mesh = solver.mesh();
+  Certificate found;
+  if (mesh.vertex_count() == 0) return found;
+  const std::unique_ptr<Solver> exact = make_solver("edge-based", mesh);
+  std::mt19937_64 random(1);  // the same sources each time
+  std::vector<double> distances(mesh.vertex_count()), expected(mesh.vertex_count());
+  double sum = 0;
+  std::uint64_t count = 0;
+  for (; found.sources < sources; ++found.sources) {
+    const Query query{.sources = {{.at = static_cast<Index>(random() % mesh.vertex_count())}}};
+    solver.solve(query, distances);
+    exact->solve(query, expected);
+    for (std::size_t v = 0; v < distances.size(); ++v) {
+      if (!(expected[v] > 0) || std::isinf(expected[v])) continue;
+      const double error = distances[v] / expected[v] - 1;
+      found.largest_error = std::max(found.largest_error, error);
+      sum += error;
+      ++count;
+    }
+  }
+  if (count > 0) found.mean_error = sum / static_cast<double>(count);
+  return found;
+}
+
 class StraightGraph final : public Solver {
  public:
   StraightGraph(const Mesh& mesh, const Description& description)
-      : Solver(mesh, description),
-        graph_(build_graph(mesh, description.real("alpha"),
-                           static_cast<unsigned>(description.integer("threads")))),
-        search_(mesh, graph_, description.real("alpha")) {}
+      : StraightGraph(mesh, description,
+                      std::make_shared<const Graph>(
+                          build_graph(mesh, description.real("alpha"),
+                                      static_cast<unsigned>(description.integer("threads"))))) {
+    const Index sources = description.integer("check");
+    if (sources > 0) certificate_ = compare_with_exact(*this, sources);
+  }
+  StraightGraph(const Mesh& mesh, const Description& description, PreparedReader& from)
+      : StraightGraph(mesh, description, std::make_shared<const Graph>(mesh.vertex_count(), from)) {
+    const std::vector<double> found = from.read<double>();
+    if (found.size() == 3) certificate_ = {static_cast<Index>(found[0]), found[1], found[2]};
+  }
+
+  std::unique_ptr<Solver> another() const override {
+    std::unique_ptr<StraightGraph> other(new StraightGraph(mesh(), description(), graph_));
+    other->certificate_ = certificate_;
+    return other;
+  }
+  void save(PreparedWriter& to) const override {
+    graph_->save(to);
+    std::vector<double> found;
+    if (certificate_) {
+      found = {static_cast<double>(certificate_->sources), certificate_->mean_error,
+               certificate_->largest_error};
+    }
+    to.write(std::span<const double>(found));
+  }
+  std::optional<Certificate> certificate() const override { return certificate_; }
 
  private:
+  StraightGraph(const Mesh& mesh, const Description& description,
+                std::shared_ptr<const Graph> graph)
+      : Solver(mesh, description),
+        graph_(std::move(graph)),
+        search_(mesh, *graph_, description.real("alpha")) {}
+
   void run(const InternalQuery& query, std::span<double> distances,
            Recording* /*recording*/) override {
     search_.run(query, distances);
   }
 
-  Graph graph_;
+  std::shared_ptr<const Graph> graph_;
   Search search_;
+  std::optional<Certificate> certificate_;
 };
 
 const RegisterSolver<StraightGraph> registered{{
@@ -34,7 +95,9 @@ const RegisterSolver<StraightGraph> registered{{
     .abilities = {.surface_sources = true},
     .remarks = "prepares links once, for many sources",
     .parameters = {real_parameter("alpha", 0.2, 0.02, 1, "least angle between links, in radians"),
-                   integer_parameter("threads", 1, 1, 256, "that prepare the graph")},
+                   integer_parameter("threads", 1, 1, 256, "that prepare the graph"),
+                   integer_parameter("check", 0, 0, 1000,
+                                     "random sources from which preparation measures its errors")},
 }};
 
 }  // namespace

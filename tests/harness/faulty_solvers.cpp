@@ -82,7 +82,7 @@ class Faulty final : public Solver {
 
 // Registers a solver, as RegisterSolver does.
 void add(Description description, Fault fault, bool answers) {
-  SolverFactory factory = [=](const Mesh& mesh, const Description& d) {
+  SolverFactory factory = [=](const Mesh& mesh, const Description& d, PreparedReader* /*saved*/) {
     return std::make_unique<Faulty>(mesh, d, fault, answers);
   };
   geodesic_register_solver(compiled_contract().c_str(), &description, &factory);
