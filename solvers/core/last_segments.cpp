@@ -34,8 +34,8 @@ void LastSegments::cross(Index h, const Window& w, Index root, Index place) {
   offer(places_[place].target, least_distance_to(w, at.x, at.y), {h, root, {w.x, w.y}});
 }
 
-void LastSegments::offer(Index target, double distance, const LastSegment& last_segment) {
-  if (distance < targets_[target].distance) targets_[target] = {distance, last_segment};
+void LastSegments::offer(Index i, double distance, const LastSegment& last_segment) {
+  if (distance < targets_[i].distance) targets_[i] = {distance, last_segment};
 }
 
 void LastSegments::finish(std::span<const double> distances, Recording& recording) {

@@ -23,6 +23,10 @@ class LastSegments {
     for (Index i = first_target_[face]; i < first_target_[face + 1]; ++i) cross(h, w, root, i);
   }
 
+  /// Notes a straight line to target i of the query, if none as short is known.
+  /// @param distance of the target by this line
+  void offer(Index i, double distance, const LastSegment& last_segment);
+
   /// Adds the segments that need no windows: straight lines to targets from the corners of their
   /// faces and from sources in the same face. Moves everything into the recording.
   /// @param distances of the solve
@@ -37,7 +41,6 @@ class LastSegments {
 
   void add_place(Index target, const InternalPoint& point);
   void cross(Index h, const Window& w, Index root, Index place);
-  void offer(Index target, double distance, const LastSegment& last_segment);
   void finish_place(const Place& place, std::span<const double> distances);
 
   const Mesh& mesh_;

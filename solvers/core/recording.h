@@ -65,7 +65,8 @@ struct LastSegment {
   bool operator==(const LastSegment&) const = default;
 };
 
-/// Distance of a target of the query, exact wherever the target lies, and its last segment.
+/// Distance of a target of the query, as exact as that of a vertex wherever the target lies, and
+/// its last segment.
 struct AtTarget {
   double distance = kInfinity;
   LastSegment last_segment = {};
@@ -110,6 +111,9 @@ struct Recording {
   /// the curve at which the vertex had a distance; kNone where it had none by the last.
   std::vector<Index> reached_by = {};
 
+  /// For RecordingKind::paths: whether paths are shortest ones, as long as the distances of their
+  /// ends. Other paths may bend at any vertex, and be shorter than these.
+  bool shortest_paths = true;
   /// For RecordingKind::paths, in internal numbers: by vertex, and in the order of Query::targets.
   std::vector<LastSegment> last_segments = {};
   std::vector<AtTarget> targets = {};

@@ -146,6 +146,10 @@ inline constexpr double kPathWrong = 1e-9;
 /// times as many points fit.
 inline constexpr double kPathSearch = 1e-12;
 
+/// The same where distances are upper bounds of unknown accuracy: errors of neighbours differ by
+/// about this. With more the search takes longer, in proportion to the square root.
+inline constexpr double kPathSearchOfBounds = 1e-4;
+
 /// A source was misplaced when its own solver gives it a distance above this, in edge lengths.
 inline constexpr double kElsewhere = 1e-12;
 

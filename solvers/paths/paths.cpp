@@ -59,14 +59,17 @@ std::string name_of(const Mesh& mesh, const InternalPoint& own) {
 /// within rounding. If it does not, the piece is searched (search.h).
 class Paths::Trace {
  public:
-  explicit Trace(const Paths& of) : of_(of), mesh_(of.mesh_) {}
+  /// @param last the last piece of a path without a LastSegment
+  explicit Trace(const Paths& of, const Search::Piece* last = nullptr)
+      : of_(of), mesh_(of.mesh_), last_piece_(last) {}
 
-  /// Returns a path only if its length equals the distance of its end. If lines failed, over
-  /// needles and faces without area, the path is searched by distances.
+  /// Returns a path only if its length equals the distance of its end, or is below it if paths are
+  /// not shortest ones. If lines failed, over needles and faces without area, the path is searched
+  /// by distances.
   Path run(const InternalPoint& end, double distance, const LastSegment& last_segment) {
     const auto off = [&](const Path& path) {
       const double length = path.length() + of_.query_.sources[path.source].distance;
-      return std::abs(length - distance);
+      return of_.are_shortest_ ? std::abs(length - distance) : std::max(length - distance, 0.0);
     };
     const double edge = mesh_.mean_edge_length();
     Path path = trace(end, distance, last_segment);
@@ -203,9 +206,11 @@ class Paths::Trace {
 
   /// As follow, if the line of the piece does not lead to its root.
   Index search(const Piece& piece) {
-    const Search::Piece found = Search(of_, piece.end, piece.distance, passed_).run();
+    const bool is_last = is_unknown(piece) && last_piece_ != nullptr;
+    const Search::Piece found =
+        is_last ? *last_piece_ : Search(of_, piece.end, piece.distance, passed_).run();
     const double slack = kPathWrong * (piece.distance + mesh_.mean_edge_length());
-    if (!(found.distance <= piece.distance + slack)) lost(piece);
+    if (found.root == kNone || !(found.distance <= piece.distance + slack)) lost(piece);
     for (const Search::End& end : found.ends) add(InternalPoint(end.vertex), end.face, 0);
     for (const Search::Crossing& c : found.crossings) add_crossing(c.side, c.x, c.step);
     add(found.at, found.half_edge / 3, found.rest);
@@ -518,6 +523,7 @@ class Paths::Trace {
 
   const Paths& of_;
   const Mesh& mesh_;
+  const Search::Piece* last_piece_;
   std::vector<PathPoint> points_;  // from the end; `travelled` is the length from the previous one
   InternalPoint last_;
   std::vector<Index> passed_;  // vertices at the position of the last one
@@ -530,6 +536,7 @@ Paths::Paths(const Mesh& mesh, const Query& query, std::vector<double> distances
              Recording recording)
     : mesh_(mesh),
       query_(in_internal_numbers(mesh, query)),
+      are_shortest_(recording.shortest_paths),
       distances_(std::move(distances)),
       last_segments_(std::move(recording.last_segments)),
       targets_(std::move(recording.targets)) {
@@ -554,7 +561,9 @@ Paths::Paths(const Mesh& mesh, const Query& query, std::vector<double> distances
   }
 }
 
-bool Paths::may_bend(Index v) const { return mesh_.is_pseudo_source(v) || source_at_.contains(v); }
+bool Paths::may_bend(Index v) const {
+  return !are_shortest_ || mesh_.is_pseudo_source(v) || source_at_.contains(v);
+}
 
 Index Paths::internal_vertex(Index given) const {
   const std::string defect = defect_of(mesh_, SurfacePoint(given));
@@ -566,34 +575,17 @@ double Paths::distance_at(const SurfacePoint& point) const {
   const std::string defect = defect_of(mesh_, point);
   if (!defect.empty()) throw std::invalid_argument(defect);
   if (point.is_vertex()) return distances_[point.vertex];
-  return distance_in_face(in_internal_numbers(mesh_, point));
-}
-
-// A search takes longer with a looser bound. If a search finds a distance within its bound, that is
-// the distance. It lies between bounds from the distances of the corners.
-double Paths::distance_in_face(const InternalPoint& point) const {
-  double most = farthest_, least = 0;
-  const auto reach = [&](Index h, const Point2&, double length, bool) {
-    const double corner = distance(mesh_.apex(h));
-    most = std::min(most, corner + length);
-    if (corner < kInfinity) least = std::max(least, corner - length);
-  };
-  spread_from(mesh_, point, reach, [](Index, const Point2&) {});
-  if (most == kInfinity) return kInfinity;
-  for (double share = 1.0 / 16; share <= 1; share *= 2) {
-    const double bound = share == 1 ? most : least + share * (most - least);
-    const double found = Search(*this, point, bound, {}).run().distance;
-    if (found <= bound) return found;
-  }
-  return most < farthest_ ? most : kInfinity;
+  return Search::from_face(*this, in_internal_numbers(mesh_, point)).distance;
 }
 
 Path Paths::to_point(const SurfacePoint& point) const {
   if (point.is_vertex()) return to_vertex(point.vertex);
-  const double distance = distance_at(point);
+  const std::string defect = defect_of(mesh_, point);
+  if (!defect.empty()) throw std::invalid_argument(defect);
   const InternalPoint own = in_internal_numbers(mesh_, point);
-  if (distance == kInfinity) refuse_path(mesh_, own);
-  return Trace(*this).run(own, distance, {});
+  const Search::Piece last = Search::from_face(*this, own);
+  if (last.distance == kInfinity) refuse_path(mesh_, own);
+  return Trace(*this, &last).run(own, last.distance, {});
 }
 
 Path Paths::to_vertex(Index v) const {

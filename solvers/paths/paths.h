@@ -28,15 +28,17 @@ class Paths {
   /// Distances of all vertices, as from Solver::solve.
   const std::vector<double>& distances() const& { return distances_; }
   const std::vector<double>& distances() const&& = delete;
-  /// Distance of the query's target i, exact at any point; infinite if unreachable.
+  /// Distance of the query's target i, as exact as those of the vertices; infinite if unreachable.
   double distance_to_target(std::size_t i) const { return targets_.at(i).distance; }
   /// Distance of any point, without another solve; infinite if no path within the query's limit
   /// exists. It is as exact as the distances of the vertices, from which it is computed: the path
-  /// is searched from its end, over the faces around it.
+  /// is searched from its end, over the faces around it. Upper bounds give that of a path that goes
+  /// straight on from some vertex (search.h).
   /// @throws std::invalid_argument if the point is not on this mesh
   double distance_at(const SurfacePoint& point) const;
 
-  /// Returns the path to a vertex, in time linear in the number of faces that it crosses.
+  /// Returns the path to a vertex, in time linear in the number of faces that it crosses. It is as
+  /// long as the distance of the vertex; if the solver is not exact, it may be shorter.
   /// @throws std::invalid_argument if there is no such vertex, or no path to it within the query's
   ///         limit
   /// @throws std::runtime_error if the recording does not describe a path of this mesh
@@ -59,15 +61,15 @@ class Paths {
   // Below, vertices and half-edges have the mesh's internal numbers.
   double distance(Index v) const { return distances_[mesh_.numbers().external_vertex(v)]; }
   Index internal_vertex(Index given) const;
-  /// @param point must not be a vertex
-  double distance_in_face(const InternalPoint& point) const;
-  /// Whether a straight piece may end at v: at pseudo-sources and at sources of the query.
+  /// Whether a straight piece may end at v: at pseudo-sources and at sources of the query, or
+  /// anywhere if paths are not shortest ones.
   bool may_bend(Index v) const;
   /// Source of the path to v; nullopt if the root of its last segment must be followed.
   std::optional<Index> source_here(Index v) const;
 
   const Mesh& mesh_;
   InternalQuery query_;
+  bool are_shortest_;              // Recording::shortest_paths
   std::vector<double> distances_;  // by external number
   std::vector<LastSegment> last_segments_;
   std::vector<AtTarget> targets_;

@@ -63,8 +63,31 @@ Paths::Search::Search(const Paths& of, const InternalPoint& end, double distance
       tie_(kPathThrough * distance),
       passed_(passed) {}
 
+// A search takes longer with a looser bound. If a search finds a distance within its bound, that is
+// the distance. It lies between bounds from the distances of the corners.
+Paths::Search::Piece Paths::Search::from_face(const Paths& of, const InternalPoint& end) {
+  double most = of.farthest_, least = 0;
+  const auto reach = [&](Index h, const Point2&, double length, bool) {
+    const double corner = of.distance(of.mesh_.apex(h));
+    most = std::min(most, corner + length);
+    if (corner < kInfinity) least = std::max(least, corner - length);
+  };
+  spread_from(of.mesh_, end, reach, [](Index, const Point2&) {});
+  if (most == kInfinity) return {};
+  Piece found;
+  for (double share = 1.0 / 16; share <= 1; share *= 2) {
+    const double bound = share == 1 ? most : least + share * (most - least);
+    found = Search(of, end, bound, {}).run();
+    if (found.distance <= bound) return found;
+  }
+  // The way over a corner has another length here by rounding.
+  found.distance = most < of.farthest_ ? most : kInfinity;
+  return found;
+}
+
 Paths::Search::Piece Paths::Search::run() {
-  for (const double share : {kPathSearch, kPathWrong}) {
+  const double least = of_.are_shortest_ ? kPathSearch : kPathSearchOfBounds;
+  for (const double share : {least, kPathWrong}) {
     slack_ = share * (distance_ + mesh_.mean_edge_length());
     look_around();
     if (best_.distance <= distance_ + slack_) break;

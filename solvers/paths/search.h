@@ -16,6 +16,10 @@ namespace geodesic {
 /// dropped. The other windows are within about an edge of the path. An upper bound of d(end) also
 /// works, with more windows.
 ///
+/// If the distances of vertices are only upper bounds (Recording::shortest_paths), so is the
+/// result, with a path of that length. The rule then drops windows only beyond kPathSearchOfBounds:
+/// it keeps the search to the side from which the path comes, and the best vertex may be missed.
+///
 /// Used for points without a LastSegment, and for the few paths whose recorded piece no straight
 /// line follows: it passes a vertex by rounding, or it runs along faces without area.
 class Paths::Search {
@@ -49,6 +53,11 @@ class Paths::Search {
   /// @param distance the distance of the end or an upper bound; finite
   /// @param passed vertices that must not be the root of the piece
   Search(const Paths& of, const InternalPoint& end, double distance, std::span<const Index> passed);
+
+  /// Returns the piece of the shortest path to a point, whose distance is not known.
+  /// @param end must not be a vertex
+  /// @return its distance is infinite if no path within the query's limit exists
+  static Piece from_face(const Paths& of, const InternalPoint& end);
 
   /// Returns the piece of the shortest path; of equally short ones, that with the farthest root.
   Piece run();

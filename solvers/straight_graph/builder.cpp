@@ -82,26 +82,13 @@ class Builder {
       const Index next = Mesh::next(h), into = Mesh::previous(h);
       const HalfEdge& far = mesh_.half_edge(next);
       const Point2 apex = {e.apex_x, e.apex_y};
-      const FaceFrame face = face_frame(mesh_, h);
       const double back = sectors_.direction(next) + corner_angle(far);
       add({mesh_.head(h), true, out, static_cast<float>(back), {e.length, 0}, {-1, 0}, e.length},
           v);
-      // An edge of one of the ends lets no line through.
-      if (e.length > 0 && mesh_.half_edge(into).length > 0) {
-        unfolder_.follow(mesh_.twin(next), apex, {e.length, 0}, {face.right_x, face.right_y},
-                         [&](Index entered, const Point2& to, const Point2& left) {
-                           const auto in =
-                               static_cast<float>(sectors_.direction(Mesh::previous(entered)));
-                           add({mesh_.apex(entered),
-                                false,
-                                out,
-                                in,
-                                to,
-                                {left.x - to.x, left.y - to.y},
-                                norm(to)},
-                               v);
-                         });
-      }
+      unfolder_.follow_from_vertex(h, [&](Index entered, const Point2& to, const Point2& side) {
+        const auto in = static_cast<float>(sectors_.direction(Mesh::previous(entered)));
+        add({mesh_.apex(entered), false, out, in, to, {-side.x, -side.y}, norm(to)}, v);
+      });
       if (mesh_.twin(into) == kNone) {
         add({mesh_.origin(into),
              true,

@@ -2,32 +2,33 @@
 
 #include <algorithm>
 
+#include "solvers/straight_graph/fan.h"
+
 namespace geodesic::straight_graph {
 namespace {
 
 /// Width of buckets in mean edge lengths.
 constexpr double kBucketWidth = 1;
 
-/// Least angle of a source's own wedges, in radians, for each source: near a source paths have few
-/// links, so that errors do not cancel out. All sources together unfold about as much as one, as
-/// long as that is finer than the links of vertices.
-constexpr double kFanAngle = 0.01;
-
 }  // namespace
 
 Search::Search(const Mesh& mesh, const Graph& graph, double angle)
     : mesh_(mesh), graph_(graph), angle_(angle), front_(kBucketWidth * mesh.mean_edge_length()) {}
 
-void Search::run(const InternalQuery& query, std::span<double> distances) {
+void Search::run(const InternalQuery& query, std::span<double> distances, std::span<Index> roots) {
   labels_ = distances;
+  roots_ = roots;
   front_.clear();
-  const double fan_angle = kFanAngle * static_cast<double>(query.sources.size());
-  Unfolder fan(mesh_, std::min(angle_, fan_angle));
-  for (const InternalSource& source : query.sources) {
+  const double fan_angle = angle_of_fan(query, angle_);
+  Unfolder fan(mesh_, fan_angle);
+  for (Index i = 0; i < query.sources.size(); ++i) {
+    const InternalSource& source = query.sources[i];
     if (!source.at.is_vertex()) {
+      leaving_ = mesh_.vertex_count() + i;
       leave_point(source, fan);
       continue;
     }
+    leaving_ = source.at.vertex;
     reach(source.at.vertex, source.distance, kAnySector);
     if (fan_angle < angle_) leave_vertex(source, fan);
   }
@@ -51,30 +52,22 @@ void Search::leave_point(const InternalSource& source, Unfolder& fan) {
   const auto reach_corner = [&](Index h, const Point2& /*from*/, double distance, bool /*next*/) {
     reach(mesh_.apex(h), source.distance + distance, kAnySector);
   };
-  spread_from(mesh_, source.at, reach_corner, [&](Index h, const Point2& from) {
-    follow(source, fan, mesh_.twin(h), {-from.x, -from.y},
-           {mesh_.half_edge(h).length - from.x, -from.y}, {1, 0});
+  spread_from(mesh_, source.at, reach_corner, [&](Index side, const Point2& from) {
+    fan.follow_from_point(side, from, [&](Index h, const Point2& apex, const Point2& /*side*/) {
+      reach(mesh_.apex(h), source.distance + norm(apex), kAnySector);
+    });
   });
 }
 
 void Search::leave_vertex(const InternalSource& source, Unfolder& fan) {
   for (const Index h : mesh_.outgoing(source.at.vertex)) {
     const HalfEdge& e = mesh_.half_edge(h);
-    const double to_apex = mesh_.half_edge(Mesh::previous(h)).length;
     reach(mesh_.head(h), source.distance + e.length, kAnySector);
-    reach(mesh_.apex(h), source.distance + to_apex, kAnySector);
-    if (!(e.length > 0 && to_apex > 0)) continue;
-    const FaceFrame face = face_frame(mesh_, h);
-    follow(source, fan, mesh_.twin(Mesh::next(h)), {e.apex_x, e.apex_y}, {e.length, 0},
-           {face.right_x, face.right_y});
+    reach(mesh_.apex(h), source.distance + mesh_.half_edge(Mesh::previous(h)).length, kAnySector);
+    fan.follow_from_vertex(h, [&](Index entered, const Point2& apex, const Point2& /*side*/) {
+      reach(mesh_.apex(entered), source.distance + norm(apex), kAnySector);
+    });
   }
-}
-
-void Search::follow(const InternalSource& source, Unfolder& fan, Index enter, const Point2& left,
-                    const Point2& right, const Point2& along) {
-  fan.follow(enter, left, right, along, [&](Index h, const Point2& apex, const Point2& /*left*/) {
-    reach(mesh_.apex(h), source.distance + norm(apex), kAnySector);
-  });
 }
 
 void Search::improve(Index v, double distance, unsigned sector) {
@@ -82,6 +75,7 @@ void Search::improve(Index v, double distance, unsigned sector) {
   // Edges without length form circles: an equal distance is no reason to go round again.
   if (!(distance < old.distance())) return;
   labels_[v] = label.stored();
+  if (!roots_.empty()) roots_[v] = leaving_;
   const std::int64_t bucket = front_.bucket_of(label.distance());
   const bool waits_there = !old.has_left() && front_.bucket_of(old.distance()) == bucket;
   if (!waits_there) front_.push(v, bucket);
@@ -102,6 +96,7 @@ void Search::leave(Index v) {
   if (label.has_left()) return;
   label.set_left();
   labels_[v] = label.stored();
+  leaving_ = v;
   const Block& block = graph_.block(v);
   const auto scan = [&](std::span<const Link> links) {
     for (const Link& link : links) {

@@ -24,7 +24,9 @@ class Search {
   Search(const Mesh& mesh, const Graph& graph, double angle);
 
   /// As Solver::run.
-  void run(const InternalQuery& query, std::span<double> distances);
+  /// @param roots unless empty, filled by vertex: where the line that reaches it begins, as
+  ///        LastSegment::root
+  void run(const InternalQuery& query, std::span<double> distances, std::span<Index> roots = {});
 
  private:
   /// A distance, rounded up by less than 2^-45 of it, whose last bits are the sector of arrival and
@@ -50,9 +52,6 @@ class Search {
   void leave_point(const InternalSource& source, Unfolder& fan);
   /// The same from a vertex.
   void leave_vertex(const InternalSource& source, Unfolder& fan);
-  /// Follows the lines of a source through an edge, as Unfolder::follow.
-  void follow(const InternalSource& source, Unfolder& fan, Index enter, const Point2& left,
-              const Point2& right, const Point2& along);
   void reach(Index v, double distance, unsigned sector) {
     if (distance < labels_[v]) improve(v, distance, sector);
   }
@@ -65,6 +64,8 @@ class Search {
   double angle_;
   Front front_;
   std::span<double> labels_;  // by vertex: Label::stored
+  std::span<Index> roots_;    // as in run
+  Index leaving_ = kNone;     // what paths leave at present, as in roots_
 };
 
 }  // namespace geodesic::straight_graph

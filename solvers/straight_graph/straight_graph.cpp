@@ -4,6 +4,7 @@
 
 #include "solvers/core/registry.h"
 #include "solvers/straight_graph/builder.h"
+#include "solvers/straight_graph/last_links.h"
 #include "solvers/straight_graph/search.h"
 
 namespace geodesic::straight_graph {
@@ -75,9 +76,13 @@ class StraightGraph final : public Solver {
         graph_(std::move(graph)),
         search_(mesh, *graph_, description.real("alpha")) {}
 
-  void run(const InternalQuery& query, std::span<double> distances,
-           Recording* /*recording*/) override {
-    search_.run(query, distances);
+  void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
+    if (recording == nullptr || recording->kind != RecordingKind::paths) {
+      return search_.run(query, distances);
+    }
+    std::vector<Index> roots(distances.size(), kNone);
+    search_.run(query, distances, roots);
+    record_last_links(mesh(), query, description().real("alpha"), distances, roots, *recording);
   }
 
   std::shared_ptr<const Graph> graph_;
@@ -92,7 +97,7 @@ const RegisterSolver<StraightGraph> registered{{
              "Geodesic Problem",
     .exactness = Exactness::upper_bound,
     .by_name_only = true,
-    .abilities = {.surface_sources = true},
+    .abilities = {.surface_sources = true, .paths = true},
     .remarks = "prepares links once, for many sources",
     .parameters = {real_parameter("alpha", 0.2, 0.02, 1, "least angle between links, in radians"),
                    integer_parameter("threads", 1, 1, 256, "that prepare the graph"),

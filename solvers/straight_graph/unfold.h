@@ -25,31 +25,76 @@ inline Point2 turned(const Point2& axis, const Point2& v) {
 class Unfolder {
  public:
   /// @param angle least angle of a wedge in radians, below pi / 2
-  Unfolder(const Mesh& mesh, double angle)
+  /// @param margin tangent of the angle to the rays of its wedge within which an apex is not
+  /// reached
+  explicit Unfolder(const Mesh& mesh, double angle, double margin = kApexTolerance)
       : mesh_(mesh),
         tangent_(std::tan(angle)),
+        margin_(margin),
         most_faces_(static_cast<int>(kFacesTimesAngle / angle)) {}
+
+  /// The lines from the origin of a plane between two rays that cross an edge.
+  struct Wedge {
+    Index enter;         ///< half-edge of the face behind the edge; kNone: there is none
+    Point2 left, right;  ///< ends of the edge
+    Point2 along;        ///< unit vector from left to right, more exact than by their places
+    Point2 left_ray, right_ray;  ///< points of the rays that bound the wedge
+
+    /// A point of the frame of `enter` in the plane.
+    Point2 in_plane(const Point2& p) const {
+      const Point2 moved = turned(along, p);
+      return {left.x + moved.x, left.y + moved.y};
+    }
+  };
+
+  struct Always {
+    bool operator()(const Wedge& /*wedge*/) const { return true; }
+  };
+
+  /// Follows all lines from the origin of a half-edge through the opposite side of its face, as
+  /// `follow`. The half-edge lies along the x axis.
+  template <class Reach, class MayEnter = Always>
+  void follow_from_vertex(Index h, const Reach& reach, const MayEnter& may_enter = {}) {
+    const HalfEdge& e = mesh_.half_edge(h);
+    // An edge of one of the ends lets no line through.
+    if (!(e.length > 0 && mesh_.half_edge(Mesh::previous(h)).length > 0)) return;
+    const FaceFrame face = face_frame(mesh_, h);
+    follow(mesh_.twin(Mesh::next(h)), {e.apex_x, e.apex_y}, {e.length, 0},
+           {face.right_x, face.right_y}, reach, may_enter);
+  }
+
+  /// Follows all lines from a point through a half-edge, as `follow`. The axes of the plane are
+  /// those of the twin's frame.
+  /// @param from the point in the frame of the twin (spread_from)
+  template <class Reach, class MayEnter = Always>
+  void follow_from_point(Index h, const Point2& from, const Reach& reach,
+                         const MayEnter& may_enter = {}) {
+    follow(mesh_.twin(h), {-from.x, -from.y}, {mesh_.half_edge(h).length - from.x, -from.y}, {1, 0},
+           reach, may_enter);
+  }
 
   /// Follows all lines from the origin of a plane through an edge.
   /// @param enter half-edge of the face behind the edge; kNone: there is none
   /// @param left, right its origin and its head in the plane; the angle between them is at most pi
   /// @param along unit vector from left to right
-  /// @param reach called as (Index h, Point2 apex, Point2 left), from right to left, for each apex
+  /// @param reach called as (Index h, Point2 apex, Point2 side), from right to left, for each apex
   ///        that a line reaches straight: the half-edge h through which it enters the apex's face,
-  ///        the apex and the origin of h in the plane
-  template <class Reach>
+  ///        the apex in the plane, and the unit vector from the origin of h to it
+  /// @param may_enter called as (const Wedge&) for each wedge before it enters a face, which it
+  ///        does if the result is true
+  template <class Reach, class MayEnter = Always>
   void follow(Index enter, const Point2& left, const Point2& right, const Point2& along,
-              const Reach& reach) {
+              const Reach& reach, const MayEnter& may_enter = {}) {
     Wedge w{enter, left, right, along, left, right};
     bool is_alive = is_wide(right, left);
     for (int faces = 0;;) {
       if (is_alive && w.enter != kNone && ++faces <= most_faces_) {
-        is_alive = cross_face(w);
+        is_alive = may_enter(w) && cross_face(w);
         continue;
       }
       if (splits_.empty()) return;
       const Split& split = splits_.back();
-      reach(split.enter, split.apex, split.left.left);
+      reach(split.enter, split.apex, split.left.along);
       w = split.left;
       is_alive = split.goes_on;
       splits_.pop_back();
@@ -62,12 +107,6 @@ class Unfolder {
   /// preparation takes more than 10 exact solves among needles.
   static constexpr double kFacesTimesAngle = 40;
 
-  struct Wedge {
-    Index enter;
-    Point2 left, right;          // ends of the edge
-    Point2 along;                // unit vector between them, with more digits than their difference
-    Point2 left_ray, right_ray;  // points of the rays that bound the wedge
-  };
   struct Split {
     Index enter;
     Point2 apex;
@@ -81,15 +120,14 @@ class Unfolder {
   }
 
   /// A ray through a vertex reaches what lies behind that vertex, which is none of the wedge's.
-  static bool is_left(const Point2& right, const Point2& left) {
-    return cross(right, left) > kApexTolerance * std::abs(dot(right, left));
+  bool is_left(const Point2& right, const Point2& left) const {
+    return cross(right, left) > margin_ * std::abs(dot(right, left));
   }
 
   /// Crosses the face that the wedge enters. @return whether it, or its right part, goes on
   bool cross_face(Wedge& w) {
     const FaceFrame face = face_frame(mesh_, w.enter);
-    const Point2 to_apex = turned(w.along, {face.apex_x, face.apex_y});
-    const Point2 apex = {w.left.x + to_apex.x, w.left.y + to_apex.y};
+    const Point2 apex = w.in_plane({face.apex_x, face.apex_y});
     const Point2 along_right = turned(w.along, {face.right_x, face.right_y});
     const Point2 along_left = turned(w.along, {face.left_x, face.left_y});
     const Index into_right = mesh_.twin(Mesh::next(w.enter));
@@ -111,6 +149,7 @@ class Unfolder {
 
   const Mesh& mesh_;
   double tangent_;  // of the least angle
+  double margin_;
   int most_faces_;
   std::vector<Split> splits_;  // those whose left parts wait
 };

@@ -53,6 +53,13 @@ std::vector<SurfacePoint> points_by_chance(const Mesh& mesh, std::size_t count) 
 
 void check_end(const Trial& trial, const Query& query, const SurfacePoint& end, double distance,
                const Path& path, const Tolerance& tolerance) {
+  if (trial.solver().exactness != Exactness::exact) {
+    const double length = path.length() + query.sources.at(path.source).distance;
+    require(relative_error(length, distance, tolerance.least) <= tolerance.relative,
+            "a path of length " + significant(length) + " leads to a distance of " +
+                significant(distance));
+    return require(check_path(trial.mesh(), query, end, length, path, tolerance));
+  }
   require(check_path(trial.mesh(), query, end, distance, path, tolerance));
   // On several sheets, a path that lies in its faces and has the right length must be straight.
   if (trial.mesh().crosses_non_manifold_edges()) return;
@@ -431,7 +438,8 @@ std::vector<Property> path_properties() {
        random_meshes_from_some_sources, recording_paths_changes_nothing, kPaths | kSameBits},
       {"nearest-sources-are-those-that-paths-come-from",
        "the source that a vertex's path comes from is one that no other is nearer than",
-       random_meshes_from_four_sources, nearest_sources_are_nearest, kPaths | kMultipleSources},
+       random_meshes_from_four_sources, nearest_sources_are_nearest,
+       kPaths | kMultipleSources | kExactDistances},
       {"sources-in-faces-and-on-edges-equal-inserted-vertices",
        "from a point in a face or on an edge distances are those of the mesh with it as a vertex",
        random_meshes_from_some_sources, sources_are_as_if_inserted, kSurfaceSources},
