@@ -14,36 +14,37 @@
 
 namespace geodesic::edge_based {
 
-/// One bit per window of a list, kMostLanes bits per byte.
+/// One bit per window of a list, one byte per vector of windows.
 class Marks {
  public:
+  /// @param lanes size of vectors, a power of 2
+  explicit Marks(std::size_t lanes) : lane_bits_(static_cast<unsigned>(std::countr_zero(lanes))) {}
+
   void reserve(std::size_t windows) {
-    if (groups_.size() <= windows / kMostLanes) groups_.resize(2 * (windows / kMostLanes + 1));
+    if (groups_.size() <= group_of(windows)) groups_.resize(2 * (group_of(windows) + 1));
   }
 
-  bool operator[](std::size_t i) const {
-    return (groups_[i / kMostLanes] >> (i % kMostLanes) & 1) != 0;
-  }
+  bool operator[](std::size_t i) const { return (groups_[group_of(i)] >> lane_of(i) & 1) != 0; }
   void clear(std::size_t i) {
-    groups_[i / kMostLanes] &= static_cast<std::uint8_t>(~(1u << (i % kMostLanes)));
+    groups_[group_of(i)] &= static_cast<std::uint8_t>(~(1u << lane_of(i)));
   }
 
   /// Copies the marks of the first `windows` windows of another list.
   void copy(const Marks& from, std::size_t windows) {
     reserve(windows);
-    std::copy_n(from.groups_.begin(), windows / kMostLanes + 1, groups_.begin());
+    std::copy_n(from.groups_.begin(), group_of(windows) + 1, groups_.begin());
   }
 
   /// The first marked window from `i` on, among `count` windows; `count` if there is none.
   std::size_t next(std::size_t i, std::size_t count) const {
     if (i >= count) return count;
-    std::size_t group = i / kMostLanes;
-    unsigned marks = groups_[group] & (~0u << (i % kMostLanes));
+    std::size_t group = group_of(i);
+    unsigned marks = groups_[group] & (~0u << lane_of(i));
     while (marks == 0) {
-      if (++group * kMostLanes >= count) return count;
+      if (++group << lane_bits_ >= count) return count;
       marks = groups_[group];
     }
-    return group * kMostLanes + static_cast<std::size_t>(std::countr_zero(marks));
+    return (group << lane_bits_) + static_cast<std::size_t>(std::countr_zero(marks));
   }
 
   /// The bytes of the marks, for kernels.
@@ -51,6 +52,10 @@ class Marks {
   const std::uint8_t* groups() const { return groups_.data(); }
 
  private:
+  std::size_t group_of(std::size_t i) const { return i >> lane_bits_; }
+  std::size_t lane_of(std::size_t i) const { return i & ((std::size_t{1} << lane_bits_) - 1); }
+
+  unsigned lane_bits_;
   std::vector<std::uint8_t> groups_;
 };
 
@@ -59,7 +64,9 @@ class Marks {
 class Batch {
  public:
   /// @param fields number of fields of a window (Field)
-  explicit Batch(unsigned fields) : fields_(fields) {}
+  /// @param lanes of the kernels
+  Batch(unsigned fields, std::size_t lanes)
+      : passes_left(lanes), passes_right(lanes), contested(lanes), fields_(fields) {}
 
   std::size_t count = 0;
   /// Set by the kernels: the sides on which a window's lines pass the apex. Both are marked if

@@ -66,35 +66,39 @@ class Packer {
   __mmask8 mask_;
 };
 #else
-/// For each mask, the order of lanes that moves the lanes of the mask to the front.
-struct PackingOrder {
-  alignas(32) std::int64_t lanes[std::size_t{1} << kLanes][kLanes];
+using Halves = hn::Repartition<std::int32_t, Tag>;  // of doubles: AVX2 permutes no wider lanes
 
-  constexpr PackingOrder() : lanes() {
+/// For each mask, the order of halves that moves the lanes of the mask to the front.
+struct PackingOrder {
+  alignas(32) std::int32_t halves[std::size_t{1} << kLanes][2 * kLanes];
+
+  constexpr PackingOrder() : halves() {
     for (unsigned mask = 0; mask < (1u << kLanes); ++mask) {
       unsigned to = 0;
-      for (unsigned lane = 0; lane < kLanes; ++lane) {
-        if ((mask >> lane & 1) != 0) lanes[mask][to++] = lane;
+      for (unsigned half = 0; half < 2 * kLanes; ++half) {
+        if ((mask >> (half / 2) & 1) != 0) halves[mask][to++] = static_cast<std::int32_t>(half);
       }
     }
   }
 };
-inline constexpr PackingOrder kPackingOrder;
+static constexpr PackingOrder kPackingOrder;  // static: read without an indirection
 
 /// Stores the lanes of a mask contiguously. One look-up serves all fields of a window.
 class Packer {
  public:
   explicit Packer(unsigned mask)
       : count_(hwy::PopCount(mask)),
-        order_(hn::IndicesFromVec(
-            Tag(), hn::Load(hn::RebindToSigned<Tag>(), kPackingOrder.lanes[mask]))) {}
+        order_(hn::SetTableIndices(Halves(), kPackingOrder.halves[mask])) {}
   std::size_t count() const { return count_; }
   /// Writes a whole vector; only its first count() lanes are meaningful.
-  void store(Vec v, double* to) const { hn::StoreU(hn::TableLookupLanes(v, order_), Tag(), to); }
+  void store(Vec v, double* to) const {
+    hn::StoreU(hn::BitCast(Tag(), hn::TableLookupLanes(hn::BitCast(Halves(), v), order_)), Tag(),
+               to);
+  }
 
  private:
   std::size_t count_;
-  decltype(hn::IndicesFromVec(Tag(), hn::Vec<hn::RebindToSigned<Tag> >())) order_;
+  decltype(hn::SetTableIndices(Halves(), kPackingOrder.halves[0])) order_;
 };
 #endif
 #endif
@@ -104,14 +108,8 @@ inline constexpr Tag kTag{};
 inline Vec all(double value) { return hn::Set(kTag, value); }
 
 /// The marks of windows i to i + kLanes - 1; i is a multiple of kLanes (Marks).
-inline unsigned marks_at(const std::uint8_t* groups, std::size_t i) {
-  return groups[i / kMostLanes] >> (i % kMostLanes) & ((1u << kLanes) - 1);
-}
-/// Sets the marks of these windows; call in ascending order of i.
-inline void set_marks(std::uint8_t* groups, std::size_t i, unsigned marks) {
-  std::uint8_t& group = groups[i / kMostLanes];
-  group = static_cast<std::uint8_t>((i % kMostLanes == 0 ? 0 : group) | marks << (i % kMostLanes));
-}
+inline unsigned marks_at(const Marks& marks, std::size_t i) { return marks.groups()[i / kLanes]; }
+
 inline Mask mask_of(unsigned marks) {
   const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(marks)};
   return hn::LoadMaskBits(kTag, bytes);
@@ -121,6 +119,12 @@ inline Mask mask_of(unsigned marks) {
 struct Windows {
   Vec begin, end, x, y, sigma;
 };
+
+inline Windows windows_at(const Batch& batch, std::size_t i) {
+  return {hn::LoadU(kTag, batch.array(kBegin) + i), hn::LoadU(kTag, batch.array(kEnd) + i),
+          hn::LoadU(kTag, batch.array(kX) + i), hn::LoadU(kTag, batch.array(kY) + i),
+          hn::LoadU(kTag, batch.array(kSigma) + i)};
+}
 
 /// EndpointBounds::beat for a vector of windows.
 HWY_INLINE Mask beaten(const Windows& w, const EndpointBounds& ends) {
@@ -239,88 +243,38 @@ HWY_NOINLINE inline ApexWinner drop_unreached_sides(Batch& batch, const FaceFram
 /// windows that pass it on one side and start on the other side of the winner's line.
 /// @return true when there are any
 HWY_INLINE bool find_contested(Batch& batch, const ApexWinner& winner) {
-  const std::uint8_t* left = batch.passes_left.groups();
-  const std::uint8_t* right = batch.passes_right.groups();
   const Vec position = all(winner.crossing);
   unsigned any = 0;
   for (std::size_t i = 0; i < batch.count; i += kLanes) {
-    const unsigned l = marks_at(left, i), r = marks_at(right, i);
+    const unsigned l = marks_at(batch.passes_left, i), r = marks_at(batch.passes_right, i);
     const unsigned beyond = bits(hn::Ge(hn::LoadU(kTag, batch.array(kBegin) + i), position));
     const unsigned before = bits(hn::Le(hn::LoadU(kTag, batch.array(kEnd) + i), position));
     unsigned group = (l & (r | beyond)) | (r & before);
     if (winner.window - i < kLanes) group &= ~(1u << (winner.window - i));
-    set_marks(batch.contested.groups(), i, group);
+    batch.contested.groups()[i / kLanes] = static_cast<std::uint8_t>(group);
     any |= group;
   }
   return any != 0;
 }
 
-inline ApexWinner classify(Batch& batch, const FaceFrame& face) {
-  std::uint8_t* left = batch.passes_left.groups();
-  std::uint8_t* right = batch.passes_right.groups();
-  const Vec apex_x = all(face.apex_x), apex_y = all(face.apex_y);
-  const Vec slack = all(-kApexTolerance * face.length);
-  const Vec least_height = all(kLeastHeight);
-  ApexWinner best;
-  unsigned any_left = 0, any_right = 0;
-  HWY_ALIGN double distance[kLanes];
-  for (std::size_t i = 0; i < batch.count; i += kLanes) {
-    const Vec x = hn::LoadU(kTag, batch.array(kX) + i), y = hn::LoadU(kTag, batch.array(kY) + i);
-    const Vec across = hn::Sub(apex_x, x), up = hn::Max(hn::Sub(apex_y, y), least_height);
-    const Vec crossing = hn::Add(x, hn::Mul(across, hn::Div(hn::Neg(y), up)));
-    const Vec begin = hn::LoadU(kTag, batch.array(kBegin) + i);
-    const Vec end = hn::LoadU(kTag, batch.array(kEnd) + i);
-    const Mask inside = hn::FirstN(kTag, batch.count - i);
-    const Mask only_left = hn::Lt(hn::Sub(end, crossing), slack);
-    const Mask only_right = hn::Lt(hn::Sub(crossing, begin), slack);
-    const unsigned passes_left = bits(hn::AndNot(only_right, inside));
-    const unsigned passes_right = bits(hn::AndNot(only_left, inside));
-    set_marks(left, i, passes_left);
-    set_marks(right, i, passes_right);
-    any_left |= passes_left;
-    any_right |= passes_right;
-    unsigned straddling = passes_left & passes_right;
-    if (straddling == 0) continue;
-    const Vec squared = hn::Add(hn::Mul(across, across), hn::Mul(up, up));
-    const Vec sigma = hn::LoadU(kTag, batch.array(kSigma) + i);
-    hn::Store(hn::Add(sigma, hn::Sqrt(squared)), kTag, distance);
-    for (; straddling != 0; straddling &= straddling - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(straddling));
-      const bool is_less = distance[lane] < best.distance;
-      best.window = is_less ? i + lane : best.window;
-      best.distance = is_less ? distance[lane] : best.distance;
-    }
-  }
-  if (best.window != SIZE_MAX) {
-    const Window w = batch.window(best.window);
-    best.crossing = crossing(w, face);
-    if (best.crossing == w.begin || best.crossing == w.end) {
-      best = drop_unreached_sides(batch, face);
-    }
-    best.is_contested = best.window != SIZE_MAX && find_contested(batch, best);
-  }
-  best.any_left = any_left != 0;
-  best.any_right = any_right != 0;
-  return best;
-}
-
 /// The left one of the two edges onto which a face unfolds windows.
 struct LeftEdge {
-  static Vec along(const FaceFrame& f, Vec x, Vec y, Vec t) {
-    // FaceFrame::on_left
+  /// FaceFrame::on_left; the apex where `at_apex`.
+  static Vec along(const FaceFrame& f, Vec x, Vec y, Vec t, Mask at_apex) {
     const Vec depth = hn::Neg(y);
     const Vec denominator =
         hn::Sub(hn::Mul(depth, all(f.left_x)), hn::Mul(hn::Sub(t, x), all(f.left_y)));
     const Vec u = hn::Div(hn::Mul(depth, t), denominator);
     const Vec within = hn::Min(hn::Max(u, hn::Zero(kTag)), all(f.left));
-    return hn::IfThenElse(hn::Gt(denominator, hn::Zero(kTag)), within, all(f.left));
+    return hn::IfThenElse(hn::AndNot(at_apex, hn::Gt(denominator, hn::Zero(kTag))), within,
+                          all(f.left));
   }
   static double length(const FaceFrame& f) { return f.left; }
   static Vec begin(const FaceFrame& f, const Windows& w, Mask /*other*/) {
-    return along(f, w.x, w.y, w.begin);
+    return along(f, w.x, w.y, w.begin, hn::FirstN(kTag, 0));
   }
   static Vec end(const FaceFrame& f, const Windows& w, Mask other) {
-    return hn::IfThenElse(other, all(f.left), along(f, w.x, w.y, w.end));
+    return along(f, w.x, w.y, w.end, other);
   }
   static Vec source_x(const FaceFrame& f, const Windows& w) {
     return hn::Add(hn::Mul(w.x, all(f.left_x)), hn::Mul(w.y, all(f.left_y)));
@@ -331,21 +285,22 @@ struct LeftEdge {
 };
 
 struct RightEdge {
-  static Vec along(const FaceFrame& f, Vec x, Vec y, Vec t) {
-    // FaceFrame::on_right
+  /// FaceFrame::on_right; the apex where `at_apex`.
+  static Vec along(const FaceFrame& f, Vec x, Vec y, Vec t, Mask at_apex) {
     const Vec depth = hn::Neg(y);
     const Vec denominator =
         hn::Sub(hn::Mul(depth, all(f.right_x)), hn::Mul(hn::Sub(t, x), all(f.right_y)));
     const Vec u = hn::Div(hn::Mul(depth, hn::Sub(all(f.length), t)), denominator);
     const Vec within = hn::Min(hn::Max(hn::Sub(all(f.right), u), hn::Zero(kTag)), all(f.right));
-    return hn::IfThenElse(hn::Gt(denominator, hn::Zero(kTag)), within, hn::Zero(kTag));
+    return hn::IfThenElse(hn::AndNot(at_apex, hn::Gt(denominator, hn::Zero(kTag))), within,
+                          hn::Zero(kTag));
   }
   static double length(const FaceFrame& f) { return f.right; }
   static Vec begin(const FaceFrame& f, const Windows& w, Mask other) {
-    return hn::IfThenElse(other, hn::Zero(kTag), along(f, w.x, w.y, w.begin));
+    return along(f, w.x, w.y, w.begin, other);
   }
   static Vec end(const FaceFrame& f, const Windows& w, Mask /*other*/) {
-    return along(f, w.x, w.y, w.end);
+    return along(f, w.x, w.y, w.end, hn::FirstN(kTag, 0));
   }
   static Vec source_x(const FaceFrame& f, const Windows& w) {
     return hn::Add(hn::Mul(hn::Sub(w.x, all(f.apex_x)), all(f.right_x)),
@@ -357,53 +312,123 @@ struct RightEdge {
   }
 };
 
-/// @param sees_other marks of the windows that pass the apex on the other side
-template <class Edge, Carried carried>
-HWY_INLINE void unfold(const Batch& batch, const FaceFrame& face, const std::uint8_t* to_edge,
-                       const std::uint8_t* sees_other, Segment& out) {
-  constexpr unsigned kFields = fields_with(carried);
-  double* to[kFields];
-  for (unsigned f = 0; f < kFields; ++f) to[f] = out.array(f);
-  const Vec width = all(kWindowWidth * Edge::length(face));
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < batch.count; i += kLanes) {
-    const unsigned wanted = marks_at(to_edge, i);
-    if (wanted == 0) continue;
-    const Windows w{hn::LoadU(kTag, batch.array(kBegin) + i),
-                    hn::LoadU(kTag, batch.array(kEnd) + i), hn::LoadU(kTag, batch.array(kX) + i),
-                    hn::LoadU(kTag, batch.array(kY) + i), hn::LoadU(kTag, batch.array(kSigma) + i)};
-    const Mask sees_apex = mask_of(marks_at(sees_other, i));
-    const Vec begin = Edge::begin(face, w, sees_apex), end = Edge::end(face, w, sees_apex);
-    const Mask wide = hn::Gt(hn::Sub(end, begin), width);
-    const Mask keep = hn::And(mask_of(wanted), wide);
-    const Vec x = Edge::source_x(face, w), y = hn::Min(Edge::source_y(face, w), hn::Zero(kTag));
-    const Packer pack(bits(keep));
-    pack.store(begin, to[kBegin] + count);
-    pack.store(end, to[kEnd] + count);
-    pack.store(x, to[kX] + count);
-    pack.store(y, to[kY] + count);
-    pack.store(w.sigma, to[kSigma] + count);
-    for (unsigned f = kDepth; f < kFields; ++f) {
-      const Vec value = hn::LoadU(kTag, batch.array(f) + i);
-      pack.store(f == kDepth ? hn::Add(value, all(1)) : value, to[f] + count);
-    }
-    count += pack.count();
+/// Appends what a vector of windows sends to one edge of a face to the arrays `to` of a segment.
+/// @param i the first of the windows in the batch
+/// @param wanted those that go to this edge
+/// @param sees_other those that pass the apex on the other side
+/// @param count of windows in the segment
+/// @return the new count
+template <class Edge, unsigned kFields>
+HWY_INLINE std::size_t unfold_onto(const FaceFrame& face, const Batch& batch, std::size_t i,
+                                   const Windows& w, Mask wanted, Mask sees_other,
+                                   double* const (&to)[kFields], std::size_t count) {
+  const Vec begin = Edge::begin(face, w, sees_other), end = Edge::end(face, w, sees_other);
+  const Mask wide = hn::Gt(hn::Sub(end, begin), all(kWindowWidth * Edge::length(face)));
+  const Vec x = Edge::source_x(face, w), y = hn::Min(Edge::source_y(face, w), hn::Zero(kTag));
+  const Packer pack(bits(hn::And(wanted, wide)));
+  pack.store(begin, to[kBegin] + count);
+  pack.store(end, to[kEnd] + count);
+  pack.store(x, to[kX] + count);
+  pack.store(y, to[kY] + count);
+  pack.store(w.sigma, to[kSigma] + count);
+  for (unsigned f = kDepth; f < kFields; ++f) {
+    const Vec value = hn::LoadU(kTag, batch.array(f) + i);
+    pack.store(f == kDepth ? hn::Add(value, all(1)) : value, to[f] + count);
   }
-  out.count = static_cast<std::uint32_t>(count);
+  return count + pack.count();
 }
 
 template <Carried carried>
-void unfold_left(const Batch& batch, const FaceFrame& face, const Marks& to_edge, Segment& out) {
-  unfold<LeftEdge, carried>(batch, face, to_edge.groups(), batch.passes_right.groups(), out);
-}
-template <Carried carried>
-void unfold_right(const Batch& batch, const FaceFrame& face, const Marks& to_edge, Segment& out) {
-  unfold<RightEdge, carried>(batch, face, to_edge.groups(), batch.passes_left.groups(), out);
+void unfold_marked(const Batch& batch, const FaceFrame& face, const Marks& to_left,
+                   const Marks& to_right, Segment& left, Segment& right) {
+  constexpr unsigned kFields = fields_with(carried);
+  double *left_arrays[kFields], *right_arrays[kFields];
+  for (unsigned f = 0; f < kFields; ++f) {
+    left_arrays[f] = left.array(f);
+    right_arrays[f] = right.array(f);
+  }
+  std::size_t left_count = 0, right_count = 0;
+  for (std::size_t i = 0; i < batch.count; i += kLanes) {
+    const Windows w = windows_at(batch, i);
+    const unsigned wanted_left = marks_at(to_left, i), wanted_right = marks_at(to_right, i);
+    const Mask passes_left = mask_of(marks_at(batch.passes_left, i));
+    const Mask passes_right = mask_of(marks_at(batch.passes_right, i));
+    if (wanted_left != 0) {
+      left_count = unfold_onto<LeftEdge>(face, batch, i, w, mask_of(wanted_left), passes_right,
+                                         left_arrays, left_count);
+    }
+    if (wanted_right != 0) {
+      right_count = unfold_onto<RightEdge>(face, batch, i, w, mask_of(wanted_right), passes_left,
+                                           right_arrays, right_count);
+    }
+  }
+  left.count = static_cast<std::uint32_t>(left_count);
+  right.count = static_cast<std::uint32_t>(right_count);
 }
 
 template <Carried carried>
-inline constexpr Kernels kKernels = {kLanes,   gather<carried>,      trim,
-                                     classify, unfold_left<carried>, unfold_right<carried>};
+ApexWinner unfold(Batch& batch, const FaceFrame& face, Segment& left, Segment& right) {
+  constexpr unsigned kFields = fields_with(carried);
+  double *left_arrays[kFields], *right_arrays[kFields];
+  for (unsigned f = 0; f < kFields; ++f) {
+    left_arrays[f] = left.array(f);
+    right_arrays[f] = right.array(f);
+  }
+  std::size_t left_count = 0, right_count = 0;
+  std::uint8_t* left_groups = batch.passes_left.groups();
+  std::uint8_t* right_groups = batch.passes_right.groups();
+  const Vec apex_x = all(face.apex_x), apex_y = all(face.apex_y);
+  const Vec slack = all(-kApexTolerance * face.length);
+  const Vec least_height = all(kLeastHeight);
+  ApexWinner best;
+  HWY_ALIGN double distance[kLanes];
+  const std::size_t count = batch.count;
+  for (std::size_t i = 0; i < count; i += kLanes) {
+    const Windows w = windows_at(batch, i);
+    const Vec across = hn::Sub(apex_x, w.x), up = hn::Max(hn::Sub(apex_y, w.y), least_height);
+    const Vec crossing = hn::Add(w.x, hn::Mul(across, hn::Div(hn::Neg(w.y), up)));
+    const Mask inside = hn::FirstN(kTag, count - i);
+    const Mask only_left = hn::Lt(hn::Sub(w.end, crossing), slack);
+    const Mask only_right = hn::Lt(hn::Sub(crossing, w.begin), slack);
+    const Mask to_left = hn::AndNot(only_right, inside), to_right = hn::AndNot(only_left, inside);
+    const unsigned passes_left = bits(to_left), passes_right = bits(to_right);
+    left_groups[i / kLanes] = static_cast<std::uint8_t>(passes_left);
+    right_groups[i / kLanes] = static_cast<std::uint8_t>(passes_right);
+    if (passes_left != 0) {
+      left_count =
+          unfold_onto<LeftEdge>(face, batch, i, w, to_left, to_right, left_arrays, left_count);
+    }
+    if (passes_right != 0) {
+      right_count =
+          unfold_onto<RightEdge>(face, batch, i, w, to_right, to_left, right_arrays, right_count);
+    }
+    unsigned straddling = passes_left & passes_right;
+    if (straddling == 0) continue;
+    const Vec squared = hn::Add(hn::Mul(across, across), hn::Mul(up, up));
+    hn::Store(hn::Add(w.sigma, hn::Sqrt(squared)), kTag, distance);
+    for (; straddling != 0; straddling &= straddling - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(straddling));
+      const bool is_less = distance[lane] < best.distance;
+      best.window = is_less ? i + lane : best.window;
+      best.distance = is_less ? distance[lane] : best.distance;
+    }
+  }
+  left.count = static_cast<std::uint32_t>(left_count);
+  right.count = static_cast<std::uint32_t>(right_count);
+  if (best.window == SIZE_MAX) return best;
+  const Window w = batch.window(best.window);
+  best.crossing = crossing(w, face);
+  if (best.crossing == w.begin || best.crossing == w.end) [[unlikely]] {
+    best = drop_unreached_sides(batch, face);
+    unfold_marked<carried>(batch, face, batch.passes_left, batch.passes_right, left, right);
+  }
+  best.is_contested = best.window != SIZE_MAX && find_contested(batch, best);
+  return best;
+}
+
+template <Carried carried>
+inline constexpr Kernels kKernels = {kLanes, gather<carried>, trim, unfold<carried>,
+                                     unfold_marked<carried>};
 
 }  // namespace geodesic::edge_based::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -21,17 +21,16 @@ struct Kernels {
   /// `out_of_order`, and strikes out windows that are beaten wholly.
   void (*trim)(Batch& batch, const EdgeBelow& edge);
 
-  /// Marks the sides on which the lines of each window pass the apex.
+  /// Marks the sides on which the lines of each window pass the apex, and unfolds the windows onto
+  /// the left and right edges. A window that passes the apex on both sides reaches up to it.
+  /// @param left, right empty segments with room for all windows and lanes - 1 more
   /// @return the window that gives the least distance to the apex
-  ApexWinner (*classify)(Batch& batch, const FaceFrame& face);
+  ApexWinner (*unfold)(Batch& batch, const FaceFrame& face, Segment& left, Segment& right);
 
-  /// Unfolds the windows marked in `to_edge` onto the left or right edge. A window that passes the
-  /// apex on both sides reaches up to it.
-  /// @param out an empty segment with room for the marked windows and lanes - 1 more
-  void (*unfold_left)(const Batch& batch, const FaceFrame& face, const Marks& to_edge,
-                      Segment& out);
-  void (*unfold_right)(const Batch& batch, const FaceFrame& face, const Marks& to_edge,
-                       Segment& out);
+  /// Does so again, with only the windows marked in `to_left` and `to_right`: subsets of those
+  /// that `unfold` has marked.
+  void (*unfold_marked)(const Batch& batch, const FaceFrame& face, const Marks& to_left,
+                        const Marks& to_right, Segment& left, Segment& right);
 };
 
 /// The instruction set nearest to `wanted` that the kernels are compiled for.

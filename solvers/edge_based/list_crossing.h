@@ -28,7 +28,9 @@ class ListCrossing {
         lists_(mesh.half_edge_count(), fields_with(carried), kernels_.lanes),
         budget_(budget),
         rounding_(rounding),
-        batch_(fields_with(carried)) {}
+        batch_(fields_with(carried), kernels_.lanes),
+        kept_left_(kernels_.lanes),
+        kept_right_(kernels_.lanes) {}
 
   void start(std::span<const double> distances) {
     distances_ = distances;
@@ -78,32 +80,24 @@ class ListCrossing {
     if constexpr (Recorder::kRemembers) hand_over(h, recorder);
 
     const FaceFrame face = face_frame(mesh_, h);
-    const ApexWinner winner = kernels_.classify(batch_, face);
+    Segment* left = lists_.allocate(batch_.count + kernels_.lanes - 1);
+    Segment* right = lists_.allocate(batch_.count + kernels_.lanes - 1);
+    const ApexWinner winner = kernels_.unfold(batch_, face, *left, *right);
     if (winner.window != SIZE_MAX) {
       wavefront.arrive(mesh_.apex(h), winner.distance, [&] { return last_segment(h, winner); });
     }
-    const Sides sides = choose_sides(winner, face, recorder);
-    if constexpr (Recorder::kRecords) count(sides, recorder);
-
-    const Index left = Mesh::previous(h), right = Mesh::next(h);
-    if (winner.any_left && mesh_.twin(left) != kNone) {
-      Segment* out = lists_.allocate(batch_.count + kernels_.lanes - 1);
-      kernels_.unfold_left(batch_, face, sides.left, *out);
-      land(left, out, Place::front, wavefront);
+    if (winner.is_contested && !mesh_.crosses_non_manifold_edges()) {
+      choose_sides(winner, face, recorder);
+      kernels_.unfold_marked(batch_, face, kept_left_, kept_right_, *left, *right);
+      if constexpr (Recorder::kRecords) count(kept_left_, kept_right_, recorder);
+    } else if constexpr (Recorder::kRecords) {
+      count(batch_.passes_left, batch_.passes_right, recorder);
     }
-    if (winner.any_right && mesh_.twin(right) != kNone) {
-      Segment* out = lists_.allocate(batch_.count + kernels_.lanes - 1);
-      kernels_.unfold_right(batch_, face, sides.right, *out);
-      land(right, out, Place::back, wavefront);
-    }
+    land(Mesh::previous(h), left, Place::front, wavefront);
+    land(Mesh::next(h), right, Place::back, wavefront);
   }
 
  private:
-  /// The windows that go on across the left edge, and across the right one.
-  struct Sides {
-    const Marks &left, &right;
-  };
-
   /// Moves the list of h into the batch, without windows or parts that paths over the ends of h or
   /// other windows of the list beat.
   template <class Recorder>
@@ -145,13 +139,10 @@ class ListCrossing {
     }
   }
 
-  /// Strategy II: decides to which edges each window goes. If windows may have come through
-  /// different sheets, all go where their lines lead.
+  /// Strategy II: marks in kept_left_ and kept_right_ to which edges each window goes. Not if
+  /// windows may have come through different sheets: all go where their lines lead then.
   template <class Recorder>
-  Sides choose_sides(const ApexWinner& winner, const FaceFrame& face, Recorder& recorder) {
-    if (!winner.is_contested || mesh_.crosses_non_manifold_edges()) {
-      return {batch_.passes_left, batch_.passes_right};
-    }
+  void choose_sides(const ApexWinner& winner, const FaceFrame& face, Recorder& recorder) {
     const auto timed = recorder.enter(Phase::trimming);
     kept_left_.copy(batch_.passes_left, batch_.count);
     kept_right_.copy(batch_.passes_right, batch_.count);
@@ -165,13 +156,13 @@ class ListCrossing {
       if (side == Side::none || side == Side::right) kept_left_.clear(i);
       if (side == Side::none || side == Side::left) kept_right_.clear(i);
     }
-    return {kept_left_, kept_right_};
   }
 
-  /// @param segment windows that leave a face through `side`; released if it is empty
+  /// @param segment windows that leave a face through `side`; released if it is empty, or if there
+  /// is no face beyond
   template <class Wavefront>
   void land(Index side, Segment* segment, Place place, Wavefront& wavefront) {
-    if (segment->count == 0) return lists_.release(segment);
+    if (segment->count == 0 || mesh_.twin(side) == kNone) return lists_.release(segment);
     if (mesh_.crosses_non_manifold_edges()) [[unlikely]] {
       land_on_other_sheets(side, *segment, place, wavefront);
     }
@@ -211,11 +202,11 @@ class ListCrossing {
   }
 
   template <class Recorder>
-  void count(const Sides& sides, Recorder& recorder) const {
+  void count(const Marks& to_left, const Marks& to_right, Recorder& recorder) const {
     for (std::size_t i = 0; i < batch_.count; ++i) {
       if (batch_.is_struck_out(i)) continue;
       recorder.propagated(1, {depth_of(i)});
-      if (sides.left[i] || sides.right[i]) recorder.valid(1);
+      if (to_left[i] || to_right[i]) recorder.valid(1);
     }
   }
 

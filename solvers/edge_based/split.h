@@ -18,8 +18,6 @@ struct ApexWinner {
   double distance = kInfinity;    ///< to the apex
   double crossing = 0;            ///< its position on the edge
   bool is_contested = false;      ///< some other window needs `sides_kept`
-  bool any_left = false;          ///< some line of the list leads to the left edge
-  bool any_right = false;
 };
 
 /// Length of the shortest path to the apex over one end of a window whose lines all pass on `side`.

@@ -21,7 +21,6 @@ struct Crossing {
     to_left = lists.allocate(count + kMostLanes - 1);
     to_right = lists.allocate(count + kMostLanes - 1);
     gather();
-    kernels.classify(batch, face);
   }
 
   void gather() {
@@ -32,7 +31,7 @@ struct Crossing {
   const Kernels& kernels;
   const FaceFrame face = microbench::crossed_face_frame();
   WindowLists lists{1, kDepth};
-  Batch batch{kDepth};
+  Batch batch{kDepth, kernels.lanes};
   Segment *segment, *to_left, *to_right;
 };
 
@@ -53,11 +52,8 @@ void add(const std::string& name, InstructionSet set, void (*step)(Crossing&)) {
 void add(const std::string& path, InstructionSet set) {
   add("gather/" + path, set, [](Crossing& c) { c.gather(); });
   add("trim/" + path, set, [](Crossing& c) { c.kernels.trim(c.batch, {1, 0.5, -0.8}); });
-  add("classify/" + path, set, [](Crossing& c) { c.kernels.classify(c.batch, c.face); });
-  add("unfold/" + path, set, [](Crossing& c) {
-    c.kernels.unfold_left(c.batch, c.face, c.batch.passes_left, *c.to_left);
-    c.kernels.unfold_right(c.batch, c.face, c.batch.passes_right, *c.to_right);
-  });
+  add("unfold/" + path, set,
+      [](Crossing& c) { c.kernels.unfold(c.batch, c.face, *c.to_left, *c.to_right); });
 }
 
 /// Two overlapping windows whose sources are not in order: one trims the other.

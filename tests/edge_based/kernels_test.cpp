@@ -40,7 +40,7 @@ Steps run(const Problem& p, InstructionSet set = compiled_for(InstructionSet::pl
   Segment* segment = lists.allocate(p.windows.size());
   for (const Window& w : p.windows) segment->add(w);
   const EndpointBounds bounds(p.face.length, p.at_origin, p.at_head);
-  Batch batch(kDepth), trimmed(kDepth);
+  Batch batch(kDepth, kernels.lanes), trimmed(kDepth, kernels.lanes);
   kernels.gather(*segment, bounds, batch);
   kernels.gather(*segment, bounds, trimmed);
   const std::size_t count = batch.count;
@@ -60,16 +60,21 @@ Steps run(const Problem& p, InstructionSet set = compiled_for(InstructionSet::pl
   if (count == 0) return steps;
   kernels.trim(trimmed, {p.face.length, p.face.apex_x, -p.face.apex_y});
   steps.trimmed = windows_of(trimmed);
-  steps.winner = kernels.classify(batch, p.face);
+  Segment *to_left = lists.allocate(count + kMostLanes),
+          *to_right = lists.allocate(count + kMostLanes);
+  steps.winner = kernels.unfold(batch, p.face, *to_left, *to_right);
+  steps.to_left = windows_of(*to_left);
+  steps.to_right = windows_of(*to_right);
   steps.left = flags(batch.passes_left, count);
   steps.right = flags(batch.passes_right, count);
   if (steps.winner.is_contested) steps.contested = flags(batch.contested, count);
-  Segment *to_left = lists.allocate(count + kMostLanes),
-          *to_right = lists.allocate(count + kMostLanes);
-  kernels.unfold_left(batch, p.face, batch.passes_left, *to_left);
-  kernels.unfold_right(batch, p.face, batch.passes_right, *to_right);
-  steps.to_left = windows_of(*to_left);
-  steps.to_right = windows_of(*to_right);
+  Marks odd_left(kernels.lanes), odd_right(kernels.lanes);
+  odd_left.copy(batch.passes_left, count);
+  odd_right.copy(batch.passes_right, count);
+  for (std::size_t i = 0; i < count; i += 2) odd_left.clear(i), odd_right.clear(i);
+  kernels.unfold_marked(batch, p.face, odd_left, odd_right, *to_left, *to_right);
+  steps.odd_to_left = windows_of(*to_left);
+  steps.odd_to_right = windows_of(*to_right);
   return steps;
 }
 
@@ -188,6 +193,41 @@ TEST(Unfold, gives_children_that_cover_what_their_parent_sees_and_nothing_else) 
     }
     EXPECT_EQ(left, steps.to_left.size());
     EXPECT_EQ(right, steps.to_right.size());
+  });
+}
+
+TEST(Unfold, stops_short_of_an_apex_that_lines_reach_only_by_rounding) {
+  // The lines miss the apex by less than kApexTolerance, but the source is far nearer to the edge:
+  // the path over the interval's end is longer than a line by more than kApexExcess.
+  const Window near_edge{0.2, 0.5 - 5e-11, 0.5, -1e-8, 0};
+  const FaceFrame face = face_of({0.5, 0.5});
+  for (const InstructionSet set : kInstructionSets) {
+    if (compiled_for(set) != set || !why_unavailable(set).empty()) continue;
+    const Steps steps = run({{near_edge}, face, 2, 2}, set);
+    ASSERT_EQ(steps.gathered.size(), 1u);
+    EXPECT_EQ(steps.winner.window, SIZE_MAX);
+    EXPECT_TRUE(steps.left[0] && !steps.right[0]);
+    ASSERT_EQ(steps.to_left.size(), 1u);
+    EXPECT_NEAR(steps.to_left[0].end, face.on_left(near_edge, near_edge.end), 1e-14);
+    EXPECT_LT(steps.to_left[0].end, face.left - 1e-3);
+    EXPECT_EQ(steps.to_right.size(), 0u);
+  }
+}
+
+TEST(UnfoldMarked, gives_the_same_children_of_the_marked_windows_alone) {
+  for_each_problem(7, [](const Problem&, const Steps& steps) {
+    std::vector<Window> left, right;
+    std::size_t to_left = 0, to_right = 0;
+    for (std::size_t i = 0; i < steps.gathered.size(); ++i) {
+      if (steps.left[i] && to_left++ < steps.to_left.size() && i % 2 == 1) {
+        left.push_back(steps.to_left[to_left - 1]);
+      }
+      if (steps.right[i] && to_right++ < steps.to_right.size() && i % 2 == 1) {
+        right.push_back(steps.to_right[to_right - 1]);
+      }
+    }
+    ASSERT_EQ(bits_of(steps.odd_to_left), bits_of(left));
+    ASSERT_EQ(bits_of(steps.odd_to_right), bits_of(right));
   });
 }
 

@@ -18,6 +18,7 @@ struct Steps {
   ApexWinner winner;
   std::vector<bool> contested;
   std::vector<Window> to_left, to_right;
+  std::vector<Window> odd_to_left, odd_to_right;  ///< unfolded again, without every other window
 };
 
 inline std::vector<std::uint64_t> bits_of(const std::vector<Window>& windows) {
@@ -38,7 +39,8 @@ inline std::vector<std::uint64_t> bits_of(const Steps& steps) {
   bits.push_back(steps.winner.window);
   bits.push_back(std::bit_cast<std::uint64_t>(steps.winner.distance));
   bits.push_back(std::bit_cast<std::uint64_t>(steps.winner.crossing));
-  for (const auto* list : {&steps.trimmed, &steps.to_left, &steps.to_right}) {
+  for (const auto* list :
+       {&steps.trimmed, &steps.to_left, &steps.to_right, &steps.odd_to_left, &steps.odd_to_right}) {
     const std::vector<std::uint64_t> more = bits_of(*list);
     bits.insert(bits.end(), more.begin(), more.end());
   }
