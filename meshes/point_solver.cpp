@@ -77,15 +77,14 @@ std::shared_ptr<const InsertedPoints> insert_for(const Description& solver, cons
 
 PointSolver::PointSolver(std::string_view solver, const Mesh& mesh,
                          std::shared_ptr<const InsertedPoints> inserted)
-    : description_(solver_named(solver)),
-      mesh_(mesh),
+    : mesh_(mesh),
       inserted_(std::move(inserted)),
       solver_(make_solver(solver, inserted_ == nullptr ? mesh : inserted_->mesh())) {}
 
 void PointSolver::solve(const Query& query, std::span<double> distances,
                         std::span<double> at_targets) {
   if (at_targets.size() != query.targets.size()) {
-    throw std::invalid_argument(description_.name + ": needs room for one distance a target");
+    throw std::invalid_argument(name() + ": needs room for one distance a target");
   }
   if (inserted_ != nullptr) return solve_inserted(query, distances, at_targets);
   if (std::ranges::all_of(query.targets, &SurfacePoint::is_vertex)) {
@@ -106,7 +105,7 @@ void PointSolver::solve_inserted(const Query& query, std::span<double> distances
   const Query finer = inserted_->translated(query);
   finer_.resize(inserted_->mesh().vertex_count());
   if (distances.size() != mesh_.vertex_count()) {
-    throw std::invalid_argument(description_.name + ": needs room for one distance a vertex");
+    throw std::invalid_argument(name() + ": needs room for one distance a vertex");
   }
   solver_->solve(finer, finer_);
   std::copy_n(finer_.begin(), distances.size(), distances.begin());

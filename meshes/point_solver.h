@@ -3,7 +3,9 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "meshes/editing/inserted_points.h"
@@ -34,6 +36,13 @@ class PointSolver {
               std::span<const SurfacePoint> targets)
       : PointSolver(solver, mesh, insert_for(solver_named(solver), mesh, sources, targets)) {}
 
+  /// @param ready supports all points of later queries
+  explicit PointSolver(std::unique_ptr<Solver> ready)
+      : mesh_(ready->mesh()), solver_(std::move(ready)) {}
+
+  /// Returns another object with the same preparation, for another thread (Solver::another).
+  PointSolver another() const { return {mesh_, inserted_, solver_->another()}; }
+
   /// As Solver::solve. Distances of all vertices and targets are exact if the solver is exact.
   /// @param distances one entry per vertex of the given mesh
   /// @param at_targets one entry per target of the query, in their order
@@ -42,12 +51,16 @@ class PointSolver {
   Solver& solver() { return *solver_; }
 
  private:
+  PointSolver(const Mesh& mesh, std::shared_ptr<const InsertedPoints> inserted,
+              std::unique_ptr<Solver> solver)
+      : mesh_(mesh), inserted_(std::move(inserted)), solver_(std::move(solver)) {}
+
+  const std::string& name() const { return solver_->description().name; }
   void solve_inserted(const Query& query, std::span<double> distances,
                       std::span<double> at_targets);
   void correct_near_sources(const Query& query, std::span<double> distances,
                             std::span<double> at_targets) const;
 
-  const Description& description_;
   const Mesh& mesh_;
   std::shared_ptr<const InsertedPoints> inserted_;  // null if the solver supports all points
   std::unique_ptr<Solver> solver_;                  // on the finer mesh if there is one

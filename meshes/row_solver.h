@@ -1,6 +1,7 @@
 // Solves one source after the other: the rows of a distance matrix.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <span>
 #include <utility>
@@ -9,6 +10,22 @@
 #include "meshes/point_solver.h"
 
 namespace geodesic {
+
+/// Gives every thread a solver, all with the same preparation.
+class SolverForEachThread {
+ public:
+  explicit SolverForEachThread(PointSolver first)
+      : first_(std::make_shared<PointSolver>(std::move(first))) {}
+
+  /// Threads may call it at the same time.
+  std::shared_ptr<PointSolver> next() {
+    return is_taken_.test_and_set() ? std::make_shared<PointSolver>(first_->another()) : first_;
+  }
+
+ private:
+  std::shared_ptr<PointSolver> first_;
+  std::atomic_flag is_taken_;
+};
 
 /// A solver for one thread, with memory for its results. Copies share the solver.
 class RowSolver {

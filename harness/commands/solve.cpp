@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <memory>
 
@@ -107,8 +110,20 @@ void solve_many(const SolveFlags& flags, const Description& solver, const Writte
                      " meshes were not solved");
 }
 
-void run_solve(const SolveFlags& flags) {
+// The name of the solver whose preparation is in a file.
+std::string solver_in(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw HarnessError("--prepared " + file + ": " + std::strerror(errno));
+  try {
+    return name_in_prepared(stream);
+  } catch (const std::invalid_argument& error) {
+    throw HarnessError("--prepared " + file + ": " + error.what());
+  }
+}
+
+void run_solve(SolveFlags& flags) {
   check_combination(flags);
+  if (!flags.prepared.empty()) flags.solver = solver_in(flags.prepared);
   const WrittenPoints points(flags);
   const Description& solver = solver_named(flags.solver);
   set_instruction_set(instruction_set_named(flags.vectors));
@@ -208,6 +223,15 @@ void add_solve_command(CLI::App& app) {
                    "solver (see geodesic-bench list; default: " + flags->solver + ")")
       ->type_name("NAME");
   command
+      ->add_option("--save-prepared", flags->save_prepared,
+                   "file for what the solver prepared, of one that prepares (straight-graph)")
+      ->type_name("FILE");
+  command
+      ->add_option("--prepared", flags->prepared,
+                   "file of --save-prepared, read in place of preparing again; it names its solver")
+      ->type_name("FILE")
+      ->excludes("--solver");
+  command
       ->add_option("--vectors", flags->vectors,
                    "instruction set of the solver: auto, plain, avx2 or avx512")
       ->type_name("SET");
@@ -219,7 +243,8 @@ void add_solve_command(CLI::App& app) {
         "--limit"}},
       {"What is written",
        {"--output", "--out", "--nearest-source", "--paths", "--matrix", "--float32", "--resume"}},
-      {"How it is solved", {"--solver", "--each", "--threads", "--vectors"}},
+      {"How it is solved",
+       {"--solver", "--each", "--threads", "--save-prepared", "--prepared", "--vectors"}},
       {"The mesh", {"--repair", "--cross-non-manifold", "--manifest"}},
       {"What is checked and counted", {"--check", "--counters"}}};
   for (const auto& [group, options] : groups) {

@@ -9,15 +9,16 @@
 
 namespace geodesic::harness {
 
-void solve_matrix(const MatrixProblem& problem, unsigned threads, MatrixFile& file) {
+void solve_matrix(const MatrixProblem& problem, PointSolver solver, unsigned threads,
+                  MatrixFile& file) {
   std::vector<std::size_t> open;
   for (std::size_t row = 0; row < problem.sources.size(); ++row) {
     if (!file.has(row)) open.push_back(row);
   }
+  SolverForEachThread solvers(std::move(solver));
   CountLine progress(problem.sources.size(), "rows", problem.sources.size() - open.size());
   do_in_threads(open.size(), threads, [&]() -> Worker {
-    RowSolver row(std::make_shared<PointSolver>(problem.solver, problem.mesh, problem.inserted),
-                  problem.mesh, problem.asked);
+    RowSolver row(solvers.next(), problem.mesh, problem.asked);
     return [&, row = std::move(row)](std::size_t i) mutable {
       throw_if_interrupted();
       row.solve(problem.sources[open[i]]);

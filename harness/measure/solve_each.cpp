@@ -34,14 +34,14 @@ class InOrder {
 
 }  // namespace
 
-void solve_each(const std::string& solver, const Mesh& mesh,
-                const std::shared_ptr<const InsertedPoints>& inserted,
-                std::span<const Source> sources, const Query& asked, unsigned threads,
+void solve_each(PointSolver solver, const Mesh& mesh, std::span<const Source> sources,
+                const Query& asked, unsigned threads,
                 const std::function<Kept(const SingleSolve&)>& keep,
                 const std::function<void(Kept)>& deliver) {
   InOrder results(deliver);
+  SolverForEachThread solvers(std::move(solver));
   do_in_threads(sources.size(), threads, [&]() -> Worker {
-    RowSolver row(std::make_shared<PointSolver>(solver, mesh, inserted), mesh, asked);
+    RowSolver row(solvers.next(), mesh, asked);
     return [&, row = std::move(row)](std::size_t i) mutable {
       const double cpu_start = thread_cpu_seconds();
       const Stopwatch watch;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <span>
 #include <string>
 
@@ -27,16 +26,14 @@ struct Kept {
   std::string text;  ///< distances in the format of the file
 };
 
-/// Solves from every source by itself. Each thread has its own solver object; the mesh is shared.
-/// Distances have the same bits for any number of threads.
-/// @param inserted as in PointSolver
+/// Solves from every source by itself. Each thread has its own solver object; the mesh and the
+/// preparation are shared. Distances have the same bits for any number of threads.
 /// @param asked limit and targets of every solve; its sources are not used
 /// @param keep called once for each source by the thread that solved; calls may overlap
 /// @param deliver called with the results of `keep` in the order of the sources, one at a time
 /// @throws the exceptions of the solver, `keep` and `deliver`
-void solve_each(const std::string& solver, const Mesh& mesh,
-                const std::shared_ptr<const InsertedPoints>& inserted,
-                std::span<const Source> sources, const Query& asked, unsigned threads,
+void solve_each(PointSolver solver, const Mesh& mesh, std::span<const Source> sources,
+                const Query& asked, unsigned threads,
                 const std::function<Kept(const SingleSolve&)>& keep,
                 const std::function<void(Kept)>& deliver);
 

@@ -20,6 +20,7 @@ void for_each_optional(SomeRow& row, const Visit& visit) {
   visit("instruction_set", row.instruction_set);
   visit("timed", row.timed);
   visit("prepare_time", row.prepare_time);
+  visit("certificate", row.certificate);
   visit("renew_time", row.renew_time);
   for_each_counter(row.counters, visit);
   visit("phase_seconds", row.phase_seconds);

@@ -12,6 +12,10 @@
 #include "harness/corpus/outcome.h"
 #include "harness/results/counters.h"
 
+namespace geodesic {
+GEODESIC_JSON_MEMBERS(Certificate, sources, mean_error, largest_error)
+}
+
 namespace geodesic::harness {
 
 /// Wall time of the phases of a solve, in seconds; timer_overhead is in none of the others.
@@ -60,6 +64,7 @@ struct Row {
   std::optional<std::string> timed = {};  ///< ExternalSolver::Times::of, if external
   /// CPU time in milliseconds; with several threads, wall time.
   std::optional<double> prepare_time = {}, renew_time = {}, mesh_time = {};
+  std::optional<Certificate> certificate = {};  ///< Solver::certificate
 
   Counters counters = {};
   std::optional<PhaseSeconds> phase_seconds = {};

@@ -243,6 +243,7 @@ std::string Measurement::measure() {
   if (!error.empty()) return error;
   row_.process_peak_bytes = peak_resident_bytes();
   row_.instruction_set = name_of(solver->instruction_set());
+  row_.certificate = solver->certificate();
   const auto* external = dynamic_cast<const ExternalSolver*>(solver.get());
   if (external != nullptr) {
     note(external->last(), row_);

@@ -88,7 +88,10 @@ void save_prepared(const Solver& solver, std::ostream& to) {
   writer.write_one(writer.sum());
 }
 
-std::unique_ptr<Solver> read_prepared(const Mesh& mesh, std::istream& from) {
+namespace {
+
+/// Reads up to the name of the solver.
+std::string read_name(std::istream& from, PreparedReader& reader) {
   const std::string first = line_of(from);
   if (!first.starts_with(kMagic)) {
     throw std::invalid_argument("this is not the preparation of a solver");
@@ -98,16 +101,28 @@ std::unique_ptr<Solver> read_prepared(const Mesh& mesh, std::istream& from) {
                                 ", and this program reads " + std::to_string(kFormat) +
                                 ": prepare again");
   }
-  PreparedReader reader(from);
   if (reader.read_one<std::uint64_t>() != kByteOrder) {
     throw std::invalid_argument(
         "the preparation was written on a machine of another byte order: prepare again");
   }
   const std::vector<char> name = reader.read<char>();
+  return {name.data(), name.size()};
+}
+
+}  // namespace
+
+std::string name_in_prepared(std::istream& from) {
+  PreparedReader reader(from);
+  return read_name(from, reader);
+}
+
+std::unique_ptr<Solver> read_prepared(const Mesh& mesh, std::istream& from) {
+  PreparedReader reader(from);
+  const std::string name = read_name(from, reader);
   if (reader.read_one<std::uint64_t>() != sum_of(mesh)) {
     throw std::invalid_argument("the preparation is of another mesh");
   }
-  std::unique_ptr<Solver> solver = make_solver({name.data(), name.size()}, mesh, &reader);
+  std::unique_ptr<Solver> solver = make_solver(name, mesh, &reader);
   const std::uint64_t sum = reader.sum();
   PreparedReader::check(reader.read_one<std::uint64_t>() == sum);
   return solver;

@@ -101,6 +101,9 @@ class PreparedReader {
 /// @throws std::invalid_argument for a solver without Abilities::saves
 void save_prepared(const Solver& solver, std::ostream& to);
 
+/// The name of the solver that was saved. @throws std::invalid_argument as read_prepared
+std::string name_in_prepared(std::istream& from);
+
 /// Reads a solver whose preparation was saved. Its name is that of the solver that was saved.
 /// @param mesh must outlive the solver
 /// @throws std::invalid_argument when this is no such file, was written for another mesh or by

@@ -124,6 +124,25 @@ TEST_F(CommandLine, SolvesOfEachSourceAreTheSameInAnyNumberOfThreads) {
   }
 }
 
+TEST_F(CommandLine, SavedPreparationsGiveTheSameDistancesOnTheirMeshOnly) {
+  const std::string file = folder_ / "prepared", made = folder_ / "made.txt",
+                    read_again = folder_ / "read.txt";
+  const nlohmann::json saved =
+      solve({"hill", "--source", "1", "--solver", "straight-graph?alpha=0.5&check=2", "--output",
+             made, "--save-prepared", file});
+  const nlohmann::json printed = solve(
+      {"hill", "--source", "1", "--source", "2", "--each", "--threads", "2", "--prepared", file});
+  EXPECT_EQ(saved.at("certificate").at("sources"), 2);
+  EXPECT_EQ(printed.at("certificate"), saved.at("certificate"));
+  solve({"hill", "--source", "1", "--prepared", file, "--output", read_again});
+  EXPECT_EQ(read(read_again), read(made));
+  const Output refused =
+      run(PROGRAM, {"solve", "tetrahedron", "--source", "1", "--prepared", file});
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_EQ(refused.err,
+            "geodesic-bench: --prepared " + file + ": the preparation is of another mesh\n");
+}
+
 TEST_F(CommandLine, ThreadsWithoutSeparateSourcesAreOfTheSolverThatCanUseThem) {
   std::vector<std::string> words{"hill", "--source", "1", "--threads", "2"};
   EXPECT_EQ(solve(words)["solver"], "edge-based?threads=2");

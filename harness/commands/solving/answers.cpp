@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <memory>
 
@@ -15,6 +16,7 @@
 #include "harness/measure/recorded_solve.h"
 #include "harness/measure/solve_each.h"
 #include "harness/results/counters.h"
+#include "harness/results/row.h"
 #include "harness/verify/distance_check.h"
 #include "harness/verify/references.h"
 #include "meshes/path_file.h"
@@ -48,14 +50,52 @@ void add_counters(const Problem& problem, Solved& solved) {
   }
 }
 
+// A solver that is prepared for the mesh, or read as --prepared says, and what is known of that.
+struct Prepared {
+  std::unique_ptr<PointSolver> solver;
+  Json json = Json::object();
+};
+
+PointSolver read_solver(const Problem& problem) {
+  const std::string& file = problem.flags.prepared;
+  if (problem.inserted != nullptr) {
+    throw HarnessError("--prepared " + file + ": " + problem.solver.name +
+                       " prepares again for points that are not vertices");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  try {
+    return PointSolver(read_prepared(problem.mesh, stream));
+  } catch (const std::invalid_argument& error) {
+    throw HarnessError("--prepared " + file + ": " + error.what());
+  }
+}
+
+Prepared prepare(const Problem& problem) {
+  const SolveFlags& flags = problem.flags;
+  std::optional<AtomicFile> file;
+  if (!flags.save_prepared.empty()) file.emplace(flags.save_prepared);
+  Prepared prepared;
+  const Stopwatch watch;
+  prepared.solver =
+      flags.prepared.empty()
+          ? std::make_unique<PointSolver>(problem.solver.name, problem.mesh, problem.inserted)
+          : std::make_unique<PointSolver>(read_solver(problem));
+  prepared.json["prepare_time_s"] =
+      problem.solver.thread_count() > 1 ? watch.real_seconds() : watch.cpu_seconds();
+  const Solver& solver = prepared.solver->solver();
+  if (const auto certificate = solver.certificate()) prepared.json["certificate"] = *certificate;
+  if (file) {
+    save_prepared(solver, file->stream());
+    file->commit();
+  }
+  return prepared;
+}
+
 Solved solve(const Problem& problem) {
   Solved solved{.distances = std::vector<double>(problem.mesh.vertex_count()),
                 .at_targets = std::vector<double>(problem.query.targets.size())};
   restart_peak_resident_bytes();
-  const Stopwatch preparation;
-  std::optional<PointSolver> prepared(std::in_place, problem.solver.name, problem.mesh,
-                                      problem.inserted);
-  const double prepare_time = preparation.cpu_seconds();
+  auto [prepared, preparation] = prepare(problem);
 
   const Stopwatch watch;
   const bool remembers = wants_paths(problem.flags) && problem.solver.abilities.paths;
@@ -70,7 +110,7 @@ Solved solve(const Problem& problem) {
   }
   solved.json["cpu_time_s"] = watch.cpu_seconds();
   solved.json["real_time_s"] = watch.real_seconds();
-  solved.json["prepare_time_s"] = prepare_time;
+  solved.json.update(preparation);
   if (wants_paths(problem.flags) && !remembers) {
     for (const SurfacePoint& target : problem.query.targets) {
       if (solved.distances[target.vertex] == kInfinity) continue;
@@ -226,9 +266,11 @@ Json solve_separately(const Problem& problem, Outputs& outputs) {
     json["targets"].push_back(shown(problem.mesh, {.at = target}));
   }
   restart_peak_resident_bytes();
+  auto [prepared, preparation] = prepare(problem);
   const Stopwatch watch;
-  solve_each(problem.solver.name, problem.mesh, problem.inserted, sources, problem.query,
-             problem.threads, keep, deliver);
+  solve_each(std::move(*prepared), problem.mesh, sources, problem.query, problem.threads, keep,
+             deliver);
+  json.update(preparation);
   json.update({{"threads", problem.threads},
                {"cpu_time_s", watch.cpu_seconds()},
                {"real_time_s", watch.real_seconds()},
@@ -255,7 +297,7 @@ Json write_matrix(Problem& problem) {
   const Json identity{{"mesh", sha256_of_file(problem.entry.file)},
                       {"repair", flags.repair},
                       {"cross_non_manifold", flags.cross_non_manifold},
-                      {"solver", problem.solver.name},
+                      {"solver", solver_named(flags.solver).name},
                       {"limit", significant(flags.limit)},
                       {"type", type},
                       {"sources", rows},
@@ -268,14 +310,11 @@ Json write_matrix(Problem& problem) {
                         .problem = sha256_of(identity.dump())};
   auto file = std::make_unique<MatrixFile>(plan, flags.resume);
   restart_peak_resident_bytes();
+  auto [prepared, preparation] = prepare(problem);
   const Stopwatch watch;
   try {
-    solve_matrix({.solver = problem.solver.name,
-                  .mesh = problem.mesh,
-                  .inserted = problem.inserted,
-                  .sources = query.sources,
-                  .asked = query},
-                 problem.threads, *file);
+    solve_matrix({.mesh = problem.mesh, .sources = query.sources, .asked = query},
+                 std::move(*prepared), problem.threads, *file);
   } catch (const Interrupted&) {
     file.reset();  // removes the file if it has no row
     if (std::filesystem::exists(unfinished(flags.matrix))) {
@@ -285,14 +324,16 @@ Json write_matrix(Problem& problem) {
     throw;
   }
   file->finish();
-  return {{"matrix", flags.matrix},
-          {"rows", query.sources.size()},
-          {"columns", columns},
-          {"type", type},
-          {"threads", problem.threads},
-          {"cpu_time_s", watch.cpu_seconds()},
-          {"real_time_s", watch.real_seconds()},
-          {"process_peak_bytes", peak_resident_bytes()}};
+  Json json{{"matrix", flags.matrix},
+            {"rows", query.sources.size()},
+            {"columns", columns},
+            {"type", type},
+            {"threads", problem.threads}};
+  json.update(preparation);
+  json.update({{"cpu_time_s", watch.cpu_seconds()},
+               {"real_time_s", watch.real_seconds()},
+               {"process_peak_bytes", peak_resident_bytes()}});
+  return json;
 }
 
 }  // namespace geodesic::harness

@@ -47,6 +47,14 @@ void check_abilities(const SolveFlags& flags, unsigned threads, const Descriptio
     throw HarnessError(solver.name +
                        " cannot solve in several threads at the same time: leave out --threads");
   }
+  if (!flags.save_prepared.empty() && !solver.abilities.saves) {
+    std::vector<std::string> others;
+    for (const Description* other : registered_solvers()) {
+      if (other->abilities.saves) others.push_back(other->name);
+    }
+    throw HarnessError("--save-prepared: " + solver.name +
+                       " has no preparation that could be saved; there are: " + join(others));
+  }
   if (!wants_paths(flags)) return;
   const bool from_vertices = are_vertices({query.sources});
   const auto can = [&](const Abilities& abilities) {
@@ -79,7 +87,8 @@ const Description& with_threads(const Description& solver, unsigned threads) {
 }
 
 // The number of sources that are solved at the same time, and of threads for each source: one
-// thread if there are sources for all threads, because that costs nothing.
+// thread if there are sources for all threads, because that costs nothing. Solvers whose
+// preparation can be saved use their threads for that alone.
 struct ThreadShares {
   unsigned sources = 1, within = 1;
 };
@@ -97,7 +106,8 @@ ThreadShares share_threads(const SolveFlags& flags, const Description& solver,
     threads = takes_all ? std::max(1u, std::thread::hardware_concurrency()) : 1;
   }
   const auto side_by_side = static_cast<unsigned>(std::min<std::size_t>(threads, sources));
-  return {side_by_side, shares_sources(solver) ? threads / side_by_side : 1};
+  if (!shares_sources(solver)) return {side_by_side, 1};
+  return {side_by_side, solver.abilities.saves ? threads : threads / side_by_side};
 }
 
 }  // namespace
@@ -111,6 +121,9 @@ void check_combination(const SolveFlags& flags) {
   if (flags.meshes.size() > 1 &&
       !(flags.output.empty() && flags.paths.empty() && flags.matrix.empty())) {
     refuse("--output, --paths and --matrix are files of one mesh: with several use --out");
+  }
+  if (flags.meshes.size() > 1 && !(flags.prepared.empty() && flags.save_prepared.empty())) {
+    refuse("--prepared and --save-prepared are files of one mesh");
   }
   if (!flags.matrix.empty()) return check_matrix(flags);
   if (flags.single_precision || flags.resume) refuse("--float32 and --resume are for --matrix");

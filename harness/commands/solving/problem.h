@@ -19,6 +19,7 @@ struct SolveFlags {
   std::string solver = "edge-based";  // the fastest exact one
   std::vector<std::string> sources, targets;
   std::string sources_file, targets_file, output, output_folder, paths, matrix;
+  std::string prepared, save_prepared;
   bool repair = false, cross_non_manifold = false, each = false, check = false, counters = false;
   bool stop_at_targets = false, nearest_source = false, single_precision = false, resume = false;
   unsigned threads = 0;  ///< 0 for the best number
