@@ -67,7 +67,6 @@ void PreparedReader::read_bytes(std::span<std::byte> bytes) {
   if (!from_.read(reinterpret_cast<char*>(bytes.data()), count)) {
     throw std::invalid_argument("the preparation ends early: prepare again");
   }
-  sum_.add(bytes);
 }
 
 void PreparedReader::check(bool holds) {

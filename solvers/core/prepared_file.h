@@ -68,6 +68,7 @@ class PreparedReader {
     static_assert(std::is_trivially_copyable_v<T>);
     std::uint64_t count = 0;
     read_bytes(std::as_writable_bytes(std::span(&count, 1)));
+    sum_.add(std::as_bytes(std::span(&count, 1)));
     // Piece by piece: a wrong count meets the end of the file before it takes memory.
     constexpr std::size_t kAtOnce = (std::size_t{1} << 22) / sizeof(T) + 1;
     std::vector<T> values;
@@ -77,6 +78,7 @@ class PreparedReader {
                     static_cast<std::size_t>(std::min<std::uint64_t>(kAtOnce, count - begin)));
       read_bytes(std::as_writable_bytes(std::span(values).subspan(begin)));
     }
+    sum_.add(std::as_bytes(std::span(values)));  // whole, as it was written
     return values;
   }
   template <class T>

@@ -54,6 +54,18 @@ TEST(Preparation, that_was_saved_gives_the_same_distances_and_certificate) {
   EXPECT_EQ(saved(*read), saved(*solver));
 }
 
+TEST(Preparation, of_large_arrays_has_the_sum_with_which_it_was_written) {
+  std::ostringstream to;
+  PreparedWriter writer(to);
+  writer.write(std::span<const Index>(std::vector<Index>(3'000'001, 7)));  // is read in pieces
+  writer.write_one(1.5);
+  std::istringstream from(to.str());
+  PreparedReader reader(from);
+  EXPECT_EQ(reader.read<Index>().size(), 3'000'001u);
+  EXPECT_EQ(reader.read_one<double>(), 1.5);
+  EXPECT_EQ(reader.sum(), writer.sum());
+}
+
 TEST(Preparation, is_certified_by_as_many_sources_as_requested) {
   const Mesh mesh = terrain();
   EXPECT_FALSE(make_solver("straight-graph", mesh)->certificate());
