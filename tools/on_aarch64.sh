@@ -14,7 +14,7 @@ export SYSROOT=$build/sysroot
 packages=(libhwy-dev libopenmesh-dev libbenchmark-dev libssl-dev zlib1g-dev libgtest-dev libcli11-dev
   nlohmann-json3-dev libboost-dev libmpfi-dev)
 
-solvers=edge-based,edge-based-approximate,mmp,fwp-mmp,ich,fwp-ch,dijkstra,virtual-source,straight-graph,steiner,fast-marching,flip-out
+solvers=edge-based,edge-based-approximate,mmp,fwp-mmp,ich,fwp-ch,dijkstra,virtual-source,straight-graph,saddle-vertex-graph,steiner,fast-marching,flip-out
 
 usage() {
   cat <<EOF

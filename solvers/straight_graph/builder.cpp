@@ -1,9 +1,8 @@
 #include "solvers/straight_graph/builder.h"
 
 #include <bit>
-#include <cstring>
 
-#include "solvers/core/thread_team.h"
+#include "solvers/straight_graph/assemble.h"
 #include "solvers/straight_graph/sectors.h"
 #include "solvers/straight_graph/unfold.h"
 
@@ -19,8 +18,8 @@ class Builder {
         unfolder_(mesh, angle),
         first_(mesh.vertex_count(), {kNone, 0}) {}
 
-  /// Appends the block of a vertex and its links, in whole cache lines.
-  void append_block(Index v, std::vector<Block>& lines) {
+  /// Appends the block of a vertex and its links.
+  void operator()(Index v, std::vector<Block>& lines) {
     find_links(v);
     Block block{};
     edges_.clear();
@@ -48,11 +47,8 @@ class Builder {
       sum += leaving[s];
     }
     sectors_.set_straight_on(v, slack_, block);
-    lines.push_back(block);
     edges_.insert(edges_.end(), links_.begin(), links_.end());
-    const std::size_t at = lines.size(), bytes = edges_.size() * sizeof(Link);
-    lines.resize(at + (bytes + kCacheLine - 1) / kCacheLine);
-    if (bytes > 0) std::memcpy(&lines[at], edges_.data(), bytes);
+    append_block(block, edges_, lines);
   }
 
  private:
@@ -135,27 +131,8 @@ class Builder {
 }  // namespace
 
 Graph build_graph(const Mesh& mesh, double angle, unsigned threads) {
-  Graph graph(mesh.vertex_count());
   const Sectors sectors(mesh);
-  const std::size_t count = graph.piece_count();
-  ThreadTeam::run(threads, count, [&](ThreadTeam& team, unsigned thread) {
-    Builder builder(mesh, sectors, angle);
-    std::vector<Block> lines;
-    std::vector<std::uint32_t> begins;
-    const auto build = [&](std::size_t piece) {
-      lines.clear();
-      begins.clear();
-      const std::size_t first = piece * Graph::kPiece;
-      const std::size_t end = std::min<std::size_t>(first + Graph::kPiece, mesh.vertex_count());
-      for (std::size_t v = first; v < end; ++v) {
-        begins.push_back(static_cast<std::uint32_t>(lines.size()));
-        builder.append_block(static_cast<Index>(v), lines);
-      }
-      graph.set_piece(piece, lines, begins);
-    };
-    team.share(thread, count, team.in_equal_parts(count), build, [] {});
-  });
-  return graph;
+  return assemble(mesh.vertex_count(), threads, [&] { return Builder(mesh, sectors, angle); });
 }
 
 }  // namespace geodesic::straight_graph

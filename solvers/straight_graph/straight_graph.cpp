@@ -1,9 +1,12 @@
-// `straight-graph`: a graph of straight links, prepared once, for many sources on one mesh.
+// `straight-graph` and `saddle-vertex-graph`: graphs of straight links, prepared once, for many
+// sources on one mesh.
 #include <cmath>
 #include <random>
 
 #include "solvers/core/registry.h"
 #include "solvers/straight_graph/builder.h"
+#include "solvers/straight_graph/discs.h"
+#include "solvers/straight_graph/fan.h"
 #include "solvers/straight_graph/last_links.h"
 #include "solvers/straight_graph/search.h"
 
@@ -37,13 +40,31 @@ Certificate compare_with_exact(Solver& solver, Index sources) {
   return found;
 }
 
+/// Links chosen by the angle between them.
+struct ByAngle {
+  static Graph build(const Mesh& mesh, const Description& description, unsigned threads) {
+    return build_graph(mesh, description.real("alpha"), threads);
+  }
+  static double angle(const Description& description) { return description.real("alpha"); }
+};
+
+/// All links of a disc, which need no finer fan at sources.
+struct ByDisc {
+  static Graph build(const Mesh& mesh, const Description& description, unsigned threads) {
+    return build_disc_graph(mesh, description.integer("disc"), threads);
+  }
+  static double angle(const Description& /*description*/) { return kFanAngle; }
+};
+
+/// @tparam Links which links a vertex has: the graph, and the angle between its links
+template <class Links>
 class StraightGraph final : public Solver {
  public:
   StraightGraph(const Mesh& mesh, const Description& description)
-      : StraightGraph(mesh, description,
-                      std::make_shared<const Graph>(
-                          build_graph(mesh, description.real("alpha"),
-                                      static_cast<unsigned>(description.integer("threads"))))) {
+      : StraightGraph(
+            mesh, description,
+            std::make_shared<const Graph>(Links::build(
+                mesh, description, static_cast<unsigned>(description.integer("threads"))))) {
     const Index sources = description.integer("check");
     if (sources > 0) certificate_ = compare_with_exact(*this, sources);
   }
@@ -74,7 +95,7 @@ class StraightGraph final : public Solver {
                 std::shared_ptr<const Graph> graph)
       : Solver(mesh, description),
         graph_(std::move(graph)),
-        search_(mesh, *graph_, description.real("alpha")) {}
+        search_(mesh, *graph_, Links::angle(description)) {}
 
   void run(const InternalQuery& query, std::span<double> distances, Recording* recording) override {
     if (recording == nullptr || recording->kind != RecordingKind::paths) {
@@ -82,7 +103,7 @@ class StraightGraph final : public Solver {
     }
     std::vector<Index> roots(distances.size(), kNone);
     search_.run(query, distances, roots);
-    record_last_links(mesh(), query, description().real("alpha"), distances, roots, *recording);
+    record_last_links(mesh(), query, Links::angle(description()), distances, roots, *recording);
   }
 
   std::shared_ptr<const Graph> graph_;
@@ -90,20 +111,33 @@ class StraightGraph final : public Solver {
   std::optional<Certificate> certificate_;
 };
 
-const RegisterSolver<StraightGraph> registered{{
-    .name = "straight-graph",
-    .family = "straight graph",
-    .paper = "Ying, Wang, He 2013, Saddle Vertex Graph (SVG): A Novel Solution to the Discrete "
-             "Geodesic Problem",
-    .exactness = Exactness::upper_bound,
-    .by_name_only = true,
-    .abilities = {.surface_sources = true, .paths = true},
-    .remarks = "prepares links once, for many sources",
-    .parameters = {real_parameter("alpha", 0.2, 0.02, 1, "least angle between links, in radians"),
-                   integer_parameter("threads", 1, 1, 256, "that prepare the graph"),
-                   integer_parameter("check", 0, 0, 1000,
-                                     "random sources from which preparation measures its errors")},
-}};
+/// Adds a solver.
+/// @param links its parameter
+template <class Links>
+RegisterSolver<StraightGraph<Links>> add(const char* name, const char* remarks,
+                                         const ParameterDescription& links) {
+  return RegisterSolver<StraightGraph<Links>>{{
+      .name = name,
+      .family = "straight graph",
+      .paper = "Ying, Wang, He 2013, Saddle Vertex Graph (SVG): A Novel Solution to the Discrete "
+               "Geodesic Problem",
+      .exactness = Exactness::upper_bound,
+      .by_name_only = true,
+      .abilities = {.surface_sources = true, .paths = true},
+      .remarks = remarks,
+      .parameters = {links, integer_parameter("threads", 1, 1, 256, "that prepare the graph"),
+                     integer_parameter(
+                         "check", 0, 0, 1000,
+                         "random sources from which preparation measures its errors")},
+  }};
+}
+
+const auto straight_graph =
+    add<ByAngle>("straight-graph", "prepares links once, for many sources",
+                 real_parameter("alpha", 0.2, 0.02, 1, "least angle between links, in radians"));
+const auto saddle_vertex_graph =
+    add<ByDisc>("saddle-vertex-graph", "prepares all links of discs once, for many sources",
+                integer_parameter("disc", 100, 1, 10000, "nearest vertices that links lead to"));
 
 }  // namespace
 }  // namespace geodesic::straight_graph

@@ -71,16 +71,19 @@ TEST(StraightGraphPaths, are_as_long_as_distances_up_to_the_rounding_of_links) {
   for (const NamedMesh& each : meshes()) {
     const Mesh mesh(each.soup);
     for (const Query& query : queries_on(mesh)) {
-      const Paths paths = paths_by("straight-graph", mesh, query);
-      for (Index v = 0; v < mesh.vertex_count(); ++v) {
-        const Path path = paths.to_vertex(v);
-        expect_path(mesh, query, v, paths.distances()[v], path,
-                    each.name + ", vertex " + std::to_string(v));
-        EXPECT_EQ(path.source, paths.nearest_source(v));
-      }
-      for (std::size_t i = 0; i < query.targets.size(); ++i) {
-        expect_path(mesh, query, query.targets[i], paths.distance_to_target(i), paths.to_target(i),
-                    each.name + ", target " + std::to_string(i));
+      for (const char* solver : {"straight-graph", "saddle-vertex-graph"}) {
+        const std::string what = each.name + " by " + solver;
+        const Paths paths = paths_by(solver, mesh, query);
+        for (Index v = 0; v < mesh.vertex_count(); ++v) {
+          const Path path = paths.to_vertex(v);
+          expect_path(mesh, query, v, paths.distances()[v], path,
+                      what + ", vertex " + std::to_string(v));
+          EXPECT_EQ(path.source, paths.nearest_source(v));
+        }
+        for (std::size_t i = 0; i < query.targets.size(); ++i) {
+          expect_path(mesh, query, query.targets[i], paths.distance_to_target(i),
+                      paths.to_target(i), what + ", target " + std::to_string(i));
+        }
       }
     }
   }

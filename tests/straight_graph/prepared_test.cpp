@@ -13,6 +13,7 @@ namespace geodesic {
 namespace {
 
 constexpr const char* kChecked = "straight-graph?alpha=0.3&check=2";
+constexpr const char* kDiscs = "saddle-vertex-graph?disc=20&check=2";
 
 Mesh terrain(double columns = 30) {
   return Mesh(generate("terrain", {{"columns", columns}, {"rows", 20}}), Numbering::along_surface);
@@ -37,21 +38,25 @@ std::string refusal(const std::string& file, const Mesh& mesh) {
 
 TEST(Preparation, is_shared_by_another_object_with_the_same_distances) {
   const Mesh mesh = terrain();
-  const auto first = make_solver(kChecked, mesh);
-  const auto other = first->another();
-  EXPECT_EQ(distances_of(*first), distances_of(*other));
-  EXPECT_EQ(other->certificate()->largest_error, first->certificate()->largest_error);
+  for (const char* name : {kChecked, kDiscs}) {
+    const auto first = make_solver(name, mesh);
+    const auto other = first->another();
+    EXPECT_EQ(distances_of(*first), distances_of(*other));
+    EXPECT_EQ(other->certificate()->largest_error, first->certificate()->largest_error);
+  }
 }
 
 TEST(Preparation, that_was_saved_gives_the_same_distances_and_certificate) {
   const Mesh mesh = terrain();
-  const auto solver = make_solver(kChecked, mesh);
-  std::istringstream file(saved(*solver));
-  const auto read = read_prepared(mesh, file);
-  EXPECT_EQ(read->description().name, solver->description().name);
-  EXPECT_EQ(distances_of(*read), distances_of(*solver));
-  EXPECT_EQ(read->certificate()->mean_error, solver->certificate()->mean_error);
-  EXPECT_EQ(saved(*read), saved(*solver));
+  for (const char* name : {kChecked, kDiscs}) {
+    const auto solver = make_solver(name, mesh);
+    std::istringstream file(saved(*solver));
+    const auto read = read_prepared(mesh, file);
+    EXPECT_EQ(read->description().name, solver->description().name);
+    EXPECT_EQ(distances_of(*read), distances_of(*solver));
+    EXPECT_EQ(read->certificate()->mean_error, solver->certificate()->mean_error);
+    EXPECT_EQ(saved(*read), saved(*solver));
+  }
 }
 
 TEST(Preparation, of_large_arrays_has_the_sum_with_which_it_was_written) {
