@@ -148,6 +148,21 @@ TEST(StraightGraph, is_off_by_half_a_percent_at_most_in_the_plane) {
   EXPECT_LT(largest_error(Mesh(soup), 1234), 1 / std::cos(0.1) - 1);
 }
 
+// A wedge that ends at the far edge of a face. Many sources have no finer fan.
+TEST(StraightGraph, is_off_by_half_of_alpha_just_behind_the_edge_of_a_narrow_face) {
+  for (const auto& [solver, alpha] :
+       {std::pair{"straight-graph?alpha=0.2", 0.2}, {"straight-graph?alpha=0.02", 0.02}}) {
+    const double half = std::tan(0.499 * alpha);
+    const Mesh mesh(TriangleSoup{{{0, 0, 0}, {1, half, 0}, {1, -half, 0}, {1 + half * half, 0, 0}},
+                                 {{0, 2, 1}, {2, 3, 1}}});
+    const Query query{.sources = std::vector<Source>(100, {.at = Index{0}})};
+    const double straight = 1 + half * half;
+    EXPECT_NEAR(distances_by("edge-based", mesh, query)[3], straight, 1e-14);
+    const double error = distances_by(solver, mesh, query)[3] / straight - 1;
+    EXPECT_NEAR(error, alpha / 2, 0.05 * alpha);
+  }
+}
+
 TEST(StraightGraph, is_off_by_two_percent_at_most_where_faces_have_no_area) {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const TriangleSoup terrain = rough_terrain(seed, 20, 20, 0.3);
