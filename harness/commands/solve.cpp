@@ -14,6 +14,7 @@
 #include "harness/commands/solving/answers.h"
 #include "harness/commands/values.h"
 #include "meshes/path_file.h"
+#include "solvers/core/prepared_file.h"
 
 namespace geodesic::harness {
 namespace {

@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "solvers/core/contract.h"
-#include "solvers/core/prepared_file.h"
 #include "solvers/core/solver.h"
 
 /// Adds a solver that was compiled against `contract` (contract.h). The other arguments are read

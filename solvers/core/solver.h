@@ -5,8 +5,8 @@
 // Objects share only constant data (the mesh, their description), so different objects may solve in
 // different threads at the same time.
 //
-// Layers of this folder: solver.h, contract.h and registry.h are the contract. They include the
-// other headers; no other header includes them.
+// Layers of this folder: solver.h, contract.h, registry.h and prepared_file.h are the contract.
+// They include the other headers; no other header includes them.
 #pragma once
 
 #include <memory>
@@ -24,6 +24,7 @@
 
 namespace geodesic {
 
+class PreparedReader;
 class PreparedWriter;
 
 /// What a solver guarantees about its distances. In every case they are 0 at sources and infinite

@@ -16,7 +16,7 @@
 
 #include "solvers/core/geometry.h"
 #include "solvers/core/prefetch.h"
-#include "solvers/core/prepared_file.h"
+#include "solvers/core/prepared_arrays.h"
 
 namespace geodesic::straight_graph {
 

@@ -12,7 +12,7 @@ from pages import ROOT
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+(?:"([^"]+)"|<([^>]+)>)', re.MULTILINE)
 
-CONTRACT = {f"solvers/core/{name}" for name in ("solver", "contract", "registry")}
+CONTRACT = {f"solvers/core/{name}" for name in ("solver", "contract", "registry", "prepared_file")}
 """Files of the contract, without extension. Other files of core do not include them."""
 
 ORDER = [

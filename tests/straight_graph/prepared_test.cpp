@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "meshes/generators/generators.h"
+#include "solvers/core/prepared_file.h"
 #include "tests/message_of.h"
 #include "tests/solved.h"
 

@@ -20,6 +20,7 @@
 #include "harness/verify/distance_check.h"
 #include "harness/verify/references.h"
 #include "meshes/path_file.h"
+#include "solvers/core/prepared_file.h"
 #include "solvers/paths/paths.h"
 
 namespace geodesic::harness {
