@@ -20,6 +20,9 @@ class SharedMesh:
     @property
     def crosses_non_manifold(self) -> bool: ...
 
+class SolverPool:
+    """Solvers of one name on one mesh."""
+
 class SurfacePoints:
     """Points of a mesh's surface."""
 
@@ -72,33 +75,35 @@ def surface_points(
     mesh: SharedMesh, vertices: _Indices, faces: _Indices, weights: NDArray[np.float64]
 ) -> tuple[SurfacePoints, str]:
     """Converts the arrays of arrays.Points. Returns a remark as well if a place is far from the surface."""
+def pool(mesh: SharedMesh, solver: str) -> SolverPool:
+    """Returns the mesh's pool, which it keeps until it is asked for another solver."""
 def distances(
-    mesh: SharedMesh, solver: str, sources: SurfacePoints, initial: NDArray[np.float64],
+    pool: SolverPool, sources: SurfacePoints, initial: NDArray[np.float64],
     targets: SurfacePoints | None, limit: float,
 ) -> NDArray[np.float64]: ...  # fmt: skip
 def distances_and_nearest(
-    mesh: SharedMesh, solver: str, sources: SurfacePoints, initial: NDArray[np.float64],
+    pool: SolverPool, sources: SurfacePoints, initial: NDArray[np.float64],
     targets: SurfacePoints | None, limit: float,
 ) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...  # fmt: skip
 def paths(
-    mesh: SharedMesh, solver: str, source: SurfacePoints, targets: SurfacePoints
+    pool: SolverPool, source: SurfacePoints, targets: SurfacePoints
 ) -> list[tuple[NDArray[np.float64], _Indices, NDArray[np.float64]]]: ...
 def nearest_points(
     mesh: SharedMesh, places: NDArray[np.float64]
 ) -> tuple[_Indices, _Indices, NDArray[np.float64], NDArray[np.float64]]: ...
 def dense_float64(
-    mesh: SharedMesh, solver: str, rows: SurfacePoints, columns: SurfacePoints | None, threads: int,
+    pool: SolverPool, rows: SurfacePoints, columns: SurfacePoints | None, threads: int,
     progress: _Progress,
 ) -> NDArray[np.float64]: ...  # fmt: skip
 def dense_float32(
-    mesh: SharedMesh, solver: str, rows: SurfacePoints, columns: SurfacePoints | None, threads: int,
+    pool: SolverPool, rows: SurfacePoints, columns: SurfacePoints | None, threads: int,
     progress: _Progress,
 ) -> NDArray[np.float32]: ...  # fmt: skip
 def sparse_float64(
-    mesh: SharedMesh, solver: str, rows: SurfacePoints, columns: SurfacePoints | None, limit: float,
-    threads: int, progress: _Progress,
+    pool: SolverPool, rows: SurfacePoints, columns: SurfacePoints | None, limit: float, threads: int,
+    progress: _Progress,
 ) -> _Compressed: ...  # fmt: skip
 def sparse_float32(
-    mesh: SharedMesh, solver: str, rows: SurfacePoints, columns: SurfacePoints | None, limit: float,
-    threads: int, progress: _Progress,
+    pool: SolverPool, rows: SurfacePoints, columns: SurfacePoints | None, limit: float, threads: int,
+    progress: _Progress,
 ) -> _Compressed: ...  # fmt: skip

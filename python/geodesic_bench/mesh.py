@@ -218,8 +218,7 @@ class Mesh:
         begin = np.broadcast_to(begin, count)
         ends = None if targets is None else self._points(targets, "target")
         most = math.inf if limit is None else number(limit, "limit")
-        name = _configured(solver, parameters, self.distances)
-        asked = (self._shared, name, points, begin, ends, most)
+        asked = (self._pool(solver, parameters, self.distances), points, begin, ends, most)
         if return_nearest:
             return _native.distances_and_nearest(*asked)
         return _native.distances(*asked)
@@ -260,8 +259,8 @@ class Mesh:
         """
         end = self._points(target, "target", surface_point)
         begin = self._points(source, "source", surface_point)
-        name = _configured(solver, parameters, self.path)
-        return Path(*_native.paths(self._shared, name, begin, end)[0])
+        pool = self._pool(solver, parameters, self.path)
+        return Path(*_native.paths(pool, begin, end)[0])
 
     def paths(
         self,
@@ -293,8 +292,8 @@ class Mesh:
         """
         ends = self._points(targets, "target")
         begin = self._points(source, "source", surface_point)
-        name = _configured(solver, parameters, self.paths)
-        return [Path(*path) for path in _native.paths(self._shared, name, begin, ends)]
+        pool = self._pool(solver, parameters, self.paths)
+        return [Path(*path) for path in _native.paths(pool, begin, ends)]
 
     @overload
     def nearest_point(self, places: Sequence[float]) -> tuple[SurfacePoint, float]: ...
@@ -394,8 +393,7 @@ class Mesh:
                 f"threads must be an integer between 0 and {MOST_THREADS}, not {threads!r}"
             )
         name = _name_of_type(dtype)
-        configured = _configured(solver, parameters, self.distance_matrix)
-        what = (self._shared, configured, sources, targets)
+        what = (self._pool(solver, parameters, self.distance_matrix), sources, targets)
         workers = threads or os.cpu_count() or 1
         shape = len(sources), len(self.vertices) if targets is None else len(targets)
         if limit is None:
@@ -414,6 +412,11 @@ class Mesh:
         most = number(limit, "limit")
         with _bar(shape[0], progress) as show:
             return csr_matrix(sparse(*what, most, workers, show), shape=shape)
+
+    def _pool(
+        self, solver: str, parameters: dict[str, float | str], method: Callable[..., Any]
+    ) -> _native.SolverPool:
+        return _native.pool(self._shared, _configured(solver, parameters, method))
 
     def _points(
         self, values: SurfacePoints, what: str, convert: Callable[..., Points] = surface_points

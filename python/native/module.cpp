@@ -32,6 +32,7 @@
 #include "meshes/threads.h"
 #include "python/native/background.h"
 #include "python/native/shared_mesh.h"
+#include "python/native/solver_pool.h"
 #include "solvers/core/messages.h"
 #include "solvers/core/registry.h"
 #include "solvers/paths/paths.h"
@@ -109,6 +110,7 @@ std::vector<Index> indices_of(const Array<Index>& array) {
 }
 
 using SharedMeshPointer = std::shared_ptr<SharedMesh>;
+using PoolPointer = std::shared_ptr<SolverPool>;
 
 NonManifoldEdges crossed_if(bool cross_non_manifold) {
   return cross_non_manifold ? NonManifoldEdges::crossed : NonManifoldEdges::cut;
@@ -123,7 +125,7 @@ std::pair<SharedMeshPointer, std::string> mesh(const Array<double>& vertices,
     const NonManifoldEdges edges = crossed_if(cross_non_manifold);
     std::future<std::string> errors =
         std::async([&] { return list_errors(find_defects(*soup), edges); });
-    auto built = std::make_unique<const Mesh>(*soup, Numbering::along_surface, edges);
+    auto built = std::make_shared<const Mesh>(*soup, Numbering::along_surface, edges);
     std::string found = errors.get();
     return std::pair(std::make_shared<SharedMesh>(std::move(*soup), std::move(built), edges),
                      std::move(found));
@@ -186,7 +188,7 @@ std::pair<SurfacePoints, std::string> surface_points(const SharedMeshPointer& me
     if (at[i] != kNone) {
       found.points.emplace_back(at[i]);
     } else if (in[i] != kNone) {
-      found.points.push_back(point_in_face(mesh->mesh(), in[i], numbers[i]));
+      found.points.push_back(point_in_face(*mesh->mesh(), in[i], numbers[i]));
     } else {
       farthest = std::max(farthest, next->distance);
       found.points.push_back(next++->at);
@@ -228,30 +230,28 @@ Query query_of(const SurfacePoints& sources, const Array<double>& initial,
 }
 
 /// The distances of the targets; of all vertices when no targets are given.
-py::array_t<double> distances(const SharedMeshPointer& mesh, const std::string& solver,
-                              const SurfacePoints& sources, const Array<double>& initial,
-                              const OptionalPoints& targets, double limit) {
+py::array_t<double> distances(const PoolPointer& pool, const SurfacePoints& sources,
+                              const Array<double>& initial, const OptionalPoints& targets,
+                              double limit) {
   return array_of(in_background([=, query = query_of(sources, initial, targets, limit)](Task&) {
-    const auto inserted =
-        insert_for(solver_named(solver), mesh->mesh(), sources.points, query.targets);
-    std::vector<double> all(mesh->soup().positions.size()), at_targets(query.targets.size());
-    BorrowedSolver(mesh, solver, inserted)->solve(query, all, at_targets);
+    std::vector<double> all(pool->mesh()->vertex_count()), at_targets(query.targets.size());
+    BorrowedSolver(pool_for(pool, sources.points, query.targets))->solve(query, all, at_targets);
     return targets ? at_targets : all;
   }));
 }
 
-Paths paths_of(const SharedMeshPointer& mesh, const std::string& solver, const Query& query) {
-  return solve_paths(BorrowedSolver(mesh, solver)->solver(), mesh->mesh(), query);
+Paths paths_of(const PoolPointer& pool, const Query& query) {
+  return solve_paths(BorrowedSolver(pool)->solver(), *pool->mesh(), query);
 }
 
 /// The distances as from `distances`, and for each the index of the source of its path, -1 where no
 /// path leads.
-py::tuple distances_and_nearest(const SharedMeshPointer& mesh, const std::string& solver,
-                                const SurfacePoints& sources, const Array<double>& initial,
-                                const OptionalPoints& targets, double limit) {
+py::tuple distances_and_nearest(const PoolPointer& pool, const SurfacePoints& sources,
+                                const Array<double>& initial, const OptionalPoints& targets,
+                                double limit) {
   auto [reached, nearest] =
       in_background([=, query = query_of(sources, initial, targets, limit)](Task&) {
-        const Paths paths = paths_of(mesh, solver, query);
+        const Paths paths = paths_of(pool, query);
         std::vector<double> lengths;
         std::vector<Index> indices;
         if (targets) {
@@ -287,14 +287,13 @@ py::tuple arrays_of(const Path& path) {
 }
 
 /// @return the path from the only source to each target
-py::list paths(const SharedMeshPointer& mesh, const std::string& solver,
-               const SurfacePoints& source, const SurfacePoints& targets) {
+py::list paths(const PoolPointer& pool, const SurfacePoints& source, const SurfacePoints& targets) {
   const std::vector<Path> found = in_background([=](Task&) {
     std::vector<Path> to_each;
     if (targets.points.empty()) return to_each;
     const Query query{
         .sources = {{source.points.at(0), 0}}, .targets = targets.points, .stop_at_targets = true};
-    const Paths all = paths_of(mesh, solver, query);
+    const Paths all = paths_of(pool, query);
     for (std::size_t i = 0; i < query.targets.size(); ++i) to_each.push_back(all.to_target(i));
     return to_each;
   });
@@ -306,15 +305,14 @@ py::list paths(const SharedMeshPointer& mesh, const std::string& solver,
 /// Distances from each source by itself. Rows have the order of the sources, columns the order of
 /// the targets. All vertices are columns when no targets are given.
 struct Matrix {
-  SharedMeshPointer mesh;
-  std::string solver;
+  PoolPointer pool;
   SurfacePoints rows;
   OptionalPoints columns;
   unsigned threads;
   double limit = kInfinity;
 
   std::size_t width() const {
-    return columns ? columns->points.size() : mesh->soup().positions.size();
+    return columns ? columns->points.size() : pool->mesh()->vertex_count();
   }
 };
 
@@ -322,16 +320,15 @@ struct Matrix {
 /// @param put called once for each row, by several threads at a time
 void solve_rows(const Matrix& matrix, Task& task,
                 const std::function<void(std::size_t row, std::span<const double>)>& put) {
-  const Mesh& mesh = matrix.mesh->mesh();
   const std::vector<SurfacePoint>& sources = matrix.rows.points;
   Query asked{.sources = {}, .limit = matrix.limit};
   if (matrix.columns) asked.targets = matrix.columns->points;
   asked.stop_at_targets = !asked.targets.empty();
-  const auto inserted = insert_for(solver_named(matrix.solver), mesh, sources, asked.targets);
+  const PoolPointer pool = pool_for(matrix.pool, sources, asked.targets);
   const std::size_t count = matrix.width() > 0 ? sources.size() : 0;
   do_in_threads(count, matrix.threads, [&]() -> Worker {
-    const auto own = std::make_shared<BorrowedSolver>(matrix.mesh, matrix.solver, inserted);
-    RowSolver solver(std::shared_ptr<PointSolver>(own, &**own), mesh, asked);
+    const auto own = std::make_shared<BorrowedSolver>(pool);
+    RowSolver solver(std::shared_ptr<PointSolver>(own, &**own), *matrix.pool->mesh(), asked);
     return [&, solver = std::move(solver)](std::size_t i) mutable {
       task.throw_if_abandoned();
       solver.solve({.at = sources[i]});
@@ -354,10 +351,9 @@ class Unwritten {
 
 /// @return array of shape (rows, columns), infinite where no path leads
 template <class T>
-py::array_t<T> dense(const SharedMeshPointer& mesh, const std::string& solver,
-                     const SurfacePoints& rows, const OptionalPoints& columns, unsigned threads,
-                     const Progress& progress) {
-  const Matrix matrix{mesh, solver, rows, columns, threads};
+py::array_t<T> dense(const PoolPointer& pool, const SurfacePoints& rows,
+                     const OptionalPoints& columns, unsigned threads, const Progress& progress) {
+  const Matrix matrix{pool, rows, columns, threads};
   const std::size_t height = matrix.rows.points.size(), width = matrix.width();
   const auto values = std::make_shared<Unwritten<T>>(height * width);
   in_background(
@@ -375,14 +371,13 @@ py::array_t<T> dense(const SharedMeshPointer& mesh, const std::string& solver,
 
 /// @return the finite distances as three arrays: values, column indices, and the begin of each row
 template <class T>
-py::tuple sparse(const SharedMeshPointer& mesh, const std::string& solver,
-                 const SurfacePoints& rows, const OptionalPoints& columns, double limit,
-                 unsigned threads, const Progress& progress) {
+py::tuple sparse(const PoolPointer& pool, const SurfacePoints& rows, const OptionalPoints& columns,
+                 double limit, unsigned threads, const Progress& progress) {
   struct Compressed {
     std::vector<T> values;
     std::vector<std::int64_t> columns, begins{0};
   };
-  const Matrix matrix{mesh, solver, rows, columns, threads, limit};
+  const Matrix matrix{pool, rows, columns, threads, limit};
   Compressed all = in_background(
       [=](Task& task) {
         std::vector<Compressed> found(matrix.rows.points.size());
@@ -452,6 +447,8 @@ PYBIND11_MODULE(_native, module) {
         return mesh.non_manifold_edges() == NonManifoldEdges::crossed;
       });
 
+  py::class_<SolverPool, PoolPointer>(module, "SolverPool");
+
   py::class_<SurfacePoints>(module, "SurfacePoints").def("__len__", [](const SurfacePoints& self) {
     return self.points.size();
   });
@@ -482,6 +479,7 @@ PYBIND11_MODULE(_native, module) {
   module.def("unknown_name", &unknown_name);
   module.def("solvers", &registered_solvers, py::return_value_policy::reference);
   module.def("surface_points", &surface_points);
+  module.def("pool", [](SharedMesh& mesh, const std::string& solver) { return mesh.pool(solver); });
   module.def("distances", &distances);
   module.def("distances_and_nearest", &distances_and_nearest);
   module.def("paths", &paths);
