@@ -91,14 +91,10 @@ def paths(
 def nearest_points(
     mesh: SharedMesh, places: NDArray[np.float64]
 ) -> tuple[_Indices, _Indices, NDArray[np.float64], NDArray[np.float64]]: ...
-def dense_float64(
+def dense(
     pool: SolverPool, rows: SurfacePoints, columns: SurfacePoints | None, threads: int,
-    progress: _Progress,
-) -> NDArray[np.float64]: ...  # fmt: skip
-def dense_float32(
-    pool: SolverPool, rows: SurfacePoints, columns: SurfacePoints | None, threads: int,
-    progress: _Progress,
-) -> NDArray[np.float32]: ...  # fmt: skip
+    progress: _Progress, out: NDArray[np.floating[Any]],
+) -> None: ...  # fmt: skip
 def sparse_float64(
     pool: SolverPool, rows: SurfacePoints, columns: SurfacePoints | None, limit: float, threads: int,
     progress: _Progress,

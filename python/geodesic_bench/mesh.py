@@ -342,9 +342,10 @@ class Mesh:
         columns: SurfacePoints | None = None,
         *,
         threads: int = 0,
-        dtype: DTypeLike = "float64",
+        dtype: DTypeLike | None = None,
         limit: float | None = None,
         progress: bool = False,
+        out: NDArray[Any] | None = None,
         solver: str = FASTEST,
         **parameters: float | str,
     ) -> NDArray[Any] | csr_matrix:
@@ -360,11 +361,14 @@ class Mesh:
             Number of rows that are solved at the same time; 0 for the number of processors. Each thread
             has a solver with its own memory. The matrix does not depend on this number.
         dtype : float64 or float32
-            Type of the matrix; solvers always compute in float64.
+            Type of the matrix, by default that of `out` or float64; solvers always compute in float64.
         limit : float, optional
             Makes the matrix sparse: entries beyond this distance are not stored.
         progress : bool
             Show a progress bar of tqdm.
+        out : (k, l) array of float64 or float32, optional
+            Where the matrix is written, such as a numpy.memmap; only without a limit. Row by row, in any
+            order; after Ctrl-C some rows are missing.
         solver : str
         parameters
             As in `distances`.
@@ -372,8 +376,8 @@ class Mesh:
         Returns
         -------
         (k, l) array, or scipy.sparse.csr_matrix with a limit
-            Distances in the unit of the coordinates. A dense matrix has inf for unreachable points. All
-            stored entries of a sparse matrix are reached, including stored zeros.
+            Distances in the unit of the coordinates; `out` if it was given. A dense matrix has inf for
+            unreachable points. All stored entries of a sparse matrix are reached, including stored zeros.
 
         >>> mesh = Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
         >>> mesh.distance_matrix([0, 2], columns=[1, 2])
@@ -392,26 +396,24 @@ class Mesh:
             raise ValueError(
                 f"threads must be an integer between 0 and {MOST_THREADS}, not {threads!r}"
             )
-        name = _name_of_type(dtype)
-        what = (self._pool(solver, parameters, self.distance_matrix), sources, targets)
+        name = _name_of_type(out.dtype if dtype is None and isinstance(out, np.ndarray) else dtype)
+        pool = self._pool(solver, parameters, self.distance_matrix)
         workers = threads or os.cpu_count() or 1
         shape = len(sources), len(self.vertices) if targets is None else len(targets)
         if limit is None:
-            dense = _native.dense_float64 if name == "float64" else _native.dense_float32
-            try:
-                with _bar(shape[0], progress) as show:
-                    return dense(*what, workers, show)
-            except MemoryError:
-                raise MemoryError(
-                    f"no room for a matrix of {shape[0]} rows and {shape[1]} columns in {name}: ask"
-                    " for fewer at a time, or write it with geodesic-bench solve --matrix"
-                ) from None
+            matrix = _matrix(shape, name) if out is None else _checked(out, shape, name)
+            with _bar(shape[0], progress) as show:
+                _native.dense(pool, sources, targets, workers, show, matrix)
+            return matrix
+        if out is not None:
+            raise ValueError("a matrix with a limit is sparse: leave out either out or limit")
         from scipy.sparse import csr_matrix
 
         sparse = _native.sparse_float64 if name == "float64" else _native.sparse_float32
         most = number(limit, "limit")
         with _bar(shape[0], progress) as show:
-            return csr_matrix(sparse(*what, most, workers, show), shape=shape)
+            compressed = sparse(pool, sources, targets, most, workers, show)
+        return csr_matrix(compressed, shape=shape)
 
     def _pool(
         self, solver: str, parameters: dict[str, float | str], method: Callable[..., Any]
@@ -508,6 +510,27 @@ def _name_of_type(dtype: DTypeLike) -> str:
     if name not in ("float64", "float32"):
         raise ValueError(f"dtype must be float64 or float32, not {dtype}")
     return name
+
+
+def _matrix(shape: tuple[int, int], name: str) -> NDArray[Any]:
+    try:
+        return np.empty(shape, name)
+    except (MemoryError, ValueError):  # ValueError: its size is no integer of the machine
+        raise MemoryError(
+            f"no room for a matrix of {shape[0]} rows and {shape[1]} columns in {name}: ask for fewer at a"
+            " time, or give a numpy.memmap as out"
+        ) from None
+
+
+def _checked(out: NDArray[Any], shape: tuple[int, int], name: str) -> NDArray[Any]:
+    """Returns the array of a user if a matrix of this shape and type can be written to it."""
+    if not isinstance(out, np.ndarray):
+        raise ValueError(f"out must be an array of numpy, not {type(out).__name__}")
+    if out.shape != shape or out.dtype != np.dtype(name):
+        raise ValueError(f"out must have the shape {shape} and the type {name}, not {out.shape} and {out.dtype}")
+    if not out.flags.writeable:
+        raise ValueError("out must be writeable: this array is read-only")
+    return out
 
 
 @contextmanager

@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <shared_mutex>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -16,9 +17,17 @@ class Background::State final : public Task {
   void throw_if_abandoned() const override {
     if (abandoned_) throw std::runtime_error("abandoned");
   }
+  void write_for_caller(const std::function<void()>& write) override {
+    const std::shared_lock lock(writing_);
+    throw_if_abandoned();
+    write();
+  }
 
   std::size_t pieces_done() const { return pieces_done_; }
-  void abandon() { abandoned_ = true; }
+  void abandon() {
+    abandoned_ = true;
+    const std::unique_lock lock(writing_);  // after the writes that have begun
+  }
 
   void end(std::exception_ptr error) {
     const std::lock_guard lock(mutex_);
@@ -37,7 +46,8 @@ class Background::State final : public Task {
  private:
   std::atomic<std::size_t> pieces_done_ = 0;
   std::atomic<bool> abandoned_ = false;
-  std::mutex mutex_;  // guards all members below
+  std::shared_mutex writing_;  // shared by the threads that write
+  std::mutex mutex_;           // guards all members below
   std::condition_variable changed_;
   bool ended_ = false;
   std::exception_ptr error_;

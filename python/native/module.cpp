@@ -20,6 +20,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -338,35 +339,28 @@ void solve_rows(const Matrix& matrix, Task& task,
   });
 }
 
-/// Memory that is not initialised, so that the allocation of a large matrix is quick.
+/// @param out array of shape (rows, columns), of any strides and alignment; infinite where no path
+///        leads; is no longer written to once this has ended, by Ctrl-C too
 template <class T>
-class Unwritten {
- public:
-  explicit Unwritten(std::size_t size) : values_(std::make_unique_for_overwrite<T[]>(size)) {}
-  T* data() const { return values_.get(); }
-
- private:
-  std::unique_ptr<T[]> values_;
-};
-
-/// @return array of shape (rows, columns), infinite where no path leads
-template <class T>
-py::array_t<T> dense(const PoolPointer& pool, const SurfacePoints& rows,
-                     const OptionalPoints& columns, unsigned threads, const Progress& progress) {
+void dense(const PoolPointer& pool, const SurfacePoints& rows, const OptionalPoints& columns,
+           unsigned threads, const Progress& progress, py::array_t<T, 0> out) {
   const Matrix matrix{pool, rows, columns, threads};
-  const std::size_t height = matrix.rows.points.size(), width = matrix.width();
-  const auto values = std::make_shared<Unwritten<T>>(height * width);
   in_background(
-      [=](Task& task) {
+      [=, begin = reinterpret_cast<std::byte*>(out.mutable_data()), to_next_row = out.strides(0),
+       to_next = out.strides(1)](Task& task) {
         solve_rows(matrix, task, [&](std::size_t row, auto distances) {
-          T* value = values->data() + row * width;
-          for (const double d : distances) *value++ = static_cast<T>(d);
+          task.write_for_caller([&] {
+            std::byte* at = begin + static_cast<py::ssize_t>(row) * to_next_row;
+            for (const double d : distances) {
+              const T value = static_cast<T>(d);
+              std::memcpy(at, &value, sizeof value);
+              at += to_next;
+            }
+          });
         });
         return true;
       },
       progress);
-  return array_of(std::move(*values),
-                  {static_cast<py::ssize_t>(height), static_cast<py::ssize_t>(width)});
 }
 
 /// @return the finite distances as three arrays: values, column indices, and the begin of each row
@@ -418,7 +412,8 @@ std::vector<std::string> parameters_of(const Description& solver) {
 template <class T>
 void define_matrices(py::module_& module) {
   const std::string type = sizeof(T) == sizeof(double) ? "float64" : "float32";
-  module.def(("dense_" + type).c_str(), &dense<T>);
+  module.def("dense", &dense<T>, py::arg(), py::arg(), py::arg(), py::arg(), py::arg(),
+             py::arg().noconvert());
   module.def(("sparse_" + type).c_str(), &sparse<T>);
 }
 
