@@ -23,6 +23,12 @@ class SharedMesh:
 class SolverPool:
     """Solvers of one name on one mesh."""
 
+    @property
+    def solver(self) -> Solver: ...
+    @property
+    def certificate(self) -> tuple[int, float, float] | None:
+        """The fields of prepared.Certificate."""
+
 class SurfacePoints:
     """Points of a mesh's surface."""
 
@@ -59,6 +65,9 @@ class Solver:
     @property
     def remarks(self) -> str: ...
     @property
+    def prepares(self) -> bool:
+        """Whether `Mesh.prepare` accepts it."""
+    @property
     def parameters(self) -> list[str]:
         """Names of the solver's parameters, which are keyword arguments of a query."""
 
@@ -77,6 +86,10 @@ def surface_points(
     """Converts the arrays of arrays.Points. Returns a remark as well if a place is far from the surface."""
 def pool(mesh: SharedMesh, solver: str) -> SolverPool:
     """Returns the mesh's pool, which it keeps until it is asked for another solver."""
+def prepare(mesh: SharedMesh, solver: str) -> SolverPool:
+    """Returns a new pool that is prepared."""
+def saved(pool: SolverPool) -> bytes: ...
+def load(mesh: SharedMesh, saved: bytes) -> SolverPool: ...
 def distances(
     pool: SolverPool, sources: SurfacePoints, initial: NDArray[np.float64],
     targets: SurfacePoints | None, limit: float,

@@ -5,11 +5,13 @@ from __future__ import annotations
 import inspect
 import math
 import os
+import sys
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
+from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
@@ -28,12 +30,15 @@ from geodesic_bench.arrays import (
     surface_points,
     vertex_array,
 )
+from geodesic_bench.prepared import Prepared, loaded
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_matrix
 
 FASTEST = "edge-based"
+PREPARED = "straight-graph"
 MOST_THREADS = 1024
+MOST_THREADS_THAT_PREPARE = 256
 
 OF_OTHER_PACKAGES = {
     "cutoff": "limit",
@@ -117,7 +122,7 @@ class Mesh:
         corners = face_array(faces, len(points))
         self._shared, errors = _native.mesh(points, corners, bool(cross_non_manifold))
         if errors:
-            warnings.warn(f"distances may be meaningless: {errors}", stacklevel=2)
+            _warn(f"distances may be meaningless: {errors}")
 
     @property
     def vertices(self) -> NDArray[np.float64]:
@@ -137,7 +142,7 @@ class Mesh:
         *,
         initial: ArrayLike | None = ...,
         limit: float | None = ...,
-        solver: str = ...,
+        solver: str | Prepared = ...,
         return_nearest: Literal[False] = ...,
         **parameters: float | str,
     ) -> NDArray[np.float64]: ...
@@ -149,7 +154,7 @@ class Mesh:
         *,
         initial: ArrayLike | None = ...,
         limit: float | None = ...,
-        solver: str = ...,
+        solver: str | Prepared = ...,
         return_nearest: Literal[True],
         **parameters: float | str,
     ) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...
@@ -160,7 +165,7 @@ class Mesh:
         *,
         initial: ArrayLike | None = None,
         limit: float | None = None,
-        solver: str = FASTEST,
+        solver: str | Prepared = FASTEST,
         return_nearest: bool = False,
         **parameters: float | str,
     ) -> NDArray[np.float64] | tuple[NDArray[np.float64], NDArray[np.int64]]:
@@ -180,8 +185,9 @@ class Mesh:
             Initial distance of each source, in the unit of the coordinates.
         limit : float, optional
             Vertices beyond this distance are not reached; a small limit makes a query fast.
-        solver : str
-            A name of `solvers()`. All exact solvers return the same distances up to rounding.
+        solver : str or Prepared
+            A name of `solvers()`, or what `prepare` returned. All exact solvers return the same distances up
+            to rounding.
         return_nearest : bool
             Also return the nearest source of every vertex or target, where its path begins. The solver
             must be one that remembers paths.
@@ -228,7 +234,7 @@ class Mesh:
         source: SurfacePoint,
         target: SurfacePoint,
         *,
-        solver: str = FASTEST,
+        solver: str | Prepared = FASTEST,
         **parameters: float | str,
     ) -> Path:
         """Returns a shortest path over the surface.
@@ -237,7 +243,7 @@ class Mesh:
         ----------
         source, target : one point
             As in `distances`.
-        solver : str
+        solver : str or Prepared
         parameters
             As in `distances`; the solver must be one that remembers paths.
 
@@ -267,7 +273,7 @@ class Mesh:
         source: SurfacePoint,
         targets: SurfacePoints,
         *,
-        solver: str = FASTEST,
+        solver: str | Prepared = FASTEST,
         **parameters: float | str,
     ) -> list[Path]:
         """Returns a shortest path to each target, with a single solve.
@@ -277,7 +283,7 @@ class Mesh:
         source : one point
         targets : (k,) integers, or k points, or one
             As in `distances`.
-        solver : str
+        solver : str or Prepared
         parameters
             As in `path`.
 
@@ -346,7 +352,7 @@ class Mesh:
         limit: float | None = None,
         progress: bool = False,
         out: NDArray[Any] | None = None,
-        solver: str = FASTEST,
+        solver: str | Prepared = FASTEST,
         **parameters: float | str,
     ) -> NDArray[Any] | csr_matrix:
         """Returns the distances from each of some points, which are separate sources.
@@ -369,7 +375,7 @@ class Mesh:
         out : (k, l) array of float64 or float32, optional
             Where the matrix is written, such as a numpy.memmap; only without a limit. Row by row, in any
             order; after Ctrl-C some rows are missing.
-        solver : str
+        solver : str or Prepared
         parameters
             As in `distances`.
 
@@ -392,13 +398,9 @@ class Mesh:
         """
         sources = self._points(rows, "row")
         targets = None if columns is None else self._points(columns, "column")
-        if not (isinstance(threads, int | np.integer) and 0 <= threads <= MOST_THREADS):
-            raise ValueError(
-                f"threads must be an integer between 0 and {MOST_THREADS}, not {threads!r}"
-            )
+        workers = _number_of_threads(threads)
         name = _name_of_type(out.dtype if dtype is None and isinstance(out, np.ndarray) else dtype)
         pool = self._pool(solver, parameters, self.distance_matrix)
-        workers = threads or os.cpu_count() or 1
         shape = len(sources), len(self.vertices) if targets is None else len(targets)
         if limit is None:
             matrix = _matrix(shape, name) if out is None else _checked(out, shape, name)
@@ -415,20 +417,82 @@ class Mesh:
             compressed = sparse(pool, sources, targets, most, workers, show)
         return csr_matrix(compressed, shape=shape)
 
+    def prepare(
+        self, *, solver: str = PREPARED, threads: int = 0, **parameters: float | str
+    ) -> Prepared:
+        """Prepares a solver for many queries. This takes the time of about 4 exact solves; a distance of all
+        vertices from a further source then takes about a tenth of an exact solve.
+
+        Parameters
+        ----------
+        solver : str
+            One of `solvers()` that prepares: straight-graph. Its distances are never too short
+            (docs/approximate.md), and it remembers paths.
+        threads : int
+            Threads that prepare; 0 for the number of processors. The result does not depend on this number.
+        parameters
+            As in `distances`. Those of straight-graph are `alpha`, smaller for smaller errors, and `check`, the
+            number of random sources from which the errors are measured, for `Prepared.certificate`.
+
+        >>> mesh = Mesh([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]])
+        >>> prepared = mesh.prepare(alpha=0.1)
+        >>> prepared.distance_matrix([0, 2], columns=[1, 3])
+        array([[1., 1.],
+               [1., 1.]])
+        >>> round(prepared.path(1, 3).length, 4)
+        1.4142
+        """
+        known = solvers()
+        base = solver.split("?")[0] if isinstance(solver, str) else ""
+        if base in known and not known[base].prepares:
+            able = ", ".join(name for name, each in known.items() if each.prepares)
+            raise ValueError(f"{base} prepares nothing that takes long: ask the mesh itself, or prepare {able}")
+        workers = min(_number_of_threads(threads), MOST_THREADS_THAT_PREPARE)
+        name = _configured(solver, {"threads": workers, **parameters}, self.prepare)
+        return Prepared(self, _native.prepare(self._shared, name))
+
+    def load_prepared(self, file: str | os.PathLike[str]) -> Prepared:
+        """Reads what `Prepared.save` or the command line wrote for this mesh.
+
+        Parameters
+        ----------
+        file : path
+
+        Raises
+        ------
+        OSError
+            If the file cannot be read.
+        ValueError
+            If it is no preparation, or that of another mesh, or damaged.
+        """
+        saved = FilePath(file).read_bytes()
+        try:
+            return loaded(self, saved)
+        except ValueError as error:
+            raise ValueError(f"{os.fspath(file)}: {error}") from None
+
     def _pool(
-        self, solver: str, parameters: dict[str, float | str], method: Callable[..., Any]
+        self,
+        solver: str | Prepared,
+        parameters: dict[str, float | str],
+        method: Callable[..., Any],
     ) -> _native.SolverPool:
-        return _native.pool(self._shared, _configured(solver, parameters, method))
+        if not isinstance(solver, Prepared):
+            return _native.pool(self._shared, _configured(solver, parameters, method))
+        if solver.mesh is not self:
+            raise ValueError("solver is prepared for another mesh: prepare one for this mesh")
+        if parameters:
+            raise ValueError(f"{solver.solver} is already prepared: leave out {', '.join(parameters)}")
+        return solver._pool
 
     def _points(
         self, values: SurfacePoints, what: str, convert: Callable[..., Points] = surface_points
     ) -> _native.SurfacePoints:
-        """Returns the points on the surface, and warns of a place that is far from it. Only public methods
-        call this, so that the warning has the line of their caller."""
+        """Returns the points on the surface, and warns of a place that is far from it."""
         given = convert(values, what, len(self.vertices), len(self.faces))
         points, remark = _native.surface_points(self._shared, *given)
         if remark:
-            warnings.warn(f"a {what} {remark}", stacklevel=3)
+            _warn(f"a {what} {remark}")
         return points
 
     def __repr__(self) -> str:
@@ -462,7 +526,7 @@ def read_mesh(
     mesh = Mesh.__new__(Mesh)
     mesh._shared, remarks = _native.read(os.fspath(file), bool(repair), bool(cross_non_manifold))
     if remarks:
-        warnings.warn(f"{os.fspath(file)}: {'; '.join(remarks)}", stacklevel=2)
+        _warn(f"{os.fspath(file)}: {'; '.join(remarks)}")
     return mesh
 
 
@@ -499,7 +563,15 @@ def _configured(solver: str, parameters: dict[str, float | str], method: Callabl
                 raise ValueError(f"no argument named '{key}' (did you mean '{meant}'?)")
             raise ValueError(_native.unknown_name("argument", key, names))
     values = "&".join(f"{key.replace('_', '-')}={value}" for key, value in parameters.items())
-    return f"{solver}?{values}" if values else solver
+    return f"{solver}{'&' if '?' in solver else '?'}{values}" if values else solver
+
+
+def _number_of_threads(threads: int) -> int:
+    if not (isinstance(threads, int | np.integer) and 0 <= threads <= MOST_THREADS):
+        raise ValueError(
+            f"threads must be an integer between 0 and {MOST_THREADS}, not {threads!r}"
+        )
+    return int(threads) or os.cpu_count() or 1
 
 
 def _name_of_type(dtype: DTypeLike) -> str:
@@ -531,6 +603,14 @@ def _checked(out: NDArray[Any], shape: tuple[int, int], name: str) -> NDArray[An
     if not out.flags.writeable:
         raise ValueError("out must be writeable: this array is read-only")
     return out
+
+
+def _warn(message: str) -> None:
+    """Warns with the line that called the package."""
+    level, frame = 1, sys._getframe()
+    while frame.f_back and frame.f_globals["__name__"].startswith("geodesic_bench."):
+        level, frame = level + 1, frame.f_back
+    warnings.warn(message, stacklevel=level)
 
 
 @contextmanager

@@ -18,6 +18,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -35,6 +36,7 @@
 #include "python/native/shared_mesh.h"
 #include "python/native/solver_pool.h"
 #include "solvers/core/messages.h"
+#include "solvers/core/prepared_file.h"
 #include "solvers/core/registry.h"
 #include "solvers/paths/paths.h"
 
@@ -228,6 +230,39 @@ Query query_of(const SurfacePoints& sources, const Array<double>& initial,
   if (targets) query.targets = targets->points;
   query.stop_at_targets = !query.targets.empty();
   return query;
+}
+
+/// @return a pool that is already prepared, and that no other call shares
+PoolPointer prepare(const SharedMeshPointer& mesh, const std::string& solver) {
+  auto pool = std::make_shared<SolverPool>(mesh->mesh(), solver_named(solver));
+  return in_background([=](Task&) {
+    const BorrowedSolver first(pool);
+    return pool;
+  });
+}
+
+/// @return what save_prepared writes
+py::bytes saved(const PoolPointer& pool) {
+  return in_background([=](Task&) {
+    std::ostringstream to;
+    save_prepared(BorrowedSolver(pool)->solver(), to);
+    return std::move(to).str();
+  });
+}
+
+/// @param bytes read as read_prepared does
+PoolPointer load(const SharedMeshPointer& mesh, std::string bytes) {
+  return in_background([mesh = mesh->mesh(), bytes = std::move(bytes)](Task&) mutable {
+    std::istringstream from(std::move(bytes));
+    return std::make_shared<SolverPool>(mesh, read_prepared(*mesh, from));
+  });
+}
+
+/// @return the fields of Certificate; none if the preparation has no certificate
+std::optional<std::tuple<Index, double, double>> certificate(const PoolPointer& pool) {
+  const auto found = BorrowedSolver(pool)->solver().certificate();
+  if (!found) return std::nullopt;
+  return std::tuple(found->sources, found->mean_error, found->largest_error);
 }
 
 /// The distances of the targets; of all vertices when no targets are given.
@@ -442,7 +477,9 @@ PYBIND11_MODULE(_native, module) {
         return mesh.non_manifold_edges() == NonManifoldEdges::crossed;
       });
 
-  py::class_<SolverPool, PoolPointer>(module, "SolverPool");
+  py::class_<SolverPool, PoolPointer>(module, "SolverPool")
+      .def_property_readonly("solver", &SolverPool::solver, py::return_value_policy::reference)
+      .def_property_readonly("certificate", &certificate);
 
   py::class_<SurfacePoints>(module, "SurfacePoints").def("__len__", [](const SurfacePoints& self) {
     return self.points.size();
@@ -466,6 +503,7 @@ PYBIND11_MODULE(_native, module) {
       .def_property_readonly("parameters", &parameters_of)
       .def_property_readonly("exact",
                              [](const Description& d) { return d.exactness == Exactness::exact; })
+      .def_property_readonly("prepares", [](const Description& d) { return d.abilities.saves; })
       .def("__repr__", [](const Description& d) { return "<" + d.name + ": " + d.paper + ">"; });
 
   module.def("mesh", &mesh);
@@ -475,6 +513,9 @@ PYBIND11_MODULE(_native, module) {
   module.def("solvers", &registered_solvers, py::return_value_policy::reference);
   module.def("surface_points", &surface_points);
   module.def("pool", [](SharedMesh& mesh, const std::string& solver) { return mesh.pool(solver); });
+  module.def("prepare", &prepare);
+  module.def("saved", &saved);
+  module.def("load", &load);
   module.def("distances", &distances);
   module.def("distances_and_nearest", &distances_and_nearest);
   module.def("paths", &paths);

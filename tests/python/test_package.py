@@ -30,7 +30,7 @@ print(gb.__file__, *{mesh.distances([1], solver=name)[2] for name in gb.solvers(
 OF_EVERY_SYSTEM = {"libstdc++", "libgcc_s", "libm", "libc", "ld-linux-x86-64", "ld-linux-aarch64"}
 
 
-@pytest.mark.parametrize("module", ["geodesic_bench", "geodesic_bench.arrays", "geodesic_bench.mesh"])
+@pytest.mark.parametrize("module", ["geodesic_bench", "geodesic_bench.arrays", "geodesic_bench.mesh", "geodesic_bench.prepared"])
 def test_examples_of_docstrings_do_what_they_say(module: str) -> None:
     failed, tried = doctest.testmod(importlib.import_module(module))
     assert tried > 0 and failed == 0
@@ -57,7 +57,7 @@ def test_everything_public_has_a_docstring_with_its_parameters() -> None:
     for name in gb.__all__:
         assert getattr(gb, name).__doc__, name
     for method in (gb.Mesh.distances, gb.Mesh.paths, gb.Mesh.nearest_point,
-                   gb.Mesh.distance_matrix, gb.read_mesh, gb.run, gb.benchmark):
+                   gb.Mesh.distance_matrix, gb.Mesh.prepare, gb.Mesh.load_prepared, gb.Prepared.save, gb.read_mesh, gb.run, gb.benchmark):
         words = method.__doc__
         unsaid = [name for name in method.__annotations__ if f"{name}\n" not in words.replace(" :", "\n")]
         assert unsaid == ["return"] or unsaid == [], method.__name__
